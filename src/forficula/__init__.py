@@ -1,0 +1,63 @@
+"""Predict and design bistable folding structures.
+
+import forficula as ff
+
+design = ff.load_design("binder2025")
+record = ff.run(design)
+outcome = ff.measure(record)
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from forficula.analysis import Outcome, measure
+    from forficula.design import Design, load_design, named_designs, save_design, scale_design
+    from forficula.dynamics import Record, load_record, run, save_record
+    from forficula.errors import InputError
+    from forficula.pattern import CreasePattern, EarwigFan, earwig_pattern, read_fold, write_fold
+
+# Where each public name lives. They are fetched at first use: MuJoCo and xarray are slow to import, and help, errors and
+# crease patterns need neither.
+_HOMES = {
+    "forficula.analysis": ("Outcome", "measure"),
+    "forficula.design": ("Design", "load_design", "named_designs", "save_design", "scale_design"),
+    "forficula.dynamics": ("Record", "load_record", "run", "save_record"),
+    "forficula.errors": ("InputError",),
+    "forficula.pattern": ("CreasePattern", "EarwigFan", "earwig_pattern", "read_fold", "write_fold"),
+}
+
+__all__ = [
+    "CreasePattern",
+    "Design",
+    "EarwigFan",
+    "InputError",
+    "Outcome",
+    "Record",
+    "earwig_pattern",
+    "load_design",
+    "load_record",
+    "measure",
+    "named_designs",
+    "read_fold",
+    "run",
+    "save_design",
+    "save_record",
+    "scale_design",
+    "write_fold",
+]
+
+
+def __getattr__(name: str) -> Any:
+    """Fetch a public name from where it lives."""
+    for home, names in _HOMES.items():
+        if name in names:
+            return getattr(import_module(home), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    """The public names."""
+    return __all__

@@ -1,0 +1,27 @@
+from forficula.design.design import Design, Protocol, Stage, design_warnings
+from forficula.design.design_file import (
+    design_from_text,
+    design_text,
+    load_design,
+    named_designs,
+    save_design,
+    with_values,
+    write_new_design,
+)
+from forficula.design.similarity import in_units, scale_design
+
+__all__ = [
+    "Design",
+    "Protocol",
+    "Stage",
+    "design_from_text",
+    "design_text",
+    "design_warnings",
+    "in_units",
+    "load_design",
+    "named_designs",
+    "save_design",
+    "scale_design",
+    "with_values",
+    "write_new_design",
+]

@@ -1,0 +1,64 @@
+"""Designs in other units, and designs scaled in size: both multiply every value by its dimension's powers."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from forficula.design.design import Design, Part, field_quantity
+from forficula.design.design_file import with_values
+from forficula.errors import InputError
+from forficula.quantities import dimension
+
+
+def in_units(design: Design, *, length: float, mass: float, time: float) -> Design:
+    """Write every value of a design in other units of length, mass and time.
+
+    Args:
+        design: in SI.
+        length: the new unit of length, m.
+        mass: the new unit of mass, kg.
+        time: the new unit of time, s.
+
+    Returns:
+        The same design, its numbers in the new units. It is not checked again: the bounds are SI.
+    """
+    return _rescaled(design, length, mass, time)
+
+
+def scale_design(design: Design, factor: float) -> Design:
+    """Scale a wing's size at fixed modulus and density, with all that makes it move alike.
+
+    Stiffness goes with the factor, energy and torque with its cube, inertia with its fifth power, time with the factor
+    itself, so that the tips are as fast as before (dimensional analysis; Ilton et al. 2018, arXiv 1711.04920, measured
+    that speed).
+
+    Args:
+        design: in SI.
+        factor: size of the new wing by that of the old.
+
+    Returns:
+        The scaled design; in t / time scale its motion is the same.
+
+    Raises:
+        InputError: the factor is not > 0, or so small or large that a value leaves its bounds.
+    """
+    if not 0 < factor < float("inf"):
+        raise InputError(f"factor: need > 0 and finite, got {factor}")
+    scaled = _rescaled(design, 1 / factor, 1 / factor**3, 1 / factor)
+    return with_values(scaled, {"name": f"{design.name}-x{factor:g}"})
+
+
+def _rescaled(part: Any, length: float, mass: float, time: float) -> Any:
+    changes: dict[str, Any] = {}
+    for name, field in type(part).model_fields.items():
+        value, quantity = getattr(part, name), field_quantity(field)
+        if isinstance(value, Part):
+            changes[name] = _rescaled(value, length, mass, time)
+        elif isinstance(value, tuple):
+            changes[name] = tuple(
+                _rescaled(item, length, mass, time) if isinstance(item, Part) else item for item in value
+            )
+        elif quantity is not None and isinstance(value, float):
+            by_length, by_mass, by_time = dimension(quantity.unit)
+            changes[name] = value / (length**by_length * mass**by_mass * time**by_time)
+    return part.model_copy(update=changes)

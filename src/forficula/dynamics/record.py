@@ -1,0 +1,177 @@
+"""What a run leaves: time series with units, and when each stage of the protocol began and ended."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from importlib import metadata
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.design import Design, Stage, design_from_text, design_text
+from forficula.errors import InputError
+from forficula.files import replacing
+
+if TYPE_CHECKING:
+    import xarray
+
+Array = NDArray[np.float64]
+
+# name: (dimensions after time, unit, what it is)
+VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
+    "sweep_angle": (("vein",), "rad", "turn of the vein in the flat wing's plane"),
+    "lift_angle": (("vein",), "rad", "turn of the vein out of the flat wing's plane"),
+    "turn_angle": (("vein",), "rad", "turn of the vein about its own axis, folding positive in its own sense"),
+    "distal_angle": (("vein",), "rad", "angle of the distal hinge, folding negative in the vein's own sense"),
+    "tendon_length": (("vein",), "m", "length of the tendon"),
+    "tendon_energy": (("vein",), "J", "energy of the tendon"),
+    "membrane_energy": ((), "J", "stretch energy of the membrane"),
+    "kinetic_energy": ((), "J", "kinetic energy of the bars and hinges"),
+    "gravitational_energy": ((), "J", "weight of the bars by their height"),
+    "proximal_power": ((), "W", "power of the torques on the proximal turn axes"),
+    "distal_power": ((), "W", "power of the torques on the distal hinges"),
+    "proximal_work": ((), "J", "work of the torques on the proximal turn axes since the start"),
+    "distal_work": ((), "J", "work of the torques on the distal hinges since the start"),
+    "hinge_damping_work": ((), "J", "work of the hinges' damping since the start"),
+    "elastic_damping_work": ((), "J", "work of the tendons' and the membrane's damping since the start"),
+    "stop_work": ((), "J", "work of the hinges' stops, guard tendons and contacts since the start"),
+    "vein_position": (("vein", "point", "axis"), "m", "hub end, ring vertex and tip of the vein"),
+    "membrane_position": (("node", "axis"), "m", "nodes of the membrane"),
+}
+
+
+@dataclass(frozen=True, kw_only=True)
+class StageEnd:
+    """How a stage went.
+
+    Attributes:
+        stage: what was asked.
+        start: s.
+        end: s.
+        goal_time: when the goal was reached, s; None where it was not, or where the goal was the time.
+    """
+
+    stage: Stage
+    start: float
+    end: float
+    goal_time: float | None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Record:
+    """What a run leaves.
+
+    Attributes:
+        design: what ran.
+        data: time series over `time` (s), the variables of `VARIABLES`, each with its unit in `attrs`. Rows lie at the
+            sample interval and at the end of every stage.
+        stages: the stages that took place, in order.
+        triangles: the membrane's mesh, (triangle, 3), indices of nodes.
+        diverged_at: when the numbers blew up, s, or None.
+    """
+
+    design: Design
+    data: xarray.Dataset
+    stages: tuple[StageEnd, ...]
+    triangles: NDArray[np.int64]
+    diverged_at: float | None
+
+
+def build_record(
+    design: Design,
+    time: Array,
+    series: Mapping[str, Array],
+    stages: tuple[StageEnd, ...],
+    triangles: NDArray[np.int64],
+    diverged_at: float | None,
+) -> Record:
+    """Label the arrays of a run, which are in SI.
+
+    Args:
+        design: what ran.
+        time: s, (time,).
+        series: an array for every name of `VARIABLES`, (time, ...).
+        stages: those that took place.
+        triangles: the membrane's mesh.
+        diverged_at: s, or None.
+    """
+    import xarray
+
+    variables = {
+        name: (("time", *dimensions), series[name], {"units": unit, "long_name": meaning})
+        for name, (dimensions, unit, meaning) in VARIABLES.items()
+    }
+    coordinates = {
+        "time": ("time", time, {"units": "s", "long_name": "time"}),
+        "point": ["hub", "ring", "tip"],
+        "axis": ["x", "y", "z"],
+    }
+    data = xarray.Dataset(variables, coordinates)
+    return Record(design=design, data=data, stages=stages, triangles=triangles, diverged_at=diverged_at)
+
+
+def save_record(record: Record, path: Path) -> None:
+    """Write a record as netCDF, its design and stages with it.
+
+    Raises:
+        InputError: it cannot be written.
+    """
+    nothing = float("nan")
+    data = record.data.assign(
+        triangle=(("face", "corner"), record.triangles, {"long_name": "membrane mesh: nodes of each triangle"}),
+        stage_name=("stage", [end.stage.name for end in record.stages]),
+        stage_start=("stage", [end.start for end in record.stages], {"units": "s"}),
+        stage_end=("stage", [end.end for end in record.stages], {"units": "s"}),
+        stage_goal_time=(
+            "stage",
+            [nothing if end.goal_time is None else end.goal_time for end in record.stages],
+            {"units": "s", "long_name": "when the stage's goal was reached, nan where it was not"},
+        ),
+    )
+    data.attrs = {
+        "title": f"forficula run of {record.design.name}",
+        "design": design_text(record.design),
+        "design_hash": record.design.hash,
+        "diverged_at": nothing if record.diverged_at is None else record.diverged_at,
+        **{f"version_{name}": version for name, version in versions().items()},
+    }
+    with replacing(path) as temporary:
+        data.to_netcdf(temporary, engine="h5netcdf")
+
+
+def load_record(path: Path) -> Record:
+    """Read a record that `save_record` wrote.
+
+    Raises:
+        InputError: no such file, or not such a file.
+    """
+    import xarray
+
+    try:
+        with xarray.open_dataset(path, engine="h5netcdf") as file:
+            data = file.load()
+        design = design_from_text(data.attrs["design"])
+        ends = [data[f"stage_{name}"].values for name in ("start", "end", "goal_time")]
+        stages = tuple(
+            StageEnd(stage=stage, start=float(start), end=float(end), goal_time=None if np.isnan(goal) else float(goal))
+            for stage, start, end, goal in zip(design.protocol.stages, *ends, strict=False)
+        )
+        diverged_at = float(data.attrs["diverged_at"])
+        return Record(
+            design=design,
+            data=data[list(VARIABLES)],
+            stages=stages,
+            triangles=data["triangle"].values.astype(np.int64),
+            diverged_at=None if np.isnan(diverged_at) else diverged_at,
+        )
+    except (OSError, KeyError, ValueError, tomllib.TOMLDecodeError) as error:
+        raise InputError(f"{path}: not a record of forficula: {' '.join(str(error).split())}") from None
+
+
+def versions() -> dict[str, str]:
+    """Versions of what a number depends on."""
+    return {name: metadata.version(name) for name in ("forficula", "mujoco", "numpy")}

@@ -1,0 +1,45 @@
+from forficula.pattern.crease_pattern import (
+    ASSIGNMENTS,
+    CreasePattern,
+    big_little_big_residuals,
+    creases_around,
+    interior_vertices,
+    kawasaki_residuals,
+    maekawa_residuals,
+    sector_angles,
+)
+from forficula.pattern.earwig import EarwigFan, Tangent, earwig_pattern, hub_points, ring_vertices, tips
+from forficula.pattern.fold_file import read_fold, write_fold
+from forficula.pattern.kinematics import (
+    closure_residual,
+    degree4_fold_angles,
+    fan_fold_angles,
+    folded_coordinates,
+    opposite_fold_angle,
+)
+from forficula.pattern.svg_file import write_svg
+
+__all__ = [
+    "ASSIGNMENTS",
+    "CreasePattern",
+    "EarwigFan",
+    "Tangent",
+    "big_little_big_residuals",
+    "closure_residual",
+    "creases_around",
+    "degree4_fold_angles",
+    "earwig_pattern",
+    "fan_fold_angles",
+    "folded_coordinates",
+    "hub_points",
+    "interior_vertices",
+    "kawasaki_residuals",
+    "maekawa_residuals",
+    "opposite_fold_angle",
+    "read_fold",
+    "ring_vertices",
+    "sector_angles",
+    "tips",
+    "write_fold",
+    "write_svg",
+]

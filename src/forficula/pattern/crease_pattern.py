@@ -1,0 +1,332 @@
+"""The sheet: where it folds, which way, and whether every vertex can fold flat."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.errors import InputError
+
+ASSIGNMENTS = {"B": "border", "M": "mountain", "V": "valley", "F": "flat", "U": "unassigned", "C": "cut"}
+_EQUAL_SECTORS = 1e-9  # rad; sectors closer than this count as equal, far above rounding and below any real design
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class CreasePattern:
+    """Vertices, edges and faces of a sheet, as in the FOLD 1.2 format but in metres and radians.
+
+    Arrays are copied and made read-only.
+
+    Attributes:
+        vertices_coords: positions, m, shape (N, 3).
+        edges_vertices: the two vertices of every edge, shape (E, 2).
+        edges_assignment: E letters: "B" border, "M" mountain, "V" valley, "F" flat, "U" unassigned, "C" cut.
+        edges_fold_angle: rad, shape (E,), valley positive, flat 0; nan where there is none, as on a border.
+        faces_vertices: the vertices of every face, counterclockwise seen from +z; each side is an edge.
+        edges_role: E labels such as "ring"; left empty, every label is "".
+        title: what the sheet is.
+    """
+
+    vertices_coords: NDArray[np.float64]
+    edges_vertices: NDArray[np.int64]
+    edges_assignment: tuple[str, ...]
+    edges_fold_angle: NDArray[np.float64]
+    faces_vertices: tuple[tuple[int, ...], ...]
+    edges_role: tuple[str, ...] = ()
+    title: str = ""
+
+    def __post_init__(self) -> None:
+        coords = _checked_coords(self.vertices_coords)
+        edges = check_edges(self.edges_vertices, coords)
+        edge_count = len(edges)
+        fold_angle = _real_array(self.edges_fold_angle, "edges_fold_angle")
+        if fold_angle.shape != (edge_count,):
+            raise InputError(f"edges_fold_angle: need shape ({edge_count},), got {fold_angle.shape}")
+        if np.isinf(fold_angle).any():
+            raise InputError(
+                f"edges_fold_angle[{int(np.argmax(np.isinf(fold_angle)))}]: need a finite angle or nan, got inf"
+            )
+        _check_letters(self.edges_assignment, edge_count)
+        roles = tuple(self.edges_role) or ("",) * edge_count
+        if len(roles) != edge_count:
+            raise InputError(f"edges_role: need one label for each of the {edge_count} edges, got {len(roles)}")
+        for array in (coords, edges, fold_angle):
+            array.setflags(write=False)
+        object.__setattr__(self, "vertices_coords", coords)
+        object.__setattr__(self, "edges_vertices", edges)
+        object.__setattr__(self, "edges_assignment", tuple(self.edges_assignment))
+        object.__setattr__(self, "edges_fold_angle", fold_angle)
+        object.__setattr__(self, "edges_role", roles)
+        object.__setattr__(self, "faces_vertices", _checked_faces(self.faces_vertices, len(coords), edges))
+
+
+def _real_array(values: object, key: str) -> NDArray[np.float64]:
+    """Copy to float64."""
+    try:
+        return np.array(values, dtype=np.float64)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise InputError(f"{key}: need an array of numbers, got {type(values).__name__} ({error})") from error
+
+
+def _checked_coords(values: object) -> NDArray[np.float64]:
+    """Copy the positions of the vertices."""
+    coords = _real_array(values, "vertices_coords")
+    if coords.ndim != 2 or coords.shape[1] != 3 or len(coords) == 0:
+        raise InputError(f"vertices_coords: need shape (vertices, 3), got {coords.shape}")
+    finite = np.isfinite(coords).all(axis=1)
+    if not finite.all():
+        vertex = int(np.argmin(finite))
+        raise InputError(f"vertices_coords[{vertex}]: need finite numbers, got {coords[vertex].tolist()} m")
+    return coords
+
+
+def check_edges(values: object, coords: NDArray[np.float64]) -> NDArray[np.int64]:
+    """Copy the edges of a pattern and check them.
+
+    Args:
+        values: vertex numbers, shape (E, 2).
+        coords: positions of the vertices, m, shape (N, 3).
+
+    Returns:
+        The same, shape (E, 2).
+
+    Raises:
+        InputError: no such vertex, an edge without length, an edge twice.
+    """
+    given = np.asarray(values)
+    if given.ndim != 2 or given.shape[1] != 2 or len(given) == 0:
+        raise InputError(f"edges_vertices: need shape (edges, 2), got {given.shape}")
+    if given.dtype.kind not in "iu":
+        raise InputError(f"edges_vertices: need whole numbers, got {given.dtype}")
+    edges = given.astype(np.int64)
+    seen: dict[tuple[int, int], int] = {}
+    for edge, (tail, head) in enumerate(edges.tolist()):
+        for vertex in (tail, head):
+            check_vertex(f"edges_vertices[{edge}]", vertex, len(coords))
+        if tail == head or not np.any(coords[tail] != coords[head]):
+            raise InputError(f"edges_vertices[{edge}]: need two vertices apart, got {tail} and {head} at one place")
+        first = seen.setdefault((min(tail, head), max(tail, head)), edge)
+        if first != edge:
+            raise InputError(f"edges_vertices[{edge}]: need every edge once, got edge {first} again ({tail}, {head})")
+    return edges
+
+
+def check_vertex(key: str, vertex: int, count: int) -> None:
+    """Refuse a vertex that is not there.
+
+    Raises:
+        InputError: not from 0 to count - 1.
+    """
+    if not 0 <= vertex < count:
+        plural = "vertex" if count == 1 else "vertices"
+        raise InputError(f"{key}: vertex {vertex} does not exist, the pattern has {count} {plural} (0 to {count - 1})")
+
+
+def _check_letters(letters: Sequence[str], edge_count: int) -> None:
+    """Refuse letters that FOLD does not know."""
+    if len(letters) != edge_count:
+        raise InputError(f"edges_assignment: need one letter for each of the {edge_count} edges, got {len(letters)}")
+    for edge, letter in enumerate(letters):
+        if letter not in ASSIGNMENTS:
+            allowed = ", ".join(f"{known} ({meaning})" for known, meaning in ASSIGNMENTS.items())
+            raise InputError(f"edges_assignment[{edge}]: need one of {allowed}, got {letter!r}")
+
+
+def _checked_faces(
+    faces: Sequence[Sequence[int]], vertex_count: int, edges: NDArray[np.int64]
+) -> tuple[tuple[int, ...], ...]:
+    """Copy the faces: existing vertices, every side an edge."""
+    if len(faces) == 0:
+        raise InputError("faces_vertices: need at least one face, got none")
+    known = {frozenset(pair) for pair in edges.tolist()}
+    for number, face in enumerate(faces):
+        if len(face) < 3:
+            raise InputError(f"faces_vertices[{number}]: need at least 3 vertices, got {len(face)}")
+        for vertex in face:
+            check_vertex(f"faces_vertices[{number}]", vertex, vertex_count)
+        for tail, head in face_sides(face):
+            if frozenset((tail, head)) not in known:
+                raise InputError(
+                    f"faces_vertices[{number}]: need an edge along every side, got none from {tail} to {head}"
+                )
+    return tuple(tuple(int(vertex) for vertex in face) for face in faces)
+
+
+def face_sides(face: Sequence[int]) -> list[tuple[int, int]]:
+    """List the directed sides of a face, from every vertex to the next and from the last to the first."""
+    return list(zip(face, [*face[1:], face[0]], strict=True))
+
+
+def check_flat(pattern: CreasePattern) -> None:
+    """Refuse a sheet that does not lie in one plane of constant z.
+
+    Raises:
+        InputError: the vertices differ in z.
+    """
+    heights = pattern.vertices_coords[:, 2]
+    if np.ptp(heights) > 0:
+        raise InputError(
+            f"vertices_coords: need one z for all vertices, got {heights.min():.6g} to {heights.max():.6g} m"
+        )
+
+
+def interior_vertices(pattern: CreasePattern) -> NDArray[np.int64]:
+    """Find the vertices that the sheet surrounds.
+
+    These have edges, none of them border or cut, and every one of their edges lies between two faces.
+
+    Returns:
+        Vertex numbers in increasing order, shape (n_interior,).
+    """
+    faces_at_edge: dict[frozenset[int], int] = {}
+    for face in pattern.faces_vertices:
+        for side in face_sides(face):
+            faces_at_edge[frozenset(side)] = faces_at_edge.get(frozenset(side), 0) + 1
+    inside = np.zeros(len(pattern.vertices_coords), dtype=bool)
+    inside[pattern.edges_vertices.ravel()] = True
+    for ends, letter in zip(pattern.edges_vertices.tolist(), pattern.edges_assignment, strict=True):
+        if letter in "BC" or faces_at_edge.get(frozenset(ends), 0) < 2:
+            inside[ends] = False
+    return np.flatnonzero(inside).astype(np.int64)
+
+
+def creases_around(pattern: CreasePattern, vertex: int) -> NDArray[np.int64]:
+    """List the edges at a vertex, flat ones left out, counterclockwise.
+
+    Args:
+        pattern: a flat sheet.
+        vertex: its number.
+
+    Returns:
+        Edge numbers, shape (degree,), counterclockwise seen from +z, the lowest number first.
+
+    Raises:
+        InputError: the sheet is not flat, or there is no such vertex.
+    """
+    check_flat(pattern)
+    check_vertex("vertex", vertex, len(pattern.vertices_coords))
+    folds = np.array([letter != "F" for letter in pattern.edges_assignment])
+    edges = np.flatnonzero((pattern.edges_vertices == vertex).any(axis=1) & folds).astype(np.int64)
+    if len(edges) == 0:
+        return edges
+    away = _away_from(pattern, vertex, edges)
+    counterclockwise = edges[np.argsort(np.arctan2(away[:, 1], away[:, 0]))]
+    return np.roll(counterclockwise, -int(np.argmin(counterclockwise)))
+
+
+def _away_from(pattern: CreasePattern, vertex: int, edges: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Vectors along the edges, pointing away from the vertex, m, shape (degree, 3)."""
+    far_ends = pattern.edges_vertices[edges].sum(axis=1) - vertex
+    vectors: NDArray[np.float64] = pattern.vertices_coords[far_ends] - pattern.vertices_coords[vertex]
+    return vectors
+
+
+def sector_angles(pattern: CreasePattern, vertex: int) -> NDArray[np.float64]:
+    """Measure the angles between neighbouring creases at a vertex, flat ones ignored.
+
+    Each comes from the cross and the dot product of two edge vectors, so it is good to a few units in the last place
+    of the coordinates divided by the shorter edge. On a border one of the sectors is the open air.
+
+    Args:
+        pattern: a flat sheet.
+        vertex: its number.
+
+    Returns:
+        rad, shape (degree,), counterclockwise: number i lies between creases i and i + 1 of `creases_around`.
+
+    Raises:
+        InputError: the sheet is not flat, or there is no such vertex.
+    """
+    edges = creases_around(pattern, vertex)
+    if len(edges) == 1:
+        return np.array([2 * math.pi])
+    away = _away_from(pattern, vertex, edges)
+    following = np.roll(away, -1, axis=0)
+    cross = away[:, 0] * following[:, 1] - away[:, 1] * following[:, 0]
+    dot = away[:, 0] * following[:, 0] + away[:, 1] * following[:, 1]
+    angles = np.arctan2(cross, dot)
+    turned: NDArray[np.float64] = np.where(angles < 0, angles + 2 * math.pi, angles)
+    return turned
+
+
+def kawasaki_residuals(pattern: CreasePattern) -> NDArray[np.float64]:
+    """Measure how far every interior vertex is from folding flat on its own.
+
+    The sectors around a vertex that folds flat sum to 180 deg over every second one (Kawasaki 1989; Justin 1986).
+    The residual is their alternating sum, first minus second plus third and so on. In a flat sheet all of them sum to
+    360 deg, so 0 says that both halves are 180 deg. An odd number of creases never folds flat: inf.
+
+    Args:
+        pattern: a flat sheet.
+
+    Returns:
+        rad, shape (n_interior,), in the order of `interior_vertices`.
+
+    Raises:
+        InputError: the sheet is not flat.
+    """
+    residuals = []
+    for vertex in interior_vertices(pattern).tolist():
+        sectors = sector_angles(pattern, vertex)
+        if len(sectors) % 2:
+            residuals.append(math.inf)
+        else:
+            residuals.append(math.fsum([*sectors[0::2], *-sectors[1::2]]))
+    return np.array(residuals, dtype=np.float64)
+
+
+def maekawa_residuals(pattern: CreasePattern) -> NDArray[np.int64]:
+    """Count how far mountains and valleys at every interior vertex are from differing by two.
+
+    In a vertex that folds flat the two numbers differ by exactly two (Maekawa; Justin 1986; proof in Hull 1994).
+    The residual is |mountains - valleys| - 2. Flat and unassigned creases are not counted; a vertex where nothing folds
+    has residual 0.
+
+    Args:
+        pattern: a flat sheet.
+
+    Returns:
+        Shape (n_interior,), in the order of `interior_vertices`.
+
+    Raises:
+        InputError: the sheet is not flat.
+    """
+    residuals = []
+    for vertex in interior_vertices(pattern).tolist():
+        letters = [pattern.edges_assignment[edge] for edge in creases_around(pattern, vertex)]
+        residuals.append(abs(letters.count("M") - letters.count("V")) - 2 if letters else 0)
+    return np.array(residuals, dtype=np.int64)
+
+
+def big_little_big_residuals(pattern: CreasePattern) -> NDArray[np.int64]:
+    """Count the sectors of every interior vertex that would be trapped between two larger ones.
+
+    A sector strictly smaller than both its neighbours needs one mountain and one valley as its sides, or the large
+    sectors would pass through each other (big-little-big lemma; Kawasaki 1989, Hull 1994). The residual is the number
+    of such sectors whose sides are alike. Equal sectors, to 1e-9 rad, are not strictly smaller; unassigned sides count
+    as free to choose, flat creases are ignored.
+
+    Args:
+        pattern: a flat sheet.
+
+    Returns:
+        Shape (n_interior,), in the order of `interior_vertices`.
+
+    Raises:
+        InputError: the sheet is not flat.
+    """
+    residuals = []
+    for vertex in interior_vertices(pattern).tolist():
+        sectors = sector_angles(pattern, vertex)
+        letters = [pattern.edges_assignment[edge] for edge in creases_around(pattern, vertex)]
+        smallest_neighbour = np.minimum(np.roll(sectors, 1), np.roll(sectors, -1))
+        trapped = 0
+        for sector in np.flatnonzero(sectors < smallest_neighbour - _EQUAL_SECTORS).tolist():
+            sides = (letters[sector], letters[(sector + 1) % len(letters)])
+            trapped += sides in (("M", "M"), ("V", "V"))
+        residuals.append(trapped)
+    return np.array(residuals, dtype=np.int64)

@@ -1,0 +1,304 @@
+"""How a pattern folds: closed-form fold angles of a vertex and of the fan, and the folded shape.
+
+Fold angles are 0 where the sheet is flat and +180 deg or -180 deg where it is folded onto itself; a valley, whose two
+panels rise towards the viewer on +z, is positive.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from typing import Literal, NamedTuple, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from forficula.errors import InputError
+from forficula.pattern.crease_pattern import CreasePattern, face_sides
+from forficula.pattern.earwig import EarwigFan, earwig_pattern
+
+Mode = Literal["earwig", "miura"]
+_CLOSES = 1e-9  # share of the pattern's size by which two ways to the same vertex may differ
+_REACHABLE = 1e-12  # rounding allowed in the squared sine or cosine of half a fold angle
+
+
+def degree4_fold_angles(
+    alpha: float, beta: float, proximal_fold_angle: ArrayLike, mode: Mode = "earwig"
+) -> NDArray[np.float64]:
+    """Solve a flat-foldable vertex of four creases for its fold angles.
+
+    Around the vertex lie the proximal, the next ring, the distal and the previous ring crease, with the sectors alpha,
+    180 deg - beta, 180 deg - alpha and beta between them (Kawasaki 1989): alpha and beta are the two sectors at the
+    proximal crease. With t the tangent of half a fold angle the relations are linear (Huffman 1976; Tachi 2009):
+
+    - "earwig": distal = proximal, previous ring = - next ring,
+      t_ring_next = sin((alpha - beta) / 2) / sin((alpha + beta) / 2) t_proximal
+    - "miura": distal = - proximal, previous ring = next ring,
+      t_ring_next = - cos((alpha - beta) / 2) / cos((alpha + beta) / 2) t_proximal
+
+    The signs are those for which the product of Rx(fold angle) Rz(sector) around the vertex is the identity, whichever
+    way around.
+
+    Args:
+        alpha: sector between the proximal and the next ring crease, rad.
+        beta: sector between the proximal and the previous ring crease, rad.
+        proximal_fold_angle: from -pi to pi, rad, any shape.
+        mode: which of the two ways to fold.
+
+    Returns:
+        rad, shape (4, ...): proximal, next ring, distal, previous ring. At -pi and pi the limits; in mode "earwig" with
+        alpha = beta the ring creases stay flat all the way.
+
+    Raises:
+        InputError: a sector outside 0 to 180 deg, a fold angle outside -180 to 180 deg, an unknown mode.
+    """
+    for key, sector in (("alpha", alpha), ("beta", beta)):
+        if not 0 < sector < math.pi:
+            raise InputError(f"{key}: need > 0 deg and < 180 deg, got {math.degrees(sector):.6g} deg")
+    if mode not in get_args(Mode):
+        raise InputError(f"mode: need earwig or miura, got {mode!r}")
+    proximal = np.asarray(proximal_fold_angle, dtype=np.float64)
+    inside = np.abs(proximal) <= math.pi
+    if not inside.all():
+        worst = float(proximal[~inside].flat[0])
+        raise InputError(f"proximal_fold_angle: need -180 to 180 deg, got {math.degrees(worst):.6g} deg")
+    if mode == "earwig":
+        numerator, denominator = math.sin((alpha - beta) / 2), math.sin((alpha + beta) / 2)
+    else:
+        numerator, denominator = -math.cos((alpha - beta) / 2), math.cos((alpha + beta) / 2)
+    if denominator < 0:  # arctan2 needs the fold angle's cosine to keep its sign
+        numerator, denominator = -numerator, -denominator
+    # the float pi is short of 180 deg, and its cosine would open a ring of small ratio that is folded shut
+    half_cosine = np.where(np.abs(proximal) == math.pi, 0.0, np.cos(proximal / 2))
+    ring = 2 * np.arctan2(numerator * np.sin(proximal / 2), denominator * half_cosine)
+    if mode == "earwig":
+        return np.stack([proximal, ring, proximal, -ring])
+    return np.stack([proximal, ring, -proximal, ring])
+
+
+def closure_residual(sector_angles: ArrayLike, fold_angles: ArrayLike) -> float:
+    """Measure by how much the panels around a vertex fail to meet.
+
+    Walking once around a vertex, turning by every fold angle about its crease and by every sector in its panel, must
+    lead back to the start (Kawasaki 1989; Belcastro and Hull 2002). This holds for any vertex, one with an angle
+    deficit too.
+
+    Args:
+        sector_angles: rad, shape (degree,); number i lies between creases i and i + 1.
+        fold_angles: rad, shape (degree,).
+
+    Returns:
+        Frobenius norm of the product of all Rx(fold angle) Rz(sector) minus the identity, 0 to sqrt(8).
+
+    Raises:
+        InputError: the two arrays differ in length or are no rows of finite numbers.
+    """
+    sectors = np.asarray(sector_angles, dtype=np.float64)
+    folds = np.asarray(fold_angles, dtype=np.float64)
+    if sectors.ndim != 1 or sectors.shape != folds.shape:
+        raise InputError(f"fold_angles: need one for each sector angle, got shapes {folds.shape} and {sectors.shape}")
+    if not (np.isfinite(sectors).all() and np.isfinite(folds).all()):
+        raise InputError("fold_angles: need finite angles, got nan or inf")
+    product = np.eye(3)
+    for sector, fold in zip(sectors.tolist(), folds.tolist(), strict=True):
+        about_crease = np.array([[1, 0, 0], [0, math.cos(fold), -math.sin(fold)], [0, math.sin(fold), math.cos(fold)]])
+        in_panel = np.array(
+            [[math.cos(sector), -math.sin(sector), 0], [math.sin(sector), math.cos(sector), 0], [0, 0, 1]]
+        )
+        product = product @ about_crease @ in_panel
+    return float(np.linalg.norm(product - np.eye(3)))
+
+
+def opposite_fold_angle(sector_angles: ArrayLike, fold_angle: float) -> float:
+    """Find how far the crease opposite to a given one folds at any vertex of four creases, flat or with angle deficit.
+
+    Both pairs of panels span the same angle between the two creases in the middle (spherical law of cosines):
+    cos a1 cos a4 - sin a1 sin a4 cos rho1 = cos a2 cos a3 - sin a2 sin a3 cos rho3, here written with half angles,
+    which keeps all digits at 0 and at 180 deg. A cyclic shift of the sectors relates creases 2 and 4.
+
+    Args:
+        sector_angles: a1, a2, a3, a4, rad, shape (4,); a1 between creases 1 and 2, a4 between creases 4 and 1.
+        fold_angle: of crease 1, rad.
+
+    Returns:
+        Size of the fold angle of crease 3, 0 to pi, rad; the relation leaves its sign open.
+
+    Raises:
+        InputError: sectors outside 0 to 180 deg or not four, or a fold angle that the vertex cannot reach.
+    """
+    sectors = np.asarray(sector_angles, dtype=np.float64)
+    if sectors.shape != (4,):
+        raise InputError(f"sector_angles: need four, got shape {sectors.shape}")
+    if not ((sectors > 0) & (sectors < math.pi)).all():
+        raise InputError(f"sector_angles: need > 0 deg and < 180 deg, got {np.degrees(sectors).tolist()} deg")
+    first, second, third, fourth = sectors.tolist()
+    near, far = math.sin(first) * math.sin(fourth), math.sin(second) * math.sin(third)
+    excess = math.sin((sectors.sum()) / 2) * math.sin((second + third - first - fourth) / 2)
+    sine_squared = (near * math.sin(fold_angle / 2) ** 2 + excess) / far
+    skew = math.sin((second - third + first - fourth) / 2) * math.sin((first - fourth - second + third) / 2)
+    cosine_squared = (near * math.cos(fold_angle / 2) ** 2 + skew) / far
+    if not (sine_squared >= -_REACHABLE and cosine_squared >= -_REACHABLE):
+        listed = ", ".join(f"{angle:.6g}" for angle in np.degrees(sectors).tolist())
+        raise InputError(
+            f"fold_angle: need an angle that sectors of {listed} deg allow, got {math.degrees(fold_angle):.6g} deg"
+        )
+    return 2 * math.atan2(math.sqrt(max(sine_squared, 0.0)), math.sqrt(max(cosine_squared, 0.0)))
+
+
+def fan_fold_angles(fan: EarwigFan, pleat_angle: float) -> NDArray[np.float64]:
+    """Fold the whole fan the earwig's way, mode "earwig" at every ring vertex.
+
+    All veins fold equally far and all ring creases, too, with the senses of `earwig_pattern`:
+    tan(ring / 2) = sin(epsilon) / cos(sector_angle / 2) tan(pleat / 2).
+
+    Args:
+        fan: the fan.
+        pleat_angle: size of the fold angle of the veins, 0 (flat) to pi (folded flat), rad.
+
+    Returns:
+        rad, shape (E,), in the order of the edges of `earwig_pattern`, nan on borders. With hub radius 0 the ring
+        creases stay at 0: they may fold only once the pleats are closed.
+
+    Raises:
+        InputError: a pleat angle outside 0 to 180 deg.
+    """
+    if not 0 <= pleat_angle <= math.pi:
+        raise InputError(f"pleat_angle: need 0 to 180 deg, got {math.degrees(pleat_angle):.6g} deg")
+    square = math.pi / 2 - fan.sector_angle / 2
+    folds = degree4_fold_angles(square + fan.epsilon, square - fan.epsilon, pleat_angle, "earwig")
+    pattern = earwig_pattern(fan)
+    sizes = np.array([abs(folds[1]) if role == "ring" else abs(folds[0]) for role in pattern.edges_role])
+    signed: NDArray[np.float64] = np.sign(pattern.edges_fold_angle) * sizes
+    return signed
+
+
+class _Hinge(NamedTuple):
+    """A neighbour of a face: across which directed side of the face, folded how far."""
+
+    edge: int
+    tail: int
+    head: int
+    neighbour: int
+    fold_angle: float
+
+
+class _Placement(NamedTuple):
+    """Where a face goes: x -> rotation x + shift."""
+
+    rotation: NDArray[np.float64]
+    shift: NDArray[np.float64]
+
+    def applied(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+        moved: NDArray[np.float64] = points @ self.rotation.T + self.shift
+        return moved
+
+
+def folded_coordinates(pattern: CreasePattern, fold_angles: ArrayLike, fixed_face: int = 0) -> NDArray[np.float64]:
+    """Fold a pattern rigidly and say where its vertices go.
+
+    From the fixed face on, every neighbour is turned about the shared edge by its fold angle; cut edges do not connect.
+    Every edge is checked, also those that the walk did not need: where faces come back to a place already taken,
+    they must fit.
+
+    Args:
+        pattern: with faces counterclockwise.
+        fold_angles: rad, shape (E,), valley positive; nan only where no two faces meet, on cuts, and on flat edges.
+        fixed_face: the face that stays where it is.
+
+    Returns:
+        Folded positions, m, shape (N, 3), in the order of the vertices.
+
+    Raises:
+        InputError: fold angles of another shape or missing, faces not counterclockwise or not connected, or fold angles
+            for which the sheet would tear, by more than 1e-9 of its size.
+    """
+    hinges = _hinges(pattern, np.asarray(fold_angles, dtype=np.float64))
+    if not 0 <= fixed_face < len(hinges):
+        raise InputError(f"fixed_face: need a face from 0 to {len(hinges) - 1}, got {fixed_face}")
+    coords = pattern.vertices_coords
+    placements = {fixed_face: _Placement(np.eye(3), np.zeros(3))}
+    queue = deque([fixed_face])
+    while queue:
+        face = queue.popleft()
+        for hinge in hinges[face]:
+            if hinge.neighbour not in placements:
+                placements[hinge.neighbour] = _across(placements[face], hinge, coords)
+                queue.append(hinge.neighbour)
+    if len(placements) < len(hinges):
+        lost = next(face for face in range(len(hinges)) if face not in placements)
+        raise InputError(
+            f"faces_vertices[{lost}]: need a face that hangs together with face {fixed_face}, got one apart"
+        )
+    folded = np.full_like(coords, np.nan)
+    for face, placement in placements.items():
+        vertices = list(pattern.faces_vertices[face])
+        folded[vertices] = placement.applied(coords[vertices])
+    if np.isnan(folded).any():
+        lost = int(np.argmax(np.isnan(folded).any(axis=1)))
+        raise InputError(f"vertices_coords[{lost}]: need a vertex of a face, got one that no face holds")
+    _check_closes(pattern, hinges, placements, folded)
+    return folded
+
+
+def _hinges(pattern: CreasePattern, fold_angles: NDArray[np.float64]) -> list[list[_Hinge]]:
+    """List the neighbours of every face."""
+    if fold_angles.shape != (len(pattern.edges_vertices),):
+        raise InputError(f"fold_angles: need shape ({len(pattern.edges_vertices)},), got {fold_angles.shape}")
+    face_at_side: dict[tuple[int, int], int] = {}
+    for face, vertices in enumerate(pattern.faces_vertices):
+        for side in face_sides(vertices):
+            first = face_at_side.setdefault(side, face)
+            if first != face:
+                raise InputError(
+                    f"faces_vertices[{face}]: need faces counterclockwise, got side {side} of face {first} again"
+                )
+    hinges: list[list[_Hinge]] = [[] for _ in pattern.faces_vertices]
+    for edge, (tail, head) in enumerate(pattern.edges_vertices.tolist()):
+        left, right = face_at_side.get((tail, head)), face_at_side.get((head, tail))
+        letter = pattern.edges_assignment[edge]
+        if left is None or right is None or letter == "C":
+            continue
+        fold = 0.0 if letter == "F" and np.isnan(fold_angles[edge]) else float(fold_angles[edge])
+        if not math.isfinite(fold):
+            raise InputError(f"fold_angles[{edge}]: need a finite angle between two faces, got {fold:g}")
+        hinges[left].append(_Hinge(edge, tail, head, right, fold))
+        hinges[right].append(_Hinge(edge, head, tail, left, fold))
+    return hinges
+
+
+def _across(placement: _Placement, hinge: _Hinge, coords: NDArray[np.float64]) -> _Placement:
+    """Place the neighbour beyond a hinge: turn it about the shared edge, then move it along with the face."""
+    axis = coords[hinge.head] - coords[hinge.tail]
+    # the neighbour lies to the right of the side; turning it up, towards +z, is negative about the side's direction
+    turn = _rotation(axis / np.linalg.norm(axis), -hinge.fold_angle)
+    shift = coords[hinge.tail] - turn @ coords[hinge.tail]
+    return _Placement(placement.rotation @ turn, placement.rotation @ shift + placement.shift)
+
+
+def _rotation(axis: NDArray[np.float64], angle: float) -> NDArray[np.float64]:
+    """Turn about a unit vector (Rodrigues' formula), shape (3, 3)."""
+    x, y, z = axis.tolist()
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    # the double half sine keeps the digits that 1 - cos loses at small angles
+    matrix: NDArray[np.float64] = np.eye(3) + math.sin(angle) * cross + 2 * math.sin(angle / 2) ** 2 * cross @ cross
+    return matrix
+
+
+def _check_closes(
+    pattern: CreasePattern,
+    hinges: list[list[_Hinge]],
+    placements: dict[int, _Placement],
+    folded: NDArray[np.float64],
+) -> None:
+    """Compare every face, reached across every one of its hinges, with where its vertices were put."""
+    size = float(np.linalg.norm(np.ptp(pattern.vertices_coords, axis=0)))
+    for face, around in enumerate(hinges):
+        for hinge in around:
+            vertices = list(pattern.faces_vertices[hinge.neighbour])
+            placed = _across(placements[face], hinge, pattern.vertices_coords)
+            gap = float(np.abs(placed.applied(pattern.vertices_coords[vertices]) - folded[vertices]).max())
+            if not gap <= _CLOSES * size:
+                raise InputError(
+                    f"fold_angles[{hinge.edge}]: need angles for which the sheet closes, to {_CLOSES:g} of its size "
+                    f"{100 * size:.4g} cm, got a gap of {100 * gap:.4g} cm between faces {face} and {hinge.neighbour}"
+                )

@@ -1,0 +1,88 @@
+"""Crease patterns as SVG drawings in true size, for cutters, plotters and origami programs."""
+
+from __future__ import annotations
+
+import math
+import os
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import numpy as np
+
+from forficula.pattern.crease_pattern import ASSIGNMENTS, CreasePattern, check_flat
+
+# colours as origami programs read them; the dashes (lengths in mm) tell the lines apart in grey
+_COLOURS = {"B": "#000000", "M": "#ff0000", "V": "#0000ff", "F": "#808080", "U": "#ff00ff", "C": "#00ff00"}
+_DASHES = {"M": "4 1 0.5 1", "V": "2 1", "F": "0.5 1", "U": "6 2", "C": "1 0.5"}
+_LINES = {
+    "B": "black, solid",
+    "M": "red, dash-dotted",
+    "V": "blue, dashed",
+    "F": "grey, dotted",
+    "U": "magenta, long-dashed",
+    "C": "green, short-dashed",
+}
+_STROKE = 0.35  # mm
+_MARGIN = 3.0  # mm
+_MILLIMETRES = 1e3
+
+
+def write_svg(pattern: CreasePattern, path: str | os.PathLike[str]) -> None:
+    """Draw a flat pattern in true size, millimetres, y axis up.
+
+    Mountains are red and dash-dotted, valleys blue and dashed, borders black and solid, cuts green, flat edges grey,
+    unassigned ones magenta. The size of a fold angle is the opacity of its line, 1 at 180 deg. What the lines mean
+    stands in the description of the file and not beside the drawing, where a program would take it for creases.
+
+    Args:
+        pattern: a flat sheet.
+        path: the file, replaced where it exists.
+
+    Raises:
+        InputError: the sheet is not flat.
+    """
+    check_flat(pattern)
+    points = pattern.vertices_coords[:, :2] * _MILLIMETRES
+    left, top = points[:, 0].min() - _MARGIN, points[:, 1].max() + _MARGIN
+    page = np.column_stack([points[:, 0] - left, top - points[:, 1]])
+    width, height = page.max(axis=0) + _MARGIN
+    drawing = ElementTree.Element(
+        "svg",
+        {
+            "xmlns": "http://www.w3.org/2000/svg",
+            "width": f"{width:.6f}mm",
+            "height": f"{height:.6f}mm",
+            "viewBox": f"0 0 {width:.6f} {height:.6f}",
+        },
+    )
+    ElementTree.SubElement(drawing, "title").text = _printable(pattern.title)
+    ElementTree.SubElement(drawing, "desc").text = _legend(pattern)
+    for edge, (tail, head) in enumerate(pattern.edges_vertices.tolist()):
+        letter, fold_angle = pattern.edges_assignment[edge], float(pattern.edges_fold_angle[edge])
+        line = {
+            "x1": f"{page[tail, 0]:.6f}",
+            "y1": f"{page[tail, 1]:.6f}",
+            "x2": f"{page[head, 0]:.6f}",
+            "y2": f"{page[head, 1]:.6f}",
+            "stroke": _COLOURS[letter],
+            "stroke-width": f"{_STROKE:g}",
+        }
+        if letter in _DASHES:
+            line["stroke-dasharray"] = _DASHES[letter]
+        if letter in "MV" and math.isfinite(fold_angle):
+            line["stroke-opacity"] = f"{min(abs(fold_angle) / math.pi, 1.0):.6g}"
+        ElementTree.SubElement(drawing, "line", line)
+    ElementTree.indent(drawing)
+    ElementTree.ElementTree(drawing).write(Path(path), encoding="utf-8", xml_declaration=True)
+
+
+def _printable(text: str) -> str:
+    """Leave out what XML cannot hold."""
+    return "".join(character for character in text if character.isprintable())
+
+
+def _legend(pattern: CreasePattern) -> str:
+    """Say what the lines mean."""
+    used = [letter for letter in ASSIGNMENTS if letter in pattern.edges_assignment]
+    lines = "; ".join(f"{ASSIGNMENTS[letter]}: {_LINES[letter]}" for letter in used)
+    return f"Millimetres, seen from +z. {lines}. Opacity of a mountain or valley: fold angle / 180 deg."

@@ -1,0 +1,151 @@
+"""Text with units at the border, SI floats inside: "10 N/cm" in, 1000.0 inside, "10 N/cm" out."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from functools import cache
+from typing import TYPE_CHECKING
+
+from forficula.errors import InputError
+
+if TYPE_CHECKING:
+    from pint import UnitRegistry
+
+_NUMBER_THEN_UNIT = re.compile(
+    r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?(?:nan|inf(?:inity)?))(.*)", re.I | re.S
+)
+# names with one-digit powers only: pint would work out a tower of powers for ever
+_UNIT = re.compile(
+    r"[\s(]*(?:1\s*/\s*)?[^\W\d_]+(?:\s*(?:\^|\*\*)\s*-?\d)?(?:[\s*/·()]+[^\W\d_]+(?:\s*(?:\^|\*\*)\s*-?\d)?)*[\s)]*|[°%]"
+)
+_LONGEST_UNIT = 60
+_ANGLE_UNITS = {"degree", "radian", "turn", "arcminute", "arcsecond", "grade", "milliradian"}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Unit:
+    """How one kind of quantity is written.
+
+    Attributes:
+        display: the unit that people use for it, such as "N/cm".
+        si: the coherent SI unit, such as "N/m"; its factor is exactly 1.
+        example: a right value, quoted in errors.
+    """
+
+    display: str
+    si: str
+    example: str
+
+
+def parse_quantity(text: object, unit: Unit) -> float:
+    """Turn text such as "10 N/cm" into an SI float.
+
+    Args:
+        text: a number followed by a unit of the same dimension as `unit`.
+        unit: what is expected.
+
+    Returns:
+        The value in `unit.si`.
+
+    Raises:
+        InputError: no unit, an unknown unit, the wrong dimension, no number, or a number that is not finite. The
+            message names the value and a right example; the caller knows the key.
+    """
+    right = f'such as "{unit.example}"'
+    if isinstance(text, bool) or not isinstance(text, str | int | float):
+        raise InputError(f"need text with a unit {right}, got {text!r}")
+    match = _NUMBER_THEN_UNIT.fullmatch(str(text))
+    if match is None:
+        raise InputError(f"need a number and a unit {right}, got {text!r}")
+    number, unit_text = float(match[1]), match[2].strip()
+    if not math.isfinite(number):
+        raise InputError(f"need a finite number {right}, got {text!r}")
+    if not unit_text:
+        raise InputError(f"the unit is missing; write it {right}, got {text!r}")
+    value = number * _factor(unit_text, unit, text)
+    if not math.isfinite(value):
+        raise InputError(f"need a finite number {right}, got {text!r}")
+    return value
+
+
+def format_quantity(value: float, unit: Unit) -> str:
+    """Write an SI float as the shortest text that `parse_quantity` turns into the same bits.
+
+    Args:
+        value: in `unit.si`.
+        unit: how to write it.
+
+    Returns:
+        Text in `unit.display` where that is exact, else in `unit.si`.
+    """
+    factor = _factor(unit.display, unit, value)
+    for digits in range(1, 18):
+        number = float(f"{value / factor:.{digits}g}")
+        if number * factor == value:
+            return f"{repr(number).removesuffix('.0')} {unit.display}"
+    return f"{value!r} {unit.si}"
+
+
+@cache
+def dimension(unit: Unit) -> tuple[int, int, int]:
+    """The exponents of length, mass and time in a unit; angles count as numbers."""
+    powers = _registry().parse_units(unit.si).dimensionality
+    length, mass, time = (int(powers.get(name, 0)) for name in ("[length]", "[mass]", "[time]"))
+    return length, mass, time
+
+
+def show_quantity(value: float, unit: Unit) -> str:
+    """Write an SI float for people: four significant digits in the display unit."""
+    return f"{value / _factor(unit.display, unit, value):.4g} {unit.display}"
+
+
+@cache
+def _registry() -> UnitRegistry:
+    """The pint registry, made at first use: it takes 0.2 s."""
+    from pint import UnitRegistry
+
+    registry: UnitRegistry = UnitRegistry(cache_folder=None)
+    # pint reads "Ncm" as no unit at all; the field writes torque so.
+    for definition in (
+        "Ncm = newton * centimeter",
+        "Nmm = newton * millimeter",
+        "Nm = newton * meter",
+        "mNm = millinewton * meter",
+    ):
+        registry.define(definition)
+    return registry
+
+
+@cache
+def _conversion(unit_text: str, si: str) -> float | None:
+    """The factor from a unit to SI; None where the dimension differs. Raises what pint raises for no unit."""
+    registry = _registry()
+    given, wanted = registry.parse_units(unit_text), registry.parse_units(si)
+    is_angle = {name for name, _ in wanted._units.items()} <= _ANGLE_UNITS
+    if is_angle and not {name for name, _ in given._units.items()} & _ANGLE_UNITS:
+        return None  # pint takes "%" for an angle, both being dimensionless
+    if given.dimensionality != wanted.dimensionality:
+        return None
+    factor = float(registry.Quantity(1.0, given).to(wanted).magnitude)
+    decimal = float(f"{factor:.12g}")
+    # pint's g/cm^3 is 999.9999999999999 kg/m^3: take the decimal where it is that within rounding
+    return decimal if abs(decimal - factor) <= 4 * math.ulp(factor) else factor
+
+
+def _factor(unit_text: str, unit: Unit, text: object) -> float:
+    from tokenize import TokenError
+
+    from pint.errors import PintError
+
+    right = f'such as "{unit.example}"'
+    if len(unit_text) > _LONGEST_UNIT or not _UNIT.fullmatch(unit_text):
+        raise InputError(f'"{unit_text}" is not a unit; write it {right}, got {text!r}')
+    try:
+        factor = _conversion(unit_text, unit.si)
+    except (PintError, TokenError, ValueError, TypeError, AttributeError, ArithmeticError, KeyError) as error:
+        raise InputError(f'"{unit_text}" is not a unit; write it {right}, got {text!r}') from error
+    if factor is None:
+        raise InputError(f'"{unit_text}" is not a unit of the right kind; write it {right}, got {text!r}')
+    return factor

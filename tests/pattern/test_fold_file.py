@@ -1,0 +1,204 @@
+import json
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from forficula.errors import InputError
+from forficula.pattern import (
+    EarwigFan,
+    earwig_pattern,
+    fan_fold_angles,
+    folded_coordinates,
+    interior_vertices,
+    read_fold,
+    write_fold,
+)
+
+FAN = EarwigFan(proximal_length=0.12, distal_length=0.10, hub_radius=0.015, sector_angle=math.radians(20), units=2)
+SQUARE = {
+    "frame_unit": "mm",
+    "vertices_coords": [[0, 0], [10, 0], [10, 10], [0, 10]],
+    "edges_vertices": [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2]],
+}
+
+
+def written(path, changes=None, without=()):
+    """A FOLD file of a square with a diagonal, 10 mm wide, as another program may write it."""
+    document = {key: value for key, value in (SQUARE | (changes or {})).items() if key not in without}
+    path.write_text(json.dumps(document), encoding="utf-8")
+    return path
+
+
+@given(length=st.floats(1e-3, 1), radius=st.floats(0, 1), angle=st.floats(0.05, 0.6), units=st.integers(1, 4))
+def test_what_is_written_is_read_back_bit_for_bit(tmp_path_factory, length, radius, angle, units):
+    pattern = earwig_pattern(
+        EarwigFan(
+            proximal_length=length,
+            distal_length=0.7 * length,
+            hub_radius=radius * length,
+            sector_angle=angle,
+            units=units,
+        )
+    )
+    path = tmp_path_factory.getbasetemp() / "fan.fold"
+    write_fold(pattern, path)
+    again = read_fold(path)
+    np.testing.assert_array_equal(again.vertices_coords, pattern.vertices_coords)
+    np.testing.assert_array_equal(again.edges_vertices, pattern.edges_vertices)
+    np.testing.assert_allclose(again.edges_fold_angle, pattern.edges_fold_angle, rtol=0, atol=1e-12)
+    assert again.faces_vertices == pattern.faces_vertices
+    assert again.edges_assignment == pattern.edges_assignment
+    assert again.edges_role == pattern.edges_role
+    assert again.title == pattern.title
+
+
+def test_the_file_is_fold_in_metres_and_degrees(tmp_path):
+    pattern = earwig_pattern(FAN)
+    write_fold(pattern, tmp_path / "fan.fold")
+    document = json.loads((tmp_path / "fan.fold").read_text(encoding="utf-8"))
+    assert document["file_spec"] == 1.2
+    assert document["file_creator"] == "forficula"
+    assert document["frame_unit"] == "m"
+    assert document["frame_classes"] == ["creasePattern"]
+    meaning = {"M": -180, "V": 180, "B": None}
+    assert document["edges_foldAngle"] == [meaning[letter] for letter in document["edges_assignment"]]
+    assert len(document["faces_vertices"]) == 8
+    assert document["forficula:edges_role"][0] == "proximal"
+    assert [path.name for path in tmp_path.iterdir()] == ["fan.fold"]
+
+
+def test_folded_states_become_frames_that_inherit(tmp_path):
+    pattern, folds = earwig_pattern(FAN), fan_fold_angles(FAN, 2.0)
+    coords = folded_coordinates(pattern, folds)
+    write_fold(pattern, tmp_path / "fan.fold", frames=[("half folded", coords, folds)])
+    (frame,) = json.loads((tmp_path / "fan.fold").read_text(encoding="utf-8"))["file_frames"]
+    assert frame["frame_classes"] == ["foldedForm"]
+    assert frame["frame_parent"] == 0
+    assert frame["frame_inherit"] is True
+    assert frame["vertices_coords"] == coords.tolist()
+    assert frame["edges_foldAngle"][1] == pytest.approx(math.degrees(2.0))
+    assert read_fold(tmp_path / "fan.fold").edges_fold_angle[1] == pytest.approx(math.pi)
+
+
+def test_a_folded_state_of_another_shape_leaves_the_old_file_alone(tmp_path):
+    pattern, path = earwig_pattern(FAN), tmp_path / "fan.fold"
+    path.write_text("old", encoding="utf-8")
+    with pytest.raises(InputError, match=r"frames\[0\]: need finite positions"):
+        write_fold(pattern, path, frames=[("short", np.zeros((2, 3)), pattern.edges_fold_angle)])
+    with pytest.raises(InputError, match=r"frames\[0\]: need finite fold angles"):
+        write_fold(pattern, path, frames=[("short", pattern.vertices_coords, np.zeros(2))])
+    assert path.read_text(encoding="utf-8") == "old"
+    assert [entry.name for entry in tmp_path.iterdir()] == ["fan.fold"]
+
+
+@pytest.mark.parametrize(
+    ("unit", "metres"),
+    [("m", 10), ("cm", 0.1), ("mm", 0.01), ("um", 1e-5), ("nm", 1e-8), ("in", 0.254), ("pt", 0.254 / 72)],
+)
+def test_every_unit_of_length_is_converted_to_metres(tmp_path, unit, metres):
+    pattern = read_fold(written(tmp_path / "square.fold", {"frame_unit": unit}))
+    assert pattern.vertices_coords[2] == pytest.approx([metres, metres, 0], rel=1e-15)
+
+
+def test_missing_assignments_fold_angles_and_faces_are_filled_in(tmp_path):
+    pattern = read_fold(written(tmp_path / "square.fold"))
+    assert pattern.edges_assignment == ("U",) * 5
+    assert np.isnan(pattern.edges_fold_angle).all()
+    assert {frozenset(face) for face in pattern.faces_vertices} == {frozenset({0, 1, 2}), frozenset({0, 2, 3})}
+    assert len(interior_vertices(pattern)) == 0
+
+
+def test_faces_found_from_the_edges_are_those_of_the_fan(tmp_path):
+    pattern, path = earwig_pattern(FAN), tmp_path / "fan.fold"
+    write_fold(pattern, path)
+    document = json.loads(path.read_text(encoding="utf-8"))
+    del document["faces_vertices"]
+    path.write_text(json.dumps(document), encoding="utf-8")
+    found = read_fold(path)
+
+    def from_lowest(face):
+        first = face.index(min(face))
+        return face[first:] + face[:first]
+
+    assert {from_lowest(face) for face in found.faces_vertices} == {
+        from_lowest(face) for face in pattern.faces_vertices
+    }
+
+
+def test_clockwise_faces_are_turned(tmp_path):
+    pattern = read_fold(written(tmp_path / "square.fold", {"faces_vertices": [[0, 2, 1], [0, 2, 3]]}))
+    assert pattern.faces_vertices == ((1, 2, 0), (0, 2, 3))
+
+
+def test_a_join_is_flat_and_null_is_no_fold_angle(tmp_path):
+    changes = {"edges_assignment": list("BBBBJ"), "edges_foldAngle": [None, None, None, None, 90]}
+    pattern = read_fold(written(tmp_path / "square.fold", changes))
+    assert pattern.edges_assignment == tuple("BBBBF")
+    assert pattern.edges_fold_angle[4] == pytest.approx(math.pi / 2)
+    assert np.isnan(pattern.edges_fold_angle[:4]).all()
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"frame_unit": "unit"}, r"frame_unit: need a unit of length, one of m, cm, .*, got 'unit'"),
+        ({"frame_unit": None}, "frame_unit: need a unit of length, .* got no frame_unit"),
+        ({"frame_unit": ["mm"]}, "frame_unit: need a unit of length"),
+        ({"vertices_coords": []}, "vertices_coords: need at least one vertex, got none"),
+        ({"vertices_coords": [[0]]}, r"vertices_coords\[0\]: need two or three numbers, got \[0\]"),
+        ({"vertices_coords": [["0", 1]]}, r"vertices_coords\[0\]: need a number, got '0'"),
+        ({"vertices_coords": [[10**400, 1]]}, r"vertices_coords\[0\]: need a finite number, got inf"),
+        ({"vertices_coords": 7}, "vertices_coords: need a list, got int"),
+        (
+            {"edges_vertices": [[0, 1], [1, 9]]},
+            r"edges_vertices\[1\]: vertex 9 does not exist, the pattern has 4 vertices",
+        ),
+        ({"edges_vertices": [[0, 1], [1, 2, 3]]}, r"edges_vertices\[1\]: need two vertices, got 3"),
+        ({"edges_vertices": [[0, 1], [1, 2.5]]}, r"edges_vertices\[1\]: need whole numbers, got 2\.5"),
+        ({"edges_vertices": [[0, 1], 4]}, r"edges_vertices\[1\]: need a list of vertices, got 4"),
+        ({"edges_vertices": [[0, 1], [1, 0]]}, r"edges_vertices\[1\]: need every edge once"),
+        ({"edges_vertices": [[0, 1], [2, 3]]}, "faces_vertices: the key is missing, .* hang together"),
+        ({"vertices_coords": [[0, 0, 0], [1, 0, 0], [1, 1, 1], [0, 1, 0]]}, "faces_vertices: .* got a solid shape"),
+        ({"edges_assignment": ["B"]}, "edges_assignment: need one letter for each of the 5 edges, got 1"),
+        ({"edges_assignment": [[], 1, 2, 3, 4]}, r"edges_assignment\[0\]: need one of"),
+        ({"edges_foldAngle": ["x", 0, 0, 0, 0]}, r"edges_foldAngle\[0\]: need a number, got 'x'"),
+        ({"faces_vertices": [[0, 1, 8]]}, r"faces_vertices\[0\]: vertex 8 does not exist"),
+        ({"faces_vertices": [[0, 1, 3]]}, r"faces_vertices\[0\]: need an edge along every side, got none from"),
+    ],
+)
+def test_a_file_that_holds_no_pattern_is_refused_with_its_name_and_key(tmp_path, changes, message):
+    with pytest.raises(InputError, match=rf"square\.fold: {message}") as refusal:
+        read_fold(written(tmp_path / "square.fold", changes))
+    assert "\n" not in str(refusal.value)
+
+
+@pytest.mark.parametrize("key", ["vertices_coords", "edges_vertices"])
+def test_a_missing_key_is_named(tmp_path, key):
+    with pytest.raises(InputError, match=f"{key}: need a list, but the key is missing"):
+        read_fold(written(tmp_path / "square.fold", without=(key,)))
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (b"solid fan", "need JSON, as FOLD files are"),
+        (b"\xff\xfe\x00", "need JSON, as FOLD files are"),
+        (b"[" * 100_000, "need JSON, as FOLD files are"),
+        (b"[1, 2]", "need a JSON object with FOLD keys, got list"),
+        (b'{"vertices_coords": [[NaN, 0]]}', "need finite numbers only, got NaN"),
+        (b'{"frame_unit": "m", "vertices_coords": [[1e999, 0]]}', r"vertices_coords\[0\]: need a finite number"),
+    ],
+)
+def test_a_file_that_is_no_fold_file_is_refused(tmp_path, content, message):
+    (tmp_path / "fan.fold").write_bytes(content)
+    with pytest.raises(InputError, match=rf"fan\.fold: {message}") as refusal:
+        read_fold(tmp_path / "fan.fold")
+    assert "\n" not in str(refusal.value)
+
+
+def test_a_file_that_is_not_there_is_refused(tmp_path):
+    with pytest.raises(InputError, match=r"none\.fold: need a file that can be read, got No such file"):
+        read_fold(tmp_path / "none.fold")

@@ -1,0 +1,87 @@
+import math
+import xml.etree.ElementTree as ElementTree
+
+import numpy as np
+import pytest
+
+from forficula.errors import InputError
+from forficula.pattern import CreasePattern, EarwigFan, earwig_pattern, write_svg
+
+SVG = "{http://www.w3.org/2000/svg}"
+FAN = EarwigFan(proximal_length=0.12, distal_length=0.10, hub_radius=0.015, sector_angle=math.radians(20), units=2)
+
+
+def drawn(pattern, path):
+    write_svg(pattern, path)
+    return ElementTree.parse(path).getroot()
+
+
+def strip(letters, fold_angle=math.nan, lift=0.0, title=""):
+    """Squares of 1 cm in a row along x, with the given letters on the edges between them."""
+    columns = len(letters) + 2
+    coords = np.array([[0.01 * i, 0.01 * j, lift * i] for j in (0, 1) for i in range(columns)])
+    across = [(i, i + columns) for i in range(1, columns - 1)]
+    along = [(i, i + 1) for row in (0, columns) for i in range(row, row + columns - 1)]
+    edges = [*across, *along, (0, columns), (columns - 1, 2 * columns - 1)]
+    return CreasePattern(
+        vertices_coords=coords,
+        edges_vertices=np.array(edges),
+        edges_assignment=tuple(letters) + ("B",) * (len(edges) - len(letters)),
+        edges_fold_angle=np.array([fold_angle] * len(letters) + [math.nan] * (len(edges) - len(letters))),
+        faces_vertices=tuple((i, i + 1, i + 1 + columns, i + columns) for i in range(columns - 1)),
+        title=title,
+    )
+
+
+def test_lines_are_as_long_as_the_creases_in_millimetres(tmp_path):
+    root = drawn(earwig_pattern(FAN), tmp_path / "fan.svg")
+    lengths = [
+        math.hypot(*(float(line.get(f"{axis}2")) - float(line.get(f"{axis}1")) for axis in "xy"))
+        for line in root.iter(f"{SVG}line")
+    ]
+    assert lengths[:10] == pytest.approx([120] * 5 + [100] * 5, abs=1e-5)
+    assert len(lengths) == 22
+
+
+def test_the_page_is_in_millimetres_and_holds_every_line(tmp_path):
+    root = drawn(strip("MV"), tmp_path / "strip.svg")
+    left, top, width, height = (float(number) for number in root.get("viewBox").split())
+    assert (left, top) == (0, 0)
+    assert 30 < width < 40
+    assert 10 < height < 20
+    assert root.get("width") == f"{width:.6f}mm"
+    for line in root.iter(f"{SVG}line"):
+        assert all(0 < float(line.get(f"x{end}")) < width and 0 < float(line.get(f"y{end}")) < height for end in "12")
+
+
+def test_y_points_up(tmp_path):
+    line = next(drawn(strip("M"), tmp_path / "strip.svg").iter(f"{SVG}line"))
+    assert float(line.get("y1")) > float(line.get("y2"))  # from y = 0 to y = 1 cm; SVG counts downwards
+
+
+def test_colours_are_those_that_origami_programs_read_and_dashes_differ(tmp_path):
+    lines = list(drawn(strip("MVCFU"), tmp_path / "strip.svg").iter(f"{SVG}line"))
+    assert [line.get("stroke") for line in lines[:4]] == ["#ff0000", "#0000ff", "#00ff00", "#808080"]
+    assert lines[-1].get("stroke") == "#000000"
+    assert lines[-1].get("stroke-dasharray") is None
+    assert len({line.get("stroke-dasharray") for line in lines}) == 6
+
+
+def test_opacity_is_the_fold_angle_where_there_is_one(tmp_path):
+    lines = list(drawn(strip("MV", fold_angle=-math.pi / 4), tmp_path / "strip.svg").iter(f"{SVG}line"))
+    assert [line.get("stroke-opacity") for line in lines[:3]] == ["0.25", "0.25", None]
+    line = next(drawn(strip("M"), tmp_path / "strip.svg").iter(f"{SVG}line"))
+    assert line.get("stroke-opacity") is None
+
+
+def test_the_legend_is_text_and_every_line_is_a_crease(tmp_path):
+    root = drawn(strip("MV", title="a <strip> & \x00more"), tmp_path / "strip.svg")
+    assert root.find(f"{SVG}title").text == "a <strip> & more"
+    assert "mountain: red" in root.find(f"{SVG}desc").text
+    assert {child.tag for child in root} == {f"{SVG}title", f"{SVG}desc", f"{SVG}line"}
+
+
+def test_a_folded_sheet_is_not_drawn(tmp_path):
+    with pytest.raises(InputError, match="need one z for all vertices"):
+        write_svg(strip("M", lift=0.001), tmp_path / "strip.svg")
+    assert not list(tmp_path.iterdir())

@@ -1,0 +1,119 @@
+"""The earwig fan folds flat, rigidly and all the way.
+
+Flat-foldability of a vertex: Kawasaki 1989. Rigid folding: the product of rotations around every vertex is the identity
+(Belcastro and Hull 2002). Drift of the stack: two neighbouring veins are tangents of the hub circle and cross at
+r / cos(theta / 2) from its centre; folding both shut turns the panels beyond by 2 theta about the crossing, against the
+2 theta by which the flat fan had turned them about the centre. What remains is a shift of
+2 sin(theta) r / cos(theta / 2) = 4 r sin(theta / 2).
+"""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from forficula.pattern import (
+    EarwigFan,
+    closure_residual,
+    creases_around,
+    degree4_fold_angles,
+    earwig_pattern,
+    fan_fold_angles,
+    folded_coordinates,
+    interior_vertices,
+    kawasaki_residuals,
+    sector_angles,
+)
+
+
+@st.composite
+def fans(draw):
+    units = draw(st.integers(1, 5))
+    length = draw(st.floats(1e-3, 1))
+    angle = math.radians(draw(st.floats(2, min(60, 175 / units))))
+    return EarwigFan(
+        proximal_length=length,
+        distal_length=length * draw(st.floats(0.2, 2)),
+        hub_radius=length * draw(st.one_of(st.just(0.0), st.floats(1e-3, 1.5))),
+        sector_angle=angle,
+        units=units,
+        tangent=draw(st.sampled_from(["left", "right"])),
+    )
+
+
+PLEATS = st.one_of(st.sampled_from([0.0, math.pi]), st.floats(0, math.pi))
+
+
+@settings(max_examples=300)
+@given(fans())
+def test_every_ring_vertex_satisfies_kawasaki(fan):
+    # rounding of the coordinates, 1e-16 of the ring radius, over the shortest ring crease, 0.035 of it, four times over
+    assert np.degrees(np.abs(kawasaki_residuals(earwig_pattern(fan)))).max() < 1e-12
+
+
+@given(fans(), st.sampled_from(["earwig", "miura"]))
+def test_both_modes_close_along_the_whole_path(fan, mode):
+    alpha = math.pi / 2 - fan.sector_angle / 2 + fan.epsilon
+    beta = math.pi / 2 - fan.sector_angle / 2 - fan.epsilon
+    for pleat in np.linspace(0, math.pi, 37):
+        folds = degree4_fold_angles(alpha, beta, pleat, mode)
+        assert closure_residual([alpha, math.pi - beta, math.pi - alpha, beta], folds) < 1e-12
+
+
+@given(fans(), PLEATS)
+def test_every_vertex_of_the_drawn_fan_closes(fan, pleat):
+    pattern, folds = earwig_pattern(fan), fan_fold_angles(fan, pleat)
+    for vertex in interior_vertices(pattern).tolist():
+        around = creases_around(pattern, vertex)
+        assert closure_residual(sector_angles(pattern, vertex), folds[around]) < 1e-12
+
+
+@given(fans(), PLEATS)
+def test_the_fan_folds_rigidly(fan, pleat):
+    pattern = earwig_pattern(fan)
+    folded = folded_coordinates(pattern, fan_fold_angles(fan, pleat))
+    for face in pattern.faces_vertices:
+        flat_face, folded_face = pattern.vertices_coords[list(face)], folded[list(face)]
+        for offset in (1, 2):
+            before = np.linalg.norm(flat_face - np.roll(flat_face, offset, axis=0), axis=1)
+            after = np.linalg.norm(folded_face - np.roll(folded_face, offset, axis=0), axis=1)
+            assert after == pytest.approx(before, abs=1e-12 * fan.ring_radius)
+
+
+@given(fans())
+def test_folded_flat_all_panels_lie_in_one_plane(fan):
+    folded = folded_coordinates(earwig_pattern(fan), fan_fold_angles(fan, math.pi))
+    assert np.abs(folded[:, 2]).max() < 1e-12 * (fan.ring_radius + fan.distal_length)
+
+
+@given(fans())
+def test_the_folded_stack_drifts_by_four_r_sin_half_theta_for_every_two_panels(fan):
+    pattern = earwig_pattern(fan)
+    folded = folded_coordinates(pattern, fan_fold_angles(fan, math.pi))
+    count = fan.vein_count
+    hub, ring, tip = folded[: -2 * count], folded[-2 * count : -count], folded[-count:]
+    drift = 4 * fan.hub_radius * math.sin(fan.sector_angle / 2)
+    shifts = np.concatenate([points[2:] - points[:-2] for points in (hub, ring, tip)])
+    size = fan.ring_radius + fan.distal_length
+    assert np.linalg.norm(shifts, axis=1) == pytest.approx(drift, abs=1e-11 * size)
+    assert np.ptp(shifts, axis=0) == pytest.approx(0, abs=1e-11 * size)
+
+
+@given(fans(), st.floats(0.1, 3.0))
+def test_veins_fold_alike_beyond_the_ring_and_the_ring_alternates(fan, pleat):
+    pattern, folds = earwig_pattern(fan), fan_fold_angles(fan, pleat)
+    roles = np.array(pattern.edges_role)
+    np.testing.assert_array_equal(folds[roles == "distal"], folds[roles == "proximal"])
+    ring = folds[roles == "ring"]
+    np.testing.assert_array_equal(ring[1:], -ring[:-1])
+    expected = math.sin(fan.epsilon) / math.cos(fan.sector_angle / 2) * math.tan(pleat / 2)
+    assert np.tan(np.abs(ring) / 2) == pytest.approx(expected, rel=1e-12)
+
+
+def test_the_ring_of_a_small_hub_moves_at_the_end_of_the_pleating():
+    fan = EarwigFan(proximal_length=0.12, distal_length=0.1, hub_radius=0.003, sector_angle=math.radians(20), units=1)
+    ring = [abs(np.degrees(fan_fold_angles(fan, math.radians(pleat))[6])) for pleat in (90, 150, 175, 180)]
+    # 2 atan(m tan(pleat / 2)) with m = sin(epsilon) / cos(10 deg) = 0.02538
+    assert ring == pytest.approx([2.907, 10.821, 60.334, 180], abs=1e-3)
