@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from forficula.errors import InputError
     from forficula.pattern import CreasePattern, EarwigFan, earwig_pattern, read_fold, write_fold
 
-# Where each public name lives. They are fetched at first use: MuJoCo and xarray are slow to import, and help, errors and
-# crease patterns need neither.
+# Where each public name lives. They are fetched at first use: MuJoCo and xarray are slow to import, and help, errors
+# and crease patterns need neither.
 _HOMES = {
     "forficula.analysis": ("Outcome", "measure"),
     "forficula.design": ("Design", "load_design", "named_designs", "save_design", "scale_design"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import re
 from dataclasses import dataclass
@@ -21,6 +22,7 @@ _UNIT = re.compile(
     r"[\s(]*(?:1\s*/\s*)?[^\W\d_]+(?:\s*(?:\^|\*\*)\s*-?\d)?(?:[\s*/·()]+[^\W\d_]+(?:\s*(?:\^|\*\*)\s*-?\d)?)*[\s)]*|[°%]"
 )
 _LONGEST_UNIT = 60
+_LONGEST_SHOWN = 60
 _ANGLE_UNITS = {"degree", "radian", "turn", "arcminute", "arcsecond", "grade", "milliradian"}
 
 
@@ -53,20 +55,26 @@ def parse_quantity(text: object, unit: Unit) -> float:
         InputError: no unit, an unknown unit, the wrong dimension, no number, or a number that is not finite. The
             message names the value and a right example; the caller knows the key.
     """
-    right = f'such as "{unit.example}"'
-    if isinstance(text, bool) or not isinstance(text, str | int | float):
-        raise InputError(f"need text with a unit {right}, got {text!r}")
-    match = _NUMBER_THEN_UNIT.fullmatch(str(text))
+    right, got = f'such as "{unit.example}"', f"got {as_written(text)}"
+    if isinstance(text, float) and not math.isfinite(text):
+        raise InputError(f"need a finite number with a unit {right}, {got}")
+    if isinstance(text, int | float) and not isinstance(text, bool):
+        raise InputError(f"the unit is missing; write it as text {right}, {got}")
+    if not isinstance(text, str):
+        raise InputError(f"need text with a unit {right}, {got}")
+    match = _NUMBER_THEN_UNIT.fullmatch(text)
     if match is None:
-        raise InputError(f"need a number and a unit {right}, got {text!r}")
+        raise InputError(f"need a number and a unit {right}, {got}")
     number, unit_text = float(match[1]), match[2].strip()
     if not math.isfinite(number):
-        raise InputError(f"need a finite number {right}, got {text!r}")
+        raise InputError(f"need a finite number with a unit {right}, {got}")
+    if re.match(r",\d", unit_text):
+        raise InputError(f"write decimals with a point {right}, {got}")
     if not unit_text:
-        raise InputError(f"the unit is missing; write it {right}, got {text!r}")
+        raise InputError(f"the unit is missing; write it {right}, {got}")
     value = number * _factor(unit_text, unit, text)
     if not math.isfinite(value):
-        raise InputError(f"need a finite number {right}, got {text!r}")
+        raise InputError(f"need a finite number with a unit {right}, {got}")
     return value
 
 
@@ -92,8 +100,27 @@ def format_quantity(value: float, unit: Unit) -> str:
 def dimension(unit: Unit) -> tuple[int, int, int]:
     """The exponents of length, mass and time in a unit; angles count as numbers."""
     powers = _registry().parse_units(unit.si).dimensionality
-    length, mass, time = (int(powers.get(name, 0)) for name in ("[length]", "[mass]", "[time]"))
+    length, mass, time = (round(float(str(powers.get(name, 0)))) for name in ("[length]", "[mass]", "[time]"))
     return length, mass, time
+
+
+def as_written(value: object) -> str:
+    """Write a value for an error: as a design file has it, on one short line."""
+    match value:
+        case bool():
+            text = str(value).lower()
+        case str():
+            text = json.dumps(value[: 2 * _LONGEST_SHOWN], ensure_ascii=False)
+        case list() | tuple():
+            text = f"[{', '.join(as_written(item) for item in value[:_LONGEST_SHOWN])}]"
+        case dict():
+            text = f"{{{', '.join(f'{key} = {as_written(item)}' for key, item in value.items())}}}"
+        case int() if abs(value) >= 10**_LONGEST_SHOWN:
+            text = "a whole number of very many digits"
+        case _:
+            text = str(value)
+    text = " ".join(text.split())
+    return text if len(text) <= _LONGEST_SHOWN else f"{text[: _LONGEST_SHOWN - 3]}..."
 
 
 def show_quantity(value: float, unit: Unit) -> str:
@@ -102,11 +129,11 @@ def show_quantity(value: float, unit: Unit) -> str:
 
 
 @cache
-def _registry() -> UnitRegistry:
+def _registry() -> UnitRegistry[float]:
     """The pint registry, made at first use: it takes 0.2 s."""
     from pint import UnitRegistry
 
-    registry: UnitRegistry = UnitRegistry(cache_folder=None)
+    registry: UnitRegistry[float] = UnitRegistry(cache_folder=None)
     # pint reads "Ncm" as no unit at all; the field writes torque so.
     for definition in (
         "Ncm = newton * centimeter",
@@ -139,13 +166,13 @@ def _factor(unit_text: str, unit: Unit, text: object) -> float:
 
     from pint.errors import PintError
 
-    right = f'such as "{unit.example}"'
+    given, rest = as_written(unit_text), f'write it such as "{unit.example}", got {as_written(text)}'
     if len(unit_text) > _LONGEST_UNIT or not _UNIT.fullmatch(unit_text):
-        raise InputError(f'"{unit_text}" is not a unit; write it {right}, got {text!r}')
+        raise InputError(f"{given} is not a unit; {rest}")
     try:
         factor = _conversion(unit_text, unit.si)
-    except (PintError, TokenError, ValueError, TypeError, AttributeError, ArithmeticError, KeyError) as error:
-        raise InputError(f'"{unit_text}" is not a unit; write it {right}, got {text!r}') from error
+    except (PintError, TokenError, ValueError, TypeError, AttributeError, ArithmeticError, LookupError, AssertionError):
+        raise InputError(f"{given} is not a unit; {rest}") from None
     if factor is None:
-        raise InputError(f'"{unit_text}" is not a unit of the right kind; write it {right}, got {text!r}')
+        raise InputError(f"{given} is not a unit of the right kind; {rest}")
     return factor

@@ -14,6 +14,7 @@ Array = NDArray[np.float64]
 
 # A hinge this far past straight, folding, has left the overbend for good.
 _LEFT_STRAIGHT = np.radians(5.0)
+_HALF_FOLDED = np.radians(-90.0)
 _STIR = np.radians(0.1)
 
 
@@ -106,7 +107,7 @@ class Outcome:
     Attributes:
         status: in a few words.
         advice: what to try, in a sentence; empty where there is nothing to mend.
-        folded: whether every distal hinge folded, and stayed so when released.
+        folded: whether every distal hinge folded, and stayed on the folded side when released.
         opened: whether every distal hinge opened, and stayed so when released.
         flat: the flat state, or None where the wing diverged before it.
         folded_state: None where the protocol did not get there.
@@ -132,19 +133,20 @@ def measure(record: Record) -> Outcome:
     """Find what a run means.
 
     The flat state is taken at the end of the first stage; the folded and the opened one at the end of the stage that
-    follows folding and unfolding. Each is the mean over the protocol's window.
+    follows folding and unfolding. Each is the mean over the protocol's window; where no release follows, it is the
+    moment at which the goal was reached.
     """
     folding, after_folding = _driven(record, "fold")
     unfolding, after_unfolding = _driven(record, "unfold")
     folded_state = _state(record, after_folding)
     opened_state = _state(record, after_unfolding)
     protocol = record.design.protocol
-    # averages, because a hinge that swings about its fold limit is folded
+    # A slack tendon lets its hinge rest anywhere on the folded side; one that is back beyond half way has opened again.
     folded = bool(
         folding
         and folding.goal_time is not None
         and folded_state
-        and np.all(folded_state.distal_angle <= -protocol.folded_angle)
+        and np.all(folded_state.distal_angle <= _HALF_FOLDED)
     )
     opened = bool(
         unfolding
@@ -154,7 +156,7 @@ def measure(record: Record) -> Outcome:
     )
     if record.diverged_at is not None:
         folded = opened = False
-    status, advice = _verdict(record, folded, opened, folded_state, opened_state)
+    status, advice = _verdict(record, folded, opened, folded_state)
     return Outcome(
         status=status,
         advice=advice,
@@ -217,7 +219,9 @@ def _driven(record: Record, drive: str) -> tuple[StageEnd | None, StageEnd | Non
 def _state(record: Record, end: StageEnd | None) -> State | None:
     if end is None:
         return None
-    start = max(end.start, end.end - record.design.protocol.window)
+    snapped = end.stage.drive != "none" and end.goal_time is not None
+    # a stage that ends in the middle of the snap is no rest to average over
+    start = end.end if snapped else max(end.start, end.end - record.design.protocol.window)
     # half a step either way, for times are multiples of the timestep up to rounding
     half = float(record.design.protocol.timestep) / 2
     window = record.data.sel(time=slice(start - half, end.end + half))
@@ -266,9 +270,7 @@ def _balance(record: Record) -> EnergyBalance:
     )
 
 
-def _verdict(
-    record: Record, folded: bool, opened: bool, folded_state: State | None, opened_state: State | None
-) -> tuple[str, str]:
+def _verdict(record: Record, folded: bool, opened: bool, folded_state: State | None) -> tuple[str, str]:
     """The status in a few words and a sentence on what to try."""
     if record.diverged_at is not None:
         return (

@@ -1,4 +1,4 @@
-from forficula.design.design import Design, Protocol, Stage, design_warnings
+from forficula.design.design import LENGTH, Design, Protocol, Stage, design_warnings
 from forficula.design.design_file import (
     design_from_text,
     design_text,
@@ -11,6 +11,7 @@ from forficula.design.design_file import (
 from forficula.design.similarity import in_units, scale_design
 
 __all__ = [
+    "LENGTH",
     "Design",
     "Protocol",
     "Stage",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import math
+import re
 from dataclasses import dataclass
 from typing import Annotated, Any, Literal
 
@@ -13,7 +14,7 @@ from pydantic.fields import FieldInfo
 
 from forficula.errors import InputError
 from forficula.pattern import EarwigFan, ring_vertices
-from forficula.quantities import Unit, parse_quantity, show_quantity
+from forficula.quantities import Unit, as_written, parse_quantity, show_quantity
 
 LENGTH = Unit(display="cm", si="m", example="12 cm")
 SMALL_LENGTH = Unit(display="mm", si="m", example="5 mm")
@@ -46,10 +47,12 @@ class Quantity:
         """Read text with a unit, or, inside the package, an SI float; raise InputError where it is out of bounds."""
         if isinstance(value, str) and value in self.words:
             return value
-        if in_si and isinstance(value, float):
-            number, got = value, show_quantity(value, self.unit)
+        if in_si and isinstance(value, float | int) and not isinstance(value, bool):
+            number, got = float(value), show_quantity(float(value), self.unit)
+            if not math.isfinite(number):
+                raise InputError(f"need a finite number, got {got}")
         else:
-            number, got = parse_quantity(value, self.unit), str(value)
+            number, got = self._parse(value), as_written(value).strip('"')
         for allowed, rule, bound in (
             (number > self.above, ">", self.above),
             (number >= self.at_least, ">=", self.at_least),
@@ -59,6 +62,13 @@ class Quantity:
             if not allowed:
                 raise InputError(f"need {rule} {show_quantity(bound, self.unit) if bound else 0}, got {got}")
         return number
+
+    def _parse(self, value: object) -> float:
+        try:
+            return parse_quantity(value, self.unit)
+        except InputError as error:
+            words = "".join(f'; "{word}" is allowed, too' for word in self.words)
+            raise InputError(f"{error}{words}") from None
 
     def __call__(self, schema: dict[str, Any]) -> None:
         """Tell the JSON schema that the field is text with a unit."""
@@ -96,7 +106,7 @@ class Pattern(Part):
     distal_length: float = _quantity(LENGTH, "length of a vein beyond the ring fold", above=0)
     hub_radius: float = _quantity(LENGTH, "radius of the circle that the veins are tangent to", at_least=0)
     sector_angle: float = _quantity(ANGLE, "angle between neighbouring veins", above=0, below=math.pi)
-    units: Annotated[int, Field(strict=True, ge=1, description="fan units, of two panels each")]
+    units: Annotated[int, Field(strict=True, ge=1, le=10_000, description="fan units, of two panels each")]
     tangent: Annotated[
         Literal["left", "right"], Field(description="side of the hub on which the proximal veins pass, seen outwards")
     ]
@@ -109,23 +119,32 @@ class Vein(Part):
     density: float = _quantity(DENSITY, "mass of the bars by volume", above=0)
 
 
+Share = Annotated[float, Field(strict=True)]
+
+
 class Membrane(Part):
     """The sheet between the bars: stretch elasticity only."""
 
     youngs_modulus: float = _quantity(MODULUS, "Young's modulus", above=0)
     thickness: float = _quantity(SMALL_LENGTH, "thickness", above=0)
-    poisson_ratio: Annotated[float, Field(ge=0, lt=0.5, description="Poisson's ratio")]
+    poisson_ratio: Annotated[float, Field(strict=True, ge=0, lt=0.5, description="Poisson's ratio")]
     damping: float = _quantity(SHORT_TIME, "relaxation time of its Kelvin-Voigt damping", at_least=0)
     margin: float = _quantity(LENGTH, "width of the strip of each panel that is glued to its vein", above=0)
     margin_limit: Annotated[
-        float, Field(gt=0, lt=1, description="largest share of the panel's width that the margin takes, near the hub")
+        float,
+        Field(
+            strict=True,
+            gt=0,
+            lt=1,
+            description="largest share of the panel's width that the margin takes, near the hub",
+        ),
     ]
     proximal_rows: Annotated[
-        tuple[float, ...],
+        tuple[Share, ...],
         Field(min_length=1, description="rows of its mesh, in shares of the proximal length; the first is its edge"),
     ]
     distal_rows: Annotated[
-        tuple[float, ...],
+        tuple[Share, ...],
         Field(description="rows of its mesh between ring fold and tip, in shares of the distal length"),
     ]
 
@@ -158,7 +177,9 @@ class Tendon(Part):
 class Guard(Part):
     """The unstressed length limits between neighbouring tips."""
 
-    stretch: Annotated[float, Field(ge=1, description="largest distance between neighbouring tips, by the flat one")]
+    stretch: Annotated[
+        float, Field(strict=True, ge=1, description="largest distance between neighbouring tips, by the flat one")
+    ]
 
 
 class Stage(Part):
@@ -198,12 +219,18 @@ class Protocol(Part):
         drives = [stage.drive for stage in self.stages]
         for drive in ("fold", "unfold"):
             if drives.count(drive) > 1:
-                raise InputError(f'stages: need at most one stage with drive = "{drive}", got {drives.count(drive)}')
+                raise InputError(
+                    f'protocol.stages: need at most one stage with drive = "{drive}", got {drives.count(drive)}'
+                )
         if "unfold" in drives and "fold" not in drives[: drives.index("unfold")]:
-            raise InputError('stages: need a stage with drive = "fold" before the one with drive = "unfold"')
+            raise InputError(
+                'protocol.stages: need a stage with drive = "fold" before the one with drive = "unfold",'
+                f" got {as_written(drives)}"
+            )
         if drives[0] != "none":
             raise InputError(
-                f'stages: need a first stage with drive = "none", whose end is the flat state, got "{drives[0]}"'
+                'protocol.stages: need a first stage with drive = "none", whose end is the flat state,'
+                f' got "{drives[0]}"'
             )
         return self
 
@@ -221,20 +248,25 @@ class Design(Part):
     guard: Guard
     protocol: Protocol
 
+    @field_validator("name")
+    @classmethod
+    def _names_a_folder(cls, name: str) -> str:
+        if re.search(r"[/\\\x00-\x1f\x7f]", name) or not name.strip(" ."):
+            raise InputError(f"need a name that a folder can have, without slashes, got {as_written(name)}")
+        return name
+
     @model_validator(mode="after")
     def _fits_together(self) -> Design:
         veins_at_ring_fold = _ring_chord(self.fan)
-        for key, value, rule, bound in (
-            (
-                "vein.diameter",
-                self.vein.diameter,
-                "veins overlap at the ring fold: need < the distance of",
-                veins_at_ring_fold,
-            ),
-            ("membrane.margin", self.membrane.margin, "the margin is wider than the panel: need <", veins_at_ring_fold),
+        for key, value, unit, fault in (
+            ("vein.diameter", self.vein.diameter, SMALL_LENGTH, "the veins overlap at the ring fold"),
+            ("membrane.margin", self.membrane.margin, LENGTH, "the margin is wider than the panel at the ring fold"),
         ):
-            if not value < bound:
-                raise InputError(f"{key}: {rule} {show_quantity(bound, LENGTH)}, got {show_quantity(value, LENGTH)}")
+            if not value < veins_at_ring_fold:
+                raise InputError(
+                    f"{key}: {fault}: need < {show_quantity(veins_at_ring_fold, unit)}, from vein to vein,"
+                    f" got {show_quantity(value, unit)}"
+                )
         for end, length in (("proximal", self.pattern.proximal_length), ("distal", self.pattern.distal_length)):
             attachment = getattr(self.tendon, f"{end}_attachment")
             if attachment > length:
@@ -247,8 +279,9 @@ class Design(Part):
                 raise InputError(f"membrane.{key}: need rising shares between 0 and 1, got {list(rows)}")
         if not -self.hinge.fold_limit <= self.protocol.initial_overbend <= self.hinge.overbend:
             raise InputError(
-                f"protocol.initial_overbend: need between -hinge.fold_limit and hinge.overbend,"
-                f" {show_quantity(self.hinge.overbend, ANGLE)}, got {show_quantity(self.protocol.initial_overbend, ANGLE)}"
+                f"protocol.initial_overbend: need >= {show_quantity(-self.hinge.fold_limit, ANGLE)} (-hinge.fold_limit)"
+                f" and <= {show_quantity(self.hinge.overbend, ANGLE)} (hinge.overbend),"
+                f" got {show_quantity(self.protocol.initial_overbend, ANGLE)}"
             )
         return self
 

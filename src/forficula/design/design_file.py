@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import difflib
+import re
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -12,12 +13,15 @@ from typing import Any
 import tomli_w
 from pydantic import BaseModel, ValidationError
 
-from forficula.design.design import Design, Part, Quantity, field_quantity
+from forficula.design.design import Design, Part, field_quantity
 from forficula.errors import InputError
 from forficula.files import write_text
-from forficula.quantities import format_quantity
+from forficula.quantities import as_written, format_quantity
 
 REFERENCE = "binder2025"
+
+# a file's name and the tables that stand in it
+_File = tuple[str, dict[str, Any]]
 
 
 def load_design(name_or_path: str | Path, settings: Mapping[str, object] | None = None) -> Design:
@@ -33,10 +37,17 @@ def load_design(name_or_path: str | Path, settings: Mapping[str, object] | None 
     Raises:
         InputError: no such design or file, not TOML, an unknown key, or a value that is not allowed.
     """
-    tables, where = _read_tables(str(name_or_path))
+    files = _read_files(str(name_or_path))
+    tables: dict[str, Any] = {}
+    for _, own in files:
+        tables = _merged(tables, own)
     for key, value in (settings or {}).items():
         _set(tables, key, value)
-    return _validate(tables, where)
+    try:
+        return _validate(tables)
+    except _RejectedError as error:
+        where = _origin(error.place, files, settings or {})
+        raise InputError(f"{where}: {error}" if where else str(error)) from None
 
 
 def with_values(design: Design, values: Mapping[str, object]) -> Design:
@@ -45,10 +56,13 @@ def with_values(design: Design, values: Mapping[str, object]) -> Design:
     Raises:
         InputError: an unknown key, or a value that is not allowed.
     """
-    tables = design.model_dump()
+    tables = design.model_dump(mode="json")
     for key, value in values.items():
         _set(tables, key, value)
-    return _validate(tables, design.name, si=True)
+    try:
+        return _validate(tables, si=True)
+    except _RejectedError as error:
+        raise InputError(f"{design.name}: {error}") from None
 
 
 def named_designs() -> dict[str, str]:
@@ -71,8 +85,9 @@ def design_from_text(text: str) -> Design:
 
     Raises:
         InputError: a key or value that is not allowed.
+        TOMLDecodeError: it is not TOML.
     """
-    return _validate(tomllib.loads(text), "design")
+    return _validate(tomllib.loads(text))
 
 
 def write_new_design(path: Path) -> None:
@@ -81,10 +96,14 @@ def write_new_design(path: Path) -> None:
     Raises:
         InputError: the file exists already, or cannot be written.
     """
-    if path.exists():
-        raise InputError(f"{path}: exists already; choose another name or remove it")
     if path.suffix != ".toml":
         raise InputError(f"{path}: need a name that ends with .toml")
+    try:
+        exists = path.exists()
+    except OSError as error:
+        raise InputError(f"{path}: cannot be written: {error.strerror}") from None
+    if exists:
+        raise InputError(f"{path}: exists already; choose another name or remove it")
     lines = [
         "# A forficula design. Every key is optional but based_on; what is left out comes from there.",
         f'based_on = "{REFERENCE}"',
@@ -97,39 +116,51 @@ def _named() -> list[str]:
     return sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml"))
 
 
-def _read_tables(name_or_path: str, seen: tuple[str, ...] = ()) -> tuple[dict[str, Any], str]:
-    """The nested tables of a design with what it is based on filled in, and how errors call it."""
-    if name_or_path in seen:
-        raise InputError(f"based_on: {' -> '.join((*seen, name_or_path))} goes round in a circle")
+def _read_files(name_or_path: str, above: tuple[Path, ...] = ()) -> list[_File]:
+    """A design and what it is based on, the last one first."""
     if name_or_path in _named():
         text = (resources.files("forficula.design") / "references" / f"{name_or_path}.toml").read_text("utf-8")
-        tables, where, folder = tomllib.loads(text), name_or_path, Path()
-    elif name_or_path.endswith(".toml"):
-        tables, where, folder = _read_toml(Path(name_or_path)), name_or_path, Path(name_or_path).parent
-        tables.setdefault("name", Path(name_or_path).stem)
-    else:
-        hint = _nearest(name_or_path, _named()) or f"the named designs are {', '.join(_named())}"
-        raise InputError(f'"{name_or_path}" is neither a named design nor a .toml file; {hint}')
+        return [(name_or_path, tomllib.loads(text))]
+    path = Path(name_or_path)
+    if path.suffix.lower() != ".toml":
+        known = [*_named(), *sorted(str(file) for file in Path().glob("*.toml"))]
+        hint = _nearest(name_or_path, known) or f"the named designs are {', '.join(_named())}"
+        raise InputError(f"{as_written(name_or_path)} is neither a named design nor a .toml file; {hint}")
+    tables = _read_toml(path)
+    if path.resolve() in above:
+        raise InputError(f"{path}: goes round in a circle")
+    tables.setdefault("name", path.stem)
     base = tables.pop("based_on", None)
     if base is None:
-        return tables, where
+        return [(name_or_path, tables)]
     if not isinstance(base, str):
-        raise InputError(f'{where}: based_on: need the name of a design such as "{REFERENCE}", got {base!r}')
-    base = (
-        base if base in _named() or Path(base).is_absolute() else str(folder / base) if base.endswith(".toml") else base
-    )
-    return _merged(_read_tables(base, (*seen, name_or_path))[0], tables), where
+        raise InputError(f'{path}: based_on: need the name of a design such as "{REFERENCE}", got {as_written(base)}')
+    if base.lower().endswith(".toml"):
+        base = str(path.parent / base)
+    try:
+        return [*_read_files(base, (*above, path.resolve())), (name_or_path, tables)]
+    except InputError as error:
+        raise InputError(f"{path}: based_on: {error}") from None
 
 
 def _read_toml(path: Path) -> dict[str, Any]:
     try:
-        return tomllib.loads(path.read_text("utf-8"))
+        # Windows' editors begin UTF-8 with a byte order mark
+        text = path.read_text("utf-8-sig")
     except FileNotFoundError:
         raise InputError(f"{path}: no such file") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{path}: cannot be read: {error}") from None
-    except tomllib.TOMLDecodeError as error:
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path}: not UTF-8 text from byte {error.start} on; save it as UTF-8") from None
+    except ValueError as error:
+        raise InputError(f"{as_written(str(path))}: cannot be read: {error}") from None
+    try:
+        return tomllib.loads(text)
+    except ValueError as error:
         raise InputError(f"{path}: not TOML: {error}") from None
+    except RecursionError:
+        raise InputError(f"{path}: not TOML for a design: nested too deeply") from None
 
 
 def _merged(base: dict[str, Any], over: dict[str, Any]) -> dict[str, Any]:
@@ -141,63 +172,110 @@ def _merged(base: dict[str, Any], over: dict[str, Any]) -> dict[str, Any]:
 
 
 def _set(tables: dict[str, Any], key: str, value: object) -> None:
+    """Put a value into nested tables by its dotted key; a number picks a table of a list."""
+    if key == "based_on":
+        raise InputError("based_on: cannot be set; name the design to start from instead")
     *sections, last = key.split(".")
-    place = tables
-    for section in sections:
-        place = place.setdefault(section, {})
-        if not isinstance(place, dict):
-            raise InputError(f"{key}: unknown key; {_hint(key)}")
-    place[last] = value
+    place: Any = tables
+    for depth, section in enumerate(sections, start=1):
+        place = place.setdefault(section, {}) if isinstance(place, dict) else place[_index(key, section, place)]
+        if not isinstance(place, dict | list):
+            raise InputError(f"{key}: unknown key; did you mean {'.'.join(sections[:depth])}?")
+    if isinstance(place, list):
+        place[_index(key, last, place)] = value
+    else:
+        place[last] = value
 
 
-def _validate(tables: dict[str, Any], where: str, *, si: bool = False) -> Design:
+def _index(key: str, text: str, items: list[Any]) -> int:
+    allowed = [str(index) for index in range(len(items))]
+    if text not in allowed:
+        raise InputError(f"{key}: need one of the numbers {', '.join(allowed)} in it, got {as_written(text)}")
+    return int(text)
+
+
+class _RejectedError(InputError):
+    """A design that is not allowed, and the place that is to blame."""
+
+    def __init__(self, place: Sequence[str], message: str) -> None:
+        super().__init__(message)
+        self.place = tuple(place)
+
+
+def _validate(tables: dict[str, Any], *, si: bool = False) -> Design:
     try:
         return Design.model_validate(tables, context={"si": si})
     except ValidationError as error:
-        # A wrong value hides what depends on it, so one error, the first, is the one to mend.
-        raise InputError(f"{where}: {_sentence(error.errors(include_url=False)[0])}") from None
+        # A wrong value hides what depends on it, so one error is enough; a misspelt key may be the missing one.
+        errors = error.errors(include_url=False)
+        worst = next((each for each in errors if each["type"] == "extra_forbidden"), errors[0])
+        raise _rejected([str(part) for part in worst["loc"]], worst) from None
 
 
-def _sentence(error: Any) -> str:
+def _origin(place: Sequence[str], files: Sequence[_File], settings: Iterable[str]) -> str:
+    """The file where a value stands, or the design as a whole; nothing where it was set by hand."""
+    if not place:
+        return files[-1][0]
+    key = ".".join(place)
+    for setting in settings:
+        if f"{key}.".startswith(f"{setting}.") or f"{setting}.".startswith(f"{key}."):
+            return ""
+    return next((where for where, tables in reversed(files) if _stands_in(tables, place)), files[-1][0])
+
+
+def _stands_in(tables: object, place: Sequence[str]) -> bool:
+    for part in place:
+        if isinstance(tables, list) and part.isdigit():
+            tables = dict(enumerate(tables)).get(int(part))
+        elif isinstance(tables, dict) and part in tables:
+            tables = tables[part]
+        else:
+            return False
+    return True
+
+
+def _rejected(place: list[str], error: Any) -> _RejectedError:
     """One pydantic error as one line: key, rule, value."""
-    place = [str(part) for part in error["loc"] if part not in ("float", "literal['auto']")]
-    key, got, bounds = ".".join(place), error["input"], error.get("ctx", {})
-    rules = {
-        "extra_forbidden": "unknown key",
-        "missing": "is missing; give it, or start the file with based_on",
-        "greater_than": "need > {gt}",
-        "greater_than_equal": "need >= {ge}",
-        "less_than": "need < {lt}",
-        "less_than_equal": "need <= {le}",
-        "literal_error": "need {expected}",
-        "too_short": "need at least {min_length}",
-        "string_too_short": "need some text",
-    }
-    kinds = {"int": "a whole number", "float": "a number", "finite_number": "a finite number", "string": "text"}
-    kinds |= {"bool": "true or false", "tuple": "a list", "model": "a table"}
-    if error["type"] == "value_error":
+    key = _written_key(place)
+    kind, value, bounds = error["type"], error["input"], error.get("ctx", {})
+    if kind == "value_error":
         message = str(bounds["error"])
-        return f"{key}: {message}" if _is_quantity(place) else f"{key}.{message}" if key else message
-    if error["type"] == "extra_forbidden":
-        return f"{key}: unknown key; {_hint(key)}"
-    if error["type"] == "missing":
-        return f"{key}: {rules['missing']}"
-    if error["type"] in rules:
-        return f"{key}: {rules[error['type']].format(**bounds)}, got {got!r}"
-    kind = next((text for name, text in kinds.items() if error["type"].startswith(name)), None)
-    return f"{key}: need {kind}, got {got!r}" if kind else f"{key}: {error['msg']}, got {got!r}"
+        if message.partition(":")[0] in _keys():  # a check of several values, no one of them to blame
+            return _RejectedError([], message)
+        return _RejectedError(place, f"{key}: {message}")
+    if kind == "extra_forbidden":
+        return _RejectedError(place, f"{key}: unknown key; {_hint(place)}")
+    if kind == "missing":
+        in_list = any(part.isdigit() for part in place)
+        to_inherit = f'give it, or begin the file with based_on = "{REFERENCE}"'
+        remedy = f"needed here: {', '.join(_siblings(place))}" if in_list else to_inherit
+        return _RejectedError(place[:-1], f"{key}: is missing; {remedy}")
+    return _RejectedError(place, f"{key}: need {_rule(place, kind, value, bounds)}, got {as_written(value)}")
 
 
-def _is_quantity(place: list[str]) -> bool:
-    model: type[BaseModel] = Design
-    quantity: Quantity | None = None
-    for name in place:
-        field = model.model_fields.get("stages" if name.isdigit() else name)
-        if field is None:
-            continue
-        quantity = field_quantity(field)
-        model = next((part for part in _parts(field.annotation)), model)
-    return quantity is not None
+def _rule(place: list[str], kind: str, value: object, bounds: Mapping[str, Any]) -> str:
+    """What is allowed, by pydantic's name of the error."""
+    header = ".".join(part for part in place if not part.isdigit())
+    is_tables = header == "protocol.stages"
+    bare = " without quotes" if isinstance(value, str) else ""
+    rules = {
+        "greater_than": "> {gt:g}",
+        "greater_than_equal": ">= {ge:g}",
+        "less_than": "< {lt:g}",
+        "less_than_equal": "<= {le:g}",
+        "literal_error": "{expected}",
+        "too_short": "at least {min_length} entry",
+        "string_too_short": "some text",
+        "int": f"a whole number{bare}",
+        "float": f"a number{bare}",
+        "finite_number": "a finite number",
+        "string": "text in quotes",
+        "bool": f"true or false{bare}",
+        "tuple": f"a list of tables, each under [[{header}]]" if is_tables else "a list of numbers such as [0.3, 0.6]",
+        "model": f"a table under [[{header}]]" if is_tables else f"a table under [{header}]",
+    }
+    rule = rules.get(kind) or next((text for name, text in rules.items() if kind.startswith(f"{name}_")), kind)
+    return rule.format(**bounds).replace("'", '"')
 
 
 def _parts(annotation: Any) -> Iterator[type[Part]]:
@@ -214,20 +292,30 @@ def _keys(model: type[BaseModel] = Design, prefix: str = "") -> Iterator[str]:
             yield from _keys(part, f"{prefix}{name}.")
 
 
-def _hint(key: str) -> str:
-    """The nearest valid key, by its whole path or by its last word."""
-    plain = ".".join(part for part in key.split(".") if not part.isdigit())
-    keys = list(_keys())
-    near = difflib.get_close_matches(plain, keys, n=1, cutoff=0.6)
-    by_last = {valid.rsplit(".", 1)[-1]: valid for valid in keys}
-    near = near or [
-        by_last[last] for last in difflib.get_close_matches(plain.rsplit(".", 1)[-1], by_last, n=1, cutoff=0.5)
-    ]
-    if near:
-        return f"did you mean {near[0]}?"
-    section = plain.rpartition(".")[0]
-    siblings = [valid for valid in keys if valid.rpartition(".")[0] == section]
-    return f"allowed here: {', '.join(siblings or [valid for valid in keys if '.' not in valid])}"
+def _written_key(place: Sequence[str]) -> str:
+    """A key as a TOML file has it."""
+    return ".".join(part if re.fullmatch(r"[A-Za-z0-9_-]{1,60}", part) else as_written(part) for part in place)
+
+
+def _siblings(place: Sequence[str]) -> list[str]:
+    """The keys that are allowed in a section."""
+    section = "".join(f"{part}." for part in place[:-1] if not part.isdigit())
+    inside = [key.removeprefix(section) for key in _keys() if key.startswith(section)]
+    return [*([] if section else ["based_on"]), *(key for key in inside if "." not in key)]
+
+
+def _hint(place: Sequence[str]) -> str:
+    """The nearest valid key of the same section, or of another, or all of the section."""
+    *section, wrong = place
+    here = _siblings(place)
+    if near := difflib.get_close_matches(wrong.lower(), here, n=1):
+        return f"did you mean {'.'.join([*section, *near])}?"
+    elsewhere: dict[str, list[str]] = {}
+    for key in _keys():
+        elsewhere.setdefault(key.rpartition(".")[2], []).append(key)
+    if near := difflib.get_close_matches(wrong.lower(), elsewhere, n=1, cutoff=0.75):
+        return f"did you mean {' or '.join(elsewhere[near[0]])}?"
+    return f"allowed here: {', '.join(here)}"
 
 
 def _nearest(word: str, words: list[str]) -> str | None:
@@ -251,7 +339,7 @@ def _as_text(part: Part) -> dict[str, Any]:
 
 def _commented(design: Design) -> Iterator[str]:
     """The sections of a design, every key with its meaning."""
-    for section, field in Design.model_fields.items():
+    for section in Design.model_fields:
         part = getattr(design, section)
         if not isinstance(part, Part):
             continue

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, TypeVar
 
 from forficula.design.design import Design, Part, field_quantity
 from forficula.design.design_file import with_values
 from forficula.errors import InputError
 from forficula.quantities import dimension
+
+_Part = TypeVar("_Part", bound=Part)
 
 
 def in_units(design: Design, *, length: float, mass: float, time: float) -> Design:
@@ -48,7 +50,7 @@ def scale_design(design: Design, factor: float) -> Design:
     return with_values(scaled, {"name": f"{design.name}-x{factor:g}"})
 
 
-def _rescaled(part: Any, length: float, mass: float, time: float) -> Any:
+def _rescaled(part: _Part, length: float, mass: float, time: float) -> _Part:
     changes: dict[str, Any] = {}
     for name, field in type(part).model_fields.items():
         value, quantity = getattr(part, name), field_quantity(field)

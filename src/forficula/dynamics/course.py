@@ -83,9 +83,9 @@ class Course:
 
     def follow(self, chunk: Chunk) -> int:
         """Account for the steps of a chunk up to the end of the stage, and return how many count."""
-        finite = np.isfinite(chunk.position).all(axis=1) & np.isfinite(chunk.velocity).all(axis=1)
+        state = np.concatenate([chunk.position, chunk.velocity], axis=1)[1:]
         # the engine stops the clock of a wing that blows up
-        sound = int(np.argmin(np.append(finite[1:] & (np.diff(chunk.time) > 0), False)))
+        sound = int(np.argmin(np.append(np.all(np.isfinite(state), axis=1) & (np.diff(chunk.time) > 0), False)))
         taken, goal_step = self._stage_end(chunk, sound)
         steps = sound if taken is None else taken
         self._account(chunk, steps)
@@ -135,13 +135,14 @@ class Course:
         distal = self.wing.senses * chunk.position[1:, self.wing.joints[:, 3]]
         match self.stage.until:
             case "folded":
-                return np.all(distal <= -self.protocol.folded_angle, axis=1)
+                there = distal <= -self.protocol.folded_angle
             case "opened":
-                return np.all(distal >= self.protocol.opened_angle, axis=1)
+                there = distal >= self.protocol.opened_angle
             case "rest":
-                return np.all(np.abs(chunk.velocity[1:]) <= self.wing.in_units.protocol.rest_speed, axis=1)
+                there = np.abs(chunk.velocity[1:]) <= self.wing.in_units.protocol.rest_speed
             case _:
-                return np.zeros(len(distal), dtype=bool)
+                there = np.zeros(distal.shape, dtype=bool)
+        return np.asarray(np.all(there, axis=1))
 
     def _end_stage(self, goal_step: int | None) -> None:
         stage = self.stage
@@ -188,7 +189,7 @@ class Course:
         nothing = np.zeros(len(steps))
         self._samples.append(
             {
-                "time": steps * self.timestep,
+                "time": np.asarray(steps * self.timestep, dtype=np.float64),
                 **state_series(self.wing, position, derived),
                 **work,
                 "proximal_power": power.get("proximal_work", nothing),

@@ -21,9 +21,8 @@ Progress = Callable[[str, float, float], None]
 _CHUNK = 50
 # all that the next step depends on: time, positions and velocities first
 _STATE = mujoco.mjtState.mjSTATE_INTEGRATION.value
-_DERIVED = (
-    "energy", "ten_length", "flexvert_xpos", "xpos", "xipos", "site_xpos", "qfrc_actuator", "qfrc_damper", "qfrc_constraint"
-)  # fmt: skip
+_FORCES = ("qfrc_actuator", "qfrc_damper", "qfrc_constraint")
+_DERIVED = ("energy", "ten_length", "flexvert_xpos", "xpos", "xipos", "site_xpos", *_FORCES)
 
 
 def run(design: Design, progress: Progress | None = None) -> Record:

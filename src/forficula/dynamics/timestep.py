@@ -43,10 +43,11 @@ def timestep_warnings(design: Design) -> list[str]:
 def stable_timestep(design: Design) -> float:
     """Find the longest timestep, s, at which no mode of the wing blows up while it folds.
 
-    It is half of the flat wing's limit, a share that was measured. The flat wing is linearised at rest, and one step of semi-implicit Euler with implicit joint damping is a linear map of
-    positions and velocities. Above the limit an eigenvalue of it passes -1: the mode flips its sign at every step and
+    The flat wing is linearised at rest, and one step of semi-implicit Euler with implicit joint damping is a linear map
+    of positions and velocities. Above a limit an eigenvalue of it passes -1: the mode flips its sign at every step and
     grows (for one undamped mode of angular frequency w this is the textbook limit h = 2 / w). Growth without a flip is
-    the snap itself, not an error.
+    the snap itself, not an error. Half of that limit is taken, because the folding wing is stiffer than the flat one;
+    the share was measured.
     """
     # the linearised wing does not depend on the step it is compiled with
     wing = compile_wing(with_values(design, {"protocol.timestep": _LONGEST}))
@@ -61,7 +62,7 @@ def stable_timestep(design: Design) -> float:
 
 
 def _linearised(wing: WingModel) -> tuple[Array, Array, Array, Array]:
-    """Inertia, stiffness, all damping and the part of it that is implicit, (dof, dof), of the flat wing in its units."""
+    """Inertia, stiffness, all damping and its implicit part, (dof, dof), of the flat wing in its units."""
     engine = wing.engine
     data = mujoco.MjData(engine)
     mujoco.mj_forward(engine, data)

@@ -15,6 +15,7 @@ from forficula.pattern.kinematics import (
     degree4_fold_angles,
     fan_fold_angles,
     folded_coordinates,
+    folded_frames,
     opposite_fold_angle,
 )
 from forficula.pattern.svg_file import write_svg
@@ -31,6 +32,7 @@ __all__ = [
     "earwig_pattern",
     "fan_fold_angles",
     "folded_coordinates",
+    "folded_frames",
     "hub_points",
     "interior_vertices",
     "kawasaki_residuals",

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
+from forficula.files import write_text
 from forficula.pattern.crease_pattern import CreasePattern, check_edges, check_vertex, face_sides
 
 Frame = tuple[str, NDArray[np.float64], NDArray[np.float64]]
@@ -34,7 +35,8 @@ def write_fold(pattern: CreasePattern, path: str | os.PathLike[str], *, frames: 
             nan where there is none.
 
     Raises:
-        InputError: a folded state of another shape or with positions that are not finite.
+        InputError: a folded state of another shape or with positions that are not finite, or a file that cannot be
+            written.
     """
     document: dict[str, object] = {
         "file_spec": 1.2,
@@ -53,13 +55,7 @@ def write_fold(pattern: CreasePattern, path: str | os.PathLike[str], *, frames: 
     }
     if frames:
         document["file_frames"] = [_folded_frame(pattern, number, *frame) for number, frame in enumerate(frames)]
-    target = Path(path)
-    unfinished = target.with_name(f".{target.name}.{os.getpid()}.unfinished")
-    try:
-        unfinished.write_text(json.dumps(document, allow_nan=False, indent=1) + "\n", encoding="utf-8")
-        unfinished.replace(target)
-    finally:
-        unfinished.unlink(missing_ok=True)
+    write_text(Path(path), json.dumps(document, allow_nan=False, indent=1) + "\n")
 
 
 def _degrees_or_null(angles: NDArray[np.float64]) -> list[float | None]:

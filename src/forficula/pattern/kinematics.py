@@ -172,6 +172,21 @@ def fan_fold_angles(fan: EarwigFan, pleat_angle: float) -> NDArray[np.float64]:
     return signed
 
 
+def folded_frames(fan: EarwigFan) -> list[tuple[str, NDArray[np.float64], NDArray[np.float64]]]:
+    """Fold a fan in four steps, from half closed pleats to flat-folded.
+
+    Returns:
+        By step: title, positions of the vertices of `earwig_pattern` (m, shape (N, 3)), and fold angles (rad, shape
+        (E,)).
+    """
+    pattern = earwig_pattern(fan)
+    frames = []
+    for degrees in (90, 135, 170, 180):
+        angles = fan_fold_angles(fan, math.radians(degrees))
+        frames.append((f"pleats at {degrees} deg", folded_coordinates(pattern, angles), angles))
+    return frames
+
+
 class _Hinge(NamedTuple):
     """A neighbour of a face: across which directed side of the face, folded how far."""
 

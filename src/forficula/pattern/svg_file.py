@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from forficula.files import write_text
 from forficula.pattern.crease_pattern import ASSIGNMENTS, CreasePattern, check_flat
 
 # colours as origami programs read them; the dashes (lengths in mm) tell the lines apart in grey
@@ -39,7 +40,7 @@ def write_svg(pattern: CreasePattern, path: str | os.PathLike[str]) -> None:
         path: the file, replaced where it exists.
 
     Raises:
-        InputError: the sheet is not flat.
+        InputError: the sheet is not flat, or the file cannot be written.
     """
     check_flat(pattern)
     points = pattern.vertices_coords[:, :2] * _MILLIMETRES
@@ -73,7 +74,8 @@ def write_svg(pattern: CreasePattern, path: str | os.PathLike[str]) -> None:
             line["stroke-opacity"] = f"{min(abs(fold_angle) / math.pi, 1.0):.6g}"
         ElementTree.SubElement(drawing, "line", line)
     ElementTree.indent(drawing)
-    ElementTree.ElementTree(drawing).write(Path(path), encoding="utf-8", xml_declaration=True)
+    text = ElementTree.tostring(drawing, encoding="unicode")
+    write_text(Path(path), f'<?xml version="1.0" encoding="utf-8"?>\n{text}\n')
 
 
 def _printable(text: str) -> str:

@@ -1,0 +1,5 @@
+"""`python -m forficula` is `forficula`."""
+
+from forficula.cli import main
+
+main()

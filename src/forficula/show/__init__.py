@@ -1,0 +1,17 @@
+from forficula.show.folding_figure import draw_folding
+from forficula.show.pattern_figure import draw_pattern
+from forficula.show.run_folder import write_run
+from forficula.show.style import save_figure
+from forficula.show.table import outcome_table, print_outcome
+from forficula.show.time_figures import draw_angles, draw_energies
+
+__all__ = [
+    "draw_angles",
+    "draw_energies",
+    "draw_folding",
+    "draw_pattern",
+    "outcome_table",
+    "print_outcome",
+    "save_figure",
+    "write_run",
+]

@@ -1,0 +1,54 @@
+"""The crease pattern with its tendons, in centimetres."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from forficula.design import Design
+from forficula.pattern import earwig_pattern, hub_points, ring_vertices, tips
+from forficula.show.style import BLACK, BLUE, ORANGE, VERMILION, figure_style
+
+_STYLES = {"M": (VERMILION, "-.", "mountain"), "V": (BLUE, "--", "valley"), "B": (BLACK, "-", "border")}
+_CENTIMETRE = 100.0
+
+
+def draw_pattern(design: Design) -> Figure:
+    """Draw the crease pattern of a design, its hub circle and its tendons."""
+    fan = design.fan
+    pattern = earwig_pattern(fan)
+    points = _CENTIMETRE * pattern.vertices_coords[:, :2]
+    with figure_style():
+        extent = np.ptp(points, axis=0)
+        figure = Figure(figsize=(4.6, 4.1 * min(2.0, max(0.3, extent[1] / extent[0])) + 0.9), layout="constrained")
+        axes = figure.subplots()
+        for (start, end), assignment in zip(pattern.edges_vertices, pattern.edges_assignment, strict=True):
+            colour, style, _ = _STYLES[assignment]
+            axes.plot(*points[[start, end]].T, style, color=colour, lw=1.1)
+        angle = np.linspace(0, 2 * np.pi, 200)
+        radius = _CENTIMETRE * fan.hub_radius
+        axes.plot(radius * np.cos(angle), radius * np.sin(angle), ":", color="0.5", lw=0.8)
+        for start, end in _tendons(design):
+            axes.plot(*_CENTIMETRE * np.column_stack([start, end]), "o-", color=ORANGE, ms=3.5, lw=3, alpha=0.6)
+        for vein, tip in enumerate(_CENTIMETRE * tips(fan)[:, :2]):
+            outwards = tip / np.linalg.norm(tip)
+            axes.annotate(f"{vein}", tip, 8 * outwards, textcoords="offset points", ha="center", va="center")
+        axes.set_aspect("equal")
+        axes.set_xlabel("x (cm)")
+        axes.set_ylabel("y (cm)")
+        axes.margins(0.06)
+        handles = [Line2D([], [], color=colour, ls=style, label=name) for colour, style, name in _STYLES.values()]
+        handles.append(Line2D([], [], color=ORANGE, marker="o", ms=3.5, lw=3, alpha=0.6, label="tendon"))
+        handles.append(Line2D([], [], color="0.5", ls=":", label="hub"))
+        figure.legend(handles=handles, loc="outside upper center", ncols=5)
+        return figure
+
+
+def _tendons(design: Design) -> list[tuple[np.ndarray, np.ndarray]]:
+    """The two ends of every tendon in the flat wing, m."""
+    fan, tendon = design.fan, design.tendon
+    hub, ring, tip = (points[:, :2] for points in (hub_points(fan), ring_vertices(fan), tips(fan)))
+    before = ring + (hub - ring) * tendon.proximal_attachment / fan.proximal_length
+    beyond = ring + (tip - ring) * tendon.distal_attachment / fan.distal_length
+    return list(zip(before, beyond, strict=True))

@@ -1,0 +1,56 @@
+"""The files that a run leaves."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import tempfile
+from pathlib import Path
+
+from forficula.analysis import Outcome, summary
+from forficula.design import save_design
+from forficula.dynamics import Record, compile_wing, save_record, versions
+from forficula.errors import InputError
+from forficula.files import write_text
+from forficula.show.folding_figure import draw_folding
+from forficula.show.pattern_figure import draw_pattern
+from forficula.show.style import save_figure
+from forficula.show.time_figures import draw_angles, draw_energies
+
+
+def write_run(record: Record, outcome: Outcome, folder: Path) -> None:
+    """Write design, model, record, summary and figures; all of them, or none.
+
+    Args:
+        record: what happened.
+        outcome: what it means.
+        folder: made where it is missing; what an earlier run left there is replaced.
+
+    Raises:
+        InputError: the folder cannot be written.
+    """
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        unfinished = Path(tempfile.mkdtemp(dir=folder.parent, prefix=f".{folder.name}-"))
+    except OSError as error:
+        raise InputError(f"{folder}: cannot be written: {error.strerror}") from None
+    try:
+        _write_files(record, outcome, unfinished)
+        folder.mkdir(exist_ok=True)
+        for file in unfinished.iterdir():
+            file.replace(folder / file.name)
+    except OSError as error:
+        raise InputError(f"{folder}: cannot be written: {error.strerror}") from None
+    finally:
+        shutil.rmtree(unfinished, ignore_errors=True)
+
+
+def _write_files(record: Record, outcome: Outcome, folder: Path) -> None:
+    save_design(record.design, folder / "design.toml")
+    write_text(folder / "model.xml", compile_wing(record.design).xml)
+    save_record(record, folder / "record.nc")
+    write_text(folder / "summary.json", json.dumps(summary(record, outcome, versions()), indent=2) + "\n")
+    save_figure(draw_pattern(record.design), folder / "pattern.png")
+    save_figure(draw_angles(record, outcome), folder / "angles.png")
+    save_figure(draw_energies(record), folder / "energies.png")
+    save_figure(draw_folding(record, outcome), folder / "folding.png")

@@ -1,0 +1,125 @@
+"""The outcome of a run as text that a person understands."""
+
+from __future__ import annotations
+
+import numpy as np
+from rich.console import Console, Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from forficula.analysis import Outcome, State, Transition
+
+_PREFIXES = {"": 1.0, "m": 1e-3, "µ": 1e-6, "n": 1e-9}
+
+
+def outcome_table(name: str, outcome: Outcome) -> RenderableType:
+    """Lay out states by vein, transitions, and the energy balance."""
+    verdict = Text(f"{name}: {outcome.status}", style="bold")
+    parts: list[RenderableType] = [verdict]
+    if outcome.advice:
+        parts.append(Text(outcome.advice))
+    parts += [Text(), _states(outcome), Text(), _transitions(outcome), Text(), _balance(outcome)]
+    return Group(*parts)
+
+
+def print_outcome(name: str, outcome: Outcome) -> None:
+    """Print the outcome, as wide as it is."""
+    Console(width=110, highlight=False).print(outcome_table(name, outcome))
+
+
+def _states(outcome: Outcome) -> Table:
+    states = {"flat": outcome.flat, "folded": outcome.folded_state, "opened": outcome.opened_state}
+    if not outcome.folded and outcome.folded_state is not None:
+        states = {"after folding" if name == "folded" else name: state for name, state in states.items()}
+    there = {name: state for name, state in states.items() if state is not None}
+    if not there:
+        return Table(title="no state was reached", box=None, title_justify="left")
+    energy_unit, energy = _unit("J", max(float(state.tendon_energy.max()) for state in there.values()))
+    length_unit, length = (
+        ("cm", 1e2) if max(float(s.tendon_length.max()) for s in there.values()) > 0.02 else ("mm", 1e3)
+    )
+    table = Table(box=None, padding=(0, 2, 0, 0), title="States", title_justify="left")
+    table.add_column("vein")
+    for name in there:
+        table.add_column(f"{name}:\nangle (deg)", justify="right")
+        table.add_column(f"tendon\n({length_unit})", justify="right")
+        table.add_column(f"energy\n({energy_unit})", justify="right")
+    for vein in range(len(next(iter(there.values())).distal_angle)):
+        cells = [str(vein)]
+        for state in there.values():
+            cells += [
+                _angle(state, vein),
+                f"{length * state.tendon_length[vein]:.2f}",
+                f"{energy * state.tendon_energy[vein]:.4g}",
+            ]
+        table.add_row(*cells)
+    totals = ["sum"]
+    for state in there.values():
+        totals += ["", "", f"{energy * state.tendon_energy.sum():.4g}"]
+    table.add_row(*totals)
+    table.add_row("time", *(cell for state in there.values() for cell in (f"{state.time:.3f} s", "", "")))
+    return table
+
+
+def _angle(state: State, vein: int) -> str:
+    """Mean, and half the envelope where the hinge still swings."""
+    mean = np.degrees(state.distal_angle[vein])
+    swing = np.degrees(state.distal_angle_high[vein] - state.distal_angle_low[vein]) / 2
+    return f"{mean:.1f} ± {swing:.1f}" if swing > 0.05 else f"{mean:.1f}"
+
+
+def _transitions(outcome: Outcome) -> Table:
+    table = Table(box=None, padding=(0, 2, 0, 0), title="Transitions", title_justify="left")
+    for heading in ("", "torque", "succeeded", "time", "work of the torques"):
+        table.add_column(heading, justify="left" if not heading else "right")
+    for name, transition in (("folding", outcome.fold), ("unfolding", outcome.unfold)):
+        table.add_row(name, *_transition(transition))
+    return table
+
+
+def _transition(transition: Transition | None) -> list[str]:
+    if transition is None:
+        return ["not tried", "", "", ""]
+    time = "" if transition.time is None else f"{1e3 * transition.time:.4g} ms"
+    return [_torque(transition.torque), "yes" if transition.succeeded else "no", time, _energy(transition.work)]
+
+
+def _balance(outcome: Outcome) -> Table:
+    balance = outcome.energy_balance
+    table = Table(box=None, padding=(0, 2, 0, 0), title="Energy balance", title_justify="left", show_header=False)
+    table.add_column("")
+    table.add_column("", justify="right")
+    unit, factor = _unit("J", max(abs(balance.work), abs(balance.tendon), 1e-12))
+    for label, value in (
+        ("work of the torques", balance.work),
+        ("= change of tendon energy", balance.tendon),
+        ("+ change of membrane energy", balance.membrane),
+        ("+ change of kinetic energy", balance.kinetic),
+        ("+ change of gravitational energy", balance.gravitational),
+        ("+ taken by hinge damping", balance.hinge_damping),
+        ("+ taken by tendon and membrane damping", balance.elastic_damping),
+        ("+ taken by stops and guard tendons", balance.stops),
+        ("+ missing", balance.missing),
+    ):
+        # adding 0 turns -0 into 0
+        table.add_row(label, f"{round(factor * value, 4) + 0.0:.4f} {unit}")
+    table.add_row("residual", f"{100 * balance.residual:.3f} % of the work put in")
+    return table
+
+
+def _unit(base: str, largest: float) -> tuple[str, float]:
+    """The unit in which a value reads well, and its factor from SI."""
+    for prefix, size in _PREFIXES.items():
+        if largest >= 0.1 * size:
+            return f"{prefix}{base}", 1 / size
+    return f"n{base}", 1e9
+
+
+def _energy(value: float) -> str:
+    unit, factor = _unit("J", abs(value))
+    return f"{factor * value:.4g} {unit}"
+
+
+def _torque(value: float) -> str:
+    unit, factor = _unit("N cm", 100 * abs(value))
+    return f"{factor * 100 * value:.4g} {unit}"

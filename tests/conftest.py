@@ -1,0 +1,113 @@
+"""What several test modules need: the reference run, and one tendon across one hinge."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+
+import forficula as ff
+from forficula.design import Design, with_values
+from forficula.dynamics import Record, simulate
+from forficula.dynamics.model import WingModel, compile_veins
+from forficula.dynamics.units import model_units
+from forficula.dynamics.veins import Vein
+
+
+@pytest.fixture(scope="session")
+def reference() -> Design:
+    """The reference design."""
+    return ff.load_design("binder2025")
+
+
+@pytest.fixture(scope="session")
+def reference_run(reference) -> Record:
+    """The reference design, run; do not change it."""
+    return ff.run(reference)
+
+
+@pytest.fixture(scope="session")
+def reference_outcome(reference_run) -> ff.Outcome:
+    return ff.measure(reference_run)
+
+
+@dataclass(frozen=True, kw_only=True)
+class OneHinge:
+    """A bar on a fixed bar, a hinge square to both, a tendon across it, no damping; angles are > 0 when folding."""
+
+    wing: WingModel
+    inertia: float  # kg m2, about the hinge
+    start: float  # rad
+
+    @property
+    def time_scale(self) -> float:
+        tendon = self.wing.design.tendon
+        return math.sqrt(self.inertia / (tendon.stiffness * tendon.proximal_attachment * tendon.distal_attachment))
+
+    def length(self, angle):
+        """Of the tendon, m: law of cosines."""
+        a, b = self.wing.design.tendon.proximal_attachment, self.wing.design.tendon.distal_attachment
+        return np.sqrt(a**2 + b**2 + 2 * a * b * np.cos(angle))
+
+    def energy(self, angle):
+        """Of the tendon, J."""
+        tendon = self.wing.design.tendon
+        return tendon.stiffness / 2 * np.maximum(self.length(angle) - tendon.rest_length, 0) ** 2
+
+    def moment(self, angle):
+        """That the tendon has about the hinge, N m, towards folding where > 0."""
+        tendon = self.wing.design.tendon
+        force = tendon.stiffness * np.maximum(self.length(angle) - tendon.rest_length, 0)
+        return force * tendon.proximal_attachment * tendon.distal_attachment * np.sin(angle) / self.length(angle)
+
+    def run(self):
+        """Angle at every step, rad, and the record."""
+        record = simulate([self.wing])[0]
+        return -record.data["distal_angle"].values[:, 0], record
+
+
+@pytest.fixture(scope="session")
+def one_hinge(reference):
+    """Build a `OneHinge` that is let go at `start` and swings for `duration`."""
+
+    def build(
+        rest_length: float = 0.0,
+        proximal: float = 0.055,
+        distal: float = 0.055,
+        *,
+        timestep: float = 1e-5,
+        duration: float = 0.1,
+        start: float = math.radians(1),
+    ) -> OneHinge:
+        swing = {"name": "swing", "drive": "none", "until": "time", "hold": 0.0, "time_limit": duration}
+        design = with_values(
+            reference,
+            {
+                "hinge.damping": 0.0,
+                "tendon.damping": 0.0,
+                "tendon.rest_length": rest_length,
+                "tendon.proximal_attachment": proximal,
+                "tendon.distal_attachment": distal,
+                "protocol.timestep": timestep,
+                "protocol.sample_interval": timestep,
+                "protocol.initial_overbend": -start,
+                "protocol.stages": [swing],
+            },
+        )
+        units, pattern, vein = model_units(design), design.pattern, design.vein
+        ring = pattern.proximal_length / units.length
+        bars = Vein(
+            hub_point=np.zeros(3),
+            ring_vertex=np.array([ring, 0, 0]),
+            tip=np.array([ring + pattern.distal_length / units.length, 0, 0]),
+            ring_direction=np.array([0.0, 1.0, 0.0]),
+            sense=1,
+            fixed_base=True,
+        )
+        radius, length = vein.diameter / 2, pattern.distal_length
+        mass = vein.density * math.pi * radius**2 * length
+        # a solid cylinder about a diameter of its end
+        inertia = mass * (radius**2 / 4 + length**2 / 3) + design.hinge.armature
+        return OneHinge(wing=compile_veins(design, (bars,), units), inertia=inertia, start=start)
+
+    return build

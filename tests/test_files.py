@@ -1,0 +1,87 @@
+import os
+import stat
+
+import pytest
+
+from forficula.errors import InputError
+from forficula.files import replacing, write_text
+
+
+def everything_in(folder):
+    return sorted(str(path.relative_to(folder)) for path in folder.rglob("*"))
+
+
+def test_a_text_is_written_as_utf_8_with_plain_line_ends(tmp_path):
+    write_text(tmp_path / "deep" / "er" / "a.txt", "é\nb\n")
+    assert (tmp_path / "deep" / "er" / "a.txt").read_bytes() == b"\xc3\xa9\nb\n"
+
+
+def test_a_file_that_was_there_is_replaced_and_nothing_else_is_left(tmp_path):
+    (tmp_path / "a.txt").write_text("old and longer")
+    write_text(tmp_path / "a.txt", "new")
+    assert (tmp_path / "a.txt").read_text() == "new"
+    assert everything_in(tmp_path) == ["a.txt"]
+
+
+def test_a_file_has_the_permissions_that_the_user_gives_to_new_files(tmp_path):
+    before = os.umask(0o027)
+    try:
+        write_text(tmp_path / "a.txt", "")
+    finally:
+        os.umask(before)
+    assert stat.S_IMODE((tmp_path / "a.txt").stat().st_mode) == 0o640
+
+
+def test_the_temporary_name_keeps_the_ending_because_writers_go_by_it(tmp_path):
+    with replacing(tmp_path / "a.png") as temporary:
+        assert temporary.suffix == ".png"
+        assert temporary.parent == tmp_path
+
+
+@pytest.mark.parametrize("failure", [RuntimeError("bug"), KeyboardInterrupt()])
+def test_a_file_is_left_as_it_was_when_writing_is_broken_off(tmp_path, failure):
+    (tmp_path / "a.txt").write_text("old")
+
+    def write():
+        with replacing(tmp_path / "a.txt") as temporary:
+            temporary.write_text("half")
+            raise failure
+
+    with pytest.raises(type(failure)):
+        write()
+    assert (tmp_path / "a.txt").read_text() == "old"
+    assert everything_in(tmp_path) == ["a.txt"]
+
+
+@pytest.mark.parametrize(
+    ("failure", "reason"),
+    [
+        (OSError(28, "No space left on device"), "No space left on device"),
+        (OSError("Can't write data (file write failed)"), "Can't write data (file write failed)"),
+    ],
+)
+def test_a_full_disk_is_one_error_that_names_the_file_and_the_reason(tmp_path, failure, reason):
+    def write():
+        with replacing(tmp_path / "a.nc"):
+            raise failure
+
+    with pytest.raises(InputError) as caught:
+        write()
+    assert str(caught.value) == f"{tmp_path}/a.nc: cannot be written: {reason}"
+    assert everything_in(tmp_path) == []
+
+
+def test_a_file_in_the_place_of_a_folder_is_named(tmp_path):
+    (tmp_path / "file").write_text("old")
+    with pytest.raises(InputError, match=r"cannot be written: .*file is a file, not a folder$"):
+        write_text(tmp_path / "file" / "a.txt", "")
+    with pytest.raises(InputError, match=r"cannot be written: Not a directory$"):
+        write_text(tmp_path / "file" / "deep" / "a.txt", "")
+    assert everything_in(tmp_path) == ["file"]
+
+
+def test_a_folder_in_the_place_of_the_file_stays(tmp_path):
+    (tmp_path / "a.txt").mkdir()
+    with pytest.raises(InputError, match=r"a.txt: cannot be written: Is a directory$"):
+        write_text(tmp_path / "a.txt", "")
+    assert everything_in(tmp_path) == ["a.txt"]

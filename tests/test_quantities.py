@@ -1,0 +1,187 @@
+import math
+import time
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from forficula.design import design as units_of_a_design
+from forficula.errors import InputError
+from forficula.quantities import Unit, as_written, dimension, format_quantity, parse_quantity, show_quantity
+
+UNITS = [value for value in vars(units_of_a_design).values() if isinstance(value, Unit)]
+LENGTH = Unit(display="cm", si="m", example="12 cm")
+STIFFNESS = Unit(display="N/cm", si="N/m", example="10 N/cm")
+TORQUE = Unit(display="N cm", si="N m", example="50 N cm")
+ANGLE = Unit(display="deg", si="rad", example="15 deg")
+DENSITY = Unit(display="g/cm^3", si="kg/m^3", example="1.27 g/cm^3")
+finite = st.floats(allow_nan=False, allow_infinity=False)
+
+
+def refusal(text, unit):
+    with pytest.raises(InputError) as caught:
+        parse_quantity(text, unit)
+    message = str(caught.value)
+    assert len(message.splitlines()) == 1
+    assert len(message) < 250
+    return message
+
+
+# factors by definition of the units
+@pytest.mark.parametrize(
+    ("text", "unit", "value"),
+    [
+        ("10 N/cm", STIFFNESS, 1000.0),
+        ("1 kN/m", STIFFNESS, 1000.0),
+        ("10N/cm", STIFFNESS, 1000.0),
+        ("  10   N / cm ", STIFFNESS, 1000.0),
+        ("1.27 g/cm^3", DENSITY, 1270.0),
+        ("1.27 g/cm**3", DENSITY, 1270.0),
+        ("1.27 g/cm³", DENSITY, 1270.0),
+        ("12 cm", LENGTH, 0.12),
+        ("5 mm", LENGTH, 0.005),
+        ("1 in", LENGTH, 0.0254),
+        ("3 µm", LENGTH, 3e-6),
+        ("-.5e1 m", LENGTH, -5.0),
+        ("180 deg", ANGLE, math.pi),
+        ("180°", ANGLE, math.pi),
+        ("0.5 turn", ANGLE, math.pi),
+        ("1 rad", ANGLE, 1.0),
+        ("1 N/mm^2", Unit(display="MPa", si="Pa", example="1 MPa"), 1e6),
+    ],
+)
+def test_text_with_a_unit_is_read_as_si(text, unit, value):
+    # one rounding each of the number, the factor and their product
+    assert parse_quantity(text, unit) == pytest.approx(value, rel=4e-16)
+
+
+@pytest.mark.parametrize("text", ["50 N cm", "50 Ncm", "50 N*cm", "50 N·cm", "0.5 N m", "0.5 Nm", "500 Nmm", "500 mN m"])
+def test_torque_is_read_however_the_field_writes_it(text):
+    assert parse_quantity(text, TORQUE) == pytest.approx(0.5, rel=4e-16)  # as above
+
+
+def test_decimal_factors_are_exact():
+    assert parse_quantity("1.27 g/cm^3", DENSITY) == 1270.0
+    assert parse_quantity("12 cm", LENGTH) == 0.12
+
+
+@given(finite, st.sampled_from(UNITS))
+def test_any_finite_number_comes_back_from_its_text_with_the_same_bits(value, unit):
+    back = parse_quantity(format_quantity(value, unit), unit)
+    assert back == value
+    assert math.copysign(1, back) == math.copysign(1, value)
+
+
+@given(st.integers(1, 9999), st.integers(-6, 6), st.sampled_from(UNITS))
+def test_a_short_number_in_the_usual_unit_is_written_as_it_was_typed(digits, power, unit):
+    number = float(f"{digits}e{power}")
+    written = format_quantity(parse_quantity(f"{number!r} {unit.display}", unit), unit)
+    assert float(written.split()[0]) == number
+    assert written.endswith(f" {unit.display}")
+
+
+@pytest.mark.parametrize(("value", "unit", "text"), [(1000.0, STIFFNESS, "10 N/cm"), (0.0, LENGTH, "0 cm")])
+def test_a_whole_number_is_written_without_a_point(value, unit, text):
+    assert format_quantity(value, unit) == text
+
+
+def test_a_quantity_is_shown_to_people_with_four_digits():
+    assert show_quantity(1 / 3, LENGTH) == "33.33 cm"
+
+
+@pytest.mark.parametrize(
+    ("si", "powers"), [("N m", (2, 1, -2)), ("kg/m^3", (-3, 1, 0)), ("rad/s", (0, 0, -1)), ("N s/m", (0, 1, -1))]
+)
+def test_a_unit_has_the_exponents_of_length_mass_and_time(si, powers):
+    assert dimension(Unit(display=si, si=si, example="")) == powers
+
+
+@pytest.mark.parametrize("unit", UNITS)
+def test_the_display_the_si_unit_and_the_example_of_every_unit_are_of_its_kind(unit):
+    assert parse_quantity(f"1 {unit.si}", unit) == 1.0
+    assert parse_quantity(f"1 {unit.display}", unit) > 0
+    assert parse_quantity(unit.example, unit) > 0
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "message"),
+    [
+        ("10 N", STIFFNESS, '"N" is not a unit of the right kind; write it such as "10 N/cm", got "10 N"'),
+        ("3 %", ANGLE, '"%" is not a unit of the right kind; write it such as "15 deg", got "3 %"'),
+        ("3 m", ANGLE, '"m" is not a unit of the right kind; write it such as "15 deg", got "3 m"'),
+        ("3 deg", LENGTH, '"deg" is not a unit of the right kind; write it such as "12 cm", got "3 deg"'),
+        ("20 degC", LENGTH, '"degC" is not a unit of the right kind; write it such as "12 cm", got "20 degC"'),
+        ("10", STIFFNESS, 'the unit is missing; write it such as "10 N/cm", got "10"'),
+        (10, STIFFNESS, 'the unit is missing; write it as text such as "10 N/cm", got 10'),
+        (0.5, LENGTH, 'the unit is missing; write it as text such as "12 cm", got 0.5'),
+        ("3 parsnips", LENGTH, '"parsnips" is not a unit; write it such as "12 cm", got "3 parsnips"'),
+        ("soft", STIFFNESS, 'need a number and a unit such as "10 N/cm", got "soft"'),
+        ("", LENGTH, 'need a number and a unit such as "12 cm", got ""'),
+        ("cm", LENGTH, 'need a number and a unit such as "12 cm", got "cm"'),
+        ("1,27 g/cm^3", DENSITY, 'write decimals with a point such as "1.27 g/cm^3", got "1,27 g/cm^3"'),
+        ("nan cm", LENGTH, 'need a finite number with a unit such as "12 cm", got "nan cm"'),
+        ("-inf cm", LENGTH, 'need a finite number with a unit such as "12 cm", got "-inf cm"'),
+        ("1e400 cm", LENGTH, 'need a finite number with a unit such as "12 cm", got "1e400 cm"'),
+        ("1e308 km", LENGTH, 'need a finite number with a unit such as "12 cm", got "1e308 km"'),
+        (math.inf, LENGTH, 'need a finite number with a unit such as "12 cm", got inf'),
+        (True, LENGTH, 'need text with a unit such as "12 cm", got true'),
+        (None, LENGTH, 'need text with a unit such as "12 cm", got None'),
+        (["9 cm"], LENGTH, 'need text with a unit such as "12 cm", got ["9 cm"]'),
+        ({"a": 1}, LENGTH, 'need text with a unit such as "12 cm", got {a = 1}'),
+    ],
+)
+def test_what_is_no_quantity_is_refused_with_the_value_and_a_right_example(text, unit, message):
+    assert refusal(text, unit) == message
+
+
+HOSTILE = [
+    "10 N/cm**9**9**9",
+    "10 cm^9^9^9^9",
+    "10 cm^999999999",
+    "10 N/cm⁹⁹⁹⁹⁹⁹⁹⁹⁹",
+    "10 " + "m^9" * 20,
+    "10 " + "(" * 50,
+    "10 " + "(m" * 20,
+    "10 m()",
+    "10 m//m",
+    "10 degCHz\nµm()deg",
+    "10 __import__",
+    "10 m if m else m",
+    "10 m\0",
+    "10 " + "N" * 100_000,
+    "10 " + "m*" * 50_000,
+    "9" * 100_000 + " N/cm",
+    " " * 100_000,
+    10**5000,
+]
+
+
+@pytest.mark.parametrize("text", HOSTILE, ids=range(len(HOSTILE)))
+def test_hostile_text_is_refused_at_once(text):
+    parse_quantity("1 m", LENGTH)  # the registry is made at first use
+    start = time.perf_counter()
+    refusal(text, STIFFNESS)
+    assert time.perf_counter() - start < 1  # s; a tower of powers would take for ever, this takes milliseconds
+
+
+@given(st.text(alphabet="mNcg9-^*/()²· \n°%degrad", max_size=30))
+def test_any_text_is_read_or_refused_in_one_line(text):
+    try:
+        assert math.isfinite(parse_quantity(f"1{text}", STIFFNESS))
+    except InputError as error:
+        assert len(str(error).splitlines()) == 1
+
+
+@given(st.recursive(st.none() | st.booleans() | st.integers() | finite | st.text(), st.lists, max_leaves=5))
+def test_a_value_is_shown_in_one_short_line(value):
+    shown = as_written(value)
+    assert len(shown) <= 60
+    assert len(shown.splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"),
+    [(True, "true"), ("a", '"a"'), ([1, "a"], '[1, "a"]'), ({"a": False}, "{a = false}"), (1.5, "1.5"), ("\n", '"\\n"')],
+)
+def test_a_value_is_shown_as_a_design_file_has_it(value, shown):
+    assert as_written(value) == shown

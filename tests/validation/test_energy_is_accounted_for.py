@@ -1,0 +1,161 @@
+"""Energy is conserved where nothing takes it, and accounted for where something does.
+
+Conservation of energy; semi-implicit Euler is symplectic and of order one (Hairer, Lubich, Wanner, Geometric Numerical
+Integration, 2006, I.1 and IX.8): its energy errs in proportion to the timestep and does not run away.
+"""
+
+import math
+import warnings
+
+import numpy as np
+import pytest
+
+import forficula as ff
+from forficula.design import with_values
+from forficula.dynamics import compile_wing, simulate
+
+TIMESTEPS = [2e-4, 1e-4, 5e-5, 2.5e-5]  # s
+STORED = ("tendon_energy", "membrane_energy", "kinetic_energy")
+TAKEN = ("hinge_damping_work", "elastic_damping_work", "stop_work")
+# no guard, and joints that turn all the way: what is let go for some ms meets no stop
+NO_STOPS = {"guard.stretch": 1e3, "hinge.turn_limit": math.pi, "hinge.turn_back": math.pi}
+NO_DAMPING = {"hinge.damping": 0.0, "tendon.damping": 0.0, "membrane.damping": 0.0}
+FREE = [{"name": "let go", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.012}]
+
+
+def stored(record):
+    return sum(record.data[name].values.reshape(len(record.data["time"]), -1).sum(axis=1) for name in STORED)
+
+
+def order(errors):
+    return np.polyfit(np.log(TIMESTEPS), np.log(errors), 1)[0]
+
+
+def release(reference, values):
+    """The wing, bent 20 deg at every distal hinge, let go for 12 ms, at every timestep."""
+    bent = {**NO_STOPS, **values, "protocol.initial_overbend": math.radians(-20), "protocol.stages": FREE}
+    designs = [
+        with_values(reference, {**bent, "protocol.timestep": timestep, "protocol.sample_interval": timestep})
+        for timestep in TIMESTEPS
+    ]
+    with warnings.catch_warnings():
+        # MuJoCo takes a flex without damping for one without forces, and says so; its elasticity acts all the same
+        warnings.filterwarnings("ignore", message="flex 'membrane' is not rigid")
+        wings = [compile_wing(design) for design in designs]
+    return simulate(wings)
+
+
+@pytest.fixture(scope="module")
+def free_runs(reference):
+    return release(reference, NO_DAMPING)
+
+
+@pytest.fixture(scope="module")
+def damped_runs(reference):
+    return release(reference, {})
+
+
+@pytest.fixture(scope="module")
+def every_step(reference):
+    """The reference, every step recorded."""
+    return ff.run(with_values(reference, {"protocol.sample_interval": reference.protocol.timestep}))
+
+
+@pytest.mark.parametrize("rest_length", [0.0, 0.06])
+def test_a_hinge_without_damping_keeps_its_energy_to_the_order_of_the_integrator(one_hinge, rest_length):
+    drifts = []
+    for timestep in TIMESTEPS:
+        # ends before 180 deg
+        duration = {0.0: 0.0145, 0.06: 0.022}[rest_length]
+        angles, record = one_hinge(rest_length, timestep=timestep, duration=duration).run()
+        assert math.radians(90) < angles[-1] < math.pi
+        energy = stored(record)
+        drifts.append(np.abs(energy - energy[0]).max() / energy[0])
+    assert 0.8 < order(drifts) < 1.2
+    assert drifts[-1] < 5e-3
+
+
+def test_a_wing_without_damping_keeps_its_energy_to_the_order_of_the_integrator(free_runs):
+    drifts = []
+    for record in free_runs:
+        # it does move, and nothing but elasticity and inertia is at work
+        assert record.data["kinetic_energy"].values.max() > 0.05 * stored(record)[0]
+        assert all(np.abs(record.data[name].values).max() == 0 for name in (*TAKEN, "proximal_work", "distal_work"))
+        drifts.append(np.abs(stored(record) - stored(record)[0]).max() / stored(record)[0])
+    assert 0.8 < order(drifts) < 1.2
+
+
+def test_with_damping_what_is_lost_is_what_the_dampers_took(damped_runs):
+    residuals = []
+    for record in damped_runs:
+        taken = -sum(record.data[name].values[-1] for name in TAKEN)
+        assert taken > 0.01 * stored(record)[0]
+        residuals.append(abs(stored(record)[0] - stored(record)[-1] - taken) / stored(record)[0])
+    assert order(residuals) > 0.8
+    assert residuals[0] < 5e-3
+
+
+def test_the_balance_of_the_reference_closes(reference_outcome):
+    # the stops are met within one step and set the error: half a percent at 0.2 ms
+    assert reference_outcome.energy_balance.residual < 5e-3
+
+
+def test_the_balance_is_the_sum_of_its_parts(reference_run, reference_outcome):
+    work = sum(reference_run.data[name].values[-1] for name in ("proximal_work", "distal_work"))
+    taken = sum(reference_run.data[name].values[-1] for name in TAKEN)
+    change = stored(reference_run)[-1] - stored(reference_run)[0]
+    # rounding of sums over 1e4 steps
+    assert reference_outcome.energy_balance.missing == pytest.approx(work + taken - change, abs=1e-11 * work)
+
+
+@pytest.mark.parametrize("rest_length", [0.0, 0.06])
+def test_force_times_the_mean_velocity_is_the_kinetic_energy_and_the_later_velocity_is_half_a_step_out(
+    one_hinge, rest_length
+):
+    excess = []
+    for timestep in TIMESTEPS:
+        hinge = one_hinge(rest_length, timestep=timestep, duration=0.0125)
+        angles, record = hinge.run()
+        later = np.diff(angles) / timestep
+        earlier = np.concatenate([[0.0], later[:-1]])
+        moment = hinge.moment(angles[:-1])
+        kinetic = record.data["kinetic_energy"].values[-1]
+        by_mean = np.sum(moment * timestep * (earlier + later) / 2)
+        # rounding of angles of 1e-17 rad over steps of 1e-5 rad
+        assert by_mean == pytest.approx(kinetic, rel=1e-9)
+        excess.append(np.sum(moment * timestep * later) / kinetic - 1)
+    assert min(excess) > 0
+    assert 0.8 < order(excess) < 1.2
+
+
+def test_the_work_of_a_constant_torque_is_torque_times_the_angle_turned(every_step):
+    """To half a step: the mean velocity leaves torque times timestep times half the change of speed."""
+    data, protocol = every_step.data, every_step.design.protocol
+    step = float(protocol.timestep)
+    torques = {
+        "fold": {"proximal_work": protocol.fold_torque, "distal_work": 0.0},
+        "unfold": {"proximal_work": -protocol.unfold_torque, "distal_work": protocol.unfold_torque},
+        "none": {"proximal_work": 0.0, "distal_work": 0.0},
+    }
+    angles = {"proximal_work": data["turn_angle"].values, "distal_work": data["distal_angle"].values}
+    assert [end.stage.drive for end in every_step.stages] == ["none", "fold", "none", "unfold", "none"]
+    for end in every_step.stages:
+        first, last = round(end.start / step), round(end.end / step)
+        for name, angle in angles.items():
+            torque = torques[end.stage.drive][name]
+            turned = (angle[last] - angle[first]).sum()
+            speed_before = (angle[first] - angle[max(first - 1, 0)]).sum() / step
+            speed_after = (angle[last] - angle[last - 1]).sum() / step
+            work = data[name].values[last] - data[name].values[first]
+            # rounding of a sum over 1e4 steps
+            assert work == pytest.approx(
+                torque * (turned - step / 2 * (speed_after - speed_before)), abs=1e-10 * protocol.unfold_torque
+            )
+            assert abs(work - torque * turned) <= abs(torque) * step / 2 * abs(speed_after - speed_before) + 1e-10
+
+
+def test_power_is_the_rate_of_work(every_step):
+    data, step = every_step.data, float(every_step.design.protocol.timestep)
+    for name in ("proximal", "distal"):
+        # rounding of the work, 1e-15 of 10 J, over one step
+        assert data[f"{name}_power"].values[:-1] == pytest.approx(np.diff(data[f"{name}_work"].values) / step, abs=1e-8)

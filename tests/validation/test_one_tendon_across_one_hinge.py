@@ -1,0 +1,168 @@
+"""One tendon across one hinge moves as the closed form says.
+
+Law of cosines, energy conservation and the pendulum's elliptic integral; theory.md, section 3. A bar turns about a hinge
+square to it with inertia I; a tendon of stiffness k and resting length l0 joins points a before and b beyond the hinge:
+L^2 = a^2 + b^2 + 2 a b cos(phi), U = k/2 max(L - l0, 0)^2, t* = sqrt(I / (k a b)).
+"""
+
+import math
+
+import mujoco
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.integrate import quad
+from scipy.special import ellipk
+
+REST_LENGTHS = [0.0, 0.03, 0.06, 0.09]
+ARMS = [(0.055, 0.055), (0.055, 0.045), (0.07, 0.09)]
+
+cases = pytest.mark.parametrize(("rest_length", "arms"), [(rest, arms) for rest in REST_LENGTHS for arms in ARMS])
+
+
+@st.composite
+def tendons(draw):
+    """Resting length and arms; taut by a tenth at least when straight."""
+    proximal, distal = draw(st.floats(0.02, 0.1)), draw(st.floats(0.02, 0.1))
+    return draw(st.floats(0, 0.9)) * (proximal + distal), proximal, distal
+
+
+def slack_angle(hinge):
+    """Where the tendon goes slack: its length is the resting length."""
+    tendon = hinge.wing.design.tendon
+    a, b, rest = tendon.proximal_attachment, tendon.distal_attachment, tendon.rest_length
+    return math.acos(np.clip((rest**2 - a**2 - b**2) / (2 * a * b), -1, 1))
+
+
+def time_to(hinge, angle):
+    """From rest at the start: the integral of dphi / sqrt(2 (U0 - U) / I).
+
+    With phi = start + x^2 the integrand is finite where the speed is zero; the kink where the tendon goes slack is the
+    end of a piece. U0 - U is written as a product, which keeps its digits where it is small.
+    """
+    tendon = hinge.wing.design.tendon
+    first = hinge.length(hinge.start)
+
+    def slowness(x):
+        phi = min(hinge.start + x * x, slack_angle(hinge))
+        shortened = 4 * tendon.proximal_attachment * tendon.distal_attachment / (first + hinge.length(phi))
+        shortened *= math.sin((phi + hinge.start) / 2) * math.sin((phi - hinge.start) / 2)
+        released = tendon.stiffness / 2 * shortened * (first + hinge.length(phi) - 2 * tendon.rest_length)
+        return 2 * x / math.sqrt(2 * released / hinge.inertia)
+
+    ends = [0.0, *(math.sqrt(end - hinge.start) for end in sorted({min(slack_angle(hinge), angle), angle}))]
+    return sum(
+        quad(slowness, *piece, epsabs=0, epsrel=1e-9, limit=200)[0] for piece in zip(ends, ends[1:], strict=False)
+    )
+
+
+def crossing(angles, timestep, angle):
+    """When the angle was passed, between two steps."""
+    after = int(np.argmax(angles >= angle))
+    assert after > 0
+    return timestep * (after - 1 + (angle - angles[after - 1]) / (angles[after] - angles[after - 1]))
+
+
+def swing(one_hinge, rest_length, arms, steps):
+    """A swing to 180 deg in about so many steps, with a few more behind it."""
+    time = time_to(one_hinge(rest_length, *arms), math.pi)
+    hinge = one_hinge(rest_length, *arms, timestep=time / steps, duration=time * (1 + 5 / steps))
+    return hinge, *hinge.run()
+
+
+@cases
+def test_the_bar_has_the_inertia_of_a_cylinder_about_its_end(one_hinge, rest_length, arms):
+    wing = (hinge := one_hinge(rest_length, *arms)).wing
+    data = mujoco.MjData(wing.engine)
+    mujoco.mj_forward(wing.engine, data)
+    inertia = np.zeros((1, 1))
+    mujoco.mj_fullM(wing.engine, data, inertia)
+    # rounding
+    assert inertia[0, 0] * wing.units.mass * wing.units.length**2 == pytest.approx(hinge.inertia, rel=1e-12)
+
+
+@cases
+def test_the_recorded_energy_is_that_of_the_recorded_angle(one_hinge, rest_length, arms):
+    hinge, angles, record = swing(one_hinge, rest_length, arms, steps=500)
+    energy = record.data["tendon_energy"].values[:, 0]
+    assert angles.max() > math.radians(179)
+    # rounding: a length lagging one step behind its angle would be out by 1e-3
+    assert np.abs(energy - hinge.energy(angles)).max() < 1e-12 * hinge.energy(0)
+
+
+@settings(max_examples=50, deadline=None)
+@given(tendons(), st.floats(math.radians(-3), math.pi))
+def test_the_engine_gives_the_tendon_its_moment(one_hinge, tendon, angle):
+    hinge = one_hinge(*tendon)
+    wing = hinge.wing
+    data = mujoco.MjData(wing.engine)
+    data.qpos[0] = -angle
+    mujoco.mj_forward(wing.engine, data)
+    # rounding; near 180 deg with equal arms the ends meet and L is a difference of nearly equal numbers
+    limit = 1e-6 * wing.design.tendon.stiffness * min(tendon[1:]) * sum(tendon[1:])
+    assert abs(-data.qfrc_passive[0] * wing.units.energy - hinge.moment(angle)) < limit
+
+
+@settings(max_examples=12, deadline=None)
+@given(tendons())
+def test_it_folds_in_the_time_of_the_quadrature(one_hinge, tendon):
+    hinge, angles, record = swing(one_hinge, tendon[0], tendon[1:], steps=1000)
+    time = crossing(angles, record.design.protocol.timestep, math.pi)
+    # from rest, semi-implicit Euler runs half a step ahead: 1 / 2000
+    assert time == pytest.approx(time_to(hinge, math.pi), rel=1e-3)
+
+
+@pytest.mark.parametrize("start", [0.1, 1, 10])
+def test_without_resting_length_it_folds_in_the_time_of_a_pendulum(one_hinge, start):
+    phi = math.radians(start)
+    time = one_hinge(start=phi).time_scale * ellipk(math.cos(phi / 2) ** 2)
+    hinge = one_hinge(timestep=time / 1000, duration=1.01 * time, start=phi)
+    angles, record = hinge.run()
+    # half a step: 1 / 2000
+    assert crossing(angles, record.design.protocol.timestep, math.pi) == pytest.approx(time, rel=1e-3)
+
+
+@pytest.mark.parametrize("rest_length", REST_LENGTHS)
+def test_the_error_falls_in_proportion_to_the_timestep(one_hinge, rest_length):
+    steps = [125, 250, 500, 1000, 2000]
+    errors = []
+    for count in steps:
+        hinge, angles, record = swing(one_hinge, rest_length, (0.055, 0.055), count)
+        time = crossing(angles, record.design.protocol.timestep, math.pi)
+        errors.append(abs(time / time_to(hinge, math.pi) - 1))
+    slope = -np.polyfit(np.log(steps), np.log(errors), 1)[0]
+    # order 1; a half of an order would be 0.2 away only where the error had a second cause
+    assert 0.8 < slope < 1.2
+    assert errors[-1] < 1e-3
+
+
+@pytest.mark.parametrize("rest_length", REST_LENGTHS)
+def test_the_final_speed_is_two_less_the_resting_length(one_hinge, rest_length):
+    hinge, angles, record = swing(one_hinge, rest_length, (0.055, 0.055), steps=1000)
+    last = int(np.argmax(angles >= math.pi))  # the step that passes 180 deg knows no stop yet
+    speed = (angles[last] - angles[last - 1]) / record.design.protocol.timestep
+    closed_form = 2 * math.cos(hinge.start / 2) - rest_length / 0.055
+    # first order, a step in a thousand
+    assert speed * hinge.time_scale == pytest.approx(closed_form, rel=1e-3)
+
+
+@pytest.mark.parametrize("rest_length", REST_LENGTHS[1:])
+def test_the_tendon_goes_slack_at_twice_the_arc_cosine_and_then_the_bar_coasts(one_hinge, rest_length):
+    _, angles, record = swing(one_hinge, rest_length, (0.055, 0.055), steps=1000)
+    slack = 2 * math.acos(rest_length / 0.11)
+    taut = record.data["tendon_energy"].values[:, 0] > 0
+    assert np.array_equal(taut, angles < slack)
+    speed = np.diff(angles[np.argmax(angles > slack) : np.argmax(angles >= math.pi) + 1])
+    # no force, so the speed stays to rounding of the angles, 1e-16 rad over steps of 1e-3 rad
+    assert np.ptp(speed) < 1e-11 * speed[0]
+
+
+@pytest.mark.parametrize("rest_length", REST_LENGTHS)
+def test_it_leaves_the_barrier_at_its_growth_rate(one_hinge, rest_length):
+    start = math.radians(0.01)
+    scale = one_hinge(rest_length).time_scale / math.sqrt(1 - rest_length / 0.11)
+    hinge = one_hinge(rest_length, timestep=scale / 1000, duration=5 * scale, start=start)
+    angles, record = hinge.run()
+    # linear near straight: the angle grows with cosh(t / scale); half a step of 1e-3, to cosh(5) times 0.01 deg
+    assert angles == pytest.approx(start * np.cosh(record.data["time"].values / scale), rel=1e-3)

@@ -1,0 +1,221 @@
+"""The reference wing does what the paper reports, and says so.
+
+Binder et al. 2025, doi 10.3390/biomimetics11010009: E_flat > E_opened > E_folded, W_fold << W_unfold, W_unfold > E_opened;
+20 N cm fold with tendons of 10 N/cm; none of the stiff and short tendons folds. Counts and times are not targets: the
+paper's geometry is lost. Membrane: linear elasticity of a strip, and a force is the slope of an energy.
+"""
+
+import subprocess
+import sys
+
+import mujoco
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import forficula as ff
+from forficula.design import with_values
+from forficula.dynamics import compile_wing, simulate, stable_timestep, timestep_warnings, with_timestep
+from forficula.dynamics.membrane import Membrane, membrane_energy
+
+
+def fan(units, sector_angle, **values):
+    return ff.load_design("binder2025", {"pattern.units": units, "pattern.sector_angle": sector_angle, **values})
+
+
+def held(design, time):
+    """Both torques stay on for some time after the goal is reached."""
+    stages = [stage.model_dump() for stage in design.protocol.stages]
+    for stage in stages:
+        if stage["drive"] != "none":
+            stage["hold"] = time
+    return with_values(design, {"protocol.stages": stages})
+
+
+@pytest.fixture(scope="module")
+def outcome_of():
+    def outcome(**values):
+        return ff.measure(ff.run(ff.load_design("binder2025", {key.replace("__", "."): v for key, v in values.items()})))
+
+    return outcome
+
+
+def test_energies_are_in_the_order_of_the_paper(reference_outcome):
+    flat, opened, folded = (
+        state.tendon_energy.sum()
+        for state in (reference_outcome.flat, reference_outcome.opened_state, reference_outcome.folded_state)
+    )
+    # The paper's stops are soft, so its opened wing rests elsewhere than its flat one. Ours are rigid and both lie at the
+    # same one: equal but for what has not yet come to rest, 1e-7 rad
+    assert opened == pytest.approx(flat, rel=1e-6)
+    assert opened > folded
+    assert folded == 0
+
+
+def test_works_are_in_the_order_of_the_paper(reference_outcome):
+    assert 0 < reference_outcome.fold.work < reference_outcome.unfold.work / 2
+    assert reference_outcome.unfold.work > reference_outcome.opened_state.tendon_energy.sum()
+
+
+def test_20_newton_centimetres_fold_a_soft_and_long_tendon(outcome_of):
+    outcome = outcome_of(tendon__stiffness="10 N/cm", tendon__rest_length="7 cm", protocol__fold_torque="20 N cm")
+    assert outcome.folded
+    assert outcome.folded_state.distal_angle.max() < np.radians(-150)
+
+
+def test_a_stiff_and_short_tendon_does_not_fold(outcome_of):
+    outcome = outcome_of(tendon__stiffness="60 N/cm", tendon__rest_length="0 cm")
+    assert not outcome.folded
+    assert outcome.folded_state is None or outcome.folded_state.distal_angle.max() > 0
+    assert outcome.status == "did not fold"
+    assert "protocol.fold_torque" in outcome.advice
+
+
+def test_a_wing_that_went_round_says_so(reference_outcome):
+    assert (reference_outcome.status, reference_outcome.advice) == ("folded and opened", "")
+    assert reference_outcome.folded
+    assert reference_outcome.opened
+    assert reference_outcome.folded_state.distal_angle.max() < np.radians(-150)
+    # the stop: 3 deg, and 1e-4 rad for its softness at rest
+    assert reference_outcome.opened_state.distal_angle == pytest.approx(np.radians(3), abs=1e-4)
+
+
+def test_a_wing_that_is_not_driven_far_enough_to_open_says_so(outcome_of):
+    outcome = outcome_of(protocol__unfold_torque="1 N cm")
+    assert (outcome.folded, outcome.opened, outcome.status) == (True, False, "did not open")
+    assert "protocol.unfold_torque" in outcome.advice
+
+
+def test_a_diverged_run_is_data(outcome_of):
+    outcome = outcome_of(protocol__timestep="5 ms")
+    assert outcome.status.startswith("diverged at t = ")
+    assert "protocol.timestep" in outcome.advice
+    assert not outcome.folded
+    assert not outcome.opened
+
+
+def test_a_diverged_run_leaves_no_log_in_the_working_folder(tmp_path):
+    program = 'import forficula as ff; print(ff.run(ff.load_design("binder2025", {"protocol.timestep": "5 ms"})).diverged_at)'
+    done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert float(done.stdout) > 0
+    assert done.stderr == ""
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(("units", "sector_angle"), [(2, "20 deg"), (3, "15 deg")])
+@pytest.mark.parametrize("timestep", ["0.2 ms", "0.1 ms"])
+def test_fans_of_more_units_fold_and_open_when_the_torque_is_held(units, sector_angle, timestep):
+    """100 N cm either way, held for 0.3 s; let go at once, hinges swing back by more than the 30 deg that count."""
+    design = fan(
+        units,
+        sector_angle,
+        **{"protocol.fold_torque": "100 N cm", "tendon.rest_length": "7 cm", "protocol.timestep": timestep},
+    )
+    outcome = ff.measure(ff.run(held(design, 0.3)))
+    assert outcome.status == "folded and opened"
+    assert outcome.folded_state.distal_angle.shape == (2 * units + 1,)
+
+
+def test_a_fan_of_five_units_folds_under_100_newton_centimetres():
+    """It folds under the torque; whether all eleven hinges stay beyond 150 deg when let go is another matter."""
+    design = fan(5, "12 deg", **{"protocol.fold_torque": "100 N cm", "protocol.timestep": "0.1 ms"})
+    record = ff.run(design)
+    assert record.diverged_at is None
+    assert record.stages[1].goal_time is not None
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        {},
+        {"tendon.stiffness": "60 N/cm", "tendon.rest_length": "0 cm"},
+        {"pattern.units": 2},
+        {"pattern.units": 3, "pattern.sector_angle": "15 deg", "membrane.youngs_modulus": "5 MPa"},
+        pytest.param(
+            {"pattern.units": 5, "pattern.sector_angle": "12 deg", "protocol.fold_torque": "100 N cm"},
+            marks=pytest.mark.xfail(strict=True, reason="eleven veins diverge at the 0.2 ms that auto chooses"),
+        ),
+    ],
+    ids=["reference", "stiff tendons", "five veins", "seven veins of 5 MPa", "eleven veins"],
+)
+def test_the_timestep_that_is_chosen_does_not_diverge(values):
+    design = with_timestep(ff.load_design("binder2025", {**values, "protocol.timestep": "auto"}))
+    assert timestep_warnings(design) == []
+    assert ff.run(design).diverged_at is None
+
+
+def test_the_longest_timestep_is_stable_and_five_times_as_long_is_not(reference):
+    longest = stable_timestep(reference)
+    designs = [with_values(reference, {"protocol.timestep": longest * factor}) for factor in (1, 5)]
+    sound, diverged = simulate([compile_wing(design) for design in designs])
+    assert sound.diverged_at is None
+    assert diverged.diverged_at is not None
+
+
+def test_a_timestep_too_long_is_warned_of(reference):
+    assert timestep_warnings(reference) == []
+    (warning,) = timestep_warnings(with_values(reference, {"protocol.timestep": 5e-3}))
+    assert "5 ms is too long" in warning
+
+
+@given(
+    length=st.floats(0.01, 1),
+    width=st.floats(0.01, 1),
+    strain=st.floats(1e-6, 1e-4),
+    modulus=st.floats(1e4, 1e7),
+    thickness=st.floats(1e-5, 1e-3),
+)
+def test_a_strip_pulled_along_holds_half_of_modulus_times_strain_squared_times_volume(
+    reference, length, width, strain, modulus, thickness
+):
+    corners = np.array([[0, 0, 0], [length, 0, 0], [0, width, 0], [length, width, 0]])
+    strip = Membrane(
+        nodes=corners,
+        bodies=("",) * 4,
+        carriers=np.zeros(4, dtype=np.int64),
+        triangles=np.array([[0, 1, 3], [0, 3, 2]]),
+    )
+    law = {"membrane.youngs_modulus": modulus, "membrane.thickness": thickness, "membrane.poisson_ratio": 0.0}
+    energy = membrane_energy(corners * [1 + strain, 1, 1], strip, with_values(reference, law))
+    # Green's strain is longer by half of its square: a share of the strain in the energy; 1e-9 for 1 + strain - 1
+    volume = length * width * thickness
+    assert energy == pytest.approx(modulus * strain**2 / 2 * volume, rel=1.1 * strain + 1e-9)
+
+
+@pytest.mark.parametrize("poisson_ratio", [0.0, 0.3])
+@settings(max_examples=10, deadline=None)
+@given(seed=st.integers(0, 2**32 - 1), bend=st.floats(0.01, 0.5))
+def test_the_engine_pulls_with_the_slope_of_the_membrane_energy(reference, poisson_ratio, seed, bend):
+    slack = {"tendon.stiffness": 0.0, "tendon.damping": 0.0, "membrane.poisson_ratio": poisson_ratio}
+    wing = compile_wing(with_values(reference, slack))
+    data = mujoco.MjData(wing.engine)
+
+    def energy(angles):
+        data.qpos[:] = angles
+        mujoco.mj_forward(wing.engine, data)
+        return membrane_energy(data.flexvert_xpos.copy(), wing.membrane, wing.in_units)
+
+    angles = np.random.default_rng(seed).normal(scale=bend, size=wing.engine.nq)
+    step = 1e-5
+    slope = [(energy(angles + each) - energy(angles - each)) / (2 * step) for each in step * np.eye(wing.engine.nq)]
+    energy(angles)
+    # central differences: the square of the step, 1e-10, by third derivatives, and rounding, 1e-16 / 1e-5
+    assert np.abs(data.qfrc_passive + slope).max() < 1e-7 * np.abs(slope).max()
+
+
+def test_the_membrane_does_the_work_that_its_energy_gives_up(reference):
+    """Along a path through bent wings, the integral of the engine's force (Gauss-Legendre) is the fall of the energy."""
+    wing = compile_wing(with_values(reference, {"tendon.stiffness": 0.0, "tendon.damping": 0.0}))
+    data = mujoco.MjData(wing.engine)
+    direction = np.random.default_rng(0).normal(size=wing.engine.nq)
+    places, weights = np.polynomial.legendre.leggauss(20)
+
+    def at(angle):
+        data.qpos[:] = angle * direction
+        mujoco.mj_forward(wing.engine, data)
+        return membrane_energy(data.flexvert_xpos.copy(), wing.membrane, wing.in_units), data.qfrc_passive @ direction
+
+    work = sum(weight / 2 * 0.3 * at(0.15 * (1 + place))[1] for place, weight in zip(places, weights, strict=True))
+    # twenty points are exact to rounding for so smooth a path
+    assert work == pytest.approx(at(0.0)[0] - at(0.3)[0], rel=1e-9)

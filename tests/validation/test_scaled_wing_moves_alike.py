@@ -1,0 +1,133 @@
+"""A wing scaled in size, at fixed modulus and density, has the same motion in time by time scale.
+
+Dimensional analysis: lengths go with the factor s, stiffness with E A / L ~ s, torque and energy with s^3, mass with s^3,
+inertia with s^5, time with s, and speeds stay (Ilton et al. 2018, arXiv 1711.04920, measured that speed; theory.md,
+section 4).
+"""
+
+import math
+
+import numpy as np
+import pytest
+
+import forficula as ff
+from forficula.design import scale_design, with_values
+
+# power of the size by key, worked out by hand at fixed Pa and kg/m3; what is not listed is a ratio, an angle or a count
+POWERS = {
+    "pattern.proximal_length": 1,
+    "pattern.distal_length": 1,
+    "pattern.hub_radius": 1,
+    "vein.diameter": 1,
+    "vein.density": 0,
+    "membrane.youngs_modulus": 0,
+    "membrane.thickness": 1,
+    "membrane.damping": 1,  # time
+    "membrane.margin": 1,
+    "hinge.damping": 4,  # torque by angular speed
+    "hinge.armature": 5,
+    "tendon.stiffness": 1,  # N/m = Pa m
+    "tendon.rest_length": 1,
+    "tendon.damping": 2,  # stiffness times time
+    "tendon.proximal_attachment": 1,
+    "tendon.distal_attachment": 1,
+    "protocol.timestep": 1,
+    "protocol.sample_interval": 1,
+    "protocol.fold_torque": 3,
+    "protocol.unfold_torque": 3,
+    "protocol.rest_speed": -1,  # angular
+    "protocol.window": 1,
+    "protocol.gravity": -1,  # speed by time
+}
+
+guard_has_a_width = pytest.mark.xfail(
+    strict=True,
+    reason="MuJoCo's solimp ramps the guard tendon's limit over a width of 0.001 of the model's unit of length, which is"
+    " another share of every wing: 5 mrad in the fold, another course after the snap",
+)
+
+
+def value(design, key):
+    section, name = key.split(".")
+    return getattr(getattr(design, section), name)
+
+
+def scaled_by_hand(design, size):
+    stages = [
+        {**stage.model_dump(), "hold": stage.hold * size, "time_limit": stage.time_limit * size}
+        for stage in design.protocol.stages
+    ]
+    values = {key: float(value(design, key)) * size**power for key, power in POWERS.items()}
+    return with_values(design, {**values, "protocol.stages": stages})
+
+
+def assert_moves_alike(small, large, size):
+    assert small.data.sizes["time"] == large.data.sizes["time"]
+    # rounding of the times
+    assert small.data["time"].values == pytest.approx(size * large.data["time"].values, rel=1e-12)
+    for name in ("turn_angle", "distal_angle", "sweep_angle", "lift_angle"):
+        # rounding, 1e-16, grown by the snaps in between, which pull neighbouring motions apart: 1e-9 was the most seen
+        assert np.abs(small.data[name].values - large.data[name].values).max() < 1e-6
+    for name in ("tendon_energy", "membrane_energy", "kinetic_energy", "proximal_work", "distal_work"):
+        series = large.data[name].values
+        assert np.abs(small.data[name].values / size**3 - series).max() < 1e-6 * np.abs(series).max()
+
+
+@pytest.fixture(scope="module")
+def earwig(reference):
+    """An earwig's size: 10 mm from hub to tip."""
+    return ff.run(scaled_by_hand(reference, 0.01 / 0.22))
+
+
+def test_a_wing_of_a_tenth_of_the_size_moves_alike(reference, reference_run):
+    small = ff.run(scaled_by_hand(reference, 0.1))
+    assert ff.measure(small).status == ff.measure(reference_run).status == "folded and opened"
+    assert_moves_alike(small, reference_run, 0.1)
+
+
+@guard_has_a_width
+@pytest.mark.parametrize("size", [1 / 3, 0.7, 3.0])
+def test_a_wing_whose_size_is_no_power_of_ten_moves_alike(reference, reference_run, size):
+    # its lengths are other numbers in the model's units, so nothing may be fixed there
+    assert_moves_alike(ff.run(scaled_by_hand(reference, size)), reference_run, size)
+
+
+@guard_has_a_width
+def test_an_earwig_sized_wing_moves_alike(earwig, reference_run):
+    assert_moves_alike(earwig, reference_run, 0.01 / 0.22)
+
+
+def test_an_earwig_sized_wing_folds_with_micro_to_millijoules(earwig):
+    outcome = ff.measure(earwig)
+    assert outcome.folded
+    assert outcome.opened
+    assert 1e-6 < outcome.flat.tendon_energy.sum() < 1e-3
+    assert 1e-6 < outcome.fold.work < outcome.unfold.work < 1e-2
+
+
+@pytest.mark.parametrize("size", [0.1, 1 / 3, 0.01 / 0.22, 7.0])
+def test_scale_design_multiplies_every_value_as_dimensional_analysis_says(reference, size):
+    # gravity is 0 in the reference and would hide its power
+    reference = with_values(reference, {"protocol.gravity": 9.81})
+    by_hand, scaled = scaled_by_hand(reference, size), scale_design(reference, size)
+    for section, fields in by_hand.model_dump(exclude={"name", "source"}).items():
+        for name, expected in fields.items():
+            got = scaled.model_dump()[section][name]
+            if name == "stages":
+                times = [[(stage["hold"], stage["time_limit"]) for stage in stages] for stages in (got, expected)]
+                # rounding, as everywhere below
+                assert np.array(times[0]) == pytest.approx(np.array(times[1]), rel=1e-13)
+            elif isinstance(expected, float):
+                assert got == pytest.approx(expected, rel=1e-13), f"{section}.{name}"
+            else:
+                assert got == expected, f"{section}.{name}"
+
+
+@guard_has_a_width
+def test_the_tips_are_as_fast_at_any_size(earwig, reference_run):
+    def fastest(record):
+        places = record.data["vein_position"].sel(point="tip").values
+        return np.linalg.norm(np.diff(places, axis=0), axis=-1).max() / record.design.protocol.sample_interval
+
+    assert fastest(earwig) == pytest.approx(fastest(reference_run), rel=1e-6)
+    assert math.log10(fastest(reference_run)) == pytest.approx(1, abs=1)  # metres a second

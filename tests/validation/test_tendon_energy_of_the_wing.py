@@ -1,0 +1,112 @@
+"""Tendon lengths and energies of the wing are those of its geometry, and near the paper's.
+
+Geometry: theory.md, section 2, the tendon's ends 5.5 cm before and beyond the ring vertex and the distal bar turned about
+the ring crease (Rodrigues 1840). Numbers: Binder et al. 2025, doi 10.3390/biomimetics11010009: open tendons of about
+11 cm, more than 35 J at the stiff and short end, about 6 J at 10 N/cm without resting length, 0 J expected when folded.
+"""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import forficula as ff
+from forficula.design import with_values
+
+SETTLE = [{"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.3}]
+
+
+def direction(angle):
+    return np.array([math.cos(angle), math.sin(angle), 0.0])
+
+
+def turned(vector, axis, angles):
+    """Rodrigues: (angle, 3)."""
+    cosine, sine = np.cos(angles)[..., None], np.sin(angles)[..., None]
+    return vector * cosine + np.cross(axis, vector) * sine + axis * (axis @ vector) * (1 - cosine)
+
+
+def tendon_length(design, angles):
+    """Length at angles of the distal hinge, m, from the pattern's four numbers."""
+    pattern, tendon = design.pattern, design.tendon
+    radius = math.hypot(pattern.proximal_length, pattern.hub_radius)
+    epsilon = math.asin(pattern.hub_radius / radius)
+    vertex, following = radius * direction(0), radius * direction(pattern.sector_angle)
+    crease = (following - vertex) / np.linalg.norm(following - vertex)
+    # the proximal vein comes in at epsilon from the radius, the distal one leaves deflected by twice epsilon
+    before = -tendon.proximal_attachment * direction(epsilon)
+    beyond = turned(tendon.distal_attachment * direction(-epsilon), crease, np.asarray(angles))
+    return np.linalg.norm(beyond - before, axis=-1)
+
+
+def tendon_energy(design, angles):
+    extension = np.maximum(tendon_length(design, angles) - design.tendon.rest_length, 0)
+    return design.tendon.stiffness / 2 * extension**2
+
+
+def settled(reference, values):
+    return ff.measure(ff.run(with_values(reference, {**values, "protocol.stages": SETTLE}))).flat
+
+
+def test_length_and_energy_are_those_of_the_angles_all_along_the_reference(reference_run):
+    data, design = reference_run.data, reference_run.design
+    angles = data["distal_angle"].values
+    assert np.degrees(angles).min() < -170
+    # rounding
+    assert data["tendon_length"].values == pytest.approx(tendon_length(design, angles), abs=1e-12)
+    assert data["tendon_energy"].values == pytest.approx(tendon_energy(design, angles), abs=1e-12)
+
+
+def test_flat_opened_and_folded_hold_the_energy_of_their_angles(reference_run, reference_outcome):
+    for state in (reference_outcome.flat, reference_outcome.opened_state, reference_outcome.folded_state):
+        # a state is a mean over its window, and a mean of energies is not the energy of a mean: second order in a swing
+        # of up to 0.1 deg
+        energy = tendon_energy(reference_run.design, state.distal_angle)
+        assert state.tendon_energy == pytest.approx(energy, abs=1e-6)
+    assert reference_outcome.flat.tendon_energy.min() > 0.1
+    assert reference_outcome.folded_state.tendon_energy.max() == 0
+
+
+@settings(max_examples=6, deadline=None)
+@given(
+    hub=st.floats(0, 0.04), sector=st.floats(15, 30), before=st.floats(0.02, 0.12), beyond=st.floats(0.02, 0.1)
+)
+def test_the_length_follows_the_geometry_in_other_fans(reference, hub, sector, before, beyond):
+    geometry = {
+        "pattern.hub_radius": hub,
+        "pattern.sector_angle": math.radians(sector),
+        "tendon.proximal_attachment": before,
+        "tendon.distal_attachment": beyond,
+        "tendon.rest_length": 0.0,
+    }
+    folding = [{**SETTLE[0], "time_limit": 0.01}, {**SETTLE[0], "drive": "fold", "time_limit": 0.04}]
+    record = ff.run(with_values(reference, {**geometry, "protocol.stages": folding, "protocol.fold_torque": 1.0}))
+    assert record.diverged_at is None
+    # rounding
+    lengths = tendon_length(record.design, record.data["distal_angle"].values)
+    assert record.data["tendon_length"].values == pytest.approx(lengths, abs=1e-12)
+
+
+def test_open_tendons_are_about_11_cm_long(reference_outcome):
+    # "about": to the centimetre
+    assert reference_outcome.flat.tendon_length == pytest.approx(0.11, abs=0.005)
+
+
+def test_the_stiff_and_short_tendon_holds_more_than_35_joules(reference):
+    flat = settled(reference, {"tendon.stiffness": 6000.0, "tendon.rest_length": 0.0})
+    assert flat.tendon_energy.min() > 35
+
+
+def test_the_softest_tendon_without_resting_length_holds_about_6_joules(reference):
+    flat = settled(reference, {"tendon.stiffness": 1000.0, "tendon.rest_length": 0.0})
+    # "about": to the joule
+    assert flat.tendon_energy == pytest.approx(6, abs=0.5)
+
+
+def test_with_equal_attachments_a_folded_tendon_without_resting_length_holds_little(reference):
+    flat, folded = tendon_energy(with_values(reference, {"tendon.rest_length": 0.0}), [0.0, -math.pi])
+    # the crease is not square to the vein: the ends pass each other at a distance, by twice the crease's slant,
+    # (2 sin(theta / 2))^2 of the square of the length where epsilon is small
+    assert folded < 0.04 * flat
