@@ -45,9 +45,9 @@ class OneHinge:
         return math.sqrt(self.inertia / (tendon.stiffness * tendon.proximal_attachment * tendon.distal_attachment))
 
     def length(self, angle):
-        """Of the tendon, m: law of cosines."""
+        """Of the tendon, m: law of cosines, as a sum that keeps its digits where the ends meet."""
         a, b = self.wing.design.tendon.proximal_attachment, self.wing.design.tendon.distal_attachment
-        return np.sqrt(a**2 + b**2 + 2 * a * b * np.cos(angle))
+        return np.sqrt((a - b) ** 2 + 4 * a * b * np.cos(angle / 2) ** 2)
 
     def energy(self, angle):
         """Of the tendon, J."""
@@ -57,8 +57,10 @@ class OneHinge:
     def moment(self, angle):
         """That the tendon has about the hinge, N m, towards folding where > 0."""
         tendon = self.wing.design.tendon
-        force = tendon.stiffness * np.maximum(self.length(angle) - tendon.rest_length, 0)
-        return force * tendon.proximal_attachment * tendon.distal_attachment * np.sin(angle) / self.length(angle)
+        length = self.length(angle)
+        # where the ends meet, the tendon is slack or its force vanishes with its length
+        by_length = tendon.stiffness * np.maximum(length - tendon.rest_length, 0) / np.maximum(length, 1e-300)
+        return by_length * tendon.proximal_attachment * tendon.distal_attachment * np.sin(angle)
 
     def run(self):
         """Angle at every step, rad, and the record."""

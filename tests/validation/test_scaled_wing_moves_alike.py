@@ -1,6 +1,6 @@
 """A wing scaled in size, at fixed modulus and density, has the same motion in time by time scale.
 
-Dimensional analysis: lengths go with the factor s, stiffness with E A / L ~ s, torque and energy with s^3, mass with s^3,
+Dimensional analysis: lengths go with the factor s, stiffness with E A / L ~ s, torque, energy and mass with s^3,
 inertia with s^5, time with s, and speeds stay (Ilton et al. 2018, arXiv 1711.04920, measured that speed; theory.md,
 section 4).
 """
@@ -42,8 +42,8 @@ POWERS = {
 
 guard_has_a_width = pytest.mark.xfail(
     strict=True,
-    reason="MuJoCo's solimp ramps the guard tendon's limit over a width of 0.001 of the model's unit of length, which is"
-    " another share of every wing: 5 mrad in the fold, another course after the snap",
+    reason="MuJoCo's solimp ramps the guard tendon's limit over a width of 0.001 of the model's unit of length, which"
+    " is another share of every wing: 5 mrad in the fold, another course after the snap",
 )
 
 

@@ -1,7 +1,7 @@
 """The wing does not know up from down, and a run gives the same numbers whenever and beside whatever it runs.
 
-Symmetry: without gravity the flat wing is its own image in its plane, which swaps the senses of all folds. Repeatability:
-IEEE 754 arithmetic in a fixed order.
+Symmetry: without gravity the flat wing is its own image in its plane, which swaps the senses of all folds.
+Repeatability: IEEE 754 arithmetic in a fixed order.
 """
 
 import dataclasses

@@ -1,8 +1,8 @@
 """Tendon lengths and energies of the wing are those of its geometry, and near the paper's.
 
-Geometry: theory.md, section 2, the tendon's ends 5.5 cm before and beyond the ring vertex and the distal bar turned about
+Geometry: theory.md, section 2, the tendon's ends 5.5 cm before and beyond the ring vertex, the distal bar turned about
 the ring crease (Rodrigues 1840). Numbers: Binder et al. 2025, doi 10.3390/biomimetics11010009: open tendons of about
-11 cm, more than 35 J at the stiff and short end, about 6 J at 10 N/cm without resting length, 0 J expected when folded.
+11 cm, more than 35 J at the stiff and short end, about 6 J at 10 N/cm without resting length.
 """
 
 import math
@@ -70,9 +70,7 @@ def test_flat_opened_and_folded_hold_the_energy_of_their_angles(reference_run, r
 
 
 @settings(max_examples=6, deadline=None)
-@given(
-    hub=st.floats(0, 0.04), sector=st.floats(15, 30), before=st.floats(0.02, 0.12), beyond=st.floats(0.02, 0.1)
-)
+@given(hub=st.floats(0, 0.04), sector=st.floats(15, 30), before=st.floats(0.02, 0.12), beyond=st.floats(0.02, 0.1))
 def test_the_length_follows_the_geometry_in_other_fans(reference, hub, sector, before, beyond):
     geometry = {
         "pattern.hub_radius": hub,

@@ -143,10 +143,7 @@ def measure(record: Record) -> Outcome:
     protocol = record.design.protocol
     # A slack tendon lets its hinge rest anywhere on the folded side; one that is back beyond half way has opened again.
     folded = bool(
-        folding
-        and folding.goal_time is not None
-        and folded_state
-        and np.all(folded_state.distal_angle <= _HALF_FOLDED)
+        folding and folding.goal_time is not None and folded_state and np.all(folded_state.distal_angle <= _HALF_FOLDED)
     )
     opened = bool(
         unfolding

@@ -71,7 +71,7 @@ def simulate(wings: Sequence[WingModel], threads: int = 0, progress: Progress | 
             derived = {name: recorded[name][place] for name in _DERIVED}
             taken = courses[row].follow(Chunk(time=time[:, 0], position=position, velocity=velocity, derived=derived))
             batch.state[row] = states[place, taken]
-        if progress is not None:
+        if progress is not None and not courses[moving[0]].ended:
             progress(*courses[moving[0]].progress())
     last = {name: batch.bind(name) for name in _DERIVED}
     batch.forward()

@@ -75,11 +75,11 @@ def _moments(record: Record, outcome: Outcome) -> list[tuple[str, float]]:
     moments: list[tuple[str, float]] = []
     for state, name, drive in (
         (outcome.flat, "a flat", "fold"),
-        (outcome.folded_state, "b folded", "unfold"),
-        (outcome.opened_state, "c opened", None),
+        (outcome.folded_state, "b folded" if outcome.folded else "not folded", "unfold"),
+        (outcome.opened_state, "c opened" if outcome.opened else "not opened", None),
     ):
         if state is not None:
-            moments.append((name if outcome.folded or drive == "fold" else "after folding", state.time))
+            moments.append((name, state.time))
         for end in record.stages:
             if end.stage.drive == drive:
                 moments += [(end.stage.name, time) for time in _halfway(record, end)]

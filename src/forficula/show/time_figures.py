@@ -39,7 +39,7 @@ def draw_angles(record: Record, outcome: Outcome) -> Figure:
             axes.set_yticks(np.arange(-180, 1, 45))
             _shade_stages(axes, record, start, scale)
         _mark_states(rows[0][0], outcome)
-        rows[0][0].legend(loc="center right", ncols=1 + len(record.data.vein) // 6)
+        figure.legend(*rows[0][0].get_legend_handles_labels(), loc="outside right upper")
         return figure
 
 
@@ -122,7 +122,12 @@ def _shade_stages(axes: Axes, record: Record, start: float, scale: float) -> Non
 
 
 def _mark_states(axes: Axes, outcome: Outcome) -> None:
-    for letter, state in zip("abc", (outcome.flat, outcome.folded_state, outcome.opened_state), strict=True):
+    reached = {
+        "a": outcome.flat,
+        "b": outcome.folded_state if outcome.folded else None,
+        "c": outcome.opened_state if outcome.opened else None,
+    }
+    for letter, state in reached.items():
         if state is not None:
             angle = float(np.degrees(state.distal_angle.mean()))
             axes.plot(state.time, angle, "o", color="white", mec="black", mew=0.8, ms=9, zorder=5, clip_on=False)
