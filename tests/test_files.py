@@ -4,7 +4,7 @@ import stat
 import pytest
 
 from forficula.errors import InputError
-from forficula.files import replacing, write_text
+from forficula.files import replacing, write_bytes, write_text
 
 
 def everything_in(folder):
@@ -14,6 +14,12 @@ def everything_in(folder):
 def test_a_text_is_written_as_utf_8_with_plain_line_ends(tmp_path):
     write_text(tmp_path / "deep" / "er" / "a.txt", "é\nb\n")
     assert (tmp_path / "deep" / "er" / "a.txt").read_bytes() == b"\xc3\xa9\nb\n"
+
+
+@pytest.mark.parametrize("content", [b"\x00\r\n", memoryview(b"\x00\r\n")])
+def test_bytes_are_written_as_they_are(tmp_path, content):
+    write_bytes(tmp_path / "a.nc", content)
+    assert (tmp_path / "a.nc").read_bytes() == b"\x00\r\n"
 
 
 def test_a_file_that_was_there_is_replaced_and_nothing_else_is_left(tmp_path):

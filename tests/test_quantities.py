@@ -55,7 +55,9 @@ def test_text_with_a_unit_is_read_as_si(text, unit, value):
     assert parse_quantity(text, unit) == pytest.approx(value, rel=4e-16)
 
 
-@pytest.mark.parametrize("text", ["50 N cm", "50 Ncm", "50 N*cm", "50 N·cm", "0.5 N m", "0.5 Nm", "500 Nmm", "500 mN m"])
+@pytest.mark.parametrize(
+    "text", ["50 N cm", "50 Ncm", "50 N*cm", "50 N·cm", "0.5 N m", "0.5 Nm", "500 Nmm", "500 mN m"]
+)
 def test_torque_is_read_however_the_field_writes_it(text):
     assert parse_quantity(text, TORQUE) == pytest.approx(0.5, rel=4e-16)  # as above
 
@@ -181,7 +183,14 @@ def test_a_value_is_shown_in_one_short_line(value):
 
 @pytest.mark.parametrize(
     ("value", "shown"),
-    [(True, "true"), ("a", '"a"'), ([1, "a"], '[1, "a"]'), ({"a": False}, "{a = false}"), (1.5, "1.5"), ("\n", '"\\n"')],
+    [
+        (True, "true"),
+        ("a", '"a"'),
+        ([1, "a"], '[1, "a"]'),
+        ({"a": False}, "{a = false}"),
+        (1.5, "1.5"),
+        ("\n", '"\\n"'),
+    ],
 )
 def test_a_value_is_shown_as_a_design_file_has_it(value, shown):
     assert as_written(value) == shown

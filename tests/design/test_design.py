@@ -126,7 +126,9 @@ RING_DISTANCE = 2 * math.hypot(0.12, 0.015) * math.sin(math.radians(10))  # chor
 @given(st.floats(1.0001, 10))
 def test_veins_that_overlap_at_the_ring_fold_are_refused(excess):
     message = refusal(vein__diameter=excess * RING_DISTANCE)
-    assert message.startswith("vein.diameter: the veins overlap at the ring fold: need < 42 mm, from vein to vein, got ")
+    assert message.startswith(
+        "vein.diameter: the veins overlap at the ring fold: need < 42 mm, from vein to vein, got "
+    )
 
 
 @given(st.floats(1.0001, 10))

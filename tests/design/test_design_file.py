@@ -496,7 +496,11 @@ def test_a_design_that_cannot_be_saved_is_one_error(tmp_path):
     ),
     st.sampled_from(
         [
-            *(f"{s}.{key}" for s in ("pattern", "protocol", "guard") for key in type(getattr(REFERENCE, s)).model_fields),
+            *(
+                f"{s}.{key}"
+                for s in ("pattern", "protocol", "guard")
+                for key in type(getattr(REFERENCE, s)).model_fields
+            ),
             *("name", "tendon", "protocol", "protocol.stages.0", "protocol.stages.0.hold", "membrane.proximal_rows"),
         ]
     ),

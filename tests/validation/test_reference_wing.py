@@ -2,7 +2,7 @@
 
 Binder et al. 2025, doi 10.3390/biomimetics11010009: E_flat > E_opened > E_folded, W_fold << W_unfold,
 W_unfold > E_opened; 20 N cm fold with tendons of 10 N/cm; none of the stiff and short tendons folds. Counts and times
-are not targets: the paper's geometry is lost. Membrane: linear elasticity of a strip; a force is the slope of an energy.
+are not targets: the paper's geometry is lost. Membrane: elasticity of a strip; a force is the slope of an energy.
 """
 
 import subprocess
@@ -69,7 +69,8 @@ def test_20_newton_centimetres_fold_a_soft_and_long_tendon(outcome_of):
 def test_a_stiff_and_short_tendon_does_not_fold(outcome_of):
     outcome = outcome_of({"tendon.stiffness": "60 N/cm", "tendon.rest_length": "0 cm"})
     assert not outcome.folded
-    assert outcome.folded_state is None or outcome.folded_state.distal_angle.max() > 0
+    # every hinge still in the overbend, under the torque
+    assert outcome.folded_state.distal_angle.min() > 0
     assert outcome.status == "did not fold"
     assert "protocol.fold_torque" in outcome.advice
 
@@ -136,10 +137,7 @@ def test_a_fan_of_five_units_folds_under_100_newton_centimetres():
         {"tendon.stiffness": "60 N/cm", "tendon.rest_length": "0 cm"},
         {"pattern.units": 2},
         {"pattern.units": 3, "pattern.sector_angle": "15 deg", "membrane.youngs_modulus": "5 MPa"},
-        pytest.param(
-            {"pattern.units": 5, "pattern.sector_angle": "12 deg", "protocol.fold_torque": "100 N cm"},
-            marks=pytest.mark.xfail(strict=True, reason="eleven veins diverge at the 0.2 ms that auto chooses"),
-        ),
+        {"pattern.units": 5, "pattern.sector_angle": "12 deg", "protocol.fold_torque": "100 N cm"},
     ],
     ids=["reference", "stiff tendons", "five veins", "seven veins of 5 MPa", "eleven veins"],
 )
@@ -205,8 +203,8 @@ def test_the_engine_pulls_with_the_slope_of_the_membrane_energy(reference, poiss
     step = 1e-5
     slope = [(energy(angles + each) - energy(angles - each)) / (2 * step) for each in step * np.eye(wing.engine.nq)]
     energy(angles)
-    # central differences: the square of the step, 1e-10, by third derivatives, and rounding, 1e-16 / 1e-5
-    assert np.abs(data.qfrc_passive + slope).max() < 1e-7 * np.abs(slope).max()
+    # central differences err by the square of step by bend, 1e-6 at most, for an energy of fourth power
+    assert np.abs(data.qfrc_passive + slope).max() < 1e-5 * np.abs(slope).max()
 
 
 def test_the_membrane_does_the_work_that_its_energy_gives_up(reference):

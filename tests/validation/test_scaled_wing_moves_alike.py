@@ -40,12 +40,6 @@ POWERS = {
     "protocol.gravity": -1,  # speed by time
 }
 
-guard_has_a_width = pytest.mark.xfail(
-    strict=True,
-    reason="MuJoCo's solimp ramps the guard tendon's limit over a width of 0.001 of the model's unit of length, which"
-    " is another share of every wing: 5 mrad in the fold, another course after the snap",
-)
-
 
 def value(design, key):
     section, name = key.split(".")
@@ -85,14 +79,12 @@ def test_a_wing_of_a_tenth_of_the_size_moves_alike(reference, reference_run):
     assert_moves_alike(small, reference_run, 0.1)
 
 
-@guard_has_a_width
 @pytest.mark.parametrize("size", [1 / 3, 0.7, 3.0])
 def test_a_wing_whose_size_is_no_power_of_ten_moves_alike(reference, reference_run, size):
     # its lengths are other numbers in the model's units, so nothing may be fixed there
     assert_moves_alike(ff.run(scaled_by_hand(reference, size)), reference_run, size)
 
 
-@guard_has_a_width
 def test_an_earwig_sized_wing_moves_alike(earwig, reference_run):
     assert_moves_alike(earwig, reference_run, 0.01 / 0.22)
 
@@ -123,7 +115,6 @@ def test_scale_design_multiplies_every_value_as_dimensional_analysis_says(refere
                 assert got == expected, f"{section}.{name}"
 
 
-@guard_has_a_width
 def test_the_tips_are_as_fast_at_any_size(earwig, reference_run):
     def fastest(record):
         places = record.data["vein_position"].sel(point="tip").values

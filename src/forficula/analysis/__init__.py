@@ -1,3 +1,4 @@
-from forficula.analysis.outcome import EnergyBalance, Outcome, State, Transition, measure, summary
+from forficula.analysis.outcome import EnergyBalance, Outcome, State, Transition, measure
+from forficula.analysis.summary import summary
 
 __all__ = ["EnergyBalance", "Outcome", "State", "Transition", "measure", "summary"]

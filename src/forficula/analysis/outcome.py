@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -168,37 +167,6 @@ def measure(record: Record) -> Outcome:
     )
 
 
-def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[str, Any]:
-    """The outcome as plain data with units in its keys, as `summary.json` has it."""
-    states = {"flat": outcome.flat, "folded": outcome.folded_state, "opened": outcome.opened_state}
-    balance = outcome.energy_balance
-    return {
-        "design": record.design.name,
-        "status": outcome.status,
-        "advice": outcome.advice,
-        "folded": outcome.folded,
-        "opened": outcome.opened,
-        "states": {name: None if state is None else _state_summary(state) for name, state in states.items()},
-        "fold": _transition_summary(outcome.fold),
-        "unfold": _transition_summary(outcome.unfold),
-        "energy_balance": {
-            "residual": balance.residual,
-            "work_J": balance.work,
-            "tendon_energy_change_J": balance.tendon,
-            "membrane_energy_change_J": balance.membrane,
-            "kinetic_energy_change_J": balance.kinetic,
-            "gravitational_energy_change_J": balance.gravitational,
-            "hinge_damping_J": balance.hinge_damping,
-            "elastic_damping_J": balance.elastic_damping,
-            "stops_J": balance.stops,
-            "missing_J": balance.missing,
-        },
-        "diverged_at_s": record.diverged_at,
-        "design_hash": record.design.hash,
-        "versions": versions,
-    }
-
-
 def _sound(record: Record, stage: int) -> bool:
     """Whether a stage took place without diverging."""
     return len(record.stages) > stage and (record.diverged_at is None or stage < len(record.stages) - 1)
@@ -315,26 +283,3 @@ def _not_folded(record: Record, state: State | None) -> tuple[str, str]:
         "Raise protocol.fold_torque, or lower the barrier: softer or longer tendons (tendon.stiffness,"
         " tendon.rest_length), less hinge.overbend.",
     )
-
-
-def _state_summary(state: State) -> dict[str, Any]:
-    return {
-        "time_s": state.time,
-        "distal_angle_deg": np.degrees(state.distal_angle).tolist(),
-        "distal_angle_low_deg": np.degrees(state.distal_angle_low).tolist(),
-        "distal_angle_high_deg": np.degrees(state.distal_angle_high).tolist(),
-        "tendon_length_m": state.tendon_length.tolist(),
-        "tendon_energy_J": state.tendon_energy.tolist(),
-        "membrane_energy_J": state.membrane_energy,
-    }
-
-
-def _transition_summary(transition: Transition | None) -> dict[str, Any] | None:
-    if transition is None:
-        return None
-    return {
-        "torque_N_m": transition.torque,
-        "succeeded": transition.succeeded,
-        "time_s": transition.time,
-        "work_J": transition.work,
-    }

@@ -9,11 +9,12 @@ import re
 from dataclasses import dataclass
 from typing import Annotated, Any, Literal
 
+import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationInfo, field_validator, model_validator
 from pydantic.fields import FieldInfo
 
 from forficula.errors import InputError
-from forficula.pattern import EarwigFan, ring_vertices
+from forficula.pattern import EarwigFan, ring_vertices, vein_gaps
 from forficula.quantities import Unit, as_written, parse_quantity, show_quantity
 
 LENGTH = Unit(display="cm", si="m", example="12 cm")
@@ -196,7 +197,10 @@ class Protocol(Part):
     """What is done to the wing, and what counts as done."""
 
     timestep: float | Literal["auto"] = _quantity(
-        SHORT_TIME, 'step of the integrator, or "auto": half of what the stiffest mode allows', above=0, words=("auto",)
+        SHORT_TIME,
+        'step of the integrator, or "auto": a quarter of what the stiffest mode allows',
+        above=0,
+        words=("auto",),
     )
     sample_interval: float = _quantity(SHORT_TIME, "time between two rows of the record", above=0)
     fold_torque: float = _quantity(TORQUE, "torque on every proximal turn axis while folding", at_least=0)
@@ -257,14 +261,15 @@ class Design(Part):
 
     @model_validator(mode="after")
     def _fits_together(self) -> Design:
-        veins_at_ring_fold = _ring_chord(self.fan)
-        for key, value, unit, fault in (
-            ("vein.diameter", self.vein.diameter, SMALL_LENGTH, "the veins overlap at the ring fold"),
-            ("membrane.margin", self.membrane.margin, LENGTH, "the margin is wider than the panel at the ring fold"),
+        apart, width = float(vein_gaps(self.fan, np.ones(1))[0]), _ring_chord(self.fan)
+        margin = self.membrane.margin
+        for key, value, bound, unit, fault in (
+            ("vein.diameter", self.vein.diameter, apart, SMALL_LENGTH, "the veins overlap at the ring fold"),
+            ("membrane.margin", margin, width, LENGTH, "the margin is wider than the panel at the ring fold"),
         ):
-            if not value < veins_at_ring_fold:
+            if not value < bound:
                 raise InputError(
-                    f"{key}: {fault}: need < {show_quantity(veins_at_ring_fold, unit)}, from vein to vein,"
+                    f"{key}: {fault}: need < {show_quantity(bound, unit)}, from vein to vein,"
                     f" got {show_quantity(value, unit)}"
                 )
         for end, length in (("proximal", self.pattern.proximal_length), ("distal", self.pattern.distal_length)):
@@ -307,14 +312,15 @@ class Design(Part):
 
 def design_warnings(design: Design) -> list[str]:
     """What a person should know of a design that is valid all the same, one sentence each."""
-    warnings = []
-    between_veins = 2 * design.pattern.hub_radius * math.sin(design.pattern.sector_angle / 2)
-    if design.vein.diameter > between_veins:
-        warnings.append(
-            f"veins of {show_quantity(design.vein.diameter, SMALL_LENGTH)} overlap near the hub, where they are"
-            f" {show_quantity(between_veins, SMALL_LENGTH)} apart: a part to print needs thinner veins or a larger hub"
-        )
-    return warnings
+    shares = np.linspace(0, 1, 1001)
+    overlapping = shares[vein_gaps(design.fan, shares) < design.vein.diameter]
+    if not len(overlapping):
+        return []
+    return [
+        f"neighbouring veins of {show_quantity(design.vein.diameter, SMALL_LENGTH)} overlap within"
+        f" {show_quantity(float(overlapping[-1]) * design.pattern.proximal_length, LENGTH)} of the hub, which the"
+        " simulation allows: a part to print needs thinner veins or a larger hub"
+    ]
 
 
 def _ring_chord(fan: EarwigFan) -> float:

@@ -11,6 +11,9 @@ from forficula.quantities import dimension
 
 _Part = TypeVar("_Part", bound=Part)
 
+# beyond atoms and mountains; within, a fifth power is a float
+_SMALLEST, _LARGEST = 1e-9, 1e9
+
 
 def in_units(design: Design, *, length: float, mass: float, time: float) -> Design:
     """Write every value of a design in other units of length, mass and time.
@@ -42,10 +45,10 @@ def scale_design(design: Design, factor: float) -> Design:
         The scaled design; in t / time scale its motion is the same.
 
     Raises:
-        InputError: the factor is not > 0, or so small or large that a value leaves its bounds.
+        InputError: the factor is not between 1e-9 and 1e9, or a value leaves its bounds.
     """
-    if not 0 < factor < float("inf"):
-        raise InputError(f"factor: need > 0 and finite, got {factor}")
+    if not _SMALLEST <= factor <= _LARGEST:
+        raise InputError(f"factor: need >= {_SMALLEST:g} and <= {_LARGEST:g}, got {factor}")
     scaled = _rescaled(design, 1 / factor, 1 / factor**3, 1 / factor)
     return with_values(scaled, {"name": f"{design.name}-x{factor:g}"})
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 
 import mujoco
@@ -77,7 +78,10 @@ def compile_veins(design: Design, veins: tuple[Vein, ...], units: ModelUnits) ->
         name="units", data=f"length {units.length:g} m, mass {units.mass:g} kg, time {units.time:g} s, angle rad"
     )
     try:
-        engine = spec.compile()
+        with warnings.catch_warnings():
+            # said of a membrane without damping, although its elasticity is there
+            warnings.filterwarnings("ignore", message=".*has no.*passive forces")
+            engine, xml = spec.compile(), spec.to_xml()
     except ValueError as error:
         raise InputError(f"{design.name}: MuJoCo cannot build the wing: {' '.join(str(error).split())}") from None
     return WingModel(
@@ -85,7 +89,7 @@ def compile_veins(design: Design, veins: tuple[Vein, ...], units: ModelUnits) ->
         units=units,
         in_units=in_units,
         engine=engine,
-        xml=spec.to_xml(),
+        xml=xml,
         membrane=membrane,
         senses=np.array([vein.sense for vein in veins]),
         tendons=_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, ("tendon",), len(veins))[:, 0],

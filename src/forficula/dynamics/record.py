@@ -152,6 +152,10 @@ def load_record(path: Path) -> Record:
     import xarray
 
     try:
+        path.open("rb").close()
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+    try:
         with xarray.open_dataset(path, engine="h5netcdf") as file:
             data = file.load()
         design = design_from_text(data.attrs["design"])

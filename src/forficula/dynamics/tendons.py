@@ -9,6 +9,10 @@ from numpy.typing import NDArray
 from forficula.design import Design
 from forficula.dynamics.veins import Vein, stop_reference
 
+# MuJoCo lets a limit harden over 0.001 of its length unit, which would be another share of every wing; the other numbers
+# are its defaults.
+_SOFT_SHARE = 0.001
+
 
 def add_tendon(spec: mujoco.MjSpec, index: int, design: Design) -> None:
     """Add the tendon of a vein: it pulls beyond its resting length and never pushes."""
@@ -31,6 +35,7 @@ def add_guard(spec: mujoco.MjSpec, index: int, veins: tuple[Vein, ...], design: 
         limited=True,
         range=[0, design.guard.stretch * flat_distance],
         solref_limit=stop_reference(design),
+        solimp_limit=[0.9, 0.95, _SOFT_SHARE * flat_distance, 0.5, 2],
     )
     guard.wrap_site(f"tip{index}")
     guard.wrap_site(f"tip{index + 1}")

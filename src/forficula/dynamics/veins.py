@@ -14,6 +14,9 @@ from forficula.pattern import EarwigFan, hub_points, ring_vertices, tips
 
 Point = NDArray[np.float64]
 
+# bits by which MuJoCo selects who touches whom
+_PROXIMAL, _DISTAL = 1, 2
+
 
 @dataclass(frozen=True, kw_only=True)
 class Vein:
@@ -77,8 +80,9 @@ def add_vein(spec: mujoco.MjSpec, index: int, vein: Vein, design: Design) -> Non
     ring_vertex = vein.on_proximal_bar(vein.ring_vertex)
     distal = proximal.add_body(name=f"distal{index}", pos=ring_vertex)
     tip = vein.on_distal_bar(vein.tip)
-    _add_bar(proximal, ring_vertex, design)
-    _add_bar(distal, tip, design)
+    # Proximal bars do not touch each other: the veins of a fan overlap near the hub even where it lies flat.
+    _add_bar(proximal, ring_vertex, design, kind=_PROXIMAL, touches=_DISTAL)
+    _add_bar(distal, tip, design, kind=_DISTAL, touches=_PROXIMAL | _DISTAL)
 
     tendon = design.tendon
     towards_hub = -ring_vertex / np.linalg.norm(ring_vertex)
@@ -110,15 +114,14 @@ def stop_reference(design: Design) -> list[float]:
     return [2 * float(design.protocol.timestep), 1.0]
 
 
-def _add_bar(body: mujoco.MjsBody, end: Point, design: Design) -> None:
-    touches = int(design.protocol.contact)
+def _add_bar(body: mujoco.MjsBody, end: Point, design: Design, kind: int, touches: int) -> None:
     body.add_geom(
         type=mujoco.mjtGeom.mjGEOM_CYLINDER,
         size=[design.vein.diameter / 2, 0, 0],
         fromto=[0, 0, 0, *end],
         density=design.vein.density,
-        contype=touches,
-        conaffinity=touches,
+        contype=kind if design.protocol.contact else 0,
+        conaffinity=touches if design.protocol.contact else 0,
     )
 
 

@@ -8,7 +8,7 @@ from forficula.pattern.crease_pattern import (
     maekawa_residuals,
     sector_angles,
 )
-from forficula.pattern.earwig import EarwigFan, Tangent, earwig_pattern, hub_points, ring_vertices, tips
+from forficula.pattern.earwig import EarwigFan, Tangent, earwig_pattern, hub_points, ring_vertices, tips, vein_gaps
 from forficula.pattern.fold_file import read_fold, write_fold
 from forficula.pattern.kinematics import (
     closure_residual,
@@ -42,6 +42,7 @@ __all__ = [
     "ring_vertices",
     "sector_angles",
     "tips",
+    "vein_gaps",
     "write_fold",
     "write_svg",
 ]

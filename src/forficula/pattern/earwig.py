@@ -169,6 +169,26 @@ def tips(fan: EarwigFan) -> NDArray[np.float64]:
     return ring_vertices(fan) + _on_circle(fan.distal_length, directions)
 
 
+def vein_gaps(fan: EarwigFan, shares: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Measure how far the axis of a proximal vein is from that of its neighbour.
+
+    Args:
+        fan: the fan; all neighbours are alike.
+        shares: where on the vein, 0 at the hub and 1 at the ring fold, shape (M,).
+
+    Returns:
+        Distance to the nearest point of the neighbouring proximal vein, m, shape (M,).
+    """
+    hub, ring = hub_points(fan)[:2], ring_vertices(fan)[:2]
+    gaps = []
+    for here, there in ((0, 1), (1, 0)):
+        points = hub[here] + np.outer(shares, ring[here] - hub[here])
+        along = (ring[there] - hub[there]) / fan.proximal_length
+        nearest = np.clip((points - hub[there]) @ along, 0, fan.proximal_length)
+        gaps.append(np.linalg.norm(points - hub[there] - np.outer(nearest, along), axis=1))
+    return np.asarray(np.minimum(*gaps))
+
+
 def _senses(fan: EarwigFan) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Senses of the veins (2 n + 1,) and of the ring creases (2 n,), +1 valley and -1 mountain.
 

@@ -83,7 +83,7 @@ def _moments(record: Record, outcome: Outcome) -> list[tuple[str, float]]:
         for end in record.stages:
             if end.stage.drive == drive:
                 moments += [(end.stage.name, time) for time in _halfway(record, end)]
-    return moments
+    return moments or [("start", 0.0), ("last", float(record.data.time[-1]))]
 
 
 def _halfway(record: Record, end: StageEnd) -> list[float]:

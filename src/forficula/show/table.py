@@ -27,13 +27,13 @@ def print_outcome(name: str, outcome: Outcome) -> None:
     Console(width=110, highlight=False).print(outcome_table(name, outcome))
 
 
-def _states(outcome: Outcome) -> Table:
+def _states(outcome: Outcome) -> RenderableType:
     states = {"flat": outcome.flat, "folded": outcome.folded_state, "opened": outcome.opened_state}
     if not outcome.folded and outcome.folded_state is not None:
         states = {"after folding" if name == "folded" else name: state for name, state in states.items()}
     there = {name: state for name, state in states.items() if state is not None}
     if not there:
-        return Table(title="no state was reached", box=None, title_justify="left")
+        return Text("States: none was reached.")
     energy_unit, energy = _unit("J", max(float(state.tendon_energy.max()) for state in there.values()))
     length_unit, length = (
         ("cm", 1e2) if max(float(s.tendon_length.max()) for s in there.values()) > 0.02 else ("mm", 1e3)
@@ -84,8 +84,10 @@ def _transition(transition: Transition | None) -> list[str]:
     return [_torque(transition.torque), "yes" if transition.succeeded else "no", time, _energy(transition.work)]
 
 
-def _balance(outcome: Outcome) -> Table:
+def _balance(outcome: Outcome) -> RenderableType:
     balance = outcome.energy_balance
+    if balance.residual > 1:
+        return Text("Energy balance: it does not close; the numbers mean nothing.")
     table = Table(box=None, padding=(0, 2, 0, 0), title="Energy balance", title_justify="left", show_header=False)
     table.add_column("")
     table.add_column("", justify="right")

@@ -1,0 +1,71 @@
+import math
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import forficula as ff
+from forficula.design import scale_design, with_values
+from forficula.dynamics import stable_timestep, timestep_warnings, with_timestep
+
+REFERENCE = ff.load_design("binder2025")
+
+
+def changed(**values):
+    return with_values(REFERENCE, {key.replace("__", "."): value for key, value in values.items()})
+
+
+def test_a_timestep_that_was_given_stays():
+    assert with_timestep(REFERENCE) is REFERENCE
+
+
+@settings(max_examples=10, deadline=None)  # each compiles and linearises two wings
+@given(st.floats(-1, 1).map(lambda power: 10.0**power), st.integers(1, 3))
+def test_a_timestep_that_was_left_open_is_at_most_a_quarter_of_what_is_stable_and_has_one_digit(stiffness, units):
+    design = changed(
+        membrane__youngs_modulus=1e6 * stiffness, pattern__units=units, vein__diameter=0.004, protocol__timestep="auto"
+    )
+    chosen = with_timestep(design).protocol.timestep
+    allowed = stable_timestep(design)
+    assert allowed / 8 <= chosen <= allowed / 4  # rounded down to one digit, at worst from 1.99 to 1
+    assert chosen == float(f"{chosen:.0e}")
+    assert timestep_warnings(with_timestep(design)) == []
+
+
+def test_the_allowed_timestep_does_not_depend_on_the_one_that_is_given():
+    assert stable_timestep(changed(protocol__timestep=1e-6)) == stable_timestep(REFERENCE)
+
+
+def test_the_allowed_timestep_of_a_scaled_wing_is_scaled():
+    # time goes with size (theory of similarity); found by bisection of its logarithm to 1e-4 of a decade
+    ratio = stable_timestep(scale_design(REFERENCE, 0.1)) / stable_timestep(REFERENCE)
+    assert ratio == pytest.approx(0.1, rel=2e-4 * math.log(10))
+
+
+def test_a_stiffer_membrane_allows_a_shorter_timestep_with_the_square_root_of_its_modulus():
+    # h = 2 / w for an undamped mode, w = sqrt(k / m): symplectic Euler, any textbook
+    undamped = {"membrane__damping": 0.0, "hinge__damping": 0.0, "tendon__damping": 0.0}
+    soft, stiff = (stable_timestep(changed(**undamped, membrane__youngs_modulus=modulus)) for modulus in (1e8, 1e10))
+    # at such moduli the tendons' share of the stiffest mode is below 1e-3
+    assert soft / stiff == pytest.approx(10, rel=2e-3)
+
+
+def test_a_timestep_that_is_too_long_is_named_with_what_is_allowed_and_what_to_do():
+    assert timestep_warnings(REFERENCE) == []
+    assert timestep_warnings(changed(protocol__timestep="auto")) == []
+    (warning,) = timestep_warnings(changed(protocol__timestep=5e-3))
+    allowed = 1e3 * stable_timestep(REFERENCE)
+    assert f"a timestep of 5 ms is too long: the wing's stiffest mode allows {allowed:.3g} ms" in warning
+    assert 'protocol.timestep = "auto"' in warning
+
+
+def test_a_wing_stays_bounded_below_the_allowed_timestep_and_blows_up_far_above_it():
+    settle = [{"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.3}]
+    allowed = stable_timestep(REFERENCE)
+    stable, unstable = (
+        ff.run(changed(protocol__stages=settle, protocol__timestep=share * allowed)) for share in (0.9, 4)
+    )
+    assert stable.diverged_at is None
+    # what the tendons gave at most, J: the wing started at rest
+    assert stable.data["kinetic_energy"].max() < stable.data["tendon_energy"][0].sum()
+    assert unstable.diverged_at is not None or unstable.data["kinetic_energy"].max() > 1

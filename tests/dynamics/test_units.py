@@ -1,0 +1,49 @@
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from forficula.design import load_design, scale_design
+from forficula.dynamics import compile_wing
+from forficula.dynamics.units import design_in_model_units, model_units
+
+REFERENCE = load_design("binder2025")
+sizes = st.floats(-6, 6).map(lambda power: 10.0**power)
+
+
+@given(sizes)
+def test_a_wing_of_any_size_has_a_span_and_a_vein_mass_between_1_and_10_in_its_units(size):
+    design = scale_design(REFERENCE, size)
+    units = model_units(design)
+    own = design_in_model_units(design, units)
+    span = own.pattern.proximal_length + own.pattern.distal_length
+    mass = own.vein.density * span * math.pi / 4 * own.vein.diameter**2
+    rounding = 1e-12  # of a few products
+    assert 1 - rounding <= span < 10 + rounding
+    assert 1 - rounding <= mass < 10 + rounding
+
+
+@given(sizes)
+def test_the_units_are_powers_of_ten_with_the_metre_a_second_for_speed(size):
+    units = model_units(scale_design(REFERENCE, size))
+    for unit in (units.length, units.mass):
+        assert unit == float(f"1e{round(math.log10(unit))}")
+    assert units.length / units.time == 1.0
+
+
+def test_energy_and_power_have_their_units():
+    units = model_units(REFERENCE)
+    # span 22 cm and mass 1.27 g/cm3 x 22 cm x pi/4 x (5 mm)^2 = 5.5 g: 0.1 m, 1 g, 0.1 s
+    assert (units.length, units.mass, units.time) == (0.1, 1e-3, 0.1)
+    assert (units.energy, units.power) == pytest.approx((1e-3, 1e-2), rel=1e-15)  # one rounding
+
+
+@pytest.mark.parametrize("size", [1e-6, 10 / 220, 1e3])
+def test_wings_from_a_cell_to_a_building_compile_into_the_same_numbers(size):
+    compiled = compile_wing(scale_design(REFERENCE, size)).engine
+    reference = compile_wing(REFERENCE).engine
+    # what is left of the size is the rest of the decade, the same up to a power of ten for all masses
+    ratios = compiled.body_mass[1:] / reference.body_mass[1:]
+    assert ratios == pytest.approx(ratios[0], rel=1e-9)  # products of many factors, none of them ill-conditioned
+    assert 0.1 < ratios[0] < 10
