@@ -49,7 +49,7 @@ def designs(draw):
     proximal, distal = lengths.values()
     angle = draw(st.floats(0.05, 1))
     hub = draw(share) * proximal
-    ring_distance = 2 * math.hypot(proximal, hub) * math.sin(angle / 2)
+    between_veins = proximal * math.sin(angle) - hub * (1 - math.cos(angle))  # at the ring fold, at least
     positive = st.floats(1e-300, 1e300)
     overbend = draw(st.floats(0, 1.5))
     return with_values(
@@ -62,9 +62,9 @@ def designs(draw):
             "pattern.hub_radius": hub,
             "pattern.units": draw(st.integers(1, 3)),
             "pattern.tangent": draw(st.sampled_from(["left", "right"])),
-            "vein.diameter": 0.99 * draw(share) * ring_distance,
+            "vein.diameter": 0.99 * draw(share) * between_veins,
             "vein.density": draw(positive),
-            "membrane.margin": 0.99 * draw(share) * ring_distance,
+            "membrane.margin": 0.99 * draw(share) * between_veins,
             "membrane.youngs_modulus": draw(positive),
             "membrane.poisson_ratio": draw(st.floats(0, 0.499)),
             "membrane.distal_rows": sorted(draw(st.sets(st.floats(0.01, 0.99), max_size=3))),
@@ -322,7 +322,7 @@ def test_a_missing_key_is_named_with_the_way_out(refusal, text, message):
         ("[pattern]\nunits = true", "pattern.units: need a whole number, got true"),
         (
             '[vein]\ndiameter = "6 cm"',
-            "vein.diameter: the veins overlap at the ring fold: need < 42 mm, from vein to vein, got 60 mm",
+            "vein.diameter: the veins overlap at the ring fold: need < 40.14 mm, from vein to vein, got 60 mm",
         ),
         (
             '[membrane]\nmargin = "5 cm"',
@@ -506,11 +506,13 @@ def test_a_design_that_cannot_be_saved_is_one_error(tmp_path):
     ),
 )
 def test_any_value_of_any_kind_is_taken_or_refused_in_one_line(value, key):
+    message = ""
     try:
         load_design("binder2025", {key: value})
     except InputError as error:
-        assert str(error).startswith(key.partition(".")[0]) or str(error).startswith("binder2025: ")
-        assert len(str(error).splitlines()) == 1
+        message = str(error)
+    assert not message or message.startswith((key.partition(".")[0], "binder2025: "))
+    assert len(message.splitlines()) <= 1
 
 
 def test_every_key_with_a_unit_is_read_as_text_with_that_unit():

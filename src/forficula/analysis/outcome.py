@@ -189,16 +189,17 @@ def _state(record: Record, end: StageEnd | None) -> State | None:
     start = end.end if snapped else max(end.start, end.end - record.design.protocol.window)
     # half a step either way, for times are multiples of the timestep up to rounding
     half = float(record.design.protocol.timestep) / 2
-    window = record.data.sel(time=slice(start - half, end.end + half))
-    angle = window["distal_angle"].values
+    window = (record.time >= start - half) & (record.time <= end.end + half)
+    series = {name: record.series[name][window] for name in ("distal_angle", "tendon_length", "tendon_energy")}
+    angle = series["distal_angle"]
     return State(
         time=end.end,
         distal_angle=angle.mean(axis=0),
         distal_angle_low=angle.min(axis=0),
         distal_angle_high=angle.max(axis=0),
-        tendon_length=window["tendon_length"].values.mean(axis=0),
-        tendon_energy=window["tendon_energy"].values.mean(axis=0),
-        membrane_energy=float(window["membrane_energy"].values.mean()),
+        tendon_length=series["tendon_length"].mean(axis=0),
+        tendon_energy=series["tendon_energy"].mean(axis=0),
+        membrane_energy=float(record.series["membrane_energy"][window].mean()),
     )
 
 
@@ -212,16 +213,15 @@ def _transition(record: Record, end: StageEnd | None, torque: float, succeeded: 
 
 def _since(record: Record, name: str, end: StageEnd) -> float:
     """Change of a series over a stage."""
-    series = record.data[name]
-    before, after = (float(series.sel(time=time, method="nearest")) for time in (end.start, end.end))
-    return after - before
+    before, after = (int(np.argmin(np.abs(record.time - moment))) for moment in (end.start, end.end))
+    return float(record.series[name][after] - record.series[name][before])
 
 
 def _balance(record: Record) -> EnergyBalance:
     change = {
-        name: float(record.data[name][-1].sum() - record.data[name][0].sum())
-        for name in record.data
-        if str(name).endswith(("_energy", "_work"))
+        name: float(values[-1].sum() - values[0].sum())
+        for name, values in record.series.items()
+        if name.endswith(("_energy", "_work"))
     }
     return EnergyBalance(
         work=change["proximal_work"] + change["distal_work"],

@@ -14,37 +14,75 @@ from forficula.dynamics.tendons import tendon_energy
 Array = NDArray[np.float64]
 
 
-def step_work(wing: WingModel, velocities: Array, forces: Mapping[str, Array]) -> dict[str, Array]:
-    """Work done in each step, J.
+def torque_work(
+    wing: WingModel, torques: tuple[float, float], start: tuple[Array, Array], states: tuple[Array, Array]
+) -> dict[str, Array]:
+    """Work of constant torques between a state and later ones, J.
 
     A step of semi-implicit Euler changes the kinetic energy by force times timestep times the mean of the velocities
-    before and after it, exactly where the inertia is constant; with the later velocity alone the account would be out
-    by force times the change of velocity, first order in the timestep.
+    before and after it, exactly where the inertia is constant. Summed over steps that is torque times the angle turned,
+    less torque times half a timestep times the change of speed. (With the later velocity alone, which is what turns the
+    angle, the account would be out by that last term: first order in the timestep.)
+
+    Args:
+        wing: the model.
+        torques: on every proximal turn axis and on every distal hinge, in the veins' own senses and the model's units.
+        start: positions and velocities, (dof,), in the model's units.
+        states: positions and velocities, (state, dof).
+
+    Returns:
+        "proximal_work" and "distal_work", (state,).
+    """
+    half_step = float(wing.in_units.protocol.timestep) / 2
+    turned = _along_torques(wing, states[0] - start[0])
+    faster = _along_torques(wing, states[1] - start[1])
+    return {
+        name: wing.units.energy * torque * (angle - half_step * speed)
+        for name, torque, angle, speed in zip(("proximal_work", "distal_work"), torques, turned, faster, strict=True)
+    }
+
+
+def torque_power(wing: WingModel, torques: tuple[float, float], velocity: Array) -> dict[str, Array]:
+    """Power of the torques, W: "proximal_power" and "distal_power", (state,), at velocities (state, dof)."""
+    speeds = _along_torques(wing, velocity)
+    names = ("proximal_power", "distal_power")
+    return {name: wing.units.power * torque * speed for name, torque, speed in zip(names, torques, speeds, strict=True)}
+
+
+def damping_work(wing: WingModel, velocities: Array, forces: Mapping[str, Array]) -> dict[str, Array]:
+    """Work of dampers and stops in each step, J, at the mean of the velocities before and after it.
 
     Args:
         wing: the model.
         velocities: before the first step and after each, (step + 1, dof), in the model's units.
-        forces: generalised forces during each step, (step, dof), by MuJoCo's names: qfrc_actuator, qfrc_damper,
-            qfrc_constraint.
+        forces: generalised forces during each step, (step, dof), by MuJoCo's names: qfrc_damper, qfrc_constraint.
 
     Returns:
-        Arrays (step,) for the names ending in "_work" of `record.VARIABLES`.
+        "hinge_damping_work", "elastic_damping_work" and "stop_work", (step,); empty where there are no forces.
     """
-    mean = (velocities[:-1] + velocities[1:]) / 2
-    travel = mean * float(wing.in_units.protocol.timestep)
+    if "qfrc_damper" not in forces:
+        return {}
+    travel = (velocities[:-1] + velocities[1:]) / 2 * float(wing.in_units.protocol.timestep)
     hinge_damping = np.array(wing.engine.dof_damping).reshape(wing.engine.nv, -1)[:, 0]
-    # the engine takes hinge damping implicitly, at the velocity after the step
-    implicit = -hinge_damping * velocities[1:]
-    explicit = forces["qfrc_damper"] + hinge_damping * velocities[:-1]
-    distal = np.isin(np.arange(wing.engine.nv), wing.joints[:, 3])
     by_name = {
-        "proximal_work": forces["qfrc_actuator"] * ~distal,
-        "distal_work": forces["qfrc_actuator"] * distal,
-        "hinge_damping_work": implicit,
-        "elastic_damping_work": explicit,
+        # the engine takes hinge damping implicitly, at the velocity after the step
+        "hinge_damping_work": -hinge_damping * velocities[1:],
+        "elastic_damping_work": forces["qfrc_damper"] + hinge_damping * velocities[:-1],
         "stop_work": forces["qfrc_constraint"],
     }
     return {name: wing.units.energy * np.sum(force * travel, axis=-1) for name, force in by_name.items()}
+
+
+def _along_torques(wing: WingModel, change: Array) -> tuple[Array, Array]:
+    """Sum over veins of turn and of fold in their own senses, (state,) each, of joint changes (state, dof)."""
+    turn, fold = np.moveaxis(_by_vein(wing, change)[..., 2:], -1, 0)
+    return np.sum(wing.senses * turn, axis=-1), np.sum(wing.senses * fold, axis=-1)
+
+
+def _by_vein(wing: WingModel, joints: Array) -> Array:
+    """Sweep, lift, turn and fold by vein, (state, vein, 4), of joints (state, dof)."""
+    # a hinge that a fixed base lacks has index -1 and reads the 0 at the end
+    return np.concatenate([joints, np.zeros((len(joints), 1))], axis=1)[:, wing.joints]
 
 
 def state_series(wing: WingModel, positions: Array, derived: Mapping[str, Array]) -> dict[str, Array]:
@@ -54,26 +92,29 @@ def state_series(wing: WingModel, positions: Array, derived: Mapping[str, Array]
         wing: the model.
         positions: (state, dof), in the model's units.
         derived: of the same states, by MuJoCo's names, in the model's units: energy, ten_length, flexvert_xpos, xpos,
-            xipos, site_xpos.
+            xipos, site_xpos; or ten_length alone.
 
     Returns:
-        Arrays (state, ...) for the names of `record.VARIABLES` that are neither power nor work.
+        Arrays (state, ...) for the names of `record.VARIABLES` that are neither power nor work; of ten_length alone
+        only those that need nothing else.
     """
     units, law = wing.units, wing.in_units.tendon
-    # a hinge that a fixed base lacks has index -1 and reads the 0 at the end
-    joints = np.concatenate([positions, np.zeros((len(positions), 1))], axis=1)[:, wing.joints]
-    sweep, lift, turn, fold = np.moveaxis(joints, -1, 0)
+    sweep, lift, turn, fold = np.moveaxis(_by_vein(wing, positions), -1, 0)
     length = derived["ten_length"][:, wing.tendons]
-    places = derived["xpos"][:, wing.bodies]
-    tips = derived["site_xpos"][:, wing.tips]
-    height = np.sum(wing.engine.body_mass * derived["xipos"][..., 2], axis=-1)
-    return {
+    series = {
         "sweep_angle": sweep,
         "lift_angle": lift,
         "turn_angle": wing.senses * turn,
         "distal_angle": wing.senses * fold,
         "tendon_length": units.length * length,
         "tendon_energy": units.energy * tendon_energy(length, law.stiffness, law.rest_length),
+    }
+    if "xpos" not in derived:
+        return series
+    places = derived["xpos"][:, wing.bodies]
+    tips = derived["site_xpos"][:, wing.tips]
+    height = np.sum(wing.engine.body_mass * derived["xipos"][..., 2], axis=-1)
+    return series | {
         "membrane_energy": units.energy * membrane_energy(derived["flexvert_xpos"], wing.membrane, wing.in_units),
         "kinetic_energy": units.energy * derived["energy"][:, 1],
         "gravitational_energy": units.energy * wing.in_units.protocol.gravity * height,

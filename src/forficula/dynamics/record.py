@@ -5,6 +5,7 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -67,51 +68,35 @@ class Record:
 
     Attributes:
         design: what ran.
-        data: time series over `time` (s), the variables of `VARIABLES`, each with its unit in `attrs`. Rows lie at the
-            sample interval and at the end of every stage.
+        time: s, (time,): at the sample interval and at the end of every stage.
+        series: an array for every name of `VARIABLES`, SI, (time, ...).
         stages: the stages that took place, in order.
         triangles: the membrane's mesh, (triangle, 3), indices of nodes.
         diverged_at: when the numbers blew up, s, or None.
     """
 
     design: Design
-    data: xarray.Dataset
+    time: Array
+    series: Mapping[str, Array]
     stages: tuple[StageEnd, ...]
     triangles: NDArray[np.int64]
     diverged_at: float | None
 
+    @cached_property
+    def data(self) -> xarray.Dataset:
+        """The series with their dimensions, coordinates and units."""
+        import xarray
 
-def build_record(
-    design: Design,
-    time: Array,
-    series: Mapping[str, Array],
-    stages: tuple[StageEnd, ...],
-    triangles: NDArray[np.int64],
-    diverged_at: float | None,
-) -> Record:
-    """Label the arrays of a run, which are in SI.
-
-    Args:
-        design: what ran.
-        time: s, (time,).
-        series: an array for every name of `VARIABLES`, (time, ...).
-        stages: those that took place.
-        triangles: the membrane's mesh.
-        diverged_at: s, or None.
-    """
-    import xarray
-
-    variables = {
-        name: (("time", *dimensions), series[name], {"units": unit, "long_name": meaning})
-        for name, (dimensions, unit, meaning) in VARIABLES.items()
-    }
-    coordinates = {
-        "time": ("time", time, {"units": "s", "long_name": "time"}),
-        "point": ["hub", "ring", "tip"],
-        "axis": ["x", "y", "z"],
-    }
-    data = xarray.Dataset(variables, coordinates)
-    return Record(design=design, data=data, stages=stages, triangles=triangles, diverged_at=diverged_at)
+        variables = {
+            name: (("time", *dimensions), self.series[name], {"units": unit, "long_name": meaning})
+            for name, (dimensions, unit, meaning) in VARIABLES.items()
+        }
+        coordinates = {
+            "time": ("time", self.time, {"units": "s", "long_name": "time"}),
+            "point": ["hub", "ring", "tip"],
+            "axis": ["x", "y", "z"],
+        }
+        return xarray.Dataset(variables, coordinates)
 
 
 def save_record(record: Record, path: Path) -> None:
@@ -167,7 +152,8 @@ def load_record(path: Path) -> Record:
         diverged_at = float(data.attrs["diverged_at"])
         return Record(
             design=design,
-            data=data[list(VARIABLES)],
+            time=data["time"].values,
+            series={name: data[name].values for name in VARIABLES},
             stages=stages,
             triangles=data["triangle"].values.astype(np.int64),
             diverged_at=None if np.isnan(diverged_at) else diverged_at,

@@ -7,13 +7,16 @@ from collections.abc import Callable, Sequence
 import mujoco
 import numpy as np
 from mujoco.batch import Batch
+from numpy.typing import NDArray
 
 from forficula.design import Design
-from forficula.dynamics.course import Chunk, Course
+from forficula.dynamics.fleet import Fleet
 from forficula.dynamics.model import WingModel, compile_wing
 from forficula.dynamics.record import Record
+from forficula.dynamics.recorder import Chunk, Recorder
 from forficula.dynamics.timestep import with_timestep
 
+Array = NDArray[np.float64]
 Progress = Callable[[str, float, float], None]
 
 # Steps between two looks at the goals. Every step is looked at and the overshoot is taken back, so that no number
@@ -21,8 +24,16 @@ Progress = Callable[[str, float, float], None]
 _CHUNK = 50
 # all that the next step depends on: time, positions and velocities first
 _STATE = mujoco.mjtState.mjSTATE_INTEGRATION.value
-_FORCES = ("qfrc_actuator", "qfrc_damper", "qfrc_constraint")
-_DERIVED = ("energy", "ten_length", "flexvert_xpos", "xpos", "xipos", "site_xpos", *_FORCES)
+_DERIVED = (
+    "energy",
+    "ten_length",
+    "flexvert_xpos",
+    "xpos",
+    "xipos",
+    "site_xpos",
+    "qfrc_damper",
+    "qfrc_constraint",
+)
 
 
 def run(design: Design, progress: Progress | None = None) -> Record:
@@ -57,28 +68,51 @@ def simulate(wings: Sequence[WingModel], threads: int = 0, progress: Progress | 
     engine = wings[0].engine
     batch = Batch(engine, len(wings), threads)
     batch.set_models([wing.engine for wing in wings])
-    courses = [Course(wing) for wing in wings]
-    batch.bind("qpos")[:] = [course.start_position() for course in courses]
-    while moving := [row for row, course in enumerate(courses) if not course.ended]:
-        batch.bind("ctrl")[moving] = [courses[row].controls() for row in moving]
-        before = batch.state[moving]
-        recorded = batch.rollout(_CHUNK, record=(_STATE, *_DERIVED), ids=moving)
+    batch.bind("qpos")[:] = [_start_position(wing) for wing in wings]
+    fleet, recorders = Fleet(wings), [Recorder(wing) for wing in wings]
+    while len(rows := np.flatnonzero(~fleet.ended)):
+        batch.bind("ctrl")[rows] = fleet.controls(rows)
+        before = batch.state[rows]
+        recorded = batch.rollout(_CHUNK, record=(_STATE, *_DERIVED), ids=rows)
         states = np.concatenate([before[:, None], recorded[_STATE]], axis=1)
-        for place, row in enumerate(moving):
-            time, position, velocity = np.split(
-                states[place][:, : 1 + engine.nq + engine.nv], [1, 1 + engine.nq], axis=1
+        first, stage, begins = fleet.steps[rows], fleet.stage[rows], fleet.steps[rows] == fleet.stage_start[rows]
+        time, position, velocity = np.split(states[:, :, : 1 + engine.nq + engine.nv], [1, 1 + engine.nq], axis=2)
+        taken = fleet.follow(rows, time[:, :, 0], position, velocity)
+        batch.state[rows] = states[np.arange(len(rows)), taken]
+        for place, row in enumerate(rows):
+            steps = taken[place]
+            recorders[row].keep(
+                Chunk(
+                    stage=stage[place],
+                    first=first[place],
+                    begins=begins[place],
+                    position=position[place, : steps + 1],
+                    velocity=velocity[place, : steps + 1],
+                    derived={name: recorded[name][place, :steps] for name in _DERIVED},
+                )
             )
-            derived = {name: recorded[name][place] for name in _DERIVED}
-            taken = courses[row].follow(Chunk(time=time[:, 0], position=position, velocity=velocity, derived=derived))
-            batch.state[row] = states[place, taken]
-        if progress is not None and not courses[moving[0]].ended:
-            progress(*courses[moving[0]].progress())
+        if progress is not None and not fleet.ended[rows[0]]:
+            progress(*fleet.progress(rows[0]))
     last = {name: batch.bind(name) for name in _DERIVED}
     batch.forward()
     return [
-        course.record(batch.bind("qpos")[row], {name: last[name][row] for name in _DERIVED})
-        for row, course in enumerate(courses)
+        recorder.record(
+            fleet.steps[row],
+            batch.bind("qpos")[row],
+            batch.bind("qvel")[row],
+            {name: last[name][row] for name in _DERIVED},
+            tuple(fleet.ends[row]),
+            fleet.diverged_at[row],
+        )
+        for row, recorder in enumerate(recorders)
     ]
+
+
+def _start_position(wing: WingModel) -> Array:
+    """Joint angles at the start: flat, the distal hinges bent into the overbend."""
+    position = np.zeros(wing.engine.nq)
+    position[wing.joints[:, 3]] = wing.senses * wing.design.protocol.initial_overbend
+    return position
 
 
 def _ignore(message: str) -> None:

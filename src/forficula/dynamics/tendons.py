@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from forficula.design import Design
 from forficula.dynamics.veins import Vein, stop_reference
 
-# MuJoCo lets a limit harden over 0.001 of its length unit, which would be another share of every wing; the other numbers
-# are its defaults.
+# MuJoCo lets a limit harden over 0.001 of its length unit, which would be another share of every wing; the other
+# numbers are its defaults.
 _SOFT_SHARE = 0.001
 
 

@@ -1,0 +1,163 @@
+"""Where each of many wings is in its protocol: what drives it, and when its stage ends."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.design import Stage
+from forficula.dynamics.model import WingModel
+from forficula.dynamics.record import StageEnd
+
+Array = NDArray[np.float64]
+Steps = NDArray[np.int64]
+
+_GOALS = ("time", "rest", "folded", "opened")
+
+
+class Fleet:
+    """Wings of one topology on their ways through their protocols.
+
+    Attributes:
+        ended: whether each wing is done, (wing,).
+        steps: that each wing has taken, (wing,).
+        stage: number of the stage that each wing is in, (wing,).
+        stage_start: step at which it began, (wing,).
+        ends: the stages that each wing has been through.
+        diverged_at: when each wing's numbers blew up, s, or None.
+    """
+
+    def __init__(self, wings: Sequence[WingModel]) -> None:
+        self._wings = wings
+        self._timestep = np.array([float(wing.design.protocol.timestep) for wing in wings])
+        self._senses = np.array([wing.senses for wing in wings])
+        self._folds = wings[0].joints[:, 3]
+        protocols = [wing.design.protocol for wing in wings]
+        self._folded_angle = np.array([protocol.folded_angle for protocol in protocols])
+        self._opened_angle = np.array([protocol.opened_angle for protocol in protocols])
+        self._rest_speed = np.array([wing.in_units.protocol.rest_speed for wing in wings])
+        self._last = np.array([len(protocol.stages) for protocol in protocols]) - 1
+        stages = [[*protocol.stages, *[protocol.stages[-1]] * (self._last.max() + 1)] for protocol in protocols]
+        self._goal = np.array([[_GOALS.index(stage.until) for stage in row] for row in stages])
+        self._hold = self._in_steps([[stage.hold for stage in row] for row in stages])
+        self._limit = self._in_steps([[stage.time_limit for stage in row] for row in stages])
+        self._torques = np.array(
+            [[_torques(wing, stage) for stage in row] for wing, row in zip(wings, stages, strict=True)]
+        )
+        count = len(wings)
+        self.ended = np.zeros(count, dtype=bool)
+        self.steps: Steps = np.zeros(count, dtype=np.int64)
+        self.stage: Steps = np.zeros(count, dtype=np.int64)
+        self.stage_start: Steps = np.zeros(count, dtype=np.int64)
+        self.ends: list[list[StageEnd]] = [[] for _ in wings]
+        self.diverged_at: list[float | None] = [None] * count
+        # the step since which the stage's goal has held, or -1
+        self._goal_since: Steps = np.full(count, -1, dtype=np.int64)
+
+    def controls(self, rows: Steps) -> Array:
+        """Torques that drive these wings, (row, motor), in their models' units."""
+        return np.asarray(self._torques[rows, self.stage[rows]])
+
+    def follow(self, rows: Steps, time: Array, position: Array, velocity: Array) -> Steps:
+        """Take note of some steps of these wings, up to the end of the stage of each.
+
+        Args:
+            rows: which wings.
+            time: before the first step and after each, (row, step + 1).
+            position: likewise, (row, step + 1, dof).
+            velocity: likewise, (row, step + 1, dof).
+
+        Returns:
+            How many of the steps count, (row,); the others belong to another stage, with other torques.
+        """
+        count = time.shape[1] - 1
+        sound = _sound_steps(time, position, velocity)
+        stage = self.stage[rows]
+        number = self.steps[rows, None] + np.arange(1, count + 1)
+        reached = self._reached(rows, position[:, 1:], velocity[:, 1:])
+        broken = np.maximum.accumulate(np.where(reached, -1, number), axis=1)
+        carried = np.where(self._goal_since[rows] >= 0, self._goal_since[rows], self.steps[rows] + 1)
+        since = np.where(broken < 0, carried[:, None], broken + 1)
+        held = reached & (number - since >= self._hold[rows, stage][:, None])
+        over = held | (number - self.stage_start[rows, None] >= self._limit[rows, stage][:, None])
+        end = np.where(over.any(axis=1), over.argmax(axis=1) + 1, count + 1)
+        taken = np.minimum(np.minimum(end, sound), count)
+        self.steps[rows] += taken
+        self._goal_since[rows] = np.where(reached[:, -1], since[:, -1], -1)
+        for place in np.flatnonzero((end <= count) | (sound < count)):
+            if sound[place] < min(end[place], count):
+                row = int(rows[place])
+                self.diverged_at[row] = float((self.steps[row] + 1) * self._timestep[row])
+                self._end_stage(row, None)
+                self.ended[row] = True
+            elif end[place] <= count:
+                last = end[place] - 1
+                self._end_stage(int(rows[place]), int(since[place, last]) if held[place, last] else None)
+        return np.asarray(taken)
+
+    def progress(self, row: int) -> tuple[str, float, float]:
+        """Name of a wing's stage, the time so far and the longest its protocol can take, s."""
+        stages = self._wings[row].design.protocol.stages[self.stage[row] :]
+        start = float(self.stage_start[row] * self._timestep[row])
+        passed = float(self.steps[row] * self._timestep[row])
+        return stages[0].name, passed, start + sum(stage.time_limit for stage in stages)
+
+    def _in_steps(self, times: list[list[float]]) -> Steps:
+        return np.asarray(np.rint(np.array(times) / self._timestep[:, None]), dtype=np.int64)
+
+    def _reached(self, rows: Steps, position: Array, velocity: Array) -> NDArray[np.bool_]:
+        """Whether the goal of each wing's stage holds after each step, (row, step)."""
+        distal = self._senses[rows, None] * position[:, :, self._folds]
+        goal = self._goal[rows, self.stage[rows]][:, None]
+        folded = np.all(distal <= -self._folded_angle[rows, None, None], axis=2)
+        opened = np.all(distal >= self._opened_angle[rows, None, None], axis=2)
+        resting = np.all(np.abs(velocity) <= self._rest_speed[rows, None, None], axis=2)
+        return np.select(
+            [goal == _GOALS.index(name) for name in ("rest", "folded", "opened")], [resting, folded, opened], False
+        )
+
+    def _end_stage(self, row: int, goal_step: int | None) -> None:
+        stage = self._wings[row].design.protocol.stages[self.stage[row]]
+        timestep = float(self._timestep[row])
+        self.ends[row].append(
+            StageEnd(
+                stage=stage,
+                start=int(self.stage_start[row]) * timestep,
+                end=int(self.steps[row]) * timestep,
+                goal_time=None if goal_step is None else goal_step * timestep,
+            )
+        )
+        failed = goal_step is None and stage.until in ("folded", "opened")
+        self.ended[row] = failed or self.stage[row] == self._last[row]
+        self.stage[row] += 1
+        self.stage_start[row] = self.steps[row]
+        self._goal_since[row] = -1
+
+
+def _torques(wing: WingModel, stage: Stage) -> Array:
+    """Torques of a stage, (motor,), in the model's units."""
+    on_proximal, on_distal = stage_torques(wing, stage)
+    torques = np.zeros(wing.engine.nu)
+    turn, fold = wing.motors.T
+    torques[turn[turn >= 0]] = on_proximal
+    torques[fold] = on_distal
+    return torques
+
+
+def stage_torques(wing: WingModel, stage: Stage) -> tuple[float, float]:
+    """Torque of a stage on proximal and on distal axes, in the veins' own senses and the model's units."""
+    protocol = wing.in_units.protocol
+    return {
+        "none": (0.0, 0.0),
+        "fold": (protocol.fold_torque, 0.0),
+        "unfold": (-protocol.unfold_torque, protocol.unfold_torque),
+    }[stage.drive]
+
+
+def _sound_steps(time: Array, position: Array, velocity: Array) -> Steps:
+    """How many steps each wing took before its numbers blew up, (row,); the engine then stops its clock."""
+    finite = np.all(np.isfinite(position[:, 1:]), axis=2) & np.all(np.isfinite(velocity[:, 1:]), axis=2)
+    sound = finite & (np.diff(time, axis=1) > 0)
+    return np.asarray(np.where(sound.all(axis=1), sound.shape[1], sound.argmin(axis=1)))

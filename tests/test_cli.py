@@ -1,0 +1,252 @@
+import json
+import os
+import subprocess
+import sys
+
+import pytest
+
+import forficula as ff
+from forficula.cli import main
+
+# the shortest run that leaves everything: 10 ms of settling
+SHORT = """\
+based_on = "binder2025"
+[[protocol.stages]]
+name = "settle"
+drive = "none"
+until = "time"
+hold = "0 s"
+time_limit = "10 ms"
+"""
+
+
+@pytest.fixture(autouse=True)
+def in_an_empty_folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def everything_in(folder):
+    return sorted(str(path.relative_to(folder)) for path in folder.rglob("*"))
+
+
+def forficula(*arguments):
+    """Run the command line in a process of its own, as a user does."""
+    return subprocess.run(
+        [sys.executable, "-m", "forficula", *arguments],
+        capture_output=True,
+        text=True,
+        check=False,
+        env=os.environ | {"PYTHONWARNINGS": "error"},
+    )
+
+
+@pytest.fixture
+def call(capsys):
+    """Call the command line, which must end with 0, and return what it wrote."""
+
+    def call(*arguments):
+        with pytest.raises(SystemExit) as caught:
+            main(arguments)
+        assert caught.value.code in (0, None)
+        return capsys.readouterr()
+
+    return call
+
+
+@pytest.fixture
+def refusal(in_an_empty_folder, capsys):
+    """Call the command line and return its one line; what was in the folder must be all that is there."""
+
+    def call(*arguments):
+        before = everything_in(in_an_empty_folder)
+        with pytest.raises(SystemExit) as caught:
+            main(arguments)
+        output = capsys.readouterr()
+        assert caught.value.code == 1
+        assert output.out == ""
+        assert output.err.startswith("forficula: ")
+        assert output.err.count("\n") == 1
+        assert everything_in(in_an_empty_folder) == before
+        return output.err.removeprefix("forficula: ").removesuffix("\n")
+
+    return call
+
+
+def test_a_bad_value_ends_the_process_with_1_and_one_line(in_an_empty_folder):
+    done = forficula("run", "binder2025", "--set", "tendon.stiffness=10 N", "--out", "result")
+    message = '"N" is not a unit of the right kind; write it such as "10 N/cm", got "10 N"'
+    assert (done.returncode, done.stdout, done.stderr) == (1, "", f"forficula: tendon.stiffness: {message}\n")
+    assert everything_in(in_an_empty_folder) == []
+
+
+def test_a_run_leaves_its_files_and_names_their_folder_last(in_an_empty_folder):
+    (in_an_empty_folder / "my-wing.toml").write_text(SHORT)
+    done = forficula("run", "my-wing.toml", "--set", "tendon.stiffness=20 N/cm")
+    assert done.returncode == 0
+    assert "Traceback" not in done.stderr
+    assert done.stdout.startswith("my-wing: settled\n")
+    assert done.stdout.splitlines()[-1] == "written to out/my-wing"
+    folder = in_an_empty_folder / "out" / "my-wing"
+    assert {"design.toml", "model.xml", "record.nc", "summary.json"} < set(everything_in(folder))
+    assert json.loads((folder / "summary.json").read_text())["status"] == "settled"
+    assert ff.load_design(folder / "design.toml").tendon.stiffness == 2000.0
+
+    # to the last bit, which netCDF keeps
+    again = ff.run(ff.load_design(folder / "design.toml"))
+    assert again.data.equals(ff.load_record(folder / "record.nc").data)
+
+
+def test_a_run_of_a_wing_that_blows_up_is_carried_out(in_an_empty_folder, call):
+    (in_an_empty_folder / "wild.toml").write_text(SHORT.replace('"10 ms"', '"1 s"'))
+    output = call("run", "wild.toml", "--set", "protocol.timestep=10 ms", "--out", "there")
+    assert output.out.startswith("wild: diverged at t = ")
+    assert "warning: a timestep of 10 ms is too long" in output.err
+    assert json.loads((in_an_empty_folder / "there" / "summary.json").read_text())["folded"] is False
+
+
+def test_a_pattern_is_written_by_the_ending_of_its_file(in_an_empty_folder, call):
+    fold = call("pattern", "binder2025", "--set", "pattern.units=2", "--out", "deep/fan.fold")
+    svg = call("pattern", "binder2025", "--out", "fan.svg")
+    assert (fold.out, svg.out) == ("written to deep/fan.fold\n", "written to fan.svg\n")
+    assert json.loads((in_an_empty_folder / "deep" / "fan.fold").read_text())["file_spec"] == 1.2
+    assert "<svg" in (in_an_empty_folder / "fan.svg").read_text()
+
+
+def test_a_new_design_file_can_be_run(call):
+    assert call("new", "my-wing.toml").out == "written to my-wing.toml; run it with: forficula run my-wing.toml\n"
+    assert ff.load_design("my-wing.toml").hash == ff.load_design("binder2025").hash
+
+
+def test_the_named_designs_are_listed_with_their_sources(call):
+    name, source = call("designs").out.splitlines()
+    assert name == "binder2025"
+    assert "10.3390/biomimetics11010009" in source
+
+
+def test_help_names_every_command(call):
+    shown = call("--help").out
+    for command in ("run", "pattern", "new", "designs"):
+        assert f" {command} " in shown
+
+
+def test_settings_are_values_as_in_a_file_or_bare_text(in_an_empty_folder, call):
+    settings = {
+        "tendon.stiffness": ("20 N/cm", 2000.0),
+        "tendon.rest_length": ('"7 cm"', 0.07),
+        "membrane.poisson_ratio": ("0.2", 0.2),
+        "membrane.distal_rows": ("[0.5]", (0.5,)),
+        "protocol.contact": ("true", True),
+        "protocol.timestep": ("auto", "auto"),
+        "protocol.window": ("5 ms", 5e-3),
+    }
+    (in_an_empty_folder / "wing.toml").write_text(SHORT)
+    chosen = [part for key, (text, _) in settings.items() for part in ("--set", f"{key}={text}")]
+    main(
+        ["run", "wing.toml", "--out", "a", "--set", "name=other wing", "--set", "protocol.stages.0.hold=1 ms", *chosen]
+    )
+    design = ff.load_record(in_an_empty_folder / "a" / "record.nc").design
+    assert design.name == "other wing"
+    assert design.protocol.stages[0].hold == 1e-3
+    tables = design.model_dump()
+    for key, (_, value) in settings.items():
+        section, name = key.split(".")
+        if value != "auto":  # the file has what was chosen
+            assert tables[section][name] == value
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (
+            ["run", "bindr2025"],
+            '"bindr2025" is neither a named design nor a .toml file; did you mean "binder2025"?',
+        ),
+        (["run", "none.toml"], "none.toml: no such file"),
+        (["run", "folder.toml"], "folder.toml: cannot be read: Is a directory"),
+        (["run", "bad.toml"], "bad.toml: not TOML: Invalid value (at line 1, column 5)"),
+        (["run", "latin.toml"], "latin.toml: not UTF-8 text from byte 11 on; save it as UTF-8"),
+        (
+            ["run", "binder2025", "--set", "tendon.stifness=10 N/cm"],
+            "tendon.stifness: unknown key; did you mean tendon.stiffness?",
+        ),
+        (
+            ["run", "binder2025", "--set", "tendon.stiffness"],
+            '--set: need KEY=VALUE such as tendon.stiffness="20 N/cm", got "tendon.stiffness"',
+        ),
+        (
+            ["run", "binder2025", "--set", "tendon.stiffness=10"],
+            'tendon.stiffness: the unit is missing; write it as text such as "10 N/cm", got 10',
+        ),
+        (
+            ["run", "binder2025", "--set", "tendon.rest_length=-3 cm"],
+            "tendon.rest_length: need >= 0, got -3 cm",
+        ),
+        (
+            ["run", "binder2025", "--set", "tendon.rest_length=inf"],
+            'tendon.rest_length: need a finite number with a unit such as "12 cm", got inf',
+        ),
+        (
+            ["pattern", "binder2025", "--set", "pattern.units=1.5", "--out", "a.svg"],
+            "pattern.units: need a whole number, got 1.5",
+        ),
+        (
+            ["pattern", "binder2025", "--set", "pattern.units=true", "--out", "a.svg"],
+            "pattern.units: need a whole number, got true",
+        ),
+        (["run", "binder2025", "--out", "bad.toml"], "--out: need a folder, got the file bad.toml"),
+        (["run", "binder2025", "--out", "bad.toml/a/b"], "--out: need a folder, got the file bad.toml"),
+        (["pattern", "binder2025", "--out", "a.pdf"], "--out: need a file that ends with .fold or .svg, got a.pdf"),
+        (
+            ["pattern", "binder2025", "--out", "bad.toml/a.svg"],
+            "bad.toml/a.svg: cannot be written: bad.toml is a file, not a folder",
+        ),
+        (["new", "bad.toml"], "bad.toml: exists already; choose another name or remove it"),
+        (["new", "wing"], "wing: need a name that ends with .toml"),
+    ],
+)
+def test_bad_input_is_answered_in_one_line_and_nothing_is_written(refusal, in_an_empty_folder, arguments, message):
+    (in_an_empty_folder / "bad.toml").write_text("x = ?")
+    (in_an_empty_folder / "latin.toml").write_bytes('source = "Käfer"'.encode("latin-1"))
+    (in_an_empty_folder / "folder.toml").mkdir()
+    assert refusal(*arguments) == message
+
+
+@pytest.mark.parametrize(
+    ("setting", "named"),
+    [
+        ("pattern.units=9", "pattern.units"),
+        ("vein.diameter=6 cm", "vein.diameter"),
+        ("membrane.margin=5 cm", "membrane.margin"),
+        ("tendon.distal_attachment=13 cm", "tendon.distal_attachment"),
+        ("protocol.initial_overbend=4 deg", "protocol.initial_overbend"),
+    ],
+)
+def test_values_that_do_not_fit_each_other_are_answered_with_the_design_and_the_key(refusal, setting, named):
+    assert refusal("run", "binder2025", "--set", setting).startswith(f"binder2025: {named}: ")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "named"),
+    [
+        (["run"], "DESIGN"),
+        (["run", "binder2025", "--bogus"], "--bogus"),
+        (["run", "binder2025", "extra"], "extra"),
+        (["pattern", "binder2025"], "--out"),
+        (["frobnicate"], "frobnicate"),
+        (["new"], "FILE"),
+    ],
+)
+def test_a_wrong_command_is_answered_with_the_word_that_is_wrong(refusal, arguments, named):
+    assert named in refusal(*arguments)
+
+
+@pytest.mark.parametrize("value", [f"1{'0' * 5000}", "[" * 20_000, f'"10 N/cm{"**9" * 9}"', "N" * 100_000])
+def test_a_hostile_setting_is_answered_in_one_line(refusal, value):
+    assert refusal("run", "binder2025", "--set", f"tendon.stiffness={value}").startswith("tendon.stiffness: ")
+
+
+def test_names_too_long_for_the_disk_are_answered_before_anything_is_done(refusal):
+    assert "File name too long" in refusal("run", "binder2025", "--out", "x" * 300)
+    assert "File name too long" in refusal("new", "x" * 300 + ".toml")
+    assert "File name too long" in refusal("pattern", "binder2025", "--out", "x" * 300 + ".svg")
