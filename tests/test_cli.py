@@ -142,9 +142,8 @@ def test_settings_are_values_as_in_a_file_or_bare_text(in_an_empty_folder, call)
     }
     (in_an_empty_folder / "wing.toml").write_text(SHORT)
     chosen = [part for key, (text, _) in settings.items() for part in ("--set", f"{key}={text}")]
-    main(
-        ["run", "wing.toml", "--out", "a", "--set", "name=other wing", "--set", "protocol.stages.0.hold=1 ms", *chosen]
-    )
+    by_place = ("--set", "name=other wing", "--set", "protocol.stages.0.hold=1 ms")
+    call("run", "wing.toml", "--out", "a", *by_place, *chosen)
     design = ff.load_record(in_an_empty_folder / "a" / "record.nc").design
     assert design.name == "other wing"
     assert design.protocol.stages[0].hold == 1e-3

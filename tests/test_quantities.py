@@ -2,7 +2,7 @@ import math
 import time
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from forficula.design import design as units_of_a_design
@@ -67,6 +67,7 @@ def test_decimal_factors_are_exact():
     assert parse_quantity("12 cm", LENGTH) == 0.12
 
 
+@settings(deadline=None)
 @given(finite, st.sampled_from(UNITS))
 def test_any_finite_number_comes_back_from_its_text_with_the_same_bits(value, unit):
     back = parse_quantity(format_quantity(value, unit), unit)
@@ -74,6 +75,7 @@ def test_any_finite_number_comes_back_from_its_text_with_the_same_bits(value, un
     assert math.copysign(1, back) == math.copysign(1, value)
 
 
+@settings(deadline=None)
 @given(st.integers(1, 9999), st.integers(-6, 6), st.sampled_from(UNITS))
 def test_a_short_number_in_the_usual_unit_is_written_as_it_was_typed(digits, power, unit):
     number = float(f"{digits}e{power}")
@@ -166,6 +168,7 @@ def test_hostile_text_is_refused_at_once(text):
     assert time.perf_counter() - start < 1  # s; a tower of powers would take for ever, this takes milliseconds
 
 
+@settings(deadline=None)
 @given(st.text(alphabet="mNcg9-^*/()²· \n°%degrad", max_size=30))
 def test_any_text_is_read_or_refused_in_one_line(text):
     value, message = 0.0, ""
@@ -177,6 +180,7 @@ def test_any_text_is_read_or_refused_in_one_line(text):
     assert len(message.splitlines()) <= 1
 
 
+@settings(deadline=None)
 @given(st.recursive(st.none() | st.booleans() | st.integers() | finite | st.text(), st.lists, max_leaves=5))
 def test_a_value_is_shown_in_one_short_line(value):
     shown = as_written(value)

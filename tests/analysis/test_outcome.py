@@ -4,14 +4,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import forficula as ff
 from forficula.analysis import measure, summary
 from forficula.design import with_values
-from forficula.dynamics import StageEnd
-from forficula.dynamics.record import VARIABLES, build_record
+from forficula.dynamics import Record, StageEnd
+from forficula.dynamics.record import VARIABLES
 
 REFERENCE = ff.load_design("binder2025")
 SIZES = {"vein": 3, "point": 3, "axis": 3, "node": 4}
@@ -49,7 +49,14 @@ def planted(
         StageEnd(stage=stage, start=start, end=end, goal_time=goal)
         for stage, start, end, goal in zip(design.protocol.stages, starts, ends, goals or ends, strict=False)
     )
-    return build_record(design, time, arrays, stages, np.array([[0, 1, 2]]), diverged_at)
+    return Record(
+        design=design,
+        time=time,
+        series=arrays,
+        stages=stages,
+        triangles=np.array([[0, 1, 2]]),
+        diverged_at=diverged_at,
+    )
 
 
 # flat at 3 deg, folded to -170 deg, opened again
@@ -120,6 +127,7 @@ def test_without_a_release_the_folded_state_is_the_moment_in_which_the_goal_was_
     assert outcome.folded_state.distal_angle / DEG == pytest.approx(np.full(3, -160), rel=ROUNDING)
 
 
+@settings(deadline=None)
 @given(st.floats(-2, 2), st.floats(-2, 2), st.floats(-2, 2))
 def test_work_of_a_stage_is_what_all_torques_did_in_it(folding, unfolding_proximal, unfolding_distal):
     outcome = measure(
@@ -159,6 +167,7 @@ def test_a_wing_whose_hinges_stay_straight_did_not_fold():
     assert (outcome.unfold, outcome.opened_state) == (None, None)
 
 
+@settings(deadline=None)
 @given(st.floats(5.1, 149))
 def test_a_wing_that_stops_on_the_way_is_stuck_where_its_least_folded_hinge_is(angle):
     times, at_rest = (0.2, 0.3, 0.4), [-170, -angle, -170]
@@ -254,6 +263,7 @@ def test_a_wing_that_diverged_has_the_states_before_and_neither_folded_nor_opene
 energies = st.floats(-10, 10)
 
 
+@settings(deadline=None)
 @given(energies, energies, energies, energies, st.tuples(energies, energies, energies), st.floats(-0.1, 0.1))
 def test_the_balance_finds_what_is_missing(tendon, membrane, kinetic, gravitational, taken, missing):
     hinges, elastic, stops = taken

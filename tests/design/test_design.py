@@ -1,7 +1,7 @@
 import math
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
@@ -126,18 +126,21 @@ RING_DISTANCE = 2 * math.hypot(0.12, 0.015) * math.sin(math.radians(10))
 RING_GAP = 0.12 * math.sin(math.radians(20)) - 0.015 * (1 - math.cos(math.radians(20)))
 
 
+@settings(deadline=None)
 @given(st.floats(1.0001, 10))
 def test_veins_that_overlap_at_the_ring_fold_are_refused(excess):
     message = refusal(vein__diameter=excess * RING_GAP)
     assert message.startswith("vein.diameter: the veins overlap at the ring fold: need < 40.14 mm, ")
 
 
+@settings(deadline=None)
 @given(st.floats(1.0001, 10))
 def test_a_margin_wider_than_the_panel_is_refused(excess):
     message = refusal(membrane__margin=excess * RING_DISTANCE)
     assert message.startswith("membrane.margin: the margin is wider than the panel at the ring fold: need < 4.2 cm")
 
 
+@settings(deadline=None)
 @given(st.floats(0.01, 0.9999))
 def test_veins_and_margins_narrower_than_the_panel_are_taken(share):
     design = changed(vein__diameter=share * RING_GAP, membrane__margin=share * RING_DISTANCE)

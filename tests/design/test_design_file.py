@@ -83,6 +83,7 @@ def designs(draw):
     )
 
 
+@settings(deadline=None)
 @given(designs())
 def test_a_saved_design_is_loaded_with_the_same_bits_and_hash(tmp_path_factory, design):
     path = tmp_path_factory.mktemp("saved", numbered=True) / "wing.toml"
@@ -487,7 +488,7 @@ def test_a_design_that_cannot_be_saved_is_one_error(tmp_path):
         save_design(REFERENCE, tmp_path / "file" / "design.toml")
 
 
-@settings(max_examples=200)
+@settings(max_examples=200, deadline=None)
 @given(
     st.recursive(
         st.booleans() | st.integers() | st.floats() | st.text(max_size=20) | st.datetimes(),

@@ -1,7 +1,7 @@
 import math
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from forficula.design import in_units, load_design, scale_design, with_values
@@ -44,6 +44,7 @@ def value(design, key):
     return getattr(getattr(design, section), name)
 
 
+@settings(deadline=None)
 @given(st.floats(1e-3, 1e3))
 def test_every_value_of_a_scaled_wing_goes_with_the_power_that_dimensional_analysis_gives(factor):
     original = with_values(REFERENCE, {"protocol.gravity": 9.81})

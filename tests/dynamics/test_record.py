@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 import forficula as ff
 from forficula.design import with_values
-from forficula.dynamics import StageEnd
-from forficula.dynamics.record import VARIABLES, build_record, load_record, save_record
+from forficula.dynamics import Record, StageEnd, load_record, save_record
+from forficula.dynamics.record import VARIABLES
 from forficula.errors import InputError
 
 REFERENCE = ff.load_design("binder2025")
@@ -31,7 +31,14 @@ def planted(seed=0, goal_times=(None, 0.02), diverged_at=None, times=5):
         StageEnd(stage=stage, start=0.01 * index, end=0.01 * (index + 1), goal_time=goal)
         for index, (stage, goal) in enumerate(zip(REFERENCE.protocol.stages, goal_times, strict=False))
     )
-    return build_record(REFERENCE, np.sort(random.uniform(size=times)), series, ends, TRIANGLES, diverged_at)
+    return Record(
+        design=REFERENCE,
+        time=np.sort(random.uniform(size=times)),
+        series=series,
+        stages=ends,
+        triangles=TRIANGLES,
+        diverged_at=diverged_at,
+    )
 
 
 @pytest.fixture(scope="module")

@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 import forficula as ff
 from forficula.design import scale_design, with_values
 from forficula.dynamics import stable_timestep, timestep_warnings, with_timestep
+from forficula.errors import InputError
 
 REFERENCE = ff.load_design("binder2025")
 
@@ -69,3 +70,20 @@ def test_a_wing_stays_bounded_below_the_allowed_timestep_and_blows_up_far_above_
     # what the tendons gave at most, J: the wing started at rest
     assert stable.data["kinetic_energy"].max() < stable.data["tendon_energy"][0].sum()
     assert unstable.diverged_at is not None or unstable.data["kinetic_energy"].max() > 1
+
+
+def test_a_wing_without_stiffness_allows_any_timestep():
+    limp = changed(membrane__youngs_modulus=1e-3, tendon__stiffness=0.0)
+    assert stable_timestep(limp) >= 1
+    assert timestep_warnings(limp) == []
+
+
+@pytest.mark.parametrize(
+    ("key", "value"),
+    [("tendon.stiffness", 1e300), ("vein.density", 1e-300), ("membrane.proximal_rows", [0.1, 0.100000001])],
+)
+def test_a_wing_that_no_timestep_fits_is_refused_in_one_line(key, value):
+    with pytest.raises(InputError) as caught:
+        stable_timestep(changed(**{key: value}))
+    assert str(caught.value).startswith("binder2025: ")
+    assert len(str(caught.value).splitlines()) == 1

@@ -1,17 +1,19 @@
 import math
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from forficula.design import load_design, scale_design
+from forficula.design import load_design, scale_design, with_values
 from forficula.dynamics import compile_wing
 from forficula.dynamics.units import design_in_model_units, model_units
+from forficula.errors import InputError
 
 REFERENCE = load_design("binder2025")
 sizes = st.floats(-6, 6).map(lambda power: 10.0**power)
 
 
+@settings(deadline=None)
 @given(sizes)
 def test_a_wing_of_any_size_has_a_span_and_a_vein_mass_between_1_and_10_in_its_units(size):
     design = scale_design(REFERENCE, size)
@@ -24,6 +26,7 @@ def test_a_wing_of_any_size_has_a_span_and_a_vein_mass_between_1_and_10_in_its_u
     assert 1 - rounding <= mass < 10 + rounding
 
 
+@settings(deadline=None)
 @given(sizes)
 def test_the_units_are_powers_of_ten_with_the_metre_a_second_for_speed(size):
     units = model_units(scale_design(REFERENCE, size))
@@ -47,3 +50,8 @@ def test_wings_from_a_cell_to_a_building_compile_into_the_same_numbers(size):
     ratios = compiled.body_mass[1:] / reference.body_mass[1:]
     assert ratios == pytest.approx(ratios[0], rel=1e-9)  # products of many factors, none of them ill-conditioned
     assert 0.1 < ratios[0] < 10
+
+
+def test_a_vein_so_light_that_its_mass_is_no_number_is_refused():
+    with pytest.raises(InputError, match=r"^vein\.density: need a vein with a mass > 0"):
+        model_units(with_values(REFERENCE, {"vein.density": 1e-320}))

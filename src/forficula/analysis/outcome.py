@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,7 +29,7 @@ class State:
         distal_angle_high: highest over the window, rad, (vein,).
         tendon_length: by vein, m, (vein,).
         tendon_energy: by vein, J, (vein,).
-        membrane_energy: J.
+        membrane_energy: J; nan in a sparse record.
     """
 
     time: float
@@ -113,7 +114,7 @@ class Outcome:
         opened_state: None where the protocol did not get there.
         fold: None where the protocol has no such stage or did not get there.
         unfold: None where the protocol has no such stage or did not get there.
-        energy_balance: over the whole run.
+        energy_balance: over the whole run; None where the record is sparse.
     """
 
     status: str
@@ -125,7 +126,7 @@ class Outcome:
     opened_state: State | None
     fold: Transition | None
     unfold: Transition | None
-    energy_balance: EnergyBalance
+    energy_balance: EnergyBalance | None
 
 
 def measure(record: Record) -> Outcome:
@@ -163,7 +164,7 @@ def measure(record: Record) -> Outcome:
         opened_state=opened_state,
         fold=_transition(record, folding, protocol.fold_torque, folded),
         unfold=_transition(record, unfolding, protocol.unfold_torque, opened),
-        energy_balance=_balance(record),
+        energy_balance=_balance(record) if _is_full(record) else None,
     )
 
 
@@ -199,7 +200,7 @@ def _state(record: Record, end: StageEnd | None) -> State | None:
         distal_angle_high=angle.max(axis=0),
         tendon_length=series["tendon_length"].mean(axis=0),
         tendon_energy=series["tendon_energy"].mean(axis=0),
-        membrane_energy=float(record.series["membrane_energy"][window].mean()),
+        membrane_energy=float(record.series["membrane_energy"][window].mean()) if _is_full(record) else math.nan,
     )
 
 
@@ -215,6 +216,10 @@ def _since(record: Record, name: str, end: StageEnd) -> float:
     """Change of a series over a stage."""
     before, after = (int(np.argmin(np.abs(record.time - moment))) for moment in (end.start, end.end))
     return float(record.series[name][after] - record.series[name][before])
+
+
+def _is_full(record: Record) -> bool:
+    return "stop_work" in record.series
 
 
 def _balance(record: Record) -> EnergyBalance:

@@ -6,14 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from forficula.analysis.outcome import Outcome, State, Transition
+from forficula.analysis.outcome import EnergyBalance, Outcome, State, Transition
 from forficula.dynamics import Record
 
 
 def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[str, Any]:
     """The outcome as plain data with units in its keys, as `summary.json` has it."""
     states = {"flat": outcome.flat, "folded": outcome.folded_state, "opened": outcome.opened_state}
-    balance = outcome.energy_balance
     return {
         "design": record.design.name,
         "status": outcome.status,
@@ -23,18 +22,7 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[
         "states": {name: None if state is None else _state_summary(state) for name, state in states.items()},
         "fold": _transition_summary(outcome.fold),
         "unfold": _transition_summary(outcome.unfold),
-        "energy_balance": {
-            "residual": balance.residual,
-            "work_J": balance.work,
-            "tendon_energy_change_J": balance.tendon,
-            "membrane_energy_change_J": balance.membrane,
-            "kinetic_energy_change_J": balance.kinetic,
-            "gravitational_energy_change_J": balance.gravitational,
-            "hinge_damping_J": balance.hinge_damping,
-            "elastic_damping_J": balance.elastic_damping,
-            "stops_J": balance.stops,
-            "missing_J": balance.missing,
-        },
+        "energy_balance": None if outcome.energy_balance is None else _balance_summary(outcome.energy_balance),
         "diverged_at_s": record.diverged_at,
         "design_hash": record.design.hash,
         "versions": versions,
@@ -61,4 +49,19 @@ def _transition_summary(transition: Transition | None) -> dict[str, Any] | None:
         "succeeded": transition.succeeded,
         "time_s": transition.time,
         "work_J": transition.work,
+    }
+
+
+def _balance_summary(balance: EnergyBalance) -> dict[str, float]:
+    return {
+        "residual": balance.residual,
+        "work_J": balance.work,
+        "tendon_energy_change_J": balance.tendon,
+        "membrane_energy_change_J": balance.membrane,
+        "kinetic_energy_change_J": balance.kinetic,
+        "gravitational_energy_change_J": balance.gravitational,
+        "hinge_damping_J": balance.hinge_damping,
+        "elastic_damping_J": balance.elastic_damping,
+        "stops_J": balance.stops,
+        "missing_J": balance.missing,
     }

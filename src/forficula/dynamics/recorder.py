@@ -62,10 +62,13 @@ class _StageRows:
 class Recorder:
     """Keeps what a record needs of one wing's way."""
 
-    def __init__(self, wing: WingModel) -> None:
+    def __init__(self, wing: WingModel, sparse: bool) -> None:
+        """Start with nothing kept; sparse, only what the states at the ends of stages need will be."""
         self.wing = wing
+        self._sparse = sparse
         protocol = wing.design.protocol
         self._timestep = float(protocol.timestep)  # s
+        self._window = round(protocol.window / self._timestep)
         self._interval = max(1, round(protocol.sample_interval / self._timestep))
         self._stages: list[_StageRows] = []
         self._taken: dict[str, float] = {}
@@ -82,11 +85,17 @@ class Recorder:
             taken[name] = total[:-1]
         on_time = -chunk.first % self._interval
         if chunk.begins:
-            self._stages.append(_StageRows(number=chunk.stage, position=chunk.position[0], velocity=chunk.velocity[0]))
-            if on_time:
-                self._stages[-1].rows.append(_rows(chunk, taken, slice(0, 1)))
+            first = _StageRows(number=chunk.stage, position=chunk.position[0], velocity=chunk.velocity[0])
+            first.rows.append(_rows(chunk, taken, slice(0, 1)))
+            self._stages.append(first)
+            on_time = on_time or self._interval
+        rows = self._stages[-1].rows
         if on_time < steps:
-            self._stages[-1].rows.append(_rows(chunk, taken, slice(on_time, steps, self._interval)))
+            rows.append(_rows(chunk, taken, slice(on_time, steps, self._interval)))
+        if self._sparse:
+            oldest = chunk.first + steps - self._window
+            while len(rows) > 2 and rows[2].number[0] <= oldest:
+                del rows[1]
 
     def record(
         self,

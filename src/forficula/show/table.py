@@ -86,6 +86,8 @@ def _transition(transition: Transition | None) -> list[str]:
 
 def _balance(outcome: Outcome) -> RenderableType:
     balance = outcome.energy_balance
+    if balance is None:
+        return Text("Energy balance: not kept.")
     if balance.residual > 1:
         return Text("Energy balance: it does not close; the numbers mean nothing.")
     table = Table(box=None, padding=(0, 2, 0, 0), title="Energy balance", title_justify="left", show_header=False)
