@@ -44,8 +44,7 @@ def run(
 
     chosen = load_design(design, _read_settings(settings))
     folder = out or Path("out") / chosen.name
-    if folder.exists() and not folder.is_dir():
-        raise InputError(f"--out: need a folder, got the file {folder}")
+    _check_folder(folder)
 
     from forficula.analysis import measure
     from forficula.dynamics import run as run_design
@@ -115,6 +114,16 @@ def main(arguments: Sequence[str] | None = None) -> None:
         sys.exit(130)
 
 
+def _check_folder(folder: Path) -> None:
+    """Refuse a folder that cannot be made, before a run that takes a while."""
+    try:
+        there = next(place for place in (folder, *folder.parents, Path()) if place.exists())
+    except OSError as error:
+        raise InputError(f"--out: {folder}: {error.strerror}") from None
+    if not there.is_dir():
+        raise InputError(f"--out: need a folder, got the file {there}")
+
+
 def _read_settings(settings: Sequence[str] | None) -> dict[str, object]:
     """Turn key=value texts into values by dotted key: TOML where they are TOML, text with a unit otherwise."""
     import tomllib
@@ -126,7 +135,7 @@ def _read_settings(settings: Sequence[str] | None) -> dict[str, object]:
             raise InputError(f'--set: need KEY=VALUE such as tendon.stiffness="20 N/cm", got "{setting}"')
         try:
             values[key.strip()] = tomllib.loads(f"value = {text}")["value"]
-        except tomllib.TOMLDecodeError:
+        except (ValueError, RecursionError):  # not TOML, or too long a number or too deep a list for it
             values[key.strip()] = text.strip()
     return values
 

@@ -99,6 +99,11 @@ class EnergyBalance:
         scale = abs(self.work) or abs(self.tendon)
         return abs(self.missing) / scale if scale else 0.0
 
+    @property
+    def residual_of(self) -> str:
+        """What the residual is a share of."""
+        return "the work put in" if self.work else "the energy of the tendons"
+
 
 @dataclass(frozen=True, kw_only=True)
 class Outcome:

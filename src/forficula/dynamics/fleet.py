@@ -43,6 +43,10 @@ class Fleet:
         self._goal = np.array([[_GOALS.index(stage.until) for stage in row] for row in stages])
         self._hold = self._in_steps([[stage.hold for stage in row] for row in stages])
         self._limit = self._in_steps([[stage.time_limit for stage in row] for row in stages])
+        self._window = np.rint([protocol.window for protocol in protocols] / self._timestep).astype(np.int64)
+        self._may_stick = np.array(
+            [[stage.drive != "none" and stage.until in ("folded", "opened") for stage in row] for row in stages]
+        )
         self._torques = np.array(
             [[_torques(wing, stage) for stage in row] for wing, row in zip(wings, stages, strict=True)]
         )
@@ -53,8 +57,11 @@ class Fleet:
         self.stage_start: Steps = np.zeros(count, dtype=np.int64)
         self.ends: list[list[StageEnd]] = [[] for _ in wings]
         self.diverged_at: list[float | None] = [None] * count
-        # the step since which the stage's goal has held, or -1
+        # the step since which the stage's goal has held and the wing has rested, or -1
         self._goal_since: Steps = np.full(count, -1, dtype=np.int64)
+        self._rest_since: Steps = np.full(count, -1, dtype=np.int64)
+        # whether the wing missed a goal or blew up, so that the rest of its protocol makes no sense
+        self._stopped = np.zeros(count, dtype=bool)
 
     def controls(self, rows: Steps) -> Array:
         """Torques that drive these wings, (row, motor), in their models' units."""
@@ -76,26 +83,37 @@ class Fleet:
         sound = _sound_steps(time, position, velocity)
         stage = self.stage[rows]
         number = self.steps[rows, None] + np.arange(1, count + 1)
-        reached = self._reached(rows, position[:, 1:], velocity[:, 1:])
-        broken = np.maximum.accumulate(np.where(reached, -1, number), axis=1)
-        carried = np.where(self._goal_since[rows] >= 0, self._goal_since[rows], self.steps[rows] + 1)
-        since = np.where(broken < 0, carried[:, None], broken + 1)
-        held = reached & (number - since >= self._hold[rows, stage][:, None])
-        over = held | (number - self.stage_start[rows, None] >= self._limit[rows, stage][:, None])
+        resting = np.all(np.abs(velocity[:, 1:]) <= self._rest_speed[rows, None, None], axis=2)
+        reached = self._reached(rows, position[:, 1:], resting)
+        goal_since = _since(reached, number, self._goal_since[rows])
+        rest_since = _since(resting, number, self._rest_since[rows])
+        held = reached & (number - goal_since >= self._hold[rows, stage][:, None])
+        # a wing that rests short of its goal, torques and all, stays there
+        stuck = resting & self._may_stick[rows, stage][:, None] & (number - rest_since >= self._window[rows, None])
+        over = held | stuck | (number - self.stage_start[rows, None] >= self._limit[rows, stage][:, None])
         end = np.where(over.any(axis=1), over.argmax(axis=1) + 1, count + 1)
         taken = np.minimum(np.minimum(end, sound), count)
         self.steps[rows] += taken
-        self._goal_since[rows] = np.where(reached[:, -1], since[:, -1], -1)
+        self._goal_since[rows] = np.where(reached[:, -1], goal_since[:, -1], -1)
+        self._rest_since[rows] = np.where(resting[:, -1], rest_since[:, -1], -1)
         for place in np.flatnonzero((end <= count) | (sound < count)):
             if sound[place] < min(end[place], count):
                 row = int(rows[place])
                 self.diverged_at[row] = float((self.steps[row] + 1) * self._timestep[row])
                 self._end_stage(row, None)
-                self.ended[row] = True
+                self.ended[row] = self._stopped[row] = True
             elif end[place] <= count:
                 last = end[place] - 1
-                self._end_stage(int(rows[place]), int(since[place, last]) if held[place, last] else None)
+                self._end_stage(int(rows[place]), int(goal_since[place, last]) if held[place, last] else None)
         return np.asarray(taken)
+
+    def follow_leader(self, row: int, leader: int) -> None:
+        """Put a wing where another one is, which has gone the same way so far."""
+        for values in (self.steps, self.stage, self.stage_start, self._goal_since, self._rest_since, self._stopped):
+            values[row] = values[leader]
+        self.ends[row] = list(self.ends[leader])
+        self.diverged_at[row] = self.diverged_at[leader]
+        self.ended[row] = self._stopped[row] or self.stage[row] > self._last[row]
 
     def progress(self, row: int) -> tuple[str, float, float]:
         """Name of a wing's stage, the time so far and the longest its protocol can take, s."""
@@ -107,13 +125,12 @@ class Fleet:
     def _in_steps(self, times: list[list[float]]) -> Steps:
         return np.asarray(np.rint(np.array(times) / self._timestep[:, None]), dtype=np.int64)
 
-    def _reached(self, rows: Steps, position: Array, velocity: Array) -> NDArray[np.bool_]:
+    def _reached(self, rows: Steps, position: Array, resting: NDArray[np.bool_]) -> NDArray[np.bool_]:
         """Whether the goal of each wing's stage holds after each step, (row, step)."""
         distal = self._senses[rows, None] * position[:, :, self._folds]
         goal = self._goal[rows, self.stage[rows]][:, None]
         folded = np.all(distal <= -self._folded_angle[rows, None, None], axis=2)
         opened = np.all(distal >= self._opened_angle[rows, None, None], axis=2)
-        resting = np.all(np.abs(velocity) <= self._rest_speed[rows, None, None], axis=2)
         return np.select(
             [goal == _GOALS.index(name) for name in ("rest", "folded", "opened")], [resting, folded, opened], False
         )
@@ -129,11 +146,11 @@ class Fleet:
                 goal_time=None if goal_step is None else goal_step * timestep,
             )
         )
-        failed = goal_step is None and stage.until in ("folded", "opened")
-        self.ended[row] = failed or self.stage[row] == self._last[row]
+        self._stopped[row] = goal_step is None and stage.until in ("folded", "opened")
+        self.ended[row] = self._stopped[row] or self.stage[row] == self._last[row]
         self.stage[row] += 1
         self.stage_start[row] = self.steps[row]
-        self._goal_since[row] = -1
+        self._goal_since[row] = self._rest_since[row] = -1
 
 
 def _torques(wing: WingModel, stage: Stage) -> Array:
@@ -154,6 +171,19 @@ def stage_torques(wing: WingModel, stage: Stage) -> tuple[float, float]:
         "fold": (protocol.fold_torque, 0.0),
         "unfold": (-protocol.unfold_torque, protocol.unfold_torque),
     }[stage.drive]
+
+
+def _since(holds: NDArray[np.bool_], number: Steps, carried: Steps) -> Steps:
+    """By step, the number of the step since which a condition has held without a break, (row, step).
+
+    Args:
+        holds: whether it holds after each step, (row, step).
+        number: of each step, (row, step).
+        carried: since when it held before, (row,), or -1 where it did not.
+    """
+    broken = np.maximum.accumulate(np.where(holds, -1, number), axis=1)
+    before = np.where(carried >= 0, carried, number[:, 0])
+    return np.where(broken < 0, before[:, None], broken + 1)
 
 
 def _sound_steps(time: Array, position: Array, velocity: Array) -> Steps:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import tomllib
+import io
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from forficula.design import Design, Stage, design_from_text, design_text
 from forficula.errors import InputError
-from forficula.files import replacing
+from forficula.files import write_bytes
 
 if TYPE_CHECKING:
     import xarray
@@ -124,8 +124,8 @@ def save_record(record: Record, path: Path) -> None:
         "diverged_at": nothing if record.diverged_at is None else record.diverged_at,
         **{f"version_{name}": version for name, version in versions().items()},
     }
-    with replacing(path) as temporary:
-        data.to_netcdf(temporary, engine="h5netcdf")
+    # by way of memory: on a full disk HDF5 fails in ways that cannot be caught, down to a crash
+    write_bytes(path, data.to_netcdf(engine="h5netcdf"))
 
 
 def load_record(path: Path) -> Record:
@@ -134,14 +134,17 @@ def load_record(path: Path) -> Record:
     Raises:
         InputError: no such file, or not such a file.
     """
+    import h5py
     import xarray
 
     try:
-        path.open("rb").close()
+        content = path.read_bytes()
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None
     try:
-        with xarray.open_dataset(path, engine="h5netcdf") as file:
+        # first, because h5netcdf prints a traceback for what is not HDF5
+        h5py.File(io.BytesIO(content)).close()
+        with xarray.open_dataset(io.BytesIO(content), engine="h5netcdf") as file:
             data = file.load()
         design = design_from_text(data.attrs["design"])
         ends = [data[f"stage_{name}"].values for name in ("start", "end", "goal_time")]
@@ -158,7 +161,7 @@ def load_record(path: Path) -> Record:
             triangles=data["triangle"].values.astype(np.int64),
             diverged_at=None if np.isnan(diverged_at) else diverged_at,
         )
-    except (OSError, KeyError, ValueError, tomllib.TOMLDecodeError) as error:
+    except (OSError, LookupError, ValueError, TypeError, RuntimeError) as error:
         raise InputError(f"{path}: not a record of forficula: {' '.join(str(error).split())}") from None
 
 

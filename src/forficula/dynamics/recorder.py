@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -72,6 +72,13 @@ class Recorder:
         self._interval = max(1, round(protocol.sample_interval / self._timestep))
         self._stages: list[_StageRows] = []
         self._taken: dict[str, float] = {}
+
+    def fork(self, wing: WingModel) -> Recorder:
+        """A recorder of another wing that has gone the same way so far."""
+        other = Recorder(wing, self._sparse)
+        other._stages = [replace(stage, rows=[*stage.rows]) for stage in self._stages]
+        other._taken = dict(self._taken)
+        return other
 
     def keep(self, chunk: Chunk) -> None:
         """Account for a chunk's steps and keep the states at the sample interval and at the stage's start."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 import mujoco
 import numpy as np
@@ -10,7 +10,7 @@ from mujoco.batch import Batch
 from numpy.typing import NDArray
 
 from forficula.design import Design
-from forficula.dynamics.fleet import Fleet
+from forficula.dynamics.fleet import Fleet, stage_torques
 from forficula.dynamics.model import WingModel, compile_wing
 from forficula.dynamics.record import Record
 from forficula.dynamics.recorder import Chunk, Recorder
@@ -49,68 +49,123 @@ def run(design: Design, progress: Progress | None = None) -> Record:
     Raises:
         InputError: the wing cannot be built.
     """
-    return simulate([compile_wing(with_timestep(design))], progress=progress)[0]
+    ((_, record),) = simulate_each([compile_wing(with_timestep(design))], progress=progress)
+    return record
 
 
-def simulate(
-    wings: Sequence[WingModel], threads: int = 0, progress: Progress | None = None, sparse: bool = False
-) -> list[Record]:
+def simulate(wings: Sequence[WingModel], threads: int = 0, sparse: bool = False) -> list[Record]:
     """Take wings of one topology through their protocols, side by side.
 
     Args:
         wings: compiled models with the same numbers of veins and membrane nodes.
         threads: 0 for one a core; the numbers do not depend on it.
-        progress: as in `run`, of the first wing that is still moving.
         sparse: keep only what states and transitions need: no rows but those at the ends of stages, no energies but
             the tendons'. What is kept has the same bits, and many wings take half the time.
 
     Returns:
         A record for every wing, in their order.
     """
+    records = dict(simulate_each(wings, threads, sparse))
+    return [records[row] for row in range(len(wings))]
+
+
+def simulate_each(
+    wings: Sequence[WingModel], threads: int = 0, sparse: bool = False, progress: Progress | None = None
+) -> Iterator[tuple[int, Record]]:
+    """Do as `simulate` does, and hand on every wing's number and record as soon as it is done.
+
+    Wings with the same engine model and the same first stages go through those together: that is one wing, until their
+    torques part.
+    """
+    if not wings:
+        return
     # MuJoCo would write its warnings to a file in the current folder; the record tells of a diverged wing
     mujoco.set_mju_user_warning(_ignore)
-    engine = wings[0].engine
-    batch = Batch(engine, len(wings), threads)
+    batch = Batch(wings[0].engine, len(wings), threads)
     batch.set_models([wing.engine for wing in wings])
     batch.bind("qpos")[:] = [_start_position(wing) for wing in wings]
     names = _DERIVED[:1] if sparse else _DERIVED
+    last = {name: batch.bind(name) for name in names}
     fleet, recorders = Fleet(wings), [Recorder(wing, sparse) for wing in wings]
-    while len(rows := np.flatnonzero(~fleet.ended)):
-        batch.bind("ctrl")[rows] = fleet.controls(rows)
-        before = batch.state[rows]
-        recorded = batch.rollout(_CHUNK, record=(_STATE, *names), ids=rows)
-        states = np.concatenate([before[:, None], recorded[_STATE]], axis=1)
-        first, stage, begins = fleet.steps[rows], fleet.stage[rows], fleet.steps[rows] == fleet.stage_start[rows]
-        time, position, velocity = np.split(states[:, :, : 1 + engine.nq + engine.nv], [1, 1 + engine.nq], axis=2)
-        taken = fleet.follow(rows, time[:, :, 0], position, velocity)
-        batch.state[rows] = states[np.arange(len(rows)), taken]
-        for place, row in enumerate(rows):
-            steps = taken[place]
-            recorders[row].keep(
-                Chunk(
-                    stage=stage[place],
-                    first=first[place],
-                    begins=begins[place],
-                    position=position[place, : steps + 1],
-                    velocity=velocity[place, : steps + 1],
-                    derived={name: recorded[name][place, :steps] for name in names},
-                )
-            )
+    waiting = _followers(wings)
+    moving = np.array([row not in waiting for row in range(len(wings))])
+    while len(rows := np.flatnonzero(moving)):
+        _advance(batch, fleet, recorders, rows, names)
+        for row, (leader, stages) in list(waiting.items()):
+            if moving[leader] and (fleet.stage[leader] >= stages or fleet.ended[leader]):
+                batch.state[row] = batch.state[leader]
+                fleet.follow_leader(row, leader)
+                recorders[row] = recorders[leader].fork(wings[row])
+                moving[row] = True
+                del waiting[row]
         if progress is not None and not fleet.ended[rows[0]]:
             progress(*fleet.progress(rows[0]))
-    last = {name: batch.bind(name) for name in names}
-    batch.forward()
-    return [
-        recorder.record(
-            fleet.steps[row],
-            batch.bind("qpos")[row],
-            batch.bind("qvel")[row],
-            {name: last[name][row] for name in names},
-            tuple(fleet.ends[row]),
-            fleet.diverged_at[row],
+        done = np.flatnonzero(moving & fleet.ended)
+        moving[done] = False
+        batch.forward(ids=done)
+        for row in done:
+            yield (
+                int(row),
+                recorders[row].record(
+                    fleet.steps[row],
+                    batch.bind("qpos")[row],
+                    batch.bind("qvel")[row],
+                    {name: last[name][row] for name in names},
+                    tuple(fleet.ends[row]),
+                    fleet.diverged_at[row],
+                ),
+            )
+
+
+def _advance(
+    batch: Batch, fleet: Fleet, recorders: Sequence[Recorder], rows: NDArray[np.int64], names: Sequence[str]
+) -> None:
+    """Take some wings a chunk further, none beyond the end of its stage."""
+    engine = batch.model
+    batch.bind("ctrl")[rows] = fleet.controls(rows)
+    before = batch.state[rows]
+    recorded = batch.rollout(_CHUNK, record=(_STATE, *names), ids=rows)
+    states = np.concatenate([before[:, None], recorded[_STATE]], axis=1)
+    first, stage, begins = fleet.steps[rows], fleet.stage[rows], fleet.steps[rows] == fleet.stage_start[rows]
+    time, position, velocity = np.split(states[:, :, : 1 + engine.nq + engine.nv], [1, 1 + engine.nq], axis=2)
+    taken = fleet.follow(rows, time[:, :, 0], position, velocity)
+    batch.state[rows] = states[np.arange(len(rows)), taken]
+    for place, row in enumerate(rows):
+        steps = taken[place]
+        recorders[row].keep(
+            Chunk(
+                stage=stage[place],
+                first=first[place],
+                begins=begins[place],
+                position=position[place, : steps + 1],
+                velocity=velocity[place, : steps + 1],
+                derived={name: recorded[name][place, :steps] for name in names},
+            )
         )
-        for row, recorder in enumerate(recorders)
-    ]
+
+
+def _followers(wings: Sequence[WingModel]) -> dict[int, tuple[int, int]]:
+    """By wing, an earlier one that goes through the same first stages, and how many."""
+    followers: dict[int, tuple[int, int]] = {}
+    for row, wing in enumerate(wings):
+        shared = [(_shared_stages(wings[leader], wing), -leader) for leader in range(row)]
+        stages, leader = max(shared, default=(0, 0))
+        if stages:
+            followers[row] = -leader, stages
+    return followers
+
+
+def _shared_stages(one: WingModel, other: WingModel) -> int:
+    """How many first stages two wings have in common, to the last bit."""
+    if one.engine is not other.engine:
+        return 0
+    parting = {"fold_torque": 0.0, "unfold_torque": 0.0, "stages": ()}
+    protocols = [wing.design.protocol for wing in (one, other)]
+    if protocols[0].model_copy(update=parting) != protocols[1].model_copy(update=parting):
+        return 0
+    pairs = zip(*(protocol.stages for protocol in protocols), strict=False)
+    alike = [a == b and stage_torques(one, a) == stage_torques(other, b) for a, b in pairs]
+    return [*alike, False].index(False)
 
 
 def _start_position(wing: WingModel) -> Array:

@@ -9,6 +9,7 @@ from scipy.optimize import brentq
 
 from forficula.design import Design, with_values
 from forficula.dynamics.model import WingModel, compile_wing
+from forficula.errors import InputError
 
 Array = NDArray[np.float64]
 
@@ -53,12 +54,19 @@ def stable_timestep(design: Design) -> float:
     # the linearised wing does not depend on the step it is compiled with
     wing = compile_wing(with_values(design, {"protocol.timestep": _LONGEST}))
     wing_at_rest = _linearised(wing)
-    exponent = brentq(
-        lambda power: -1.0 if _flips(*wing_at_rest, timestep=10.0**power / wing.units.time) else 1.0,
-        np.log10(_SHORTEST),
-        np.log10(_LONGEST),
-        xtol=1e-4,
-    )
+    shortest, longest = np.log10(_SHORTEST), np.log10(_LONGEST)
+
+    def sign(power: float) -> float:
+        return -1.0 if _flips(*wing_at_rest, timestep=10.0**power / wing.units.time) else 1.0
+
+    try:
+        if sign(longest) > 0:
+            return _LONGEST
+        if sign(shortest) < 0:
+            raise InputError(f"{design.name}: no timestep is short enough: a part is too stiff or too light")
+        exponent = brentq(sign, shortest, longest, xtol=1e-4)
+    except np.linalg.LinAlgError:
+        raise InputError(f"{design.name}: a value is too large or too small to compute with") from None
     return _FOLDING * float(10.0**exponent)
 
 

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 
 from forficula.design import Design, in_units
+from forficula.errors import InputError
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,6 +40,8 @@ def model_units(design: Design) -> ModelUnits:
     """Choose the units of a design: the decades of its span and of a vein's mass, and a unit of speed of 1 m/s."""
     span = design.pattern.proximal_length + design.pattern.distal_length
     mass = design.vein.density * span * math.pi / 4 * design.vein.diameter**2
+    if not 0 < mass < math.inf:
+        raise InputError(f"vein.density: need a vein with a mass > 0 and finite, got {mass} kg")
     length = _decade(span)
     return ModelUnits(length=length, mass=_decade(mass), time=length)
 

@@ -107,7 +107,7 @@ def _balance(outcome: Outcome) -> RenderableType:
     ):
         # adding 0 turns -0 into 0
         table.add_row(label, f"{round(factor * value, 4) + 0.0:.4f} {unit}")
-    table.add_row("residual", f"{100 * balance.residual:.3f} % of the work put in")
+    table.add_row("residual", f"{100 * balance.residual:.3f} % of {balance.residual_of}")
     return table
 
 
