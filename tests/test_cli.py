@@ -1,5 +1,6 @@
 import json
 import os
+import signal
 import subprocess
 import sys
 
@@ -249,3 +250,18 @@ def test_names_too_long_for_the_disk_are_answered_before_anything_is_done(refusa
     assert "File name too long" in refusal("run", "binder2025", "--out", "x" * 300)
     assert "File name too long" in refusal("new", "x" * 300 + ".toml")
     assert "File name too long" in refusal("pattern", "binder2025", "--out", "x" * 300 + ".svg")
+
+
+def test_ctrl_c_stops_a_run_with_one_line_and_leaves_nothing(tmp_path):
+    slow = [sys.executable, "-m", "forficula", "run", "binder2025", "--set", 'protocol.timestep="0.002 ms"']
+    process = subprocess.Popen(slow, cwd=tmp_path, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    assert process.stderr is not None
+    while not process.stderr.readline().startswith("settle"):
+        assert process.poll() is None
+    process.send_signal(signal.SIGINT)
+    output, errors = process.communicate(timeout=30)
+    assert process.returncode == 130
+    assert errors.splitlines()[-1] == "forficula: stopped"
+    assert "Traceback" not in errors
+    assert output == ""
+    assert list(tmp_path.iterdir()) == []

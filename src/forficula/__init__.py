@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from forficula.analysis import Outcome, measure
-    from forficula.design import Design, load_design, named_designs, save_design, scale_design
-    from forficula.dynamics import Record, load_record, run, save_record
+    from forficula.design import Design, design_warnings, load_design, named_designs, save_design, scale_design
+    from forficula.dynamics import Record, load_record, run, save_record, timestep_warnings
     from forficula.errors import InputError
     from forficula.pattern import CreasePattern, EarwigFan, earwig_pattern, read_fold, write_fold
 
@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 # and crease patterns need neither.
 _HOMES = {
     "forficula.analysis": ("Outcome", "measure"),
-    "forficula.design": ("Design", "load_design", "named_designs", "save_design", "scale_design"),
-    "forficula.dynamics": ("Record", "load_record", "run", "save_record"),
+    "forficula.design": ("Design", "design_warnings", "load_design", "named_designs", "save_design", "scale_design"),
+    "forficula.dynamics": ("Record", "load_record", "run", "save_record", "timestep_warnings"),
     "forficula.errors": ("InputError",),
     "forficula.pattern": ("CreasePattern", "EarwigFan", "earwig_pattern", "read_fold", "write_fold"),
 }
@@ -36,6 +36,7 @@ __all__ = [
     "InputError",
     "Outcome",
     "Record",
+    "design_warnings",
     "earwig_pattern",
     "load_design",
     "load_record",
@@ -46,6 +47,7 @@ __all__ = [
     "save_design",
     "save_record",
     "scale_design",
+    "timestep_warnings",
     "write_fold",
 ]
 

@@ -19,6 +19,7 @@ app = App(
     help="Predict and design bistable folding structures.",
     version_flags=["--version"],
     help_format="plaintext",
+    suppress_keyboard_interrupt=False,
 )
 Settings = Annotated[
     list[str] | None,
@@ -110,7 +111,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         print(f"forficula: {' '.join(str(error).split())}", file=sys.stderr)
         sys.exit(1)
     except KeyboardInterrupt:
-        print("forficula: stopped; nothing was written", file=sys.stderr)
+        print("forficula: stopped", file=sys.stderr)
         sys.exit(130)
 
 
@@ -148,15 +149,15 @@ def _progress() -> Iterator[Callable[[str, float, float], None]]:
 
     console = Console(stderr=True, highlight=False)
     if not console.is_terminal:
-        seen: set[str] = set()
+        stages = [""]
 
         def line(stage: str, time: float, longest: float) -> None:
-            if stage not in seen:
-                seen.add(stage)
-                console.print(f"{stage}: from {time:.3g} s on, of at most {longest:.3g} s")
+            if stage != stages[-1]:
+                stages.append(stage)
+                console.print(f"{stage}: {time:.3g} s of at most {longest:.3g} s simulated")
 
         yield line
         return
     with Progress(console=console, transient=True) as bar:
-        task = bar.add_task("settle")
+        task = bar.add_task("start")
         yield lambda stage, time, longest: bar.update(task, description=stage, completed=time, total=longest)

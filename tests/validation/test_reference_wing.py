@@ -222,3 +222,33 @@ def test_the_membrane_does_the_work_that_its_energy_gives_up(reference):
     work = sum(weight / 2 * 0.3 * at(0.15 * (1 + place))[1] for place, weight in zip(places, weights, strict=True))
     # twenty points are exact to rounding for so smooth a path
     assert work == pytest.approx(at(0.0)[0] - at(0.3)[0], rel=1e-9)
+
+
+def test_how_long_the_open_wing_is_held_does_not_change_the_verdict(reference):
+    held = ff.load_design("binder2025", {"protocol.stages.3.hold": "0.5 s", "protocol.stages.3.time_limit": "2 s"})
+    assert held.protocol.stages[3].hold > held.protocol.window  # longer than what counts as stuck
+    assert ff.measure(ff.run(held)).status == "folded and opened"
+
+
+def test_without_a_release_the_folded_state_is_the_moment_of_folding(reference):
+    stages = [stage.model_dump() for stage in reference.protocol.stages]
+    record = ff.run(with_values(reference, {"protocol.stages": [*stages[:2], *stages[3:]]}))
+    outcome = ff.measure(record)
+    assert outcome.folded
+    assert outcome.folded_state.time == record.stages[1].end
+    assert np.all(outcome.folded_state.distal_angle <= -reference.protocol.folded_angle)
+
+
+def test_the_wing_folds_the_way_its_crease_pattern_says(reference, reference_run, reference_outcome):
+    """A vein that is a mountain stands above its neighbours when folded, a valley below (FOLD 1.2, seen from +z)."""
+    folded = reference_run.data.sel(time=reference_outcome.folded_state.time, method="nearest")
+    height = folded["vein_position"].sel(point="ring", axis="z").values
+    pattern = ff.earwig_pattern(reference.fan)
+    (assignment,) = (
+        letter
+        for letter, role in zip(pattern.edges_assignment, pattern.edges_role, strict=True)
+        if role == "proximal" and letter != "B"
+    )
+    above = height[1] - (height[0] + height[2]) / 2
+    assert abs(above) > 0.01
+    assert assignment == ("M" if above > 0 else "V")

@@ -14,7 +14,6 @@ Array = NDArray[np.float64]
 
 # A hinge this far past straight, folding, has left the overbend for good.
 _LEFT_STRAIGHT = np.radians(5.0)
-_HALF_FOLDED = np.radians(-90.0)
 _STIR = np.radians(0.1)
 
 
@@ -75,7 +74,7 @@ class EnergyBalance:
         gravitational: change of the gravitational energy.
         hinge_damping: that the hinges' damping took.
         elastic_damping: that the tendons' and the membrane's damping took.
-        stops: that stops, guard tendons and contacts took.
+        stops: that stops, guard tendons and, where they are on, contacts took.
     """
 
     work: float
@@ -112,7 +111,7 @@ class Outcome:
     Attributes:
         status: in a few words.
         advice: what to try, in a sentence; empty where there is nothing to mend.
-        folded: whether every distal hinge folded, and stayed on the folded side when released.
+        folded: whether every distal hinge folded, and stayed beyond half the folded angle when released.
         opened: whether every distal hinge opened, and stayed so when released.
         flat: the flat state, or None where the wing diverged before it.
         folded_state: None where the protocol did not get there.
@@ -148,7 +147,10 @@ def measure(record: Record) -> Outcome:
     protocol = record.design.protocol
     # A slack tendon lets its hinge rest anywhere on the folded side; one that is back beyond half way has opened again.
     folded = bool(
-        folding and folding.goal_time is not None and folded_state and np.all(folded_state.distal_angle <= _HALF_FOLDED)
+        folding
+        and folding.goal_time is not None
+        and folded_state
+        and np.all(folded_state.distal_angle <= -protocol.folded_angle / 2)
     )
     opened = bool(
         unfolding
@@ -179,11 +181,13 @@ def _sound(record: Record, stage: int) -> bool:
 
 
 def _driven(record: Record, drive: str) -> tuple[StageEnd | None, StageEnd | None]:
-    """The stage with a drive, and the one that followed it, or itself where none did."""
+    """The stage with a drive, and the release that followed it, or itself where none did."""
     for index, end in enumerate(record.stages):
         if end.stage.drive == drive:
-            following = index + 1 if _sound(record, index + 1) else index
-            return end, record.stages[following] if _sound(record, following) else None
+            after = record.stages[index + 1 : index + 2]
+            released = bool(after) and after[0].stage.drive == "none" and _sound(record, index + 1)
+            last = index + released
+            return end, record.stages[last] if _sound(record, last) else None
     return None, None
 
 

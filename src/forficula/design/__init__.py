@@ -1,7 +1,8 @@
-from forficula.design.design import LENGTH, Design, Protocol, Stage, design_warnings
+from forficula.design.design import LENGTH, TORQUE, Design, Protocol, Stage, design_warnings
 from forficula.design.design_file import (
     design_from_text,
     design_text,
+    key_quantity,
     load_design,
     named_designs,
     save_design,
@@ -12,6 +13,7 @@ from forficula.design.similarity import in_units, scale_design
 
 __all__ = [
     "LENGTH",
+    "TORQUE",
     "Design",
     "Protocol",
     "Stage",
@@ -19,6 +21,7 @@ __all__ = [
     "design_text",
     "design_warnings",
     "in_units",
+    "key_quantity",
     "load_design",
     "named_designs",
     "save_design",

@@ -168,7 +168,7 @@ class Tendon(Part):
 
     stiffness: float = _quantity(STIFFNESS, "force by extension beyond the resting length", at_least=0)
     rest_length: float = _quantity(LENGTH, "length below which it does not pull", at_least=0)
-    damping: float = _quantity(TENDON_DAMPING, "viscous damping", at_least=0)
+    damping: float = _quantity(TENDON_DAMPING, "viscous damping, which works at any length, slack or taut", at_least=0)
     proximal_attachment: float = _quantity(
         LENGTH, "distance of its end on the proximal bar from the ring fold", above=0
     )

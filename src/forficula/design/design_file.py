@@ -13,7 +13,7 @@ from typing import Any
 import tomli_w
 from pydantic import BaseModel, ValidationError
 
-from forficula.design.design import Design, Part, field_quantity
+from forficula.design.design import Design, Part, Quantity, field_quantity
 from forficula.errors import InputError
 from forficula.files import write_text
 from forficula.quantities import as_written, format_quantity
@@ -63,6 +63,24 @@ def with_values(design: Design, values: Mapping[str, object]) -> Design:
         return _validate(tables, si=True)
     except _RejectedError as error:
         raise InputError(f"{design.name}: {error}") from None
+
+
+def key_quantity(key: str) -> Quantity | None:
+    """How a dotted key of a design is read, or None where it has no unit.
+
+    Raises:
+        InputError: there is no such key.
+    """
+    model: type[BaseModel] = Design
+    *sections, last = key.split(".")
+    for section in sections:
+        parts = list(_parts(model.model_fields[section].annotation)) if section in model.model_fields else []
+        if not parts:
+            raise InputError(f"{key}: unknown key; {_hint(key.split('.'))}")
+        model = parts[0]
+    if last not in model.model_fields or list(_parts(model.model_fields[last].annotation)):
+        raise InputError(f"{key}: unknown key; {_hint(key.split('.'))}")
+    return field_quantity(model.model_fields[last])
 
 
 def named_designs() -> dict[str, str]:

@@ -89,7 +89,8 @@ class Fleet:
         rest_since = _since(resting, number, self._rest_since[rows])
         held = reached & (number - goal_since >= self._hold[rows, stage][:, None])
         # a wing that rests short of its goal, torques and all, stays there
-        stuck = resting & self._may_stick[rows, stage][:, None] & (number - rest_since >= self._window[rows, None])
+        short = ~reached & self._may_stick[rows, stage][:, None]
+        stuck = resting & short & (number - rest_since >= self._window[rows, None])
         over = held | stuck | (number - self.stage_start[rows, None] >= self._limit[rows, stage][:, None])
         end = np.where(over.any(axis=1), over.argmax(axis=1) + 1, count + 1)
         taken = np.minimum(np.minimum(end, sound), count)

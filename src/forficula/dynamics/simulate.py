@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 
 import mujoco
 import numpy as np
@@ -79,8 +80,6 @@ def simulate_each(
     """
     if not wings:
         return
-    # MuJoCo would write its warnings to a file in the current folder; the record tells of a diverged wing
-    mujoco.set_mju_user_warning(_ignore)
     batch = Batch(wings[0].engine, len(wings), threads)
     batch.set_models([wing.engine for wing in wings])
     batch.bind("qpos")[:] = [_start_position(wing) for wing in wings]
@@ -102,19 +101,11 @@ def simulate_each(
             progress(*fleet.progress(rows[0]))
         done = np.flatnonzero(moving & fleet.ended)
         moving[done] = False
-        batch.forward(ids=done)
-        for row in done:
-            yield (
-                int(row),
-                recorders[row].record(
-                    fleet.steps[row],
-                    batch.bind("qpos")[row],
-                    batch.bind("qvel")[row],
-                    {name: last[name][row] for name in names},
-                    tuple(fleet.ends[row]),
-                    fleet.diverged_at[row],
-                ),
-            )
+        with _quiet():
+            batch.forward(ids=done)
+        for row in done.tolist():
+            state = batch.bind("qpos")[row], batch.bind("qvel")[row], {name: last[name][row] for name in names}
+            yield row, recorders[row].record(fleet.steps[row], *state, tuple(fleet.ends[row]), fleet.diverged_at[row])
 
 
 def _advance(
@@ -124,7 +115,8 @@ def _advance(
     engine = batch.model
     batch.bind("ctrl")[rows] = fleet.controls(rows)
     before = batch.state[rows]
-    recorded = batch.rollout(_CHUNK, record=(_STATE, *names), ids=rows)
+    with _quiet():
+        recorded = batch.rollout(_CHUNK, record=(_STATE, *names), ids=rows)
     states = np.concatenate([before[:, None], recorded[_STATE]], axis=1)
     first, stage, begins = fleet.steps[rows], fleet.stage[rows], fleet.steps[rows] == fleet.stage_start[rows]
     time, position, velocity = np.split(states[:, :, : 1 + engine.nq + engine.nv], [1, 1 + engine.nq], axis=2)
@@ -173,6 +165,17 @@ def _start_position(wing: WingModel) -> Array:
     position = np.zeros(wing.engine.nq)
     position[wing.joints[:, 3]] = wing.senses * wing.design.protocol.initial_overbend
     return position
+
+
+@contextmanager
+def _quiet() -> Iterator[None]:
+    """Keep MuJoCo from writing its warnings to a file in the current folder; the record tells of a diverged wing."""
+    before = mujoco.get_mju_user_warning()
+    mujoco.set_mju_user_warning(_ignore)
+    try:
+        yield
+    finally:
+        mujoco.set_mju_user_warning(before)
 
 
 def _ignore(message: str) -> None:

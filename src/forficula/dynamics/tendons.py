@@ -15,7 +15,10 @@ _SOFT_SHARE = 0.001
 
 
 def add_tendon(spec: mujoco.MjSpec, index: int, design: Design) -> None:
-    """Add the tendon of a vein: it pulls beyond its resting length and never pushes."""
+    """Add the tendon of a vein: its spring pulls beyond its resting length and never pushes.
+
+    Its damper, like every tendon damper of MuJoCo, works at any length, slack or taut.
+    """
     law = design.tendon
     tendon = spec.add_tendon(
         name=f"tendon{index}",

@@ -16,6 +16,9 @@ Point = NDArray[np.float64]
 
 # bits by which MuJoCo selects who touches whom
 _PROXIMAL, _DISTAL = 1, 2
+# MuJoCo hardens a contact over 0.001 of its length unit, which would be another share of every wing; the other numbers
+# are its defaults.
+_SOFT_SHARE = 0.02
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -55,7 +58,10 @@ class Vein:
 
 
 def fan_veins(fan: EarwigFan) -> tuple[Vein, ...]:
-    """The veins of a fan; every distal hinge lies along the ring crease to the next vein."""
+    """The veins of a fan; every distal hinge lies along the ring crease to the next vein.
+
+    A turn of a vein by its sense folds it as a crease, with the panel that hangs on it rising where the sense is -1.
+    """
     ring = ring_vertices(fan, continued=True)
     creases = np.diff(ring, axis=0)
     return tuple(
@@ -64,7 +70,8 @@ def fan_veins(fan: EarwigFan) -> tuple[Vein, ...]:
             ring_vertex=vertex,
             tip=tip,
             ring_direction=crease / np.linalg.norm(crease),
-            sense=(-1) ** index,
+            # odd veins are valleys, as `earwig_pattern` has them
+            sense=(-1) ** (index + 1),
         )
         for index, (hub, vertex, tip, crease) in enumerate(
             zip(hub_points(fan), ring[:-1], tips(fan), creases, strict=True)
@@ -115,14 +122,19 @@ def stop_reference(design: Design) -> list[float]:
 
 
 def _add_bar(body: mujoco.MjsBody, end: Point, design: Design, kind: int, touches: int) -> None:
-    body.add_geom(
-        type=mujoco.mjtGeom.mjGEOM_CYLINDER,
-        size=[design.vein.diameter / 2, 0, 0],
-        fromto=[0, 0, 0, *end],
-        density=design.vein.density,
-        contype=kind if design.protocol.contact else 0,
-        conaffinity=touches if design.protocol.contact else 0,
-    )
+    """Add a cylinder for the mass and, where bars touch, a capsule without mass, whose contacts are closed forms."""
+    place = {"size": [design.vein.diameter / 2, 0, 0], "fromto": [0, 0, 0, *end]}
+    body.add_geom(type=mujoco.mjtGeom.mjGEOM_CYLINDER, density=design.vein.density, contype=0, conaffinity=0, **place)
+    if design.protocol.contact:
+        body.add_geom(
+            type=mujoco.mjtGeom.mjGEOM_CAPSULE,
+            density=0,
+            contype=kind,
+            conaffinity=touches,
+            solref=stop_reference(design),
+            solimp=[0.9, 0.95, _SOFT_SHARE * design.vein.diameter, 0.5, 2],
+            **place,
+        )
 
 
 def _add_hinge(

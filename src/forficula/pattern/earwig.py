@@ -96,7 +96,7 @@ def _check_fan_stays_open(fan: EarwigFan) -> None:
     if 2 * fan.units * fan.sector_angle >= 2 * math.pi:
         most_units = math.ceil(math.pi / fan.sector_angle) - 1
         raise InputError(
-            f"pattern.units: need 2 units times the sector angle < 360 deg, so at most {most_units} at "
+            f"pattern.units: the fan closes on itself: need at most {most_units} at "
             f"{_degrees(fan.sector_angle)}, or pattern.sector_angle < "
             f"{_degrees(math.pi / fan.units)} at {fan.units}, got {fan.units} units"
         )

@@ -37,7 +37,10 @@ def write_run(record: Record, outcome: Outcome, folder: Path) -> None:
     try:
         _write_files(record, outcome, unfinished)
         folder.mkdir(exist_ok=True)
-        for file in unfinished.iterdir():
+        files = sorted(unfinished.iterdir())
+        for blocked in (folder / file.name for file in files if (folder / file.name).is_dir()):
+            raise InputError(f"{blocked}: need a file or nothing there, got a folder")
+        for file in files:
             file.replace(folder / file.name)
     except OSError as error:
         raise InputError(f"{folder}: cannot be written: {error.strerror}") from None

@@ -28,9 +28,11 @@ def print_outcome(name: str, outcome: Outcome) -> None:
 
 
 def _states(outcome: Outcome) -> RenderableType:
-    states = {"flat": outcome.flat, "folded": outcome.folded_state, "opened": outcome.opened_state}
-    if not outcome.folded and outcome.folded_state is not None:
-        states = {"after folding" if name == "folded" else name: state for name, state in states.items()}
+    states = {
+        "flat": outcome.flat,
+        "folded" if outcome.folded else "after folding": outcome.folded_state,
+        "opened" if outcome.opened else "after unfolding": outcome.opened_state,
+    }
     there = {name: state for name, state in states.items() if state is not None}
     if not there:
         return Text("States: none was reached.")
@@ -102,7 +104,7 @@ def _balance(outcome: Outcome) -> RenderableType:
         ("+ change of gravitational energy", balance.gravitational),
         ("+ taken by hinge damping", balance.hinge_damping),
         ("+ taken by tendon and membrane damping", balance.elastic_damping),
-        ("+ taken by stops and guard tendons", balance.stops),
+        ("+ taken by stops, guard tendons and contacts", balance.stops),
         ("+ missing", balance.missing),
     ):
         # adding 0 turns -0 into 0

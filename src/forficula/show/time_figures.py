@@ -35,7 +35,7 @@ def draw_angles(record: Record, outcome: Outcome) -> Figure:
             for vein, angle in enumerate(np.degrees(record.data["distal_angle"].values.T)):
                 axes.plot(time, angle, _line(vein), color=_colour(vein), label=f"vein {vein}")
             axes.axhline(0, color="0.6", lw=0.5, zorder=0)
-            axes.set_ylim(-200, 25)
+            axes.set_ylim(-200, max(25, 1.2 * np.degrees(record.design.hinge.overbend)))
             axes.set_yticks(np.arange(-180, 1, 45))
             _shade_stages(axes, record, start, scale)
         _mark_states(rows[0][0], outcome)

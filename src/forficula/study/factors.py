@@ -1,0 +1,177 @@
+"""Factors of a study: which values a key of the design takes."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import stats
+
+from forficula.design import key_quantity
+from forficula.errors import InputError
+from forficula.quantities import format_quantity, parse_quantity
+
+_RANGE = re.compile(r"\s*(\S+?)\s*\.\.\s*(\S+)\s*(.*?)\s*\bstep\s+(\S+)\s*(.*?)\s*")
+_MOST_VALUES = 1_000_000
+
+
+@dataclass(frozen=True, kw_only=True)
+class Factor:
+    """A key of the design and the values that it takes.
+
+    Attributes:
+        key: of the design, dotted.
+        values: as a design file has them: text with units, numbers, words. Empty where the values are drawn.
+        distribution: what they are drawn from, or None.
+    """
+
+    key: str
+    values: tuple[object, ...] = ()
+    distribution: Distribution | None = None
+
+    @property
+    def dimension(self) -> str:
+        """Its name in tables."""
+        return self.key.replace(".", "_")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Distribution:
+    """What the values of a factor are drawn from, SI.
+
+    Attributes:
+        name: "uniform", "log-uniform" or "normal".
+        first: low end, or mean.
+        second: high end, or standard deviation.
+    """
+
+    name: str
+    first: float
+    second: float
+
+    def quantiles(self, shares: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The values below which these shares of draws lie."""
+        match self.name:
+            case "normal":
+                drawn = stats.norm.ppf(shares, self.first, self.second)
+            case "log-uniform":
+                drawn = stats.loguniform.ppf(shares, self.first, self.second)
+            case _:
+                drawn = stats.uniform.ppf(shares, self.first, self.second - self.first)
+        return np.asarray(drawn)
+
+
+_PARAMETERS = {"uniform": ("low", "high"), "log-uniform": ("low", "high"), "normal": ("mean", "deviation")}
+
+
+def read_factor(key: str, given: object) -> Factor:
+    """Read a factor as a study file has it.
+
+    Args:
+        key: of the design, dotted.
+        given: a list of values; a range such as "10..60 N/cm step 10"; or a table with `distribution` and its two
+            parameters: uniform and log-uniform take low and high, normal takes mean and deviation.
+
+    Raises:
+        InputError: an unknown key, or values that are not allowed.
+    """
+    quantity = key_quantity(key)
+    if isinstance(given, list):
+        if not given:
+            raise InputError(f"{key}: need at least one value, got an empty list")
+        return Factor(key=key, values=tuple(given))
+    if isinstance(given, str):
+        return Factor(key=key, values=range_values(key, given))
+    if isinstance(given, Mapping):
+        return Factor(key=key, distribution=_distribution(key, given, quantity is not None))
+    raise InputError(f'{key}: need a list, a range such as "1..5 cm step 1", or a distribution, got {given!r}')
+
+
+def range_values(key: str, text: str) -> tuple[object, ...]:
+    """The values of a range such as "10..60 N/cm step 10", ends included, as a design file has them.
+
+    Raises:
+        InputError: not a range, a step that leads nowhere, or more than a million values.
+    """
+    match = _RANGE.fullmatch(text)
+    if match is None:
+        raise InputError(f'{key}: need a range such as "10..60 N/cm step 10", got "{text}"')
+    first, last, unit, step, step_unit = match.groups()
+    if step_unit and step_unit != unit:
+        raise InputError(f'{key}: need the step in the unit of the range, "{unit}", got "{step_unit}"')
+    try:
+        low, high, width = float(first), float(last), float(step)
+    except ValueError:
+        raise InputError(f'{key}: need three numbers, as in "10..60 N/cm step 10", got "{text}"') from None
+    if not all(map(math.isfinite, (low, high, width))) or width <= 0 or high < low:
+        raise InputError(f'{key}: need a range that rises by a step > 0, got "{text}"')
+    count = math.floor((high - low) / width * (1 + 1e-12) + 1e-9) + 1
+    if count > _MOST_VALUES:
+        raise InputError(f'{key}: need at most {_MOST_VALUES} values, got {count} in "{text}"')
+    # to 12 digits, so that 0.1 three times is 0.3 as a person would write it
+    numbers = [float(f"{low + index * width:.12g}") for index in range(count)]
+    if not unit and key_quantity(key) is None:
+        return tuple(int(number) if number.is_integer() else number for number in numbers)
+    return tuple(f"{number:.12g} {unit}".strip() for number in numbers)
+
+
+def drawn_values(factors: tuple[Factor, ...], method: str, count: int, seed: int) -> list[dict[str, object]]:
+    """Draw points from the distributions of all factors, as a design file has them.
+
+    Args:
+        factors: each with a distribution.
+        method: "random", or "sobol" for scrambled Sobol points (Owen 1998), which fill the space more evenly.
+        count: how many.
+        seed: of the generator; the same seed draws the same points.
+    """
+    if method == "sobol":
+        # a power of two keeps the points balanced; the first `count` of it are what was asked
+        power = math.ceil(math.log2(max(count, 1)))
+        shares = stats.qmc.Sobol(len(factors), rng=np.random.default_rng(seed)).random_base2(power)[:count]
+    else:
+        shares = np.random.default_rng(seed).random((count, len(factors)))
+    columns = [
+        [_written(factor.key, float(value)) for value in factor.distribution.quantiles(column)]
+        for factor, column in zip(factors, shares.T, strict=True)
+        if factor.distribution is not None
+    ]
+    return [dict(zip((factor.key for factor in factors), row, strict=True)) for row in zip(*columns, strict=True)]
+
+
+def _written(key: str, value: float) -> object:
+    quantity = key_quantity(key)
+    return value if quantity is None else format_quantity(value, quantity.unit)
+
+
+def _distribution(key: str, given: Mapping[str, object], has_unit: bool) -> Distribution:
+    name = given.get("distribution")
+    if name not in _PARAMETERS:
+        raise InputError(f"{key}.distribution: need one of {', '.join(_PARAMETERS)}, got {name!r}")
+    names = _PARAMETERS[str(name)]
+    if set(given) != {"distribution", *names}:
+        raise InputError(f"{key}: a {name} distribution needs {names[0]} and {names[1]}, got {', '.join(given)}")
+    quantity = key_quantity(key)
+    numbers = []
+    for parameter in names:
+        value = given[parameter]
+        try:
+            if has_unit and quantity is not None:
+                numbers.append(parse_quantity(value, quantity.unit))
+            elif isinstance(value, bool) or not isinstance(value, int | float):
+                raise InputError(f"need a number, got {value!r}")
+            else:
+                numbers.append(float(value))
+        except InputError as error:
+            raise InputError(f"{key}.{parameter}: {error}") from None
+    first, second = numbers
+    if name == "normal" and second <= 0:
+        raise InputError(f"{key}.deviation: need > 0, got {given['deviation']}")
+    if name != "normal" and second <= first:
+        raise InputError(f"{key}.high: need > low, {given['low']}, got {given['high']}")
+    if name == "log-uniform" and first <= 0:
+        raise InputError(f"{key}.low: need > 0, got {given['low']}")
+    return Distribution(name=str(name), first=first, second=second)

@@ -1,0 +1,195 @@
+"""Study: a design, factors, and what is asked of every point."""
+
+from __future__ import annotations
+
+import itertools
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+from forficula.design import TORQUE, Design, load_design
+from forficula.errors import InputError
+from forficula.quantities import parse_quantity
+from forficula.study.factors import Factor, drawn_values, range_values, read_factor
+
+_KEYS = ("name", "source", "design", "ask", "settings", "factors", "sampling", "search")
+_TORQUE_KEY = "protocol.fold_torque"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Search:
+    """Which torques are tried, N m.
+
+    Attributes:
+        fold_torques: rising.
+        fold_with: that folds the wing before any unfolding.
+        unfold_torques: rising.
+        refinements: how often the step below the least torque that worked is halved.
+    """
+
+    fold_torques: tuple[float, ...]
+    fold_with: float
+    unfold_torques: tuple[float, ...]
+    refinements: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class Study:
+    """Many runs of one design.
+
+    Attributes:
+        name: what outputs call it.
+        source: where the question comes from.
+        base: the design that is varied.
+        factors: what is varied.
+        points: the values of every point by dotted key, as a design file has them.
+        sampled: whether the points were drawn; otherwise they are the grid of all factors, the last fastest.
+        search: the torques to try for the least ones; None runs the protocol as it is.
+    """
+
+    name: str
+    source: str
+    base: Design
+    factors: tuple[Factor, ...]
+    points: tuple[Mapping[str, object], ...]
+    sampled: bool
+    search: Search | None
+
+
+def load_study(name_or_path: str | Path) -> Study:
+    """Read a named study or a study file.
+
+    Args:
+        name_or_path: one of `named_studies`, or the path of a TOML file.
+
+    Raises:
+        InputError: no such study or file, not TOML, an unknown key, or a value that is not allowed.
+    """
+    text, where, folder = _read(str(name_or_path))
+    try:
+        tables = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(f"{where}: not TOML: {error}") from None
+    tables.setdefault("name", Path(where).stem)
+    try:
+        return _study(tables, folder)
+    except InputError as error:
+        raise InputError(f"{where}: {error}") from None
+
+
+def named_studies() -> list[str]:
+    """The names of the studies that come with the package."""
+    folder = resources.files("forficula.study") / "references"
+    return sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml"))
+
+
+def _read(name_or_path: str) -> tuple[str, str, Path]:
+    """Text of a study, how errors call it, and the folder that paths in it start from."""
+    if name_or_path in named_studies():
+        file = resources.files("forficula.study") / "references" / f"{name_or_path}.toml"
+        return file.read_text("utf-8"), name_or_path, Path()
+    if not name_or_path.endswith(".toml"):
+        raise InputError(
+            f'"{name_or_path}" is neither a named study nor a .toml file; the named studies are'
+            f" {', '.join(named_studies())}"
+        )
+    path = Path(name_or_path)
+    try:
+        return path.read_text("utf-8-sig"), name_or_path, path.parent
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise InputError(f"{path}: cannot be read: need UTF-8") from None
+
+
+def _study(tables: dict[str, Any], folder: Path) -> Study:
+    _known(tables, _KEYS, "")
+    given = tables.get("factors")
+    if not isinstance(given, dict) or not given:
+        raise InputError('factors: need a table with at least one, such as "tendon.stiffness" = "10..60 N/cm step 10"')
+    factors = tuple(read_factor(key, value) for key, value in _flat(given).items())
+    drawn = [factor for factor in factors if factor.distribution is not None]
+    if drawn and len(drawn) < len(factors):
+        raise InputError("factors: need either all of them as distributions or none, got both kinds")
+    name = tables.get("design")
+    if not isinstance(name, str):
+        raise InputError(f'design: need the name or path of a design, such as "binder2025", got {name!r}')
+    base = load_design(str(folder / name) if name.endswith(".toml") else name, _flat(tables.get("settings", {})))
+    ask = tables.get("ask", "run")
+    if ask not in ("run", "least-torques"):
+        raise InputError(f'ask: need "run" or "least-torques", got {ask!r}')
+    if "sampling" in tables and not drawn:
+        raise InputError("sampling: needs factors that are distributions, got lists and ranges")
+    if "search" in tables and ask != "least-torques":
+        raise InputError('search: needs ask = "least-torques"')
+    return Study(
+        name=str(tables["name"]),
+        source=str(tables.get("source", "")),
+        base=base,
+        factors=factors,
+        points=tuple(_drawn(factors, tables.get("sampling", {})) if drawn else _grid(factors)),
+        sampled=bool(drawn),
+        search=_search(tables.get("search", {})) if ask == "least-torques" else None,
+    )
+
+
+def _known(table: Mapping[str, object], keys: tuple[str, ...], prefix: str) -> None:
+    for key in table:
+        if key not in keys:
+            raise InputError(f"{prefix}{key}: unknown key; allowed here: {', '.join(keys)}")
+
+
+def _flat(table: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
+    """Dotted keys of nested tables; a table with a distribution is a value."""
+    flat: dict[str, Any] = {}
+    for key, value in table.items():
+        if isinstance(value, dict) and "distribution" not in value:
+            flat |= _flat(value, f"{prefix}{key}.")
+        else:
+            flat[f"{prefix}{key}"] = value
+    return flat
+
+
+def _grid(factors: tuple[Factor, ...]) -> list[dict[str, object]]:
+    keys = [factor.key for factor in factors]
+    return [dict(zip(keys, values, strict=True)) for values in itertools.product(*(each.values for each in factors))]
+
+
+def _drawn(factors: tuple[Factor, ...], sampling: Mapping[str, Any]) -> list[dict[str, object]]:
+    _known(sampling, ("method", "count", "seed"), "sampling.")
+    method, count, seed = sampling.get("method", "sobol"), sampling.get("count"), sampling.get("seed", 0)
+    if method not in ("random", "sobol"):
+        raise InputError(f'sampling.method: need "random" or "sobol", got {method!r}')
+    for key, value, least in (("count", count, 1), ("seed", seed, 0)):
+        if isinstance(value, bool) or not isinstance(value, int) or value < least:
+            raise InputError(f"sampling.{key}: need a whole number >= {least}, got {value!r}")
+    return drawn_values(factors, method, int(str(count)), seed)
+
+
+def _search(given: Mapping[str, Any]) -> Search:
+    _known(given, ("fold_torques", "fold_with", "unfold_torques", "refinements"), "search.")
+    refinements = given.get("refinements", 0)
+    if isinstance(refinements, bool) or not isinstance(refinements, int) or not 0 <= refinements <= 20:
+        raise InputError(f"search.refinements: need a whole number from 0 to 20, got {refinements!r}")
+    return Search(
+        fold_torques=_torques("fold_torques", given.get("fold_torques", "0..50 N cm step 10")),
+        fold_with=_torques("fold_with", [given.get("fold_with", "500 N cm")])[0],
+        unfold_torques=_torques("unfold_torques", given.get("unfold_torques", "10..100 N cm step 10")),
+        refinements=refinements,
+    )
+
+
+def _torques(key: str, given: object) -> tuple[float, ...]:
+    values = range_values(_TORQUE_KEY, given) if isinstance(given, str) else given
+    if not isinstance(values, list | tuple) or not values:
+        raise InputError(f'search.{key}: need torques such as "0..50 N cm step 10", got {given!r}')
+    try:
+        torques = tuple(parse_quantity(value, TORQUE) for value in values)
+    except InputError as error:
+        raise InputError(f"search.{key}: {error}") from None
+    if list(torques) != sorted(set(torques)) or torques[0] < 0:
+        raise InputError(f"search.{key}: need rising torques >= 0, got {given!r}")
+    return torques
