@@ -14,6 +14,7 @@ LENGTH = Unit(display="cm", si="m", example="12 cm")
 STIFFNESS = Unit(display="N/cm", si="N/m", example="10 N/cm")
 TORQUE = Unit(display="N cm", si="N m", example="50 N cm")
 ANGLE = Unit(display="deg", si="rad", example="15 deg")
+ANGULAR_SPEED = Unit(display="deg/s", si="rad/s", example="1 deg/s")
 DENSITY = Unit(display="g/cm^3", si="kg/m^3", example="1.27 g/cm^3")
 finite = st.floats(allow_nan=False, allow_infinity=False)
 
@@ -87,6 +88,37 @@ def test_a_short_number_in_the_usual_unit_is_written_as_it_was_typed(digits, pow
 @pytest.mark.parametrize(("value", "unit", "text"), [(1000.0, STIFFNESS, "10 N/cm"), (0.0, LENGTH, "0 cm")])
 def test_a_whole_number_is_written_without_a_point(value, unit, text):
     assert format_quantity(value, unit) == text
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "text"),
+    [
+        (8e-7, Unit(display="ms", si="s", example="0.2 ms"), "8e-07 s"),
+        (8e-5, Unit(display="ms", si="s", example="0.2 ms"), "0.08 ms"),
+        (0.12345678901234567, LENGTH, "12.345678901234566 cm"),  # as long in m
+        (0.123456789012, LENGTH, "12.3456789012 cm"),
+    ],
+)
+def test_si_is_written_only_where_the_usual_unit_takes_many_digits_and_a_longer_text(value, unit, text):
+    assert format_quantity(value, unit) == text
+    assert parse_quantity(text, unit) == value
+
+
+@pytest.mark.parametrize(("text", "value"), [("1 rpm", math.pi / 30), ("1 turn/s", 2 * math.pi), ("1 rad/s", 1.0)])
+def test_an_angular_speed_is_read_in_any_angle_by_any_time(text, value):
+    # three roundings: the number, pint's factor and their product
+    assert parse_quantity(text, ANGULAR_SPEED) == pytest.approx(value, rel=1e-15)
+
+
+@pytest.mark.parametrize("unit", ["Hz", "1/s", "deg^-1/s", "deg^2/s", "percent/s"])
+def test_an_angular_speed_without_an_angle_is_refused(unit):
+    message = f'"{unit}" is not a unit of the right kind; write it such as "1 deg/s", got "1 {unit}"'
+    assert refusal(f"1 {unit}", ANGULAR_SPEED) == message
+
+
+def test_a_unit_may_leave_out_an_angle_that_it_is_divided_by():
+    unit = Unit(display="N m s/rad", si="N m s/rad", example="1e-3 N m s/rad")
+    assert parse_quantity("2 N m s", unit) == parse_quantity("2 N m s/rad", unit) == 2.0
 
 
 def test_a_quantity_is_shown_to_people_with_four_digits():

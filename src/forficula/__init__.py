@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from forficula.design import Design, design_warnings, load_design, named_designs, save_design, scale_design
     from forficula.dynamics import Record, load_record, run, save_record, timestep_warnings
     from forficula.errors import InputError
-    from forficula.pattern import CreasePattern, EarwigFan, earwig_pattern, read_fold, write_fold
+    from forficula.pattern import CreasePattern, EarwigFan, earwig_pattern, read_fold, read_folded_frames, write_fold
 
 # Where each public name lives. They are fetched at first use: MuJoCo and xarray are slow to import, and help, errors
 # and crease patterns need neither.
@@ -26,7 +26,14 @@ _HOMES = {
     "forficula.design": ("Design", "design_warnings", "load_design", "named_designs", "save_design", "scale_design"),
     "forficula.dynamics": ("Record", "load_record", "run", "save_record", "timestep_warnings"),
     "forficula.errors": ("InputError",),
-    "forficula.pattern": ("CreasePattern", "EarwigFan", "earwig_pattern", "read_fold", "write_fold"),
+    "forficula.pattern": (
+        "CreasePattern",
+        "EarwigFan",
+        "earwig_pattern",
+        "read_fold",
+        "read_folded_frames",
+        "write_fold",
+    ),
 }
 
 __all__ = [
@@ -43,6 +50,7 @@ __all__ = [
     "measure",
     "named_designs",
     "read_fold",
+    "read_folded_frames",
     "run",
     "save_design",
     "save_record",

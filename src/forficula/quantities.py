@@ -23,7 +23,7 @@ _UNIT = re.compile(
 )
 _LONGEST_UNIT = 60
 _LONGEST_SHOWN = 60
-_ANGLE_UNITS = {"degree", "radian", "turn", "arcminute", "arcsecond", "grade", "milliradian"}
+_MOST_DIGITS = 12  # beyond, a number in the display unit shows the rounding of its factor
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -79,21 +79,23 @@ def parse_quantity(text: object, unit: Unit) -> float:
 
 
 def format_quantity(value: float, unit: Unit) -> str:
-    """Write an SI float as the shortest text that `parse_quantity` turns into the same bits.
+    """Write an SI float as text that `parse_quantity` turns into the same bits.
 
     Args:
         value: in `unit.si`.
         unit: how to write it.
 
     Returns:
-        Text in `unit.display` where that is exact, else in `unit.si`.
+        Text in `unit.display` with as few digits as are exact; in `unit.si` where no digits are, or where it takes
+        more than 12 of them and the other text is shorter.
     """
-    factor = _factor(unit.display, unit, value)
+    factor, in_si = _factor(unit.display, unit, value), f"{value!r} {unit.si}"
     for digits in range(1, 18):
         number = float(f"{value / factor:.{digits}g}")
         if number * factor == value:
-            return f"{repr(number).removesuffix('.0')} {unit.display}"
-    return f"{value!r} {unit.si}"
+            text = f"{repr(number).removesuffix('.0')} {unit.display}"
+            return text if digits <= _MOST_DIGITS or len(text) <= len(in_si) else in_si
+    return in_si
 
 
 @cache
@@ -150,15 +152,23 @@ def _conversion(unit_text: str, si: str) -> float | None:
     """The factor from a unit to SI; None where the dimension differs. Raises what pint raises for no unit."""
     registry = _registry()
     given, wanted = registry.parse_units(unit_text), registry.parse_units(si)
-    is_angle = {name for name, _ in wanted._units.items()} <= _ANGLE_UNITS
-    if is_angle and not {name for name, _ in given._units.items()} & _ANGLE_UNITS:
-        return None  # pint takes "%" for an angle, both being dimensionless
     if given.dimensionality != wanted.dimensionality:
+        return None
+    # to pint an angle is a number, so that "%" would be an angle, and "Hz" an angular speed of 1 rad/s
+    angles = _angle_power(si)
+    if angles > 0 and _angle_power(unit_text) != angles:
         return None
     factor = float(registry.Quantity(1.0, given).to(wanted).magnitude)
     decimal = float(f"{factor:.12g}")
     # pint's g/cm^3 is 999.9999999999999 kg/m^3: take the decimal where it is that within rounding
     return decimal if abs(decimal - factor) <= 4 * math.ulp(factor) else factor
+
+
+def _angle_power(unit_text: str) -> float:
+    """The exponent of angle in a unit."""
+    registry = _registry()
+    _, roots = registry.get_root_units(registry.parse_units(unit_text))
+    return float(str(dict(roots._units.items()).get("radian", 0)))
 
 
 def _factor(unit_text: str, unit: Unit, text: object) -> float:

@@ -183,6 +183,21 @@ def test_settings_replace_values_by_dotted_key():
     assert load_design("binder2025").tendon.stiffness == 1000.0
 
 
+def test_settings_in_nested_tables_leave_the_other_values_of_a_table():
+    dotted = {"tendon.stiffness": "20 N/cm", "protocol.stages.3.hold": "0.3 s"}
+    nested = {"tendon": {"stiffness": "20 N/cm"}, "protocol.stages.3": {"hold": "0.3 s"}}
+    assert load_design("binder2025", nested) == load_design("binder2025", dotted)
+    assert with_values(REFERENCE, {"tendon": {"stiffness": 2000.0}}).tendon.stiffness == 2000.0
+
+
+def test_a_wrong_value_beside_nested_settings_is_an_error_of_its_file(refusal, tmp_path):
+    refusal(f'{BASED}[tendon]\ndamping = "1 cm"\n')
+    with pytest.raises(InputError, match=r"^wing\.toml: tendon\.damping: "):
+        load_design("wing.toml", {"tendon": {"stiffness": "20 N/cm"}})
+    with pytest.raises(InputError, match=r"^tendon\.stiffness: "):
+        load_design("binder2025", {"tendon": {"stiffness": "20 cm"}})
+
+
 def test_settings_reach_into_a_stage():
     stages = load_design("binder2025", {"protocol.stages.3.hold": "0.3 s"}).protocol.stages
     assert [stage.hold for stage in stages] == [0.0, 0.0, 0.1, 0.3, 0.1]
@@ -480,6 +495,13 @@ def test_a_new_design_file_that_cannot_be_written_is_one_error(tmp_path, monkeyp
         write_new_design(type(tmp_path)(name))
     assert str(caught.value) == message
     assert [path.name for path in tmp_path.iterdir()] == ["file"]
+
+
+def test_a_path_may_be_text(tmp_path):
+    save_design(REFERENCE, str(tmp_path / "saved.toml"))
+    assert load_design(str(tmp_path / "saved.toml")) == REFERENCE
+    write_new_design(str(tmp_path / "new.toml"))
+    assert load_design(str(tmp_path / "new.toml")).hash == REFERENCE.hash
 
 
 def test_a_design_that_cannot_be_saved_is_one_error(tmp_path):

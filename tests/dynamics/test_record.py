@@ -174,6 +174,12 @@ def test_a_record_that_is_not_there_is_one_error(tmp_path, name, reason):
     assert refusal(tmp_path / name) == f"{tmp_path / name}: cannot be read: {reason}"
 
 
+def test_the_path_of_a_record_may_be_text(tmp_path):
+    record = planted()
+    save_record(record, str(tmp_path / "record.nc"))
+    assert load_record(str(tmp_path / "record.nc")).data.equals(record.data)
+
+
 def test_a_record_that_cannot_be_written_is_one_error_and_leaves_nothing(tmp_path):
     (tmp_path / "file").write_text("old")
     with pytest.raises(InputError, match=r"cannot be written: .*file is a file, not a folder$"):

@@ -52,6 +52,8 @@ def test_wings_from_a_cell_to_a_building_compile_into_the_same_numbers(size):
     assert 0.1 < ratios[0] < 10
 
 
-def test_a_vein_so_light_that_its_mass_is_no_number_is_refused():
-    with pytest.raises(InputError, match=r"^vein\.density: need a vein with a mass > 0"):
-        model_units(with_values(REFERENCE, {"vein.density": 1e-320}))
+@pytest.mark.parametrize(("key", "value"), [("vein.density", 1e-320), ("vein.diameter", 1e-200)])
+def test_a_vein_so_light_that_its_mass_is_no_number_is_refused_by_the_keys_that_make_its_mass(key, value):
+    with pytest.raises(InputError, match=r"^vein\.diameter and vein\.density: need a vein with a mass > 0") as caught:
+        model_units(with_values(REFERENCE, {key: value}))
+    assert f"{value:g} " in str(caught.value)

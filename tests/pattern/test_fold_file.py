@@ -14,6 +14,7 @@ from forficula.pattern import (
     folded_coordinates,
     interior_vertices,
     read_fold,
+    read_folded_frames,
     write_fold,
 )
 
@@ -81,6 +82,78 @@ def test_folded_states_become_frames_that_inherit(tmp_path):
     assert frame["vertices_coords"] == coords.tolist()
     assert frame["edges_foldAngle"][1] == pytest.approx(math.degrees(2.0))
     assert read_fold(tmp_path / "fan.fold").edges_fold_angle[1] == pytest.approx(math.pi)
+
+
+@given(st.lists(st.floats(0, 3.1), max_size=3))
+def test_folded_states_are_read_back_with_the_bits_of_their_positions(tmp_path_factory, angles):
+    pattern = earwig_pattern(FAN)
+    states = [(f"state {angle}", fan_fold_angles(FAN, angle)) for angle in angles]
+    written_frames = [(title, folded_coordinates(pattern, folds), folds) for title, folds in states]
+    path = tmp_path_factory.getbasetemp() / "states.fold"
+    write_fold(pattern, path, frames=written_frames)
+    frames = read_folded_frames(path)
+    assert [title for title, _, _ in frames] == [title for title, _, _ in written_frames]
+    for (_, coords, folds), (_, written_coords, written_folds) in zip(frames, written_frames, strict=True):
+        np.testing.assert_array_equal(coords, written_coords)
+        np.testing.assert_allclose(folds, written_folds, rtol=0, atol=1e-12)  # degrees in the file
+
+
+FOLDED = {"frame_classes": ["foldedForm"], "vertices_coords": [[0, 0], [10, 0], [0, 0], [0, 10]]}
+
+
+def states(path, *frames, changes=None):
+    """The folded states in a file of the square, each coordinate and angle as numbers."""
+    read = read_folded_frames(written(path / "square.fold", {"file_frames": list(frames)} | (changes or {})))
+    return [(title, coords.tolist(), folds.tolist()) for title, coords, folds in read]
+
+
+def test_a_frame_inherits_edges_fold_angles_and_unit_along_its_parents(tmp_path):
+    inherits = FOLDED | {"frame_inherit": True}
+    angles = {"edges_foldAngle": [0, 0, 0, 0, 90]}
+    frames = [inherits | angles | {"frame_parent": 0}, inherits | {"frame_parent": 1, "frame_title": "same angles"}]
+    (_, coords, folds), (title, _, same) = states(tmp_path, *frames)
+    assert coords == [[0, 0, 0], [0.01, 0, 0], [0, 0, 0], [0, 0.01, 0]]
+    assert folds == same == [0, 0, 0, 0, pytest.approx(math.pi / 2)]
+    assert title == "same angles"
+
+
+def test_a_frame_may_hold_vertices_edges_and_unit_of_its_own(tmp_path):
+    own = {"frame_classes": ["foldedForm"], "vertices_coords": [[0, 0], [1, 0]], "edges_vertices": [[0, 1]]}
+    ((_, coords, _), (_, in_metres, _)) = states(tmp_path, own, own | {"frame_unit": "m"})
+    assert coords == [[0, 0, 0], [1e-3, 0, 0]]
+    assert in_metres == [[0, 0, 0], [1, 0, 0]]
+
+
+def test_frames_that_are_no_folded_states_are_left_out(tmp_path):
+    assert states(tmp_path, {"frame_title": "notes"}, {"frame_classes": ["graph"]}) == []
+    assert read_folded_frames(written(tmp_path / "square.fold")) == []
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"frame_parent": 0}, "vertices_coords: need 4 positions, as many as in the parent, got 1"),
+        ({}, "frame_parent: need the number of a frame, 0 to 1, got None"),
+        ({"frame_parent": 7}, "frame_parent: need the number of a frame, 0 to 1, got 7"),
+        ({"frame_parent": 1}, "frame_parent: need a parent that does not inherit from the frame itself, got 1"),
+        ({"frame_inherit": False, "frame_unit": "ell"}, "frame_unit: need a unit of length"),
+        ({"frame_inherit": False, "vertices_coords": [[0]]}, r"vertices_coords\[0\]: need two or three numbers"),
+        ({"frame_inherit": False, "edges_foldAngle": [0]}, "edges_foldAngle: need one for each of the 0 edges, got 1"),
+        ({"frame_classes": "foldedForm", "frame_inherit": False}, "frame_classes: need a list, got str"),
+    ],
+)
+def test_a_frame_that_is_no_folded_state_is_refused_with_its_number_and_key(tmp_path, changes, message):
+    frame = {"frame_classes": ["foldedForm"], "frame_inherit": True, "vertices_coords": [[0, 0]]} | changes
+    with pytest.raises(InputError, match=rf"square\.fold: file_frames\[0\]: {message}") as refusal:
+        states(tmp_path, frame)
+    assert "\n" not in str(refusal.value)
+
+
+def test_frames_that_are_no_objects_are_refused(tmp_path):
+    with pytest.raises(InputError, match=r"square\.fold: file_frames\[0\]: need a JSON object with FOLD keys, got int"):
+        states(tmp_path, 7)
+    with pytest.raises(InputError, match=r"square\.fold: file_frames: need a list, got dict"):
+        states(tmp_path, changes={"file_frames": {}})
 
 
 def test_a_folded_state_of_another_shape_leaves_the_old_file_alone(tmp_path):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import os
 import re
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -29,7 +30,8 @@ def load_design(name_or_path: str | Path, settings: Mapping[str, object] | None 
 
     Args:
         name_or_path: one of `named_designs`, or the path of a TOML file.
-        settings: values by dotted key, as in {"tendon.stiffness": "20 N/cm"}; text with units, as in a file.
+        settings: values by dotted key or in nested tables, as in {"tendon.stiffness": "20 N/cm"} or
+            {"tendon": {"stiffness": "20 N/cm"}}; text with units, as in a file.
 
     Returns:
         The design, checked.
@@ -46,7 +48,7 @@ def load_design(name_or_path: str | Path, settings: Mapping[str, object] | None 
     try:
         return _validate(tables)
     except _RejectedError as error:
-        where = _origin(error.place, files, settings or {})
+        where = _origin(error.place, files, _dotted(settings or {}))
         raise InputError(f"{where}: {error}" if where else str(error)) from None
 
 
@@ -88,9 +90,9 @@ def named_designs() -> dict[str, str]:
     return {name: load_design(name).source for name in _named()}
 
 
-def save_design(design: Design, path: Path) -> None:
+def save_design(design: Design, path: str | os.PathLike[str]) -> None:
     """Write every value of a design; reading the file gives the same bits."""
-    write_text(path, design_text(design))
+    write_text(Path(path), design_text(design))
 
 
 def design_text(design: Design) -> str:
@@ -108,12 +110,13 @@ def design_from_text(text: str) -> Design:
     return _validate(tomllib.loads(text))
 
 
-def write_new_design(path: Path) -> None:
+def write_new_design(path: str | os.PathLike[str]) -> None:
     """Write a commented design file to start from: the reference, every key with what it means.
 
     Raises:
         InputError: the file exists already, or cannot be written.
     """
+    path = Path(path)
     if path.suffix != ".toml":
         raise InputError(f"{path}: need a name that ends with .toml")
     try:
@@ -199,10 +202,18 @@ def _set(tables: dict[str, Any], key: str, value: object) -> None:
         place = place.setdefault(section, {}) if isinstance(place, dict) else place[_index(key, section, place)]
         if not isinstance(place, dict | list):
             raise InputError(f"{key}: unknown key; did you mean {'.'.join(sections[:depth])}?")
-    if isinstance(place, list):
-        place[_index(key, last, place)] = value
-    else:
-        place[last] = value
+    at: Any = _index(key, last, place) if isinstance(place, list) else last
+    inner = place[at] if isinstance(place, list) else place.get(at)
+    place[at] = _merged(inner, value) if isinstance(inner, dict) and isinstance(value, dict) else value
+
+
+def _dotted(tables: Mapping[str, object], prefix: str = "") -> Iterator[str]:
+    """The dotted keys of all values in nested tables."""
+    for key, value in tables.items():
+        if isinstance(value, Mapping):
+            yield from _dotted(value, f"{prefix}{key}.")
+        else:
+            yield f"{prefix}{key}"
 
 
 def _index(key: str, text: str, items: list[Any]) -> int:

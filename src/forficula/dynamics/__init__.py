@@ -1,17 +1,20 @@
 from forficula.dynamics.model import WingModel, compile_wing
 from forficula.dynamics.record import Record, StageEnd, load_record, save_record, versions
-from forficula.dynamics.simulate import run, simulate
+from forficula.dynamics.simulate import run, simulate, simulate_each
 from forficula.dynamics.timestep import stable_timestep, timestep_warnings, with_timestep
+from forficula.dynamics.units import design_in_model_units
 
 __all__ = [
     "Record",
     "StageEnd",
     "WingModel",
     "compile_wing",
+    "design_in_model_units",
     "load_record",
     "run",
     "save_record",
     "simulate",
+    "simulate_each",
     "stable_timestep",
     "timestep_warnings",
     "versions",

@@ -39,7 +39,11 @@ class Fleet:
         self._opened_angle = np.array([protocol.opened_angle for protocol in protocols])
         self._rest_speed = np.array([wing.in_units.protocol.rest_speed for wing in wings])
         self._last = np.array([len(protocol.stages) for protocol in protocols]) - 1
-        stages = [[*protocol.stages, *[protocol.stages[-1]] * (self._last.max() + 1)] for protocol in protocols]
+        # every row as long as the longest and one more, where a wing is when it has ended
+        length = int(self._last.max()) + 2
+        stages = [
+            [*protocol.stages, *[protocol.stages[-1]] * (length - len(protocol.stages))] for protocol in protocols
+        ]
         self._goal = np.array([[_GOALS.index(stage.until) for stage in row] for row in stages])
         self._hold = self._in_steps([[stage.hold for stage in row] for row in stages])
         self._limit = self._in_steps([[stage.time_limit for stage in row] for row in stages])

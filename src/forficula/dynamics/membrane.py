@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.design import Design
+from forficula.design.places import mesh_rows
 from forficula.dynamics.veins import Point, Vein
 
 
@@ -41,9 +42,8 @@ def panel_membrane(veins: tuple[Vein, ...], design: Design) -> Membrane:
     triangles: list[list[int]] = []
     for panel in range(len(veins) - 1):
         first = len(nodes)
-        for bar, here, there in zip(
-            _row_bars(design), _row_points(veins[panel], design), _row_points(veins[panel + 1], design), strict=True
-        ):
+        here_and_there = (mesh_rows(vein.hub_point, vein.ring_vertex, vein.tip, design) for vein in veins[panel:][:2])
+        for bar, here, there in zip(_row_bars(design), *here_and_there, strict=True):
             width = float(np.linalg.norm(there - here))
             margin = min(design.membrane.margin, design.membrane.margin_limit * width)
             nodes += [here + margin / width * (there - here), there]
@@ -124,12 +124,3 @@ def _row_bars(design: Design) -> list[str]:
     """The bar that carries each row; the ring fold's row is on the proximal bar."""
     law = design.membrane
     return ["proximal"] * (len(law.proximal_rows) + 1) + ["distal"] * (len(law.distal_rows) + 1)
-
-
-def _row_points(vein: Vein, design: Design) -> list[Point]:
-    """Where a vein crosses each row, hub to tip."""
-    proximal, distal = vein.ring_vertex - vein.hub_point, vein.tip - vein.ring_vertex
-    return [
-        *(vein.hub_point + share * proximal for share in (*design.membrane.proximal_rows, 1.0)),
-        *(vein.ring_vertex + share * distal for share in (*design.membrane.distal_rows, 1.0)),
-    ]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -99,7 +100,7 @@ class Record:
         return xarray.Dataset(variables, coordinates)
 
 
-def save_record(record: Record, path: Path) -> None:
+def save_record(record: Record, path: str | os.PathLike[str]) -> None:
     """Write a record as netCDF, its design and stages with it.
 
     Raises:
@@ -125,10 +126,10 @@ def save_record(record: Record, path: Path) -> None:
         **{f"version_{name}": version for name, version in versions().items()},
     }
     # by way of memory: on a full disk HDF5 fails in ways that cannot be caught, down to a crash
-    write_bytes(path, data.to_netcdf(engine="h5netcdf"))
+    write_bytes(Path(path), data.to_netcdf(engine="h5netcdf"))
 
 
-def load_record(path: Path) -> Record:
+def load_record(path: str | os.PathLike[str]) -> Record:
     """Read a record that `save_record` wrote.
 
     Raises:
@@ -137,6 +138,7 @@ def load_record(path: Path) -> Record:
     import h5py
     import xarray
 
+    path = Path(path)
     try:
         content = path.read_bytes()
     except OSError as error:

@@ -41,7 +41,10 @@ def model_units(design: Design) -> ModelUnits:
     span = design.pattern.proximal_length + design.pattern.distal_length
     mass = design.vein.density * span * math.pi / 4 * design.vein.diameter**2
     if not 0 < mass < math.inf:
-        raise InputError(f"vein.density: need a vein with a mass > 0 and finite, got {mass} kg")
+        raise InputError(
+            f"vein.diameter and vein.density: need a vein with a mass > 0 and finite, got {mass:g} kg, from"
+            f" {design.vein.diameter:g} m and {design.vein.density:g} kg/m^3"
+        )
     length = _decade(span)
     return ModelUnits(length=length, mass=_decade(mass), time=length)
 

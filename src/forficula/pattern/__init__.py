@@ -9,7 +9,7 @@ from forficula.pattern.crease_pattern import (
     sector_angles,
 )
 from forficula.pattern.earwig import EarwigFan, Tangent, earwig_pattern, hub_points, ring_vertices, tips, vein_gaps
-from forficula.pattern.fold_file import read_fold, write_fold
+from forficula.pattern.fold_file import read_fold, read_folded_frames, write_fold
 from forficula.pattern.kinematics import (
     closure_residual,
     degree4_fold_angles,
@@ -39,6 +39,7 @@ __all__ = [
     "maekawa_residuals",
     "opposite_fold_angle",
     "read_fold",
+    "read_folded_frames",
     "ring_vertices",
     "sector_angles",
     "tips",

@@ -111,6 +111,76 @@ def read_fold(path: str | os.PathLike[str]) -> CreasePattern:
         raise InputError(f"{file}: {error}") from error
 
 
+def read_folded_frames(path: str | os.PathLike[str]) -> list[Frame]:
+    """Read the folded states of a FOLD file: those of its `file_frames` whose classes have "foldedForm".
+
+    Where a frame says `frame_inherit`, what it does not hold is that of its parent; every frame without a
+    `frame_unit` has that of the file. Two coordinates get z = 0.
+
+    Args:
+        path: the file.
+
+    Returns:
+        Of each state: title, positions of the vertices in m, shape (N, 3), and fold angles in rad, shape (E,), nan
+        where there is none; as `write_fold` takes them.
+
+    Raises:
+        InputError: the file cannot be read, is no FOLD file, names no unit of length, or holds what is no folded state;
+            the message names the file, the frame and the key.
+    """
+    file = Path(path)
+    frames: list[Frame] = []
+    try:
+        document = _document(file)
+        for number in range(len(_frames(document))):
+            try:
+                frame = _inherited(document, number + 1)
+                if "frame_classes" in frame and "foldedForm" in _list(frame, "frame_classes"):
+                    frames.append(_folded_state({"frame_unit": document.get("frame_unit")} | frame))
+            except InputError as error:
+                raise InputError(f"file_frames[{number}]: {error}") from error
+    except InputError as error:
+        raise InputError(f"{file}: {error}") from error
+    return frames
+
+
+def _frames(document: dict[str, object]) -> list[object]:
+    """The frames beside the key frame."""
+    return _list(document, "file_frames") if "file_frames" in document else []
+
+
+def _inherited(document: dict[str, object], number: int, children: tuple[int, ...] = ()) -> dict[str, object]:
+    """A frame with what it inherits; number 0 is the key frame."""
+    if number == 0:
+        return document
+    frame = _frames(document)[number - 1]
+    if not isinstance(frame, dict):
+        raise InputError(f"need a JSON object with FOLD keys, got {type(frame).__name__}")
+    if frame.get("frame_inherit", False) is not True:
+        return frame
+    parent, count = frame.get("frame_parent"), len(_frames(document))
+    if isinstance(parent, bool) or not isinstance(parent, int) or not 0 <= parent <= count:
+        raise InputError(f"frame_parent: need the number of a frame, 0 to {count}, got {parent!r}")
+    if parent in (*children, number):
+        raise InputError(f"frame_parent: need a parent that does not inherit from the frame itself, got {parent}")
+    above = _inherited(document, parent, (*children, number))
+    if "vertices_coords" in frame and "edges_vertices" not in frame:
+        own, others = (len(_list(each, "vertices_coords")) for each in (frame, above))
+        if own != others:
+            raise InputError(f"vertices_coords: need {others} positions, as many as in the parent, got {own}")
+    return above | frame
+
+
+def _folded_state(frame: dict[str, object]) -> Frame:
+    """Title, positions and fold angles of a frame."""
+    coords = _coords(frame) * _metres(frame)
+    edge_count = len(_vertex_lists(frame, "edges_vertices", len(coords))) if "edges_vertices" in frame else 0
+    fold_angles = _fold_angles(frame, edge_count)
+    if len(fold_angles) != edge_count:
+        raise InputError(f"edges_foldAngle: need one for each of the {edge_count} edges, got {len(fold_angles)}")
+    return str(frame.get("frame_title", "")), coords, fold_angles
+
+
 def _document(file: Path) -> dict[str, object]:
     """Parse the JSON of a file."""
     try:

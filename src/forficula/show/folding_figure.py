@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from forficula.analysis import Outcome
 from forficula.design import LENGTH
+from forficula.design.places import mesh_rows, tendon_ends
 from forficula.dynamics import Record, StageEnd
 from forficula.quantities import show_quantity
 from forficula.show.style import ORANGE, PAGE_WIDTH, figure_style
@@ -98,12 +99,12 @@ def _scene(record: Record, time: float) -> tuple[list[Array], list[tuple[float, 
     """Projected panels, back to front, with their shades; projected bars; projected tendons."""
     now = record.data.sel(time=time, method="nearest")
     veins, nodes = now["vein_position"].values, now["membrane_position"].values
-    membrane, tendon = record.design.membrane, record.design.tendon
+    membrane = record.design.membrane
     rows = len(membrane.proximal_rows) + len(membrane.distal_rows) + 2
     nodes = nodes.reshape(len(veins) - 1, rows, 2, 3)
     quads, tints = [], []
     for panel in range(len(veins) - 1):
-        along = _row_points(veins[panel], membrane.proximal_rows, membrane.distal_rows)
+        along = mesh_rows(*veins[panel], record.design)
         for row in range(rows - 1):
             tint = _PROXIMAL if row < len(membrane.proximal_rows) else _DISTAL
             edge, far = nodes[panel, :, 0], nodes[panel, :, 1]
@@ -112,22 +113,13 @@ def _scene(record: Record, time: float) -> tuple[list[Array], list[tuple[float, 
                 quads.append(np.array([near[row], near[row + 1], beyond[row + 1], beyond[row]]))
                 tints.append(tint)
     order = np.argsort([_depth(quad.mean(axis=0)) for quad in quads])
-    hub, ring, tip = veins[:, 0], veins[:, 1], veins[:, 2]
-    before = ring + (hub - ring) * tendon.proximal_attachment / record.design.pattern.proximal_length
-    beyond = ring + (tip - ring) * tendon.distal_attachment / record.design.pattern.distal_length
+    tendons = zip(*tendon_ends(veins[:, 0], veins[:, 1], veins[:, 2], record.design), strict=True)
     return (
         [_project(quads[index]) for index in order],
         [_shade(quads[index], tints[index]) for index in order],
         [_project(vein) for vein in veins],
-        [_project(np.array(pair)) for pair in zip(before, beyond, strict=True)],
+        [_project(np.array(pair)) for pair in tendons],
     )
-
-
-def _row_points(vein: Array, proximal_rows: tuple[float, ...], distal_rows: tuple[float, ...]) -> Array:
-    """Where the rows of the mesh lie on a vein in space, (row, 3)."""
-    hub, ring, tip = vein
-    proximal = [hub + share * (ring - hub) for share in (*proximal_rows, 1.0)]
-    return np.array(proximal + [ring + share * (tip - ring) for share in (*distal_rows, 1.0)])
 
 
 def _project(points: Array) -> Array:

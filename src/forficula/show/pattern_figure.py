@@ -7,6 +7,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from forficula.design import Design
+from forficula.design.places import tendon_ends
 from forficula.pattern import earwig_pattern, hub_points, ring_vertices, tips
 from forficula.show.style import BLACK, BLUE, ORANGE, VERMILION, figure_style
 
@@ -29,7 +30,8 @@ def draw_pattern(design: Design) -> Figure:
         angle = np.linspace(0, 2 * np.pi, 200)
         radius = _CENTIMETRE * fan.hub_radius
         axes.plot(radius * np.cos(angle), radius * np.sin(angle), ":", color="0.5", lw=0.8)
-        for start, end in _tendons(design):
+        ends = tendon_ends(*(points[:, :2] for points in (hub_points(fan), ring_vertices(fan), tips(fan))), design)
+        for start, end in zip(*ends, strict=True):
             axes.plot(*_CENTIMETRE * np.column_stack([start, end]), "o-", color=ORANGE, ms=3.5, lw=3, alpha=0.6)
         for vein, tip in enumerate(_CENTIMETRE * tips(fan)[:, :2]):
             outwards = tip / np.linalg.norm(tip)
@@ -43,12 +45,3 @@ def draw_pattern(design: Design) -> Figure:
         handles.append(Line2D([], [], color="0.5", ls=":", label="hub"))
         figure.legend(handles=handles, loc="outside upper center", ncols=5)
         return figure
-
-
-def _tendons(design: Design) -> list[tuple[np.ndarray, np.ndarray]]:
-    """The two ends of every tendon in the flat wing, m."""
-    fan, tendon = design.fan, design.tendon
-    hub, ring, tip = (points[:, :2] for points in (hub_points(fan), ring_vertices(fan), tips(fan)))
-    before = ring + (hub - ring) * tendon.proximal_attachment / fan.proximal_length
-    beyond = ring + (tip - ring) * tendon.distal_attachment / fan.distal_length
-    return list(zip(before, beyond, strict=True))

@@ -1,0 +1,45 @@
+"""Places on the veins, in the flat wing or anywhere in space: ends of the tendons, rows of the membrane's mesh."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.design.design import Design
+
+Points = NDArray[np.float64]
+
+
+def tendon_ends(hub: Points, ring: Points, tip: Points, design: Design) -> tuple[Points, Points]:
+    """Place the two ends of a vein's tendon on its bars.
+
+    Args:
+        hub: hub end of the vein, in the units of `design`, (..., axis).
+        ring: its ring vertex, alike.
+        tip: its tip, alike.
+        design: where tendons are attached.
+
+    Returns:
+        The ends on the proximal and on the distal bar, shaped alike.
+    """
+    tendon, pattern = design.tendon, design.pattern
+    before = ring + (hub - ring) * tendon.proximal_attachment / pattern.proximal_length
+    beyond = ring + (tip - ring) * tendon.distal_attachment / pattern.distal_length
+    return before, beyond
+
+
+def mesh_rows(hub: Points, ring: Points, tip: Points, design: Design) -> Points:
+    """Place the rows of the membrane's mesh on a vein.
+
+    Args:
+        hub: hub end of the vein, in any unit of length, (axis,).
+        ring: its ring vertex, alike.
+        tip: its tip, alike.
+        design: the rows, in shares of the two lengths.
+
+    Returns:
+        Hub to tip, (row, axis); the row of the ring fold follows the proximal ones, that of the tip comes last.
+    """
+    proximal = np.array([*design.membrane.proximal_rows, 1.0])[:, np.newaxis]
+    distal = np.array([*design.membrane.distal_rows, 1.0])[:, np.newaxis]
+    return np.concatenate([hub + proximal * (ring - hub), ring + distal * (tip - ring)])

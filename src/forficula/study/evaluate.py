@@ -1,0 +1,84 @@
+"""Runs to rows: many designs through their protocols, each as a row of plain numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from forficula.analysis import Outcome, State, Transition, measure
+from forficula.design import Design
+from forficula.dynamics import WingModel, compile_wing, design_in_model_units, simulate_each, with_timestep
+from forficula.errors import InputError
+from forficula.study.journal import SCHEMA, Row
+
+
+def row_key(design: Design) -> str:
+    """What names a row: every value of the design and its protocol."""
+    return f"{SCHEMA}-{design.hash}"
+
+
+def evaluate(designs: Sequence[Design], threads: int = 0) -> Iterator[Row]:
+    """Run designs and hand on their rows as they finish; the rows do not depend on order, company or threads.
+
+    A design that cannot be built is a row, too, whose status says why.
+    """
+    by_topology: dict[tuple[int, ...], list[tuple[str, WingModel]]] = {}
+    compiled: dict[str, WingModel | str] = {}
+    for design in designs:
+        key, built = row_key(design), _build(design, compiled)
+        if isinstance(built, str):
+            yield {"key": key, "status": f"cannot be built: {built}"}
+            continue
+        engine = built.engine
+        sizes = (engine.nq, engine.nv, engine.nu, engine.nbody, engine.ngeom, engine.ntendon, engine.nflexvert)
+        by_topology.setdefault(sizes, []).append((key, built))
+    for wings in by_topology.values():
+        for row, record in simulate_each([wing for _, wing in wings], threads, sparse=True):
+            yield {"key": wings[row][0], **outcome_row(measure(record))}
+
+
+def outcome_row(outcome: Outcome) -> Row:
+    """An outcome as plain numbers with units in their names; None where there is none."""
+    return {
+        "status": outcome.status,
+        "folded": outcome.folded,
+        "opened": outcome.opened,
+        **_transition("fold", outcome.fold),
+        **_transition("unfold", outcome.unfold),
+        **_state("flat", outcome.flat),
+        **_state("folded", outcome.folded_state),
+        **_state("opened", outcome.opened_state),
+    }
+
+
+def _build(design: Design, compiled: dict[str, WingModel | str]) -> WingModel | str:
+    """A wing, sharing its engine model with those that differ only in what is done to them; or why there is none."""
+    parting = {"fold_torque": 0.0, "unfold_torque": 0.0, "stages": ()}
+    alike = design.model_copy(update={"protocol": design.protocol.model_copy(update=parting)})
+    if alike.hash not in compiled:
+        try:
+            compiled[alike.hash] = compile_wing(with_timestep(design))
+        except InputError as error:
+            compiled[alike.hash] = str(error)
+    wing = compiled[alike.hash]
+    if isinstance(wing, str):
+        return wing
+    timestep = wing.design.protocol.timestep
+    resolved = design.model_copy(update={"protocol": design.protocol.model_copy(update={"timestep": timestep})})
+    return replace(wing, design=resolved, in_units=design_in_model_units(resolved, wing.units))
+
+
+def _transition(name: str, transition: Transition | None) -> Row:
+    if transition is None:
+        return {f"{name}_time_s": None, f"{name}_work_J": None}
+    return {f"{name}_time_s": transition.time, f"{name}_work_J": transition.work}
+
+
+def _state(name: str, state: State | None) -> Row:
+    """Energy of all tendons, and the angle of the hinge that is furthest from folded."""
+    if state is None:
+        return {f"{name}_energy_J": None, f"{name}_angle_deg": None}
+    angle = float(np.degrees(np.max(state.distal_angle)))
+    return {f"{name}_energy_J": float(np.sum(state.tendon_energy)), f"{name}_angle_deg": angle}

@@ -1,0 +1,133 @@
+"""A whole study: what is missing is run, what is there is kept, and the table is built at the end."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from forficula.design import Design
+from forficula.errors import InputError
+from forficula.study.evaluate import evaluate, row_key
+from forficula.study.journal import Row, open_folder, open_journal, read_rows
+from forficula.study.search import point_design, search_designs
+from forficula.study.study import Study
+from forficula.study.table import build_table
+
+if TYPE_CHECKING:
+    import xarray
+
+Progress = Callable[[int, int, Row], None]
+
+# Runs side by side in one batch: enough that a few slow ones do not leave a core idle for long.
+_BATCH = 1024
+
+
+def run_study(
+    study: Study,
+    out: str | Path,
+    *,
+    shard: tuple[int, int] = (1, 1),
+    threads: int = 0,
+    batch: int = _BATCH,
+    progress: Progress | None = None,
+) -> xarray.Dataset | None:
+    """Run what a study lacks and build its table.
+
+    Args:
+        study: what to run.
+        out: folder with the rows; a study that was stopped goes on there.
+        shard: number, from 1 on, and count: only every count-th point runs, so that machines can share a study.
+        threads: 0 for one a core.
+        batch: runs side by side.
+        progress: called with the runs done, the runs known to be needed, and the row, after every run.
+
+    Returns:
+        The table, or None where points of other shards are missing.
+
+    Raises:
+        InputError: the folder holds another study's rows, or cannot be written.
+    """
+    folder = Path(out)
+    open_folder(folder, study.base)
+    rows = read_rows(folder)
+    designs = _designs(study)
+    mine = {number: design for number, design in designs.items() if number % shard[1] == shard[0] - 1}
+    with open_journal(folder, shard) as journal:
+        while missing := _missing(study, mine, rows):
+            needed = len(missing) + sum(1 for _ in _known(study, mine, rows))
+            for first in range(0, len(missing), batch):
+                for row in evaluate(list(missing.values())[first : first + batch], threads):
+                    journal.append(row)
+                    rows[row["key"]] = row
+                    if progress is not None:
+                        progress(needed - sum(key not in rows for key in missing), needed, row)
+    if _missing(study, designs, rows):
+        return None
+    return build_table(study, designs, rows)
+
+
+def collect(study: Study, out: str | Path) -> xarray.Dataset:
+    """Build the table from the rows of all shards.
+
+    Raises:
+        InputError: rows are missing, and how many; or the folder holds another study's rows.
+    """
+    folder = Path(out)
+    open_folder(folder, study.base)
+    rows, designs = read_rows(folder), _designs(study)
+    if missing := _missing(study, designs, rows):
+        raise InputError(f"{folder}: {len(missing)} runs are missing; run the shards that are not done, then collect")
+    return build_table(study, designs, rows)
+
+
+def estimate(study: Study, out: str | Path) -> tuple[int, int, float]:
+    """Count the runs of a study, those that are missing, and guess how long these take, s.
+
+    The guess is the time that the middle point takes, measured now, times the points that are left.
+    """
+    rows = read_rows(Path(out))
+    designs = _designs(study)
+    missing = _missing(study, designs, rows)
+    every = _missing(study, designs, {})
+    if not missing:
+        return len(every), 0, 0.0
+    middle = list(designs.values())[len(designs) // 2]
+    sample = list(_missing(study, {0: middle}, {}).values())
+    start = time.perf_counter()
+    for _ in evaluate(sample):
+        pass
+    return len(every), len(missing), (time.perf_counter() - start) / max(1, len(sample)) * len(missing)
+
+
+def _designs(study: Study) -> dict[int, Design | str]:
+    """The design at every point, or why there is none."""
+    designs: dict[int, Design | str] = {}
+    for number, point in enumerate(study.points):
+        try:
+            designs[number] = point_design(study.base, point)
+        except InputError as error:
+            designs[number] = str(error)
+    return designs
+
+
+def _wanted(study: Study, design: Design, rows: Mapping[str, Row]) -> list[Design]:
+    return [design] if study.search is None else search_designs(design, study.search, rows)
+
+
+def _known(study: Study, designs: Mapping[int, Design | str], rows: Mapping[str, Row]) -> Iterator[str]:
+    for design in designs.values():
+        if isinstance(design, Design):
+            yield from (key for each in _wanted(study, design, rows) if (key := row_key(each)) in rows)
+
+
+def _missing(study: Study, designs: Mapping[int, Design | str], rows: Mapping[str, Row]) -> dict[str, Design]:
+    """Runs that are not in the rows, by key."""
+    return {
+        key: each
+        for design in designs.values()
+        if isinstance(design, Design)
+        for each in _wanted(study, design, rows)
+        if (key := row_key(each)) not in rows
+    }

@@ -1,0 +1,165 @@
+"""Rows to a labelled table: one entry a point, the failed ones too."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from forficula.design import Design, key_quantity
+from forficula.quantities import Unit, parse_quantity
+from forficula.study.evaluate import row_key
+from forficula.study.factors import Factor
+from forficula.study.journal import Row
+from forficula.study.search import fold_design, search_result
+from forficula.study.study import Study
+
+if TYPE_CHECKING:
+    import xarray
+
+# name: (unit, what it is)
+_NUMBERS = {
+    "least_fold_torque": ("N m", "least torque that folds"),
+    "least_unfold_torque": ("N m", "least torque that opens"),
+    "fold_time": ("s", "fold time"),
+    "unfold_time": ("s", "opening time"),
+    "fold_work": ("J", "work of folding"),
+    "unfold_work": ("J", "work of unfolding"),
+    "flat_energy": ("J", "energy of the tendons, flat"),
+    "folded_energy": ("J", "energy of the tendons, folded"),
+    "opened_energy": ("J", "energy of the tendons, opened"),
+}
+_RUN_NUMBERS = {name: unit for name, unit in _NUMBERS.items() if not name.startswith("least")}
+_COLUMNS = (*(name for name in _NUMBERS if name != "unfold_time"), "status", "unfold_time")
+
+
+def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping[str, Row]) -> xarray.Dataset:
+    """Label the results of a study.
+
+    Args:
+        study: what was asked.
+        designs: by number of the point, or why there is none.
+        rows: by key, none missing.
+
+    Returns:
+        Dimensions are the factors, in the study's order, or "sample" where the points were drawn; coordinates in SI
+        with `units`, `display` and `key`.
+    """
+    import xarray
+
+    results = [_result(study, designs[number], rows) for number in range(len(study.points))]
+    coordinates, dimensions, shape = _axes(study)
+    numbers = _NUMBERS if study.search is not None else _RUN_NUMBERS
+    words = ("status",) if study.search is None else ("status", "fold_status", "reference_fold_status")
+    variables: dict[str, Any] = {}
+    for name, (unit, meaning) in numbers.items():
+        values = np.array([_nan(result.get(name)) for result in results]).reshape(shape)
+        variables[name] = (dimensions, values, {"units": unit, "long_name": meaning})
+    for name in words:
+        texts = np.array([str(result.get(name, result["status"])) for result in results], dtype=object).reshape(shape)
+        variables[name] = (dimensions, texts)
+    if study.search is None:
+        for name in ("folded", "opened"):
+            variables[name] = (dimensions, np.array([bool(each.get(name)) for each in results]).reshape(shape))
+    else:
+        variables["reference_fold_status"] += ({"torque": study.search.fold_with, "units": "N m"},)
+        coordinates["fold_torque"] = ("fold_torque", np.array(study.search.fold_torques), {"units": "N m"})
+        times = [[_nan(each.get("fold_times", {}).get(t)) for t in study.search.fold_torques] for each in results]
+        by_torque = np.array(times).reshape(*shape, -1)
+        variables["fold_time_by_torque"] = ((*dimensions, "fold_torque"), by_torque, {"units": "s"})
+        variables["folded_by_torque"] = ((*dimensions, "fold_torque"), np.isfinite(by_torque))
+    attributes = {
+        "name": study.name,
+        "source": study.source,
+        "design": study.base.name,
+        "design_hash": study.base.hash,
+        "ask": "run" if study.search is None else "least-torques",
+        "veins": study.base.fan.vein_count,
+    }
+    return xarray.Dataset(variables, coordinates, attributes)
+
+
+def table_csv(study: Study, table: xarray.Dataset) -> str:
+    """The table as text, one line a point, units in the names of the columns, empty where there is no number."""
+    factors = [_column(factor) for factor in study.factors]
+    names = [name for name in _COLUMNS if name in table]
+    units = {name: _suffix(table[name].attrs["units"]) for name in names if name != "status"}
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow([*(name for name, _ in factors), *(f"{name}{units.get(name, '')}" for name in names)])
+    columns = [table[name].values.ravel() for name in names]
+    for number, point in enumerate(study.points):
+        values = [_factor_value(factor, point[factor.key]) for factor in study.factors]
+        cells = [
+            factor * value if isinstance(value, float) else value
+            for value, (_, factor) in zip(values, factors, strict=True)
+        ]
+        writer.writerow([*cells, *(_cell(column[number]) for column in columns)])
+    return text.getvalue()
+
+
+def _result(study: Study, design: Design | str, rows: Mapping[str, Row]) -> dict[str, Any]:
+    if isinstance(design, str):
+        return {"status": f"cannot be built: {design}"}
+    if study.search is None:
+        row = rows[row_key(design)]
+        return row | {name: row.get(f"{name}_{unit}") for name, (unit, _) in _RUN_NUMBERS.items()}
+    result = search_result(design, study.search, rows)
+    result["fold_times"] = {
+        torque: rows[row_key(fold_design(design, torque))].get("fold_time_s") for torque in study.search.fold_torques
+    }
+    return result
+
+
+def _axes(study: Study) -> tuple[dict[str, Any], tuple[str, ...], tuple[int, ...]]:
+    """Coordinates, dimensions and shape of the table."""
+    coordinates: dict[str, Any] = {}
+    for factor in study.factors:
+        given = [point[factor.key] for point in study.points] if study.sampled else list(factor.values)
+        values = [_factor_value(factor, value) for value in given]
+        unit = _unit(factor)
+        attributes = {"key": factor.key, "long_name": factor.key.replace(".", " ").replace("_", " ")}
+        if unit is not None:
+            attributes |= {"units": unit.si, "display": unit.display}
+        coordinates[factor.dimension] = ("sample" if study.sampled else factor.dimension, values, attributes)
+    if study.sampled:
+        return coordinates, ("sample",), (len(study.points),)
+    names = tuple(factor.dimension for factor in study.factors)
+    return coordinates, names, tuple(len(factor.values) for factor in study.factors)
+
+
+def _unit(factor: Factor) -> Unit | None:
+    quantity = key_quantity(factor.key)
+    return quantity.unit if quantity is not None else None
+
+
+def _factor_value(factor: Factor, value: object) -> Any:
+    unit = _unit(factor)
+    return value if unit is None else parse_quantity(value, unit)
+
+
+def _column(factor: Factor) -> tuple[str, float]:
+    """Heading of a factor's column and the factor from SI to it; angles are in degrees, as in all our files."""
+    unit = _unit(factor)
+    if unit is None:
+        return factor.dimension, 1.0
+    if unit.si == "rad":
+        return f"{factor.dimension}_deg", 180 / math.pi
+    return factor.dimension + _suffix(unit.si), 1.0
+
+
+def _suffix(unit: str) -> str:
+    """Turn "kg/m^3" into "_kg_per_m3"."""
+    return "_" + unit.replace("/", "_per_").replace("^", "").replace(" ", "_")
+
+
+def _nan(value: object) -> float:
+    return math.nan if value is None else float(str(value))
+
+
+def _cell(value: object) -> object:
+    return "" if isinstance(value, float) and math.isnan(value) else value
