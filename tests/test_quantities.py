@@ -7,7 +7,15 @@ from hypothesis import strategies as st
 
 from forficula.design import design as units_of_a_design
 from forficula.errors import InputError
-from forficula.quantities import Unit, as_written, dimension, format_quantity, parse_quantity, show_quantity
+from forficula.quantities import (
+    Unit,
+    as_written,
+    dimension,
+    format_quantity,
+    parse_quantity,
+    reading_unit,
+    show_quantity,
+)
 
 UNITS = [value for value in vars(units_of_a_design).values() if isinstance(value, Unit)]
 LENGTH = Unit(display="cm", si="m", example="12 cm")
@@ -119,6 +127,35 @@ def test_an_angular_speed_without_an_angle_is_refused(unit):
 def test_a_unit_may_leave_out_an_angle_that_it_is_divided_by():
     unit = Unit(display="N m s/rad", si="N m s/rad", example="1e-3 N m s/rad")
     assert parse_quantity("2 N m s", unit) == parse_quantity("2 N m s/rad", unit) == 2.0
+
+
+@pytest.mark.parametrize(
+    ("unit", "largest", "name", "factor"),
+    [
+        ("J", 14.0, "J", 1.0),
+        ("J", 2e-3, "mJ", 1e3),
+        ("J", 5e-5, "µJ", 1e6),
+        ("J", 1e-30, "nJ", 1e9),
+        ("J", 0.0, "J", 1.0),
+        ("N m", 0.5, "N cm", 1e2),
+        ("N m", 5e-5, "mN cm", 1e5),
+        ("m", 22.0, "m", 1.0),
+        ("m", 0.22, "cm", 1e2),
+        ("m", 0.01, "mm", 1e3),
+        ("m", 1e-6, "µm", 1e6),
+        ("s", 2.7, "s", 1.0),
+        ("s", 0.13, "ms", 1e3),
+        ("s", 1e-5, "µs", 1e6),
+    ],
+)
+def test_values_read_well_in_a_unit_near_the_largest(unit, largest, name, factor):
+    assert reading_unit(unit, largest) == (name, factor)
+
+
+@given(st.sampled_from(["J", "N m", "m", "s"]), st.floats(0, 1e3))
+def test_the_reading_unit_of_a_value_is_that_unit_of_it(unit, largest):
+    name, factor = reading_unit(unit, largest)
+    assert parse_quantity(f"1 {name}", Unit(display=unit, si=unit, example="")) == pytest.approx(1 / factor, rel=1e-12)
 
 
 def test_a_quantity_is_shown_to_people_with_four_digits():

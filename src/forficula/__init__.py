@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from forficula.dynamics import Record, load_record, run, save_record, timestep_warnings
     from forficula.errors import InputError
     from forficula.pattern import CreasePattern, EarwigFan, earwig_pattern, read_fold, read_folded_frames, write_fold
+    from forficula.study import Study, load_study, run_study
 
 # Where each public name lives. They are fetched at first use: MuJoCo and xarray are slow to import, and help, errors
 # and crease patterns need neither.
@@ -26,6 +27,7 @@ _HOMES = {
     "forficula.design": ("Design", "design_warnings", "load_design", "named_designs", "save_design", "scale_design"),
     "forficula.dynamics": ("Record", "load_record", "run", "save_record", "timestep_warnings"),
     "forficula.errors": ("InputError",),
+    "forficula.study": ("Study", "load_study", "run_study"),
     "forficula.pattern": (
         "CreasePattern",
         "EarwigFan",
@@ -43,15 +45,18 @@ __all__ = [
     "InputError",
     "Outcome",
     "Record",
+    "Study",
     "design_warnings",
     "earwig_pattern",
     "load_design",
     "load_record",
+    "load_study",
     "measure",
     "named_designs",
     "read_fold",
     "read_folded_frames",
     "run",
+    "run_study",
     "save_design",
     "save_record",
     "scale_design",

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 from cyclopts import App, CycloptsError, Parameter
 
@@ -86,6 +86,94 @@ def pattern(
 
 
 @app.command
+def converge(
+    design: DesignName,
+    /,
+    *,
+    timesteps: Annotated[str | None, Parameter(help='Timesteps, as in "0.5 0.4 0.3 0.2 0.1 ms".')] = None,
+    moduli: Annotated[str | None, Parameter(help='Moduli of the membrane, as in "0.5 1 2 4 MPa".')] = None,
+    meshes: Annotated[str | None, Parameter(help='How many times finer its rows are, as in "1 2 3".')] = None,
+    settings: Settings = None,
+    out: Annotated[
+        Path | None, Parameter(help="Folder for the results; out/<name of the design>-converge if not given.")
+    ] = None,
+) -> None:
+    """Run a design at several timesteps, membrane moduli or meshes: do its times depend on them?"""
+    from forficula.design import load_design
+
+    chosen = load_design(design, _read_settings(settings))
+    folder = out or Path("out") / f"{chosen.name}-converge"
+    _check_folder(folder)
+
+    from forficula.show.convergence_figure import print_convergence, write_convergence
+    from forficula.study.convergence import MESH, TIMESTEP, YOUNGS_MODULUS, read_values
+    from forficula.study.convergence import converge as converge_design
+
+    options = {"--timesteps": (TIMESTEP, timesteps), "--moduli": (YOUNGS_MODULUS, moduli), "--meshes": (MESH, meshes)}
+    given = [(option, key, text) for option, (key, text) in options.items() if text is not None]
+    if len(given) != 1:
+        named = ", ".join(option for option, _, _ in given) or "none"
+        raise InputError(f"converge: need one of {', '.join(options)}, got {named}")
+    ((option, key, text),) = given
+    try:
+        values = read_values(key, text)
+    except InputError as error:
+        raise InputError(f"{option}: {error}") from None
+    with _progress() as progress:
+        convergence = converge_design(chosen, key, values, progress=progress)
+    print_convergence(convergence)
+    write_convergence(convergence, folder)
+    print(f"\nwritten to {folder}")
+
+
+@app.command
+def study(
+    study: Annotated[str, Parameter(help="A named study, or the path of a study file (.toml).")],
+    /,
+    *,
+    out: Annotated[Path | None, Parameter(help="Folder of the study; out/<its name> if not given.")] = None,
+    dry_run: Annotated[bool, Parameter(help="Only say how many runs there are and how long they take.")] = False,
+    shard: Annotated[str, Parameter(help="Run a part of the points, as in 2/8; then collect.")] = "1/1",
+    collect: Annotated[bool, Parameter(help="Build the table from the rows of all shards.")] = False,
+    slurm: Annotated[int | None, Parameter(help="Write a SLURM job array of so many shards instead.")] = None,
+) -> None:
+    """Run a study, or go on with it where it stopped: a table, and maps."""
+    from forficula.study import collect as collect_study
+    from forficula.study import estimate, load_study, run_study, slurm_script
+
+    chosen = load_study(study)
+    folder = out or Path("out") / chosen.name
+    _check_folder(folder)
+    if slurm is not None:
+        from forficula.files import write_text
+
+        write_text(folder / "study.slurm", slurm_script(study, str(folder), slurm))
+        print(f"written to {folder / 'study.slurm'}; submit it with: sbatch {folder / 'study.slurm'}")
+        return
+    if dry_run:
+        runs, missing, seconds = estimate(chosen, folder)
+        print(
+            f"{chosen.name}: {len(chosen.points)} points, about {runs} runs, {missing} missing, about {seconds:.0f} s"
+        )
+        return
+    if collect:
+        table = collect_study(chosen, folder)
+    else:
+        with _study_progress() as progress:
+            part = run_study(chosen, folder, shard=_read_shard(shard), progress=progress)
+        if part is None:
+            print(f"shard {shard} is done; when all are: forficula study {study} --out {folder} --collect")
+            return
+        table = part
+
+    from forficula.show import print_study, write_study
+
+    write_study(chosen, table, folder)
+    print_study(chosen, table)
+    print(f"\nwritten to {folder}")
+
+
+@app.command
 def new(file: Annotated[Path, Parameter(help="Where to write it; must end with .toml and not exist.")], /) -> None:
     """Write a commented design file to start from."""
     from forficula.design import write_new_design
@@ -113,6 +201,14 @@ def main(arguments: Sequence[str] | None = None) -> None:
     except KeyboardInterrupt:
         print("forficula: stopped", file=sys.stderr)
         sys.exit(130)
+
+
+def _read_shard(text: str) -> tuple[int, int]:
+    """Turn "2/8" into (2, 8)."""
+    number, slash, count = text.partition("/")
+    if not (slash and number.isdecimal() and count.isdecimal() and 1 <= int(number) <= int(count)):
+        raise InputError(f'--shard: need a number and a count such as 2/8, got "{text}"')
+    return int(number), int(count)
 
 
 def _check_folder(folder: Path) -> None:
@@ -161,3 +257,38 @@ def _progress() -> Iterator[Callable[[str, float, float], None]]:
     with Progress(console=console, transient=True) as bar:
         task = bar.add_task("start")
         yield lambda stage, time, longest: bar.update(task, description=stage, completed=time, total=longest)
+
+
+@contextmanager
+def _study_progress() -> Iterator[Callable[[int, int, dict[str, Any]], None]]:
+    """Show runs done, time left and what became of them: a bar on a terminal, a line every 10 s elsewhere."""
+    from collections import Counter
+    from time import monotonic
+
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+    console = Console(stderr=True, highlight=False)
+    counts: Counter[str] = Counter()
+
+    def count(row: dict[str, Any]) -> str:
+        status = str(row["status"])
+        folded = "folded" if row.get("folded") else "diverged" if status.startswith("diverged") else "stuck"
+        counts["cannot be built" if status.startswith("cannot") else folded] += 1
+        return ", ".join(f"{number} {name}" for name, number in sorted(counts.items()))
+
+    if not console.is_terminal:
+        last = [monotonic()]
+
+        def line(done: int, needed: int, row: dict[str, Any]) -> None:
+            words = count(row)
+            if monotonic() - last[-1] > 10:
+                last[-1] = monotonic()
+                console.print(f"{done} of {needed} runs: {words}")
+
+        yield line
+        return
+    columns = (BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(), TextColumn("{task.description}"))
+    with Progress(*columns, console=console) as bar:
+        task = bar.add_task("")
+        yield lambda done, needed, row: bar.update(task, description=count(row), completed=done, total=needed)

@@ -5,7 +5,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
-from forficula.design import Design, design_warnings, load_design, with_values
+from forficula.design import Design, design_warnings, load_design, scale_design, with_values
 from forficula.design.design import Part, field_quantity
 from forficula.errors import InputError
 from forficula.quantities import parse_quantity
@@ -247,10 +247,15 @@ def test_veins_that_overlap_near_the_hub_are_only_warned_of():
 
 
 def test_the_warning_says_how_far_from_the_hub_veins_overlap():
-    # axes are 5 mm apart at (5 mm + 0.905 mm) / sin 20 deg = 1.726 cm; found to a thousandth of the length, 0.012 cm
+    # axes are 5 mm apart at (5 mm + 0.905 mm) / sin 20 deg = 17.26 mm; found to a thousandth of the length, 0.12 mm
     (warning,) = design_warnings(REFERENCE)
-    distance = float(warning.partition("within ")[2].partition(" cm")[0])
-    assert 1.726 - 0.012 <= distance <= 1.726
+    distance = float(warning.partition("within ")[2].partition(" mm")[0])
+    assert 17.26 - 0.12 <= distance <= 17.26
+
+
+def test_the_warning_reads_well_for_a_small_wing():
+    (warning,) = design_warnings(scale_design(REFERENCE, 1 / 22))
+    assert warning.startswith("neighbouring veins of 0.2273 mm overlap within 0.78 mm of the hub")
 
 
 def test_the_hash_names_the_values_whatever_the_design_is_called():

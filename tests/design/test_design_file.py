@@ -190,7 +190,7 @@ def test_settings_in_nested_tables_leave_the_other_values_of_a_table():
     assert with_values(REFERENCE, {"tendon": {"stiffness": 2000.0}}).tendon.stiffness == 2000.0
 
 
-def test_a_wrong_value_beside_nested_settings_is_an_error_of_its_file(refusal, tmp_path):
+def test_a_wrong_value_beside_nested_settings_is_an_error_of_its_file(refusal):
     refusal(f'{BASED}[tendon]\ndamping = "1 cm"\n')
     with pytest.raises(InputError, match=r"^wing\.toml: tendon\.damping: "):
         load_design("wing.toml", {"tendon": {"stiffness": "20 N/cm"}})

@@ -1,11 +1,12 @@
 import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from rich.console import Console
 
 from forficula.analysis import measure
-from forficula.design import load_design
+from forficula.design import load_design, scale_design
 from forficula.dynamics import run
-from forficula.show import draw_angles, draw_energies, draw_folding, draw_pattern
+from forficula.show import draw_angles, draw_energies, draw_folding, draw_pattern, outcome_table
 
 STAGE = {"hold": "0 s", "drive": "none", "until": "time"}
 ONLY_SETTLED = [STAGE | {"name": "settle", "time_limit": "20 ms"}]
@@ -52,6 +53,44 @@ def test_the_three_states_are_marked_where_they_are(runs):
     assert {letter: place[0] for letter, place in marks.items()} == {
         letter: state.time for letter, state in expected.items()
     }
+
+
+@pytest.fixture(scope="module")
+def small():
+    """A wing of 10 mm, as large as an earwig's, run."""
+    return run(scale_design(load_design("binder2025"), 1 / 22))
+
+
+def test_the_figures_of_a_small_wing_are_in_millimetres_and_milliseconds(small):
+    outcome = measure(small)
+    assert draw_pattern(small.design).axes[0].get_xlabel() == "x (mm)"
+    assert draw_angles(small, outcome).axes[0].get_xlabel() == "time (ms)"
+    assert draw_energies(small).axes[0].get_ylabel() == "stored energy (mJ)"
+    folding = draw_folding(small, outcome).axes
+    assert any(text.get_text() == "2 mm" for axes in folding for text in axes.texts)
+
+
+@pytest.mark.parametrize("name", ["reference", "small"])
+def test_the_times_of_two_moments_are_told_apart(runs, small, name):
+    record = small if name == "small" else runs[name]
+    titles = [axes.get_title() for axes in draw_folding(record, measure(record)).axes if axes.get_title()]
+    assert len(titles) == 7
+    times = {title.rpartition(", ")[2] for title in titles}
+    assert len(times) == 7
+    assert {time.split()[1] for time in times} == {"ms" if name == "small" else "s"}
+
+
+def test_the_table_of_a_small_wing_reads_well(small):
+    console = Console(width=110)
+    with console.capture() as capture:
+        console.print(outcome_table("small", measure(small)))
+    header, times = (
+        next(line for line in capture.get().splitlines() if line.startswith(word)) for word in ("vein", "time")
+    )
+    assert "(mm)" in header
+    assert "(µJ)" in header
+    assert all(1 <= float(cell) < 1000 for cell in times.split()[1::2])
+    assert set(times.split()[2::2]) == {"ms"}
 
 
 def test_a_wing_that_did_not_fold_has_no_mark_for_folded(runs):

@@ -15,7 +15,7 @@ from pydantic.fields import FieldInfo
 
 from forficula.errors import InputError
 from forficula.pattern import EarwigFan, ring_vertices, vein_gaps
-from forficula.quantities import Unit, as_written, parse_quantity, show_quantity
+from forficula.quantities import Unit, as_written, parse_quantity, reading_unit, show_quantity
 
 LENGTH = Unit(display="cm", si="m", example="12 cm")
 SMALL_LENGTH = Unit(display="mm", si="m", example="5 mm")
@@ -316,11 +316,16 @@ def design_warnings(design: Design) -> list[str]:
     overlapping = shares[vein_gaps(design.fan, shares) < design.vein.diameter]
     if not len(overlapping):
         return []
+    distance = float(overlapping[-1]) * design.pattern.proximal_length
     return [
-        f"neighbouring veins of {show_quantity(design.vein.diameter, SMALL_LENGTH)} overlap within"
-        f" {show_quantity(float(overlapping[-1]) * design.pattern.proximal_length, LENGTH)} of the hub, which the"
-        " simulation allows: a part to print needs thinner veins or a larger hub"
+        f"neighbouring veins of {_readable(design.vein.diameter)} overlap within {_readable(distance)} of the hub,"
+        " which the simulation allows: a part to print needs thinner veins or a larger hub"
     ]
+
+
+def _readable(length: float) -> str:
+    unit, factor = reading_unit("m", length)
+    return f"{factor * length:.4g} {unit}"
 
 
 def _ring_chord(fan: EarwigFan) -> float:

@@ -42,8 +42,8 @@ def panel_membrane(veins: tuple[Vein, ...], design: Design) -> Membrane:
     triangles: list[list[int]] = []
     for panel in range(len(veins) - 1):
         first = len(nodes)
-        here_and_there = (mesh_rows(vein.hub_point, vein.ring_vertex, vein.tip, design) for vein in veins[panel:][:2])
-        for bar, here, there in zip(_row_bars(design), *here_and_there, strict=True):
+        near, far = (mesh_rows(vein.hub_point, vein.ring_vertex, vein.tip, design) for vein in veins[panel : panel + 2])
+        for bar, here, there in zip(_row_bars(design), near, far, strict=True):
             width = float(np.linalg.norm(there - here))
             margin = min(design.membrane.margin, design.membrane.margin_limit * width)
             nodes += [here + margin / width * (there - here), there]

@@ -1,6 +1,8 @@
 from forficula.show.folding_figure import draw_folding
 from forficula.show.pattern_figure import draw_pattern
 from forficula.show.run_folder import write_run
+from forficula.show.study_folder import write_study
+from forficula.show.study_table import print_study
 from forficula.show.style import save_figure
 from forficula.show.table import outcome_table, print_outcome
 from forficula.show.time_figures import draw_angles, draw_energies
@@ -12,6 +14,8 @@ __all__ = [
     "draw_pattern",
     "outcome_table",
     "print_outcome",
+    "print_study",
     "save_figure",
     "write_run",
+    "write_study",
 ]

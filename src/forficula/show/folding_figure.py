@@ -12,10 +12,9 @@ from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from forficula.analysis import Outcome
-from forficula.design import LENGTH
 from forficula.design.places import mesh_rows, tendon_ends
 from forficula.dynamics import Record, StageEnd
-from forficula.quantities import show_quantity
+from forficula.quantities import reading_unit
 from forficula.show.style import ORANGE, PAGE_WIDTH, figure_style
 
 Array = NDArray[np.float64]
@@ -30,6 +29,7 @@ def draw_folding(record: Record, outcome: Outcome) -> Figure:
     moments = _moments(record, outcome)
     with figure_style():
         columns = 4
+        times = _time_texts([time for _, time in moments])
         rows = -(-(len(moments) + 1) // columns)  # one place for the legend
         drawn = [_scene(record, time) for _, time in moments]
         corners = np.concatenate([np.concatenate(polygons) for polygons, _, _, _ in drawn])
@@ -45,7 +45,7 @@ def draw_folding(record: Record, outcome: Outcome) -> Figure:
             axes.add_collection(LineCollection(veins, colors="0.15", linewidths=1.3, capstyle="round"))
             axes.add_collection(LineCollection(tendons, colors=ORANGE, linewidths=1.0))
             axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
-            axes.set_title(f"{name}, {time:.3f} s", pad=2)
+            axes.set_title(f"{name}, {times[time]}", pad=2)
         for axes in figure.axes:
             axes.set_axis_off()
         _legend(figure.axes[len(moments)], high - low, low)
@@ -59,7 +59,8 @@ def _legend(axes: Axes, size: Array, low: Array) -> None:
     bar *= next(steps for steps in (5, 2, 1) if steps * bar <= size[0] / 2)
     left, height = low[0] + 0.15 * size[0], low[1] + 0.12 * size[1]
     axes.plot([left, left + bar], [height, height], color="black", lw=1.5)
-    axes.text(left + bar / 2, height + 0.04 * size[1], f"{show_quantity(bar, LENGTH)}", ha="center", va="bottom")
+    unit, factor = reading_unit("m", bar)
+    axes.text(left + bar / 2, height + 0.04 * size[1], f"{factor * bar:.4g} {unit}", ha="center", va="bottom")
     axes.legend(
         handles=[
             Patch(facecolor=_PROXIMAL, edgecolor="0.35", label="proximal panel"),
@@ -87,6 +88,16 @@ def _moments(record: Record, outcome: Outcome) -> list[tuple[str, float]]:
     return moments or [("start", 0.0), ("last", float(record.data.time[-1]))]
 
 
+def _time_texts(times: list[float]) -> dict[float, str]:
+    """Times in one unit, with four significant digits or as many as tell them apart."""
+    unit, factor = reading_unit("s", max(times))
+    for digits in range(4, 18):
+        texts = {time: f"{factor * time:#.{digits}g} {unit}" for time in times}
+        if len(set(texts.values())) == len(texts):
+            break
+    return texts
+
+
 def _halfway(record: Record, end: StageEnd) -> list[float]:
     """Times in a stage at which the fold has gone a third and two thirds of its way there."""
     window = record.data.sel(time=slice(end.start, end.end))
@@ -99,12 +110,13 @@ def _scene(record: Record, time: float) -> tuple[list[Array], list[tuple[float, 
     """Projected panels, back to front, with their shades; projected bars; projected tendons."""
     now = record.data.sel(time=time, method="nearest")
     veins, nodes = now["vein_position"].values, now["membrane_position"].values
+    hub, ring, tip = veins[:, 0], veins[:, 1], veins[:, 2]
     membrane = record.design.membrane
     rows = len(membrane.proximal_rows) + len(membrane.distal_rows) + 2
     nodes = nodes.reshape(len(veins) - 1, rows, 2, 3)
     quads, tints = [], []
     for panel in range(len(veins) - 1):
-        along = mesh_rows(*veins[panel], record.design)
+        along = mesh_rows(hub[panel], ring[panel], tip[panel], record.design)
         for row in range(rows - 1):
             tint = _PROXIMAL if row < len(membrane.proximal_rows) else _DISTAL
             edge, far = nodes[panel, :, 0], nodes[panel, :, 1]
@@ -113,7 +125,7 @@ def _scene(record: Record, time: float) -> tuple[list[Array], list[tuple[float, 
                 quads.append(np.array([near[row], near[row + 1], beyond[row + 1], beyond[row]]))
                 tints.append(tint)
     order = np.argsort([_depth(quad.mean(axis=0)) for quad in quads])
-    tendons = zip(*tendon_ends(veins[:, 0], veins[:, 1], veins[:, 2], record.design), strict=True)
+    tendons = zip(*tendon_ends(hub, ring, tip, record.design), strict=True)
     return (
         [_project(quads[index]) for index in order],
         [_shade(quads[index], tints[index]) for index in order],

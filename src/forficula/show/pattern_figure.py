@@ -1,4 +1,4 @@
-"""The crease pattern with its tendons, in centimetres."""
+"""The crease pattern with its tendons."""
 
 from __future__ import annotations
 
@@ -9,17 +9,18 @@ from matplotlib.lines import Line2D
 from forficula.design import Design
 from forficula.design.places import tendon_ends
 from forficula.pattern import earwig_pattern, hub_points, ring_vertices, tips
+from forficula.quantities import reading_unit
 from forficula.show.style import BLACK, BLUE, ORANGE, VERMILION, figure_style
 
 _STYLES = {"M": (VERMILION, "-.", "mountain"), "V": (BLUE, "--", "valley"), "B": (BLACK, "-", "border")}
-_CENTIMETRE = 100.0
 
 
 def draw_pattern(design: Design) -> Figure:
     """Draw the crease pattern of a design, its hub circle and its tendons."""
     fan = design.fan
     pattern = earwig_pattern(fan)
-    points = _CENTIMETRE * pattern.vertices_coords[:, :2]
+    unit, factor = reading_unit("m", float(np.abs(pattern.vertices_coords).max()))
+    points = factor * pattern.vertices_coords[:, :2]
     with figure_style():
         extent = np.ptp(points, axis=0)
         figure = Figure(figsize=(4.6, 4.1 * min(2.0, max(0.3, extent[1] / extent[0])) + 0.9), layout="constrained")
@@ -28,17 +29,16 @@ def draw_pattern(design: Design) -> Figure:
             colour, style, _ = _STYLES[assignment]
             axes.plot(*points[[start, end]].T, style, color=colour, lw=1.1)
         angle = np.linspace(0, 2 * np.pi, 200)
-        radius = _CENTIMETRE * fan.hub_radius
+        radius = factor * fan.hub_radius
         axes.plot(radius * np.cos(angle), radius * np.sin(angle), ":", color="0.5", lw=0.8)
-        ends = tendon_ends(*(points[:, :2] for points in (hub_points(fan), ring_vertices(fan), tips(fan))), design)
-        for start, end in zip(*ends, strict=True):
-            axes.plot(*_CENTIMETRE * np.column_stack([start, end]), "o-", color=ORANGE, ms=3.5, lw=3, alpha=0.6)
-        for vein, tip in enumerate(_CENTIMETRE * tips(fan)[:, :2]):
+        for start, end in zip(*tendon_ends(hub_points(fan), ring_vertices(fan), tips(fan), design), strict=True):
+            axes.plot(*factor * np.column_stack([start, end])[:2], "o-", color=ORANGE, ms=3.5, lw=3, alpha=0.6)
+        for vein, tip in enumerate(factor * tips(fan)[:, :2]):
             outwards = tip / np.linalg.norm(tip)
             axes.annotate(f"{vein}", tip, 8 * outwards, textcoords="offset points", ha="center", va="center")
         axes.set_aspect("equal")
-        axes.set_xlabel("x (cm)")
-        axes.set_ylabel("y (cm)")
+        axes.set_xlabel(f"x ({unit})")
+        axes.set_ylabel(f"y ({unit})")
         axes.margins(0.06)
         handles = [Line2D([], [], color=colour, ls=style, label=name) for colour, style, name in _STYLES.values()]
         handles.append(Line2D([], [], color=ORANGE, marker="o", ms=3.5, lw=3, alpha=0.6, label="tendon"))

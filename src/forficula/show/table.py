@@ -8,8 +8,7 @@ from rich.table import Table
 from rich.text import Text
 
 from forficula.analysis import Outcome, State, Transition
-
-_PREFIXES = {"": 1.0, "m": 1e-3, "µ": 1e-6, "n": 1e-9}
+from forficula.quantities import reading_unit
 
 
 def outcome_table(name: str, outcome: Outcome) -> RenderableType:
@@ -36,10 +35,9 @@ def _states(outcome: Outcome) -> RenderableType:
     there = {name: state for name, state in states.items() if state is not None}
     if not there:
         return Text("States: none was reached.")
-    energy_unit, energy = _unit("J", max(float(state.tendon_energy.max()) for state in there.values()))
-    length_unit, length = (
-        ("cm", 1e2) if max(float(s.tendon_length.max()) for s in there.values()) > 0.02 else ("mm", 1e3)
-    )
+    energy_unit, energy = reading_unit("J", max(float(state.tendon_energy.max()) for state in there.values()))
+    length_unit, length = reading_unit("m", max(float(state.tendon_length.max()) for state in there.values()))
+    time_unit, time = reading_unit("s", max(state.time for state in there.values()))
     table = Table(box=None, padding=(0, 2, 0, 0), title="States", title_justify="left")
     table.add_column("vein")
     for name in there:
@@ -59,7 +57,9 @@ def _states(outcome: Outcome) -> RenderableType:
     for state in there.values():
         totals += ["", "", f"{energy * state.tendon_energy.sum():.4g}"]
     table.add_row(*totals)
-    table.add_row("time", *(cell for state in there.values() for cell in (f"{state.time:.3f} s", "", "")))
+    table.add_row(
+        "time", *(cell for state in there.values() for cell in (f"{time * state.time:#.4g} {time_unit}", "", ""))
+    )
     return table
 
 
@@ -82,8 +82,9 @@ def _transitions(outcome: Outcome) -> Table:
 def _transition(transition: Transition | None) -> list[str]:
     if transition is None:
         return ["not tried", "", "", ""]
-    time = "" if transition.time is None else f"{1e3 * transition.time:.4g} ms"
-    return [_torque(transition.torque), "yes" if transition.succeeded else "no", time, _energy(transition.work)]
+    time = "" if transition.time is None else _readable(transition.time, "s")
+    torque, work = _readable(transition.torque, "N m"), _readable(transition.work, "J")
+    return [torque, "yes" if transition.succeeded else "no", time, work]
 
 
 def _balance(outcome: Outcome) -> RenderableType:
@@ -95,7 +96,7 @@ def _balance(outcome: Outcome) -> RenderableType:
     table = Table(box=None, padding=(0, 2, 0, 0), title="Energy balance", title_justify="left", show_header=False)
     table.add_column("")
     table.add_column("", justify="right")
-    unit, factor = _unit("J", max(abs(balance.work), abs(balance.tendon), 1e-12))
+    unit, factor = reading_unit("J", max(abs(balance.work), abs(balance.tendon), 1e-12))
     for label, value in (
         ("work of the torques", balance.work),
         ("= change of tendon energy", balance.tendon),
@@ -113,19 +114,6 @@ def _balance(outcome: Outcome) -> RenderableType:
     return table
 
 
-def _unit(base: str, largest: float) -> tuple[str, float]:
-    """The unit in which a value reads well, and its factor from SI."""
-    for prefix, size in _PREFIXES.items():
-        if largest >= 0.1 * size:
-            return f"{prefix}{base}", 1 / size
-    return f"n{base}", 1e9
-
-
-def _energy(value: float) -> str:
-    unit, factor = _unit("J", abs(value))
+def _readable(value: float, si: str) -> str:
+    unit, factor = reading_unit(si, abs(value))
     return f"{factor * value:.4g} {unit}"
-
-
-def _torque(value: float) -> str:
-    unit, factor = _unit("N cm", 100 * abs(value))
-    return f"{factor * 100 * value:.4g} {unit}"

@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 
 from forficula.analysis import Outcome
 from forficula.dynamics import Record, StageEnd
+from forficula.quantities import reading_unit
 from forficula.show.style import (
     BLACK,
     BLUE,
@@ -38,7 +39,7 @@ def draw_angles(record: Record, outcome: Outcome) -> Figure:
             axes.set_ylim(-200, max(25, 1.2 * np.degrees(record.design.hinge.overbend)))
             axes.set_yticks(np.arange(-180, 1, 45))
             _shade_stages(axes, record, start, scale)
-        _mark_states(rows[0][0], outcome)
+        _mark_states(rows[0][0], outcome, _run_unit(record)[1])
         figure.legend(*rows[0][0].get_legend_handles_labels(), loc="outside right upper")
         return figure
 
@@ -64,7 +65,7 @@ def draw_energies(record: Record) -> Figure:
         for axes_row, series, label in zip(
             rows, (stored, accounts), ("stored energy", "work since the start"), strict=True
         ):
-            unit, factor = _energy_unit(max(float(np.abs(values).max()) for values, _ in series.values()))
+            unit, factor = reading_unit("J", max(float(np.abs(values).max()) for values, _ in series.values()))
             axes_row[0].set_ylabel(f"{label} ({unit})")
             for axes, (start, scale) in zip(axes_row, _spans(record), strict=True):
                 for index, (name, (values, colour)) in enumerate(series.items()):
@@ -80,13 +81,19 @@ def _driven(record: Record) -> list[StageEnd]:
 
 
 def _spans(record: Record) -> list[tuple[float, float]]:
-    """Zero and scale of every column's time axis: the whole run in s, then each driven stage in ms."""
-    return [(0.0, 1.0)] + [(end.start, 1e3) for end in _driven(record)]
+    """Zero and scale of every column's time axis: the whole run, then each driven stage in ms."""
+    return [(0.0, _run_unit(record)[1])] + [(end.start, 1e3) for end in _driven(record)]
+
+
+def _run_unit(record: Record) -> tuple[str, float]:
+    """The unit of the whole run's time axis, and its factor from s."""
+    return reading_unit("s", float(record.data.time[-1]))
 
 
 def _layout(record: Record, labels: list[str], height: float) -> tuple[Figure, list[list[Axes]]]:
     """Axes by row and column; columns are the whole run and each driven stage."""
     driven = _driven(record)
+    run_unit, run_scale = _run_unit(record)
     figure = Figure(figsize=(PAGE_WIDTH, height), layout="constrained")
     grid = figure.subplots(
         len(labels), 1 + len(driven), sharey="row", squeeze=False, width_ratios=[1.5] + [1.0] * len(driven)
@@ -94,14 +101,14 @@ def _layout(record: Record, labels: list[str], height: float) -> tuple[Figure, l
     for row, label in zip(grid, labels, strict=True):
         row[0].set_ylabel(label)
     for axes in grid[:, 0]:
-        axes.set_xlim(0, float(record.data.time[-1]))
+        axes.set_xlim(0, run_scale * float(record.data.time[-1]))
     for column, end in enumerate(driven, start=1):
         for axes in grid[:, column]:
             # the stage holds its goal for a while, in which little happens
             duration = 1e3 * min(end.end - end.start, 1.6 * ((end.goal_time or end.end) - end.start))
             axes.set_xlim(-_LEAD * duration, (1 + _LEAD) * duration)
         grid[-1, column].set_xlabel("time since its start (ms)")
-    grid[-1, 0].set_xlabel("time (s)")
+    grid[-1, 0].set_xlabel(f"time ({run_unit})")
     return figure, [list(row) for row in grid]
 
 
@@ -121,7 +128,7 @@ def _shade_stages(axes: Axes, record: Record, start: float, scale: float) -> Non
             axes.text(seen, 1.01, end.stage.name, transform=place, ha="center", va="bottom", fontsize=7)
 
 
-def _mark_states(axes: Axes, outcome: Outcome) -> None:
+def _mark_states(axes: Axes, outcome: Outcome, scale: float) -> None:
     reached = {
         "a": outcome.flat,
         "b": outcome.folded_state if outcome.folded else None,
@@ -130,16 +137,9 @@ def _mark_states(axes: Axes, outcome: Outcome) -> None:
     for letter, state in reached.items():
         if state is not None:
             angle = float(np.degrees(state.distal_angle.mean()))
-            axes.plot(state.time, angle, "o", color="white", mec="black", mew=0.8, ms=9, zorder=5, clip_on=False)
-            axes.text(state.time, angle, letter, ha="center", va="center_baseline", fontsize=7, zorder=6)
-
-
-def _energy_unit(largest: float) -> tuple[str, float]:
-    """The unit in which an energy reads well, and its factor from J."""
-    for unit, factor in (("J", 1.0), ("mJ", 1e3), ("µJ", 1e6)):
-        if largest * factor >= 0.1:
-            return unit, factor
-    return "nJ", 1e9
+            time = scale * state.time
+            axes.plot(time, angle, "o", color="white", mec="black", mew=0.8, ms=9, zorder=5, clip_on=False)
+            axes.text(time, angle, letter, ha="center", va="center_baseline", fontsize=7, zorder=6)
 
 
 def _colour(vein: int) -> str:

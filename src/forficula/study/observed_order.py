@@ -47,9 +47,9 @@ def fit_order(timesteps: Array, times: Array) -> OrderFit:
     """Fit T(h) = T0 + C h^p, the law of Richardson's extrapolation, by least squares.
 
     For every p the best T0 and C are linear, so only p is searched. With three timesteps in a constant ratio it is the
-    textbook p = log((T3 - T2) / (T2 - T1)) / log(ratio); with others and more of them, least squares as in Eca and
-    Hoekstra 2014 (J. Comput. Phys. 262, 104-130, doi 10.1016/j.jcp.2014.01.006). As there, the formal order is taken
-    where the times show none that can be trusted: here the 1 of semi-implicit Euler.
+    textbook p = log((T3 - T2) / (T2 - T1)) / log(ratio); with others and more of them, weighted least squares as in Eça
+    and Hoekstra 2014 (J. Comput. Phys. 262, 104-130, doi 10.1016/j.jcp.2014.01.006). As there, the formal order is
+    taken where the times show none that can be trusted: here the 1 of semi-implicit Euler.
 
     Args:
         timesteps: two at least, all different, s, (run,).
@@ -57,7 +57,7 @@ def fit_order(timesteps: Array, times: Array) -> OrderFit:
     """
     scaled = timesteps / timesteps.max()
     change = float(np.ptp(times))
-    limit, coefficient, scatter = _linear_fit(scaled, times, FORMAL_ORDER)
+    limit, coefficient, scatter = _linear_fit(scaled, times, FORMAL_ORDER, fitted=2)
     order, reason = FORMAL_ORDER, ""
     if change <= _NO_CHANGE * float(np.abs(times).max()):
         reason = "it does not change"
@@ -82,14 +82,16 @@ def fit_order(timesteps: Array, times: Array) -> OrderFit:
     )
 
 
-def _linear_fit(scaled: Array, times: Array, order: float) -> tuple[float, float, float]:
-    """T0 and C of T0 + C h^p, and the standard deviation about it, with p counted as fitted."""
+def _linear_fit(scaled: Array, times: Array, order: float, fitted: int = 3) -> tuple[float, float, float]:
+    """T0 and C of T0 + C h^p, and the standard deviation about it, where so many of T0, C and p are fitted."""
     powers = np.column_stack([np.ones_like(scaled), scaled**order])
-    solution = np.linalg.lstsq(powers, times, rcond=None)[0]
+    # short timesteps count for more, by 1 / h: they are nearer to where the law holds
+    weights = len(scaled) / scaled / np.sum(1 / scaled)
+    root = np.sqrt(weights)
+    solution = np.linalg.lstsq(powers * root[:, None], times * root, rcond=None)[0]
     residual = times - powers @ solution
-    # two points lie on a line, three on a curve: no scatter can be seen
-    freedom = max(1, len(times) - 3)
-    return float(solution[0]), float(solution[1]), float(np.sqrt(residual @ residual / freedom))
+    freedom = max(1, len(times) - fitted)
+    return float(solution[0]), float(solution[1]), float(np.sqrt(np.sum(weights * residual**2) / freedom))
 
 
 def _best_order(scaled: Array, times: Array) -> float:

@@ -13,63 +13,71 @@ from forficula.study.study import Search
 
 Rows = Mapping[str, Row]
 
+_FOLDING = {"fold_time": "s", "fold_work": "J", "folded_energy": "J"}
+_OPENING = {"unfold_time": "s", "unfold_work": "J", "opened_energy": "J"}
+
 
 def search_designs(design: Design, search: Search, rows: Rows) -> list[Design]:
     """The designs that must run to find the least torques, as far as the rows so far tell.
 
-    Folding is tried with every torque, for it need not be monotone. Opening is tried from the wing folded with
-    `fold_with`. Where a refinement is asked, the next torque depends on the last row: ask again until none is missing.
+    Folding is tried with every torque, for it need not be monotone, and only the least that folds is also released.
+    Opening is tried from the wing folded with `fold_with`. What runs next can depend on the last rows: ask again until
+    none is missing.
     """
-    folding = {torque: fold_design(design, torque) for torque in _torques(design, search, rows, "fold")}
-    opening = {
-        torque: unfold_design(design, search.fold_with, torque) for torque in _torques(design, search, rows, "unfold")
-    }
-    return [*folding.values(), *opening.values()]
+    fold_torques, unfold_torques = (_torques(design, search, rows, drive) for drive in ("fold", "unfold"))
+    wanted = [fold_design(design, torque) for torque in fold_torques]
+    wanted += [unfold_design(design, search.fold_with, torque) for torque in unfold_torques]
+    folds = [rows.get(row_key(fold_design(design, torque))) for torque in fold_torques]
+    if all(row is not None for row in folds):
+        least = _least(dict(zip(fold_torques, folds, strict=True)), "folded")
+        if least is not None:
+            wanted.append(release_design(design, least))
+    return wanted
 
 
 def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
     """What the rows say of one point: the least torques (N m), times (s), work and energies (J), and a status.
 
     Times, work and energies of folding are those at the least torque that folds, likewise of unfolding; None where no
-    torque does. `folds` has the folding row of every torque that was tried.
+    torque does.
     """
     folds = {torque: rows[row_key(fold_design(design, torque))] for torque in _torques(design, search, rows, "fold")}
     opens = {
         torque: rows[row_key(unfold_design(design, search.fold_with, torque))]
         for torque in _torques(design, search, rows, "unfold")
     }
-    least_fold = next((torque for torque, row in folds.items() if row.get("folded")), None)
-    least_unfold = next((torque for torque, row in opens.items() if row.get("opened")), None)
-    folding = folds[max(folds) if least_fold is None else least_fold]
+    least_fold, least_unfold = _least(folds, "folded"), _least(opens, "opened")
+    folding = folds[max(folds)] if least_fold is None else rows[row_key(release_design(design, least_fold))]
     opening = opens[max(opens) if least_unfold is None else least_unfold]
-    large = f"with {show_quantity(search.fold_with, TORQUE)}: "
-    failed = not opening.get("folded")
-    return {
+    result = {
         "least_fold_torque": least_fold,
         "least_unfold_torque": least_unfold,
-        "fold_time": folding.get("fold_time_s") if least_fold is not None else None,
-        "unfold_time": opening.get("unfold_time_s") if least_unfold is not None else None,
-        "fold_work": folding.get("fold_work_J") if least_fold is not None else None,
-        "unfold_work": opening.get("unfold_work_J") if least_unfold is not None else None,
         "flat_energy": folding.get("flat_energy_J"),
-        "folded_energy": folding.get("folded_energy_J") if least_fold is not None else None,
-        "opened_energy": opening.get("opened_energy_J") if least_unfold is not None else None,
-        "status": folding["status"]
-        if least_fold is None
-        else f"{large}{opening['status']}"
-        if failed
-        else opening["status"],
         "fold_status": folding["status"],
-        "reference_fold_status": opening["status"] if failed else "folded",
-        "folds": folds,
+        "reference_fold_status": "folded" if opening.get("folded") else opening["status"],
+        "status": folding["status"],
     }
+    if least_fold is not None:
+        result |= {name: folding[f"{name}_{unit}"] for name, unit in _FOLDING.items()}
+        large = f"with {show_quantity(search.fold_with, TORQUE)}: "
+        result["status"] = opening["status"] if opening.get("folded") else f"{large}{opening['status']}"
+    if least_unfold is not None:
+        result |= {name: opening[f"{name}_{unit}"] for name, unit in _OPENING.items()}
+    return result
 
 
 def fold_design(design: Design, torque: float) -> Design:
+    """The design whose protocol ends with folding, with a fold torque, N m."""
+    drives = [stage.drive for stage in design.protocol.stages]
+    last = drives.index("fold") + 1 if "fold" in drives else len(drives)
+    return _with(design, fold_torque=torque, stages=design.protocol.stages[:last])
+
+
+def release_design(design: Design, torque: float) -> Design:
     """The design whose protocol ends before any unfolding, with a fold torque, N m."""
     drives = [stage.drive for stage in design.protocol.stages]
-    stages = design.protocol.stages[: drives.index("unfold")] if "unfold" in drives else design.protocol.stages
-    return _with(design, fold_torque=torque, stages=stages)
+    last = drives.index("unfold") if "unfold" in drives else len(drives)
+    return _with(design, fold_torque=torque, stages=design.protocol.stages[:last])
 
 
 def unfold_design(design: Design, fold_torque: float, unfold_torque: float) -> Design:
@@ -97,6 +105,11 @@ def _torques(design: Design, search: Search, rows: Rows, drive: str) -> list[flo
             return tried
         tried.insert(least, (tried[least - 1] + tried[least]) / 2)
     return tried
+
+
+def _least(found: Mapping[float, Row | None], goal: str) -> float | None:
+    """The least torque whose row says that the goal was reached."""
+    return next((torque for torque, row in found.items() if row is not None and row.get(goal)), None)
 
 
 def _key(design: Design, search: Search, drive: str, torque: float) -> str:

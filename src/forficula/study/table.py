@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from forficula.design import Design, key_quantity
+from forficula.design import TORQUE, Design, key_quantity
 from forficula.quantities import Unit, parse_quantity
 from forficula.study.evaluate import row_key
 from forficula.study.factors import Factor
@@ -33,6 +33,7 @@ _NUMBERS = {
     "folded_energy": ("J", "energy of the tendons, folded"),
     "opened_energy": ("J", "energy of the tendons, opened"),
 }
+_TORQUE = {"units": TORQUE.si, "display": TORQUE.display, "key": "protocol.fold_torque", "long_name": "fold torque"}
 _RUN_NUMBERS = {name: unit for name, unit in _NUMBERS.items() if not name.startswith("least")}
 _COLUMNS = (*(name for name in _NUMBERS if name != "unfold_time"), "status", "unfold_time")
 
@@ -67,7 +68,7 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
             variables[name] = (dimensions, np.array([bool(each.get(name)) for each in results]).reshape(shape))
     else:
         variables["reference_fold_status"] += ({"torque": study.search.fold_with, "units": "N m"},)
-        coordinates["fold_torque"] = ("fold_torque", np.array(study.search.fold_torques), {"units": "N m"})
+        coordinates["fold_torque"] = ("fold_torque", np.array(study.search.fold_torques), _TORQUE)
         times = [[_nan(each.get("fold_times", {}).get(t)) for t in study.search.fold_torques] for each in results]
         by_torque = np.array(times).reshape(*shape, -1)
         variables["fold_time_by_torque"] = ((*dimensions, "fold_torque"), by_torque, {"units": "s"})

@@ -1,0 +1,349 @@
+"""A page of maps: cells over two factors, samples over two, or points over one, and why a value is missing."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import matplotlib
+import numpy as np
+from matplotlib import rc_context
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import ListedColormap, Normalize
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from numpy.typing import NDArray
+
+from forficula.quantities import Unit, parse_quantity
+from forficula.show.style import BLUE, PAGE_WIDTH, SKY, figure_style
+
+if TYPE_CHECKING:
+    from xarray import DataArray, Dataset
+
+Array = NDArray[np.float64]
+
+# lightness rises with the value, so that grey print and every kind of colour vision keep the order
+_COLOURS = matplotlib.colormaps["cividis"]
+# beyond this many values a factor's cells are too small for numbers, and its ticks are thinned out
+_MOST_NUMBERS = 12
+_INK = "0.35"
+
+NOT_FOLDED = "did not fold"
+STUCK = "stuck on the way"
+NOT_STAYED = "did not stay folded"
+NOT_TRIED = "not tried: did not fold"
+NOT_RUN = "not run"
+OTHER = "no value"
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Look:
+    """How what happened is drawn: the cell's face and hatch, and the marker where there are no cells."""
+
+    face: str
+    hatch: str
+    marker: str
+
+
+_LOOKS = {
+    "folded and opened": _Look(face=BLUE, hatch="", marker="o"),
+    "folded": _Look(face=SKY, hatch="", marker="D"),
+    "did not open": _Look(face="#F3DDA6", hatch="....", marker="s"),
+    NOT_FOLDED: _Look(face="1.0", hatch="/////", marker="x"),
+    STUCK: _Look(face="0.93", hatch="xxxx", marker="*"),
+    NOT_STAYED: _Look(face="1.0", hatch="|||||", marker="1"),
+    "diverged": _Look(face="0.75", hatch="++++", marker="P"),
+    NOT_TRIED: _Look(face="0.86", hatch="", marker="_"),
+    NOT_RUN: _Look(face="1.0", hatch="", marker="."),
+    OTHER: _Look(face="0.97", hatch="---", marker="+"),
+}
+
+# failed when folded for the unfolding, with a torque that its word names
+_BEFORE_OPENING = _Look(face="0.93", hatch="oo", marker="X")
+
+# for a variable's kind of quantity: units in which it reads well, and their factors from SI
+_READABLE = {
+    "N m": (("N cm", 1e2), ("N mm", 1e3), ("µN m", 1e6), ("nN m", 1e9)),
+    "J": (("J", 1.0), ("mJ", 1e3), ("µJ", 1e6), ("nJ", 1e9)),
+    "s": (("s", 1.0), ("ms", 1e3), ("µs", 1e6)),
+}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Panel:
+    """What one pair of axes shows.
+
+    Attributes:
+        title: what it is.
+        values: in SI, nan where there is none.
+        reasons: why there is none, of the same shape; read only there.
+        unit: SI; empty where there are verdicts only.
+    """
+
+    title: str
+    values: DataArray
+    reasons: DataArray
+    unit: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class View:
+    """Where things are drawn: over which factors, and what of the table.
+
+    Attributes:
+        table: the slice that is drawn.
+        x: factor across.
+        y: factor upwards, or None where a quantity is.
+        note: which slice it is, or nothing.
+        sampled: whether the rows are samples rather than a grid.
+    """
+
+    table: Dataset
+    x: str
+    y: str | None
+    note: str
+    sampled: bool
+
+
+@contextmanager
+def map_style() -> Iterator[None]:
+    """Draw as all figures are drawn, with fine hatches."""
+    with figure_style(), rc_context({"hatch.linewidth": 0.5}):
+        yield
+
+
+def plain_name(factor: DataArray) -> str:
+    """A factor's name for people: its key without the protocol's, whose names stand alone."""
+    return str(factor.attrs.get("key", factor.name)).removeprefix("protocol.").replace(".", " ").replace("_", " ")
+
+
+def _display(factor: DataArray) -> tuple[NDArray[Any], str]:
+    """A factor's values in the unit for people, and that unit; words stay words."""
+    values, si, display = factor.values, factor.attrs.get("units", ""), factor.attrs.get("display", "")
+    if values.dtype.kind not in "iuf" or not si or not display or si == display:
+        return values, str(display or si)
+    unit = Unit(display=display, si=si, example=f"1 {display}")
+    return values / parse_quantity(f"1 {display}", unit), display
+
+
+def _number_text(value: object) -> str:
+    return f"{value:.4g}" if isinstance(value, float | int) and not isinstance(value, bool) else str(value)
+
+
+def value_text(factor: DataArray, index: int) -> str:
+    """A factor and one of its values, such as "tendon stiffness 10 N/cm"."""
+    values, unit = _display(factor)
+    return f"{plain_name(factor)} {_number_text(values[index].item())} {unit}".rstrip()
+
+
+def _label(factor: DataArray) -> str:
+    unit = _display(factor)[1]
+    return f"{plain_name(factor)} ({unit})" if unit else plain_name(factor)
+
+
+# ---- a page of panels
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Scale:
+    """How a quantity is written and coloured: the unit that reads well, its factor from SI, and the colours' ends."""
+
+    unit: str
+    factor: float
+    norm: Normalize
+    empty: bool
+
+
+def draw_page(
+    view: View, panels: Sequence[Panel], *, one_scale: bool = False, quantity: str = "", note: str = ""
+) -> Figure:
+    """All panels with their colour bars, a legend of what happened where there is no value, and the slice's name."""
+    columns = {1: 1, 2: 2, 4: 2}.get(len(panels), 3)
+    rows = math.ceil(len(panels) / columns)
+    cells = not view.sampled and (view.y is not None or not panels[0].unit)
+    across, upwards = view.table[view.x].size, view.table[view.y].size if view.y else 1
+    width = PAGE_WIDTH if columns > 1 else 0.6 * PAGE_WIDTH
+    height = float(np.clip((0.27 if rows == 1 else 0.21) * upwards, 0.9, 3.2)) if cells else 1.7
+    figure = Figure(figsize=(width, rows * (height + 0.5) + 0.75), layout="constrained")
+    grid = figure.subplots(rows, columns, squeeze=False).ravel()
+    scales = [_scale(panels)] * len(panels) if one_scale else [_scale([panel]) for panel in panels]
+    small = columns * across > 24
+    for index, (axes, panel, scale) in enumerate(zip(grid, panels, scales, strict=False)):
+        axes.set_title(panel.title)
+        if cells:
+            _draw_cells(axes, view, panel, scale, numbers=max(across, upwards) <= _MOST_NUMBERS, small=small)
+        else:
+            _draw_points(axes, view, panel, scale)
+        if index + columns >= len(panels):
+            axes.set_xlabel(_label(view.table[view.x]))
+        if view.y and index % columns == 0:
+            axes.set_ylabel(_label(view.table[view.y]))
+        elif view.y:
+            axes.tick_params(labelleft=False)
+        if (cells or view.y) and not one_scale and not scale.empty:
+            _colour_bar(figure, [axes], scale.unit, scale)
+    for axes in grid[len(panels) :]:
+        axes.remove()
+    if (cells or view.y) and one_scale and not scales[0].empty:
+        _colour_bar(figure, list(grid[: len(panels)]), f"{quantity} ({scales[0].unit})", scales[0])
+    if text := ", ".join(part for part in (view.note, note) if part):
+        figure.suptitle(text, fontsize=8)
+    _legend(figure, panels, cells=cells)
+    return figure
+
+
+def _scale(panels: Sequence[Panel]) -> _Scale:
+    """One scale for all values of some panels."""
+    values = np.concatenate([panel.values.values.astype(float).ravel() for panel in panels])
+    finite = values[np.isfinite(values)]
+    empty, units = not len(finite), _READABLE.get(panels[0].unit, ((panels[0].unit, 1.0),))
+    low, high = (0.0, 0.0) if empty else (float(finite.min()), float(finite.max()))
+    largest = max(abs(low), abs(high))
+    unit, factor = next((pair for pair in units if largest * pair[1] >= 0.999), units[-1] if largest else units[0])
+    if low == high:
+        low, high = low - 0.1 * largest - (not largest), high + 0.1 * largest + (not largest)
+    return _Scale(unit=unit, factor=factor, norm=Normalize(low * factor, high * factor), empty=empty)
+
+
+def _colour_bar(figure: Figure, axes: list[Axes], label: str, scale: _Scale) -> None:
+    mappable = ScalarMappable(scale.norm, _COLOURS)
+    bar = figure.colorbar(mappable, ax=axes, label=label, pad=0.015, aspect=25, fraction=0.06)
+    bar.outline.set_visible(False)
+
+
+def _missing(panel: Panel) -> dict[str, NDArray[np.bool_]]:
+    """Where there is no value, by reason, in the panel's own order of dimensions."""
+    absent = ~np.isfinite(panel.values.values.astype(float))
+    words = panel.reasons.transpose(*panel.values.dims).values.astype(str)
+    order = [*_LOOKS, *sorted(set(words[absent].tolist()) - set(_LOOKS))]
+    return {word: where for word in order if (where := absent & (words == word)).any()}
+
+
+def _look(word: str) -> _Look:
+    return _LOOKS.get(word) or (_BEFORE_OPENING if " with " in word else _LOOKS[OTHER])
+
+
+def _legend(figure: Figure, panels: Sequence[Panel], *, cells: bool) -> None:
+    """Every reason that a panel shows, once."""
+    words = list(dict.fromkeys(word for panel in panels for word in _missing(panel)))
+    handles: list[Patch | Line2D] = []
+    for word in words:
+        look = _look(word)
+        if cells:
+            handles.append(Patch(facecolor=look.face, hatch=look.hatch, edgecolor=_INK, lw=0.4, label=word))
+        else:
+            handles.append(Line2D([], [], ls="", marker=look.marker, color=_ink(look), ms=5, label=word))
+    if handles:
+        columns = min(len(handles), 4 if figure.get_figwidth() >= PAGE_WIDTH else 2)
+        figure.legend(handles=handles, loc="outside lower center", ncols=columns, handleheight=1.4, handlelength=2.2)
+
+
+def _ink(look: _Look) -> str:
+    """A marker's colour: the face where that shows on white."""
+    return look.face if look.face in (BLUE, SKY) else _INK
+
+
+def _draw_cells(axes: Axes, view: View, panel: Panel, scale: _Scale, *, numbers: bool, small: bool) -> None:
+    """A cell for each pair of values, evenly spaced whatever the values are."""
+    order = [name for name in (view.y, view.x) if name]
+    panel = Panel(
+        title=panel.title,
+        values=panel.values.transpose(*order),
+        reasons=panel.reasons.transpose(*order),
+        unit=panel.unit,
+    )
+    values = np.atleast_2d(panel.values.values.astype(float) * scale.factor)
+    edges = [np.arange(count + 1) - 0.5 for count in reversed(values.shape)]
+    if np.isfinite(values).any():
+        shown = np.ma.masked_invalid(values)
+        axes.pcolormesh(*edges, shown, cmap=_COLOURS, norm=scale.norm, edgecolors="white", linewidth=0.4)
+    for word, where in _missing(panel).items():
+        look = _look(word)
+        axes.pcolor(
+            *edges,
+            np.ma.masked_array(np.zeros(values.shape), ~np.atleast_2d(where)),
+            cmap=ListedColormap([look.face]),
+            hatch=look.hatch,
+            edgecolor="white" if look.face == "0.86" else _INK,
+            linewidth=0.25,
+        )
+    if numbers:
+        _write_numbers(axes, values, scale, size=5 if small else 6)
+    axes.set(xlim=edges[0][[0, -1]], ylim=edges[1][[0, -1]])
+    axes.tick_params(length=0)
+    for name, axis in ((view.x, axes.xaxis), (view.y, axes.yaxis)):
+        shown_values = _display(view.table[name])[0] if name else np.array([])
+        step = math.ceil(len(shown_values) / _MOST_NUMBERS) or 1
+        places = range(0, len(shown_values), step)
+        axis.set_ticks(list(places), [_number_text(shown_values[place].item()) for place in places])
+
+
+def _write_numbers(axes: Axes, values: Array, scale: _Scale, *, size: float) -> None:
+    """Every value in its cell, with the digits that the largest one allows, in the ink that shows on its colour."""
+    largest = float(np.nanmax(np.abs(values), initial=0.0))
+    decimals = 3 - math.floor(math.log10(largest)) if largest else 0
+    for (row, column), value in np.ndenumerate(values):
+        if np.isfinite(value):
+            red, green, blue, _ = _COLOURS(scale.norm(value))
+            light = 0.299 * red + 0.587 * green + 0.114 * blue > 0.5
+            text = _short(round(value, decimals) + 0.0)
+            axes.text(column, row, text, ha="center", va="center", fontsize=size, color="black" if light else "white")
+
+
+def _short(value: float) -> str:
+    """Three digits, or two where a cell has no room for them."""
+    text = f"{value:.3g}"
+    return text if len(text) <= 4 else f"{value:.2g}"
+
+
+def _draw_points(axes: Axes, view: View, panel: Panel, scale: _Scale) -> None:
+    """Samples over two factors, coloured by value; over one, the value upwards and the failures along the bottom."""
+    values = panel.values.values.astype(float) * scale.factor
+    across = _positions(axes, view, "x")
+    missing = _missing(panel)
+    if view.y:
+        upwards = _positions(axes, view, "y")
+        found = np.isfinite(values)
+        if found.any():
+            axes.scatter(
+                across[found], upwards[found], c=values[found], cmap=_COLOURS, norm=scale.norm, s=16, ec=_INK, lw=0.3
+            )
+        foot = axes.transData
+    else:
+        upwards = np.full(len(values), 0.05 if panel.unit else 0.5)
+        foot = axes.get_xaxis_transform()
+        margin = 0.05 * float(np.ptp(across)) or 0.5
+        axes.set_xlim(across.min() - margin, across.max() + margin)
+        if panel.unit:
+            axes.plot(across, values, "o" if view.sampled else "o-", color=BLUE, ms=3.5)
+            axes.set_ylabel(f"{panel.title} ({scale.unit})")
+            # room for the failures under the least value
+            low, high = (
+                (0.0, 1.0)
+                if not np.isfinite(values).any()
+                else (min(0.0, float(np.nanmin(values))), float(np.nanmax(values)))
+            )
+            axes.set_ylim(low - 0.12 * ((high - low) or 1), high + 0.08 * ((high - low) or 1))
+        else:
+            axes.set_yticks([])
+    for word, where in missing.items():
+        look = _look(word)
+        axes.plot(
+            across[where], upwards[where], ls="", marker=look.marker, color=_ink(look), ms=4, mew=0.8, transform=foot
+        )
+
+
+def _positions(axes: Axes, view: View, which: str) -> Array:
+    """Where a factor's values lie on an axis: at their size, or words one after another."""
+    values, _ = _display(view.table[view.x if which == "x" else str(view.y)])
+    if values.dtype.kind in "iuf":
+        return values.astype(float)
+    words, places = np.unique(values.astype(str), return_inverse=True)
+    axis = axes.xaxis if which == "x" else axes.yaxis
+    axis.set_ticks(list(range(len(words))), list(words))
+    return places.astype(float)

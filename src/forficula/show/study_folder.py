@@ -1,0 +1,40 @@
+"""The files that a study leaves beside its rows."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from forficula.files import write_bytes, write_text
+from forficula.show.maps import study_figures
+from forficula.show.style import save_figure
+from forficula.study import Study, table_csv
+from forficula.study.comparison import compare_with_paper, comparison_json, comparison_markdown
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+# the study whose results the paper reports
+_PAPERS_SEARCH = "binder2025-search"
+
+
+def write_study(study: Study, table: Dataset, folder: Path) -> None:
+    """Write the table, the maps, and, for the paper's own search, the paper's numbers beside ours.
+
+    Args:
+        study: what was asked.
+        table: what came out.
+        folder: of the study.
+
+    Raises:
+        InputError: a file cannot be written.
+    """
+    write_text(folder / "table.csv", table_csv(study, table))
+    write_bytes(folder / "table.nc", table.to_netcdf(engine="h5netcdf"))
+    for stem, figure in study_figures(table).items():
+        save_figure(figure, folder / f"{stem}.png")
+    if study.name == _PAPERS_SEARCH:
+        rows = compare_with_paper(table)
+        write_text(folder / "comparison.md", comparison_markdown(rows))
+        write_text(folder / "comparison.json", json.dumps(comparison_json(rows), indent=2) + "\n")

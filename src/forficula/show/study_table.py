@@ -1,0 +1,40 @@
+"""A study's result in a few lines of text."""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import TYPE_CHECKING
+
+import numpy as np
+from rich.console import Console
+from rich.table import Table
+
+from forficula.design import TORQUE
+from forficula.quantities import show_quantity
+from forficula.study import Study
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+
+def print_study(study: Study, table: Dataset) -> None:
+    """Print how many points came to what, and the least torques where these were searched for."""
+    lines = Table(
+        box=None, padding=(0, 2, 0, 0), title=f"{study.name}: {len(study.points)} points", title_justify="left"
+    )
+    lines.add_column("outcome")
+    lines.add_column("points", justify="right")
+    # "stuck at -134.6 deg" is one of many that are stuck
+    statuses = Counter(str(status).split(" at ")[0] for status in table["status"].values.ravel())
+    for status, count in statuses.most_common():
+        lines.add_row(status, str(count))
+    Console(width=110, highlight=False).print(lines)
+    if study.search is None:
+        return
+    for name, what in (("least_fold_torque", "fold"), ("least_unfold_torque", "open again")):
+        torques = table[name].values[np.isfinite(table[name].values)]
+        if len(torques):
+            low, high = (show_quantity(float(each), TORQUE) for each in (torques.min(), torques.max()))
+            print(f"{len(torques)} of {len(study.points)} {what}, with {low} to {high}")
+        else:
+            print(f"none of {len(study.points)} {what}")

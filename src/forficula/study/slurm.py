@@ -1,0 +1,33 @@
+"""A job array that runs a study's shards on a cluster with SLURM."""
+
+from __future__ import annotations
+
+import shlex
+
+from forficula.errors import InputError
+
+_MOST_SHARDS = 10_000
+
+
+def slurm_script(study: str, out: str, shards: int) -> str:
+    """Write the text of a job array, one job a shard.
+
+    Args:
+        study: name or path, as the command line takes it.
+        out: folder of the study, on a disk that all machines see.
+        shards: how many jobs.
+
+    Raises:
+        InputError: not a sensible number of jobs.
+    """
+    if not 1 <= shards <= _MOST_SHARDS:
+        raise InputError(f"--slurm: need a number of jobs from 1 to {_MOST_SHARDS}, got {shards}")
+    command = f"forficula study {shlex.quote(study)} --out {shlex.quote(out)}"
+    return f"""#!/bin/bash
+#SBATCH --job-name=forficula
+#SBATCH --array=1-{shards}
+#SBATCH --cpus-per-task=4
+#SBATCH --output={shlex.quote(out)}/slurm-%a.log
+# Submit with: sbatch THIS_FILE. When all jobs are done: {command} --collect
+{command} --shard "${{SLURM_ARRAY_TASK_ID}}/{shards}"
+"""

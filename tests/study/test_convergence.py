@@ -1,0 +1,277 @@
+import json
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.special import ellipk, ellipkinc
+
+from forficula.cli import main
+from forficula.design import load_design, with_values
+from forficula.dynamics import compile_wing
+from forficula.dynamics.units import design_in_model_units
+from forficula.errors import InputError
+from forficula.study.convergence import MESH, TIMESTEP, YOUNGS_MODULUS, compare_wings, converge, read_values
+from forficula.study.observed_order import fit_order
+
+STAGE = {"hold": 0.0}
+SETTLE = STAGE | {"name": "settle", "drive": "none", "until": "time", "time_limit": 0.1}
+FOLD = STAGE | {"name": "fold", "drive": "fold", "until": "folded", "time_limit": 0.2}
+
+
+@pytest.fixture(scope="module")
+def short(reference):
+    """The reference design, folded after little settling, and let be."""
+    return with_values(reference, {"protocol.stages": [SETTLE, FOLD]})
+
+
+def hinges(one_hinge, steps, settle, duration=0.2):
+    """Wings of one hinge that swings by itself through the stages of a folding, one for each timestep."""
+    wings = []
+    for step in steps:
+        wing = one_hinge(timestep=step, duration=duration).wing
+        stages = [SETTLE | {"time_limit": settle}, FOLD | {"time_limit": duration}]
+        design = with_values(wing.design, {"protocol.stages": stages})
+        wings.append(replace(wing, design=design, in_units=design_in_model_units(design, wing.units)))
+    return wings
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    st.floats(0.7, 4.0),
+    st.floats(-0.3, 0.3).filter(lambda share: abs(share) > 1e-3),
+    st.lists(st.integers(1, 100), min_size=3, max_size=7, unique=True).filter(lambda h: max(h) > 2 * min(h)),
+)
+def test_a_planted_order_and_limit_are_found_whatever_the_timesteps(order, share, tenths):
+    limit, steps = 0.06, np.array(tenths) * 1e-5
+    fit = fit_order(steps, limit * (1 + share * (steps / steps.max()) ** order))
+    assert fit.observed
+    # the search ends within 1e-6; a misfit this flat is known to the root of rounding, about 1e-8 of the change
+    assert fit.order == pytest.approx(order, abs=1e-2)
+    assert fit.limit == pytest.approx(limit, rel=1e-3)
+    assert fit.time(steps) == pytest.approx(limit * (1 + share * (steps / steps.max()) ** order), rel=1e-6)
+
+
+def test_with_a_constant_ratio_the_order_is_that_of_the_textbook():
+    # Roache 1994, J. Fluids Eng. 116, 405: p = log((T3 - T2) / (T2 - T1)) / log(ratio); here log(4 / 1.3) / log 2
+    fit = fit_order(np.array([0.4, 0.2, 0.1]), np.array([10.0, 6.0, 4.7]))
+    assert fit.order == pytest.approx(math.log(4 / 1.3) / math.log(2), abs=1e-4)
+
+
+def test_times_that_scatter_tell_no_order_and_say_so():
+    steps = np.array([0.5, 0.4, 0.3, 0.2, 0.1])
+    fit = fit_order(steps, 60 - 4 * steps + np.array([0.5, -0.6, 0.5, -0.5, 0.4]))
+    assert (fit.observed, fit.order) == (False, 1.0)
+    assert "scatters" in fit.reason
+    assert fit.scatter > 0.4
+
+
+@pytest.mark.parametrize(
+    ("times", "reason"),
+    [([5.0, 5.0, 5.0], "does not change"), ([5.0, 4.0], "three timesteps"), ([4.0, 5.0, 4.0], "scat")],
+)
+def test_times_without_an_order_say_why(times, reason):
+    fit = fit_order(np.array([0.4, 0.2, 0.1])[: len(times)], np.array(times))
+    assert not fit.observed
+    assert reason in fit.reason
+
+
+def test_one_hinge_converges_with_order_one_to_its_closed_form(one_hinge):
+    # a pendulum, theory.md section 3: from rest at phi0 to phi in t* (K(m) - F(asin(cos(phi/2) / cos(phi0/2)), m))
+    steps, settle = [4e-4, 2e-4, 1e-4, 5e-5], 4e-3
+    hinge = one_hinge()
+    first, last = hinge.start / 2, math.radians(150) / 2
+    m = math.cos(first) ** 2
+    exact = hinge.time_scale * (ellipk(m) - ellipkinc(math.asin(math.cos(last) / math.cos(first)), m)) - settle
+    found = compare_wings(hinges(one_hinge, steps, settle), TIMESTEP, steps, 1e-4)
+    assert found.fold_order.observed
+    # the term in h^2 is about a tenth of that in h at the longest timestep
+    assert found.fold_order.order == pytest.approx(1, abs=0.1)
+    assert found.fold_order.limit == pytest.approx(exact, rel=1e-3)
+    assert found.fine
+    assert found.verdict.startswith("0.1 ms is fine: the fold time differs by ")
+
+
+def test_a_timestep_that_is_too_long_says_which_would_do(one_hinge):
+    steps = [4e-4, 2e-4, 1e-4, 5e-5]
+    found = compare_wings(hinges(one_hinge, steps, 4e-3), TIMESTEP, steps, 4e-4, tolerance=1e-3)
+    assert found.fine is False
+    advised = float(found.verdict.split("; ")[1].split(" ms")[0]) * 1e-3
+    law = found.fold_order
+    assert abs(law.time(np.array(advised)) / law.limit - 1) <= 1e-3 < abs(law.time(np.array(4e-4)) / law.limit - 1)
+
+
+def test_the_fold_time_is_that_of_the_angle_between_two_steps(short):
+    found = converge(short, TIMESTEP, [4e-4, 2e-4])
+    assert found.own == 2e-4
+    for step, time in zip(found.values, found.fold_times, strict=True):
+        steps = time / step
+        assert abs(steps - round(steps)) > 1e-3  # not a multiple of it
+    assert abs(found.fold_times[0] / found.fold_times[1] - 1) < 0.2
+    assert found.fold_order is not None
+    assert not found.fold_order.observed
+    assert found.unfold_order is None
+
+
+def test_the_own_value_is_run_and_timesteps_go_from_coarse_to_fine(short):
+    found = converge(short, TIMESTEP, [3e-4, 4e-4])
+    assert found.values.tolist() == [4e-4, 3e-4, 2e-4]
+    assert found.design == short
+
+
+def test_a_timestep_that_diverges_is_too_long(short):
+    found = converge(with_values(short, {"protocol.timestep": 5e-3}), TIMESTEP, [5e-3, 2e-4])
+    assert found.fine is False
+    assert found.verdict.startswith("5 ms is too long: the wing diverged at t = ")
+    assert found.verdict.endswith("; at 0.2 ms it does not.")
+
+
+def test_a_coarse_timestep_that_diverges_does_not_spoil_the_own_one(short):
+    found = converge(short, TIMESTEP, [5e-3, 2e-4, 1e-4])
+    assert found.fine is not None
+    assert 'the outcome changes with the timestep: "folded" at 0.2 ms, "diverged at ' in found.verdict
+    assert np.isnan(found.fold_times).tolist() == [True, False, False]
+
+
+def test_an_outcome_that_changes_with_a_shorter_timestep_is_never_fine(one_hinge):
+    # one wing is given no time to fold, as if the timestep had kept it from folding
+    late = hinges(one_hinge, [2e-4], 4e-3)
+    early = hinges(one_hinge, [1e-4], 4e-3, duration=0.005)
+    found = compare_wings([*late, *early], TIMESTEP, [2e-4, 1e-4], 2e-4)
+    assert found.fine is False
+    assert "the outcome changes with the timestep" in found.verdict
+
+
+def test_the_reference_is_on_the_edge_where_the_bounds_enclose_what_is_allowed(short):
+    steps = [4e-4, 3e-4, 2e-4, 1e-4]
+    least, most = converge(short, TIMESTEP, steps), converge(short, TIMESTEP, steps, tolerance=1e-6)
+    between = converge(short, TIMESTEP, steps, tolerance=_middle(least))
+    assert (most.fine, between.fine) == (False, None)
+    assert between.verdict.startswith("0.2 ms is on the edge: ")
+
+
+def _middle(found):
+    """Half way between the bounds of the difference from the limit, where no order can be told."""
+    times, fit = found.fold_times, found.fold_order
+    assert not fit.observed
+    far, near = abs(times[2] - fit.limit), abs(times[2] - times[3])
+    return (min(far, near) + max(far, near, fit.scatter)) / 2 / fit.limit
+
+
+def test_a_wing_that_does_not_fold_cannot_be_judged(reference):
+    design = with_values(reference, {"protocol.stages": [SETTLE]})
+    found = converge(design, TIMESTEP, [4e-4, 2e-4])
+    assert found.fine is None
+    assert "cannot be judged" in found.verdict
+    assert np.isnan(found.fold_times).all()
+
+
+def test_moduli_and_meshes_say_how_far_the_fold_time_moves(short):
+    for key, values, name in ((YOUNGS_MODULUS, [2e6, 1e6], "2 MPa"), (MESH, [1, 2], "5 rows")):
+        found = converge(short, key, values)
+        move = 100 * (found.fold_times[1] / found.fold_times[0] - 1)
+        assert f"by {move:+.2g} % at {name}" in found.verdict
+        assert found.fine is None
+
+
+def test_a_mesh_n_times_finer_keeps_the_rows_and_divides_the_gaps(reference):
+    design = with_values(reference, {"membrane.proximal_rows": [0.2, 0.6], "membrane.distal_rows": [0.5]})
+    only_settled = with_values(design, {"protocol.stages": [SETTLE | {"time_limit": 0.001}]})
+    found = converge(only_settled, MESH, [2, 3])
+    # gaps: two before the ring fold, two behind it
+    assert found.rows == (5, 9, 13)
+    # each row has two nodes on each of two panels
+    assert len(compile_wing(design).membrane.nodes) == 4 * 5
+
+
+@pytest.mark.parametrize(
+    ("key", "text", "values"),
+    [
+        (TIMESTEP, "0.5 0.4 0.1 ms", [5e-4, 4e-4, 1e-4]),
+        (TIMESTEP, "0.5 ms, 0.4 ms", [5e-4, 4e-4]),
+        (TIMESTEP, "0.1, 0.4 ms", [1e-4, 4e-4]),
+        (TIMESTEP, "  1e-1ms 200us ", [1e-4, 2e-4]),
+        (YOUNGS_MODULUS, "0.5 1 2 4 MPa", [5e5, 1e6, 2e6, 4e6]),
+        (MESH, "1 2 3", [1, 2, 3]),
+    ],
+)
+def test_a_list_is_numbers_and_the_unit_that_follows(key, text, values):
+    assert read_values(key, text) == pytest.approx(values, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("option", "text", "rule"),
+    [
+        ("--timesteps", "", "need two values at least"),
+        ("--timesteps", "0.2 ms", "need two values at least"),
+        ("--timesteps", "0.2 -0.1 ms", "need values > 0"),
+        ("--timesteps", "0.2 0 ms", "need values > 0"),
+        ("--timesteps", "0.2 0.1", "the unit is missing"),
+        ("--timesteps", "0.2 ms 0.1", "the unit is missing"),
+        ("--timesteps", "0.2 0.1 mm", "not a unit of the right kind"),
+        ("--timesteps", "0,2 0,1 ms", "need numbers with spaces between"),
+        ("--timesteps", "0.2 ms; 0.1 ms", "is not a unit"),
+        ("--timesteps", "nan 0.1 ms", "need numbers with spaces between"),
+        ("--timesteps", "0.2 0.2 ms", "need values that differ"),
+        ("--timesteps", "0.2 ms 200 us", "need values that differ"),
+        ("--moduli", "1 2 ms", "not a unit of the right kind"),
+        ("--meshes", "1 2.5", "need whole numbers"),
+        ("--meshes", "1 2 mm", "need whole numbers"),
+        ("--meshes", "0 1", "need values > 0"),
+        ("--meshes", "1 1000", "need whole numbers from 1 to 50"),
+    ],
+)
+def test_a_bad_list_ends_with_1_and_one_line(tmp_path, monkeypatch, capsys, option, text, rule):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(SystemExit) as caught:
+        main(["converge", "binder2025", option, text])
+    output = capsys.readouterr()
+    assert caught.value.code == 1
+    assert output.err.startswith(f"forficula: {option}: ")
+    assert rule in output.err
+    assert (output.out, output.err.count("\n"), list(tmp_path.iterdir())) == ("", 1, [])
+
+
+@pytest.mark.parametrize("options", [[], ["--meshes", "1 2", "--moduli", "1 2 MPa"]])
+def test_one_question_at_a_time(capsys, options):
+    with pytest.raises(SystemExit) as caught:
+        main(["converge", "binder2025", *options])
+    assert caught.value.code == 1
+    assert "need one of --timesteps, --moduli, --meshes" in capsys.readouterr().err
+
+
+def test_another_key_is_refused(reference):
+    with pytest.raises(InputError, match=r"key: need protocol\.timestep"):
+        converge(reference, "tendon.stiffness", [1.0, 2.0])
+
+
+def test_the_command_leaves_a_table_its_numbers_and_two_figures(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(SystemExit) as caught:
+        main(["converge", "binder2025", "--timesteps", "0.4 0.2 ms"])
+    assert caught.value.code in (0, None)
+    printed = capsys.readouterr().out
+    folder = tmp_path / "out" / "binder2025-converge"
+    assert printed.splitlines()[-1] == "written to out/binder2025-converge"
+    assert {file.name for file in folder.iterdir()} == {
+        "convergence.json",
+        "convergence.csv",
+        "angles.png",
+        "times.png",
+    }
+    content = json.loads((folder / "convergence.json").read_text("utf-8"))
+    assert content["design_hash"] == load_design("binder2025").hash
+    assert [run["timestep_s"] for run in content["runs"]] == [4e-4, 2e-4]
+    heading, *lines = (folder / "convergence.csv").read_text("utf-8").splitlines()
+    assert heading == "timestep_s,membrane_rows,status,fold_time_s,unfold_time_s"
+    assert [float(line.split(",")[3]) for line in lines] == [run["fold_time_s"] for run in content["runs"]]
+
+
+def test_a_folder_that_cannot_be_written_is_refused_before_anything_runs(tmp_path, capsys):
+    (tmp_path / "file").write_text("")
+    with pytest.raises(SystemExit) as caught:
+        main(["converge", "binder2025", "--timesteps", "0.4 0.2 ms", "--out", str(tmp_path / "file" / "there")])
+    assert caught.value.code == 1
+    assert capsys.readouterr().err.startswith("forficula: --out: need a folder")
