@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -42,6 +43,35 @@ def replacing(path: Path) -> Iterator[Path]:
         raise InputError(f"{path}: cannot be written: {error.strerror or error}") from None
     finally:
         temporary.unlink(missing_ok=True)
+
+
+@contextmanager
+def replacing_all(folder: Path) -> Iterator[Path]:
+    """Give a temporary folder, and put its files into a folder when the block ends well: all of them, or none.
+
+    Args:
+        folder: made where it is missing; files of the same names are replaced, others stay.
+
+    Raises:
+        InputError: the folder or a file in it cannot be written.
+    """
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        unfinished = Path(tempfile.mkdtemp(dir=folder.parent, prefix=f".{folder.name}-"))
+    except OSError as error:
+        raise InputError(f"{folder}: cannot be written: {error.strerror}") from None
+    try:
+        yield unfinished
+        folder.mkdir(exist_ok=True)
+        files = sorted(unfinished.iterdir())
+        for blocked in (folder / file.name for file in files if (folder / file.name).is_dir()):
+            raise InputError(f"{blocked}: need a file or nothing there, got a folder")
+        for file in files:
+            file.replace(folder / file.name)
+    except OSError as error:
+        raise InputError(f"{folder}: cannot be written: {error.strerror}") from None
+    finally:
+        shutil.rmtree(unfinished, ignore_errors=True)
 
 
 def write_text(path: Path, text: str) -> None:

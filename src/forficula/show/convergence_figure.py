@@ -6,8 +6,6 @@ import csv
 import io
 import json
 import math
-import shutil
-import tempfile
 from pathlib import Path
 from typing import Any
 
@@ -20,8 +18,7 @@ from rich.console import Console
 from rich.table import Table
 
 from forficula.dynamics import versions
-from forficula.errors import InputError
-from forficula.files import write_text
+from forficula.files import replacing_all, write_text
 from forficula.show.style import BLUE, LINE_STYLES, PAGE_WIDTH, VERMILION, figure_style, save_figure
 from forficula.study.convergence import MESH, TIMESTEP, YOUNGS_MODULUS, Convergence, value_text
 from forficula.study.observed_order import OrderFit
@@ -169,23 +166,8 @@ def write_convergence(convergence: Convergence, folder: Path) -> None:
     Raises:
         InputError: the folder cannot be written.
     """
-    try:
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        unfinished = Path(tempfile.mkdtemp(dir=folder.parent, prefix=f".{folder.name}-"))
-    except OSError as error:
-        raise InputError(f"{folder}: cannot be written: {error.strerror}") from None
-    try:
+    with replacing_all(folder) as unfinished:
         _write_files(convergence, unfinished)
-        folder.mkdir(exist_ok=True)
-        files = sorted(unfinished.iterdir())
-        for blocked in (folder / file.name for file in files if (folder / file.name).is_dir()):
-            raise InputError(f"{blocked}: need a file or nothing there, got a folder")
-        for file in files:
-            file.replace(folder / file.name)
-    except OSError as error:
-        raise InputError(f"{folder}: cannot be written: {error.strerror}") from None
-    finally:
-        shutil.rmtree(unfinished, ignore_errors=True)
 
 
 def _write_files(convergence: Convergence, folder: Path) -> None:

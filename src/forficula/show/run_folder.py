@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import json
-import shutil
-import tempfile
 from pathlib import Path
 
 from forficula.analysis import Outcome, summary
 from forficula.design import save_design
 from forficula.dynamics import Record, compile_wing, save_record, versions
-from forficula.errors import InputError
-from forficula.files import write_text
+from forficula.files import replacing_all, write_text
 from forficula.show.folding_figure import draw_folding
 from forficula.show.pattern_figure import draw_pattern
 from forficula.show.style import save_figure
@@ -29,23 +26,8 @@ def write_run(record: Record, outcome: Outcome, folder: Path) -> None:
     Raises:
         InputError: the folder cannot be written.
     """
-    try:
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        unfinished = Path(tempfile.mkdtemp(dir=folder.parent, prefix=f".{folder.name}-"))
-    except OSError as error:
-        raise InputError(f"{folder}: cannot be written: {error.strerror}") from None
-    try:
+    with replacing_all(folder) as unfinished:
         _write_files(record, outcome, unfinished)
-        folder.mkdir(exist_ok=True)
-        files = sorted(unfinished.iterdir())
-        for blocked in (folder / file.name for file in files if (folder / file.name).is_dir()):
-            raise InputError(f"{blocked}: need a file or nothing there, got a folder")
-        for file in files:
-            file.replace(folder / file.name)
-    except OSError as error:
-        raise InputError(f"{folder}: cannot be written: {error.strerror}") from None
-    finally:
-        shutil.rmtree(unfinished, ignore_errors=True)
 
 
 def _write_files(record: Record, outcome: Outcome, folder: Path) -> None:
