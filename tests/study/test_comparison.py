@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 
 import numpy as np
 import pytest
@@ -41,7 +42,7 @@ def papers_table():
     torque = np.where(folds, 0.2 + 0.1 * np.minimum(stiffness // 2, 3), np.nan)
     work = np.where(folds, 1.0 + 0.1 * stiffness + 0.01 * (10 - rest_length), np.nan)
     work[0, 7] = 0.5
-    time = np.where(folds[..., None] & (TORQUE >= torque[..., None] - 1e-9), 0.1, np.nan) / TORQUE
+    time = np.where(folds[..., None] & (torque[..., None] - 1e-9 <= TORQUE), 0.1, np.nan) / TORQUE
     time[0, 0, -1] = 0.05
     reference = np.full((6, 10), "folded", dtype=object)
     reference[STICKS] = "stuck at -134.6 deg"
@@ -72,7 +73,7 @@ def table():
 
 
 def row(table, words):
-    (found,) = (row for row in compare_with_paper(table) if words in row.claim)
+    (found,) = (row for row in compare_with_paper(table) if re.search(words, row.claim))
     return found
 
 
@@ -111,7 +112,7 @@ def long_one_folds(table):
     [
         ("k = 60 N/cm, l0 = 0 cm", plant("flat_energy", (5, 0), 99.0), "33 J"),
         ("k = 10 N/cm, l0 = 0 cm", plant("flat_energy", (0, 0), 30.0), "10 J"),
-        ("fold with at most 50 N cm", plant("least_fold_torque", (0, 4), np.nan), "31 of 60"),
+        ("fold with at most 50 N cm$", plant("least_fold_torque", (0, 4), np.nan), "31 of 60"),
         ("l0 = 9 cm with k <= 30", long_one_folds, "k = 10 N/cm, l0 = 9 cm"),
         ("least folding torque", plant("least_fold_torque", (2, 5), 0.1), "10 N cm, at k = 30 N/cm, l0 = 5 cm"),
         ("fastest", plant("fold_time_by_torque", (1, 3, 4), 0.01), "k = 20 N/cm, l0 = 3 cm, 50 N cm"),
@@ -156,7 +157,12 @@ def test_a_refined_torque_counts_as_the_step_of_the_papers_grid_that_it_belongs_
 def test_more_torque_than_the_paper_tried_does_not_count(table):
     table["least_fold_torque"][5, 0] = 0.6
     table["least_unfold_torque"][5, 9] = 1.1
-    assert row(table, "fold with at most 50 N cm").agrees
+    assert row(table, "fold with at most 50 N cm$").agrees
+    assert row(table, "open again").agrees
+
+
+def test_a_tendon_that_opens_but_folds_with_the_large_torque_only_does_not_count(table):
+    table["least_unfold_torque"][5, 0] = 0.5
     assert row(table, "open again").agrees
 
 
@@ -193,12 +199,13 @@ def test_a_study_in_which_nothing_folds_is_compared_too(table):
             table[name] = table[name] * math.nan
     table["status"] = table["status"].copy(data=np.full((6, 10), "did not fold", dtype=object))
     rows = compare_with_paper(table)
-    assert {row.ours for row in rows if "that fold with at most" in row.claim} == {"0 of 60"}
-    assert not any(row.agrees for row in rows if "that fold with at most" in row.claim)
+    assert row(table, "fold with at most 50 N cm$").ours == "0 of 60"
     assert [row.claim for row in rows if row.agrees] == [
         "energy of one tendon when flat, k = 60 N/cm, l0 = 0 cm",
         "energy of one tendon when flat, k = 10 N/cm, l0 = 0 cm",
         "l0 = 9 cm with k <= 30 N/cm: those that fold",
+        # planted apart
+        "tendons that fold with 500 N cm",
     ]
 
 

@@ -26,7 +26,7 @@ class WingModel:
         units: of the compiled model.
         in_units: the design in the model's units.
         engine: the compiled model; copy it before changing anything.
-        xml: the source that compiles to it.
+        spec: the source that compiles to it.
         membrane: its mesh, in the model's units.
         senses: +1 or -1 by vein, (vein,).
         tendons: index of the tendon by vein, (vein,).
@@ -40,7 +40,7 @@ class WingModel:
     units: ModelUnits
     in_units: Design
     engine: mujoco.MjModel
-    xml: str
+    spec: mujoco.MjSpec
     membrane: Membrane
     senses: NDArray[np.int64]
     tendons: NDArray[np.int64]
@@ -48,6 +48,13 @@ class WingModel:
     motors: NDArray[np.int64]
     bodies: NDArray[np.int64]
     tips: NDArray[np.int64]
+
+    @property
+    def xml(self) -> str:
+        """The source as text, for any MuJoCo viewer; lengths to six digits."""
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", message=".*has no.*passive forces")
+            return str(self.spec.to_xml())
 
 
 def compile_wing(design: Design) -> WingModel:
@@ -81,7 +88,7 @@ def compile_veins(design: Design, veins: tuple[Vein, ...], units: ModelUnits) ->
         with warnings.catch_warnings():
             # said of a membrane without damping, although its elasticity is there
             warnings.filterwarnings("ignore", message=".*has no.*passive forces")
-            engine, xml = spec.compile(), spec.to_xml()
+            engine = spec.compile()
     except ValueError as error:
         raise InputError(f"{design.name}: MuJoCo cannot build the wing: {' '.join(str(error).split())}") from None
     return WingModel(
@@ -89,7 +96,7 @@ def compile_veins(design: Design, veins: tuple[Vein, ...], units: ModelUnits) ->
         units=units,
         in_units=in_units,
         engine=engine,
-        xml=xml,
+        spec=spec,
         membrane=membrane,
         senses=np.array([vein.sense for vein in veins]),
         tendons=_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, ("tendon",), len(veins))[:, 0],

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import mujoco
 import numpy as np
@@ -41,7 +42,7 @@ class Vein:
     sense: int
     fixed_base: bool = False
 
-    @property
+    @cached_property
     def frame(self) -> NDArray[np.float64]:
         """Rotation from the bar's axes (x along the proximal bar, z across the wing) to the wing's, (3, 3)."""
         along = (self.ring_vertex - self.hub_point) / np.linalg.norm(self.ring_vertex - self.hub_point)

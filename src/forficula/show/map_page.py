@@ -38,6 +38,7 @@ STUCK = "stuck on the way"
 NOT_STAYED = "did not stay folded"
 NOT_TRIED = "not tried: did not fold"
 NOT_RUN = "not run"
+NOT_BUILT = "cannot be built"
 OTHER = "no value"
 
 
@@ -58,13 +59,14 @@ _LOOKS = {
     STUCK: _Look(face="0.93", hatch="xxxx", marker="*"),
     NOT_STAYED: _Look(face="1.0", hatch="|||||", marker="1"),
     "diverged": _Look(face="0.75", hatch="++++", marker="P"),
+    NOT_BUILT: _Look(face="0.6", hatch="", marker="X"),
     NOT_TRIED: _Look(face="0.86", hatch="", marker="_"),
     NOT_RUN: _Look(face="1.0", hatch="", marker="."),
     OTHER: _Look(face="0.97", hatch="---", marker="+"),
 }
 
 # failed when folded for the unfolding, with a torque that its word names
-_BEFORE_OPENING = _Look(face="0.93", hatch="oo", marker="X")
+_BEFORE_OPENING = _Look(face="0.93", hatch="oo", marker="h")
 
 # for a variable's kind of quantity: units in which it reads well, and their factors from SI
 _READABLE = {

@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 
 from forficula.errors import InputError
 from forficula.show.map_page import (
+    NOT_BUILT,
     NOT_FOLDED,
     NOT_RUN,
     NOT_STAYED,
@@ -111,8 +112,13 @@ def draw_fold_times(table: Dataset, panels: str | None = None, y: str | None = N
     if _is_sampled(table):
         raise InputError("fold times over the torque need a grid of factors, got samples")
     factors = _factors(table)
-    y = _name(factors, y) if y else _default([name for name in factors if name != panels], 1 if panels is None else 0)
-    panels = _name(factors, panels) if panels else next((name for name in factors if name != y), None)
+    panels, y = (_name(factors, name) if name else None for name in (panels, y))
+    free = [name for name in factors if name not in (panels, y)]
+    if len(factors) > 1:
+        panels = panels or free.pop(0)
+    y = y or (free or factors).pop(0)
+    if panels == y:
+        raise InputError(f"panels and y: need two factors, got {y} twice")
     with map_style():
         view = _slice(table, [name for name in (panels, y) if name], x="fold_torque", y=y)
         times = view.table["fold_time_by_torque"]
@@ -167,10 +173,6 @@ def _name(factors: Sequence[str], wanted: str) -> str:
     return name
 
 
-def _default(factors: Sequence[str], place: int) -> str:
-    return factors[min(place, len(factors) - 1)]
-
-
 def _view(table: Dataset, x: str | None, y: str | None) -> View:
     """What to draw over two factors, or over the only one."""
     factors = _factors(table)
@@ -211,9 +213,12 @@ def _words(statuses: DataArray) -> DataArray:
 def _word(status: str) -> str:
     if status in ("", "nan", "None"):
         return NOT_RUN
-    return next(
-        (word for start, word in (("stuck", STUCK), ("diverged", "diverged")) if status.startswith(start)), status
-    )
+    if status.startswith("with ") and ": " in status:
+        # "with 500 N cm: stuck at -134.6 deg"
+        torque, rest = status.split(": ", 1)
+        return f"{_word(rest)} {torque}"
+    beginnings = {"stuck": STUCK, "diverged": "diverged", "cannot be built": NOT_BUILT}
+    return next((word for beginning, word in beginnings.items() if status.startswith(beginning)), status)
 
 
 def _reasons(table: Dataset, name: str) -> DataArray:
@@ -240,6 +245,8 @@ def _why_not_opened(status: str, folding: str, reference: str, where: str) -> st
     """Why it did not open, where `reference` is how it folded before that, and `where` with which torque."""
     if _word(folding) in (NOT_FOLDED, STUCK, NOT_STAYED):
         return NOT_TRIED
+    if _word(folding) == NOT_BUILT:
+        return NOT_BUILT
     if where and _word(reference) not in (*_GOES_ON, NOT_RUN):
         return f"{_word(reference)}{where}"
     word = _word(status)

@@ -24,13 +24,16 @@ def evaluate(designs: Sequence[Design], threads: int = 0) -> Iterator[Row]:
 
     A design that cannot be built is a row, too, whose status says why.
     """
+    alike = [_engine_key(design) for design in designs]
+    distinct = dict(zip(alike, designs, strict=True))
+    compiled = {key: _compile(design) for key, design in distinct.items()}
     by_topology: dict[tuple[int, ...], list[tuple[str, WingModel]]] = {}
-    compiled: dict[str, WingModel | str] = {}
-    for design in designs:
-        key, built = row_key(design), _build(design, compiled)
-        if isinstance(built, str):
-            yield {"key": key, "status": f"cannot be built: {built}"}
+    for design, engine_key in zip(designs, alike, strict=True):
+        key, wing = row_key(design), compiled[engine_key]
+        if isinstance(wing, str):
+            yield {"key": key, "status": f"cannot be built: {wing}"}
             continue
+        built = _with_protocol(wing, design)
         engine = built.engine
         sizes = (engine.nq, engine.nv, engine.nu, engine.nbody, engine.ngeom, engine.ntendon, engine.nflexvert)
         by_topology.setdefault(sizes, []).append((key, built))
@@ -53,18 +56,22 @@ def outcome_row(outcome: Outcome) -> Row:
     }
 
 
-def _build(design: Design, compiled: dict[str, WingModel | str]) -> WingModel | str:
-    """A wing, sharing its engine model with those that differ only in what is done to them; or why there is none."""
+def _engine_key(design: Design) -> str:
+    """What names an engine model: all but what is done to the wing."""
     parting = {"fold_torque": 0.0, "unfold_torque": 0.0, "stages": ()}
-    alike = design.model_copy(update={"protocol": design.protocol.model_copy(update=parting)})
-    if alike.hash not in compiled:
-        try:
-            compiled[alike.hash] = compile_wing(with_timestep(design))
-        except InputError as error:
-            compiled[alike.hash] = str(error)
-    wing = compiled[alike.hash]
-    if isinstance(wing, str):
-        return wing
+    return design.model_copy(update={"protocol": design.protocol.model_copy(update=parting)}).hash
+
+
+def _compile(design: Design) -> WingModel | str:
+    """A wing, or why there is none."""
+    try:
+        return compile_wing(with_timestep(design))
+    except InputError as error:
+        return str(error)
+
+
+def _with_protocol(wing: WingModel, design: Design) -> WingModel:
+    """The same wing with another protocol, its engine model shared."""
     timestep = wing.design.protocol.timestep
     resolved = design.model_copy(update={"protocol": design.protocol.model_copy(update={"timestep": timestep})})
     return replace(wing, design=resolved, in_units=design_in_model_units(resolved, wing.units))
