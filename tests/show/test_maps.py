@@ -178,6 +178,13 @@ def test_a_wing_that_sticks_when_folded_for_the_unfolding_says_with_which_torque
     assert legend(draw_torque_maps(table)) == ["stuck on the way with 500 N cm"]
 
 
+def test_a_wing_that_only_the_large_torque_folds_was_asked_to_open():
+    table = many_ends()
+    table["reference_fold_status"][2, 3] = "folded"
+    # as before, but one more did not open, and one fewer was not tried
+    assert marked(panels(draw_torque_maps(table))["least unfold torque"]) == [1, 1, 3, 4]
+
+
 def test_a_status_map_names_the_torque_of_a_fold_that_failed_and_leaves_out_long_reasons():
     status = np.full((3, 4), "folded and opened", dtype=object)
     status[0, 0], status[1, 1] = "with 500 N cm: stuck at -134.6 deg", "cannot be built: vein.diameter: need < 3 mm"
@@ -300,4 +307,4 @@ def test_small_designs_are_written_in_small_units():
     for name in ("least_fold_torque", "least_unfold_torque"):
         table[name] = (table[name] * 1e-6).assign_attrs(units="N m")
     figure = draw_torque_maps(table)
-    assert [axes.get_ylabel() for axes in figure.axes if axes.get_label() == "<colorbar>"] == ["nN m", "nN m"]
+    assert [axes.get_ylabel() for axes in figure.axes if axes.get_label() == "<colorbar>"] == ["torque (nN m)"] * 2

@@ -217,7 +217,7 @@ def test_a_study_over_other_factors_is_refused_by_name(table):
 
 
 def test_markdown_and_json_hold_every_row(table):
-    table["least_fold_torque"][0, 4] = np.nan
+    table["least_fold_torque"][1, 2] = np.nan
     rows = compare_with_paper(table)
     text = comparison_markdown(rows)
     told = [line for line in text.splitlines() if line.startswith("| ")][1:]

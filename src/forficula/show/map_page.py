@@ -34,6 +34,7 @@ _MOST_NUMBERS = 12
 _INK = "0.35"
 
 NOT_FOLDED = "did not fold"
+NOT_OPENED = "did not open"
 STUCK = "stuck on the way"
 NOT_STAYED = "did not stay folded"
 NOT_TRIED = "not tried: did not fold"
@@ -54,7 +55,7 @@ class _Look:
 _LOOKS = {
     "folded and opened": _Look(face=BLUE, hatch="", marker="o"),
     "folded": _Look(face=SKY, hatch="", marker="D"),
-    "did not open": _Look(face="#F3DDA6", hatch="....", marker="s"),
+    NOT_OPENED: _Look(face="#F3DDA6", hatch="....", marker="s"),
     NOT_FOLDED: _Look(face="1.0", hatch="/////", marker="x"),
     STUCK: _Look(face="0.93", hatch="xxxx", marker="*"),
     NOT_STAYED: _Look(face="1.0", hatch="|||||", marker="1"),
@@ -188,7 +189,7 @@ def draw_page(
         elif view.y:
             axes.tick_params(labelleft=False)
         if (cells or view.y) and not one_scale and not scale.empty:
-            _colour_bar(figure, [axes], scale.unit, scale)
+            _colour_bar(figure, [axes], f"{quantity} ({scale.unit})", scale)
     for axes in grid[len(panels) :]:
         axes.remove()
     if (cells or view.y) and one_scale and not scales[0].empty:

@@ -12,6 +12,7 @@ from forficula.errors import InputError
 from forficula.show.map_page import (
     NOT_BUILT,
     NOT_FOLDED,
+    NOT_OPENED,
     NOT_RUN,
     NOT_STAYED,
     NOT_TRIED,
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
 
 _MOST_PANELS = 9
 # what a wing is called that folded, and may have been asked to open
-_GOES_ON = ("folded", "folded and opened", "did not open")
+_GOES_ON = ("folded", "folded and opened", NOT_OPENED)
 
 
 def study_figures(table: Dataset) -> dict[str, Figure]:
@@ -66,7 +67,7 @@ def draw_torque_maps(table: Dataset, x: str | None = None, y: str | None = None)
         InputError: the table has no such factor.
     """
     names = {"least_fold_torque": "least fold torque", "least_unfold_torque": "least unfold torque"}
-    return _draw(table, x, y, names)
+    return _draw(table, x, y, names, "torque")
 
 
 def draw_work_maps(table: Dataset, x: str | None = None, y: str | None = None) -> Figure:
@@ -74,7 +75,7 @@ def draw_work_maps(table: Dataset, x: str | None = None, y: str | None = None) -
 
     Args and errors are those of `draw_torque_maps`.
     """
-    return _draw(table, x, y, {"fold_work": "work of folding", "unfold_work": "work of unfolding"})
+    return _draw(table, x, y, {"fold_work": "work of folding", "unfold_work": "work of unfolding"}, "work")
 
 
 def draw_energy_maps(table: Dataset, x: str | None = None, y: str | None = None) -> Figure:
@@ -83,7 +84,7 @@ def draw_energy_maps(table: Dataset, x: str | None = None, y: str | None = None)
     Args and errors are those of `draw_torque_maps`.
     """
     names = {"flat_energy": "energy when flat", "folded_energy": "energy when folded"}
-    return _draw(table, x, y, names | {"opened_energy": "energy when opened"}, one_scale=True)
+    return _draw(table, x, y, names | {"opened_energy": "energy when opened"}, "tendons' energy", one_scale=True)
 
 
 def draw_status_map(table: Dataset, x: str | None = None, y: str | None = None) -> Figure:
@@ -124,7 +125,9 @@ def draw_fold_times(table: Dataset, panels: str | None = None, y: str | None = N
         times = view.table["fold_time_by_torque"]
         reasons = times.copy(data=np.full(times.shape, NOT_FOLDED))
         if panels is None:
-            return draw_page(view, [Panel(title="fold time", values=times, reasons=reasons, unit="s")])
+            return draw_page(
+                view, [Panel(title="fold time", values=times, reasons=reasons, unit="s")], quantity="fold time"
+            )
         count = table.sizes[panels]
         chosen = np.unique(np.linspace(0, count - 1, min(count, _MOST_PANELS)).round().astype(int))
         drawn = [
@@ -140,7 +143,9 @@ def draw_fold_times(table: Dataset, panels: str | None = None, y: str | None = N
         return draw_page(view, drawn, one_scale=True, quantity="fold time", note=few)
 
 
-def _draw(table: Dataset, x: str | None, y: str | None, names: dict[str, str], *, one_scale: bool = False) -> Figure:
+def _draw(
+    table: Dataset, x: str | None, y: str | None, names: dict[str, str], quantity: str, *, one_scale: bool = False
+) -> Figure:
     """A page with a panel a variable."""
     with map_style():
         view = _view(table, x, y)
@@ -148,7 +153,7 @@ def _draw(table: Dataset, x: str | None, y: str | None, names: dict[str, str], *
             Panel(title=title, values=view.table[name], reasons=_reasons(view.table, name), unit=_unit(table, name))
             for name, title in names.items()
         ]
-        return draw_page(view, panels, one_scale=one_scale, quantity="tendons' energy" if one_scale else "")
+        return draw_page(view, panels, one_scale=one_scale, quantity=quantity)
 
 
 # ---- the table: its factors, what is drawn of it, and why a value is missing
@@ -243,11 +248,11 @@ def _why_not_folded(folding: str) -> str:
 
 def _why_not_opened(status: str, folding: str, reference: str, where: str) -> str:
     """Why it did not open, where `reference` is how it folded before that, and `where` with which torque."""
-    if _word(folding) in (NOT_FOLDED, STUCK, NOT_STAYED):
-        return NOT_TRIED
-    if _word(folding) == NOT_BUILT:
-        return NOT_BUILT
-    if where and _word(reference) not in (*_GOES_ON, NOT_RUN):
-        return f"{_word(reference)}{where}"
-    word = _word(status)
+    if where and _word(reference) in _GOES_ON:
+        # a wing that only the large torque folds was asked to open, too
+        word = _word(status) if _word(folding) in _GOES_ON else NOT_OPENED
+    elif where and _word(reference) not in (NOT_RUN, NOT_BUILT):
+        word = f"{_word(reference)}{where}"
+    else:
+        word = NOT_TRIED if _word(folding) in (NOT_FOLDED, STUCK, NOT_STAYED) else _word(status)
     return OTHER if word in ("folded", "folded and opened") else word

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,10 +13,11 @@ from scipy import stats
 
 from forficula.design import key_quantity
 from forficula.errors import InputError
-from forficula.quantities import format_quantity, parse_quantity
+from forficula.quantities import as_written, format_quantity, parse_quantity
 
 _RANGE = re.compile(r"\s*(\S+?)\s*\.\.\s*(\S+)\s*(.*?)\s*\bstep\s+(\S+)\s*(.*?)\s*")
-_MOST_VALUES = 1_000_000
+MOST_VALUES = 1_000_000
+_LONGEST_RANGE = 200
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -83,9 +84,12 @@ def read_factor(key: str, given: object) -> Factor:
     if isinstance(given, list):
         if not given:
             raise InputError(f"{key}: need at least one value, got an empty list")
+        _check_values(key, given)
         return Factor(key=key, values=tuple(given))
     if isinstance(given, str):
-        return Factor(key=key, values=range_values(key, given))
+        values = range_values(key, given)
+        _check_values(key, values[:1])
+        return Factor(key=key, values=values)
     if isinstance(given, Mapping):
         return Factor(key=key, distribution=_distribution(key, given, quantity is not None))
     raise InputError(f'{key}: need a list, a range such as "1..5 cm step 1", or a distribution, got {given!r}')
@@ -97,9 +101,9 @@ def range_values(key: str, text: str) -> tuple[object, ...]:
     Raises:
         InputError: not a range, a step that leads nowhere, or more than a million values.
     """
-    match = _RANGE.fullmatch(text)
+    match = _RANGE.fullmatch(text) if len(text) <= _LONGEST_RANGE else None
     if match is None:
-        raise InputError(f'{key}: need a range such as "10..60 N/cm step 10", got "{text}"')
+        raise InputError(f'{key}: need a range such as "10..60 N/cm step 10", got {as_written(text)}')
     first, last, unit, step, step_unit = match.groups()
     if step_unit and step_unit != unit:
         raise InputError(f'{key}: need the step in the unit of the range, "{unit}", got "{step_unit}"')
@@ -109,9 +113,10 @@ def range_values(key: str, text: str) -> tuple[object, ...]:
         raise InputError(f'{key}: need three numbers, as in "10..60 N/cm step 10", got "{text}"') from None
     if not all(map(math.isfinite, (low, high, width))) or width <= 0 or high < low:
         raise InputError(f'{key}: need a range that rises by a step > 0, got "{text}"')
-    count = math.floor((high - low) / width * (1 + 1e-12) + 1e-9) + 1
-    if count > _MOST_VALUES:
-        raise InputError(f'{key}: need at most {_MOST_VALUES} values, got {count} in "{text}"')
+    steps = (high - low) / width * (1 + 1e-12) + 1e-9
+    if steps >= MOST_VALUES:
+        raise InputError(f'{key}: need at most {MOST_VALUES} values, got {steps:.6g} steps in "{text}"')
+    count = math.floor(steps) + 1
     # to 12 digits, so that 0.1 three times is 0.3 as a person would write it
     numbers = [float(f"{low + index * width:.12g}") for index in range(count)]
     if not unit and key_quantity(key) is None:
@@ -142,6 +147,20 @@ def drawn_values(factors: tuple[Factor, ...], method: str, count: int, seed: int
     return [dict(zip((factor.key for factor in factors), row, strict=True)) for row in zip(*columns, strict=True)]
 
 
+def _check_values(key: str, values: Sequence[object]) -> None:
+    """Refuse what no coordinate of a table can be; what is out of bounds is a row of its own."""
+    quantity = key_quantity(key)
+    for value in values:
+        if quantity is None:
+            if not isinstance(value, str | int | float | list):
+                raise InputError(f"{key}: need numbers or words, got {as_written(value)}")
+            continue
+        try:
+            parse_quantity(value, quantity.unit)
+        except InputError as error:
+            raise InputError(f"{key}: {error}") from None
+
+
 def _written(key: str, value: float) -> object:
     quantity = key_quantity(key)
     return value if quantity is None else format_quantity(value, quantity.unit)
@@ -149,9 +168,9 @@ def _written(key: str, value: float) -> object:
 
 def _distribution(key: str, given: Mapping[str, object], has_unit: bool) -> Distribution:
     name = given.get("distribution")
-    if name not in _PARAMETERS:
+    if not isinstance(name, str) or name not in _PARAMETERS:
         raise InputError(f"{key}.distribution: need one of {', '.join(_PARAMETERS)}, got {name!r}")
-    names = _PARAMETERS[str(name)]
+    names = _PARAMETERS[name]
     if set(given) != {"distribution", *names}:
         raise InputError(f"{key}: a {name} distribution needs {names[0]} and {names[1]}, got {', '.join(given)}")
     quantity = key_quantity(key)
@@ -174,4 +193,4 @@ def _distribution(key: str, given: Mapping[str, object], has_unit: bool) -> Dist
         raise InputError(f"{key}.high: need > low, {given['low']}, got {given['high']}")
     if name == "log-uniform" and first <= 0:
         raise InputError(f"{key}.low: need > 0, got {given['low']}")
-    return Distribution(name=str(name), first=first, second=second)
+    return Distribution(name=name, first=first, second=second)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import IO, Any
 
@@ -107,8 +107,12 @@ def open_journal(folder: Path, shard: tuple[int, int]) -> Iterator[Journal]:
         file = path.open("ab")
     except OSError as error:
         raise InputError(f"{path}: cannot be written: {error.strerror}") from None
-    with file:
+    try:
         if file.tell():
             # a line that a crash cut short must not swallow the next one
             file.write(b"\n")
         yield Journal(file, path)
+    finally:
+        # every row is flushed as it is appended: what a full disk leaves in the buffer has been told of
+        with suppress(OSError):
+            file.close()

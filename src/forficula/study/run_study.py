@@ -49,6 +49,8 @@ def run_study(
     Raises:
         InputError: the folder holds another study's rows, or cannot be written.
     """
+    if not 1 <= shard[0] <= shard[1]:
+        raise InputError(f"shard: need a number from 1 to the count, got {shard[0]} of {shard[1]}")
     folder = Path(out)
     open_folder(folder, study.base)
     rows = read_rows(folder)

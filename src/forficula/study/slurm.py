@@ -22,6 +22,8 @@ def slurm_script(study: str, out: str, shards: int) -> str:
     """
     if not 1 <= shards <= _MOST_SHARDS:
         raise InputError(f"--slurm: need a number of jobs from 1 to {_MOST_SHARDS}, got {shards}")
+    if any(sign in text for text in (study, out) for sign in "\r\n"):
+        raise InputError("--slurm: need names on one line, got a line break in the name of the study or of its folder")
     command = f"forficula study {shlex.quote(study)} --out {shlex.quote(out)}"
     return f"""#!/bin/bash
 #SBATCH --job-name=forficula

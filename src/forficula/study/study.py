@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import itertools
+import math
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib import resources
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
-from forficula.design import TORQUE, Design, load_design
+from forficula.design import TORQUE, Design, key_quantity, load_design
 from forficula.errors import InputError
-from forficula.quantities import parse_quantity
-from forficula.study.factors import Factor, drawn_values, range_values, read_factor
+from forficula.quantities import as_written, parse_quantity
+from forficula.study.factors import MOST_VALUES, Factor, drawn_values, range_values, read_factor
 
 _KEYS = ("name", "source", "design", "ask", "settings", "factors", "sampling", "search")
 _TORQUE_KEY = "protocol.fold_torque"
@@ -114,10 +116,18 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
     drawn = [factor for factor in factors if factor.distribution is not None]
     if drawn and len(drawn) < len(factors):
         raise InputError("factors: need either all of them as distributions or none, got both kinds")
-    name = tables.get("design")
+    for key in ("settings", "sampling", "search"):
+        if not isinstance(tables.get(key, {}), dict):
+            raise InputError(f"{key}: need a table, got {as_written(tables[key])}")
+    title, name = tables["name"], tables.get("design")
+    if not isinstance(title, str) or not title.strip(" .") or any(sign in title for sign in "/\\\0"):
+        raise InputError(f"name: need a name that a folder can have, without slashes, got {as_written(title)}")
     if not isinstance(name, str):
         raise InputError(f'design: need the name or path of a design, such as "binder2025", got {name!r}')
     base = load_design(str(folder / name) if name.endswith(".toml") else name, _flat(tables.get("settings", {})))
+    for factor in drawn:
+        if key_quantity(factor.key) is None and not isinstance(attrgetter(factor.key)(base), float):
+            raise InputError(f"{factor.key}: need a list or a range; only numbers with fractions are drawn")
     ask = tables.get("ask", "run")
     if ask not in ("run", "least-torques"):
         raise InputError(f'ask: need "run" or "least-torques", got {ask!r}')
@@ -126,7 +136,7 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
     if "search" in tables and ask != "least-torques":
         raise InputError('search: needs ask = "least-torques"')
     return Study(
-        name=str(tables["name"]),
+        name=title,
         source=str(tables.get("source", "")),
         base=base,
         factors=factors,
@@ -155,6 +165,9 @@ def _flat(table: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
 
 def _grid(factors: tuple[Factor, ...]) -> list[dict[str, object]]:
     keys = [factor.key for factor in factors]
+    count = math.prod(len(factor.values) for factor in factors)
+    if count > MOST_VALUES:
+        raise InputError(f"factors: need at most {MOST_VALUES} points, got {count}")
     return [dict(zip(keys, values, strict=True)) for values in itertools.product(*(each.values for each in factors))]
 
 
@@ -166,6 +179,8 @@ def _drawn(factors: tuple[Factor, ...], sampling: Mapping[str, Any]) -> list[dic
     for key, value, least in (("count", count, 1), ("seed", seed, 0)):
         if isinstance(value, bool) or not isinstance(value, int) or value < least:
             raise InputError(f"sampling.{key}: need a whole number >= {least}, got {value!r}")
+    if int(str(count)) > MOST_VALUES:
+        raise InputError(f"sampling.count: need at most {MOST_VALUES}, got {as_written(count)}")
     return drawn_values(factors, method, int(str(count)), seed)
 
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from forficula.design import TORQUE, Design, key_quantity
-from forficula.quantities import Unit, parse_quantity
+from forficula.quantities import Unit, as_written, parse_quantity
 from forficula.study.evaluate import row_key
 from forficula.study.factors import Factor
 from forficula.study.journal import Row
@@ -140,7 +140,9 @@ def _unit(factor: Factor) -> Unit | None:
 
 def _factor_value(factor: Factor, value: object) -> Any:
     unit = _unit(factor)
-    return value if unit is None else parse_quantity(value, unit)
+    if unit is None:
+        return as_written(value) if isinstance(value, list) else value
+    return parse_quantity(value, unit)
 
 
 def _column(factor: Factor) -> tuple[str, float]:
