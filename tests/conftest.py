@@ -113,3 +113,38 @@ def one_hinge(reference):
         return OneHinge(wing=compile_veins(design, (bars,), units), inertia=inertia, start=start)
 
     return build
+
+
+# a protocol that takes 0.5 s at most, and in which some tendons fold, some stick and some open again
+SHORT_PROTOCOL = """
+protocol.timestep = "0.4 ms"
+protocol.window = "10 ms"
+protocol.stages.0.time_limit = "20 ms"
+protocol.stages.1.time_limit = "0.1 s"
+protocol.stages.2 = {name = "release folded", drive = "none", until = "rest", hold = "10 ms", time_limit = "0.1 s"}
+protocol.stages.3.hold = "10 ms"
+protocol.stages.3.time_limit = "0.1 s"
+protocol.stages.4 = {name = "release opened", drive = "none", until = "rest", hold = "10 ms", time_limit = "0.1 s"}
+"""
+
+
+@pytest.fixture(scope="session")
+def write_study_file():
+    """Write a study of short runs of the reference design at a path."""
+
+    def write(path, factors: str, head: str = "", tail: str = ""):
+        text = f'design = "binder2025"\n{head}\n[settings]{SHORT_PROTOCOL}\n[factors]\n{factors}\n{tail}\n'
+        path.write_text(text, "utf-8")
+        return path
+
+    return write
+
+
+@pytest.fixture
+def study_file(tmp_path, write_study_file):
+    """Write a study of short runs of the reference design."""
+
+    def write(factors: str, head: str = "", tail: str = "", name: str = "small.toml"):
+        return write_study_file(tmp_path / name, factors, head, tail)
+
+    return write

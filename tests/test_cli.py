@@ -127,7 +127,7 @@ def test_the_named_designs_are_listed_with_their_sources(call):
 
 def test_help_names_every_command(call):
     shown = call("--help").out
-    for command in ("run", "pattern", "new", "designs"):
+    for command in ("run", "pattern", "converge", "study", "new", "designs"):
         assert f" {command} " in shown
 
 
@@ -250,6 +250,75 @@ def test_names_too_long_for_the_disk_are_answered_before_anything_is_done(refusa
     assert "File name too long" in refusal("run", "binder2025", "--out", "x" * 300)
     assert "File name too long" in refusal("new", "x" * 300 + ".toml")
     assert "File name too long" in refusal("pattern", "binder2025", "--out", "x" * 300 + ".svg")
+
+
+TENDONS = '"tendon.stiffness" = ["10 N/cm", "20 N/cm", "30 N/cm"]'
+
+
+def test_a_study_leaves_its_table_and_names_their_folder_last(in_an_empty_folder, call, study_file):
+    study_file(TENDONS)
+    output = call("study", "small.toml")
+    assert output.out.splitlines()[-1] == "written to out/small"
+    folder = in_an_empty_folder / "out" / "small"
+    assert {"journal.jsonl", "manifest.json", "table.csv", "table.nc"} < set(everything_in(folder))
+    assert len((folder / "table.csv").read_text().splitlines()) == 4
+    before = (folder / "journal.jsonl").read_bytes()
+    call("study", "small.toml")
+    assert (folder / "journal.jsonl").read_bytes().split() == before.split()
+
+
+def test_a_dry_run_counts_the_runs_and_writes_nothing(in_an_empty_folder, call, study_file):
+    study_file(TENDONS)
+    assert call("study", "small.toml", "--dry-run").out.startswith(
+        "small: 3 points, about 3 runs, 3 missing, about 0 s"
+    )
+    assert everything_in(in_an_empty_folder) == ["small.toml"]
+
+
+def test_a_shard_says_how_to_collect_and_collecting_gives_the_same_table(in_an_empty_folder, call, study_file):
+    study_file(TENDONS)
+    output = call("study", "small.toml", "--shard", "1/2", "--out", "there")
+    assert output.out == "shard 1/2 is done; when all are: forficula study small.toml --out there --collect\n"
+    assert everything_in(in_an_empty_folder / "there") == ["journal-1-of-2.jsonl", "manifest.json"]
+    call("study", "small.toml", "--shard", "2/2", "--out", "there")
+    table = (in_an_empty_folder / "there" / "table.csv").read_bytes()
+    (in_an_empty_folder / "there" / "table.csv").unlink()
+    call("study", "small.toml", "--out", "there", "--collect")
+    assert (in_an_empty_folder / "there" / "table.csv").read_bytes() == table
+
+
+def test_missing_shards_are_counted_in_one_line(capsys, call, study_file):
+    study_file(TENDONS)
+    call("study", "small.toml", "--shard", "2/3", "--out", "there")
+    with pytest.raises(SystemExit) as caught:
+        main(["study", "small.toml", "--out", "there", "--collect"])
+    assert caught.value.code == 1
+    expected = "forficula: there: 2 runs are missing; run the shards that are not done, then collect\n"
+    assert capsys.readouterr() == ("", expected)
+
+
+def test_a_job_array_is_written_and_nothing_is_run(in_an_empty_folder, call, study_file):
+    study_file(TENDONS)
+    output = call("study", "small.toml", "--slurm", "4")
+    assert output.out == "written to out/small/study.slurm; submit it with: sbatch out/small/study.slurm\n"
+    assert everything_in(in_an_empty_folder / "out" / "small") == ["study.slurm"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["none.toml"], "none.toml: cannot be read: No such file or directory"),
+        (["none"], '"none" is neither a named study nor a .toml file; the named studies are binder2025-search'),
+        (["small.toml", "--shard", "3/2"], '--shard: need a number and a count such as 2/8, got "3/2"'),
+        (["small.toml", "--shard", "0/2"], '--shard: need a number and a count such as 2/8, got "0/2"'),
+        (["small.toml", "--shard", "one"], '--shard: need a number and a count such as 2/8, got "one"'),
+        (["small.toml", "--slurm", "0"], "--slurm: need a number of jobs from 1 to 10000, got 0"),
+        (["small.toml", "--out", "small.toml"], "--out: need a folder, got the file small.toml"),
+    ],
+)
+def test_a_study_that_cannot_be_is_answered_in_one_line(refusal, study_file, arguments, message):
+    study_file(TENDONS)
+    assert refusal("study", *arguments) == message
 
 
 def test_ctrl_c_stops_a_run_with_one_line_and_leaves_nothing(tmp_path):

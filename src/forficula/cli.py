@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -137,6 +137,9 @@ def study(
     shard: Annotated[str, Parameter(help="Run a part of the points, as in 2/8; then collect.")] = "1/1",
     collect: Annotated[bool, Parameter(help="Build the table from the rows of all shards.")] = False,
     slurm: Annotated[int | None, Parameter(help="Write a SLURM job array of so many shards instead.")] = None,
+    dask: Annotated[
+        str | None, Parameter(help="Run on the Dask cluster with this scheduler, as in tcp://scheduler:8786.")
+    ] = None,
 ) -> None:
     """Run a study, or go on with it where it stopped: a table, and maps."""
     from forficula.study import collect as collect_study
@@ -160,8 +163,10 @@ def study(
     if collect:
         table = collect_study(chosen, folder)
     else:
-        with _study_progress() as progress:
-            part = run_study(chosen, folder, shard=_read_shard(shard), progress=progress)
+        from forficula.study import dask_cluster
+
+        with nullcontext() if dask is None else dask_cluster(dask) as cluster, _study_progress() as progress:
+            part = run_study(chosen, folder, shard=_read_shard(shard), cluster=cluster, progress=progress)
         if part is None:
             print(f"shard {shard} is done; when all are: forficula study {study} --out {folder} --collect")
             return

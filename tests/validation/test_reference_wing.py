@@ -224,7 +224,7 @@ def test_the_membrane_does_the_work_that_its_energy_gives_up(reference):
     assert work == pytest.approx(at(0.0)[0] - at(0.3)[0], rel=1e-9)
 
 
-def test_how_long_the_open_wing_is_held_does_not_change_the_verdict(reference):
+def test_how_long_the_open_wing_is_held_does_not_change_the_verdict():
     held = ff.load_design("binder2025", {"protocol.stages.3.hold": "0.5 s", "protocol.stages.3.time_limit": "2 s"})
     assert held.protocol.stages[3].hold > held.protocol.window  # longer than what counts as stuck
     assert ff.measure(ff.run(held)).status == "folded and opened"

@@ -213,7 +213,9 @@ class Protocol(Part):
         ANGLE, "opened means that every distal hinge is at or past it, on the overbend side"
     )
     rest_speed: float = _quantity(ANGULAR_SPEED, "at rest means that every hinge is slower", above=0)
-    window: float = _quantity(TIME, "the end of a stage over which a state is averaged", above=0)
+    window: float = _quantity(
+        TIME, "over which a state is averaged; a wing that rests so long short of its goal is stuck", above=0
+    )
     gravity: float = _quantity(ACCELERATION, "gravity across the wing, downwards where it lies flat; 0 switches it off")
     contact: Annotated[bool, Field(strict=True, description="whether bars touch each other")]
     stages: Annotated[tuple[Stage, ...], Field(min_length=1, description="what happens, in order")]

@@ -87,7 +87,8 @@ class Recorder:
             return
         taken: dict[str, Array] = {}
         for name, each in damping_work(self.wing, chunk.velocity, chunk.derived).items():
-            total = self._taken.get(name, 0.0) + np.concatenate([[0.0], np.cumsum(each)])
+            # one sum from the start on: it does not depend on where chunks end
+            total = np.cumsum(np.concatenate([[self._taken.get(name, 0.0)], each]))
             self._taken[name] = float(total[-1])
             taken[name] = total[:-1]
         on_time = -chunk.first % self._interval

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+import copy
+from collections.abc import Callable, Container, Iterator, Sequence
 from contextlib import contextmanager
 
 import mujoco
@@ -22,9 +23,10 @@ Progress = Callable[[str, float, float], None]
 
 # Steps between two looks at the goals. Every step is looked at and the overshoot is taken back, so that no number
 # depends on it.
-_CHUNK = 50
-# all that the next step depends on: time, positions and velocities first
+_CHUNK = 100
+# all that the next step depends on, and of that what a step changes: time, positions and velocities first
 _STATE = mujoco.mjtState.mjSTATE_INTEGRATION.value
+_MOVING = _STATE & ~mujoco.mjtState.mjSTATE_USER.value
 _DERIVED = (
     "ten_length",
     "energy",
@@ -71,33 +73,49 @@ def simulate(wings: Sequence[WingModel], threads: int = 0, sparse: bool = False)
 
 
 def simulate_each(
-    wings: Sequence[WingModel], threads: int = 0, sparse: bool = False, progress: Progress | None = None
+    wings: Sequence[WingModel],
+    threads: int = 0,
+    sparse: bool = False,
+    progress: Progress | None = None,
+    enough: Callable[[Record], bool] | None = None,
 ) -> Iterator[tuple[int, Record]]:
     """Do as `simulate` does, and hand on every wing's number and record as soon as it is done.
 
     Wings with the same engine model and the same first stages go through those together: that is one wing, until their
     torques part.
+
+    Args:
+        wings: as in `simulate`.
+        threads: as in `simulate`.
+        sparse: as in `simulate`.
+        progress: called now and then with a stage's name, the time so far and the longest it can take, s.
+        enough: wings that only their unfold torques tell apart then run one after another, in their order, until this
+            is true of a record; the rest of them never run. All run if not given.
     """
     if not wings:
         return
     batch = Batch(wings[0].engine, len(wings), threads)
-    batch.set_models([wing.engine for wing in wings])
+    batch.set_models(_without_energy(wings) if sparse else [wing.engine for wing in wings])
     batch.bind("qpos")[:] = [_start_position(wing) for wing in wings]
     names = _DERIVED[:1] if sparse else _DERIVED
     last = {name: batch.bind(name) for name in names}
     fleet, recorders = Fleet(wings), [Recorder(wing, sparse) for wing in wings]
-    waiting = _followers(wings)
-    moving = np.array([row not in waiting for row in range(len(wings))])
-    while len(rows := np.flatnonzero(moving)):
-        _advance(batch, fleet, recorders, rows, names)
+    successors = {} if enough is None else _successors(wings)
+    held = set(successors.values())
+    waiting = _followers(wings, held)
+    moving = np.array([row not in waiting and row not in held for row in range(len(wings))])
+    while moving.any():
+        rows = np.flatnonzero(moving & ~fleet.ended)
+        if len(rows):
+            _advance(batch, fleet, recorders, rows, names)
         for row, (leader, stages) in list(waiting.items()):
             if moving[leader] and (fleet.stage[leader] >= stages or fleet.ended[leader]):
                 batch.state[row] = batch.state[leader]
                 fleet.follow_leader(row, leader)
                 recorders[row] = recorders[leader].fork(wings[row])
-                moving[row] = True
+                moving[row] = row not in held
                 del waiting[row]
-        if progress is not None and not fleet.ended[rows[0]]:
+        if progress is not None and len(rows) and not fleet.ended[rows[0]]:
             progress(*fleet.progress(rows[0]))
         done = np.flatnonzero(moving & fleet.ended)
         moving[done] = False
@@ -105,7 +123,11 @@ def simulate_each(
             batch.forward(ids=done)
         for row in done.tolist():
             state = batch.bind("qpos")[row], batch.bind("qvel")[row], {name: last[name][row] for name in names}
-            yield row, recorders[row].record(fleet.steps[row], *state, tuple(fleet.ends[row]), fleet.diverged_at[row])
+            record = recorders[row].record(fleet.steps[row], *state, tuple(fleet.ends[row]), fleet.diverged_at[row])
+            yield row, record
+            if enough is not None and row in successors and not enough(record):
+                held.remove(successors[row])
+                moving[successors[row]] = successors[row] not in waiting
 
 
 def _advance(
@@ -114,14 +136,15 @@ def _advance(
     """Take some wings a chunk further, none beyond the end of its stage."""
     engine = batch.model
     batch.bind("ctrl")[rows] = fleet.controls(rows)
-    before = batch.state[rows]
+    columns = _moving_columns(engine)
+    before = batch.state[np.ix_(rows, columns)]
     with _quiet():
-        recorded = batch.rollout(_CHUNK, record=(_STATE, *names), ids=rows)
-    states = np.concatenate([before[:, None], recorded[_STATE]], axis=1)
+        recorded = batch.rollout(_CHUNK, record=(_MOVING, *names), ids=rows)
+    states = np.concatenate([before[:, None], recorded[_MOVING]], axis=1)
     first, stage, begins = fleet.steps[rows], fleet.stage[rows], fleet.steps[rows] == fleet.stage_start[rows]
     time, position, velocity = np.split(states[:, :, : 1 + engine.nq + engine.nv], [1, 1 + engine.nq], axis=2)
     taken = fleet.follow(rows, time[:, :, 0], position, velocity)
-    batch.state[rows] = states[np.arange(len(rows)), taken]
+    batch.state[np.ix_(rows, columns)] = states[np.arange(len(rows)), taken]
     for place, row in enumerate(rows):
         steps = taken[place]
         recorders[row].keep(
@@ -136,11 +159,40 @@ def _advance(
         )
 
 
-def _followers(wings: Sequence[WingModel]) -> dict[int, tuple[int, int]]:
-    """By wing, an earlier one that goes through the same first stages, and how many."""
+def _moving_columns(engine: mujoco.MjModel) -> NDArray[np.int64]:
+    """Where in a state what a step changes lies."""
+    every = np.arange(mujoco.mj_stateSize(engine, _STATE), dtype=np.float64)
+    moving = np.empty(mujoco.mj_stateSize(engine, _MOVING))
+    mujoco.mj_extractState(engine, every, _STATE, moving, _MOVING)
+    return moving.astype(np.int64)
+
+
+def _without_energy(wings: Sequence[WingModel]) -> list[mujoco.MjModel]:
+    """Engine models that leave out the energy of every step; nothing else depends on it."""
+    models = {id(wing.engine): copy.copy(wing.engine) for wing in wings}
+    for model in models.values():
+        model.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_ENERGY)
+    return [models[id(wing.engine)] for wing in wings]
+
+
+def _successors(wings: Sequence[WingModel]) -> dict[int, int]:
+    """By wing, the next one that only its unfold torque tells apart."""
+    successors: dict[int, int] = {}
+    last: dict[tuple[int, str], int] = {}
+    for row, wing in enumerate(wings):
+        protocol = wing.design.protocol.model_copy(update={"unfold_torque": 0.0})
+        key = id(wing.engine), protocol.model_dump_json()
+        if key in last:
+            successors[last[key]] = row
+        last[key] = row
+    return successors
+
+
+def _followers(wings: Sequence[WingModel], held: Container[int] = ()) -> dict[int, tuple[int, int]]:
+    """By wing, an earlier one that goes through the same first stages and is not held back, and how many stages."""
     followers: dict[int, tuple[int, int]] = {}
     for row, wing in enumerate(wings):
-        shared = [(_shared_stages(wings[leader], wing), -leader) for leader in range(row)]
+        shared = [(_shared_stages(wings[leader], wing), -leader) for leader in range(row) if leader not in held]
         stages, leader = max(shared, default=(0, 0))
         if stages:
             followers[row] = -leader, stages

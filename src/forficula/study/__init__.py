@@ -1,6 +1,17 @@
+from forficula.study.cluster import dask_cluster
 from forficula.study.run_study import collect, estimate, run_study
 from forficula.study.slurm import slurm_script
 from forficula.study.study import Study, load_study, named_studies
 from forficula.study.table import table_csv
 
-__all__ = ["Study", "collect", "estimate", "load_study", "named_studies", "run_study", "slurm_script", "table_csv"]
+__all__ = [
+    "Study",
+    "collect",
+    "dask_cluster",
+    "estimate",
+    "load_study",
+    "named_studies",
+    "run_study",
+    "slurm_script",
+    "table_csv",
+]

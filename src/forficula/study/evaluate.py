@@ -9,7 +9,7 @@ import numpy as np
 
 from forficula.analysis import Outcome, State, Transition, measure
 from forficula.design import Design
-from forficula.dynamics import WingModel, compile_wing, design_in_model_units, simulate_each, with_timestep
+from forficula.dynamics import Record, WingModel, compile_wing, design_in_model_units, simulate_each, with_timestep
 from forficula.errors import InputError
 from forficula.study.journal import SCHEMA, Row
 
@@ -19,10 +19,16 @@ def row_key(design: Design) -> str:
     return f"{SCHEMA}-{design.hash}"
 
 
-def evaluate(designs: Sequence[Design], threads: int = 0) -> Iterator[Row]:
+def evaluate(designs: Sequence[Design], threads: int = 0, *, until_opened: bool = False) -> Iterator[Row]:
     """Run designs and hand on their rows as they finish; the rows do not depend on order, company or threads.
 
     A design that cannot be built is a row, too, whose status says why.
+
+    Args:
+        designs: what to run.
+        threads: 0 for one a core.
+        until_opened: whether to try designs that only their unfold torques tell apart one after another, as they come,
+            until one opens; the rest of them get no rows.
     """
     alike = [_engine_key(design) for design in designs]
     distinct = dict(zip(alike, designs, strict=True))
@@ -38,8 +44,13 @@ def evaluate(designs: Sequence[Design], threads: int = 0) -> Iterator[Row]:
         sizes = (engine.nq, engine.nv, engine.nu, engine.nbody, engine.ngeom, engine.ntendon, engine.nflexvert)
         by_topology.setdefault(sizes, []).append((key, built))
     for wings in by_topology.values():
-        for row, record in simulate_each([wing for _, wing in wings], threads, sparse=True):
+        enough = _opened if until_opened else None
+        for row, record in simulate_each([wing for _, wing in wings], threads, sparse=True, enough=enough):
             yield {"key": wings[row][0], **outcome_row(measure(record))}
+
+
+def _opened(record: Record) -> bool:
+    return bool(measure(record).opened)
 
 
 def outcome_row(outcome: Outcome) -> Row:

@@ -28,7 +28,13 @@ def open_folder(folder: Path, base: Design) -> None:
     """
     manifest: dict[str, Any] = {"schema": SCHEMA, "design": base.name, "design_hash": base.hash, "versions": versions()}
     path = folder / _MANIFEST
-    if not path.exists():
+    try:
+        is_new = not path.exists()
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+    if is_new:
+        if any(folder.glob("journal*.jsonl")):
+            raise InputError(f"{folder}: holds rows but no {_MANIFEST} that says whose; take another folder for --out")
         write_text(path, json.dumps(manifest, indent=2) + "\n")
         return
     try:

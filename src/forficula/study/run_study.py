@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     import xarray
 
 Progress = Callable[[int, int, Row], None]
+# rows of designs, as `evaluate` makes them on this machine; the second argument is its `until_opened`
+Evaluate = Callable[[Sequence[Design], bool], Iterator[Row]]
 
 # Runs side by side in one batch: enough that a few slow ones do not leave a core idle for long.
 _BATCH = 1024
@@ -31,6 +33,7 @@ def run_study(
     shard: tuple[int, int] = (1, 1),
     threads: int = 0,
     batch: int = _BATCH,
+    cluster: Evaluate | None = None,
     progress: Progress | None = None,
 ) -> xarray.Dataset | None:
     """Run what a study lacks and build its table.
@@ -41,6 +44,7 @@ def run_study(
         shard: number, from 1 on, and count: only every count-th point runs, so that machines can share a study.
         threads: 0 for one a core.
         batch: runs side by side.
+        cluster: what makes rows of designs, from `dask_cluster`; the cores of this machine do, if not given.
         progress: called with the runs done, the runs known to be needed, and the row, after every run.
 
     Returns:
@@ -59,15 +63,21 @@ def run_study(
     with open_journal(folder, shard) as journal:
         while missing := _missing(study, mine, rows):
             needed = len(missing) + sum(1 for _ in _known(study, mine, rows))
-            for first in range(0, len(missing), batch):
-                for row in evaluate(list(missing.values())[first : first + batch], threads):
-                    journal.append(row)
-                    rows[row["key"]] = row
-                    if progress is not None:
-                        progress(needed - sum(key not in rows for key in missing), needed, row)
+            todo = list(missing.values())
+            searches = study.search is not None
+            for row in _in_batches(todo, threads, batch, searches) if cluster is None else cluster(todo, searches):
+                journal.append(row)
+                rows[row["key"]] = row
+                if progress is not None:
+                    progress(needed - sum(key not in rows for key in missing), needed, row)
     if _missing(study, designs, rows):
         return None
     return build_table(study, designs, rows)
+
+
+def _in_batches(designs: Sequence[Design], threads: int, batch: int, until_opened: bool) -> Iterator[Row]:
+    for first in range(0, len(designs), batch):
+        yield from evaluate(designs[first : first + batch], threads, until_opened=until_opened)
 
 
 def collect(study: Study, out: str | Path) -> xarray.Dataset:

@@ -21,12 +21,15 @@ def search_designs(design: Design, search: Search, rows: Rows) -> list[Design]:
     """The designs that must run to find the least torques, as far as the rows so far tell.
 
     Folding is tried with every torque, for it need not be monotone, and only the least that folds is also released.
-    Opening is tried from the wing folded with `fold_with`. What runs next can depend on the last rows: ask again until
-    none is missing.
+    Opening is tried from the wing folded with `fold_with`, rising, up to the least torque that opens. What runs next
+    can depend on the last rows: ask again until none is missing.
     """
     fold_torques, unfold_torques = (_torques(design, search, rows, drive) for drive in ("fold", "unfold"))
     wanted = [fold_design(design, torque) for torque in fold_torques]
-    wanted += [unfold_design(design, search.fold_with, torque) for torque in unfold_torques]
+    for torque in unfold_torques:
+        wanted.append(unfold_design(design, search.fold_with, torque))
+        if rows.get(row_key(wanted[-1]), {}).get("opened"):
+            break
     folds = [rows.get(row_key(fold_design(design, torque))) for torque in fold_torques]
     if all(row is not None for row in folds):
         least = _least(dict(zip(fold_torques, folds, strict=True)), "folded")
@@ -42,13 +45,14 @@ def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
     torque does.
     """
     folds = {torque: rows[row_key(fold_design(design, torque))] for torque in _torques(design, search, rows, "fold")}
+    # above the least torque that opens there are none
     opens = {
-        torque: rows[row_key(unfold_design(design, search.fold_with, torque))]
+        torque: rows.get(row_key(unfold_design(design, search.fold_with, torque)))
         for torque in _torques(design, search, rows, "unfold")
     }
     least_fold, least_unfold = _least(folds, "folded"), _least(opens, "opened")
     folding = folds[max(folds)] if least_fold is None else rows[row_key(release_design(design, least_fold))]
-    opening = opens[max(opens) if least_unfold is None else least_unfold]
+    opening = opens[max(opens) if least_unfold is None else least_unfold] or {}
     result = {
         "least_fold_torque": least_fold,
         "least_unfold_torque": least_unfold,
@@ -97,11 +101,9 @@ def _torques(design: Design, search: Search, rows: Rows, drive: str) -> list[flo
     tried = list(search.fold_torques if drive == "fold" else search.unfold_torques)
     for _ in range(search.refinements):
         found = [rows.get(_key(design, search, drive, torque)) for torque in tried]
-        if any(row is None for row in found):
-            return tried
         goal = "folded" if drive == "fold" else "opened"
-        least = next((index for index, row in enumerate(found) if row and row.get(goal)), 0)
-        if least == 0:
+        least = next((index for index, row in enumerate(found) if row is None or row.get(goal)), 0)
+        if least == 0 or found[least] is None:
             return tried
         tried.insert(least, (tried[least - 1] + tried[least]) / 2)
     return tried

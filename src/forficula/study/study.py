@@ -75,6 +75,8 @@ def load_study(name_or_path: str | Path) -> Study:
         tables = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise InputError(f"{where}: not TOML: {error}") from None
+    except RecursionError:
+        raise InputError(f"{where}: not TOML for a study: nested too deeply") from None
     tables.setdefault("name", Path(where).stem)
     try:
         return _study(tables, folder)
@@ -105,6 +107,8 @@ def _read(name_or_path: str) -> tuple[str, str, Path]:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None
     except UnicodeDecodeError:
         raise InputError(f"{path}: cannot be read: need UTF-8") from None
+    except ValueError as error:  # a null byte
+        raise InputError(f"{as_written(name_or_path)}: cannot be read: {error}") from None
 
 
 def _study(tables: dict[str, Any], folder: Path) -> Study:

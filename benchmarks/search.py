@@ -1,0 +1,258 @@
+"""How fast the paper's search runs, beside a plain loop and beside the bare engine, on this machine, in one run."""
+
+from __future__ import annotations
+
+import argparse
+import dataclasses
+import json
+import os
+import platform
+import statistics
+import tempfile
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+from unittest import mock
+
+import mujoco
+import numpy as np
+from mujoco.batch import Batch
+
+import forficula as ff
+from forficula.design import Design, with_values
+from forficula.dynamics import WingModel, compile_wing, simulate, versions
+from forficula.study.journal import Row
+from forficula.study.search import fold_design, unfold_design
+from forficula.study.study import Search, Study
+
+_STUDY = "binder2025-search"
+_PLAIN_RUNS = 24
+_ROUNDS = 5
+_WINGS = 240
+_BENCH_TIME = 0.6  # s, simulated by every wing in the comparison of paces
+
+
+def main() -> None:
+    """Measure and print a table."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--points", type=int, help="only so many of the 60 tendons, evenly spaced")
+    parser.add_argument("--json", type=Path, help="write the numbers here, too")
+    arguments = parser.parse_args()
+    study = _thinned(ff.load_study(_STUDY), arguments.points)
+    numbers = {
+        "machine": {"cpu": _cpu(), "cores": os.cpu_count(), "python": platform.python_version(), **versions()},
+        "load_before": os.getloadavg()[0],
+        "search": measure_search(study),
+        "plain_loop": measure_plain_loop(study),
+        "pace": measure_pace(study),
+        "load_after": os.getloadavg()[0],
+    }
+    _show(numbers)
+    if arguments.json is not None:
+        arguments.json.write_text(json.dumps(numbers, indent=2) + "\n")
+
+
+def measure_search(study: Study) -> dict[str, float]:
+    """The whole search as a user runs it, from the study to the table, s of wall and of all cores' time.
+
+    Steps are those that the engine was asked for, so that stages which wings go through together count once.
+    """
+    runs, steps, rollout = 0, 0, Batch.rollout
+
+    def count_run(done: int, needed: int, row: Row) -> None:  # noqa: ARG001
+        nonlocal runs
+        runs += 1
+
+    def counted(batch: Batch, nstep: int, **options: Any) -> Any:
+        nonlocal steps
+        steps += nstep * len(options["ids"])
+        return rollout(batch, nstep, **options)
+
+    with tempfile.TemporaryDirectory() as folder, mock.patch.object(Batch, "rollout", counted):
+        start = _clocks()
+        ff.run_study(study, folder, progress=count_run)
+        wall, cpu = _since(start)
+    return {"points": len(study.points), "runs": runs, "steps": steps, "wall_s": wall, "cpu_s": cpu}
+
+
+def measure_plain_loop(study: Study) -> dict[str, float]:
+    """The same search as one writes it with MuJoCo alone: every run compiled, every stage as long as it may take.
+
+    Only a few runs, drawn with a fixed seed, are made; a step of the others is taken to cost the same.
+    """
+    designs = _grid_designs(study)
+    chosen = [designs[index] for index in np.random.default_rng(0).permutation(len(designs))[:_PLAIN_RUNS]]
+    start, steps = _clocks(), 0
+    for design in chosen:
+        steps += _plain_run(design)
+    wall, cpu = _since(start)
+    every = sum(_step_counts(design).sum() for design in designs)
+    share = float(every / steps)
+    return {
+        "runs_made": len(chosen),
+        "runs": len(designs),
+        "steps": int(every),
+        "steps_per_s": steps / wall,
+        "wall_s": wall * share,
+        "cpu_s": cpu * share,
+    }
+
+
+def measure_pace(study: Study) -> dict[str, Any]:
+    """Steps per second of `simulate(sparse=True)` and of bare `Batch.step`: the same wings, steps, and two threads.
+
+    Every wing is driven by its fold torque for a fixed time, so that none ends early. Rounds alternate, the one that
+    goes first too, for the machine's pace drifts.
+    """
+    wings = _driven_wings(study)
+    steps = round(_BENCH_TIME / float(wings[0].design.protocol.timestep)) * len(wings)
+    order: list[tuple[str, Callable[[], object]]] = [
+        ("bare", lambda: _bare(wings)),
+        ("simulate", lambda: simulate(wings, threads=2, sparse=True)),
+    ]
+    walls: dict[str, list[float]] = {"bare": [], "simulate": []}
+    cpus: dict[str, list[float]] = {"bare": [], "simulate": []}
+    for _ in range(_ROUNDS):
+        for name, work in order:
+            start = _clocks()
+            work()
+            wall, cpu = _since(start)
+            walls[name].append(steps / wall)
+            cpus[name].append(steps / cpu)
+        order.reverse()
+    return {
+        "wings": len(wings),
+        "bare_steps_per_s": _spread(walls["bare"]),
+        "simulate_steps_per_s": _spread(walls["simulate"]),
+        "ratio": _spread([ours / bare for ours, bare in zip(walls["simulate"], walls["bare"], strict=True)]),
+        "ratio_of_cpu": _spread([ours / bare for ours, bare in zip(cpus["simulate"], cpus["bare"], strict=True)]),
+    }
+
+
+def _thinned(study: Study, points: int | None) -> Study:
+    if points is None or points >= len(study.points):
+        return study
+    chosen = np.linspace(0, len(study.points) - 1, points).round().astype(int)
+    return dataclasses.replace(study, points=tuple(study.points[index] for index in chosen), sampled=True)
+
+
+def _grid_designs(study: Study) -> list[Design]:
+    """All that a plain loop must run: it releases and opens every wing, for it looks at nothing on the way."""
+    search = _search(study)
+    designs = [with_values(study.base, dict(point)) for point in study.points]
+    return [
+        run
+        for design in designs
+        for run in [
+            *(fold_design(design, torque) for torque in search.fold_torques),
+            *(unfold_design(design, search.fold_with, torque) for torque in search.unfold_torques),
+        ]
+    ]
+
+
+def _search(study: Study) -> Search:
+    assert study.search is not None
+    return study.search
+
+
+def _step_counts(design: Design) -> np.ndarray[Any, np.dtype[np.int64]]:
+    timestep = float(design.protocol.timestep)
+    return np.array([round(stage.time_limit / timestep) for stage in design.protocol.stages])
+
+
+def _plain_run(design: Design) -> int:
+    """Compile a wing, take it through its stages, look at every state as one who wants to know when it folded."""
+    wing = compile_wing(design)
+    engine, protocol = wing.engine, wing.in_units.protocol
+    data = mujoco.MjData(engine)
+    folds = wing.joints[:, 3]
+    data.qpos[folds] = wing.senses * protocol.initial_overbend
+    turn_motors, fold_motors = wing.motors.T
+    turn_motors = turn_motors[turn_motors >= 0]
+    steps, folded_at = 0, None
+    for stage, count in zip(protocol.stages, _step_counts(design), strict=True):
+        data.ctrl[:] = 0
+        if stage.drive == "fold":
+            data.ctrl[turn_motors] = protocol.fold_torque
+        elif stage.drive == "unfold":
+            data.ctrl[turn_motors], data.ctrl[fold_motors] = -protocol.unfold_torque, protocol.unfold_torque
+        for _ in range(count):
+            mujoco.mj_step(engine, data)
+            if folded_at is None and (wing.senses * data.qpos[folds]).max() <= -protocol.folded_angle:
+                folded_at = data.time
+        steps += int(count)
+    return steps
+
+
+def _driven_wings(study: Study) -> list[WingModel]:
+    """Wings of the study's tendons, folded with its torques one after another, for a fixed time."""
+    search = _search(study)
+    stage = study.base.protocol.stages[1].model_copy(update={"until": "time", "hold": 0.0, "time_limit": _BENCH_TIME})
+    wings = []
+    for index in range(_WINGS):
+        design = with_values(study.base, dict(study.points[index % len(study.points)]))
+        # torques that differ by less than matters, or alike wings would be run once
+        torque = search.fold_torques[index % len(search.fold_torques)] * (1 + 1e-6 * index) + 1e-6 * index
+        protocol = design.protocol.model_copy(update={"fold_torque": torque, "stages": (stage,)})
+        wings.append(compile_wing(design.model_copy(update={"protocol": protocol})))
+    return wings
+
+
+def _bare(wings: Sequence[WingModel]) -> None:
+    """The engine alone, in calls of as many steps as it likes."""
+    batch = Batch(wings[0].engine, len(wings), 2)
+    batch.set_models([wing.engine for wing in wings])
+    for row, wing in enumerate(wings):
+        protocol = wing.in_units.protocol
+        turn_motors = wing.motors[:, 0]
+        batch.bind("qpos")[row, wing.joints[:, 3]] = wing.senses * protocol.initial_overbend
+        batch.bind("ctrl")[row, turn_motors[turn_motors >= 0]] = protocol.fold_torque
+    batch.step(nstep=round(_BENCH_TIME / float(wings[0].design.protocol.timestep)))
+
+
+def _clocks() -> tuple[float, float]:
+    return time.perf_counter(), time.process_time()
+
+
+def _since(start: tuple[float, float]) -> tuple[float, float]:
+    return time.perf_counter() - start[0], time.process_time() - start[1]
+
+
+def _spread(values: Sequence[float]) -> dict[str, float]:
+    return {"median": statistics.median(values), "least": min(values), "most": max(values)}
+
+
+def _cpu() -> str:
+    try:
+        lines = Path("/proc/cpuinfo").read_text().splitlines()
+    except OSError:
+        return platform.processor()
+    return next((line.partition(":")[2].strip() for line in lines if line.startswith("model name")), "unknown")
+
+
+def _show(numbers: dict[str, Any]) -> None:
+    search, plain, pace = numbers["search"], numbers["plain_loop"], numbers["pace"]
+    ratio, cpu_ratio = pace["ratio"], pace["ratio_of_cpu"]
+    rows = [
+        ("machine", ", ".join(f"{name} {value}" for name, value in numbers["machine"].items())),
+        ("load before, after", f"{numbers['load_before']:.1f}, {numbers['load_after']:.1f}"),
+        ("search: tendons, runs", f"{search['points']}, {search['runs']}"),
+        ("search: wall, CPU", f"{search['wall_s']:.1f} s, {search['cpu_s']:.1f} s"),
+        ("search: steps, pace", f"{search['steps'] / 1e6:.2f} M, {search['steps'] / search['wall_s']:.0f} steps/s"),
+        (f"plain loop, from {plain['runs_made']} of {plain['runs']} runs", f"{plain['wall_s']:.0f} s"),
+        ("plain loop: steps, pace", f"{plain['steps'] / 1e6:.1f} M, {plain['steps_per_s']:.0f} steps/s"),
+        ("search faster than the plain loop", f"{plain['wall_s'] / search['wall_s']:.0f} times"),
+        ("  by CPU time", f"{plain['cpu_s'] / search['cpu_s']:.0f} times"),
+        ("bare Batch.step, two threads", f"{pace['bare_steps_per_s']['median']:.0f} steps/s"),
+        ("simulate(sparse=True), two threads", f"{pace['simulate_steps_per_s']['median']:.0f} steps/s"),
+        ("  ratio: median (range)", f"{ratio['median']:.2f} ({ratio['least']:.2f} to {ratio['most']:.2f})"),
+        ("  by CPU time", f"{cpu_ratio['median']:.2f} ({cpu_ratio['least']:.2f} to {cpu_ratio['most']:.2f})"),
+    ]
+    width = max(len(name) for name, _ in rows)
+    for name, value in rows:
+        print(f"{name:<{width}}  {value}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,14 @@
+"""What is made of the steps of many wings."""
+
+import numpy as np
+
+from forficula.dynamics import fleet
+
+
+def test_numbers_that_blow_up_end_a_wings_steps_without_a_warning():
+    time = np.arange(5.0)[None]
+    position, velocity = np.zeros((1, 5, 2)), np.zeros((1, 5, 2))
+    velocity[0, 3] = [np.inf, -np.inf]
+    assert fleet._sound_steps(time, position, velocity).tolist() == [2]
+    velocity[0, 2] = [np.nan, 0]
+    assert fleet._sound_steps(time, position, velocity).tolist() == [1]

@@ -1,0 +1,149 @@
+"""Runs side by side: what wings share is run once, what is not asked for is not kept, and no bit depends on either."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import forficula as ff
+from forficula.design import with_values
+from forficula.dynamics import compile_wing, simulate, simulate_each
+from forficula.dynamics.units import design_in_model_units
+
+STAGES = {
+    "protocol.timestep": 4e-4,
+    "protocol.window": 0.01,
+    "protocol.stages.0.time_limit": 0.02,
+    "protocol.stages.1.time_limit": 0.1,
+    "protocol.stages.2.time_limit": 0.1,
+    "protocol.stages.2.hold": 0.01,
+    "protocol.stages.3.time_limit": 0.1,
+    "protocol.stages.3.hold": 0.01,
+    "protocol.stages.4.time_limit": 0.1,
+    "protocol.stages.4.hold": 0.01,
+}
+SHORT = with_values(ff.load_design("binder2025"), STAGES | {"tendon.rest_length": 0.05})
+WING = compile_wing(SHORT)
+
+
+def sharing(fold, unfold, stages=5):
+    """A wing with the engine model of the others, and its own torques and as many of the stages."""
+    protocol = SHORT.protocol.model_copy(
+        update={"fold_torque": fold, "unfold_torque": unfold, "stages": SHORT.protocol.stages[:stages]}
+    )
+    design = SHORT.model_copy(update={"protocol": protocol})
+    return replace(WING, design=design, in_units=design_in_model_units(design, WING.units))
+
+
+def assert_same_bits(record, other):
+    assert record.stages == other.stages
+    assert record.diverged_at == other.diverged_at
+    assert record.time.tobytes() == other.time.tobytes()
+    assert set(record.series) == set(other.series)
+    for name, values in record.series.items():
+        assert values.tobytes() == other.series[name].tobytes(), name
+
+
+TORQUES = st.sampled_from([0.0, 0.1, 0.2, 0.5, 5.0])
+
+
+@settings(max_examples=15, deadline=None)
+@given(
+    st.lists(st.tuples(TORQUES, TORQUES, st.integers(1, 5)), min_size=2, max_size=7),
+    st.integers(1, 2),
+    st.booleans(),
+)
+def test_wings_that_share_their_first_stages_give_the_same_bits_as_alone(courses, threads, sparse):
+    # a course that others start with, twice, and in any order: leaders follow others in turn
+    wings = [sharing(*course) for course in courses]
+    for wing, record in zip(wings, simulate(wings, threads, sparse), strict=True):
+        alone = replace(wing, engine=compile_wing(wing.design).engine)
+        assert_same_bits(record, simulate([alone], sparse=sparse)[0])
+
+
+def test_every_wing_is_handed_on_once():
+    wings = [sharing(torque, 1.0, stages) for torque in (0.0, 0.5) for stages in (2, 3, 5, 5)]
+    assert sorted(row for row, _ in simulate_each(wings)) == list(range(8))
+    assert list(simulate_each([])) == []
+
+
+def test_wings_that_share_stages_share_their_numbers_up_to_there_and_part_then():
+    one, other = simulate([sharing(0.5, 0.2), sharing(0.5, 1.0)])
+    assert one.stages[:3] == other.stages[:3]
+    parting = one.stages[2].end
+    angles = [each.series["distal_angle"][each.time <= parting + 1e-9] for each in (one, other)]
+    assert np.array_equal(*angles)
+    assert not np.array_equal(one.series["distal_angle"][-1], other.series["distal_angle"][-1])
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        {},
+        {"tendon.rest_length": 0.09},
+        {"tendon.rest_length": 0.0, "tendon.stiffness": 6000.0},
+        {"protocol.fold_torque": 0.0},
+        {"protocol.timestep": 8e-3},
+        {"protocol.window": 0.05, "protocol.sample_interval": 3e-3},
+        {"protocol.window": 0.3},
+        {"pattern.units": 2},
+    ],
+)
+def test_a_sparse_record_has_the_same_bits_for_what_it_keeps_and_for_what_is_measured(values):
+    wing = compile_wing(with_values(SHORT, values))
+    (full,), (sparse,) = simulate([wing]), simulate([wing], sparse=True)
+    assert sparse.stages == full.stages
+    assert sparse.diverged_at == full.diverged_at
+    assert len(sparse.time) <= len(full.time)
+    # stages meet in two rows of the same moment: those count in their order
+    places, place = [], 0
+    for moment in sparse.time:
+        place += int(np.argmax(full.time[place:] == moment))
+        assert full.time[place] == moment
+        places.append(place)
+    for name, values_kept in sparse.series.items():
+        for row, kept in zip(places, values_kept, strict=True):
+            same = np.flatnonzero(full.time == full.time[row])
+            assert any(kept.tobytes() == full.series[name][each].tobytes() for each in same), name
+    measured, expected = ff.measure(sparse), ff.measure(full)
+    assert (measured.status, measured.folded, measured.opened) == (expected.status, expected.folded, expected.opened)
+    assert (measured.fold, measured.unfold) == (expected.fold, expected.unfold)
+    for state in ("flat", "folded_state", "opened_state"):
+        ours, theirs = getattr(measured, state), getattr(expected, state)
+        assert (ours is None) == (theirs is None)
+        if ours is not None:
+            for name in ("distal_angle", "distal_angle_low", "distal_angle_high", "tendon_length", "tendon_energy"):
+                assert getattr(ours, name).tobytes() == getattr(theirs, name).tobytes()
+
+
+def test_a_sparse_record_keeps_little():
+    (full,), (sparse,) = simulate([WING]), simulate([WING], sparse=True)
+    # of each of five stages no more than the window and a chunk of 50 steps, and its two ends
+    assert len(sparse.time) < 5 * (25 + 50 + 2) / 2 < len(full.time)
+    assert "membrane_energy" in full.series
+    assert "membrane_energy" not in sparse.series
+
+
+def test_a_wing_that_blows_up_ends_those_that_follow_it_alike_and_no_others():
+    wild = compile_wing(with_values(SHORT, {"protocol.timestep": 8e-3}))
+    protocols = [wild.design.protocol.model_copy(update={"unfold_torque": torque}) for torque in (0.5, 1.0)]
+    designs = [wild.design.model_copy(update={"protocol": protocol}) for protocol in protocols]
+    wilds = [replace(wild, design=each, in_units=design_in_model_units(each, wild.units)) for each in designs]
+    records = simulate([wilds[0], WING, wilds[1]])
+    assert records[0].diverged_at is not None
+    assert records[2].diverged_at == records[0].diverged_at
+    assert_same_bits(records[1], simulate([WING])[0])
+
+
+def test_progress_tells_of_every_stage_and_never_passes_the_longest():
+    seen = []
+    # told after every chunk of 50 steps, 20 ms, but not at the end
+    longer = with_values(SHORT, {f"protocol.stages.{stage}.hold": 0.03 for stage in range(1, 5)})
+    longer = with_values(longer, {"protocol.stages.0.time_limit": 0.05})
+    ff.run(longer, lambda *each: seen.append(each))
+    assert list(dict.fromkeys(stage for stage, _, _ in seen)) == [stage.name for stage in SHORT.protocol.stages]
+    times = [time for _, time, _ in seen]
+    assert times == sorted(times)
+    assert all(time <= longest + 1e-9 for _, time, longest in seen)

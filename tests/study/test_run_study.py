@@ -1,0 +1,292 @@
+import json
+import os
+import random
+import signal
+import subprocess
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+import xarray as xr
+
+from forficula.errors import InputError
+from forficula.study import collect, estimate, load_study, run_study, table_csv
+from forficula.study.evaluate import evaluate
+from forficula.study.run_study import _designs
+
+TENDONS = '"tendon.stiffness" = "10..30 N/cm step 10"\n"tendon.rest_length" = ["5 cm", "9 cm"]'
+LEAST_TORQUES = 'ask = "least-torques"'
+# every factor compiles another model, and the last two points are no wings
+MIXED = '"pattern.units" = [1, 2, 30]\n"pattern.hub_radius" = ["1.5 cm", "1.8 cm"]'
+
+
+def keys(folder):
+    """The keys of the rows in all journals, in their order, and how many lines are torn."""
+    found, torn = [], 0
+    for path in sorted(folder.glob("journal*.jsonl")):
+        for line in path.read_bytes().split(b"\n"):
+            try:
+                found.append(json.loads(line)["key"])
+            except ValueError:
+                torn += bool(line)
+    return found, torn
+
+
+def by_key(rows):
+    return {row["key"]: row for row in rows}
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    """Run a study without disturbance; the table by the text of the study."""
+    tables = {}
+
+    def table(path):
+        text = Path(path).read_text()
+        if text not in tables:
+            tables[text] = run_study(load_study(path), tmp_path_factory.mktemp("whole") / "out")
+        return tables[text]
+
+    return table
+
+
+@pytest.mark.parametrize("batch", [1, 7, 1024])
+@pytest.mark.parametrize("threads", [1, 2])
+def test_rows_have_the_same_bits_whatever_the_threads_and_the_size_of_a_batch(
+    tmp_path, study_file, whole, threads, batch
+):
+    path = study_file(TENDONS)
+    table = run_study(load_study(path), tmp_path / "out", threads=threads, batch=batch)
+    assert table.identical(whole(path))
+
+
+def test_rows_have_the_same_bits_in_any_order(study_file):
+    designs = list(_designs(load_study(study_file(TENDONS))).values())
+    first = by_key(evaluate(designs))
+    shuffled = random.Random(5).sample(designs, len(designs))
+    assert by_key(evaluate(designs[::-1])) == first
+    assert by_key(evaluate(shuffled)) == first
+
+
+@pytest.mark.parametrize("batch", [1, 5])
+def test_a_search_gives_the_same_bits_whatever_shares_a_batch(tmp_path, study_file, whole, batch):
+    search = '[search]\nfold_torques = "0..50 N cm step 25"\nunfold_torques = "50..100 N cm step 25"\nrefinements = 1'
+    path = study_file('"tendon.stiffness" = ["10 N/cm", "20 N/cm"]', head=LEAST_TORQUES, tail=search)
+    assert run_study(load_study(path), tmp_path / "out", batch=batch).identical(whole(path))
+
+
+def test_a_study_that_is_whole_runs_nothing_again(tmp_path, study_file):
+    study, rows = load_study(study_file(TENDONS)), []
+    table = run_study(study, tmp_path)
+    assert run_study(study, tmp_path, progress=lambda *each: rows.append(each)).identical(table)
+    assert rows == []
+    assert estimate(study, tmp_path) == (6, 0, 0.0)
+
+
+def test_progress_counts_the_runs_up_to_all_of_them(tmp_path, study_file):
+    seen = []
+    run_study(load_study(study_file(TENDONS)), tmp_path, batch=4, progress=lambda *each: seen.append(each))
+    assert [(done, needed) for done, needed, _ in seen] == [(number, 6) for number in range(1, 7)]
+    assert {row["status"] for _, _, row in seen} <= {"folded and opened", "did not open", "did not fold"}
+
+
+def test_an_estimate_counts_what_is_missing_and_writes_nothing(tmp_path, study_file):
+    study = load_study(study_file(TENDONS, head=LEAST_TORQUES))
+    runs, missing, seconds = estimate(study, tmp_path / "out")
+    assert (runs, missing) == (6 * 16, 6 * 16)
+    assert 0 < seconds < 60
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_refined_grid_reuses_the_rows_that_it_shares(tmp_path, study_file, whole):
+    coarse = '"tendon.stiffness" = "10..30 N/cm step 20"\n"tendon.rest_length" = ["5 cm"]'
+    run_study(load_study(study_file(coarse)), tmp_path / "out")
+    before, fine, rows = keys(tmp_path / "out")[0], study_file(TENDONS), []
+    table = run_study(load_study(fine), tmp_path / "out", progress=lambda *each: rows.append(each))
+    after, _ = keys(tmp_path / "out")
+    assert (len(before), len(after), len(set(after)), len(rows)) == (2, 6, 6, 4)
+    assert after[:2] == before
+    assert table.identical(whole(fine))
+
+
+def test_finer_torques_reuse_the_runs_of_the_coarse_ones(tmp_path, study_file):
+    def study(step):
+        search = f'[search]\nfold_torques = "0..40 N cm step {step}"\nunfold_torques = ["50 N cm"]'
+        return load_study(study_file('"tendon.stiffness" = ["10 N/cm"]', head=LEAST_TORQUES, tail=search))
+
+    run_study(study(20), tmp_path)
+    before = set(keys(tmp_path)[0])
+    run_study(study(10), tmp_path)
+    after = keys(tmp_path)[0]
+    assert len(after) == len(set(after))
+    assert before < set(after)
+    # 10 and 30 N cm, and the release at what is now the least, if it is another
+    assert len(after) - len(before) in (2, 3)
+
+
+def test_points_that_are_no_wing_are_rows_with_a_status_in_a_table_that_is_whole(tmp_path, study_file):
+    study = load_study(study_file(MIXED))
+    table = run_study(study, tmp_path / "out")
+    status = table["status"].transpose("pattern_units", "pattern_hub_radius").values
+    assert [text.startswith("cannot be built: binder2025: pattern.units: ") for text in status[2]] == [True, True]
+    assert not any("cannot" in text for text in status[:2].ravel())
+    assert table["flat_energy"].isnull().sum() == 2
+    assert len(keys(tmp_path / "out")[0]) == 4
+    assert len(table_csv(study, table).splitlines()) == 7
+
+
+def test_values_out_of_bounds_are_rows_with_a_status(tmp_path, study_file):
+    table = run_study(load_study(study_file('"tendon.rest_length" = ["-1 cm", "9 cm"]')), tmp_path)
+    assert table["status"].values[0] == "cannot be built: binder2025: tendon.rest_length: need >= 0, got -1 cm"
+    assert "cannot" not in str(table["status"].values[1])
+
+
+@pytest.mark.parametrize("head", ["", LEAST_TORQUES])
+def test_a_wing_that_blows_up_is_a_row_with_a_status_and_touches_no_other(tmp_path, study_file, whole, head):
+    tail = '[search]\nfold_torques = ["0 N cm", "50 N cm"]\nunfold_torques = ["100 N cm"]' if head else ""
+    wild = study_file('"protocol.timestep" = ["8 ms", "0.4 ms"]', head, tail)
+    tame = study_file('"protocol.timestep" = ["0.4 ms"]', head, tail, name="tame.toml")
+    table, alone = run_study(load_study(wild), tmp_path / "out"), whole(tame)
+    assert "diverged at t = " in str(table["status"].values[0])
+    xr.testing.assert_identical(table.isel(protocol_timestep=[1]), alone.assign_attrs(name=table.attrs["name"]))
+
+
+def test_a_search_at_points_that_are_no_wing_is_whole_too(tmp_path, study_file):
+    search = '[search]\nfold_torques = ["50 N cm"]\nunfold_torques = ["100 N cm"]'
+    study = load_study(study_file('"pattern.units" = [1, 30]', head=LEAST_TORQUES, tail=search))
+    table = run_study(study, tmp_path)
+    for name in ("status", "fold_status", "reference_fold_status"):
+        assert str(table[name].values[1]).startswith("cannot be built: ")
+    assert table["least_fold_torque"].isnull().values.tolist() == [False, True]
+
+
+@pytest.mark.parametrize("count", [2, 3])
+def test_shards_joined_are_the_undivided_study(tmp_path, study_file, whole, count):
+    path = study_file(TENDONS)
+    study, out = load_study(path), tmp_path / "out"
+    for number in range(1, count):
+        assert run_study(study, out, shard=(number, count)) is None
+    missing = 6 // count
+    with pytest.raises(InputError, match=f": {missing} runs are missing; run the shards that are not done"):
+        collect(study, out)
+    last = run_study(study, out, shard=(count, count))
+    assert last.identical(whole(path))
+    assert collect(study, out).identical(last)
+    found, torn = keys(out)
+    assert (len(found), len(set(found)), torn) == (6, 6, 0)
+    assert len(list(out.glob("journal-*-of-*.jsonl"))) == count
+
+
+def test_shards_of_a_search_joined_are_the_undivided_study(tmp_path, study_file, whole):
+    search = '[search]\nfold_torques = "0..50 N cm step 25"\nunfold_torques = ["100 N cm"]\nrefinements = 2'
+    path = study_file(TENDONS, LEAST_TORQUES, search)
+    study = load_study(path)
+    assert run_study(study, tmp_path / "out", shard=(2, 2)) is None
+    run_study(study, tmp_path / "out", shard=(1, 2))
+    assert collect(study, tmp_path / "out").identical(whole(path))
+
+
+@pytest.mark.parametrize("shard", [(0, 2), (3, 2), (1, 0)])
+def test_a_shard_that_is_none_is_refused(tmp_path, study_file, shard):
+    with pytest.raises(InputError, match="shard: need a number from 1 to the count"):
+        run_study(load_study(study_file(TENDONS)), tmp_path / "out", shard=shard)
+
+
+def test_the_table_does_not_depend_on_where_the_study_stands(tmp_path, study_file):
+    study = load_study(study_file(TENDONS))
+    once, twice = (run_study(replace(study, name="x"), tmp_path / name) for name in ("a", "b"))
+    assert once.identical(twice)
+
+
+class Command:
+    """`forficula study` in a process group of its own."""
+
+    def __init__(self, study, out):
+        command = [sys.executable, "-m", "forficula", "study", str(study), "--out", str(out)]
+        self.journal = out / "journal.jsonl"
+        self.process = subprocess.Popen(
+            command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
+        )
+
+    def wait_for(self, size):
+        """Wait until the journal has so many bytes; False where the process ended before."""
+        while self.process.poll() is None:
+            if self.journal.exists() and self.journal.stat().st_size >= size:
+                return True
+            time.sleep(1e-3)
+        return False
+
+    def end(self, number=None):
+        if number is not None:
+            self.process.send_signal(number)
+        output, errors = self.process.communicate(timeout=60)
+        return self.process.returncode, output, errors
+
+    def left_behind(self):
+        """Processes of the group that still are, from Linux's /proc/PID/stat: the fifth field is the group."""
+        groups = []
+        for path in Path("/proc").glob("[0-9]*/stat"):
+            try:
+                groups.append(int(path.read_text().rpartition(")")[2].split()[2]))
+            except OSError:
+                continue
+        return groups.count(self.process.pid)
+
+
+# enough runs, and long enough, that a kill finds some done and some not
+MANY = """
+"tendon.stiffness" = "10..40 N/cm step 10"
+"tendon.rest_length" = "5..9 cm step 2"
+"""
+FEW_TORQUES = """
+[search]
+fold_torques = "10..50 N cm step 10"
+unfold_torques = "20..100 N cm step 20"
+refinements = 1
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals are POSIX's")
+def test_a_study_killed_at_any_moment_goes_on_and_ends_with_the_same_bytes(tmp_path, study_file):
+    path, moments = study_file(MANY, LEAST_TORQUES, FEW_TORQUES), random.Random(2025)
+    study, undisturbed = load_study(path), tmp_path / "undisturbed"
+    table = run_study(study, undisturbed)
+    size = (undisturbed / "journal.jsonl").stat().st_size
+    out, killed, done = tmp_path / "killed", 0, 0
+    for share in sorted(moments.random() for _ in range(3)):
+        command = Command(path, out)
+        if command.wait_for(max(share * size, done + 1)):
+            time.sleep(moments.uniform(0, 0.02))
+            code, _, _ = command.end(signal.SIGKILL)
+            killed += code == -signal.SIGKILL
+        else:
+            command.end()
+        if Path("/proc/self/stat").exists():
+            assert command.left_behind() == 0
+        done = command.journal.stat().st_size
+    assert killed >= 2
+    assert Command(path, out).end()[0] == 0
+
+    found, torn = keys(out)
+    assert len(found) == len(set(found))
+    assert torn <= killed
+    assert set(found) == set(keys(undisturbed)[0])
+    assert (out / "table.csv").read_bytes() == table_csv(study, table).encode()
+    with xr.open_dataset(out / "table.nc", engine="h5netcdf") as written:
+        xr.testing.assert_identical(written.load(), table)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals are POSIX's")
+def test_ctrl_c_stops_a_study_with_one_line_and_the_same_command_goes_on(tmp_path, study_file, whole):
+    path = study_file(MANY, LEAST_TORQUES, FEW_TORQUES)
+    command = Command(path, tmp_path / "out")
+    assert command.wait_for(1)
+    code, output, errors = command.end(signal.SIGINT)
+    assert (code, output, errors) == (130, "", "forficula: stopped\n")
+    before, rows = keys(tmp_path / "out")[0], []
+    assert before
+    table = run_study(load_study(path), tmp_path / "out", progress=lambda *each: rows.append(each))
+    assert {row["key"] for _, _, row in rows}.isdisjoint(before)
+    assert table.identical(whole(path))

@@ -1,0 +1,159 @@
+import math
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import forficula as ff
+from forficula.study.evaluate import row_key
+from forficula.study.search import (
+    fold_design,
+    point_design,
+    release_design,
+    search_designs,
+    search_result,
+    unfold_design,
+)
+from forficula.study.study import Search
+
+DESIGN = ff.load_design("binder2025")
+GRID = Search(fold_torques=(0.0, 0.1, 0.2, 0.3), fold_with=5.0, unfold_torques=(0.1, 0.2, 0.3), refinements=0)
+
+
+def no_torque(_):
+    return False
+
+
+def any_torque(_):
+    return True
+
+
+def refined(times, grid=GRID):
+    return Search(
+        fold_torques=grid.fold_torques, fold_with=grid.fold_with, unfold_torques=grid.unfold_torques, refinements=times
+    )
+
+
+def answers(design, folds, opens, large="folded"):
+    """The row that a run of a design would give, by what is planted."""
+    protocol = design.protocol
+    torque, opening = protocol.fold_torque, protocol.unfold_torque
+    numbers = {"flat_energy_J": 3.0}
+    if torque != GRID.fold_with:
+        if not folds(torque):
+            return numbers | {"status": f"stuck at -{100 * torque:.0f} deg", "folded": False, "opened": False}
+        released = {"fold_time_s": 0.1 / torque if torque else 9.0, "fold_work_J": torque, "folded_energy_J": 0.5}
+        return numbers | released | {"status": "folded", "folded": True, "opened": False}
+    if large != "folded":
+        return numbers | {"status": large, "folded": False, "opened": False}
+    if not opens(opening):
+        return numbers | {"status": "did not open", "folded": True, "opened": False}
+    opened = {"unfold_time_s": 0.1 / opening, "unfold_work_J": 2 * opening, "opened_energy_J": 2.9}
+    return numbers | opened | {"status": "folded and opened", "folded": True, "opened": True}
+
+
+def found(search, folds, opens=no_torque, large="folded"):
+    """Ask until nothing is missing, and return what was found and every design that had to run."""
+    rows, run = {}, []
+    while missing := [each for each in search_designs(DESIGN, search, rows) if row_key(each) not in rows]:
+        for each in missing:
+            rows[row_key(each)] = {"key": row_key(each), **answers(each, folds, opens, large)}
+            run.append(each)
+    return search_result(DESIGN, search, rows), run
+
+
+def test_the_least_torques_are_the_first_steps_that_work():
+    result, run = found(GRID, lambda torque: torque >= 0.2, lambda torque: torque >= 0.3)
+    assert (result["least_fold_torque"], result["least_unfold_torque"]) == (0.2, 0.3)
+    assert (result["fold_time"], result["fold_work"], result["folded_energy"]) == (0.5, 0.2, 0.5)
+    assert (result["unfold_time"], result["unfold_work"], result["opened_energy"]) == (0.1 / 0.3, 0.6, 2.9)
+    assert (result["flat_energy"], result["status"]) == (3.0, "folded and opened")
+    assert len(run) == 4 + 3 + 1
+
+
+def test_success_need_not_be_monotone_and_the_least_that_works_counts():
+    result, _ = found(GRID, lambda torque: torque in (0.1, 0.3), lambda torque: torque == 0.2)
+    assert (result["least_fold_torque"], result["least_unfold_torque"]) == (0.1, 0.2)
+
+
+def test_a_tendon_that_folds_with_little_and_sticks_with_the_large_torque_is_a_row_that_says_so():
+    result, _ = found(GRID, lambda torque: torque >= 0.1, large="stuck at -134.6 deg")
+    assert result["least_fold_torque"] == 0.1
+    assert result["least_unfold_torque"] is None
+    assert result["status"] == "with 500 N cm: stuck at -134.6 deg"
+    assert result["reference_fold_status"] == "stuck at -134.6 deg"
+    assert result["fold_work"] == 0.1
+
+
+def test_a_tendon_that_no_torque_folds_says_how_it_failed_with_the_largest_of_the_grid():
+    result, run = found(GRID, no_torque)
+    assert result["least_fold_torque"] is None
+    assert "fold_work" not in result
+    assert (result["status"], result["reference_fold_status"]) == ("stuck at -30 deg", "folded")
+    assert all(each.protocol.stages[-1].drive == "fold" for each in run[:4])
+
+
+def test_a_tendon_that_no_torque_opens_says_so():
+    result, _ = found(GRID, any_torque)
+    assert result["least_fold_torque"] == 0.0
+    assert (result["least_unfold_torque"], result["status"]) == (None, "did not open")
+    assert "unfold_work" not in result
+
+
+def test_the_wing_is_released_at_the_least_torque_that_folds_only():
+    _, run = found(GRID, lambda torque: torque >= 0.2)
+    released = [each for each in run if each.protocol.stages[-1].name == "release folded"]
+    assert [each.protocol.fold_torque for each in released] == [0.2]
+
+
+def test_every_run_of_a_search_differs_from_the_design_in_torques_and_last_stages_only():
+    kept = {"fold_torque", "unfold_torque", "stages"}
+    for each in (fold_design(DESIGN, 0.1), release_design(DESIGN, 0.1), unfold_design(DESIGN, 5.0, 0.1)):
+        assert each.model_dump(exclude={"protocol"}) == DESIGN.model_dump(exclude={"protocol"})
+        assert each.protocol.model_dump(exclude=kept) == DESIGN.protocol.model_dump(exclude=kept)
+        assert each.protocol.stages == DESIGN.protocol.stages[: len(each.protocol.stages)]
+    ends = [each.protocol.stages[-1].name for each in (fold_design(DESIGN, 0.1), unfold_design(DESIGN, 5.0, 0.1))]
+    assert ends == ["fold", "release opened"]
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.floats(0.001, 0.3), st.integers(0, 8))
+def test_bisection_halves_the_step_below_the_least_torque_that_works(barrier, times):
+    result, _ = found(refined(times), lambda torque: torque >= barrier, lambda torque: torque >= barrier)
+    width = 0.1 / 2**times
+    # rounding of the middles
+    assert barrier <= result["least_fold_torque"] <= barrier + width * (1 + 1e-9)
+    # the first step has none below it to bisect
+    assert barrier <= result["least_unfold_torque"] <= max(0.1, barrier + width * (1 + 1e-9))
+
+
+def test_bisection_costs_one_run_a_halving_and_keeps_the_grid():
+    _, coarse = found(GRID, lambda torque: torque >= 0.17)
+    _, fine = found(refined(3), lambda torque: torque >= 0.17)
+    torques = [
+        {each.protocol.fold_torque for each in run if each.protocol.stages[-1].drive == "fold"}
+        for run in (coarse, fine)
+    ]
+    added = sorted(torques[1] - torques[0])
+    assert torques[0] < torques[1]
+    assert added == pytest.approx([0.15, 0.1625, 0.175])
+
+
+def test_bisection_stays_below_the_least_that_works_where_success_is_not_monotone():
+    def folds(torque):
+        return 0.1 <= torque < 0.13 or torque >= 0.27
+
+    result, _ = found(refined(4), folds)
+    assert result["least_fold_torque"] == 0.1
+    result, _ = found(refined(4), lambda torque: 0.14 <= torque < 0.16 or torque >= 0.17)
+    assert math.isclose(result["least_fold_torque"], 0.14375)
+
+
+def test_where_nothing_works_nothing_is_bisected():
+    _, run = found(refined(5), no_torque)
+    assert len(run) == 4 + 3
+
+
+def test_a_point_replaces_values_of_the_design():
+    design = point_design(DESIGN, {"tendon.stiffness": "33 N/cm", "pattern.units": 2})
+    assert (design.tendon.stiffness, design.pattern.units) == (3300.0, 2)

@@ -1,0 +1,177 @@
+import pytest
+
+import forficula as ff
+from forficula.errors import InputError
+from forficula.study import named_studies
+from forficula.study.search import point_design, search_designs
+from forficula.study.study import load_study
+
+DRAWN = '"tendon.stiffness" = {distribution = "uniform", low = "10 N/cm", high = "20 N/cm"}'
+LISTED = '"tendon.rest_length" = ["5 cm", "7 cm"]'
+
+
+def test_the_papers_search_has_sixty_tendons_with_six_fold_torques_and_ten_unfold_torques_each():
+    assert "binder2025-search" in named_studies()
+    study = ff.load_study("binder2025-search")
+    assert "10.3390/biomimetics11010009" in study.source
+    assert (len(study.points), study.sampled) == (60, False)
+    first, last = (point_design(study.base, study.points[index]).tendon for index in (0, -1))
+    assert (first.stiffness, first.rest_length) == (1000.0, 0.0)
+    assert (last.stiffness, last.rest_length) == (6000.0, 0.09)
+    protocols = [each.protocol for each in search_designs(study.base, study.search, {})]
+    folding = [protocol for protocol in protocols if protocol.stages[-1].drive == "fold"]
+    assert [protocol.fold_torque for protocol in folding] == pytest.approx([0.0, 0.1, 0.2, 0.3, 0.4, 0.5])
+    opening = protocols[len(folding) :]
+    assert {protocol.fold_torque for protocol in opening} == {5.0}
+    assert [protocol.unfold_torque for protocol in opening] == pytest.approx([0.1 * n for n in range(1, 11)])
+
+
+def test_the_last_factor_runs_fastest(study_file):
+    study = load_study(study_file('"tendon.stiffness" = "10..20 N/cm step 10"\n"pattern.units" = "1..3 step 1"'))
+    assert [tuple(point.values()) for point in study.points] == [
+        (stiffness, units) for stiffness in ("10 N/cm", "20 N/cm") for units in (1, 2, 3)
+    ]
+
+
+def test_settings_are_part_of_the_design_that_is_varied(study_file):
+    study = load_study(study_file(LISTED))
+    assert study.base.protocol.timestep == 4e-4
+    assert study.base.protocol.stages[1].time_limit == 0.1
+    assert study.name == "small"
+
+
+def test_a_design_by_path_is_looked_for_beside_the_study(tmp_path, monkeypatch):
+    folder = tmp_path / "there"
+    folder.mkdir()
+    (folder / "wing.toml").write_text('based_on = "binder2025"\n[tendon]\nstiffness = "33 N/cm"\n')
+    (folder / "study.toml").write_text(f'design = "wing.toml"\n[factors]\n{LISTED}\n')
+    monkeypatch.chdir(tmp_path)
+    assert load_study("there/study.toml").base.tendon.stiffness == 3300.0
+
+
+def test_a_key_may_be_written_in_tables(tmp_path):
+    path = tmp_path / "study.toml"
+    path.write_text('design = "binder2025"\n[settings.protocol]\ntimestep = "0.4 ms"\n[factors.pattern]\nunits = [1]\n')
+    study = load_study(path)
+    assert study.base.protocol.timestep == 4e-4
+    assert [factor.key for factor in study.factors] == ["pattern.units"]
+
+
+@pytest.mark.parametrize("method", ["random", "sobol"])
+def test_sampled_studies_have_as_many_points_as_were_asked_and_the_same_for_the_same_seed(study_file, method):
+    tail = f'[sampling]\nmethod = "{method}"\ncount = 5\nseed = 3'
+    study, again = (load_study(study_file(DRAWN, tail=tail)) for _ in range(2))
+    assert study.sampled
+    assert len(study.points) == 5
+    assert study.points == again.points
+    assert all(1000 <= point_design(study.base, point).tendon.stiffness <= 2000 for point in study.points)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("x = ?", "not TOML: "),
+        ("a = " + "[" * 20_000, "not TOML for a study: nested too deeply"),
+        (f"[factors]\n{LISTED}", "design: need the name or path of a design"),
+        (f"design = 3\n[factors]\n{LISTED}", "design: need the name or path of a design"),
+        (f'design = "bindr2025"\n[factors]\n{LISTED}', '"bindr2025" is neither a named design nor'),
+        (f'design = "none.toml"\n[factors]\n{LISTED}', ""),
+        ('design = "binder2025"', "factors: need a table with at least one"),
+        ('design = "binder2025"\nfactors = 3', "factors: need a table with at least one"),
+        (f'design = "binder2025"\nfactor = 3\n[factors]\n{LISTED}', "factor: unknown key; allowed here: name"),
+        (f'design = "binder2025"\nsettings = 3\n[factors]\n{LISTED}', "settings: need a table, got 3"),
+        (
+            f'design = "binder2025"\n[factors]\n{LISTED}\n[settings]\ntendon.stifness = "1 N/m"',
+            "tendon.stifness: unkno",
+        ),
+        (f'design = "binder2025"\nname = "a/b"\n[factors]\n{LISTED}', "name: need a name that a folder can have"),
+        (f'design = "binder2025"\nname = ""\n[factors]\n{LISTED}', "name: need a name that a folder can have"),
+        (f'design = "binder2025"\nname = ".."\n[factors]\n{LISTED}', "name: need a name that a folder can have"),
+        (f'design = "binder2025"\nname = 3\n[factors]\n{LISTED}', "name: need a name that a folder can have"),
+        (f'design = "binder2025"\nask = "best"\n[factors]\n{LISTED}', 'ask: need "run" or "least-torques"'),
+        (f'design = "binder2025"\n[factors]\n{LISTED}\n{DRAWN}', "factors: need either all of them as distributions"),
+        (f'design = "binder2025"\n[factors]\n{LISTED}\n[sampling]\ncount = 3', "sampling: needs factors that are dist"),
+        (
+            f'design = "binder2025"\n[factors]\n{LISTED}\n[search]\nrefinements = 1',
+            'search: needs ask = "least-torques"',
+        ),
+        (
+            'design = "binder2025"\n[factors]\n"tendon.rest_length" = "0..1 m step 1e-4"\n'
+            '"pattern.hub_radius" = "0..1 m step 1e-4"',
+            "factors: need at most 1000000 points, got 100020001",
+        ),
+    ],
+)
+def test_a_study_that_is_none_is_refused_with_its_file_and_what_is_wrong(tmp_path, monkeypatch, text, message):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "study.toml").write_text(text)
+    with pytest.raises(InputError) as caught:
+        load_study("study.toml")
+    assert str(caught.value).startswith(f"study.toml: {message}")
+    assert len(str(caught.value).splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    ("sampling", "message"),
+    [
+        ("", "sampling.count: need a whole number >= 1, got None"),
+        ("[sampling]\ncount = 0", "sampling.count: need a whole number >= 1, got 0"),
+        ("[sampling]\ncount = true", "sampling.count: need a whole number >= 1, got True"),
+        ("[sampling]\ncount = 2.5", "sampling.count: need a whole number >= 1, got 2.5"),
+        ("[sampling]\ncount = 1_000_000_000_000", "sampling.count: need at most 1000000, got 1000000000000"),
+        ("[sampling]\ncount = 3\nseed = -1", "sampling.seed: need a whole number >= 0, got -1"),
+        ('[sampling]\ncount = 3\nmethod = "grid"', 'sampling.method: need "random" or "sobol"'),
+        ("[sampling]\ncounts = 3", "sampling.counts: unknown key; allowed here: method, count, seed"),
+    ],
+)
+def test_sampling_needs_a_count_and_a_seed(study_file, sampling, message):
+    with pytest.raises(InputError) as caught:
+        load_study(study_file(DRAWN, tail=sampling))
+    assert message in str(caught.value)
+
+
+def test_sampling_that_is_no_table_is_refused(study_file):
+    with pytest.raises(InputError, match="sampling: need a table, got 3"):
+        load_study(study_file(DRAWN, head="sampling = 3"))
+
+
+def test_whole_numbers_and_words_are_not_drawn(study_file):
+    units = '"pattern.units" = {distribution = "uniform", low = 1, high = 3}'
+    with pytest.raises(InputError, match=r"pattern\.units: need a list or a range"):
+        load_study(study_file(units, tail="[sampling]\ncount = 3"))
+
+
+@pytest.mark.parametrize(
+    ("search", "message"),
+    [
+        ('fold_torques = ["20 N cm", "10 N cm"]', "search.fold_torques: need rising torques >= 0"),
+        ('fold_torques = ["10 N cm", "10 N cm"]', "search.fold_torques: need rising torques >= 0"),
+        ('unfold_torques = "-10..10 N cm step 10"', "search.unfold_torques: need rising torques >= 0"),
+        ('fold_with = "-1 N cm"', "search.fold_with: need rising torques >= 0"),
+        ("fold_torques = []", "search.fold_torques: need torques such as"),
+        ("fold_torques = [20]", "search.fold_torques: the unit is missing"),
+        ('unfold_torques = ["20 N"]', 'search.unfold_torques: "N" is not a unit of the right kind'),
+        ("refinements = -1", "search.refinements: need a whole number from 0 to 20"),
+        ("refinements = true", "search.refinements: need a whole number from 0 to 20"),
+        ("torques = 1", "search.torques: unknown key; allowed here: fold_torques"),
+    ],
+)
+def test_a_search_over_torques_that_do_not_rise_is_refused(study_file, search, message):
+    with pytest.raises(InputError) as caught:
+        load_study(study_file(LISTED, head='ask = "least-torques"', tail=f"[search]\n{search}"))
+    assert message in str(caught.value)
+
+
+@pytest.mark.parametrize("name", ["none.toml", "none", "", "x" * 400 + ".toml", "a\0.toml", "folder.toml"])
+def test_a_study_that_is_not_there_is_one_clear_error(tmp_path, monkeypatch, name):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "folder.toml").mkdir()
+    with pytest.raises(InputError) as caught:
+        load_study(name)
+    assert len(str(caught.value).splitlines()) == 1
+
+
+def test_a_study_that_is_not_utf8_is_one_clear_error(tmp_path):
+    (tmp_path / "study.toml").write_bytes('source = "Käfer"'.encode("latin-1"))
+    with pytest.raises(InputError, match="need UTF-8"):
+        load_study(tmp_path / "study.toml")

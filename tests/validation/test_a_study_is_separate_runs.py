@@ -1,0 +1,92 @@
+"""A study over a factor is nothing but separate runs: the same numbers, to the last bit.
+
+Compared with `forficula.run`, one wing at a time, and what `forficula.measure` says of it. IEEE 754 arithmetic in a
+fixed order knows nothing of what else is computed.
+"""
+
+import math
+import struct
+import tempfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import forficula as ff
+from forficula.design import with_values
+from forficula.study import load_study, run_study
+
+
+def bits(value):
+    return struct.pack("<d", math.nan if value is None else value)
+
+
+def by_hand(design):
+    """What separate runs say of a design."""
+    outcome = ff.measure(ff.run(design))
+    fold, unfold = outcome.fold, outcome.unfold
+    states = {"flat": outcome.flat, "folded": outcome.folded_state, "opened": outcome.opened_state}
+    numbers = {
+        "fold_time": fold and fold.time,
+        "unfold_time": unfold and unfold.time,
+        "fold_work": fold and fold.work,
+        "unfold_work": unfold and unfold.work,
+    } | {f"{name}_energy": state and float(np.sum(state.tendon_energy)) for name, state in states.items()}
+    return numbers, (outcome.status, outcome.folded, outcome.opened)
+
+
+def assert_study_is_separate_runs(path, out, **options):
+    study = load_study(path)
+    table = run_study(study, out, **options)
+    (factor,) = study.factors
+    for number, value in enumerate(factor.values):
+        numbers, verdict = by_hand(with_values(study.base, {factor.key: value}))
+        row = table.isel({factor.dimension: number})
+        assert (row["status"].item(), row["folded"].item(), row["opened"].item()) == verdict
+        for name, expected in numbers.items():
+            assert bits(row[name].item()) == bits(expected), (name, value)
+
+
+@pytest.mark.parametrize(
+    "factor",
+    [
+        '"pattern.hub_radius" = ["1.2 cm", "1.5 cm", "1.9 cm"]',
+        '"pattern.sector_angle" = ["17 deg", "20 deg", "24 deg"]',
+        '"pattern.units" = "1..3 step 1"',
+        '"pattern.tangent" = ["left", "right"]',
+        '"vein.density" = ["1 g/cm^3", "1.4 g/cm^3"]',
+        '"membrane.distal_rows" = [[], [0.5]]',
+        '"membrane.youngs_modulus" = ["0.5 MPa", "2 MPa"]',
+        '"tendon.stiffness" = ["0 N/cm", "10 N/cm", "23.45 N/cm", "60 N/cm"]',
+        '"protocol.fold_torque" = ["0 N cm", "10 N cm", "50 N cm", "500 N cm"]',
+        '"protocol.unfold_torque" = "10..100 N cm step 30"',
+        '"protocol.timestep" = ["0.4 ms", "0.3 ms", "8 ms"]',
+        '"protocol.window" = ["10 ms", "50 ms"]',
+        '"protocol.contact" = [false, true]',
+        '"protocol.gravity" = ["0 m/s^2", "9.81 m/s^2"]',
+    ],
+)
+def test_a_study_over_a_factor_is_separate_runs(tmp_path, study_file, factor):
+    assert_study_is_separate_runs(study_file(factor), tmp_path / "out")
+
+
+@settings(max_examples=8, deadline=None)
+@given(
+    st.sampled_from(
+        [("tendon.rest_length", 0, 0.1), ("pattern.hub_radius", 0.01, 0.02), ("hinge.damping", 1e-4, 1e-2)]
+    ),
+    st.lists(st.floats(0, 1), min_size=1, max_size=3, unique=True),
+    st.integers(1, 2),
+    st.integers(1, 3),
+)
+def test_a_study_is_separate_runs_whatever_the_values_the_threads_and_the_batch(
+    write_study_file, factor, shares, threads, batch
+):
+    key, low, high = factor
+    unit = {"tendon.rest_length": "m", "pattern.hub_radius": "m", "hinge.damping": "N m s/rad"}[key]
+    values = ", ".join(f'"{low + share * (high - low)!r} {unit}"' for share in shares)
+    with tempfile.TemporaryDirectory() as folder:
+        path = write_study_file(Path(folder) / "small.toml", f'"{key}" = [{values}]')
+        assert_study_is_separate_runs(path, Path(folder) / "out", threads=threads, batch=batch)
