@@ -135,6 +135,11 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
     ask = tables.get("ask", "run")
     if ask not in ("run", "least-torques"):
         raise InputError(f'ask: need "run" or "least-torques", got {ask!r}')
+    taken = {"protocol.fold_torque", "protocol.unfold_torque"} & {factor.key for factor in factors}
+    if ask == "least-torques" and taken:
+        raise InputError(
+            f'factors.{min(taken)}: is what "least-torques" looks for; give it under [search], or ask "run"'
+        )
     if "sampling" in tables and not drawn:
         raise InputError("sampling: needs factors that are distributions, got lists and ranges")
     if "search" in tables and ask != "least-torques":
