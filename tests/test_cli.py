@@ -270,7 +270,7 @@ def test_a_study_leaves_its_table_and_names_their_folder_last(in_an_empty_folder
 def test_a_dry_run_counts_the_runs_and_writes_nothing(in_an_empty_folder, call, study_file):
     study_file(TENDONS)
     assert call("study", "small.toml", "--dry-run").out.startswith(
-        "small: 3 points, about 3 runs, 3 missing, about 0 s"
+        "small: 3 points, at most 3 runs; 3 to do, about 0 s"
     )
     assert everything_in(in_an_empty_folder) == ["small.toml"]
 

@@ -155,10 +155,8 @@ def study(
         print(f"written to {folder / 'study.slurm'}; submit it with: sbatch {folder / 'study.slurm'}")
         return
     if dry_run:
-        runs, missing, seconds = estimate(chosen, folder)
-        print(
-            f"{chosen.name}: {len(chosen.points)} points, about {runs} runs, {missing} missing, about {seconds:.0f} s"
-        )
+        most, left, seconds = estimate(chosen, folder)
+        print(f"{chosen.name}: {len(chosen.points)} points, at most {most} runs; {left} to do, about {seconds:.0f} s")
         return
     if collect:
         table = collect_study(chosen, folder)

@@ -3,6 +3,7 @@ import pytest
 import forficula as ff
 from forficula.errors import InputError
 from forficula.study import named_studies
+from forficula.study.evaluate import row_key
 from forficula.study.search import point_design, search_designs
 from forficula.study.study import load_study
 
@@ -18,10 +19,14 @@ def test_the_papers_search_has_sixty_tendons_with_six_fold_torques_and_ten_unfol
     first, last = (point_design(study.base, study.points[index]).tendon for index in (0, -1))
     assert (first.stiffness, first.rest_length) == (1000.0, 0.0)
     assert (last.stiffness, last.rest_length) == (6000.0, 0.09)
-    protocols = [each.protocol for each in search_designs(study.base, study.search, {})]
-    folding = [protocol for protocol in protocols if protocol.stages[-1].drive == "fold"]
+    designs = search_designs(study.base, study.search, {})
+    folding = [design.protocol for design in designs]
     assert [protocol.fold_torque for protocol in folding] == pytest.approx([0.0, 0.1, 0.2, 0.3, 0.4, 0.5])
-    opening = protocols[len(folding) :]
+    assert {protocol.stages[-1].drive for protocol in folding} == {"fold"}
+    # once the wing is known to fold it is released, and opened from the wing folded with 500 N cm
+    known = {row_key(design): {"folded": True} for design in designs}
+    release, *opening = [each.protocol for each in search_designs(study.base, study.search, known)[len(folding) :]]
+    assert release.fold_torque == 0.0
     assert {protocol.fold_torque for protocol in opening} == {5.0}
     assert [protocol.unfold_torque for protocol in opening] == pytest.approx([0.1 * n for n in range(1, 11)])
 

@@ -6,6 +6,7 @@ import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from decimal import Decimal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -117,8 +118,8 @@ def range_values(key: str, text: str) -> tuple[object, ...]:
     if steps >= MOST_VALUES:
         raise InputError(f'{key}: need at most {MOST_VALUES} values, got {steps:.6g} steps in "{text}"')
     count = math.floor(steps) + 1
-    # to 12 digits, so that 0.1 three times is 0.3 as a person would write it
-    numbers = [float(f"{low + index * width:.12g}") for index in range(count)]
+    # in decimals, so that 0.1 three times is 0.3 as a person would write it
+    numbers = [float(Decimal(first) + index * Decimal(step)) for index in range(count)]
     if not unit and key_quantity(key) is None:
         return tuple(int(number) if number.is_integer() else number for number in numbers)
     return tuple(f"{number:.12g} {unit}".strip() for number in numbers)

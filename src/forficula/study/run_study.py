@@ -11,7 +11,7 @@ from forficula.design import Design
 from forficula.errors import InputError
 from forficula.study.evaluate import evaluate, row_key
 from forficula.study.journal import Row, open_folder, open_journal, read_rows
-from forficula.study.search import point_design, search_designs
+from forficula.study.search import most_runs, point_design, search_designs
 from forficula.study.study import Study
 from forficula.study.table import build_table
 
@@ -95,22 +95,22 @@ def collect(study: Study, out: str | Path) -> xarray.Dataset:
 
 
 def estimate(study: Study, out: str | Path) -> tuple[int, int, float]:
-    """Count the runs of a study, those that are missing, and guess how long these take, s.
+    """Say how many runs a study takes at most, how many points are not done, and guess how long these take, s.
 
-    The guess is the time that the middle point takes, measured now, times the points that are left.
+    How many runs a search takes depends on what they find. The guess is the time that the middle point takes, measured
+    now, times the points that are left.
     """
-    rows = read_rows(Path(out))
-    designs = _designs(study)
-    missing = _missing(study, designs, rows)
-    every = _missing(study, designs, {})
-    if not missing:
-        return len(every), 0, 0.0
-    middle = list(designs.values())[len(designs) // 2]
-    sample = list(_missing(study, {0: middle}, {}).values())
+    rows, designs = read_rows(Path(out)), _designs(study)
+    most = len(study.points) * (1 if study.search is None else most_runs(study.search))
+    left = sum(bool(_missing(study, {number: design}, rows)) for number, design in designs.items())
+    if not left:
+        return most, 0, 0.0
+    middle = {0: list(designs.values())[len(designs) // 2]}
+    measured: dict[str, Row] = {}
     start = time.perf_counter()
-    for _ in evaluate(sample):
-        pass
-    return len(every), len(missing), (time.perf_counter() - start) / max(1, len(sample)) * len(missing)
+    while missing := _missing(study, middle, measured):
+        measured |= {row["key"]: row for row in evaluate(list(missing.values()), until_opened=True)}
+    return most, left, (time.perf_counter() - start) * left
 
 
 def _designs(study: Study) -> dict[int, Design | str]:

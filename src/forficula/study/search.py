@@ -21,21 +21,28 @@ def search_designs(design: Design, search: Search, rows: Rows) -> list[Design]:
     """The designs that must run to find the least torques, as far as the rows so far tell.
 
     Folding is tried with every torque, for it need not be monotone, and only the least that folds is also released.
-    Opening is tried from the wing folded with `fold_with`, rising, up to the least torque that opens. What runs next
-    can depend on the last rows: ask again until none is missing.
+    Opening is tried where some torque folds, from the wing folded with `fold_with`, rising, up to the least torque that
+    opens. What runs next can depend on the last rows: ask again until none is missing.
     """
-    fold_torques, unfold_torques = (_torques(design, search, rows, drive) for drive in ("fold", "unfold"))
+    fold_torques = _torques(design, search, rows, "fold")
     wanted = [fold_design(design, torque) for torque in fold_torques]
-    for torque in unfold_torques:
+    folds = [rows.get(row_key(each)) for each in wanted]
+    if any(row is None for row in folds):
+        return wanted
+    least = _least(dict(zip(fold_torques, folds, strict=True)), "folded")
+    if least is None:
+        return wanted
+    wanted.append(release_design(design, least))
+    for torque in _torques(design, search, rows, "unfold"):
         wanted.append(unfold_design(design, search.fold_with, torque))
         if rows.get(row_key(wanted[-1]), {}).get("opened"):
             break
-    folds = [rows.get(row_key(fold_design(design, torque))) for torque in fold_torques]
-    if all(row is not None for row in folds):
-        least = _least(dict(zip(fold_torques, folds, strict=True)), "folded")
-        if least is not None:
-            wanted.append(release_design(design, least))
     return wanted
+
+
+def most_runs(search: Search) -> int:
+    """How many runs a point takes at most."""
+    return len(search.fold_torques) + 1 + len(search.unfold_torques) + 2 * search.refinements
 
 
 def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
@@ -45,7 +52,7 @@ def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
     torque does.
     """
     folds = {torque: rows[row_key(fold_design(design, torque))] for torque in _torques(design, search, rows, "fold")}
-    # above the least torque that opens there are none
+    # there are none above the least torque that opens, nor where no torque folds
     opens = {
         torque: rows.get(row_key(unfold_design(design, search.fold_with, torque)))
         for torque in _torques(design, search, rows, "unfold")
@@ -58,7 +65,7 @@ def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
         "least_unfold_torque": least_unfold,
         "flat_energy": folding.get("flat_energy_J"),
         "fold_status": folding["status"],
-        "reference_fold_status": "folded" if opening.get("folded") else opening["status"],
+        "reference_fold_status": "folded" if opening.get("folded") else opening.get("status", ""),
         "status": folding["status"],
     }
     if least_fold is not None:
