@@ -19,9 +19,8 @@ if TYPE_CHECKING:
 
 def print_study(study: Study, table: Dataset) -> None:
     """Print how many points came to what, and the least torques where these were searched for."""
-    lines = Table(
-        box=None, padding=(0, 2, 0, 0), title=f"{study.name}: {len(study.points)} points", title_justify="left"
-    )
+    print(f"{study.name}: {len(study.points)} points")
+    lines = Table(box=None, padding=(0, 2, 0, 0))
     lines.add_column("outcome")
     lines.add_column("points", justify="right")
     # "stuck at -134.6 deg" is one of many that are stuck
