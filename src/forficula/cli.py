@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager, nullcontext
+from collections.abc import Sequence
+from contextlib import nullcontext
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 from cyclopts import App, CycloptsError, Parameter
 
@@ -51,11 +51,11 @@ def run(
     from forficula.analysis import measure
     from forficula.dynamics import run as run_design
     from forficula.dynamics import timestep_warnings
-    from forficula.show import print_outcome, write_run
+    from forficula.show import print_outcome, run_progress, write_run
 
     for warning in design_warnings(chosen) + timestep_warnings(chosen):
         print(f"warning: {warning}", file=sys.stderr)
-    with _progress() as progress:
+    with run_progress() as progress:
         record = run_design(chosen, progress)
     outcome = measure(record)
     write_run(record, outcome, folder)
@@ -106,6 +106,7 @@ def converge(
     folder = out or Path("out") / f"{chosen.name}-converge"
     _check_folder(folder)
 
+    from forficula.show import run_progress
     from forficula.show.convergence_figure import print_convergence, write_convergence
     from forficula.study.convergence import MESH, TIMESTEP, YOUNGS_MODULUS, read_values
     from forficula.study.convergence import converge as converge_design
@@ -120,7 +121,7 @@ def converge(
         values = read_values(key, text)
     except InputError as error:
         raise InputError(f"{option}: {error}") from None
-    with _progress() as progress:
+    with run_progress() as progress:
         convergence = converge_design(chosen, key, values, progress=progress)
     print_convergence(convergence)
     write_convergence(convergence, folder)
@@ -161,9 +162,10 @@ def study(
     if collect:
         table = collect_study(chosen, folder)
     else:
+        from forficula.show import study_progress
         from forficula.study import dask_cluster
 
-        with nullcontext() if dask is None else dask_cluster(dask) as cluster, _study_progress() as progress:
+        with nullcontext() if dask is None else dask_cluster(dask) as cluster, study_progress() as progress:
             part = run_study(chosen, folder, shard=_read_shard(shard), cluster=cluster, progress=progress)
         if part is None:
             print(f"shard {shard} is done; when all are: forficula study {study} --out {folder} --collect")
@@ -243,60 +245,3 @@ def _read_settings(settings: Sequence[str] | None) -> dict[str, object]:
         except (ValueError, RecursionError):  # not TOML, or too long a number or too deep a list for it
             values[key.strip()] = text.strip()
     return values
-
-
-@contextmanager
-def _progress() -> Iterator[Callable[[str, float, float], None]]:
-    """Show how far a run is: a bar on a terminal, a line a stage elsewhere."""
-    from rich.console import Console
-    from rich.progress import Progress
-
-    console = Console(stderr=True, highlight=False)
-    if not console.is_terminal:
-        stages = [""]
-
-        def line(stage: str, time: float, longest: float) -> None:
-            if stage != stages[-1]:
-                stages.append(stage)
-                console.print(f"{stage}: {time:.3g} s of at most {longest:.3g} s simulated")
-
-        yield line
-        return
-    with Progress(console=console, transient=True) as bar:
-        task = bar.add_task("start")
-        yield lambda stage, time, longest: bar.update(task, description=stage, completed=time, total=longest)
-
-
-@contextmanager
-def _study_progress() -> Iterator[Callable[[int, int, dict[str, Any]], None]]:
-    """Show runs done, time left and what became of them: a bar on a terminal, a line every 10 s elsewhere."""
-    from collections import Counter
-    from time import monotonic
-
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-
-    console = Console(stderr=True, highlight=False)
-    counts: Counter[str] = Counter()
-
-    def count(row: dict[str, Any]) -> str:
-        status = str(row["status"])
-        folded = "folded" if row.get("folded") else "diverged" if status.startswith("diverged") else "stuck"
-        counts["cannot be built" if status.startswith("cannot") else folded] += 1
-        return ", ".join(f"{number} {name}" for name, number in sorted(counts.items()))
-
-    if not console.is_terminal:
-        last = [monotonic()]
-
-        def line(done: int, needed: int, row: dict[str, Any]) -> None:
-            words = count(row)
-            if monotonic() - last[-1] > 10:
-                last[-1] = monotonic()
-                console.print(f"{done} of {needed} runs: {words}")
-
-        yield line
-        return
-    columns = (BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(), TextColumn("{task.description}"))
-    with Progress(*columns, console=console) as bar:
-        task = bar.add_task("")
-        yield lambda done, needed, row: bar.update(task, description=count(row), completed=done, total=needed)
