@@ -20,8 +20,8 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[
         "folded": outcome.folded,
         "opened": outcome.opened,
         "states": {name: None if state is None else _state_summary(state) for name, state in states.items()},
-        "fold": _transition_summary(outcome.fold),
-        "unfold": _transition_summary(outcome.unfold),
+        "fold": _transition_summary(outcome.fold, record.design.protocol.fold_torque),
+        "unfold": _transition_summary(outcome.unfold, record.design.protocol.unfold_torque),
         "energy_balance": None if outcome.energy_balance is None else _balance_summary(outcome.energy_balance),
         "diverged_at_s": record.diverged_at,
         "design_hash": record.design.hash,
@@ -41,9 +41,10 @@ def _state_summary(state: State) -> dict[str, Any]:
     }
 
 
-def _transition_summary(transition: Transition | None) -> dict[str, Any] | None:
+def _transition_summary(transition: Transition | None, torque: float) -> dict[str, Any]:
+    """A transition; one that was not tried has the torque that it would have had, and nothing else."""
     if transition is None:
-        return None
+        return {"torque_N_m": torque, "succeeded": False, "time_s": None, "work_J": None}
     return {
         "torque_N_m": transition.torque,
         "succeeded": transition.succeeded,
