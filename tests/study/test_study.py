@@ -77,13 +77,14 @@ def test_sampled_studies_have_as_many_points_as_were_asked_and_the_same_for_the_
     [
         ("x = ?", "not TOML: "),
         ("a = " + "[" * 20_000, "not TOML for a study: nested too deeply"),
-        (f"[factors]\n{LISTED}", "design: need the name or path of a design"),
-        (f"design = 3\n[factors]\n{LISTED}", "design: need the name or path of a design"),
+        (f"[factors]\n{LISTED}", "design: is missing; give the name or path of a design"),
+        (f"design = 3\n[factors]\n{LISTED}", 'design: need the name or path of a design, such as "binder2025", got 3'),
         (f'design = "bindr2025"\n[factors]\n{LISTED}', '"bindr2025" is neither a named design nor'),
         (f'design = "none.toml"\n[factors]\n{LISTED}', ""),
         ('design = "binder2025"', "factors: need a table with at least one"),
         ('design = "binder2025"\nfactors = 3', "factors: need a table with at least one"),
-        (f'design = "binder2025"\nfactor = 3\n[factors]\n{LISTED}', "factor: unknown key; allowed here: name"),
+        (f'design = "binder2025"\nfactor = 3\n[factors]\n{LISTED}', "factor: unknown key; did you mean factors?"),
+        (f'design = "binder2025"\nzzz = 3\n[factors]\n{LISTED}', "zzz: unknown key; allowed here: name"),
         (f'design = "binder2025"\nsettings = 3\n[factors]\n{LISTED}', "settings: need a table, got 3"),
         (
             f'design = "binder2025"\n[factors]\n{LISTED}\n[settings]\ntendon.stifness = "1 N/m"',
@@ -126,7 +127,7 @@ def test_a_study_that_is_none_is_refused_with_its_file_and_what_is_wrong(tmp_pat
         ("[sampling]\ncount = 1_000_000_000_000", "sampling.count: need at most 1000000, got 1000000000000"),
         ("[sampling]\ncount = 3\nseed = -1", "sampling.seed: need a whole number >= 0, got -1"),
         ('[sampling]\ncount = 3\nmethod = "grid"', 'sampling.method: need "random" or "sobol"'),
-        ("[sampling]\ncounts = 3", "sampling.counts: unknown key; allowed here: method, count, seed"),
+        ("[sampling]\ncounts = 3", "sampling.counts: unknown key; did you mean sampling.count?"),
     ],
 )
 def test_sampling_needs_a_count_and_a_seed(study_file, sampling, message):
@@ -158,7 +159,7 @@ def test_whole_numbers_and_words_are_not_drawn(study_file):
         ('unfold_torques = ["20 N"]', 'search.unfold_torques: "N" is not a unit of the right kind'),
         ("refinements = -1", "search.refinements: need a whole number from 0 to 20"),
         ("refinements = true", "search.refinements: need a whole number from 0 to 20"),
-        ("torques = 1", "search.torques: unknown key; allowed here: fold_torques"),
+        ("torques = 1", "search.torques: unknown key; did you mean search.fold_torques?"),
     ],
 )
 def test_a_search_over_torques_that_do_not_rise_is_refused(study_file, search, message):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable, Container, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 
 import mujoco
@@ -12,10 +12,11 @@ from mujoco.batch import Batch
 from numpy.typing import NDArray
 
 from forficula.design import Design
-from forficula.dynamics.fleet import Fleet, stage_torques
+from forficula.dynamics.fleet import Fleet
 from forficula.dynamics.model import WingModel, compile_wing
 from forficula.dynamics.record import Record
 from forficula.dynamics.recorder import Chunk, Recorder
+from forficula.dynamics.sharing import followers, successors
 from forficula.dynamics.timestep import with_timestep
 
 Array = NDArray[np.float64]
@@ -100,14 +101,15 @@ def simulate_each(
     names = _DERIVED[:1] if sparse else _DERIVED
     last = {name: batch.bind(name) for name in names}
     fleet, recorders = Fleet(wings), [Recorder(wing, sparse) for wing in wings]
-    successors = {} if enough is None else _successors(wings)
-    held = set(successors.values())
-    waiting = _followers(wings, held)
+    following = {} if enough is None else successors(wings)
+    held = set(following.values())
+    waiting = followers(wings, held)
+    columns = _moving_columns(batch.model)
     moving = np.array([row not in waiting and row not in held for row in range(len(wings))])
     while moving.any():
         rows = np.flatnonzero(moving & ~fleet.ended)
         if len(rows):
-            _advance(batch, fleet, recorders, rows, names)
+            _advance(batch, fleet, recorders, rows, names, columns)
         for row, (leader, stages) in list(waiting.items()):
             if moving[leader] and (fleet.stage[leader] >= stages or fleet.ended[leader]):
                 batch.state[row] = batch.state[leader]
@@ -125,18 +127,22 @@ def simulate_each(
             state = batch.bind("qpos")[row], batch.bind("qvel")[row], {name: last[name][row] for name in names}
             record = recorders[row].record(fleet.steps[row], *state, tuple(fleet.ends[row]), fleet.diverged_at[row])
             yield row, record
-            if enough is not None and row in successors and not enough(record):
-                held.remove(successors[row])
-                moving[successors[row]] = successors[row] not in waiting
+            if enough is not None and row in following and not enough(record):
+                held.remove(following[row])
+                moving[following[row]] = following[row] not in waiting
 
 
 def _advance(
-    batch: Batch, fleet: Fleet, recorders: Sequence[Recorder], rows: NDArray[np.int64], names: Sequence[str]
+    batch: Batch,
+    fleet: Fleet,
+    recorders: Sequence[Recorder],
+    rows: NDArray[np.int64],
+    names: Sequence[str],
+    columns: NDArray[np.int64],
 ) -> None:
     """Take some wings a chunk further, none beyond the end of its stage."""
     engine = batch.model
     batch.bind("ctrl")[rows] = fleet.controls(rows)
-    columns = _moving_columns(engine)
     before = batch.state[np.ix_(rows, columns)]
     with _quiet():
         recorded = batch.rollout(_CHUNK, record=(_MOVING, *names), ids=rows)
@@ -173,43 +179,6 @@ def _without_energy(wings: Sequence[WingModel]) -> list[mujoco.MjModel]:
     for model in models.values():
         model.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_ENERGY)
     return [models[id(wing.engine)] for wing in wings]
-
-
-def _successors(wings: Sequence[WingModel]) -> dict[int, int]:
-    """By wing, the next one that only its unfold torque tells apart."""
-    successors: dict[int, int] = {}
-    last: dict[tuple[int, str], int] = {}
-    for row, wing in enumerate(wings):
-        protocol = wing.design.protocol.model_copy(update={"unfold_torque": 0.0})
-        key = id(wing.engine), protocol.model_dump_json()
-        if key in last:
-            successors[last[key]] = row
-        last[key] = row
-    return successors
-
-
-def _followers(wings: Sequence[WingModel], held: Container[int] = ()) -> dict[int, tuple[int, int]]:
-    """By wing, an earlier one that goes through the same first stages and is not held back, and how many stages."""
-    followers: dict[int, tuple[int, int]] = {}
-    for row, wing in enumerate(wings):
-        shared = [(_shared_stages(wings[leader], wing), -leader) for leader in range(row) if leader not in held]
-        stages, leader = max(shared, default=(0, 0))
-        if stages:
-            followers[row] = -leader, stages
-    return followers
-
-
-def _shared_stages(one: WingModel, other: WingModel) -> int:
-    """How many first stages two wings have in common, to the last bit."""
-    if one.engine is not other.engine:
-        return 0
-    parting = {"fold_torque": 0.0, "unfold_torque": 0.0, "stages": ()}
-    protocols = [wing.design.protocol for wing in (one, other)]
-    if protocols[0].model_copy(update=parting) != protocols[1].model_copy(update=parting):
-        return 0
-    pairs = zip(*(protocol.stages for protocol in protocols), strict=False)
-    alike = [a == b and stage_torques(one, a) == stage_torques(other, b) for a, b in pairs]
-    return [*alike, False].index(False)
 
 
 def _start_position(wing: WingModel) -> Array:

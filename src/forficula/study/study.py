@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import itertools
 import math
 import tomllib
@@ -126,8 +127,10 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
     title, name = tables["name"], tables.get("design")
     if not isinstance(title, str) or not title.strip(" .") or any(sign in title for sign in "/\\\0"):
         raise InputError(f"name: need a name that a folder can have, without slashes, got {as_written(title)}")
+    if name is None:
+        raise InputError('design: is missing; give the name or path of a design, such as "binder2025"')
     if not isinstance(name, str):
-        raise InputError(f'design: need the name or path of a design, such as "binder2025", got {name!r}')
+        raise InputError(f'design: need the name or path of a design, such as "binder2025", got {as_written(name)}')
     base = load_design(str(folder / name) if name.endswith(".toml") else name, _flat(tables.get("settings", {})))
     for factor in drawn:
         if key_quantity(factor.key) is None and not isinstance(attrgetter(factor.key)(base), float):
@@ -158,7 +161,9 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
 def _known(table: Mapping[str, object], keys: tuple[str, ...], prefix: str) -> None:
     for key in table:
         if key not in keys:
-            raise InputError(f"{prefix}{key}: unknown key; allowed here: {', '.join(keys)}")
+            near = difflib.get_close_matches(key, keys, n=1)
+            hint = f"did you mean {prefix}{near[0]}?" if near else f"allowed here: {', '.join(keys)}"
+            raise InputError(f"{prefix}{key}: unknown key; {hint}")
 
 
 def _flat(table: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
