@@ -1,0 +1,3 @@
+from forficula.material.tendon_law import ElasticLaw
+
+__all__ = ["ElasticLaw"]

@@ -1,0 +1,91 @@
+"""Force of a tendon against its length."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from forficula.errors import InputError
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, kw_only=True)
+class ElasticLaw:
+    """A tendon that pulls beyond its resting length, the same on the way out and back.
+
+    With the extension x = length - rest_length the force is linear x + quadratic x^2 + cubic x^3 where x > 0, and none
+    where the tendon is slack (Binder et al. 2025, doi 10.3390/biomimetics11010009, whose tendons are linear). It must
+    pull at every extension: linear >= 0, cubic >= 0, and quadratic either >= 0 or > -2 sqrt(linear cubic). So it may
+    soften, but never push. All zero is allowed, a tendon that does nothing. The numbers may be arrays, for many tendons
+    at once, that go with the lengths.
+
+    Attributes:
+        rest_length: m.
+        linear: N/m.
+        quadratic: N/m^2.
+        cubic: N/m^3.
+
+    Raises:
+        InputError: a number out of these bounds or not finite.
+    """
+
+    rest_length: float
+    linear: float
+    quadratic: float = 0.0
+    cubic: float = 0.0
+
+    def __post_init__(self) -> None:
+        units = {"rest_length": "m", "linear": "N/m", "quadratic": "N/m^2", "cubic": "N/m^3"}
+        for name, unit in units.items():
+            value = getattr(self, name)
+            if not np.all(np.isfinite(value)):
+                raise InputError(f"{name}: need a finite number, got {np.min(value):g} {unit}")
+            if np.any(value < 0) and name != "quadratic":
+                raise InputError(f"{name}: need >= 0, got {np.min(value):g} {unit}")
+        lowest = 2 * np.sqrt(self.linear) * np.sqrt(self.cubic)
+        if not np.all((self.quadratic >= 0) | (self.quadratic > -lowest)):
+            rule = f"> {np.min(-lowest):g} N/m^2, -2 sqrt(linear cubic)," if np.any(lowest) else ">= 0"
+            got = f"{np.min(self.quadratic):g} N/m^2"
+            raise InputError(f"quadratic: need {rule} or the tendon would push at some extension, got {got}")
+
+    def _extension(self, length: ArrayLike) -> Array:
+        return np.maximum(np.asarray(length, dtype=np.float64) - self.rest_length, 0.0)
+
+    def force(self, length: ArrayLike) -> Array:
+        """Pull at a length, N, in the shape of `length` (m)."""
+        x = self._extension(length)
+        return np.asarray(x * (self.linear + x * (self.quadratic + x * self.cubic)))
+
+    def energy(self, length: ArrayLike) -> Array:
+        """Energy stored at a length, the integral of the force, J, in the shape of `length` (m)."""
+        x = self._extension(length)
+        return np.asarray(x**2 * (self.linear / 2 + x * (self.quadratic / 3 + x * self.cubic / 4)))
+
+    def stiffness(self, length: ArrayLike) -> Array:
+        """Slope of the force, N/m, in the shape of `length` (m); at the resting length itself that of the taut side."""
+        x = self._extension(length)
+        slope = self.linear + x * (2 * self.quadratic + x * 3 * self.cubic)
+        return np.where(np.asarray(length) < self.rest_length, 0.0, slope)
+
+    def released(self, length: ArrayLike, shortening: ArrayLike) -> Array:
+        """Energy given back when the tendon shortens.
+
+        The difference of two energies as a product with the shortening, which keeps its digits where that is small.
+
+        Args:
+            length: before, m, any shape.
+            shortening: >= 0, m, of a shape that goes with `length`; what shortens a slack tendon counts nothing.
+
+        Returns:
+            J, in the common shape.
+        """
+        x = self._extension(length)
+        d = np.minimum(np.asarray(shortening, dtype=np.float64), x)
+        # the mean force from x - d to x
+        linear = self.linear * (x - d / 2)
+        quadratic = self.quadratic * (x**2 - d * (x - d / 3))
+        cubic = self.cubic * (x**3 - d * (1.5 * x**2 - d * (x - d / 4)))
+        return np.asarray(d * (linear + quadratic + cubic))

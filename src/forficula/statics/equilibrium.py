@@ -1,0 +1,216 @@
+"""Where anything rests: equilibria of an energy and the barriers between them. It knows no mechanism."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.optimize import brentq
+
+Array = NDArray[np.float64]
+Cases = NDArray[np.int64]
+# Of positions, (row, coordinate), in the cases with these numbers, (row,): the energy, (row,), its slope,
+# (row, coordinate), and its curvature, (row, coordinate, coordinate).
+Energy = Callable[[Array, Cases], tuple[Array, Array, Array]]
+
+_MOST_STEPS = 5000
+# share of a path beyond which a stretch without a slope is no minimum but a neutral range
+_WIDE = 0.05
+_SMALLEST_STEP = 1e-13
+# share of the step within which a coordinate that is pushed onto its bound is laid there
+_NEAR = 0.1
+
+
+@dataclass(frozen=True, kw_only=True)
+class Equilibria:
+    """Where some cases came to rest.
+
+    Attributes:
+        position: (case, coordinate).
+        energy: (case,).
+        slope: of the energy, none but where a coordinate presses on its bound, (case, coordinate).
+        stiffness: least curvature of the energy along what no bound holds, (case,); inf where bounds hold everything.
+        rests: whether it came to rest at all, (case,).
+    """
+
+    position: Array
+    energy: Array
+    slope: Array
+    stiffness: Array
+    rests: NDArray[np.bool_]
+
+
+def descend(
+    energy: Energy, start: Array, lower: ArrayLike, upper: ArrayLike, *, longest_step: float, force: float
+) -> Equilibria:
+    """Follow an energy downhill to where it rests, in steps so short that they stay in its valley.
+
+    Newton's method with a trust region (More and Sorensen 1983) within a box (Bertsekas 1982). Far from rest its short
+    steps go down the steepest slope, as a motion does that equal dampers slow; all cases go side by side.
+
+    Args:
+        energy: with slope and curvature; see `Energy`.
+        start: (case, coordinate), moved into the box.
+        lower: bounds of the coordinates, (coordinate,) or (case, coordinate).
+        upper: alike.
+        longest_step: in the space of the coordinates.
+        force: largest slope that counts as none.
+    """
+    lower, upper = np.broadcast_to(lower, start.shape), np.broadcast_to(upper, start.shape)
+    position = np.clip(start, lower, upper)
+    value, slope, curvature = energy(position, np.arange(len(position)))
+    radius = np.full(len(position), longest_step)
+    stiffness, rests = np.full(len(position), np.nan), np.zeros(len(position), dtype=bool)
+    moving = np.arange(len(position))
+    for _ in range(_MOST_STEPS):
+        here, down = position[moving], -slope[moving]
+        room = np.where(down < 0, here - lower[moving], upper[moving] - here)
+        held = (down != 0) & (room <= _NEAR * radius[moving, None])
+        values, axes = np.linalg.eigh(_without(curvature[moving], held))
+        step = _trusted_step(np.where(held, 0.0, down), values, axes, radius[moving])
+        onto = np.sign(down) * np.where(held, room, 0.0)
+        tried = np.clip(here + np.where(held, onto, step), lower[moving], upper[moving])
+        stiffness[moving] = values[:, 0]
+        rests[moving] = np.all((np.abs(down) <= force) | (held & (tried == here)), axis=1)
+        going = ~rests[moving] & (radius[moving] > _SMALLEST_STEP)
+        moving, here, tried = moving[going], here[going], tried[going]
+        if not len(moving):
+            break
+        new_value, new_slope, new_curvature = energy(tried, moving)
+        better = new_value < value[moving]
+        moved = np.linalg.norm(tried - here, axis=1)
+        wider, narrower = np.minimum(2 * radius[moving], longest_step), np.minimum(radius[moving], moved) / 4
+        radius[moving] = np.where(better, wider, narrower)
+        taken = moving[better]
+        position[taken], value[taken] = tried[better], new_value[better]
+        slope[taken], curvature[taken] = new_slope[better], new_curvature[better]
+    return Equilibria(position=position, energy=value, slope=slope, stiffness=stiffness, rests=rests)
+
+
+def _without(curvature: Array, held: NDArray[np.bool_]) -> Array:
+    """Curvatures of the free coordinates; the held ones get the largest of all, on their own."""
+    free = ~held
+    kept = curvature * (free[:, :, None] & free[:, None, :])
+    diagonal = np.arange(curvature.shape[1])
+    largest = np.abs(curvature).max(axis=(1, 2), keepdims=True)[:, 0]
+    kept[:, diagonal, diagonal] += np.where(held, np.maximum(largest, 1e-300), 0.0)
+    return np.asarray(kept)
+
+
+def _trusted_step(down: Array, values: Array, axes: Array, radius: Array) -> Array:
+    """To the lowest point of a quadratic model within a ball, (case, coordinate)."""
+    along = np.einsum("rij,ri->rj", axes, down)
+    low = np.maximum(0.0, -values[:, 0]) + 1e-12 * np.abs(values).max(axis=1)
+    high = low + np.linalg.norm(along, axis=1) / radius + 1e-300
+    for _ in range(60):
+        middle = (low + high) / 2
+        longer = np.linalg.norm(along / (values + middle[:, None]), axis=1) > radius
+        low, high = np.where(longer, middle, low), np.where(longer, high, middle)
+    return np.asarray(np.einsum("rij,rj->ri", axes, along / (values + high[:, None])))
+
+
+@dataclass(frozen=True, kw_only=True)
+class PathState:
+    """Where something on a path rests.
+
+    Attributes:
+        kind: "stop", pressed onto the end of the path; "minimum"; "maximum", which any push leaves; "neutral", a range
+            over which the energy does not change.
+        coordinate: along the path; of a neutral range the nearer end.
+        far_coordinate: the other end of a neutral range; otherwise the coordinate.
+        energy: there.
+        press: slope of the energy that presses onto the end of the path, >= 0; 0 unless the kind is "stop".
+    """
+
+    kind: Literal["stop", "minimum", "maximum", "neutral"]
+    coordinate: float
+    far_coordinate: float
+    energy: float
+    press: float
+
+    @property
+    def stable(self) -> bool:
+        """Whether it stays there after a small push."""
+        return self.kind != "maximum"
+
+
+# energy and slope at places on a path
+PathEnergy = Callable[[Array], tuple[Array, Array]]
+
+
+def states_along(path: PathEnergy, places: Array, *, force: float) -> tuple[PathState, ...]:
+    """Find where something on a path rests, from its start to its end.
+
+    Stationary points are zeros of the slope (Brent 1973), one at most looked for between two neighbouring places.
+
+    Args:
+        path: energy, and its slope by the coordinate.
+        places: rising coordinates from one end of the path to the other, (place,).
+        force: largest slope that counts as none.
+    """
+    energy, slope = path(places)
+    sign = np.where(np.abs(slope) <= force, 0, np.sign(slope))
+    states = []
+    if sign[0] > 0:
+        states.append(_state("stop", places[0], energy[0], press=slope[0]))
+    place = 0
+    while place < len(places):
+        last = place
+        while last + 1 < len(places) and sign[last + 1] == sign[place]:
+            last += 1
+        if sign[place] == 0:
+            before = sign[place - 1] if place else 0
+            after = sign[last + 1] if last + 1 < len(places) else 0
+            states.append(_flat_state(path, places[place : last + 1], before, after, _WIDE * (places[-1] - places[0])))
+        elif last + 1 < len(places) and sign[last + 1] == -sign[place]:
+            states.append(
+                _stationary(path, places[last], places[last + 1], "maximum" if sign[place] > 0 else "minimum")
+            )
+        place = last + 1
+    if sign[-1] < 0:
+        states.append(_state("stop", places[-1], energy[-1], press=-slope[-1]))
+    return tuple(states)
+
+
+def _flat_state(path: PathEnergy, places: Array, before: float, after: float, wide: float) -> PathState:
+    """A stretch without a slope to speak of, between slopes of these signs, 0 at the end of the path."""
+    kind: Literal["minimum", "maximum"] = "maximum" if before > 0 or after < 0 else "minimum"
+    if kind == "minimum" and places[-1] - places[0] > wide:
+        return _state("neutral", places[0], path(places[:1])[0][0], far=places[-1])
+    return _stationary(path, places[0], places[-1], kind)
+
+
+def _stationary(path: PathEnergy, low: float, high: float, kind: Literal["minimum", "maximum"]) -> PathState:
+    """The zero of the slope between two places, or the flatter of them where it keeps its sign."""
+
+    def slope(x: float) -> float:
+        return float(path(np.array([x]))[1][0])
+
+    ends = (slope(low), slope(high))
+    if ends[0] * ends[1] < 0:
+        zero = float(brentq(slope, low, high, xtol=1e-14))
+    else:
+        zero = low if abs(ends[0]) <= abs(ends[1]) else high
+    return _state(kind, zero, path(np.array([zero]))[0][0])
+
+
+def _state(
+    kind: Literal["stop", "minimum", "maximum", "neutral"],
+    coordinate: float,
+    energy: float,
+    press: float = 0.0,
+    far: float | None = None,
+) -> PathState:
+    far = coordinate if far is None else far
+    return PathState(
+        kind=kind, coordinate=float(coordinate), far_coordinate=float(far), energy=float(energy), press=float(press)
+    )
+
+
+def barrier_between(states: Sequence[PathState], start: PathState, end: PathState) -> float:
+    """Energy to climb from one state to another: to the highest state on the way; 0 where it is downhill all along."""
+    low, high = sorted((start.coordinate, end.coordinate))
+    return max(state.energy for state in states if low <= state.coordinate <= high) - start.energy

@@ -1,0 +1,111 @@
+"""A landscape as plain data with units in its keys, as `landscape.json` has it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from forficula.statics.hinge_landscape import HingeLandscape
+from forficula.statics.landscape import EnergyLandscape, stable_states
+from forficula.statics.partial_folds import PartialFold
+
+
+def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
+    """A landscape as plain data with units in its keys, as `landscape.json` has it."""
+    tips = landscape.tips
+    return {
+        "design": landscape.design.name,
+        "hinge": _hinge_summary(landscape.hinge),
+        "tendons": [_hinge_summary(hinge) for hinge in landscape.tendons],
+        "wing": _wing_summary(landscape),
+        "levels_J": landscape.levels.tolist(),
+        "partial_folds": [_partial_summary(state) for state in landscape.partial_folds],
+        "tips": {
+            "deflection_m": tips.deflection,
+            "holding_force_N": tips.holding_force,
+            "flat_along_N_per_m": tips.flat_along,
+            "flat_against_N_per_m": tips.flat_against,
+            "unlocked_along_N_per_m": tips.unlocked_along,
+            "unlocked_against_N_per_m": tips.unlocked_against,
+        },
+        "remarks": list(landscape.remarks),
+        "design_hash": landscape.design.hash,
+    }
+
+
+def _hinge_summary(hinge: HingeLandscape) -> dict[str, Any]:
+    peak = hinge.peak_opening
+    return {
+        "angle_deg": np.degrees(hinge.angle).tolist(),
+        "energy_J": hinge.energy.tolist(),
+        "moment_N_m": hinge.moment.tolist(),
+        "stable_states": [
+            {
+                "kind": state.kind,
+                "angle_deg": float(np.degrees(state.angle)),
+                "far_angle_deg": float(np.degrees(state.far_angle)),
+                "energy_J": state.energy,
+                "holding_torque_N_m": state.holding_torque,
+            }
+            for state in hinge.states
+        ],
+        "barrier_J": hinge.barrier,
+        "holding_torque_N_m": hinge.holding_torque,
+        "peak_opening_torque_N_m": None if peak is None else peak.torque,
+        "peak_opening_angle_deg": None if peak is None else float(np.degrees(peak.angle)),
+        "slack_angle_deg": None if hinge.slack_angle is None else float(np.degrees(hinge.slack_angle)),
+        "time_scale_s": hinge.time_scale,
+        "growth_rate_per_s": hinge.growth_rate,
+        "fold_start_deg": float(np.degrees(hinge.fold_start)),
+        "fold_time_s": hinge.fold_time,
+        "final_speed_rad_per_s": hinge.final_speed,
+        "inertia_kg_m2": hinge.hinge.inertia,
+        "remarks": list(hinge.remarks),
+    }
+
+
+def _wing_summary(landscape: EnergyLandscape) -> dict[str, Any]:
+    wing, states = landscape.wing, stable_states(landscape)
+    climbs = [state for state in wing.states if not state.stable]
+    return {
+        "pleat_angle_deg": np.degrees(wing.pleat_angle).tolist(),
+        "ring_angle_deg": np.degrees(wing.ring_angle).tolist(),
+        "energy_J": wing.energy.tolist(),
+        "tendon_energy_J": wing.tendon_energy.tolist(),
+        "membrane_energy_J": wing.sheet_energy.tolist(),
+        "moment_N_m": wing.moment.tolist(),
+        "stable_states": [
+            {
+                "name": state.name,
+                "kind": state.kind,
+                "pleat_angle_deg": float(np.degrees(state.pleat_angle)),
+                "ring_angle_deg": float(np.degrees(state.ring_angle)),
+                "energy_J": state.energy,
+                "holding_torque_N_m": state.holding_torque,
+            }
+            for state in states
+        ],
+        "saddles": [
+            {"pleat_angle_deg": float(np.degrees(state.coordinate)), "energy_J": state.energy} for state in climbs
+        ],
+        "barrier_J": landscape.fold_barrier,
+        "opening_barrier_J": landscape.unfold_barrier,
+        "holding_torque_N_m": next((state.holding_torque for state in states if state.name == "flat"), None),
+        "path_fold_torque_N_m": wing.fold_torque,
+        "path_unfold_torque_N_m": wing.unfold_torque,
+        "least_fold_torque_N_m": landscape.fold_torque,
+        "least_unfold_torque_N_m": landscape.unfold_torque,
+    }
+
+
+def _partial_summary(state: PartialFold) -> dict[str, Any]:
+    return {
+        "folded": list(state.folded),
+        "stable": state.stable,
+        "stays_folded": list(state.stays_folded),
+        "distal_angle_deg": np.degrees(state.distal_angle).tolist(),
+        "energy_J": state.energy,
+        "tendon_energy_J": state.tendon_energy,
+        "membrane_energy_J": state.sheet_energy,
+    }

@@ -1,0 +1,96 @@
+"""A wing with some of its hinges folded: which of these states stay, and what they store."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.design import Design
+from forficula.statics.hinge import ideal_hinge
+from forficula.statics.potential import FOLD, rest, section
+from forficula.statics.sheet import sheet_energy
+
+Array = NDArray[np.float64]
+
+# of so many veins every combination is tried; of more only those folded one after another, from one side
+_EVERY_COMBINATION = 7
+# how far past straight a hinge starts: from there its tendon pulls it as far as neighbours and guards let it
+_START = math.radians(30)
+
+
+@dataclass(frozen=True, kw_only=True)
+class PartialFold:
+    """A wing let go with some hinges folded and the others in the overbend.
+
+    Attributes:
+        folded: veins whose hinges start folded.
+        stable: whether every hinge stays on the side of straight on which it starts.
+        stays_folded: veins whose hinges are folded in the end.
+        distal_angle: of each vein in the end, rad, (vein,).
+        tendon_energy: of all tendons in the end, J.
+        sheet_energy: of membrane and guards in the end, J.
+    """
+
+    folded: tuple[int, ...]
+    stable: bool
+    stays_folded: tuple[int, ...]
+    distal_angle: Array
+    tendon_energy: float
+    sheet_energy: float
+
+    @property
+    def energy(self) -> float:
+        """Of tendons, membrane and guards, J."""
+        return self.tendon_energy + self.sheet_energy
+
+
+def fold_levels(design: Design) -> Array:
+    """Energies of independent ideal hinges, none of them folded to all of them, J, (vein + 1,).
+
+    Sums of the energies at the overbend stop and at the fold limit (Binder et al. 2025, section 3.1).
+    """
+    hinge, veins = ideal_hinge(design), design.fan.vein_count
+    flat, folded = float(hinge.energy(hinge.overbend)), float(hinge.energy(-hinge.fold_limit))
+    return np.array([(veins - count) * flat + count * folded for count in range(veins + 1)])
+
+
+def partial_folds(design: Design) -> tuple[PartialFold, ...]:
+    """Let the wing go from every combination of folded hinges, fewest first.
+
+    First the joints at the base and the turns go to where the membrane is stretched least, with the hinges held, then
+    everything is free. Of more than seven veins only the combinations of neighbours from the first vein on are tried.
+    """
+    combinations = _combinations(design.fan.vein_count)
+    wings = section([design] * len(combinations))
+    start = np.zeros((len(combinations), len(wings.lower)))
+    for row, folded in enumerate(combinations):
+        for vein in range(wings.veins):
+            start[row, 4 * vein + FOLD] = -min(_START, design.hinge.fold_limit) if vein in folded else wings.upper[FOLD]
+    aimed = rest(wings, start, fixed=(FOLD,)).position
+    found = rest(wings, aimed)
+    sheet, _, _ = sheet_energy(wings.sheet, found.position.reshape(len(start), wings.veins, 4))
+    states = []
+    for row, folded in enumerate(combinations):
+        angle = found.position[row, FOLD::4]
+        stays = tuple(int(vein) for vein in np.flatnonzero(angle < 0))
+        states.append(
+            PartialFold(
+                folded=folded,
+                stable=bool(found.rests[row]) and stays == folded,
+                stays_folded=stays,
+                distal_angle=angle,
+                tendon_energy=float(found.energy[row] - sheet[row]),
+                sheet_energy=float(sheet[row]),
+            )
+        )
+    return tuple(states)
+
+
+def _combinations(veins: int) -> list[tuple[int, ...]]:
+    if veins > _EVERY_COMBINATION:
+        return [tuple(range(count)) for count in range(veins + 1)]
+    return [folded for count in range(veins + 1) for folded in itertools.combinations(range(veins), count)]

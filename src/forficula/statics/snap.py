@@ -1,0 +1,93 @@
+"""How fast one hinge snaps shut, from its energy alone.
+
+The distal bar turns about a fixed axis, inertia times angular acceleration = moment of the tendon, and its energy is
+conserved. The damping of the tendon and of the joint is not in it, nor is the rest of the wing: its membrane, guard
+tendons and other veins. So a wing is slower than this, or does not get there.
+"""
+
+from __future__ import annotations
+
+import math
+
+from scipy.integrate import quad
+
+from forficula.errors import InputError
+from forficula.statics.hinge import TendonHinge, released_energy, slack_angle
+
+FOLD_START = math.radians(1)  # past straight, where the hinge is let go
+_ACCURACY = 1e-10  # of the quadrature, relative
+
+
+def time_scale(hinge: TendonHinge) -> float | None:
+    """Time scale t* = sqrt(I / (k a b)), s (theory.md, section 3).
+
+    With the linear stiffness k of the law and arms a, b square to the hinge axis. None where the law has no linear
+    term.
+    """
+    stiffness = hinge.law.linear * hinge.proximal_arm * hinge.distal_arm
+    return math.sqrt(hinge.inertia / stiffness) if stiffness else None
+
+
+def growth_rate(hinge: TendonHinge) -> float | None:
+    """Rate at which the hinge leaves straight, 1/s: the angle grows with cosh(rate time).
+
+    sqrt(-stiffness(0) / I), which for a linear law is sqrt(1 - lambda) / t*, lambda being the resting length by the
+    length at straight (theory.md, section 3). None where the tendon does not pull.
+    """
+    return math.sqrt(-float(hinge.stiffness(0.0)) / hinge.inertia) if hinge.pulls else None
+
+
+def fold_time(hinge: TendonHinge, start: float = FOLD_START) -> float | None:
+    """Time from rest past straight to the fold limit, s.
+
+    The integral of d angle / sqrt(2 (released energy) / I) (conservation of energy). With angle = start cosh(y) the
+    integrand is finite at the start, where the speed is zero, and near straight it is constant. Once the tendon is
+    slack the hinge coasts. For equal arms, no offset, no resting length, a linear law and a fold limit of 180 deg it is
+    t* K(m), m = cos^2(start / 2), K the complete elliptic integral of the first kind (theory.md, section 3).
+
+    Args:
+        hinge: the hinge.
+        start: how far past straight it is let go, rad.
+
+    Returns:
+        None where nothing folds it from there: the tendon is slack, or the fold limit is not beyond the start.
+
+    Raises:
+        InputError: the start is not > 0; from straight itself nothing moves.
+    """
+    speed = final_speed(hinge, start)
+    if speed is None:
+        return None
+
+    def slowness(y: float) -> float:
+        turned = 2 * start * math.sinh(y / 2) ** 2
+        return start * math.sinh(y) / math.sqrt(2 * float(released_energy(hinge, start, turned)) / hinge.inertia)
+
+    slack = slack_angle(hinge)
+    end = hinge.fold_limit if slack is None else -slack
+    taut = quad(slowness, 0, math.acosh(max(end / start, 1.0)), epsabs=0, epsrel=_ACCURACY, limit=200)[0]
+    return float(taut) + (hinge.fold_limit - end) / speed
+
+
+def final_speed(hinge: TendonHinge, start: float = FOLD_START) -> float | None:
+    """Angular speed at the fold limit after a fold from rest past straight, rad/s.
+
+    sqrt(2 (released energy) / I); times t* it is 2 cos(start / 2) - rest length / a for equal arms a, no offset, a
+    linear law and a fold limit at which the tendon is slack (theory.md, section 3).
+
+    Args:
+        hinge: the hinge.
+        start: how far past straight it is let go, rad.
+
+    Returns:
+        None where nothing folds it from there.
+
+    Raises:
+        InputError: the start is not > 0.
+    """
+    if not start > 0:
+        raise InputError(f"start: need > 0 deg, past straight, got {math.degrees(start):g} deg")
+    if not start < hinge.fold_limit or not hinge.law.force(hinge.length(start)) > 0:
+        return None
+    released = float(released_energy(hinge, start, hinge.fold_limit - start))
+    return math.sqrt(2 * released / hinge.inertia) or None
