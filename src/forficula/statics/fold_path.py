@@ -109,7 +109,9 @@ def fold_path(design: Design, points: int = 181) -> FoldPath:
     curve = CubicHermiteSpline(pleat, found.energy, slope)
     by_angle = curve.derivative()
     membrane = design.membrane.youngs_modulus * design.membrane.thickness * design.pattern.proximal_length**2
-    force = _QUIET * float(np.abs(of_tendons).max()) or _QUIET_SHEET * membrane
+    steepest = float(np.abs(of_tendons).max())
+    # a slack tendon's slope is rounding
+    force = _QUIET * steepest if steepest > 1e-9 * membrane else _QUIET_SHEET * membrane
     return FoldPath(
         pleat_angle=pleat,
         ring_angle=ring,
