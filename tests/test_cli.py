@@ -260,7 +260,7 @@ def test_a_study_leaves_its_table_and_names_their_folder_last(in_an_empty_folder
     output = call("study", "small.toml")
     assert output.out.splitlines()[-1] == "written to out/small"
     folder = in_an_empty_folder / "out" / "small"
-    assert {"journal.jsonl", "manifest.json", "table.csv", "table.nc"} < set(everything_in(folder))
+    assert {"journal.jsonl", "table.csv", "table.nc"} < set(everything_in(folder))
     assert len((folder / "table.csv").read_text().splitlines()) == 4
     before = (folder / "journal.jsonl").read_bytes()
     call("study", "small.toml")
@@ -279,7 +279,7 @@ def test_a_shard_says_how_to_collect_and_collecting_gives_the_same_table(in_an_e
     study_file(TENDONS)
     output = call("study", "small.toml", "--shard", "1/2", "--out", "there")
     assert output.out == "shard 1/2 is done; when all are: forficula study small.toml --out there --collect\n"
-    assert everything_in(in_an_empty_folder / "there") == ["journal-1-of-2.jsonl", "manifest.json"]
+    assert everything_in(in_an_empty_folder / "there") == ["journal-1-of-2.jsonl"]
     call("study", "small.toml", "--shard", "2/2", "--out", "there")
     table = (in_an_empty_folder / "there" / "table.csv").read_bytes()
     (in_an_empty_folder / "there" / "table.csv").unlink()

@@ -106,10 +106,10 @@ def converge(
     folder = out or Path("out") / f"{chosen.name}-converge"
     _check_folder(folder)
 
-    from forficula.show import run_progress
+    from forficula.show import study_progress
     from forficula.show.convergence_figure import print_convergence, write_convergence
-    from forficula.study.convergence import MESH, TIMESTEP, YOUNGS_MODULUS, read_values
     from forficula.study.convergence import converge as converge_design
+    from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, read_values
 
     options = {"--timesteps": (TIMESTEP, timesteps), "--moduli": (YOUNGS_MODULUS, moduli), "--meshes": (MESH, meshes)}
     given = [(option, key, text) for option, (key, text) in options.items() if text is not None]
@@ -121,7 +121,7 @@ def converge(
         values = read_values(key, text)
     except InputError as error:
         raise InputError(f"{option}: {error}") from None
-    with run_progress() as progress:
+    with study_progress() as progress:
         convergence = converge_design(chosen, key, values, progress=progress)
     print_convergence(convergence)
     write_convergence(convergence, folder)

@@ -20,6 +20,7 @@ from forficula.errors import InputError
 
 REFERENCE = load_design("binder2025")
 BASED = 'based_on = "binder2025"\n'
+STAGES = "0 (settle), 1 (fold), 2 (release folded), 3 (unfold), 4 (release opened)"
 STAGE = '[[protocol.stages]]\nname = "a"\ndrive = "none"\nuntil = "time"\nhold = "0 s"\ntime_limit = "1 s"\n'
 
 
@@ -222,12 +223,12 @@ def test_settings_reach_into_a_stage():
         (
             "protocol.stages.5.hold",
             "1 s",
-            'protocol.stages.5.hold: need one of the numbers 0, 1, 2, 3, 4 in it, got "5"',
+            f'protocol.stages.5.hold: need one of the numbers {STAGES} in it, got "5"',
         ),
         (
             "protocol.stages.fold.hold",
             "1 s",
-            'protocol.stages.fold.hold: need one of the numbers 0, 1, 2, 3, 4 in it, got "fold"',
+            f'protocol.stages.fold.hold: need one of the numbers {STAGES} in it, got "fold"',
         ),
         ("based_on", "binder2025", "based_on: cannot be set; name the design to start from instead"),
     ],

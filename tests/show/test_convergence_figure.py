@@ -12,7 +12,8 @@ from forficula.show.convergence_figure import (
     draw_convergence_times,
     write_convergence,
 )
-from forficula.study.convergence import MESH, TIMESTEP, YOUNGS_MODULUS, converge
+from forficula.study.convergence import converge
+from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS
 
 STAGES = [
     {"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.1},

@@ -196,6 +196,12 @@ def test_a_status_map_names_the_torque_of_a_fold_that_failed_and_leaves_out_long
     assert "cannot be built" in legend(draw_torque_maps(planted(TWO, status)))
 
 
+def test_a_wing_whose_release_failed_is_marked_by_that_whatever_the_large_torque_did():
+    status = np.full((3, 4), "folded and opened", dtype=object)
+    status[0, 0] = "did not stay folded; with 500 N cm: stuck at -134.6 deg"
+    assert legend(draw_status_map(planted(TWO, status))) == ["folded and opened", "did not stay folded"]
+
+
 def test_runs_that_did_not_fold_were_not_asked_to_open():
     figure = draw_work_maps(as_run(many_ends()))
     assert {"did not fold", "did not open", "not tried: did not fold"} <= set(legend(figure))

@@ -7,16 +7,20 @@ import sys
 import time
 
 import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
 
 import forficula as ff
 from forficula.errors import InputError
 from forficula.study import dask_cluster
+from forficula.study.cluster import _Pace
+from forficula.study.journal import read_rows
 
 STUDY = """
 design = "binder2025"
 
 [factors]
-"tendon.stiffness" = "10..30 N/cm step 10"
+"tendon.stiffness" = "10..40 N/cm step 10"
 "tendon.rest_length" = "1..8 cm step 1"
 
 [settings]
@@ -26,13 +30,13 @@ design = "binder2025"
 distributed = pytest.importorskip("distributed", reason="Dask is not installed: pip install 'forficula[cluster]'")
 
 
-@pytest.fixture(params=[3, 0], ids=["given to another worker", "run here"])
+@pytest.fixture
 def cluster(request):
     """Two workers of a thread each, and how many of their deaths Dask blames on others than the task."""
     import dask
 
     with (
-        dask.config.set({"distributed.scheduler.allowed-failures": request.param}),
+        dask.config.set({"distributed.scheduler.allowed-failures": getattr(request, "param", 3)}),
         distributed.LocalCluster(
             n_workers=2, threads_per_worker=1, processes=True, dashboard_address="127.0.0.1:0", silence_logs="CRITICAL"
         ) as cluster,
@@ -40,29 +44,115 @@ def cluster(request):
         yield cluster
 
 
-@pytest.fixture
-def study(tmp_path):
-    file = tmp_path / "study.toml"
+@pytest.fixture(scope="module")
+def study(tmp_path_factory):
+    file = tmp_path_factory.mktemp("study") / "study.toml"
     file.write_text(STUDY)
     return ff.load_study(file)
 
 
-def test_a_killed_worker_loses_no_row_and_changes_no_bit(cluster, study, tmp_path):
-    victim = cluster.workers[0].pid
-    killed = []
+@pytest.fixture(scope="module")
+def here(study, tmp_path_factory):
+    """The table without a cluster, and the lines of its journal."""
+    folder = tmp_path_factory.mktemp("here")
+    return ff.run_study(study, folder), lines(folder)
 
-    def kill_once(done, _, row):
-        if done >= 3 and not killed:
-            killed.append(row["key"])
-            os.kill(victim, signal.SIGKILL)
+
+def lines(folder):
+    return sorted((folder / "journal.jsonl").read_text().split("\n"))
+
+
+def kill_at_work(cluster):
+    """Kill a worker in the middle of a chunk; the chunks that died with it, none where all workers are idle."""
+    with distributed.Client(cluster, set_as_default=False) as client:
+        at_work = {
+            address: key
+            for address, stacks in client.call_stack().items()
+            for key, frames in stacks.items()
+            if "_run_chunk" in "".join(frames)
+        }
+    for worker in cluster.workers.values():
+        if worker.worker_address not in at_work:
+            continue
+        os.kill(worker.pid, signal.SIGSTOP)
+        time.sleep(0.2)  # what it has sent arrives
+        held = {task.key for task in cluster.scheduler.workers[worker.worker_address].processing}
+        # a chunk that is with it now, stopped as it is, it cannot have finished
+        os.kill(worker.pid, signal.SIGKILL if at_work[worker.worker_address] in held else signal.SIGCONT)
+        return held & {at_work[worker.worker_address]}
+    return set()
+
+
+@pytest.mark.parametrize("cluster", [3, 0], ids=["given to another worker", "run here"], indirect=True)
+def test_a_worker_killed_at_work_loses_no_row_and_changes_no_bit(cluster, study, here, tmp_path):
+    died = set()
+
+    def kill_once(*_):
+        if not died:
+            died.update(kill_at_work(cluster))
 
     with dask_cluster(cluster.scheduler_address) as workers:
         table = ff.run_study(study, tmp_path / "cluster", cluster=workers, progress=kill_once)
-    assert killed
-    assert table.identical(ff.run_study(study, tmp_path / "here"))
-    theirs, ours = (sorted((tmp_path / name / "journal.jsonl").read_text().split("\n")) for name in ("cluster", "here"))
-    assert theirs == ours
-    assert len(ours) == len(study.points) + 1  # and nothing after the last newline
+    assert len(died) == 1
+    assert table.identical(here[0])
+    assert lines(tmp_path / "cluster") == here[1]
+    assert len(here[1]) == len(study.points) + 2  # who wrote it comes first, and nothing after the last newline
+
+
+def test_a_study_whose_workers_all_leave_ends_with_one_error_and_keeps_what_is_done(
+    cluster, study, here, tmp_path, monkeypatch
+):
+    monkeypatch.setattr("forficula.study.cluster._PATIENCE_SECONDS", 1)
+    kept = []
+
+    def send_home(_, __, row):
+        kept.append(row["key"])
+        cluster.scale(0)
+
+    words = r"^--dask: the scheduler at tcp://\S+ has had no workers for 1 s; the same command goes on where it stood$"
+    with dask_cluster(cluster.scheduler_address) as workers, pytest.raises(InputError, match=words):
+        ff.run_study(study, tmp_path / "out", cluster=workers, progress=send_home)
+    assert 0 < len(kept) < len(study.points)
+    rows = []
+    table = ff.run_study(study, tmp_path / "out", progress=lambda *each: rows.append(each[2]["key"]))
+    assert {*kept, *rows} == set(read_rows(tmp_path / "out", study.base))
+    assert set(kept).isdisjoint(rows)
+    assert table.identical(here[0])
+
+
+def test_a_scheduler_that_is_gone_is_one_error_and_what_is_done_is_kept(cluster, study, tmp_path):
+    with (
+        dask_cluster(cluster.scheduler_address) as workers,
+        pytest.raises(InputError, match=r"^--dask: the scheduler at tcp://\S+ is gone; the same command goes on"),
+    ):
+        ff.run_study(study, tmp_path / "out", cluster=workers, progress=lambda *_: cluster.close())
+    assert 0 < len(read_rows(tmp_path / "out", study.base)) < len(study.points)
+
+
+def test_the_first_runs_are_done_here_and_tell_how_many_make_a_chunk(cluster, study, tmp_path, monkeypatch):
+    sizes, submit = [], distributed.Client.submit
+
+    def listen(self, run, texts, *arguments, **options):
+        sizes.append(len(texts))
+        return submit(self, run, texts, *arguments, **options)
+
+    monkeypatch.setattr(distributed.Client, "submit", listen)
+    with dask_cluster(cluster.scheduler_address) as workers:
+        ff.run_study(study, tmp_path / "out", cluster=workers)
+    assert 0 < sum(sizes) < len(study.points)
+    assert sizes[0] > 1
+
+
+@given(st.integers(1, 10_000), st.floats(1e-5, 30), st.integers(1, 100))
+def test_chunks_take_a_second_or_so_and_the_last_is_no_rest(left, seconds, runs):
+    pace = _Pace(runs=runs, seconds=runs * seconds)
+    assume(left >= pace.runs_in(0.2))
+    least = 0.2 / max(seconds, 1e-4)
+    while left:
+        size = pace.chunk(left)
+        # never less than 0.2 s, never more than 1.2 s and the runs at its ends
+        assert least * (1 - 1e-9) <= size <= min(left, 6 * least + 2)
+        left -= size
 
 
 def test_an_address_where_nothing_listens_is_one_error_within_seconds():

@@ -13,8 +13,9 @@ from forficula.design import load_design, with_values
 from forficula.dynamics import compile_wing
 from forficula.dynamics.units import design_in_model_units
 from forficula.errors import InputError
-from forficula.study.convergence import MESH, TIMESTEP, YOUNGS_MODULUS, compare_wings, converge, read_values
+from forficula.study.convergence import compare_wings, converge
 from forficula.study.observed_order import fit_order
+from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, read_values
 
 STAGE = {"hold": 0.0}
 SETTLE = STAGE | {"name": "settle", "drive": "none", "until": "time", "time_limit": 0.1}
@@ -119,6 +120,12 @@ def test_the_own_value_is_run_and_timesteps_go_from_coarse_to_fine(short):
     found = converge(short, TIMESTEP, [3e-4, 4e-4])
     assert found.values.tolist() == [4e-4, 3e-4, 2e-4]
     assert found.design == short
+
+
+def test_progress_counts_the_runs_whatever_meshes_they_have(short):
+    seen = []
+    converge(short, MESH, [1, 2], progress=lambda *each: seen.append(each))
+    assert seen == [(number, 2, {"status": "folded", "folded": True}) for number in (1, 2)]
 
 
 def test_a_timestep_that_diverges_is_too_long(short):

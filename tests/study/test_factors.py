@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy import stats
 
+from forficula.design import key_quantity
 from forficula.errors import InputError
 from forficula.quantities import Unit, parse_quantity
 from forficula.study.factors import Distribution, drawn_values, range_values, read_factor
@@ -88,6 +89,7 @@ def test_a_list_is_taken_as_it_is_written():
     assert factor.values == ("10 N/cm", "1500 N/m")
     assert factor.dimension == "tendon_stiffness"
     assert read_factor("pattern.tangent", ["left", "right"]).values == ("left", "right")
+    assert read_factor("protocol.timestep", ["0.2 ms", "auto"]).values == ("0.2 ms", "auto")
 
 
 @pytest.mark.parametrize(
@@ -97,6 +99,40 @@ def test_a_list_is_taken_as_it_is_written():
 def test_an_unknown_key_is_answered_with_the_nearest(key, nearest):
     with pytest.raises(InputError, match=rf"^{key}: unknown key; .*{nearest}"):
         read_factor(key, ["1 cm"])
+
+
+@pytest.mark.parametrize(
+    ("key", "message"),
+    [
+        ("tendon", "holds several values; name one of them: tendon.stiffness, tendon.rest_length, "),
+        ("protocol.stages", "holds several values; name one of them: protocol.stages.0.name, "),
+        ("protocol.stages.3", "holds several values; name one of them: protocol.stages.3.name, "),
+        ("protocol.stages.fold.hold", 'need the number of an entry of protocol.stages, from 0 on, got "fold"'),
+        ("protocol.stages.0.hodl", r"unknown key; did you mean protocol.stages.0.hold\?"),
+        ("protocol.stages.time_limit", "need the number of an entry of protocol.stages"),
+        ("tendon.stiffness.x", r"unknown key; did you mean tendon.stiffness\?"),
+        ("based_on", "is no value of a design; name the design to start from"),
+        ("", "unknown key; allowed here: "),
+    ],
+)
+def test_what_cannot_be_a_factor_says_so_and_what_can(key, message):
+    with pytest.raises(InputError, match=f"^{key}: {message}"):
+        read_factor(key, ["1 s"])
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "unit"),
+    [
+        ("protocol.stages.1.time_limit", "0.1 s", "s"),
+        ("protocol.stages.12.hold", "10 ms", "s"),
+        ("protocol.stages.0.drive", "none", None),
+        ("membrane.proximal_rows.0", 0.4, None),
+    ],
+)
+def test_a_value_in_an_entry_of_a_list_is_a_factor(key, value, unit):
+    quantity = key_quantity(key)
+    assert (quantity and quantity.unit.si) == unit
+    assert read_factor(key, [value]).values == (value,)
 
 
 @pytest.mark.parametrize(
@@ -111,7 +147,8 @@ def test_an_unknown_key_is_answered_with_the_nearest(key, nearest):
         ("tendon.stiffness", [{"a": 1}], "need text with a unit"),
         ("tendon.stiffness", "1..5 cm step 1", '"cm" is not a unit of the right kind'),
         ("tendon.stiffness", "1..5 step 1", "the unit is missing"),
-        ("protocol.timestep", ["0.2 ms", "auto"], "need a number and a unit"),
+        ("protocol.timestep", ["0.2 ms", "automatic"], 'need a number and a unit .*; "auto" is allowed, too'),
+        ("protocol.window", ["0.2 s", "auto"], "need a number and a unit"),
         ("pattern.units", [None], "need numbers or words"),
     ],
 )

@@ -34,7 +34,7 @@ def refined(times, grid=GRID):
     )
 
 
-def answers(design, folds, opens, large="folded"):
+def answers(design, folds, opens, large="folded", released="folded"):
     """The row that a run of a design would give, by what is planted."""
     protocol = design.protocol
     torque, opening = protocol.fold_torque, protocol.unfold_torque
@@ -42,8 +42,11 @@ def answers(design, folds, opens, large="folded"):
     if torque != GRID.fold_with:
         if not folds(torque):
             return numbers | {"status": f"stuck at -{100 * torque:.0f} deg", "folded": False, "opened": False}
-        released = {"fold_time_s": 0.1 / torque if torque else 9.0, "fold_work_J": torque, "folded_energy_J": 0.5}
-        return numbers | released | {"status": "folded", "folded": True, "opened": False}
+        if released != "folded" and protocol.stages[-1].drive == "none":
+            failed = {"fold_time_s": None, "fold_work_J": torque, "folded_energy_J": None}
+            return numbers | failed | {"status": released, "folded": False, "opened": False}
+        times = {"fold_time_s": 0.1 / torque if torque else 9.0, "fold_work_J": torque, "folded_energy_J": 0.5}
+        return numbers | times | {"status": "folded", "folded": True, "opened": False}
     if large != "folded":
         return numbers | {"status": large, "folded": False, "opened": False}
     if not opens(opening):
@@ -52,12 +55,12 @@ def answers(design, folds, opens, large="folded"):
     return numbers | opened | {"status": "folded and opened", "folded": True, "opened": True}
 
 
-def found(search, folds, opens=no_torque, large="folded"):
+def found(search, folds, opens=no_torque, large="folded", released="folded"):
     """Ask until nothing is missing, and return what was found and every design that had to run."""
     rows, run = {}, []
     while missing := [each for each in search_designs(DESIGN, search, rows) if row_key(each) not in rows]:
         for each in missing:
-            rows[row_key(each)] = {"key": row_key(each), **answers(each, folds, opens, large)}
+            rows[row_key(each)] = {"key": row_key(each), **answers(each, folds, opens, large, released)}
             run.append(each)
     return search_result(DESIGN, search, rows), run
 
@@ -83,6 +86,22 @@ def test_a_tendon_that_folds_with_little_and_sticks_with_the_large_torque_is_a_r
     assert result["status"] == "with 500 N cm: stuck at -134.6 deg"
     assert result["reference_fold_status"] == "stuck at -134.6 deg"
     assert result["fold_work"] == 0.1
+
+
+@pytest.mark.parametrize("released", ["did not stay folded", "diverged at t = 0.2 s"])
+@pytest.mark.parametrize(
+    ("opens", "large", "after"),
+    [
+        (any_torque, "folded", "folded and opened"),
+        (no_torque, "folded", "did not open"),
+        (no_torque, "stuck at -134.6 deg", "stuck at -134.6 deg"),
+    ],
+)
+def test_a_wing_whose_release_at_the_least_torque_fails_is_a_row_that_says_so(released, opens, large, after):
+    result, _ = found(GRID, lambda torque: torque >= 0.2, opens, large, released)
+    assert result["least_fold_torque"] == 0.2
+    assert result["status"] == f"{released}; with 500 N cm: {after}"
+    assert (result["fold_status"], result["fold_time"]) == (released, None)
 
 
 def test_a_tendon_that_no_torque_folds_says_how_it_failed_with_the_largest_of_the_grid():

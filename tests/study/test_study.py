@@ -1,8 +1,9 @@
 import pytest
 
 import forficula as ff
+from forficula.design import with_values
 from forficula.errors import InputError
-from forficula.study import named_studies
+from forficula.study import named_studies, run_study
 from forficula.study.evaluate import row_key
 from forficula.study.search import point_design, search_designs
 from forficula.study.study import load_study
@@ -60,6 +61,30 @@ def test_a_key_may_be_written_in_tables(tmp_path):
     study = load_study(path)
     assert study.base.protocol.timestep == 4e-4
     assert [factor.key for factor in study.factors] == ["pattern.units"]
+
+
+def test_a_factor_in_a_stage_is_that_of_a_run_with_the_same_value(tmp_path, study_file):
+    study = load_study(study_file('"protocol.stages.1.time_limit" = ["20 ms", "100 ms"]'))
+    table = run_study(study, tmp_path / "out")
+    assert table["protocol_stages_1_time_limit"].values.tolist() == [0.02, 0.1]
+    for number, limit in enumerate(("20 ms", "100 ms")):
+        alone = ff.measure(ff.run(with_values(study.base, {"protocol.stages.1.time_limit": limit})))
+        assert table["status"].values[number] == alone.status
+        assert table["fold_work"].values[number] == alone.fold.work
+    assert len(set(table["status"].values)) == 2
+
+
+def test_an_entry_of_a_list_of_shares_is_drawn_as_any_number(study_file):
+    rows = '"membrane.proximal_rows.0" = {distribution = "uniform", low = 0.2, high = 0.4}'
+    study = load_study(study_file(rows, tail="[sampling]\ncount = 3"))
+    shares = [point_design(study.base, point).membrane.proximal_rows[0] for point in study.points]
+    assert all(0.2 <= share <= 0.4 for share in shares)
+
+
+def test_a_stage_that_the_design_does_not_have_is_refused_with_those_it_has(study_file):
+    words = r"protocol\.stages\.5\.hold: need one of the numbers 0 \(settle\), 1 \(fold\), .* in it, got \"5\""
+    with pytest.raises(InputError, match=words):
+        load_study(study_file('"protocol.stages.5.hold" = ["1 ms"]'))
 
 
 @pytest.mark.parametrize("method", ["random", "sobol"])

@@ -6,6 +6,10 @@ import numpy as np
 import pytest
 import xarray as xr
 
+import forficula as ff
+from forficula.design import with_values
+from forficula.dynamics import with_timestep
+from forficula.show.maps import study_figures
 from forficula.study import load_study, run_study, table_csv
 
 # the issue that asked for the table: these first, and in this order
@@ -144,6 +148,22 @@ def test_words_and_lists_label_a_table_too(tmp_path, study_file, factor, labels)
     table = run_study(study, tmp_path / "out")
     assert [line.split(",")[0] for line in table_csv(study, table).splitlines()[1:]] == labels
     assert table.to_netcdf(engine="h5netcdf")
+
+
+def test_a_timestep_of_its_own_choice_stands_beside_given_ones(tmp_path, study_file):
+    study = load_study(study_file('"protocol.timestep" = ["0.4 ms", "auto", "0.25 ms"]'))
+    table = run_study(study, tmp_path / "out")
+    # one word makes words of them all: an axis has no number for it
+    assert table["protocol_timestep"].values.tolist() == ["0.4 ms", "auto", "0.25 ms"]
+    assert "units" not in table["protocol_timestep"].attrs
+    rows = lines(table_csv(study, table))
+    assert [row["protocol_timestep"] for row in rows] == ["0.4 ms", "auto", "0.25 ms"]
+    assert len({row["fold_work_J"] for row in rows}) == 3
+    chosen = with_timestep(with_values(study.base, {"protocol.timestep": "auto"})).protocol.timestep
+    alone = ff.measure(ff.run(with_values(study.base, {"protocol.timestep": chosen})))
+    assert table["fold_work"].values[1] == alone.fold.work
+    assert table.to_netcdf(engine="h5netcdf")
+    assert study_figures(table)
 
 
 def test_drawn_points_are_samples_with_the_values_that_ran(tmp_path, study_file):

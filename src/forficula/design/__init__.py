@@ -2,13 +2,13 @@ from forficula.design.design import LENGTH, TORQUE, Design, Protocol, Stage, des
 from forficula.design.design_file import (
     design_from_text,
     design_text,
-    key_quantity,
     load_design,
     named_designs,
     save_design,
     with_values,
     write_new_design,
 )
+from forficula.design.keys import key_quantity, key_value
 from forficula.design.similarity import in_units, scale_design
 
 __all__ = [
@@ -22,6 +22,7 @@ __all__ = [
     "design_warnings",
     "in_units",
     "key_quantity",
+    "key_value",
     "load_design",
     "named_designs",
     "save_design",

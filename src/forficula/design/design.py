@@ -53,7 +53,7 @@ class Quantity:
             if not math.isfinite(number):
                 raise InputError(f"need a finite number, got {got}")
         else:
-            number, got = self._parse(value), as_written(value).strip('"')
+            number, got = self.parse(value), as_written(value).strip('"')
         for allowed, rule, bound in (
             (number > self.above, ">", self.above),
             (number >= self.at_least, ">=", self.at_least),
@@ -64,7 +64,8 @@ class Quantity:
                 raise InputError(f"need {rule} {show_quantity(bound, self.unit) if bound else 0}, got {got}")
         return number
 
-    def _parse(self, value: object) -> float:
+    def parse(self, value: object) -> float:
+        """Read text with a unit, whatever the bounds; raise InputError where it is none."""
         try:
             return parse_quantity(value, self.unit)
         except InputError as error:

@@ -12,9 +12,10 @@ from pathlib import Path
 from typing import Any
 
 import tomli_w
-from pydantic import BaseModel, ValidationError
+from pydantic import ValidationError
 
-from forficula.design.design import Design, Part, Quantity, field_quantity
+from forficula.design.design import Design, Part, field_quantity
+from forficula.design.keys import entry_index, hint, known_keys, siblings
 from forficula.errors import InputError
 from forficula.files import write_text
 from forficula.quantities import as_written, format_quantity
@@ -65,24 +66,6 @@ def with_values(design: Design, values: Mapping[str, object]) -> Design:
         return _validate(tables, si=True)
     except _RejectedError as error:
         raise InputError(f"{design.name}: {error}") from None
-
-
-def key_quantity(key: str) -> Quantity | None:
-    """How a dotted key of a design is read, or None where it has no unit.
-
-    Raises:
-        InputError: there is no such key.
-    """
-    model: type[BaseModel] = Design
-    *sections, last = key.split(".")
-    for section in sections:
-        parts = list(_parts(model.model_fields[section].annotation)) if section in model.model_fields else []
-        if not parts:
-            raise InputError(f"{key}: unknown key; {_hint(key.split('.'))}")
-        model = parts[0]
-    if last not in model.model_fields or list(_parts(model.model_fields[last].annotation)):
-        raise InputError(f"{key}: unknown key; {_hint(key.split('.'))}")
-    return field_quantity(model.model_fields[last])
 
 
 def named_designs() -> dict[str, str]:
@@ -199,10 +182,10 @@ def _set(tables: dict[str, Any], key: str, value: object) -> None:
     *sections, last = key.split(".")
     place: Any = tables
     for depth, section in enumerate(sections, start=1):
-        place = place.setdefault(section, {}) if isinstance(place, dict) else place[_index(key, section, place)]
+        place = place.setdefault(section, {}) if isinstance(place, dict) else place[entry_index(key, section, place)]
         if not isinstance(place, dict | list):
             raise InputError(f"{key}: unknown key; did you mean {'.'.join(sections[:depth])}?")
-    at: Any = _index(key, last, place) if isinstance(place, list) else last
+    at: Any = entry_index(key, last, place) if isinstance(place, list) else last
     inner = place[at] if isinstance(place, list) else place.get(at)
     place[at] = _merged(inner, value) if isinstance(inner, dict) and isinstance(value, dict) else value
 
@@ -214,13 +197,6 @@ def _dotted(tables: Mapping[str, object], prefix: str = "") -> Iterator[str]:
             yield from _dotted(value, f"{prefix}{key}.")
         else:
             yield f"{prefix}{key}"
-
-
-def _index(key: str, text: str, items: list[Any]) -> int:
-    allowed = [str(index) for index in range(len(items))]
-    if text not in allowed:
-        raise InputError(f"{key}: need one of the numbers {', '.join(allowed)} in it, got {as_written(text)}")
-    return int(text)
 
 
 class _RejectedError(InputError):
@@ -269,15 +245,15 @@ def _rejected(place: list[str], error: Any) -> _RejectedError:
     kind, value, bounds = error["type"], error["input"], error.get("ctx", {})
     if kind == "value_error":
         message = str(bounds["error"])
-        if message.partition(":")[0] in _keys():  # a check of several values, no one of them to blame
+        if message.partition(":")[0] in known_keys():  # a check of several values, no one of them to blame
             return _RejectedError([], message)
         return _RejectedError(place, f"{key}: {message}")
     if kind == "extra_forbidden":
-        return _RejectedError(place, f"{key}: unknown key; {_hint(place)}")
+        return _RejectedError(place, f"{key}: unknown key; {hint(place)}")
     if kind == "missing":
         in_list = any(part.isdigit() for part in place)
         to_inherit = f'give it, or begin the file with based_on = "{REFERENCE}"'
-        remedy = f"needed here: {', '.join(_siblings(place))}" if in_list else to_inherit
+        remedy = f"needed here: {', '.join(siblings(place))}" if in_list else to_inherit
         return _RejectedError(place[:-1], f"{key}: is missing; {remedy}")
     return _RejectedError(place, f"{key}: need {_rule(place, kind, value, bounds)}, got {as_written(value)}")
 
@@ -307,44 +283,9 @@ def _rule(place: list[str], kind: str, value: object, bounds: Mapping[str, Any])
     return rule.format(**bounds).replace("'", '"')
 
 
-def _parts(annotation: Any) -> Iterator[type[Part]]:
-    for candidate in (annotation, *getattr(annotation, "__args__", ())):
-        if isinstance(candidate, type) and issubclass(candidate, Part):
-            yield candidate
-
-
-def _keys(model: type[BaseModel] = Design, prefix: str = "") -> Iterator[str]:
-    for name, field in model.model_fields.items():
-        parts = list(_parts(field.annotation))
-        yield f"{prefix}{name}"
-        for part in parts:
-            yield from _keys(part, f"{prefix}{name}.")
-
-
 def _written_key(place: Sequence[str]) -> str:
     """A key as a TOML file has it."""
     return ".".join(part if re.fullmatch(r"[A-Za-z0-9_-]{1,60}", part) else as_written(part) for part in place)
-
-
-def _siblings(place: Sequence[str]) -> list[str]:
-    """The keys that are allowed in a section."""
-    section = "".join(f"{part}." for part in place[:-1] if not part.isdigit())
-    inside = [key.removeprefix(section) for key in _keys() if key.startswith(section)]
-    return [*([] if section else ["based_on"]), *(key for key in inside if "." not in key)]
-
-
-def _hint(place: Sequence[str]) -> str:
-    """The nearest valid key of the same section, or of another, or all of the section."""
-    *section, wrong = place
-    here = _siblings(place)
-    if near := difflib.get_close_matches(wrong.lower(), here, n=1):
-        return f"did you mean {'.'.join([*section, *near])}?"
-    elsewhere: dict[str, list[str]] = {}
-    for key in _keys():
-        elsewhere.setdefault(key.rpartition(".")[2], []).append(key)
-    if near := difflib.get_close_matches(wrong.lower(), elsewhere, n=1, cutoff=0.75):
-        return f"did you mean {' or '.join(elsewhere[near[0]])}?"
-    return f"allowed here: {', '.join(here)}"
 
 
 def _nearest(word: str, words: list[str]) -> str | None:

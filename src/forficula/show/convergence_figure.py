@@ -20,8 +20,9 @@ from rich.table import Table
 from forficula.dynamics import versions
 from forficula.files import replacing_all, write_text
 from forficula.show.style import BLUE, LINE_STYLES, PAGE_WIDTH, VERMILION, figure_style, save_figure
-from forficula.study.convergence import MESH, TIMESTEP, YOUNGS_MODULUS, Convergence, value_text
+from forficula.study.convergence import Convergence
 from forficula.study.observed_order import OrderFit
+from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, value_text
 
 Array = NDArray[np.float64]
 

@@ -218,6 +218,8 @@ def _words(statuses: DataArray) -> DataArray:
 def _word(status: str) -> str:
     if status in ("", "nan", "None"):
         return NOT_RUN
+    # "did not stay folded; with 500 N cm: did not open": what failed first
+    status = status.partition("; ")[0]
     if status.startswith("with ") and ": " in status:
         # "with 500 N cm: stuck at -134.6 deg"
         torque, rest = status.split(": ", 1)

@@ -9,7 +9,8 @@ from time import monotonic
 from typing import Any
 
 from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+from rich.progress import BarColumn, Progress, TextColumn
+from rich.table import Column
 
 
 @contextmanager
@@ -33,28 +34,49 @@ def run_progress() -> Iterator[Callable[[str, float, float], None]]:
 
 @contextmanager
 def study_progress() -> Iterator[Callable[[int, int, dict[str, Any]], None]]:
-    """Show runs done, time left and what became of them: a bar on a terminal, a line every 10 s elsewhere."""
-    console = Console(stderr=True, highlight=False)
-    counts: Counter[str] = Counter()
+    """Show runs done, their rate, the time left and what became of them: a bar on a terminal, lines elsewhere.
 
-    def count(row: dict[str, Any]) -> str:
-        status = str(row["status"])
-        folded = "folded" if row.get("folded") else "diverged" if status.startswith("diverged") else "stuck"
-        counts["cannot be built" if status.startswith("cannot") else folded] += 1
-        return ", ".join(f"{number} {name}" for name, number in sorted(counts.items()))
+    Lines come every 10 s. The rate is the mean since the start, and the time left is that of the runs known to be
+    needed: what a search finds may ask for more of them, or do without some, which then count as done.
+    """
+    console = Console(stderr=True, highlight=False)
+    ends: Counter[str] = Counter()
+    start = monotonic()
+
+    def words(done: int, needed: int, row: dict[str, Any]) -> str:
+        ends[_end(row)] += 1
+        rate = ends.total() / max(monotonic() - start, 1e-3)
+        became = ", ".join(f"{number} {name}" for name, number in sorted(ends.items()))
+        return f"{done} of {needed} runs, {rate:.3g} runs/s, {_duration((needed - done) / rate)} left: {became}"
 
     if not console.is_terminal:
-        last = [monotonic()]
+        last = [start]
 
         def line(done: int, needed: int, row: dict[str, Any]) -> None:
-            words = count(row)
+            now = words(done, needed, row)
             if monotonic() - last[-1] > 10:
                 last[-1] = monotonic()
-                console.print(f"{done} of {needed} runs: {words}")
+                console.print(now, soft_wrap=True)
 
         yield line
         return
-    columns = (BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(), TextColumn("{task.description}"))
-    with Progress(*columns, console=console) as bar:
+    text = TextColumn("{task.description}", table_column=Column(no_wrap=False))
+    with Progress(BarColumn(bar_width=20), text, console=console) as bar:
         task = bar.add_task("")
-        yield lambda done, needed, row: bar.update(task, description=count(row), completed=done, total=needed)
+        yield lambda done, needed, row: bar.update(
+            task, description=words(done, needed, row), completed=done, total=needed
+        )
+
+
+def _end(row: dict[str, Any]) -> str:
+    """What became of a run, in a word or two."""
+    if row.get("folded"):
+        return "folded"
+    words = {"diverged": "diverged", "cannot": "cannot be built"}
+    return next((word for start, word in words.items() if str(row["status"]).startswith(start)), "stuck")
+
+
+def _duration(seconds: float) -> str:
+    if seconds < 120:
+        return f"{seconds:.0f} s"
+    return f"{seconds / 60:.0f} min" if seconds < 7200 else f"{seconds / 3600:.0f} h"

@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 import time
 from collections import deque
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from typing import Any
 
 from forficula.design import Design, design_from_text, design_text
@@ -16,12 +17,38 @@ from forficula.study.evaluate import evaluate
 from forficula.study.journal import Row
 from forficula.study.run_study import Evaluate
 
-# A task costs Dask 1.6 ms, which 0.2 s of work make good; neighbours, which share their first stages within a chunk,
-# want more than that.
+# A task costs Dask 1.6 ms, which 0.2 s of work make good: less is run here. A chunk is meant to be longer, for its runs
+# share their first stages, and how long they take is known from earlier ones only.
+_LEAST_SECONDS = 0.2
 _CHUNK_SECONDS = 1.0
 # Chunks in the hands of the cluster for every thread that it has: one at work, one that waits.
 _AHEAD = 2
 _CONNECT_SECONDS = 3
+_LOOK_SECONDS = 0.05
+# How long a study waits for a worker where all have left.
+_PATIENCE_SECONDS = 60
+
+
+@dataclass
+class _Pace:
+    """How long a run takes on one thread, from those that are done."""
+
+    runs: int = 0
+    seconds: float = 0.0
+
+    def add(self, done: dict[str, Any], runs: int) -> list[Row]:
+        """Take note of what a chunk of so many runs took, and hand on its rows."""
+        self.runs, self.seconds = self.runs + runs, self.seconds + done["seconds"]
+        return list(done["rows"])
+
+    def runs_in(self, seconds: float) -> int:
+        """How many runs take so long at least."""
+        return math.ceil(seconds / max(self.seconds / self.runs, 1e-4))
+
+    def chunk(self, left: int) -> int:
+        """How many runs go out next: all, where those after them would be too few for a chunk."""
+        size = self.runs_in(_CHUNK_SECONDS)
+        return left if left - size < self.runs_in(_LEAST_SECONDS) else size
 
 
 @contextmanager
@@ -29,14 +56,15 @@ def dask_cluster(address: str) -> Iterator[Evaluate]:
     """Connect to a cluster and hand out what `run_study` takes as `cluster`.
 
     A worker that dies costs the time of its chunk: Dask gives it to another one, and a chunk that keeps killing workers
-    is run here. Each chunk runs on one thread.
+    is run here. Each chunk runs on one thread and is meant to take a second, 0.2 s at least; the first runs, which tell
+    how many runs that is, and rounds of a search that take less than 0.2 s, run here.
 
     Args:
         address: of the scheduler, such as "tcp://scheduler:8786".
 
     Raises:
         InputError: Dask is not installed; nothing answers at the address, or it has no workers; later on, the scheduler
-            is gone, or a worker lacks forficula or has it in other versions.
+            is gone, all workers have been gone for a minute, or one lacks forficula or has it in other versions.
     """
     try:
         from distributed import Client
@@ -51,36 +79,60 @@ def dask_cluster(address: str) -> Iterator[Evaluate]:
             client.wait_for_workers(1, timeout=_CONNECT_SECONDS)
         except TimeoutError:
             raise InputError(f"--dask: the Dask scheduler at {address} has no workers") from None
-        yield lambda designs, until_opened: _evaluate(client, address, designs, until_opened)
+        pace = _Pace()
+        yield lambda designs, until_opened: _evaluate(client, address, pace, designs, until_opened)
 
 
-def _evaluate(client: Any, address: str, designs: Sequence[Design], until_opened: bool) -> Iterator[Row]:
+def _evaluate(client: Any, address: str, pace: _Pace, designs: Sequence[Design], until_opened: bool) -> Iterator[Row]:
     """Rows in the order in which the cluster finishes them."""
     from distributed import as_completed
 
     left = deque(design_text(design) for design in designs)
+    while left and pace.seconds < _LEAST_SECONDS:
+        yield from pace.add(_run_chunk([left.popleft()], until_opened), 1)
+    if left and len(left) < pace.runs_in(_LEAST_SECONDS):
+        yield from pace.add(_run_chunk(left, until_opened), len(left))
+        return
     chunks: dict[Any, list[str]] = {}
-    # of the runs that came back; how long a run takes is not known before
-    runs, seconds = 0, 0.0
     finished = as_completed(loop=client.loop)
-
-    def submit(size: int) -> None:
-        texts = [left.popleft() for _ in range(min(size, len(left)))]
-        # two chunks are never one task: a key of its own for each, made from nothing
-        future = client.submit(_run_chunk, texts, until_opened, pure=False)
-        chunks[future] = texts
-        finished.add(future)
-
-    if left:
-        submit(1)
-    for future in finished:
+    while left or chunks:
+        ahead = _AHEAD * max(1, _threads(client, address))
+        while left and len(chunks) < ahead:
+            texts = [left.popleft() for _ in range(pace.chunk(len(left)))]
+            # two chunks are never one task: a key of its own for each, made from nothing
+            future = client.submit(_run_chunk, texts, until_opened, pure=False)
+            chunks[future] = texts
+            finished.add(future)
+        _wait(client, address, finished)
+        future = next(finished)
         texts = chunks.pop(future)
-        done = _result(client, address, future) or _run_chunk(texts, until_opened)
-        runs, seconds = runs + len(texts), seconds + done["seconds"]
-        size = math.ceil(_CHUNK_SECONDS / max(seconds / runs, 1e-4))
-        while left and len(chunks) < _AHEAD * max(1, sum(client.nthreads().values())):
-            submit(size)
-        yield from done["rows"]
+        yield from pace.add(_result(client, address, future) or _run_chunk(texts, until_opened), len(texts))
+
+
+def _wait(client: Any, address: str, finished: Any) -> None:
+    """Wait until a chunk is done, but not for ever where nobody is at work."""
+    seen = time.monotonic()
+    while not finished.has_ready():
+        if _threads(client, address):
+            seen = time.monotonic()
+        elif time.monotonic() - seen > _PATIENCE_SECONDS:
+            raise InputError(
+                f"--dask: the scheduler at {address} has had no workers for {_PATIENCE_SECONDS} s;"
+                " the same command goes on where it stood"
+            )
+        time.sleep(_LOOK_SECONDS)
+
+
+def _threads(client: Any, address: str) -> int:
+    """How many threads the workers have."""
+    try:
+        return sum(client.nthreads().values())
+    except OSError:
+        raise _gone(address) from None
+
+
+def _gone(address: str) -> InputError:
+    return InputError(f"--dask: the scheduler at {address} is gone; the same command goes on where it stood")
 
 
 def _result(client: Any, address: str, future: Any) -> dict[str, Any] | None:
@@ -88,7 +140,7 @@ def _result(client: Any, address: str, future: Any) -> dict[str, Any] | None:
     from distributed import KilledWorker
 
     if client.status != "running" or future.cancelled():
-        raise InputError(f"--dask: the scheduler at {address} is gone; the same command goes on where it stood")
+        raise _gone(address)
     error = future.exception()
     if isinstance(error, KilledWorker):
         return None
@@ -100,7 +152,7 @@ def _result(client: Any, address: str, future: Any) -> dict[str, Any] | None:
     return done
 
 
-def _run_chunk(texts: list[str], until_opened: bool) -> dict[str, Any]:
+def _run_chunk(texts: Iterable[str], until_opened: bool) -> dict[str, Any]:
     """Run designs on one thread; this is what a worker does."""
     start = time.perf_counter()
     rows = list(evaluate([design_from_text(text) for text in texts], threads=1, until_opened=until_opened))

@@ -14,7 +14,7 @@ from scipy import stats
 
 from forficula.design import key_quantity
 from forficula.errors import InputError
-from forficula.quantities import as_written, format_quantity, parse_quantity
+from forficula.quantities import Unit, as_written, format_quantity, parse_quantity
 
 _RANGE = re.compile(r"\s*(\S+?)\s*\.\.\s*(\S+)\s*(.*?)\s*\bstep\s+(\S+)\s*(.*?)\s*")
 MOST_VALUES = 1_000_000
@@ -34,6 +34,14 @@ class Factor:
     key: str
     values: tuple[object, ...] = ()
     distribution: Distribution | None = None
+
+    @property
+    def unit(self) -> Unit | None:
+        """Of its values; None where they have none, or one of them is a word."""
+        quantity = key_quantity(self.key)
+        if quantity is None or any(word in self.values for word in quantity.words):
+            return None
+        return quantity.unit
 
     @property
     def dimension(self) -> str:
@@ -156,8 +164,10 @@ def _check_values(key: str, values: Sequence[object]) -> None:
             if not isinstance(value, str | int | float | list):
                 raise InputError(f"{key}: need numbers or words, got {as_written(value)}")
             continue
+        if value in quantity.words:
+            continue
         try:
-            parse_quantity(value, quantity.unit)
+            quantity.parse(value)
         except InputError as error:
             raise InputError(f"{key}: {error}") from None
 

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from forficula.design import Design
 from forficula.errors import InputError
+from forficula.quantities import as_written
 from forficula.study.evaluate import evaluate, row_key
-from forficula.study.journal import Row, open_folder, open_journal, read_rows
+from forficula.study.journal import Row, open_journal, read_rows
 from forficula.study.search import most_runs, point_design, search_designs
 from forficula.study.study import Study
 from forficula.study.table import build_table
+from forficula.study.tally import Tally
 
 if TYPE_CHECKING:
     import xarray
@@ -45,32 +47,37 @@ def run_study(
         threads: 0 for one a core.
         batch: runs side by side.
         cluster: what makes rows of designs, from `dask_cluster`; the cores of this machine do, if not given.
-        progress: called with the runs done, the runs known to be needed, and the row, after every run.
+        progress: called after every run with the runs done, the runs known to be needed, and the row; a run that a
+            search turns out to do without counts as done, and what is needed never shrinks.
 
     Returns:
         The table, or None where points of other shards are missing.
 
     Raises:
-        InputError: the folder holds another study's rows, or cannot be written.
+        InputError: the folder holds another study's rows, or cannot be written; a number is not allowed.
     """
     if not 1 <= shard[0] <= shard[1]:
         raise InputError(f"shard: need a number from 1 to the count, got {shard[0]} of {shard[1]}")
+    for name, value, least in (("threads", threads, 0), ("batch", batch, 1)):
+        if isinstance(value, bool) or not isinstance(value, int) or value < least:
+            raise InputError(f"{name}: need a whole number >= {least}, got {as_written(value)}")
     folder = Path(out)
-    open_folder(folder, study.base)
-    rows = read_rows(folder)
+    rows = read_rows(folder, study.base)
     designs = _designs(study)
     mine = {number: design for number, design in designs.items() if number % shard[1] == shard[0] - 1}
-    with open_journal(folder, shard) as journal:
-        while missing := _missing(study, mine, rows):
-            needed = len(missing) + sum(1 for _ in _known(study, mine, rows))
-            todo = list(missing.values())
+    tally = Tally(len(_known(study, mine, rows)))
+    with open_journal(folder, study.base, shard) as journal:
+        while points := _missing_by_point(study, mine, rows):
+            tally.plan([list(point) for point in points])
+            todo = list(_joined(points).values())
             searches = study.search is not None
             for row in _in_batches(todo, threads, batch, searches) if cluster is None else cluster(todo, searches):
                 journal.append(row)
                 rows[row["key"]] = row
+                tally.count(row)
                 if progress is not None:
-                    progress(needed - sum(key not in rows for key in missing), needed, row)
-    if _missing(study, designs, rows):
+                    progress(tally.done, tally.needed, row)
+    if _missing_by_point(study, designs, rows):
         return None
     return build_table(study, designs, rows)
 
@@ -87,10 +94,11 @@ def collect(study: Study, out: str | Path) -> xarray.Dataset:
         InputError: rows are missing, and how many; or the folder holds another study's rows.
     """
     folder = Path(out)
-    open_folder(folder, study.base)
-    rows, designs = read_rows(folder), _designs(study)
-    if missing := _missing(study, designs, rows):
-        raise InputError(f"{folder}: {len(missing)} runs are missing; run the shards that are not done, then collect")
+    rows, designs = read_rows(folder, study.base), _designs(study)
+    if points := _missing_by_point(study, designs, rows):
+        raise InputError(
+            f"{folder}: {len(_joined(points))} runs are missing; run the shards that are not done, then collect"
+        )
     return build_table(study, designs, rows)
 
 
@@ -100,16 +108,16 @@ def estimate(study: Study, out: str | Path) -> tuple[int, int, float]:
     How many runs a search takes depends on what they find. The guess is the time that the middle point takes, measured
     now, times the points that are left.
     """
-    rows, designs = read_rows(Path(out)), _designs(study)
+    rows, designs = read_rows(Path(out), study.base), _designs(study)
     most = len(study.points) * (1 if study.search is None else most_runs(study.search))
-    left = sum(bool(_missing(study, {number: design}, rows)) for number, design in designs.items())
+    left = len(_missing_by_point(study, designs, rows))
     if not left:
         return most, 0, 0.0
     middle = {0: list(designs.values())[len(designs) // 2]}
     measured: dict[str, Row] = {}
     start = time.perf_counter()
-    while missing := _missing(study, middle, measured):
-        measured |= {row["key"]: row for row in evaluate(list(missing.values()), until_opened=True)}
+    while points := _missing_by_point(study, middle, measured):
+        measured |= {row["key"]: row for row in evaluate(list(_joined(points).values()), until_opened=True)}
     return most, left, (time.perf_counter() - start) * left
 
 
@@ -128,18 +136,29 @@ def _wanted(study: Study, design: Design, rows: Mapping[str, Row]) -> list[Desig
     return [design] if study.search is None else search_designs(design, study.search, rows)
 
 
-def _known(study: Study, designs: Mapping[int, Design | str], rows: Mapping[str, Row]) -> Iterator[str]:
-    for design in designs.values():
-        if isinstance(design, Design):
-            yield from (key for each in _wanted(study, design, rows) if (key := row_key(each)) in rows)
-
-
-def _missing(study: Study, designs: Mapping[int, Design | str], rows: Mapping[str, Row]) -> dict[str, Design]:
-    """Runs that are not in the rows, by key."""
+def _known(study: Study, designs: Mapping[int, Design | str], rows: Mapping[str, Row]) -> set[str]:
+    """Keys of the runs that are wanted and are in the rows."""
     return {
-        key: each
+        key
         for design in designs.values()
         if isinstance(design, Design)
         for each in _wanted(study, design, rows)
-        if (key := row_key(each)) not in rows
+        if (key := row_key(each)) in rows
     }
+
+
+def _missing_by_point(
+    study: Study, designs: Mapping[int, Design | str], rows: Mapping[str, Row]
+) -> list[dict[str, Design]]:
+    """Runs that are not in the rows, by key, for every point that lacks some, in the order in which they are tried."""
+    points = []
+    for design in designs.values():
+        if isinstance(design, Design):
+            wanted = {row_key(each): each for each in _wanted(study, design, rows)}
+            points.append({key: each for key, each in wanted.items() if key not in rows})
+    return [point for point in points if point]
+
+
+def _joined(points: Iterable[Mapping[str, Design]]) -> dict[str, Design]:
+    """The runs of all points, one that several share once."""
+    return {key: design for point in points for key, design in point.items()}

@@ -70,11 +70,18 @@ def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
     }
     if least_fold is not None:
         result |= {name: folding[f"{name}_{unit}"] for name, unit in _FOLDING.items()}
-        large = f"with {show_quantity(search.fold_with, TORQUE)}: "
-        result["status"] = opening["status"] if opening.get("folded") else f"{large}{opening['status']}"
+        result["status"] = _status(search, folding, opening)
     if least_unfold is not None:
         result |= {name: opening[f"{name}_{unit}"] for name, unit in _OPENING.items()}
     return result
+
+
+def _status(search: Search, folding: Row, opening: Row) -> str:
+    """How a wing that some torque folds opened, and what failed before: its release, folding with the large torque."""
+    large = f"with {show_quantity(search.fold_with, TORQUE)}: {opening['status']}"
+    if not folding["folded"]:
+        return f"{folding['status']}; {large}"
+    return str(opening["status"]) if opening.get("folded") else large
 
 
 def fold_design(design: Design, torque: float) -> Design:

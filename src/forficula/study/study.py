@@ -9,11 +9,10 @@ import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib import resources
-from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
-from forficula.design import TORQUE, Design, key_quantity, load_design
+from forficula.design import TORQUE, Design, key_quantity, key_value, load_design
 from forficula.errors import InputError
 from forficula.quantities import as_written, parse_quantity
 from forficula.study.factors import MOST_VALUES, Factor, drawn_values, range_values, read_factor
@@ -132,8 +131,9 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
     if not isinstance(name, str):
         raise InputError(f'design: need the name or path of a design, such as "binder2025", got {as_written(name)}')
     base = load_design(str(folder / name) if name.endswith(".toml") else name, _flat(tables.get("settings", {})))
-    for factor in drawn:
-        if key_quantity(factor.key) is None and not isinstance(attrgetter(factor.key)(base), float):
+    for factor in factors:
+        now = key_value(base, factor.key)
+        if factor in drawn and key_quantity(factor.key) is None and not isinstance(now, float):
             raise InputError(f"{factor.key}: need a list or a range; only numbers with fractions are drawn")
     ask = tables.get("ask", "run")
     if ask not in ("run", "least-torques"):
@@ -152,9 +152,9 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
         source=str(tables.get("source", "")),
         base=base,
         factors=factors,
-        points=tuple(_drawn(factors, tables.get("sampling", {})) if drawn else _grid(factors)),
+        points=tuple(_drawn(factors, tables.get("sampling", {})) if drawn else grid_points(factors)),
         sampled=bool(drawn),
-        search=_search(tables.get("search", {})) if ask == "least-torques" else None,
+        search=read_search(tables.get("search", {})) if ask == "least-torques" else None,
     )
 
 
@@ -177,7 +177,12 @@ def _flat(table: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
     return flat
 
 
-def _grid(factors: tuple[Factor, ...]) -> list[dict[str, object]]:
+def grid_points(factors: tuple[Factor, ...]) -> list[dict[str, object]]:
+    """Every combination of the factors' values, the last factor fastest.
+
+    Raises:
+        InputError: more than a million.
+    """
     keys = [factor.key for factor in factors]
     count = math.prod(len(factor.values) for factor in factors)
     if count > MOST_VALUES:
@@ -198,7 +203,12 @@ def _drawn(factors: tuple[Factor, ...], sampling: Mapping[str, Any]) -> list[dic
     return drawn_values(factors, method, int(str(count)), seed)
 
 
-def _search(given: Mapping[str, Any]) -> Search:
+def read_search(given: Mapping[str, Any]) -> Search:
+    """Read the table `search` of a study file; what it does not give is the paper's.
+
+    Raises:
+        InputError: an unknown key, or a value that is not allowed.
+    """
     _known(given, ("fold_torques", "fold_with", "unfold_torques", "refinements"), "search.")
     refinements = given.get("refinements", 0)
     if isinstance(refinements, bool) or not isinstance(refinements, int) or not 0 <= refinements <= 20:

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from forficula.design import TORQUE, Design, key_quantity
-from forficula.quantities import Unit, as_written, parse_quantity
+from forficula.design import TORQUE, Design
+from forficula.quantities import as_written, parse_quantity
 from forficula.study.evaluate import row_key
 from forficula.study.factors import Factor
 from forficula.study.journal import Row
@@ -53,7 +53,7 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
     import xarray
 
     results = [_result(study, designs[number], rows) for number in range(len(study.points))]
-    coordinates, dimensions, shape = _axes(study)
+    coordinates, dimensions, shape = table_axes(study)
     numbers = _NUMBERS if study.search is not None else _RUN_NUMBERS
     words = ("status",) if study.search is None else ("status", "fold_status", "reference_fold_status")
     variables: dict[str, Any] = {}
@@ -116,13 +116,13 @@ def _result(study: Study, design: Design | str, rows: Mapping[str, Row]) -> dict
     return result
 
 
-def _axes(study: Study) -> tuple[dict[str, Any], tuple[str, ...], tuple[int, ...]]:
+def table_axes(study: Study) -> tuple[dict[str, Any], tuple[str, ...], tuple[int, ...]]:
     """Coordinates, dimensions and shape of the table."""
     coordinates: dict[str, Any] = {}
     for factor in study.factors:
         given = [point[factor.key] for point in study.points] if study.sampled else list(factor.values)
         values = [_factor_value(factor, value) for value in given]
-        unit = _unit(factor)
+        unit = factor.unit
         attributes = {"key": factor.key, "long_name": factor.key.replace(".", " ").replace("_", " ")}
         if unit is not None:
             attributes |= {"units": unit.si, "display": unit.display}
@@ -133,13 +133,8 @@ def _axes(study: Study) -> tuple[dict[str, Any], tuple[str, ...], tuple[int, ...
     return coordinates, names, tuple(len(factor.values) for factor in study.factors)
 
 
-def _unit(factor: Factor) -> Unit | None:
-    quantity = key_quantity(factor.key)
-    return quantity.unit if quantity is not None else None
-
-
 def _factor_value(factor: Factor, value: object) -> Any:
-    unit = _unit(factor)
+    unit = factor.unit
     if unit is None:
         return as_written(value) if isinstance(value, list) else value
     return parse_quantity(value, unit)
@@ -147,7 +142,7 @@ def _factor_value(factor: Factor, value: object) -> Any:
 
 def _column(factor: Factor) -> tuple[str, float]:
     """Heading of a factor's column and the factor from SI to it; angles are in degrees, as in all our files."""
-    unit = _unit(factor)
+    unit = factor.unit
     if unit is None:
         return factor.dimension, 1.0
     if unit.si == "rad":

@@ -1,0 +1,121 @@
+"""Keys of a design, dotted as in "tendon.stiffness": which there are, and what they hold."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterator, Sequence
+from typing import Any, get_args, get_origin
+
+from pydantic import BaseModel
+
+from forficula.design.design import Design, Part, Quantity, field_quantity
+from forficula.errors import InputError
+from forficula.quantities import as_written
+
+
+def key_quantity(key: str) -> Quantity | None:
+    """How a value of a design is read, or None where it has no unit.
+
+    Args:
+        key: dotted; a number picks an entry of a list, as in "protocol.stages.1.hold", whether or not a design has it.
+
+    Raises:
+        InputError: there is no such key, or it holds several values.
+    """
+    if key == "based_on":
+        raise InputError("based_on: is no value of a design; name the design to start from instead")
+    parts = key.split(".")
+    place: Any = Design
+    quantity = None
+    for depth, part in enumerate(parts):
+        if _is_part(place):
+            field = place.model_fields.get(part)
+            if field is None:
+                raise InputError(f"{key}: unknown key; {hint(parts)}")
+            place, quantity = field.annotation, field_quantity(field)
+        elif get_origin(place) is not tuple:
+            raise InputError(f"{key}: unknown key; did you mean {'.'.join(parts[:depth])}?")
+        elif not part.isdecimal():
+            of = ".".join(parts[:depth])
+            raise InputError(f"{key}: need the number of an entry of {of}, from 0 on, got {as_written(part)}")
+        else:
+            place, quantity = get_args(place)[0], None
+    inside = list(_parts(place))
+    if inside:
+        first = f"{key}.0" if get_origin(place) is tuple else key
+        values = ", ".join(f"{first}.{name}" for name in inside[0].model_fields)
+        raise InputError(f"{key}: holds several values; name one of them: {values}")
+    return quantity
+
+
+def key_value(design: Design, key: str) -> Any:
+    """What a design has at a key that `key_quantity` knows, in SI.
+
+    Raises:
+        InputError: a list of the design has no such entry.
+    """
+    value: Any = design
+    for part in key.split("."):
+        value = value[entry_index(key, part, value)] if isinstance(value, tuple) else getattr(value, part)
+    return value
+
+
+def entry_index(key: str, text: str, entries: Sequence[Any]) -> int:
+    """Read the number of an entry of a list.
+
+    Args:
+        key: that it is a part of.
+        text: the number.
+        entries: of the list: of a design, or of the tables of a file.
+
+    Raises:
+        InputError: there is none, and which there are.
+    """
+    if text in (allowed := [str(index) for index in range(len(entries))]):
+        return int(text)
+    names = [entry.get("name") if isinstance(entry, dict) else getattr(entry, "name", None) for entry in entries]
+    shown = ", ".join(f"{index} ({name})" if name else index for index, name in zip(allowed, names, strict=True))
+    rule = f"need one of the numbers {shown} in it" if shown else "has no entries"
+    raise InputError(f"{key}: {rule}, got {as_written(text)}")
+
+
+def known_keys(model: type[BaseModel] = Design, prefix: str = "") -> Iterator[str]:
+    """All keys of a design; entries of a list of tables stand as number 0."""
+    for name, field in model.model_fields.items():
+        yield f"{prefix}{name}"
+        number = ".0" if get_origin(field.annotation) is tuple else ""
+        for part in _parts(field.annotation):
+            yield from known_keys(part, f"{prefix}{name}{number}.")
+
+
+def siblings(place: Sequence[str]) -> list[str]:
+    """The keys that are allowed in the section of a place."""
+    section = "".join("0." if part.isdecimal() else f"{part}." for part in place[:-1])
+    inside = [key.removeprefix(section) for key in known_keys() if key.startswith(section)]
+    return [*([] if section else ["based_on"]), *(key for key in inside if "." not in key)]
+
+
+def hint(place: Sequence[str]) -> str:
+    """The nearest valid key of the same section, or of another, or all of the section."""
+    *section, wrong = place
+    here = siblings(place)
+    if near := difflib.get_close_matches(wrong.lower(), here, n=1):
+        return f"did you mean {'.'.join([*section, *near])}?"
+    elsewhere: dict[str, list[str]] = {}
+    for key in known_keys():
+        elsewhere.setdefault(key.rpartition(".")[2], []).append(key)
+    if near := difflib.get_close_matches(wrong.lower(), elsewhere, n=1, cutoff=0.75):
+        return f"did you mean {' or '.join(elsewhere[near[0]])}?"
+    # where the section itself is unknown, it is what is wrong
+    return f"allowed here: {', '.join(here)}" if here or not section else hint(section)
+
+
+def _is_part(annotation: Any) -> bool:
+    return isinstance(annotation, type) and issubclass(annotation, Part)
+
+
+def _parts(annotation: Any) -> Iterator[type[Part]]:
+    """The parts of a design that a field holds: itself, or each of its list."""
+    for candidate in (annotation, *get_args(annotation)):
+        if _is_part(candidate):
+            yield candidate

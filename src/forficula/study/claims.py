@@ -1,0 +1,286 @@
+"""What Binder et al. 2025 say of their tendons, claim by claim, beside what a search finds."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.study.tendon_search import AS_MANY, FOLD_TORQUE, Array, Mask, TendonSearch
+
+_TORQUE_STEP = 0.1  # of the paper's search, N m
+# of the flat energy: what is less is no more than what has not yet come to rest
+_EQUAL = 1e-3
+# "much less", as the paper has it, is taken for less than half
+_MUCH_LESS = 0.5
+_LOST = "The paper's lengths and masses are lost, and ours are chosen."
+_GEOMETRY = "Hub radius, sector angle and margin move the boundary; the paper's are lost, and ours are chosen."
+_OTHER_TENDONS = "The study does not have the paper's 60 tendons, or no fold torques up to 50 N cm."
+_ABSENT = "The study does not have the tendons that this is about."
+_NONE_OPENS = "No tendon of the study folds and opens again."
+
+
+@dataclass(frozen=True, kw_only=True)
+class Comparison:
+    """One claim of the paper beside what a study finds.
+
+    Attributes:
+        claim: what is compared.
+        paper: what the paper reports.
+        ours: what the study's table says.
+        agrees: None where the table does not have what it takes to tell.
+        why: a sentence on the difference, empty where there is none or it is not known.
+        mark: where the paper's value comes from: "paper", or "derived" from what it says.
+    """
+
+    claim: str
+    paper: str
+    ours: str
+    agrees: bool | None
+    why: str
+    mark: str
+
+
+def claims(search: TendonSearch) -> list[Comparison]:
+    """All claims, in the paper's order: one tendon, folding, unfolding, energies and works."""
+    return [
+        _tendon_energy(search, 60, 0, "more than 35 J", lambda energy: energy > 35),
+        _tendon_energy(search, 10, 0, "about 6 J", lambda energy: round(energy) == 6),
+        _count_that_fold(search),
+        _long_tendons(search),
+        _least_torque(search),
+        _fastest(search),
+        _least_work(search),
+        _large_torque(search),
+        _outlier(search),
+        _count_that_open(search),
+        _first_to_open(search),
+        _flat_above_opened(search),
+        _opened_above_folded(search),
+        _residual_energy(search),
+        _works(search),
+        _unfold_work(search),
+    ]
+
+
+def _row(
+    claim: str, paper: str, ours: str, agrees: bool | np.bool_ | None, why: str = "", mark: str = "paper"
+) -> Comparison:
+    """A row; the reason is kept where the two differ only."""
+    verdict = None if agrees is None else bool(agrees)
+    return Comparison(claim=claim, paper=paper, ours=ours, agrees=verdict, why="" if verdict else why, mark=mark)
+
+
+def _tendon_energy(
+    search: TendonSearch, stiffness: float, rest_length: float, paper: str, rule: Callable[[float], bool]
+) -> Comparison:
+    """The energy of one tendon when flat: the wing's by its number of tendons, which are alike."""
+    claim = f"energy of one tendon when flat, k = {stiffness:g} N/cm, l0 = {rest_length:g} cm"
+    place, veins = search.at(stiffness, rest_length), search.table.attrs.get("veins")
+    if place is None or not veins:
+        return _row(claim, paper, "not in the study", None, _ABSENT)
+    energy = float(search.values("flat_energy")[place]) / int(veins)
+    if not math.isfinite(energy):
+        return _row(claim, paper, "no value", None)
+    return _row(claim, paper, f"{energy:.3g} J", rule(energy))
+
+
+def _count_that_fold(search: TendonSearch) -> Comparison:
+    count = int(search.folds.sum())
+    ours, agrees, why = _count(search, count, 32, _GEOMETRY)
+    return _row("tendons that fold with at most 50 N cm", "32 of 60", ours, agrees, why)
+
+
+def _count_that_open(search: TendonSearch) -> Comparison:
+    ours, agrees, why = _count(search, int(search.opens.sum()), 13, _LOST)
+    return _row("those of them that open again with at most 100 N cm", "13 of 60", ours, agrees, why)
+
+
+def _count(search: TendonSearch, count: int, paper: int, why: str) -> tuple[str, bool | None, str]:
+    """A count in words, whether it is the paper's, and why not."""
+    ours = f"{count} of {search.folds.size}"
+    return (ours, count == paper, why) if search.whole else (ours, None, _OTHER_TENDONS)
+
+
+def _long_tendons(search: TendonSearch) -> Comparison:
+    claim, paper = "l0 = 9 cm with k <= 30 N/cm: those that fold", "none"
+    places = [place for stiffness in (10, 20, 30) if (place := search.at(stiffness, 9)) is not None]
+    if len(places) < 3:
+        return _row(claim, paper, "not in the study", None, _ABSENT)
+    folds = [place for place in places if search.folds[place]]
+    ours = "; ".join(search.name(place) for place in folds) or "none"
+    # tests/study/test_comparison.py holds this reason against the model
+    why = (
+        "A tendon of 9 cm is slack beyond about 70 deg, and there inertia carries the hinges on; with ten times the"
+        " hinge damping chosen here, the wing of 10 N/cm sticks there under 50 N cm."
+    )
+    return _row(claim, paper, ours, not folds, why)
+
+
+def _least_torque(search: TendonSearch) -> Comparison:
+    claim, paper = "least folding torque of all", "20 N cm, at k = 10 N/cm"
+    torque = np.where(search.folds, search.values("least_fold_torque"), np.inf)
+    least = float(torque.min())
+    if not math.isfinite(least):
+        return _row(claim, paper, "none folds", False)
+    there = np.isclose(torque, least)
+    # a refined search finds less than the step of the paper's grid that it belongs to
+    step = math.ceil(least / _TORQUE_STEP - 1e-6)
+    soft = np.isclose(search.stiffness, 1e3)
+    if not search.covers:
+        return _row(claim, paper, f"{100 * least:.4g} N cm, at {search.names(there)}", None, _OTHER_TENDONS)
+    agrees = step == 2 and bool(there[soft].any())
+    return _row(claim, paper, f"{100 * least:.4g} N cm, at {search.names(there)}", agrees, _GEOMETRY)
+
+
+def _fastest(search: TendonSearch) -> Comparison:
+    claim, paper = "fastest folding", "k = 10 N/cm, l0 = 0 cm, 50 N cm"
+    torques = np.asarray(search.table["fold_torque"].values, dtype=float)
+    times = np.where(torques <= FOLD_TORQUE * (1 + 1e-9), search.values("fold_time_by_torque"), np.nan)
+    if not np.isfinite(times).any():
+        return _row(claim, paper, "none folds", False)
+    fastest = np.argwhere(np.isclose(times, np.nanmin(times), rtol=1e-9))
+    ours = "; ".join(f"{search.name(place)}, {100 * torques[place[2]]:.4g} N cm" for place in fastest[:AS_MANY])
+    if not search.covers:
+        return _row(claim, paper, ours, None, _OTHER_TENDONS)
+    agrees = any(
+        tuple(place[:2]) == search.at(10, 0) and np.isclose(torques[place[2]], FOLD_TORQUE) for place in fastest
+    )
+    return _row(claim, paper, ours, agrees)
+
+
+def _least_work(search: TendonSearch) -> Comparison:
+    claim, paper = "least work of folding", "k = 10 N/cm, l0 = 7 to 8 cm"
+    work = np.where(search.folds, search.values("fold_work"), np.nan)
+    if not np.isfinite(work).any():
+        return _row(claim, paper, "none folds", False)
+    row, column = np.unravel_index(int(np.nanargmin(work)), work.shape)
+    place, papers = (int(row), int(column)), [search.at(10, length) for length in (7, 8)]
+    ours = f"{search.name(place)}: {work[place]:.3g} J"
+    if not search.covers:
+        return _row(claim, paper, ours, None, _OTHER_TENDONS)
+    torque = search.values("least_fold_torque")
+    same_torque = all(np.isclose(torque[place], torque[other]) for other in papers if other is not None)
+    why = (
+        "The least torque is the same here as at 7 and 8 cm; the work is that torque times the angle through which the"
+        " veins turn before the wing is folded, and that is less here."
+    )
+    return _row(claim, paper, ours, place in papers, why if same_torque else "")
+
+
+def _large_torque(search: TendonSearch) -> Comparison:
+    claim, paper = "tendons that fold with 500 N cm", "all but one"
+    status, large = _folded_at_large_torque(search)
+    tried = ~np.isin(status, ["", "nan", "None"])
+    failed = tried & (status != "folded")
+    ours = f"{int((tried & ~failed).sum())} of {int(tried.sum())} tried"
+    ours += f"; not {search.names(failed)}" if failed.any() else ""
+    if not (search.whole and large and tried.all()):
+        why = "The study did not fold all of the paper's 60 tendons with 500 N cm."
+        return _row(claim, paper, ours, None, why, mark="derived")
+    why = "" if failed.any() else "The paper takes its one failure for a numerical error; none occurs here."
+    return _row(claim, paper, ours, failed.sum() == 1, why, mark="derived")
+
+
+def _outlier(search: TendonSearch) -> Comparison:
+    claim, paper = "tendons that fold with at most 50 N cm but stick with 500 N cm", "one"
+    status, large = _folded_at_large_torque(search)
+    tried = ~np.isin(status, ["", "nan", "None"])
+    stuck = search.folds & tried & (status != "folded")
+    ours = f"{int(stuck.sum())}: {search.names(stuck)}" if stuck.any() else "none"
+    if not (search.whole and large and tried[search.folds].all()):
+        return _row(
+            claim,
+            paper,
+            ours,
+            None,
+            "The study does not have the paper's 60 tendons, or did not fold them with 500 N cm, too.",
+        )
+    why = "" if stuck.any() else "The paper takes its outlier for a numerical error; none occurs here."
+    return _row(claim, paper, ours, stuck.sum() == 1, why)
+
+
+def _folded_at_large_torque(search: TendonSearch) -> tuple[NDArray[np.str_], bool]:
+    """How each tendon folded before it was to open, and whether that was with the paper's 500 N cm."""
+    torque = float(search.table["reference_fold_status"].attrs.get("torque", math.nan))
+    return search.values("reference_fold_status").astype(str), bool(np.isclose(torque, 5.0))
+
+
+def _first_to_open(search: TendonSearch) -> Comparison:
+    """Of those that fold: whoever opens, so do all that are longer at its stiffness and all softer ones as long."""
+    claim, paper = "those that open first", "long l0 and small k"
+    if not search.opens.any():
+        return _row(claim, paper, "none opens", None, _NONE_OPENS)
+    # a tendon that never folds was not asked to open, and tells nothing
+    longer = _holds_from_first(search.opens, search.folds)
+    softer = _holds_from_first(search.opens[::-1].T, search.folds[::-1].T)
+    shortest = [
+        f"{100 * search.rest_length[np.flatnonzero(opens)[0]]:.4g} cm at {stiffness / 100:.4g} N/cm"
+        for stiffness, opens in zip(search.stiffness, search.opens, strict=True)
+        if opens.any()
+    ]
+    return _row(claim, paper, f"shortest that open: {', '.join(shortest)}", longer and softer)
+
+
+def _holds_from_first(holds: Mask, counts: Mask) -> bool:
+    """Whether along each row it holds for all that count from the first one for which it does."""
+    return all(row[can][np.argmax(row[can]) :].all() for row, can in zip(holds, counts, strict=True) if row[can].any())
+
+
+def _flat_above_opened(search: TendonSearch) -> Comparison:
+    flat, opened = search.values("flat_energy"), search.values("opened_energy")
+    found = np.isfinite(flat) & np.isfinite(opened)
+    claim, paper = "tendons' energy, flat and opened", "E_flat > E_opened"
+    if not found.any():
+        return _row(claim, paper, "none opens", None, _NONE_OPENS)
+    apart = (flat - opened)[found] / flat[found]
+    higher, count = int((apart > _EQUAL).sum()), int(found.sum())
+    equal = bool((np.abs(apart) <= _EQUAL).all())
+    ours = f"equal in all {count}" if equal else f"E_flat > E_opened in {higher} of {count}"
+    why = "Both states rest at the same stops of the hinges, so the tendons are equally long." if equal else ""
+    return _row(claim, paper, ours, higher == count, why)
+
+
+def _opened_above_folded(search: TendonSearch) -> Comparison:
+    opened, folded = search.values("opened_energy"), search.values("folded_energy")
+    return _ordering("tendons' energy, opened and folded", "E_opened > E_folded", opened, folded)
+
+
+def _unfold_work(search: TendonSearch) -> Comparison:
+    work, opened = search.values("unfold_work"), search.values("opened_energy")
+    return _ordering("work of unfolding and tendons' energy when opened", "W_unfold > E_opened", work, opened)
+
+
+def _ordering(claim: str, paper: str, larger: Array, smaller: Array) -> Comparison:
+    """Whether one is larger wherever both are known."""
+    found = np.isfinite(larger) & np.isfinite(smaller)
+    if not found.any():
+        return _row(claim, paper, "none opens", None, _NONE_OPENS)
+    holds, count = int((larger > smaller)[found].sum()), int(found.sum())
+    return _row(claim, paper, f"{paper} in {holds} of {count}", holds == count)
+
+
+def _residual_energy(search: TendonSearch) -> Comparison:
+    claim, paper = "tendons' energy left when folded", "some, where l0 is short"
+    flat, folded = search.values("flat_energy"), search.values("folded_energy")
+    found = np.isfinite(flat) & np.isfinite(folded)
+    left = found & (folded > _EQUAL * flat)
+    if not found.any():
+        return _row(claim, paper, "none folds", None)
+    ours = f"in {int(left.sum())} of {int(found.sum())}" + (f": {search.names(left)}" if left.any() else "")
+    # where a tendon keeps some, so do all shorter ones of its stiffness
+    return _row(claim, paper, ours, left.any() and _holds_from_first(left[:, ::-1], found[:, ::-1]))
+
+
+def _works(search: TendonSearch) -> Comparison:
+    claim, paper = "work of folding and of unfolding", "W_fold << W_unfold"
+    fold, unfold = search.values("fold_work"), search.values("unfold_work")
+    found = np.isfinite(fold) & np.isfinite(unfold)
+    if not found.any():
+        return _row(claim, paper, "none opens", None, _NONE_OPENS)
+    share = fold[found] / unfold[found]
+    ours = f"W_fold is {share.min():.2g} to {share.max():.2g} of W_unfold in {int(found.sum())}"
+    return _row(claim, paper, ours, share.max() < _MUCH_LESS)

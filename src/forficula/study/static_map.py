@@ -1,0 +1,195 @@
+"""Which wings of a grid fold and open under slowly growing torques: a map without any simulation."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from forficula.design import Design
+from forficula.errors import InputError
+from forficula.statics.potential import FOLD, Section, section
+from forficula.statics.quasi_static import flat_state, folded_state, slow_transition
+from forficula.study.factors import read_factor
+from forficula.study.search import point_design
+from forficula.study.study import Search, Study, grid_points, read_search
+from forficula.study.table import table_axes
+
+if TYPE_CHECKING:
+    import xarray
+
+# name: (unit, what it is)
+_NUMBERS = {
+    "least_fold_torque": ("N m", "least slowly growing torque that folds"),
+    "least_unfold_torque": ("N m", "least slowly growing torque that opens"),
+    "flat_energy": ("J", "energy of the tendons, flat"),
+    "folded_energy": ("J", "energy of the tendons, folded"),
+}
+# what wings side by side must have in common
+_SHARED = ("pattern", "membrane", "hinge", "guard")
+
+
+def map_study(design: Design, over: Mapping[str, object], search: Search | None = None) -> Study:
+    """The grid of a static map.
+
+    Args:
+        design: what is varied.
+        over: values by key of the design, as a study file has its factors: a range with a step, or a list.
+        search: the torques to try; those of a study file that gives none, if not given.
+
+    Raises:
+        InputError: an unknown key, values that are not allowed, or a distribution.
+    """
+    factors = tuple(read_factor(key, values) for key, values in over.items())
+    for factor in factors:
+        if factor.distribution is not None:
+            raise InputError(f'{factor.key}: need a list or a range such as "10..60 N/cm step 10", got a distribution')
+    return Study(
+        name=f"{design.name}-statics",
+        source="",
+        base=design,
+        factors=factors,
+        points=tuple(grid_points(factors)),
+        sampled=False,
+        search=search or read_search({}),
+    )
+
+
+def static_map(study: Study) -> xarray.Dataset:
+    """Let the torques grow step by step on every wing of a study: the least that fold from flat and open from folded.
+
+    Every torque of the study's search above 0 is tried, with all inertia left out. Wings that differ in their tendons
+    only go side by side.
+
+    Returns:
+        Dimensions are the factors; variables as in the table of a search for the least torques.
+
+    Raises:
+        InputError: the study draws its points, or searches for no torques.
+    """
+    import xarray
+
+    if study.search is None or study.sampled:
+        raise InputError(f'{study.name}: need a grid and ask = "least-torques" for a static map')
+    results: list[dict[str, float | str]] = [{} for _ in study.points]
+    groups: dict[str, list[tuple[int, Design]]] = {}
+    for number, point in enumerate(study.points):
+        try:
+            design = point_design(study.base, point)
+        except InputError as error:
+            results[number] = {"status": f"cannot be built: {error}"}
+        else:
+            shared = {part: getattr(design, part).model_dump(mode="json") for part in _SHARED}
+            groups.setdefault(json.dumps(shared), []).append((number, design))
+    for group in groups.values():
+        rows = _rows([design for _, design in group], study.search)
+        for (number, _), row in zip(group, rows, strict=True):
+            results[number] = row
+    coordinates, dimensions, shape = table_axes(study)
+    variables = {
+        name: (dimensions, _column(results, name).reshape(shape), {"units": unit, "long_name": meaning})
+        for name, (unit, meaning) in _NUMBERS.items()
+    }
+    words = np.array([result["status"] for result in results], dtype=object).reshape(shape)
+    return xarray.Dataset(
+        {**variables, "status": (dimensions, words)},
+        coordinates,
+        {"name": study.name, "design": study.base.name, "design_hash": study.base.hash, "ask": "statics"},
+    )
+
+
+def _rows(designs: Sequence[Design], search: Search) -> list[dict[str, float | str]]:
+    """Rows of wings that go side by side."""
+    wings = section(designs)
+    flat, folded = flat_state(wings), folded_state(wings)
+    fold = slow_transition(wings, flat, "fold", [torque for torque in search.fold_torques if torque > 0]).torque
+    unfold = slow_transition(wings, folded, "unfold", [torque for torque in search.unfold_torques if torque > 0]).torque
+    return [
+        {
+            "least_fold_torque": float(fold[case]),
+            "least_unfold_torque": float(unfold[case]),
+            "flat_energy": _tendon_energy(wings, case, flat),
+            "folded_energy": _tendon_energy(wings, case, folded),
+            "status": _status(bool(np.isfinite(fold[case])), bool(np.isfinite(unfold[case]))),
+        }
+        for case in range(len(designs))
+    ]
+
+
+def _tendon_energy(wings: Section, case: int, position: np.ndarray) -> float:
+    angles = position[case, FOLD::4]
+    return float(sum(hinge.energy(angle) for hinge, angle in zip(wings.hinges[case], angles, strict=True)))
+
+
+def _status(folds: bool, opens: bool) -> str:
+    if not folds:
+        return "did not fold"
+    return "folded and opened" if opens else "did not open"
+
+
+def _column(results: Sequence[Mapping[str, float | str]], name: str) -> np.ndarray:
+    return np.array([float(result.get(name, math.nan)) for result in results])
+
+
+BOTH, ONLY_SIMULATED, ONLY_STATIC, NEITHER, NOT_SIMULATED = (
+    "in both",
+    "in the simulation only: inertia",
+    "in the statics only",
+    "in neither",
+    "not simulated",
+)
+
+
+def compare_maps(statics: xarray.Dataset, simulated: xarray.Dataset, name: str) -> xarray.DataArray:
+    """Say for every wing where it has a least torque: in the statics, in the simulation, in both.
+
+    Args:
+        statics: from `static_map`.
+        simulated: table of a search for the least torques, with the same factors; other values of them are left out.
+        name: "least_fold_torque" or "least_unfold_torque".
+
+    Returns:
+        Words, over the factors of the static map.
+
+    Raises:
+        InputError: the tables have different factors, or no wing in common.
+    """
+    there = simulated_values(statics, simulated, name)
+    tried = simulated_values(statics, simulated.assign(tried=_tried(simulated, name)), "tried") == 1
+    found, slow = np.isfinite(there), np.isfinite(statics[name])
+    words = np.select(
+        [~tried.values, (found & slow).values, found.values, slow.values],
+        [NOT_SIMULATED, BOTH, ONLY_SIMULATED, ONLY_STATIC],
+        NEITHER,
+    )
+    return statics[name].copy(data=words.astype(object))
+
+
+def simulated_values(statics: xarray.Dataset, simulated: xarray.Dataset, name: str) -> xarray.DataArray:
+    """A variable of a simulated table at the wings of a static map, nan where it has none.
+
+    Raises:
+        InputError: as `compare_maps`.
+    """
+    factors = [str(factor) for factor in statics["status"].dims]
+    theirs = [str(factor) for factor in simulated["status"].dims]
+    if set(factors) != set(theirs) or name not in simulated:
+        raise InputError(
+            f"the simulated study: need a search for the least torques over {', '.join(factors)}, got a table of"
+            f" {', '.join(theirs)}"
+        )
+    values = simulated[name].transpose(*factors)
+    # the same text of a value gives the same number, so no nearest one is looked for
+    return values.reindex({factor: statics[factor] for factor in factors})
+
+
+def _tried(simulated: xarray.Dataset, name: str) -> xarray.DataArray:
+    """1 where a simulation tried for this torque: opening is tried where some torque folds."""
+    import xarray
+
+    if name == "least_fold_torque":
+        return xarray.ones_like(simulated["flat_energy"])
+    return np.isfinite(simulated["least_fold_torque"]).astype(float)

@@ -1,0 +1,41 @@
+"""How many runs of a study are done, and how many it needs."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+from forficula.study.journal import Row
+
+
+class Tally:
+    """Runs done and needed, as far as results tell.
+
+    What a search turns out to do without counts as done, so that what is needed never shrinks; it grows where results
+    ask for more.
+
+    Attributes:
+        needed: runs, those done among them.
+    """
+
+    def __init__(self, done: int) -> None:
+        self.needed = done
+        self._open: set[str] = set()
+        self._points: dict[str, Sequence[str]] = {}
+
+    @property
+    def done(self) -> int:
+        """Runs done, or not needed any more."""
+        return self.needed - len(self._open)
+
+    def plan(self, points: Collection[Sequence[str]]) -> None:
+        """Take note of the keys of missing runs, by point and in the order in which they are tried."""
+        self._points = {key: keys for keys in points for key in keys}
+        self.needed += len(self._points.keys() - self._open)
+        self._open = set(self._points)
+
+    def count(self, row: Row) -> None:
+        """Take note of a run that is done; after the one that opens a wing, no larger torque is tried."""
+        self._open.discard(row["key"])
+        if row.get("opened"):
+            keys = self._points[row["key"]]
+            self._open.difference_update(keys[keys.index(row["key"]) :])

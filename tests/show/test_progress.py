@@ -1,0 +1,81 @@
+"""What is told of a study while it runs: runs done, their rate, the time left, and what became of them."""
+
+import io
+
+import pytest
+from rich.console import Console
+
+from forficula.show import progress
+
+FOLDED = {"status": "folded and opened", "folded": True}
+STUCK = {"status": "stuck at -134.6 deg", "folded": False}
+DIVERGED = {"status": "diverged at t = 0.3 s", "folded": False}
+
+
+@pytest.fixture
+def clock(monkeypatch):
+    """A clock that is set by hand, s."""
+    now = [0.0]
+    monkeypatch.setattr(progress, "monotonic", lambda: now[0])
+    return now
+
+
+@pytest.fixture
+def screen(monkeypatch):
+    """What a terminal, or a file in place of one, is sent."""
+
+    def show(*, is_terminal, width=110):
+        sent = io.StringIO()
+        console = Console(file=sent, force_terminal=is_terminal, width=width, highlight=False, _environ={})
+        monkeypatch.setattr(progress, "Console", lambda **_: console)
+        return sent
+
+    return show
+
+
+def test_a_line_every_ten_seconds_says_how_many_how_fast_how_long_and_what_became_of_them(screen, clock):
+    sent = screen(is_terminal=False)
+    with progress.study_progress() as told:
+        for number, row in enumerate([FOLDED, STUCK, FOLDED, DIVERGED, FOLDED], start=1):
+            clock[0] += 4
+            told(number, 20, row)
+    assert sent.getvalue() == "3 of 20 runs, 0.25 runs/s, 68 s left: 2 folded, 1 stuck\n"
+
+
+def test_the_rate_is_that_of_the_runs_of_this_time_not_of_those_that_were_there(screen, clock):
+    sent = screen(is_terminal=False)
+    with progress.study_progress() as told:
+        for done in (1001, 1002):
+            clock[0] += 6
+            told(done, 1200, FOLDED)
+    # 2 runs in 12 s, and 198 to go
+    assert sent.getvalue() == "1002 of 1200 runs, 0.167 runs/s, 20 min left: 2 folded\n"
+
+
+@pytest.mark.parametrize(
+    ("seconds", "words"), [(0.2, "0 s"), (90, "90 s"), (300, "5 min"), (6000, "100 min"), (36e3, "10 h")]
+)
+def test_the_time_left_is_in_the_unit_that_reads_well(screen, clock, seconds, words):
+    sent = screen(is_terminal=False)
+    with progress.study_progress() as told:
+        clock[0] += 20
+        told(1, 1 + seconds / 20, FOLDED)
+    assert f", {words} left: " in sent.getvalue()
+
+
+def test_the_bar_of_a_terminal_says_the_same(screen, clock):
+    sent = screen(is_terminal=True)
+    with progress.study_progress() as told:
+        clock[0] += 4
+        told(1, 5, STUCK)
+    assert "1 of 5 runs, 0.25 runs/s, 16 s left: 1 stuck" in sent.getvalue()
+
+
+def test_a_narrow_terminal_keeps_every_count(screen, clock):
+    sent = screen(is_terminal=True, width=50)
+    with progress.study_progress() as told:
+        clock[0] += 4
+        for number, row in enumerate([FOLDED, STUCK, DIVERGED], start=1):
+            told(number, 12345, row)
+    for count in ("1 folded", "1 stuck", "1 diverged"):
+        assert count in " ".join(sent.getvalue().split())
