@@ -20,7 +20,7 @@ from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from forficula.quantities import Unit, parse_quantity
-from forficula.show.style import BLUE, PAGE_WIDTH, SKY, figure_style
+from forficula.show.style import BLUE, ORANGE, PAGE_WIDTH, SKY, figure_style
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
@@ -39,6 +39,10 @@ STUCK = "stuck on the way"
 NOT_STAYED = "did not stay folded"
 NOT_TRIED = "not tried: did not fold"
 NOT_RUN = "not run"
+IN_BOTH = "in both"
+SIMULATED_ONLY = "in the simulation only: inertia"
+STATIC_ONLY = "in the statics only"
+IN_NEITHER = "in neither"
 NOT_BUILT = "cannot be built"
 OTHER = "no value"
 
@@ -62,6 +66,10 @@ _LOOKS = {
     "diverged": _Look(face="0.75", hatch="++++", marker="P"),
     NOT_BUILT: _Look(face="0.6", hatch="", marker="X"),
     NOT_TRIED: _Look(face="0.86", hatch="", marker="_"),
+    IN_BOTH: _Look(face=BLUE, hatch="", marker="o"),
+    SIMULATED_ONLY: _Look(face=ORANGE, hatch="", marker="^"),
+    STATIC_ONLY: _Look(face=SKY, hatch="....", marker="v"),
+    IN_NEITHER: _Look(face="0.93", hatch="", marker="x"),
     NOT_RUN: _Look(face="1.0", hatch="", marker="."),
     OTHER: _Look(face="0.97", hatch="---", marker="+"),
 }

@@ -93,7 +93,7 @@ def draw_status_map(table: Dataset, x: str | None = None, y: str | None = None) 
     Args and errors are those of `draw_torque_maps`.
     """
     with map_style():
-        view = _view(table, x, y)
+        view = table_view(table, x, y)
         verdicts = _words(view.table["status"])
         nothing = verdicts.copy(data=np.full(verdicts.shape, np.nan))
         return draw_page(view, [Panel(title="outcome", values=nothing, reasons=verdicts, unit="")])
@@ -148,7 +148,7 @@ def _draw(
 ) -> Figure:
     """A page with a panel a variable."""
     with map_style():
-        view = _view(table, x, y)
+        view = table_view(table, x, y)
         panels = [
             Panel(title=title, values=view.table[name], reasons=_reasons(view.table, name), unit=_unit(table, name))
             for name, title in names.items()
@@ -178,8 +178,12 @@ def _name(factors: Sequence[str], wanted: str) -> str:
     return name
 
 
-def _view(table: Dataset, x: str | None, y: str | None) -> View:
-    """What to draw over two factors, or over the only one."""
+def table_view(table: Dataset, x: str | None = None, y: str | None = None) -> View:
+    """What to draw over two factors, or over the only one.
+
+    Raises:
+        InputError: the table has no such factor.
+    """
     factors = _factors(table)
     if len(factors) == 1:
         return _slice(table, factors, x=_name(factors, x or factors[0]), y=None)

@@ -15,7 +15,7 @@ from forficula.statics.potential import FOLD, Section, section
 from forficula.statics.quasi_static import flat_state, folded_state, slow_transition
 from forficula.study.factors import read_factor
 from forficula.study.search import point_design
-from forficula.study.study import Search, Study, grid_points, read_search
+from forficula.study.study import Search, Study, grid_points, read_torque_search
 from forficula.study.table import table_axes
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ def map_study(design: Design, over: Mapping[str, object], search: Search | None 
         factors=factors,
         points=tuple(grid_points(factors)),
         sampled=False,
-        search=search or read_search({}),
+        search=search or read_torque_search({}),
     )
 
 
@@ -139,7 +139,7 @@ BOTH, ONLY_SIMULATED, ONLY_STATIC, NEITHER, NOT_SIMULATED = (
     "in the simulation only: inertia",
     "in the statics only",
     "in neither",
-    "not simulated",
+    "not run",
 )
 
 
@@ -157,15 +157,13 @@ def compare_maps(statics: xarray.Dataset, simulated: xarray.Dataset, name: str) 
     Raises:
         InputError: the tables have different factors, or no wing in common.
     """
-    there = simulated_values(statics, simulated, name)
-    tried = simulated_values(statics, simulated.assign(tried=_tried(simulated, name)), "tried") == 1
-    found, slow = np.isfinite(there), np.isfinite(statics[name])
-    words = np.select(
-        [~tried.values, (found & slow).values, found.values, slow.values],
-        [NOT_SIMULATED, BOTH, ONLY_SIMULATED, ONLY_STATIC],
-        NEITHER,
-    )
-    return statics[name].copy(data=words.astype(object))
+    found = np.isfinite(simulated_values(statics, simulated, name).values)
+    tried = simulated_values(statics, simulated.assign(tried=_tried(simulated, name)), "tried").values == 1
+    slow = np.isfinite(statics[name].values)
+    words = np.full(found.shape, NEITHER, dtype=object)
+    for where, word in ((slow, ONLY_STATIC), (found, ONLY_SIMULATED), (found & slow, BOTH), (~tried, NOT_SIMULATED)):
+        words[where] = word
+    return statics[name].copy(data=words)
 
 
 def simulated_values(statics: xarray.Dataset, simulated: xarray.Dataset, name: str) -> xarray.DataArray:
@@ -188,8 +186,7 @@ def simulated_values(statics: xarray.Dataset, simulated: xarray.Dataset, name: s
 
 def _tried(simulated: xarray.Dataset, name: str) -> xarray.DataArray:
     """1 where a simulation tried for this torque: opening is tried where some torque folds."""
-    import xarray
-
+    energy, folds = simulated["flat_energy"], simulated["least_fold_torque"]
     if name == "least_fold_torque":
-        return xarray.ones_like(simulated["flat_energy"])
-    return np.isfinite(simulated["least_fold_torque"]).astype(float)
+        return energy.copy(data=np.ones(energy.shape))
+    return folds.copy(data=np.isfinite(folds.values).astype(np.float64))

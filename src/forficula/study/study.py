@@ -154,7 +154,7 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
         factors=factors,
         points=tuple(_drawn(factors, tables.get("sampling", {})) if drawn else grid_points(factors)),
         sampled=bool(drawn),
-        search=read_search(tables.get("search", {})) if ask == "least-torques" else None,
+        search=read_torque_search(tables.get("search", {})) if ask == "least-torques" else None,
     )
 
 
@@ -203,7 +203,7 @@ def _drawn(factors: tuple[Factor, ...], sampling: Mapping[str, Any]) -> list[dic
     return drawn_values(factors, method, int(str(count)), seed)
 
 
-def read_search(given: Mapping[str, Any]) -> Search:
+def read_torque_search(given: Mapping[str, Any]) -> Search:
     """Read the table `search` of a study file; what it does not give is the paper's.
 
     Raises:

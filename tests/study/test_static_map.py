@@ -1,0 +1,127 @@
+"""Which wings fold and open under slowly growing torques, and where a simulation differs."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import xarray
+
+from forficula.design import load_design
+from forficula.errors import InputError
+from forficula.statics.potential import section
+from forficula.statics.quasi_static import flat_state, folded_state, slow_transition
+from forficula.study import load_study
+from forficula.study.static_map import (
+    BOTH,
+    NEITHER,
+    NOT_SIMULATED,
+    ONLY_SIMULATED,
+    ONLY_STATIC,
+    compare_maps,
+    map_study,
+    static_map,
+)
+
+OVER = {"tendon.stiffness": ["10 N/cm", "60 N/cm"], "tendon.rest_length": ["0 cm", "8 cm", "9 cm"]}
+
+
+@pytest.fixture(scope="module")
+def statics(reference):
+    return static_map(map_study(reference, OVER))
+
+
+def test_only_soft_and_long_tendons_fold_slowly(statics):
+    folds = statics["least_fold_torque"]
+    assert np.isnan(folds.sel(tendon_stiffness=6000)).all()
+    assert np.isfinite(folds.sel(tendon_stiffness=1000)).values.tolist() == [False, True, True]
+
+
+def test_longer_tendons_open_at_lower_torques(statics):
+    opens = statics["least_unfold_torque"].sel(tendon_stiffness=1000)
+    assert np.isnan(opens.values[0])
+    assert opens.values[1] > opens.values[2] > 0
+
+
+def test_a_wing_of_a_map_is_the_wing_alone(statics, reference):
+    wings = section([reference])
+    alone = slow_transition(wings, flat_state(wings), "fold", np.arange(0.1, 0.51, 0.1)).torque[0]
+    opened = slow_transition(wings, folded_state(wings), "unfold", np.arange(0.1, 1.01, 0.1)).torque[0]
+    wing = statics.sel(tendon_stiffness=1000, tendon_rest_length=0.09)
+    assert float(wing["least_fold_torque"]) == pytest.approx(alone)
+    assert float(wing["least_unfold_torque"]) == pytest.approx(opened)
+
+
+def test_energies_are_those_of_three_tendons(statics):
+    wing = statics.sel(tendon_stiffness=1000, tendon_rest_length=0.09)
+    assert float(wing["flat_energy"]) == pytest.approx(0.548035, rel=1e-5)
+    assert float(wing["folded_energy"]) == pytest.approx(0, abs=1e-9)
+
+
+def test_geometry_is_a_factor_and_what_cannot_be_built_is_a_row(reference):
+    table = static_map(map_study(reference, {"pattern.hub_radius": ["0.5 cm", "1.5 cm", "-1 cm"]}))
+    assert table["status"].values[2].startswith("cannot be built")
+    assert np.isnan(table["flat_energy"].values[2])
+    assert table["flat_energy"].values[0] != table["flat_energy"].values[1]
+
+
+def test_a_distribution_is_no_grid(reference):
+    with pytest.raises(InputError, match=r"tendon.stiffness: need a list or a range"):
+        map_study(
+            reference,
+            {"tendon.stiffness": {"distribution": "uniform", "low": "1 N/cm", "high": "2 N/cm"}},
+        )
+
+
+def test_an_unknown_key_is_told(reference):
+    with pytest.raises(InputError, match=r"tendon.stifness"):
+        map_study(reference, {"tendon.stifness": ["1 N/cm"]})
+
+
+def test_a_study_without_torques_has_no_static_map(study_file):
+    study = load_study(study_file('"tendon.stiffness" = ["10 N/cm"]'))
+    with pytest.raises(InputError, match="least-torques"):
+        static_map(study)
+
+
+def simulated(statics, folds, opens):
+    """A table as a search for the least torques leaves it."""
+    shape = statics["status"].shape
+    return xarray.Dataset(
+        {
+            "least_fold_torque": (statics["status"].dims, np.reshape(folds, shape)),
+            "least_unfold_torque": (statics["status"].dims, np.reshape(opens, shape)),
+            "flat_energy": statics["flat_energy"],
+            "status": statics["status"],
+        },
+        statics.coords,
+    )
+
+
+def test_cells_that_differ_are_named(statics):
+    nan = np.nan
+    found = simulated(statics, [0.1, 0.2, nan, nan, nan, nan], [0.5, nan, nan, nan, nan, nan])
+    folds = compare_maps(statics, found, "least_fold_torque").values.ravel().tolist()
+    assert folds == [ONLY_SIMULATED, BOTH, ONLY_STATIC, NEITHER, NEITHER, NEITHER]
+    opens = compare_maps(statics, found, "least_unfold_torque").values.ravel().tolist()
+    assert opens[:2] == [ONLY_SIMULATED, ONLY_STATIC]
+    # nothing was opened where nothing folded
+    assert opens[2:] == [NOT_SIMULATED] * 4
+
+
+def test_wings_that_were_not_simulated_are_said_so(statics):
+    found = simulated(statics, [0.1] * 6, [0.5] * 6).isel(tendon_rest_length=[0, 1])
+    words = compare_maps(statics, found, "least_fold_torque")
+    assert (words.sel(tendon_rest_length=0.09) == NOT_SIMULATED).all()
+
+
+def test_a_table_with_other_factors_is_refused(statics):
+    found = simulated(statics, [0.1] * 6, [0.5] * 6).isel(tendon_stiffness=0)
+    with pytest.raises(InputError, match="over tendon_stiffness, tendon_rest_length"):
+        compare_maps(statics, found, "least_fold_torque")
+
+
+def test_the_names_of_a_range_meet_those_of_a_study():
+    """Both read their factors the same way, so every wing of the paper's search is found."""
+    study = load_study("binder2025-search")
+    over = {"tendon.stiffness": "10..60 N/cm step 10", "tendon.rest_length": "0..9 cm step 1"}
+    assert map_study(load_design("binder2025"), over).points == study.points
