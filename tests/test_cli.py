@@ -106,6 +106,28 @@ def test_a_run_of_a_wing_that_blows_up_is_carried_out(in_an_empty_folder, call):
     assert json.loads((in_an_empty_folder / "there" / "summary.json").read_text())["folded"] is False
 
 
+def test_a_landscape_leaves_its_files_and_names_their_folder_last(in_an_empty_folder, call):
+    (in_an_empty_folder / "my-wing.toml").write_text(SHORT)
+    output = call("landscape", "my-wing.toml", "--set", "tendon.rest_length=0 cm")
+    assert output.out.startswith("my-wing: stable along its fold: flat, folded; ")
+    assert "The simulated wing settled." in output.out
+    assert output.out.splitlines()[-1] == "written to out/my-wing-landscape"
+    folder = in_an_empty_folder / "out" / "my-wing-landscape"
+    assert everything_in(folder) == ["design.toml", "landscape.json", "levels.png", "tendon.png", "wing.png"]
+    content = json.loads((folder / "landscape.json").read_text())
+    assert content["simulation"]["status"] == "settled"
+    # three independent hinges of 10 N/cm and no resting length (theory.md, section 1: about 6 J each)
+    assert content["levels_J"] == pytest.approx([18, 12, 6, 0], abs=0.2)
+
+
+def test_a_landscape_needs_no_simulation(in_an_empty_folder, call):
+    output = call("landscape", "binder2025", "--no-simulation", "--out", "there")
+    assert "simulated" not in output.out + output.err
+    content = json.loads((in_an_empty_folder / "there" / "landscape.json").read_text())
+    assert content["simulation"] is None
+    assert ff.load_design(in_an_empty_folder / "there" / "design.toml").hash == ff.load_design("binder2025").hash
+
+
 def test_a_pattern_is_written_by_the_ending_of_its_file(in_an_empty_folder, call):
     fold = call("pattern", "binder2025", "--set", "pattern.units=2", "--out", "deep/fan.fold")
     svg = call("pattern", "binder2025", "--out", "fan.svg")
@@ -127,7 +149,7 @@ def test_the_named_designs_are_listed_with_their_sources(call):
 
 def test_help_names_every_command(call):
     shown = call("--help").out
-    for command in ("run", "pattern", "converge", "study", "new", "designs"):
+    for command in ("run", "pattern", "landscape", "converge", "study", "new", "designs"):
         assert f" {command} " in shown
 
 
@@ -195,6 +217,11 @@ def test_settings_are_values_as_in_a_file_or_bare_text(in_an_empty_folder, call)
             "pattern.units: need a whole number, got true",
         ),
         (["run", "binder2025", "--out", "bad.toml"], "--out: need a folder, got the file bad.toml"),
+        (["landscape", "binder2025", "--out", "bad.toml"], "--out: need a folder, got the file bad.toml"),
+        (
+            ["landscape", "bindr2025"],
+            '"bindr2025" is neither a named design nor a .toml file; did you mean "binder2025"?',
+        ),
         (["run", "binder2025", "--out", "bad.toml/a/b"], "--out: need a folder, got the file bad.toml"),
         (["pattern", "binder2025", "--out", "a.pdf"], "--out: need a file that ends with .fold or .svg, got a.pdf"),
         (
@@ -334,3 +361,35 @@ def test_ctrl_c_stops_a_run_with_one_line_and_leaves_nothing(tmp_path):
     assert "Traceback" not in errors
     assert output == ""
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_landscape_over_two_keys_is_a_map_beside_a_study(tmp_path, write_study_file):
+    study = write_study_file(
+        tmp_path / "small.toml",
+        '"tendon.rest_length" = ["0 cm", "9 cm"]',
+        head='ask = "least-torques"',
+        tail='[search]\nfold_torques = ["50 N cm"]\nunfold_torques = ["100 N cm"]',
+    )
+    assert forficula("study", str(study), "--out", str(tmp_path / "study")).returncode == 0
+    ff.save_design(ff.load_study(study).base, tmp_path / "base.toml")
+    over = ["--over", 'tendon.rest_length=["0 cm", "9 cm"]']
+    options = ["--no-simulation", "--simulated", str(tmp_path / "study"), "--out", str(tmp_path / "map")]
+    result = forficula("landscape", str(tmp_path / "base.toml"), *over, *options)
+    assert "1 of 2 wings fold under slowly growing torques" in result.stdout
+    assert {"map.csv", "map.nc", "map.png", "landscape.json"} <= {path.name for path in (tmp_path / "map").iterdir()}
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["--simulated", "nowhere"], "--simulated: needs --over"),
+        (["--over", "tendon.rest_length"], "--over: need KEY=VALUE"),
+        (["--over", "tendon.rest_lenght=1..2 cm step 1"], "did you mean tendon.rest_length?"),
+        (["--over", "tendon.rest_length=1..2 cm step 1", "--simulated", "nowhere"], "table.nc: no such file"),
+    ],
+)
+def test_a_wrong_map_is_told_before_anything_is_written(options, message, tmp_path, capsys):
+    with pytest.raises(SystemExit):
+        main(["landscape", "binder2025", *options, "--out", str(tmp_path / "map")])
+    assert message in capsys.readouterr().err
+    assert not (tmp_path / "map").exists()

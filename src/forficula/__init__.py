@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from forficula.dynamics import Record, load_record, run, save_record, timestep_warnings
     from forficula.errors import InputError
     from forficula.pattern import CreasePattern, EarwigFan, earwig_pattern, read_fold, read_folded_frames, write_fold
+    from forficula.statics import EnergyLandscape, StableState, barrier, energy_landscape, stable_states
     from forficula.study import Study, load_study, run_study
 
 # Where each public name lives. They are fetched at first use: MuJoCo and xarray are slow to import, and help, errors
@@ -27,6 +28,7 @@ _HOMES = {
     "forficula.design": ("Design", "design_warnings", "load_design", "named_designs", "save_design", "scale_design"),
     "forficula.dynamics": ("Record", "load_record", "run", "save_record", "timestep_warnings"),
     "forficula.errors": ("InputError",),
+    "forficula.statics": ("EnergyLandscape", "StableState", "barrier", "energy_landscape", "stable_states"),
     "forficula.study": ("Study", "load_study", "run_study"),
     "forficula.pattern": (
         "CreasePattern",
@@ -42,12 +44,16 @@ __all__ = [
     "CreasePattern",
     "Design",
     "EarwigFan",
+    "EnergyLandscape",
     "InputError",
     "Outcome",
     "Record",
+    "StableState",
     "Study",
+    "barrier",
     "design_warnings",
     "earwig_pattern",
+    "energy_landscape",
     "load_design",
     "load_record",
     "load_study",
@@ -60,6 +66,7 @@ __all__ = [
     "save_design",
     "save_record",
     "scale_design",
+    "stable_states",
     "timestep_warnings",
     "write_fold",
 ]

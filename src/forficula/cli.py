@@ -7,11 +7,14 @@ import sys
 from collections.abc import Sequence
 from contextlib import nullcontext
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import App, CycloptsError, Parameter
 
 from forficula.errors import InputError
+
+if TYPE_CHECKING:
+    from forficula.design import Design
 
 # What each command needs is imported in it: help and errors come at once, without MuJoCo and matplotlib.
 
@@ -84,6 +87,53 @@ def pattern(
         case _:
             raise InputError(f"--out: need a file that ends with .fold or .svg, got {out}")
     print(f"written to {out}")
+
+
+@app.command
+def landscape(
+    design: DesignName,
+    /,
+    *,
+    settings: Settings = None,
+    out: Annotated[
+        Path | None, Parameter(help="Folder for the results; out/<name of the design>-landscape if not given.")
+    ] = None,
+    simulation: Annotated[
+        bool, Parameter(help="Run the design, too, and show it beside what statics predicts.")
+    ] = True,
+    over: Annotated[
+        list[str] | None,
+        Parameter(
+            help='Map what folds and opens slowly over a key, as in --over tendon.rest_length="0..9 cm step 1"; may be'
+            " repeated.",
+            negative=(),
+        ),
+    ] = None,
+    simulated: Annotated[
+        Path | None, Parameter(help="Folder of a study of this design over the same keys, to compare the map with.")
+    ] = None,
+) -> None:
+    """Survey a design's energy without simulating: stable states, barriers, holding torques, stiffness, snap."""
+    from forficula.design import load_design
+
+    chosen = load_design(design, _read_settings(settings))
+    folder = out or Path("out") / f"{chosen.name}-landscape"
+    _check_folder(folder)
+    if simulated is not None and not over:
+        raise InputError("--simulated: needs --over with the keys of the study")
+    if not over:
+        _survey(chosen, folder, simulation)
+    else:
+        from forficula.show.static_map_folder import print_static_map, read_simulated, write_static_map
+        from forficula.study.static_map import map_study, static_map
+
+        study = map_study(chosen, _read_settings(over, "--over", 'tendon.rest_length="0..9 cm step 1"'))
+        beside = None if simulated is None else read_simulated(simulated, chosen)
+        _survey(chosen, folder, simulation)
+        table = static_map(study)
+        write_static_map(study, table, folder, beside)
+        print_static_map(table, beside)
+    print(f"\nwritten to {folder}")
 
 
 @app.command
@@ -213,6 +263,31 @@ def main(arguments: Sequence[str] | None = None) -> None:
         sys.exit(130)
 
 
+def _survey(design: Design, folder: Path, simulation: bool) -> None:
+    """Write and print the landscape of one design, and a run of it where one is wanted."""
+    from forficula.design import design_warnings
+    from forficula.show.landscape_folder import write_landscape
+    from forficula.show.landscape_table import print_landscape
+    from forficula.statics import energy_landscape
+
+    for warning in design_warnings(design):
+        print(f"warning: {warning}", file=sys.stderr)
+    record = None
+    if simulation:
+        from forficula.analysis.simulated_snap import finely_sampled
+        from forficula.dynamics import run as run_design
+        from forficula.dynamics import timestep_warnings
+        from forficula.show import run_progress
+
+        for warning in timestep_warnings(design):
+            print(f"warning: {warning}", file=sys.stderr)
+        with run_progress() as progress:
+            record = run_design(finely_sampled(design), progress)
+    landscape = energy_landscape(design)
+    write_landscape(landscape, folder, record)
+    print_landscape(landscape, record)
+
+
 def _read_shard(text: str) -> tuple[int, int]:
     """Turn "2/8" into (2, 8)."""
     number, slash, count = text.partition("/")
@@ -231,7 +306,9 @@ def _check_folder(folder: Path) -> None:
         raise InputError(f"--out: need a folder, got the file {there}")
 
 
-def _read_settings(settings: Sequence[str] | None) -> dict[str, object]:
+def _read_settings(
+    settings: Sequence[str] | None, option: str = "--set", example: str = 'tendon.stiffness="20 N/cm"'
+) -> dict[str, object]:
     """Turn key=value texts into values by dotted key: TOML where they are TOML, text with a unit otherwise."""
     import tomllib
 
@@ -239,7 +316,7 @@ def _read_settings(settings: Sequence[str] | None) -> dict[str, object]:
     for setting in settings or ():
         key, equals, text = setting.partition("=")
         if not equals or not key.strip():
-            raise InputError(f'--set: need KEY=VALUE such as tendon.stiffness="20 N/cm", got "{setting}"')
+            raise InputError(f'{option}: need KEY=VALUE such as {example}, got "{setting}"')
         try:
             values[key.strip()] = tomllib.loads(f"value = {text}")["value"]
         except (ValueError, RecursionError):  # not TOML, or too long a number or too deep a list for it

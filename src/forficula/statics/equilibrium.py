@@ -22,6 +22,9 @@ _WIDE = 0.05
 _SMALLEST_STEP = 1e-13
 # share of the step within which a coordinate that is pushed onto its bound is laid there
 _NEAR = 0.1
+# enough for all digits of a step's length
+_NEWTON_STEPS = 6
+_ROUNDING = 1e-12  # of an energy
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -66,28 +69,51 @@ def descend(
     stiffness, rests = np.full(len(position), np.nan), np.zeros(len(position), dtype=bool)
     moving = np.arange(len(position))
     for _ in range(_MOST_STEPS):
-        here, down = position[moving], -slope[moving]
-        room = np.where(down < 0, here - lower[moving], upper[moving] - here)
-        held = (down != 0) & (room <= _NEAR * radius[moving, None])
-        values, axes = np.linalg.eigh(_without(curvature[moving], held))
-        step = _trusted_step(np.where(held, 0.0, down), values, axes, radius[moving])
-        onto = np.sign(down) * np.where(held, room, 0.0)
-        tried = np.clip(here + np.where(held, onto, step), lower[moving], upper[moving])
-        stiffness[moving] = values[:, 0]
-        rests[moving] = np.all((np.abs(down) <= force) | (held & (tried == here)), axis=1)
+        room = lower[moving] - position[moving], upper[moving] - position[moving]
+        step, held, stiffness[moving] = _step_within(room, -slope[moving], curvature[moving], radius[moving])
+        rests[moving] = np.all((np.abs(slope[moving]) <= force) | (held & (step == 0)), axis=1)
         going = ~rests[moving] & (radius[moving] > _SMALLEST_STEP)
-        moving, here, tried = moving[going], here[going], tried[going]
+        moving, step, free = moving[going], step[going], ~held[going]
         if not len(moving):
             break
+        tried = np.clip(position[moving] + step, lower[moving], upper[moving])
         new_value, new_slope, new_curvature = energy(tried, moving)
-        better = new_value < value[moving]
-        moved = np.linalg.norm(tried - here, axis=1)
-        wider, narrower = np.minimum(2 * radius[moving], longest_step), np.minimum(radius[moving], moved) / 4
+        better = _better(new_value, new_slope * free, value[moving], slope[moving] * free)
+        wider = np.minimum(2 * radius[moving], longest_step)
+        narrower = np.minimum(radius[moving], np.linalg.norm(step, axis=1)) / 4
         radius[moving] = np.where(better, wider, narrower)
         taken = moving[better]
         position[taken], value[taken] = tried[better], new_value[better]
         slope[taken], curvature[taken] = new_slope[better], new_curvature[better]
     return Equilibria(position=position, energy=value, slope=slope, stiffness=stiffness, rests=rests)
+
+
+def _better(new_value: Array, new_slope: Array, value: Array, slope: Array) -> NDArray[np.bool_]:
+    """Whether the energy falls, (case,); where it stays to rounding, whether the slope does."""
+    flatter = np.linalg.norm(new_slope, axis=1) < np.linalg.norm(slope, axis=1)
+    return np.asarray((new_value < value) | ((new_value <= value + _ROUNDING * np.abs(value)) & flatter))
+
+
+def _step_within(
+    room: tuple[Array, Array], down: Array, curvature: Array, radius: Array
+) -> tuple[Array, NDArray[np.bool_], Array]:
+    """A step downhill within a ball and a box, (case, coordinate).
+
+    Args:
+        room: ways to the bounds, <= 0 and >= 0, (case, coordinate).
+        down: the slope turned round, alike.
+        curvature: (case, coordinate, coordinate).
+        radius: of the ball, (case,).
+
+    Returns:
+        The step; which coordinates their bounds hold, alike; the least curvature of the others, (case,).
+    """
+    to_bound = np.where(down < 0, room[0], room[1])
+    held = (down != 0) & (np.abs(to_bound) <= _NEAR * radius[:, None])
+    values, axes = np.linalg.eigh(_without(curvature, held))
+    free = _trusted_step(np.where(held, 0.0, down), values, axes, radius)
+    step = np.clip(np.where(held, to_bound, free), *room)
+    return step, held, np.where(held.all(axis=1), np.inf, values[:, 0])
 
 
 def _without(curvature: Array, held: NDArray[np.bool_]) -> Array:
@@ -101,15 +127,23 @@ def _without(curvature: Array, held: NDArray[np.bool_]) -> Array:
 
 
 def _trusted_step(down: Array, values: Array, axes: Array, radius: Array) -> Array:
-    """To the lowest point of a quadratic model within a ball, (case, coordinate)."""
-    along = np.einsum("rij,ri->rj", axes, down)
-    low = np.maximum(0.0, -values[:, 0]) + 1e-12 * np.abs(values).max(axis=1)
-    high = low + np.linalg.norm(along, axis=1) / radius + 1e-300
-    for _ in range(60):
-        middle = (low + high) / 2
-        longer = np.linalg.norm(along / (values + middle[:, None]), axis=1) > radius
-        low, high = np.where(longer, middle, low), np.where(longer, high, middle)
-    return np.asarray(np.einsum("rij,rj->ri", axes, along / (values + high[:, None])))
+    """To the lowest point of a quadratic model within a ball, (case, coordinate).
+
+    Where the step is longer than the ball, Newton's method on 1 / length looks for the damping that shortens it; from
+    below it rises to it (Conn, Gould and Toint 2000, section 7.3).
+    """
+    along = (down[:, None] @ axes)[:, 0]
+    least = np.maximum(0.0, -values[:, 0]) + 1e-12 * np.abs(values).max(axis=1) + 1e-300
+    # no component may be longer than the ball
+    damping = np.maximum(least, np.max(np.abs(along) / radius[:, None] - values, axis=1))
+    for _ in range(_NEWTON_STEPS):
+        shifted = values + damping[:, None]
+        squares = (along / shifted) ** 2
+        square = squares.sum(axis=1)
+        longer = np.sqrt(square) / radius
+        rise = np.divide(square, (squares / shifted).sum(axis=1), out=np.zeros_like(square), where=longer > 1)
+        damping = damping + rise * (longer - 1)
+    return np.asarray((axes @ (along / (values + damping[:, None]))[..., None])[..., 0])
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -164,7 +198,8 @@ def states_along(path: PathEnergy, places: Array, *, force: float) -> tuple[Path
         if sign[place] == 0:
             before = sign[place - 1] if place else 0
             after = sign[last + 1] if last + 1 < len(places) else 0
-            states.append(_flat_state(path, places[place : last + 1], before, after, _WIDE * (places[-1] - places[0])))
+            wide = _WIDE * (places[-1] - places[0])
+            states += _flat_state(path, places[place : last + 1], before, after, wide)
         elif last + 1 < len(places) and sign[last + 1] == -sign[place]:
             states.append(
                 _stationary(path, places[last], places[last + 1], "maximum" if sign[place] > 0 else "minimum")
@@ -175,12 +210,13 @@ def states_along(path: PathEnergy, places: Array, *, force: float) -> tuple[Path
     return tuple(states)
 
 
-def _flat_state(path: PathEnergy, places: Array, before: float, after: float, wide: float) -> PathState:
-    """A stretch without a slope to speak of, between slopes of these signs, 0 at the end of the path."""
+def _flat_state(path: PathEnergy, places: Array, before: float, after: float, wide: float) -> list[PathState]:
+    """What a stretch without a slope to speak of is, between slopes of these signs, 0 at the end of the path."""
     kind: Literal["minimum", "maximum"] = "maximum" if before > 0 or after < 0 else "minimum"
-    if kind == "minimum" and places[-1] - places[0] > wide:
-        return _state("neutral", places[0], path(places[:1])[0][0], far=places[-1])
-    return _stationary(path, places[0], places[-1], kind)
+    passes = before == after != 0
+    if (kind == "minimum" or passes) and places[-1] - places[0] > wide:
+        return [_state("neutral", places[0], path(places[:1])[0][0], far=places[-1])]
+    return [] if passes else [_stationary(path, places[0], places[-1], kind)]
 
 
 def _stationary(path: PathEnergy, low: float, high: float, kind: Literal["minimum", "maximum"]) -> PathState:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,14 +11,16 @@ from scipy.interpolate import CubicHermiteSpline
 
 from forficula.design import Design
 from forficula.pattern import EarwigFan
-from forficula.statics.equilibrium import PathState, states_along
-from forficula.statics.potential import FOLD, TURN, rest, section
+from forficula.statics.equilibrium import Equilibria, PathState, states_along
+from forficula.statics.potential import FOLD, LIFT, SWEEP, TURN, Section, rest, section
 from forficula.statics.sheet import sheet_energy
 
 Array = NDArray[np.float64]
 
 # slope that counts as none: of the tendons' steepest, or, where they have none, of E t l^2 of the membrane
 _QUIET, _QUIET_SHEET = 1e-3, 1e-4
+# how often places learn from their neighbours, and energy that counts as none, of the largest
+_PASSES, _ROUNDING = 8, 1e-12
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,6 +38,7 @@ class FoldPath:
         sheet_energy: of membrane and guards, J, (place,).
         moment: about the pleats, -d energy / d pleat angle, N m, (place,).
         fold_slope: d ring angle / d pleat angle, (place,).
+        quiet: moment that counts as none, N m.
         veins: how many.
         states: where the wing rests, in the order of the pleat angle.
         remarks: sentences on what to know of it.
@@ -47,6 +50,7 @@ class FoldPath:
     sheet_energy: Array
     moment: Array
     fold_slope: Array
+    quiet: float
     veins: int
     states: tuple[PathState, ...]
     remarks: tuple[str, ...]
@@ -62,7 +66,8 @@ class FoldPath:
 
         The steepest climb, shared by the veins, which turn by half the pleat angle.
         """
-        return max(0.0, float(np.max(-self.moment))) * 2 / self.veins
+        climb = float(np.max(-self.moment))
+        return climb * 2 / self.veins if climb > self.quiet else 0.0
 
     @property
     def unfold_torque(self) -> float | None:
@@ -70,7 +75,9 @@ class FoldPath:
         moves = self.fold_slope > 0
         if not moves.any():
             return None
-        return max(0.0, float(np.max(self.moment[moves] / self.fold_slope[moves]))) / self.veins
+        if not np.max(self.moment) > self.quiet:
+            return 0.0
+        return float(np.max(self.moment[moves] / self.fold_slope[moves])) / self.veins
 
 
 def ring_ratio(fan: EarwigFan) -> float:
@@ -98,10 +105,10 @@ def fold_path(design: Design, points: int = 181) -> FoldPath:
     half_cosine = np.where(pleat == math.pi, 0.0, np.cos(pleat / 2))
     ring = 2 * np.arctan2(ratio * half_sine, half_cosine) if ratio > 0 else np.zeros_like(pleat)
     fold_slope = ratio / (half_cosine**2 + (ratio * half_sine) ** 2) if ratio > 0 else np.zeros_like(pleat)
-    wings = section([design] * len(pleat))
+    wings = section([design]).only(np.zeros(len(pleat), dtype=np.int64))
     start = np.zeros((len(pleat), len(wings.lower)))
     start[:, TURN::4], start[:, FOLD::4] = pleat[:, None] / 2, -ring[:, None]
-    found = rest(wings, start, fixed=(TURN, FOLD))
+    found = _least_stretched(wings, start)
     sheet, on_sheet, _ = sheet_energy(wings.sheet, found.position.reshape(len(pleat), wings.veins, 4))
     # the slope of the least energy is that at fixed sweep and lift (envelope theorem)
     of_tendons = (on_sheet - found.slope)[:, FOLD::4].sum(axis=1) * fold_slope
@@ -119,10 +126,39 @@ def fold_path(design: Design, points: int = 181) -> FoldPath:
         sheet_energy=sheet,
         moment=-slope,
         fold_slope=fold_slope,
+        quiet=force,
         veins=wings.veins,
         states=states_along(lambda x: (curve(x), by_angle(x)), pleat, force=force),
         remarks=_remarks(design, camber),
     )
+
+
+def _least_stretched(wings: Section, start: Array) -> Equilibria:
+    """Aim the veins where the membrane is stretched least, at every place of the path, (place, angle).
+
+    A place can have several such equilibria: each is also looked for from where its neighbours found theirs, and the
+    lowest counts, so that the path does not jump between them.
+    """
+    found = rest(wings, start, fixed=(TURN, FOLD))
+    for _ in range(_PASSES):
+        lowered = False
+        for shift in (1, -1):
+            beside = start.copy()
+            for joint in (SWEEP, LIFT):
+                beside[:, joint::4] = np.roll(found.position, shift, axis=0)[:, joint::4]
+            beside[0 if shift > 0 else -1] = found.position[0 if shift > 0 else -1]
+            other = rest(wings, beside, fixed=(TURN, FOLD))
+            lower = other.energy < found.energy - _ROUNDING * np.abs(found.energy).max()
+            lowered |= bool(lower.any())
+            found = replace(
+                found,
+                position=np.where(lower[:, None], other.position, found.position),
+                energy=np.where(lower, other.energy, found.energy),
+                slope=np.where(lower[:, None], other.slope, found.slope),
+            )
+        if not lowered:
+            break
+    return found
 
 
 def _last_pleat(design: Design, ratio: float) -> float:

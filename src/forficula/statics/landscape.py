@@ -73,9 +73,11 @@ class StableState:
     """A stable state of the wing along its fold.
 
     Attributes:
-        name: "flat", the first, where the wing is flat or cambered; "folded", the last; "partly folded" between them.
+        name: "flat", the first, where the wing is flat or cambered; "folded", the last; "partly folded" between them;
+            "anywhere" where nothing moves it all along.
         kind: "stop", pressed onto the end of the path; "minimum"; "neutral", a range without any force.
         pleat_angle: rad; of a neutral range the end nearer to flat.
+        far_pleat_angle: the other end of a neutral range, rad; otherwise the pleat angle.
         ring_angle: fold angle of the ring creases there, rad.
         energy: J.
         holding_torque: on every proximal turn axis, that presses it onto the end of the path, N m.
@@ -84,6 +86,7 @@ class StableState:
     name: str
     kind: Literal["stop", "minimum", "maximum", "neutral"]
     pleat_angle: float
+    far_pleat_angle: float
     ring_angle: float
     energy: float
     holding_torque: float
@@ -127,6 +130,7 @@ def stable_states(landscape: EnergyLandscape) -> tuple[StableState, ...]:
             name=_name(state, state is stable[-1], wing),
             kind=state.kind,
             pleat_angle=state.coordinate,
+            far_pleat_angle=state.far_coordinate,
             ring_angle=float(np.interp(state.coordinate, wing.pleat_angle, wing.ring_angle)),
             energy=state.energy,
             holding_torque=state.press * 2 / wing.veins,
@@ -172,7 +176,7 @@ def _barrier_or_none(landscape: EnergyLandscape, start: str, end: str) -> float 
 
 def _name(state: PathState, last: bool, wing: FoldPath) -> str:
     if state.coordinate <= 0:
-        return "flat"
+        return "anywhere" if state.far_coordinate > wing.pleat_angle[-1] / 2 else "flat"
     return "folded" if last and state.far_coordinate > wing.pleat_angle[-1] / 2 else "partly folded"
 
 

@@ -80,6 +80,7 @@ def _wing_summary(landscape: EnergyLandscape) -> dict[str, Any]:
                 "name": state.name,
                 "kind": state.kind,
                 "pleat_angle_deg": float(np.degrees(state.pleat_angle)),
+                "far_pleat_angle_deg": float(np.degrees(state.far_pleat_angle)),
                 "ring_angle_deg": float(np.degrees(state.ring_angle)),
                 "energy_J": state.energy,
                 "holding_torque_N_m": state.holding_torque,

@@ -17,9 +17,10 @@ from forficula.statics.sheet import sheet_energy
 Array = NDArray[np.float64]
 
 # of so many veins every combination is tried; of more only those folded one after another, from one side
-_EVERY_COMBINATION = 7
+_EVERY_COMBINATION = 5
 # how far past straight a hinge starts: from there its tendon pulls it as far as neighbours and guards let it
 _START = math.radians(30)
+_ROUNDING = 1e-6  # of the stiffest part
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -28,7 +29,7 @@ class PartialFold:
 
     Attributes:
         folded: veins whose hinges start folded.
-        stable: whether every hinge stays on the side of straight on which it starts.
+        stable: whether every hinge stays on the side of straight on which it starts, and no small push drives it on.
         stays_folded: veins whose hinges are folded in the end.
         distal_angle: of each vein in the end, rad, (vein,).
         tendon_energy: of all tendons in the end, J.
@@ -62,10 +63,10 @@ def partial_folds(design: Design) -> tuple[PartialFold, ...]:
     """Let the wing go from every combination of folded hinges, fewest first.
 
     First the joints at the base and the turns go to where the membrane is stretched least, with the hinges held, then
-    everything is free. Of more than seven veins only the combinations of neighbours from the first vein on are tried.
+    everything is free. Of more than five veins only the combinations of neighbours from the first vein on are tried.
     """
     combinations = _combinations(design.fan.vein_count)
-    wings = section([design] * len(combinations))
+    wings = section([design]).only(np.zeros(len(combinations), dtype=np.int64))
     start = np.zeros((len(combinations), len(wings.lower)))
     for row, folded in enumerate(combinations):
         for vein in range(wings.veins):
@@ -80,7 +81,7 @@ def partial_folds(design: Design) -> tuple[PartialFold, ...]:
         states.append(
             PartialFold(
                 folded=folded,
-                stable=bool(found.rests[row]) and stays == folded,
+                stable=bool(found.rests[row] and found.stiffness[row] > -_soft(design)) and stays == folded,
                 stays_folded=stays,
                 distal_angle=angle,
                 tendon_energy=float(found.energy[row] - sheet[row]),
@@ -88,6 +89,13 @@ def partial_folds(design: Design) -> tuple[PartialFold, ...]:
             )
         )
     return tuple(states)
+
+
+def _soft(design: Design) -> float:
+    """Stiffness that counts as none, N m/rad: where nothing holds a wing, rounding makes it a little negative."""
+    membrane = design.membrane
+    sheet = membrane.youngs_modulus * membrane.thickness * membrane.margin**2
+    return _ROUNDING * max(sheet, abs(float(ideal_hinge(design).stiffness(0.0))))
 
 
 def _combinations(veins: int) -> list[tuple[int, ...]]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Literal
 
 import numpy as np
@@ -11,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from forficula.design import Design
 from forficula.errors import InputError
-from forficula.statics.equilibrium import Equilibria, descend
+from forficula.statics.equilibrium import Cases, Equilibria, descend
 from forficula.statics.hinge import TendonHinge, stacked_hinges, wing_hinges
 from forficula.statics.sheet import Expansion, Sheet, sheet_energy, wing_sheet
 from forficula.statics.wing import FOLD, LIFT, SWEEP, TURN, flat_wing
@@ -48,8 +49,13 @@ class Section:
         """How many veins."""
         return len(self.sheet.wing.hub)
 
+    @cached_property
+    def tendons(self) -> TendonHinge:
+        """The hinges of all wings as one, whose functions take angles (case, vein)."""
+        return stacked_hinges(self.hinges)
+
     def only(self, cases: NDArray[np.int64]) -> Section:
-        """Some of the wings, by number."""
+        """Some of the wings, by number, any of them once or more."""
         return replace(self, hinges=tuple(self.hinges[case] for case in cases.tolist()))
 
 
@@ -75,29 +81,26 @@ def section(designs: Sequence[Design]) -> Section:
     )
 
 
-def potential(wings: Section, angles: Array, cases: NDArray[np.int64], proximal: Array, distal: Array) -> Expansion:
+def potential(wings: Section, angles: Array, proximal: Array, distal: Array) -> Expansion:
     """Energy stored, less the work of the torques.
 
     Args:
         wings: side by side.
-        angles: rad, (row, angle).
-        cases: which wing each row is, (row,).
-        proximal: torque on every proximal turn axis towards folding, N m, by wing, (case,).
+        angles: rad, (case, angle).
+        proximal: torque on every proximal turn axis towards folding, N m, (case,).
         distal: torque on every distal hinge towards folding, alike.
 
     Returns:
-        J, (row,); its slope, N m, (row, angle); its curvature, N m/rad, (row, angle, angle).
+        J, (case,); its slope, N m, (case, angle); its curvature, N m/rad, (case, angle, angle).
     """
     by_vein = angles.reshape(len(angles), wings.veins, 4)
     energy, slope, curvature = sheet_energy(wings.sheet, by_vein)
-    fold, places = by_vein[:, :, FOLD], np.arange(FOLD, angles.shape[1], 4)
-    hinges = stacked_hinges([wings.hinges[case] for case in cases.tolist()])
-    energy += hinges.energy(fold).sum(axis=1)
-    slope[:, places] -= hinges.moment(fold)
-    curvature[:, places, places] += hinges.stiffness(fold)
-    energy -= proximal[cases] * by_vein[:, :, TURN].sum(axis=1) - distal[cases] * by_vein[:, :, FOLD].sum(axis=1)
-    slope[:, TURN::4] -= proximal[cases, None]
-    slope[:, FOLD::4] += distal[cases, None]
+    turn, fold, places = by_vein[:, :, TURN], by_vein[:, :, FOLD], np.arange(FOLD, angles.shape[1], 4)
+    tendons = wings.tendons
+    energy += tendons.energy(fold).sum(axis=1) - proximal * turn.sum(axis=1) + distal * fold.sum(axis=1)
+    slope[:, TURN::4] -= proximal[:, None]
+    slope[:, FOLD::4] += distal[:, None] - tendons.moment(fold)
+    curvature[:, places, places] += tendons.stiffness(fold)
     return energy, slope, curvature
 
 
@@ -108,6 +111,7 @@ def rest(
     distal: ArrayLike = 0.0,
     *,
     fixed: Sequence[int] = (),
+    within: float = np.inf,
 ) -> Equilibria:
     """Let wings go from where they are, slowly, to where they rest under torques.
 
@@ -117,23 +121,25 @@ def rest(
         proximal: torque on every proximal turn axis towards folding, N m, one or by case.
         distal: torque on every distal hinge towards folding, alike.
         fixed: which of a vein's four joints are held where they start: SWEEP, LIFT, TURN, FOLD.
+        within: how far each joint may turn, rad.
     """
     count = len(start)
-    torques = [np.broadcast_to(np.asarray(torque, dtype=np.float64), (count,)) for torque in (proximal, distal)]
-    lower, upper = np.tile(wings.lower, (count, 1)), np.tile(wings.upper, (count, 1))
+    torques = np.stack([np.broadcast_to(torque, (count,)) for torque in (proximal, distal)])
+    lower, upper = np.maximum(wings.lower, start - within), np.minimum(wings.upper, start + within)
     for joint in fixed:
         lower[:, joint::4] = upper[:, joint::4] = start[:, joint::4]
-    scale = max(float(np.abs(hinge.moment(-np.pi / 2))) for case in wings.hinges for hinge in case)
     law = wings.sheet.wing.design.membrane
-    scale = max(scale, law.youngs_modulus * law.thickness * law.margin**2)
-    return descend(
-        lambda angles, cases: potential(wings, angles, cases, *torques),
-        start,
-        lower,
-        upper,
-        longest_step=_LONGEST_STEP,
-        force=_QUIET * scale,
-    )
+    strongest = float(np.abs(wings.tendons.moment(np.full((count, wings.veins), -np.pi / 2))).max())
+    scale = max(strongest, law.youngs_modulus * law.thickness * law.margin**2)
+    some, which = wings, np.arange(count)
+
+    def energy(angles: Array, cases: Cases) -> Expansion:
+        nonlocal some, which
+        if not np.array_equal(cases, which):
+            some, which = wings.only(cases), cases
+        return potential(some, angles, *torques[:, cases])
+
+    return descend(energy, start, lower, upper, longest_step=_LONGEST_STEP, force=_QUIET * scale)
 
 
 def straight_start(wings: Section) -> Array:

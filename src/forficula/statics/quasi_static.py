@@ -12,6 +12,8 @@ from forficula.statics.potential import DRIVES, FOLD, TURN, Drive, Section, rest
 Array = NDArray[np.float64]
 
 _ACCURACY = 0.01  # of a least torque
+_FIRST_STEP = 1e-4  # of the largest torque tried, which no step is shorter than
+_NEAR = 0.3  # rad, by which the joints of a wing turn at most without a snap from step to step
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -66,15 +68,17 @@ def slow_transition(wings: Section, start: Array, drive: Drive, torques: ArrayLi
         left = np.flatnonzero(np.isnan(least))
         if not len(left):
             break
-        position[left], there = _pushed(wings, left, position[left], drive, np.full(len(left), torque))
-        least[left[there]] = torque
+        position[left] = _pushed(wings, left, position[left], drive, np.full(len(left), torque))
+        least[left[_at_goal(wings, position[left], drive)]] = torque
     return SlowTransition(torque=least, position=position)
 
 
 def least_slow_torque(wings: Section, start: Array, drive: Drive, most: ArrayLike) -> SlowTransition:
     """Find the least slowly growing torque that brings each wing to its goal, to 1 % of it.
 
-    Halves the range between a torque that does not and one that does; the wing is led on from where the first left it.
+    A step of the torque under which the wing would leave its surroundings is halved. Where it does so after a step of
+    1 % of the torque, too, it snaps: it is let go to where it rests, and the torque grows on from there. The first
+    step is 1e-4 of the largest torque, and no shorter ones are tried.
 
     Args:
         wings: side by side.
@@ -82,31 +86,36 @@ def least_slow_torque(wings: Section, start: Array, drive: Drive, most: ArrayLik
         drive: as in `slow_transition`.
         most: largest torque tried, N m, one or by case.
     """
-    count = len(start)
-    low, high = np.zeros(count), np.broadcast_to(np.asarray(most, dtype=np.float64), (count,)).copy()
-    before = start.copy()
-    reached, there = _pushed(wings, np.arange(count), before, drive, high)
-    least = np.where(there, high, np.nan)
+    most = np.broadcast_to(np.asarray(most, dtype=np.float64), (len(start),))
+    position, torque, step = start.copy(), np.zeros(len(start)), _FIRST_STEP * most
+    least = np.where(_at_goal(wings, start, drive), 0.0, np.nan)
     while True:
-        open_cases = np.flatnonzero(there & (high - low > _ACCURACY * high))
-        if not len(open_cases):
-            return SlowTransition(torque=least, position=reached)
-        middle = (low[open_cases] + high[open_cases]) / 2
-        position, arrived = _pushed(wings, open_cases, before[open_cases], drive, middle)
-        won, lost = open_cases[arrived], open_cases[~arrived]
-        high[won] = least[won] = middle[arrived]
-        reached[won] = position[arrived]
-        low[lost], before[lost] = middle[~arrived], position[~arrived]
+        left = np.flatnonzero(np.isnan(least) & (torque < most))
+        if not len(left):
+            return SlowTransition(torque=least, position=position)
+        tried = np.minimum(torque[left] + step[left], most[left])
+        found = _pushed(wings, left, position[left], drive, tried, within=_NEAR)
+        leaves = np.abs(found - position[left]).max(axis=1) > 0.99 * _NEAR
+        snaps = leaves & (step[left] <= np.maximum(_ACCURACY * tried, _FIRST_STEP * most[left]))
+        if snaps.any():
+            found[snaps] = _pushed(wings, left[snaps], found[snaps], drive, tried[snaps])
+        kept = ~leaves | snaps
+        torque[left[kept]], position[left[kept]] = tried[kept], found[kept]
+        arrived = kept & _at_goal(wings, found, drive)
+        least[left[arrived]] = tried[arrived]
+        step[left] *= np.where(snaps, 1.0, np.where(leaves, 0.5, 2.0))
+
+
+def _at_goal(wings: Section, position: Array, drive: Drive) -> NDArray[np.bool_]:
+    protocol = wings.sheet.wing.design.protocol
+    if drive == "fold":
+        return folds_beyond(position, protocol.folded_angle)
+    return opened_to(position, protocol.opened_angle)
 
 
 def _pushed(
-    wings: Section, cases: NDArray[np.int64], start: Array, drive: Drive, torque: Array
-) -> tuple[Array, NDArray[np.bool_]]:
-    """Where some wings rest under a torque, and whether that is their goal."""
-    some = wings.only(cases)
+    wings: Section, cases: NDArray[np.int64], start: Array, drive: Drive, torque: Array, within: float = np.inf
+) -> Array:
+    """Joint angles at which some wings rest under a torque, no farther away than that."""
     on_proximal, on_distal = DRIVES[drive]
-    position = rest(some, start, on_proximal * torque, on_distal * torque).position
-    protocol = wings.sheet.wing.design.protocol
-    if drive == "fold":
-        return position, folds_beyond(position, protocol.folded_angle)
-    return position, opened_to(position, protocol.opened_angle)
+    return rest(wings.only(cases), start, on_proximal * torque, on_distal * torque, within=within).position

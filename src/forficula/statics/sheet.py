@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.statics.wing import Wing, pose
+from forficula.statics.wing import Pose, Wing, cross, pose
 
 Array = NDArray[np.float64]
 # energy, slope and curvature
@@ -20,34 +19,51 @@ _GUARD_STIFFNESS = 100.0
 
 @dataclass(frozen=True, kw_only=True)
 class Sheet:
-    """What joins the veins of a wing.
+    """What joins the veins of a wing: in every panel triangles of membrane, and a guard from tip to tip.
 
     Attributes:
         wing: the wing.
-        weights: by which the points add up to the deformation gradient of each triangle, 1/m, (triangle, point, 2).
+        sides: by which the points add up to the sides of what is stretched, (side, point): for each triangle, panel by
+            panel, the two columns of its deformation gradient, 1/m, then for each guard the way between its tips.
+        of_panel: the same, split in what moves with the panel's first vein and with its second one, (2, side, point).
+        of_vein: 1 where a vein carries a point, else 0, (vein, point).
         volumes: of the triangles, m^3, (triangle,).
-        guard_lengths: largest distances of neighbouring tips, m, (vein - 1,).
+        guard_lengths: largest distances of neighbouring tips, m, (panel,).
     """
 
     wing: Wing
-    weights: Array
+    sides: Array
+    of_panel: Array
+    of_vein: Array
     volumes: Array
     guard_lengths: Array
+
+    @property
+    def panels(self) -> int:
+        """How many panels."""
+        return len(self.guard_lengths)
 
 
 def wing_sheet(wing: Wing) -> Sheet:
     """Lay the membrane and the guards over a flat wing."""
-    design = wing.design
-    corners = wing.flat[wing.triangles, :2]
-    sides = np.stack([corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]], axis=2)
-    of_corners = np.array([[-1.0, -1.0], [1.0, 0.0], [0.0, 1.0]]) @ np.linalg.inv(sides)
-    weights = np.zeros((len(wing.triangles), len(wing.points), 2))
-    weights[np.arange(len(wing.triangles))[:, None], wing.triangles] = of_corners
+    design, triangles, tips = wing.design, wing.triangles, wing.tips
+    panels, count = len(tips) - 1, len(triangles)
+    corners = wing.flat[triangles, :2]
+    edges = np.stack([corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]], axis=2)
+    of_corners = np.array([[-1.0, -1.0], [1.0, 0.0], [0.0, 1.0]]) @ np.linalg.inv(edges)
+    sides = np.zeros((2 * count + panels, len(wing.points)))
+    sides[np.arange(2 * count).reshape(-1, 1, 2), triangles[:, :, None]] = of_corners
+    guards = np.arange(2 * count, len(sides))
+    sides[guards, tips[1:]], sides[guards, tips[:-1]] = 1.0, -1.0
+    panel = np.concatenate([np.repeat(np.arange(panels), 2 * count // panels), np.arange(panels)])
+    first = wing.carriers == panel[:, None]
     return Sheet(
         wing=wing,
-        weights=weights,
-        volumes=design.membrane.thickness * np.abs(np.linalg.det(sides)) / 2,
-        guard_lengths=design.guard.stretch * np.linalg.norm(np.diff(wing.flat[wing.tips], axis=0), axis=1),
+        sides=sides,
+        of_panel=np.stack([sides * first, sides * ~first]),
+        of_vein=np.asarray(wing.carriers == np.arange(panels + 1)[:, None], dtype=np.float64),
+        volumes=design.membrane.thickness * np.abs(np.linalg.det(edges)) / 2,
+        guard_lengths=design.guard.stretch * np.linalg.norm(np.diff(wing.flat[tips], axis=0), axis=1),
     )
 
 
@@ -61,27 +77,55 @@ def sheet_energy(sheet: Sheet, angles: Array) -> Expansion:
     Returns:
         J, (case,); by the angles, vein by vein, N m, (case, angle), and N m/rad, (case, angle, angle).
     """
-    wing, at = sheet.wing, pose(sheet.wing, angles)
-    energy, force, stiffness = membrane_energy(sheet, at.points)
-    _add_guards(sheet, at.points, energy, force, stiffness)
-    cases, points, size = len(angles), len(wing.points), wing.size
-    # every point moves with the joints of its own vein
-    moves = np.zeros((cases, points, 3, size // 4, 4))
-    moves[:, np.arange(points), :, wing.carriers] = np.swapaxes(np.moveaxis(at.moves, 1, 0), 2, 3)
-    flat_moves = moves.reshape(cases, 3 * points, size)
-    slope = (force.reshape(cases, 1, -1) @ flat_moves)[:, 0]
-    curvature = np.swapaxes(flat_moves, 1, 2) @ stiffness.reshape(cases, 3 * points, -1) @ flat_moves
-    # a joint turns the axes of those after it: d2x = outer x (inner x r)
-    turned = np.cross(force[:, :, None], at.axes[:, wing.carriers]) @ np.swapaxes(at.moves, 2, 3)
+    at = pose(sheet.wing, angles)
+    sides, moves = sheet.sides @ at.points, _side_moves(sheet, at)
+    membrane = slice(2 * len(sheet.volumes))
+    guards = slice(membrane.stop, None)
+    energy, pull, stiffness = membrane_energy(sheet, sides[:, membrane])
+    of_panels = _by_joints(moves[:, membrane], stiffness, sheet.panels)
+    guard_energy, guard_pull, stiffness = _guard_energy(sheet, sides[:, guards])
+    of_panels += _by_joints(moves[:, guards], stiffness, sheet.panels)
+    force = sheet.sides.T @ np.concatenate([pull, guard_pull], axis=1)
+    slope = (sheet.of_vein @ np.sum(at.moves * force[:, :, None], axis=3)).reshape(len(angles), -1)
+    curvature = np.zeros((*slope.shape, sheet.wing.size))
+    for panel in range(sheet.panels):
+        both = slice(4 * panel, 4 * panel + 8)
+        curvature[:, both, both] += of_panels[:, panel]
+    _add_turning(sheet, at, force, curvature)
+    return energy + guard_energy, slope, curvature
+
+
+def _side_moves(sheet: Sheet, at: Pose) -> Array:
+    """How the sides move with the joints of the two veins of their panel, (case, side, 3, joint)."""
+    cases, points, joints, _ = at.moves.shape
+    of_sides = sheet.of_panel.reshape(-1, points) @ at.moves.reshape(cases, points, -1)
+    by_vein = of_sides.reshape(cases, 2, len(sheet.sides), joints, 3)
+    return np.transpose(by_vein, (0, 2, 4, 1, 3)).reshape(cases, len(sheet.sides), 3, 2 * joints)
+
+
+def _by_joints(moves: Array, stiffness: Array, panels: int) -> Array:
+    """Stiffness of what sides stretch, (case, element, coordinate, coordinate), by joints: (case, panel, 8, 8)."""
+    cases, joints = len(moves), moves.shape[3]
+    by_element = moves.reshape(*stiffness.shape[:3], joints)
+    by_panel = (cases, panels, -1, joints)
+    pulled = (stiffness @ by_element).reshape(by_panel)
+    return np.asarray(np.swapaxes(by_element.reshape(by_panel), 2, 3) @ pulled)
+
+
+def _add_turning(sheet: Sheet, at: Pose, force: Array, curvature: Array) -> None:
+    """Add what comes of the points' ways being curved: a joint turns the axes of those after it in its vein."""
+    cases = len(force)
+    # d2x = outer x (inner x arm), and force . (outer x move) = outer . (move x force)
+    moments = (sheet.of_vein @ cross(at.moves, force[:, :, None]).reshape(cases, -1, 12)).reshape(cases, -1, 4, 3)
+    turned = at.axes @ np.swapaxes(moments, 2, 3)
     turned = np.triu(turned) + np.swapaxes(np.triu(turned, 1), 2, 3)
-    for vein in range(size // 4):
+    for vein in range(sheet.panels + 1):
         own = slice(4 * vein, 4 * vein + 4)
-        curvature[:, own, own] += turned[:, wing.carriers == vein].sum(axis=1)
-    return energy, slope, curvature
+        curvature[:, own, own] += turned[:, vein]
 
 
-def membrane_energy(sheet: Sheet, points: Array) -> Expansion:
-    """Stretch energy of the membrane by the positions of its points.
+def membrane_energy(sheet: Sheet, gradient: Array) -> Expansion:
+    """Stretch energy of the membrane by the deformation gradients of its triangles.
 
     Saint Venant-Kirchhoff in plane stress, triangles of constant strain: with the Green strain e, per volume
     mu tr(e^2) + lambda / 2 tr(e)^2, mu = E / (2 (1 + nu)), lambda = E nu / (1 - nu^2) (Timoshenko and
@@ -89,49 +133,43 @@ def membrane_energy(sheet: Sheet, points: Array) -> Expansion:
 
     Args:
         sheet: the membrane.
-        points: m, (case, point, 3).
+        gradient: the columns, two of each triangle, (case, column, 3).
 
     Returns:
-        J, (case,); N, (case, point, 3); N/m, (case, point, 3, point, 3).
+        J, (case,); its slope, J, (case, column, 3); its curvature, J, (case, triangle, 6, 6).
     """
     law = sheet.wing.design.membrane
     shear = law.youngs_modulus / (2 * (1 + law.poisson_ratio))
     lame = law.youngs_modulus * law.poisson_ratio / (1 - law.poisson_ratio**2)
-    weights, volumes = sheet.weights, sheet.volumes
-    gradient = np.einsum("cpi,tpa->ctia", points, weights, optimize=True)
-    strain = (np.swapaxes(gradient, 2, 3) @ gradient - np.eye(2)) / 2
-    trace = np.trace(strain, axis1=2, axis2=3)
-    energy = (shear * np.sum(strain**2, axis=(2, 3)) + lame / 2 * trace**2) @ volumes
-    stress = 2 * shear * strain + lame * trace[..., None, None] * np.eye(2)
-    force = np.einsum("t,ctia,tpa->cpi", volumes, gradient @ stress, weights, optimize=True)
-    # d2 = weights stress weights + (lambda pulled pulled + mu (pulled pulled)^T + mu pairs squares), by triangle
-    count = len(sheet.wing.points)
-    pulled = np.einsum("ctia,tpa->ctpi", gradient, weights, optimize=True).reshape(len(points), len(volumes), -1)
-    products = (np.swapaxes(pulled * volumes[:, None], 1, 2) @ pulled).reshape(-1, count, 3, count, 3)
-    pairs = (volumes[:, None, None] * (weights @ np.swapaxes(weights, 1, 2))).reshape(len(volumes), -1)
-    squares = (gradient @ np.swapaxes(gradient, 2, 3)).reshape(len(points), -1, 9)
-    mixed = (np.swapaxes(squares, 1, 2) @ pairs).reshape(-1, 3, 3, count, count)
-    pressed = np.einsum("t,tpa,ctab,tqb->cpq", volumes, weights, stress, weights, optimize=True)
-    stiffness = lame * products + shear * np.swapaxes(products, 2, 4) + shear * np.transpose(mixed, (0, 3, 1, 4, 2))
-    stiffness += pressed[:, :, None, :, None] * np.eye(3)[:, None, :]
-    return energy, force, stiffness
+    cases, volumes = len(gradient), sheet.volumes[:, None]
+    columns = gradient.reshape(cases, -1, 2, 3)
+    # strains along, across, and twice the mixed one, and their slopes
+    squares = columns @ np.swapaxes(columns, 2, 3)
+    strain = np.stack([squares[..., 0, 0] - 1, squares[..., 1, 1] - 1, 2 * squares[..., 0, 1]], axis=-1) / 2
+    by_column = np.zeros((cases, len(volumes), 3, 6))
+    by_column[:, :, 0, :3], by_column[:, :, 1, 3:] = columns[:, :, 0], columns[:, :, 1]
+    by_column[:, :, 2, :3], by_column[:, :, 2, 3:] = columns[:, :, 1], columns[:, :, 0]
+    law_matrix = np.array([[2 * shear + lame, lame, 0.0], [lame, 2 * shear + lame, 0.0], [0.0, 0.0, shear]])
+    stress = volumes * (strain @ law_matrix)
+    pull = stress[:, :, None] @ by_column
+    curvature = np.swapaxes(by_column, 2, 3) @ (volumes[:, :, None] * (law_matrix @ by_column))
+    for coordinate in range(3):
+        one, other = coordinate, coordinate + 3
+        curvature[:, :, one, one] += stress[:, :, 0]
+        curvature[:, :, other, other] += stress[:, :, 1]
+        curvature[:, :, one, other] += stress[:, :, 2]
+        curvature[:, :, other, one] += stress[:, :, 2]
+    return np.sum(stress * strain, axis=(1, 2)) / 2, pull.reshape(cases, -1, 3), curvature
 
 
-def _add_guards(sheet: Sheet, points: Array, energy: Array, force: Array, stiffness: Array) -> None:
-    """Add the guards between neighbouring tips, which pull beyond their lengths only."""
-    law, tips = sheet.wing.design.membrane, sheet.wing.tips
+def _guard_energy(sheet: Sheet, apart: Array) -> Expansion:
+    """Energy of the guards, which pull beyond their lengths only, by the ways between their tips (case, guard, 3)."""
+    law = sheet.wing.design.membrane
     spring = _GUARD_STIFFNESS * law.youngs_modulus * law.thickness
-    apart = np.diff(points[:, tips], axis=1)
     distance = np.linalg.norm(apart, axis=2)
     beyond = np.maximum(distance - sheet.guard_lengths, 0.0)
-    energy += spring / 2 * np.sum(beyond**2, axis=1)
     along = apart / distance[..., None]
     ratio = (beyond / distance)[..., None, None]
     outer = along[..., :, None] * along[..., None, :]
-    block = spring * ((beyond > 0)[..., None, None] * outer + ratio * (np.eye(3) - outer))
-    for guard, (one, other) in enumerate(pairwise(tips.tolist())):
-        pull = spring * beyond[:, guard, None] * along[:, guard]
-        force[:, other] += pull
-        force[:, one] -= pull
-        for here, there, sign in ((one, one, 1), (other, other, 1), (one, other, -1), (other, one, -1)):
-            stiffness[:, here, :, there] += sign * block[:, guard]
+    curvature = spring * ((beyond > 0)[..., None, None] * outer + ratio * (np.eye(3) - outer))
+    return spring / 2 * np.sum(beyond**2, axis=1), spring * beyond[..., None] * along, curvature

@@ -46,14 +46,14 @@ def tip_stiffness(design: Design) -> TipStiffness:
     wings = section([design])
     wing = wings.sheet.wing
     tips = wing.points[wing.tips]
-    levers = np.linalg.norm(np.cross(wing.crease, tips), axis=1)
+    levers = np.linalg.norm(np.cross(wing.joints[:, FOLD], tips), axis=1)
     deflection = DEFLECTION * design.pattern.distal_length
     flat = flat_state(wings)
 
     def loaded(angles: Array) -> tuple[float, float]:
         """Force on every tip towards folding that holds the wing there, N, and its slope by the deflection, N/m."""
         none = np.zeros(1)
-        _, slope, curvature = potential(wings, angles, np.zeros(1, dtype=np.int64), none, none)
+        _, slope, curvature = potential(wings, angles, none, none)
         turned = 1 / levers  # of the hinges by deflection of the tips
         force = -float(slope[0, FOLD::4] @ turned) / wings.veins
         return force, float(turned @ curvature[0, FOLD::4, FOLD::4] @ turned) / wings.veins

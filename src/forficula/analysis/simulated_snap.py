@@ -1,0 +1,164 @@
+"""How one hinge of a simulated wing snaps shut, to be read beside the closed form of one hinge alone."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.analysis.outcome import measure
+from forficula.design import Design, with_values
+from forficula.dynamics import Record
+from forficula.statics import TendonHinge, fold_time, ideal_hinge, wing_hinges
+from forficula.statics.snap import FOLD_START, final_speed
+
+Array = NDArray[np.float64]
+
+SECOND = 1  # vein whose tendon the paper's figures show
+_ROWS = 200  # that a fold should have in a record
+
+
+@dataclass(frozen=True, kw_only=True)
+class SimulatedSnap:
+    """A fold of one hinge in a run. What did not happen is None.
+
+    Attributes:
+        vein: whose hinge.
+        fold_start: from which times count, rad past straight.
+        folded_time: from the start to the protocol's folded angle, s.
+        fold_time: from the start to the fold limit, s.
+        largest_fold: how far it folded, rad past straight.
+        peak_speed: the largest mean speed between two rows of the record, while folding, rad/s.
+        sample_interval: between the rows, s.
+    """
+
+    vein: int
+    fold_start: float
+    folded_time: float | None
+    fold_time: float | None
+    largest_fold: float
+    peak_speed: float | None
+    sample_interval: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class PredictedSnap:
+    """A fold of one hinge alone, without damping, let go at rest. What does not happen is None.
+
+    Attributes:
+        folded_time: from the start to the protocol's folded angle, s.
+        fold_time: from the start to the fold limit, s.
+        final_speed: at the fold limit, rad/s.
+    """
+
+    folded_time: float | None
+    fold_time: float | None
+    final_speed: float | None
+
+
+def predicted_snap(hinge: TendonHinge, folded_angle: float, fold_start: float = FOLD_START) -> PredictedSnap:
+    """Predict the fold of a hinge from rest.
+
+    Args:
+        hinge: the hinge.
+        folded_angle: past straight, that counts as folded, rad.
+        fold_start: past straight, where it is let go, rad.
+    """
+    so_far = replace(hinge, fold_limit=min(folded_angle, hinge.fold_limit))
+    return PredictedSnap(
+        folded_time=fold_time(so_far, fold_start),
+        fold_time=fold_time(hinge, fold_start),
+        final_speed=final_speed(hinge, fold_start),
+    )
+
+
+def finely_sampled(design: Design) -> Design:
+    """The design with rows so close to each other that the snap of one hinge can be timed; the motion is the same."""
+    predicted = fold_time(ideal_hinge(design))
+    interval = design.protocol.sample_interval
+    if predicted is None or predicted / _ROWS >= interval:
+        return design
+    return with_values(design, {"protocol.sample_interval": predicted / _ROWS})
+
+
+def simulated_snap(record: Record, vein: int = SECOND, fold_start: float = FOLD_START) -> SimulatedSnap | None:
+    """Time the fold of a hinge, from where it last passes `fold_start` to where it first arrives.
+
+    Looks at all before the unfolding stage; between rows the angle is taken as straight.
+
+    Args:
+        record: of a wing.
+        vein: whose hinge.
+        fold_start: past straight, rad.
+
+    Returns:
+        None where the run diverged.
+    """
+    if record.diverged_at is not None:
+        return None
+    opening = [end.start for end in record.stages if end.stage.drive == "unfold"]
+    before = record.time <= min(opening, default=math.inf)
+    time, fold = record.time[before], -record.series["distal_angle"][before, vein]
+    arrivals = [
+        _snap_time(time, fold, fold_start, end)
+        for end in (record.design.protocol.folded_angle, record.design.hinge.fold_limit)
+    ]
+    leaves = _passes(time, fold, fold_start)
+    moving = time >= leaves[0] if len(leaves) else np.zeros(len(time), dtype=bool)
+    return SimulatedSnap(
+        vein=vein,
+        fold_start=fold_start,
+        folded_time=arrivals[0],
+        fold_time=arrivals[1],
+        largest_fold=float(fold.max()),
+        peak_speed=float(np.max(np.diff(fold[moving]) / np.diff(time[moving]))) if moving.sum() > 1 else None,
+        sample_interval=float(np.median(np.diff(time))) if len(time) > 1 else 0.0,
+    )
+
+
+def _snap_time(time: Array, fold: Array, start: float, end: float) -> float | None:
+    """From the last passing of the start before the first arrival at the end, s; None where there is none."""
+    arrivals = _passes(time, fold, end)
+    if not len(arrivals) or start >= end:
+        return None
+    leaves = _passes(time, fold, start)
+    leaves = leaves[leaves < arrivals[0]]
+    return float(arrivals[0] - leaves[-1]) if len(leaves) else None
+
+
+def _passes(time: Array, fold: Array, angle: float) -> Array:
+    """When a folding hinge passes an angle, s."""
+    rows = np.flatnonzero((fold[:-1] < angle) & (fold[1:] >= angle))
+    share = (angle - fold[rows]) / (fold[rows + 1] - fold[rows])
+    return np.asarray(time[rows] + share * (time[rows + 1] - time[rows]))
+
+
+def simulation_summary(record: Record) -> dict[str, Any]:
+    """What a run says of the second hinge's snap, beside its prediction, as plain data with units in its keys."""
+    design, outcome, snap = record.design, measure(record), simulated_snap(record)
+    folded_angle = design.protocol.folded_angle
+    hinges = {"ideal_hinge": ideal_hinge(design), "second_hinge": wing_hinges(design)[SECOND]}
+    return {
+        "status": outcome.status,
+        "advice": outcome.advice,
+        "vein": SECOND,
+        "fold_start_deg": math.degrees(FOLD_START),
+        "folded_angle_deg": math.degrees(folded_angle),
+        "folded_time_s": None if snap is None else snap.folded_time,
+        "fold_time_s": None if snap is None else snap.fold_time,
+        "largest_fold_deg": None if snap is None else math.degrees(snap.largest_fold),
+        "peak_speed_rad_per_s": None if snap is None else snap.peak_speed,
+        "sample_interval_s": None if snap is None else snap.sample_interval,
+        "predicted": {
+            name: {
+                "folded_time_s": predicted.folded_time,
+                "fold_time_s": predicted.fold_time,
+                "final_speed_rad_per_s": predicted.final_speed,
+            }
+            for name, hinge in hinges.items()
+            for predicted in [predicted_snap(hinge, folded_angle)]
+        },
+    }

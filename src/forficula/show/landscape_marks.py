@@ -1,0 +1,85 @@
+"""What the landscape figures share: marks of stable states, barriers close up, and sentences in free places."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+from numpy.typing import ArrayLike
+
+from forficula.show.style import BLACK, GREEN
+from forficula.statics import EnergyLandscape
+
+_KINDS = {"stop": "s", "minimum": "o", "neutral": "o"}
+_NAMES = {
+    "stop": "stable: presses onto a stop",
+    "minimum": "stable: minimum",
+    "neutral": "stable: range without force",
+}
+_WIDE: dict[str, Any] = {"color": GREEN, "lw": 6, "alpha": 0.35, "solid_capstyle": "butt"}
+_ROUNDING = 1e-6  # of a tendon's largest moment
+
+
+def rounding_torque(landscape: EnergyLandscape) -> float:
+    """Torque up to which one is rounding, N m."""
+    return _ROUNDING * float(np.abs(landscape.hinge.moment).max())
+
+
+def mark_state(axes: Axes, kind: str, place: float, energy: float, range_x: ArrayLike, range_y: ArrayLike) -> None:
+    """Mark a stable state: a point, or a band along the curve where it is a range."""
+    if kind == "neutral":
+        axes.plot(range_x, range_y, zorder=1, clip_on=False, **_WIDE)
+    else:
+        axes.plot(
+            place, energy, _KINDS[kind], color="white", mec=BLACK, mew=1.0, ms=6, zorder=6, clip_on=False, ls="none"
+        )
+
+
+def state_handles(kinds: set[str]) -> list[Line2D]:
+    """Entries of a legend for kinds of stable states."""
+    handles = []
+    for kind in ("stop", "minimum", "neutral"):
+        if kind not in kinds:
+            continue
+        if kind == "neutral":
+            handles.append(Line2D([], [], label=_NAMES[kind], **_WIDE))
+        else:
+            handles.append(
+                Line2D([], [], ls="none", marker=_KINDS[kind], color="white", mec=BLACK, ms=6, label=_NAMES[kind])
+            )
+    return handles
+
+
+def mark_barrier(axes: Axes, place: float, height: float, text: str) -> None:
+    """An arrow up a barrier from a zero line, and its height."""
+    axes.axhline(0, color="0.6", lw=0.5, zorder=0)
+    axes.annotate(
+        "",
+        xy=(place, height),
+        xytext=(place, 0),
+        arrowprops={"arrowstyle": "<->", "lw": 0.7, "shrinkA": 0, "shrinkB": 0},
+    )
+    axes.text(place, -0.12 * height, text, ha="center", va="top", fontsize=7)
+
+
+def write_note(axes: Axes, place: tuple[float, float], text: str, width: int = 44) -> None:
+    """Write a sentence into a free place, in shares of the axes."""
+    axes.text(
+        *place,
+        textwrap.fill(text, width),
+        transform=axes.transAxes,
+        ha="center",
+        va="center",
+        fontsize=7,
+        color="0.25",
+    )
+
+
+def show_angle(angle: float) -> str:
+    """Write an angle (rad) in degrees, with a minus sign and not a hyphen."""
+    # adding 0 turns -0 into 0
+    return f"{round(math.degrees(angle), 1) + 0.0:.1f}°".replace("-", "−")

@@ -1,0 +1,75 @@
+"""The files and lines of a static map."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from forficula.design import Design
+from forficula.errors import InputError
+from forficula.files import write_bytes, write_text
+from forficula.show.static_maps import draw_static_maps
+from forficula.show.style import save_figure
+from forficula.study import Study, table_csv
+from forficula.study.static_map import compare_maps
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+_VERBS = {"least_fold_torque": "fold", "least_unfold_torque": "open"}
+
+
+def read_simulated(folder: Path, design: Design) -> Dataset:
+    """Read the table of a study of a design.
+
+    Raises:
+        InputError: there is none, or it is of another design.
+    """
+    import xarray
+
+    path = folder / "table.nc"
+    try:
+        table = xarray.load_dataset(path, engine="h5netcdf")
+    except FileNotFoundError:
+        raise InputError(f"--simulated: {path}: no such file; need the folder of a study that is done") from None
+    except (OSError, ValueError) as error:
+        raise InputError(f"--simulated: {path}: cannot be read: {error}") from None
+    if table.attrs.get("design_hash") != design.hash:
+        theirs = table.attrs.get("design", "no design")
+        raise InputError(
+            f"--simulated: {path}: need a study of the design {design.name} with the same values,"
+            f" got one of {theirs} with others"
+        )
+    return table
+
+
+def write_static_map(study: Study, table: Dataset, folder: Path, simulated: Dataset | None = None) -> None:
+    """Write the map as a table and as a figure.
+
+    Args:
+        study: the grid.
+        table: from `static_map`.
+        folder: of the landscape.
+        simulated: table of a simulated study with the same factors, drawn beside.
+
+    Raises:
+        InputError: a file cannot be written, or the two have different factors.
+    """
+    figure = draw_static_maps(table, simulated)
+    write_text(folder / "map.csv", table_csv(study, table))
+    write_bytes(folder / "map.nc", table.to_netcdf(engine="h5netcdf"))
+    save_figure(figure, folder / "map.png")
+
+
+def print_static_map(table: Dataset, simulated: Dataset | None = None) -> None:
+    """Say how many wings fold and open slowly, and where a simulation differs."""
+    count = table["status"].size
+    print()
+    for name, verb in _VERBS.items():
+        print(f"{int(np.isfinite(table[name]).sum())} of {count} wings {verb} under slowly growing torques")
+        if simulated is not None:
+            words, numbers = np.unique(compare_maps(table, simulated, name).values.astype(str), return_counts=True)
+            parts = [f"{number} {word}" for word, number in zip(words.tolist(), numbers.tolist(), strict=True)]
+            print(f"    beside the simulation: {', '.join(parts)}")

@@ -1,0 +1,70 @@
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.special import ellipk
+
+import forficula as ff
+from forficula.analysis.simulated_snap import finely_sampled, predicted_snap, simulated_snap
+from forficula.statics import ideal_hinge
+
+
+def folding(record, angle):
+    """A record whose hinges all fold as they are told, rad over s, before anything opens."""
+    time = np.linspace(0, 0.2, 2001)
+    fold = angle(time)
+    series = dict(record.series) | {"distal_angle": -np.repeat(fold[:, None], 3, axis=1)}
+    return replace(record, time=time, series=series, stages=record.stages[:2])
+
+
+def test_a_known_fold_is_timed_to_what_straight_lines_between_rows_allow(reference_run):
+    rate, start = 30.0, math.radians(1)
+    # grows as a hinge does that leaves straight, and stops at its limit
+    record = folding(reference_run, lambda time: np.minimum(start / 2 * np.exp(rate * time), math.pi))
+    snap = simulated_snap(record)
+    # rows 0.1 ms apart: the chord of an exponential errs by (rate * interval)^2 / 8 of its height, so by 4e-8 s
+    assert snap.folded_time == pytest.approx(math.log(150) / rate, abs=1e-7)
+    assert snap.fold_time == pytest.approx(math.log(180) / rate, abs=1e-4)
+    assert snap.peak_speed == pytest.approx(rate * math.pi, rel=5e-3)
+
+
+def test_a_fold_counts_from_the_last_time_that_the_hinge_leaves_straight(reference_run):
+    def angle(time):
+        early = 0.1 * np.sin(2 * math.pi * time / 0.1)  # beyond 1 deg, and back
+        return np.where(time < 0.1, early, 100 * (time - 0.1))
+
+    snap = simulated_snap(folding(reference_run, angle))
+    assert snap.folded_time == pytest.approx((math.radians(150) - math.radians(1)) / 100, abs=1e-6)
+
+
+def test_a_hinge_that_does_not_arrive_has_no_time_but_an_angle(reference_run):
+    snap = simulated_snap(folding(reference_run, lambda time: np.minimum(10 * time, 1.0)))
+    assert (snap.folded_time, snap.fold_time) == (None, None)
+    assert snap.largest_fold == pytest.approx(1.0)
+
+
+def test_a_run_that_diverged_has_no_snap(reference_run):
+    assert simulated_snap(replace(reference_run, diverged_at=0.1)) is None
+
+
+def test_the_prediction_to_the_limit_is_the_elliptic_integral(reference):
+    hinge = ideal_hinge(ff.load_design("binder2025", {"tendon.rest_length": "0 cm"}))
+    scale = math.sqrt(hinge.inertia / (1000 * 0.055**2))
+    # theory.md, section 3: t* K(m), m = cos^2(start / 2)
+    predicted = predicted_snap(hinge, reference.protocol.folded_angle)
+    assert predicted.fold_time == pytest.approx(scale * ellipk(math.cos(math.radians(0.5)) ** 2), rel=1e-9)
+    assert 0 < predicted.folded_time < predicted.fold_time
+
+
+def test_finer_rows_leave_the_motion_as_it_is(reference, reference_run):
+    fine = ff.run(finely_sampled(reference))
+    assert len(fine.time) > 4 * len(reference_run.time)
+    rows = np.searchsorted(fine.time, reference_run.time - 1e-9)
+    same = fine.series["distal_angle"][rows] == reference_run.series["distal_angle"]
+    assert same.all()
+
+
+def test_a_slack_tendon_is_sampled_as_the_protocol_says():
+    slack = ff.load_design("binder2025", {"tendon.rest_length": "12 cm"})
+    assert finely_sampled(slack) is slack
