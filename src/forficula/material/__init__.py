@@ -1,3 +1,76 @@
-from forficula.material.tendon_law import ElasticLaw
+from forficula.material.cycle_drift import CycleDrift, CycleMedians, cycle_drift, cycle_medians
+from forficula.material.cycles import Branch, Cycle, find_cycles
+from forficula.material.drift import Drift, fit_drift, law_at_cycle, stretched_before
+from forficula.material.fit import Candidate, LawFit, Residual, fit_law
+from forficula.material.law_file import law_text, law_values, load_law, named_laws, save_law
+from forficula.material.law_form import LawForm, all_forms
+from forficula.material.law_keys import law_unit
+from forficula.material.machine_file import read_tensile_test, read_tensile_tests
+from forficula.material.material_law import (
+    Bounds,
+    Fact,
+    MaterialLaw,
+    MaxwellBranch,
+    Unknown,
+    area_for,
+    chosen,
+    require,
+    scaled,
+)
+from forficula.material.modulus import ModulusClass, Quartiles, moduli_by_strain
+from forficula.material.softening import OgdenRoxburgh
+from forficula.material.strain_history import StrainHistory
+from forficula.material.stress import StressHistory, loss_modulus, loss_per_cycle, storage_modulus, stress_of
+from forficula.material.tendon_law import ElasticLaw, TendonBranch, TendonLaw
+from forficula.material.tensile_test import TensileTest
 
-__all__ = ["ElasticLaw"]
+__all__ = [
+    "Bounds",
+    "Branch",
+    "Candidate",
+    "Cycle",
+    "CycleDrift",
+    "CycleMedians",
+    "Drift",
+    "ElasticLaw",
+    "Fact",
+    "LawFit",
+    "LawForm",
+    "MaterialLaw",
+    "MaxwellBranch",
+    "ModulusClass",
+    "OgdenRoxburgh",
+    "Quartiles",
+    "Residual",
+    "StrainHistory",
+    "StressHistory",
+    "TendonBranch",
+    "TendonLaw",
+    "TensileTest",
+    "Unknown",
+    "all_forms",
+    "area_for",
+    "chosen",
+    "cycle_drift",
+    "cycle_medians",
+    "find_cycles",
+    "fit_drift",
+    "fit_law",
+    "law_at_cycle",
+    "law_text",
+    "law_unit",
+    "law_values",
+    "load_law",
+    "loss_modulus",
+    "loss_per_cycle",
+    "moduli_by_strain",
+    "named_laws",
+    "read_tensile_test",
+    "read_tensile_tests",
+    "require",
+    "save_law",
+    "scaled",
+    "storage_modulus",
+    "stress_of",
+    "stretched_before",
+]

@@ -1,4 +1,4 @@
-"""Force of a tendon against its length."""
+"""Force of a tendon against its length, its rate and its past."""
 
 from __future__ import annotations
 
@@ -89,3 +89,74 @@ class ElasticLaw:
         quadratic = self.quadratic * (x**2 - d * (x - d / 3))
         cubic = self.cubic * (x**3 - d * (1.5 * x**2 - d * (x - d / 4)))
         return np.asarray(d * (linear + quadratic + cubic))
+
+
+@dataclass(frozen=True, kw_only=True)
+class TendonBranch:
+    """A Maxwell branch of a tendon: a spring and a damper in series, beside the tendon's spring.
+
+    Its force follows dF/dt = stiffness dL/dt - F / time at any length, slack or taut (Maxwell 1867).
+
+    Attributes:
+        stiffness: N/m, > 0.
+        time: relaxation time, s, > 0.
+
+    Raises:
+        InputError: a number that is not > 0 and finite.
+    """
+
+    stiffness: float
+    time: float
+
+    def __post_init__(self) -> None:
+        for name, unit in (("stiffness", "N/m"), ("time", "s")):
+            value = getattr(self, name)
+            if not (np.isfinite(value) and value > 0):
+                raise InputError(f"branch.{name}: need a finite number > 0, got {value:g} {unit}")
+
+
+@dataclass(frozen=True, kw_only=True)
+class TendonLaw:
+    """What a simulator needs of a tendon: a spring that only pulls, a damper, Maxwell branches, a yield.
+
+    With the extension x = length - rest_length and its rate v the pull is a x + b x^2 + c x^3 where x > 0, plus
+    a v + b v|v| + c v^3 and the forces of the branches at any x: the forms of MuJoCo 4's tendons. Where x would pass
+    `yield_extension`, the resting length creeps so that it does not (ideal plasticity, MuJoCo's `springyield`).
+
+    Attributes:
+        rest_length: m.
+        stiffness: N/m, N/m^2, N/m^3.
+        damping: N s/m, N s^2/m^2, N s^3/m^3; None where the material does not say.
+        branches: of Maxwell, any number.
+        yield_extension: m, > 0; None where it never yields.
+
+    Raises:
+        InputError: what `ElasticLaw` refuses, damping < 0, or a yield extension that is not > 0.
+    """
+
+    rest_length: float
+    stiffness: tuple[float, float, float]
+    damping: tuple[float, float, float] | None = None
+    branches: tuple[TendonBranch, ...] = ()
+    yield_extension: float | None = None
+
+    def __post_init__(self) -> None:
+        _ = self.elastic
+        if self.damping is not None and not all(np.isfinite(value) and value >= 0 for value in self.damping):
+            raise InputError(f"damping: need three finite numbers >= 0, got {self.damping}")
+        at = self.yield_extension
+        if at is not None and not (np.isfinite(at) and at > 0):
+            raise InputError(f"yield_extension: need a finite number > 0, got {at:g} m")
+
+    @property
+    def elastic(self) -> ElasticLaw:
+        """Its spring."""
+        linear, quadratic, cubic = self.stiffness
+        return ElasticLaw(rest_length=self.rest_length, linear=linear, quadratic=quadratic, cubic=cubic)
+
+    @property
+    def yield_force(self) -> float | None:
+        """The largest force of its spring, N; None where it never yields."""
+        if self.yield_extension is None:
+            return None
+        return float(self.elastic.force(self.rest_length + self.yield_extension))

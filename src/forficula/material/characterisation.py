@@ -1,0 +1,264 @@
+"""What tensile tests say of a material: its cycles, its moduli, how they drift, and its law."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.errors import InputError
+from forficula.material.cycle_drift import CycleDrift, CycleMedians, cycle_drift, cycle_medians
+from forficula.material.cycles import BAND, Cycle, find_cycles
+from forficula.material.drift import Drift, fit_drift
+from forficula.material.fit import LawFit, fit_law
+from forficula.material.law_form import LawForm
+from forficula.material.material_law import Fact, MaterialLaw
+from forficula.material.modulus import ModulusClass, moduli_by_strain
+from forficula.material.strain_history import StrainHistory
+from forficula.material.tensile_test import TensileTest
+from forficula.quantities import Unit, format_quantity, parse_quantity
+
+SPECIMEN_LENGTH, SPECIMEN_AREA = "length of the specimens", "area of the specimens"
+LENGTH = Unit(display="mm", si="m", example="60 mm")
+AREA = Unit(display="mm^2", si="m^2", example="5 mm^2")
+SIMULATED_STIFFNESSES = (1000.0, 6000.0)  # N/m: 10 to 60 N/cm, Binder et al. 2025
+_FEWEST_CYCLES = 3  # that tell a drift
+_FEWEST_SPECIMENS = 3  # ISO 37
+_POOR_FIT = 0.05  # of the largest stress
+_SAME_SIZE = 0.01
+
+# relative ones drift by a factor
+DRIFTING: dict[str, tuple[Callable[[Cycle], float], bool]] = {
+    "peak_stress": (lambda cycle: cycle.secant_modulus * cycle.largest_strain, True),
+    "loss": (lambda cycle: cycle.loss, True),
+    "residual_strain": (lambda cycle: cycle.residual_strain, False),
+}
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Specimen:
+    """One specimen and its cycles.
+
+    Attributes:
+        test: as the machine recorded it.
+        cycles: that count.
+        left_out: the first cycle, where it does not count.
+    """
+
+    test: TensileTest
+    cycles: tuple[Cycle, ...]
+    left_out: tuple[Cycle, ...]
+
+    @property
+    def strain_rate(self) -> float:
+        """Median over the samples of loading and unloading, 1/s."""
+        branches = [branch for cycle in self.cycles for branch in (cycle.loading, cycle.unloading)]
+        rates = [abs(np.ptp(branch.strain)) / max(np.ptp(branch.time), 1e-300) for branch in branches]
+        return float(np.median(rates))
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Characterisation:
+    """What the tensile tests of a material say.
+
+    Attributes:
+        name: of the material.
+        specimens: in the order given.
+        cycles: medians over specimens.
+        change: of the cycles, from one to the next.
+        drifts: of peak stress, loss and residual strain, by the keys of `DRIFTING`; None where they cannot be told.
+        by_cycle: moduli in classes of strain, cycle by cycle.
+        pooled: moduli in classes of strain, cycles put together.
+        single: the values behind both, those of each cycle of each specimen.
+        fit: of the law; None where the data determine none.
+        law: that was chosen, with its source and the size of the specimens; None as `fit`.
+        remarks: what a person should know, one sentence each.
+    """
+
+    name: str
+    specimens: tuple[Specimen, ...]
+    cycles: tuple[CycleMedians, ...]
+    change: CycleDrift
+    drifts: Mapping[str, Drift | None]
+    by_cycle: tuple[ModulusClass, ...]
+    pooled: tuple[ModulusClass, ...]
+    single: tuple[ModulusClass, ...]
+    fit: LawFit | None
+    law: MaterialLaw | None
+    remarks: tuple[str, ...] = field(default=())
+
+    @property
+    def simulated_moduli(self) -> tuple[float, float]:
+        """Moduli that tendons of the specimens' size need for 10 to 60 N/cm, E = k L / A, Pa.
+
+        The stiffnesses are those of Binder et al. 2025; the size is the median of the specimens'.
+        """
+        ratio = float(np.median([each.test.length / each.test.area for each in self.specimens]))
+        low, high = SIMULATED_STIFFNESSES
+        return low * ratio, high * ratio
+
+
+def characterise(
+    tests: Sequence[TensileTest],
+    *,
+    name: str = "material",
+    source: str = "",
+    drop_first: bool = True,
+    band: float = BAND,
+    forms: Sequence[LawForm] | None = None,
+) -> Characterisation:
+    """Find cycles, moduli, drift and the law of a material.
+
+    Args:
+        tests: of its specimens.
+        name: of the material.
+        source: of the tests, for the law.
+        drop_first: leave out the first cycle; the law runs through it all the same, since materials remember it.
+        band: hysteresis of the turning points, a share of the largest travel.
+        forms: of laws to try, all by default; where forms are given and none of them can be determined, that is an
+            error rather than a remark.
+
+    Raises:
+        InputError: no test, or one without cycles; the message names the specimen.
+    """
+    if not tests:
+        raise InputError("need at least one tensile test, got none")
+    specimens = tuple(_specimen(test, drop_first, band) for test in tests)
+    cycles = [each.cycles for each in specimens]
+    drifts = {key: _drift(cycles, value, relative) for key, (value, relative) in DRIFTING.items()}
+    fit, refusal = _fit(specimens, name, source, forms)
+    return Characterisation(
+        name=name,
+        specimens=specimens,
+        cycles=cycle_medians(cycles),
+        change=cycle_drift(cycles),
+        drifts=drifts,
+        by_cycle=moduli_by_strain(cycles),
+        pooled=moduli_by_strain(cycles, pool_cycles=True),
+        single=tuple(_single(cycles)),
+        fit=fit,
+        law=None if fit is None else replace(fit.law, facts=tuple(_facts(specimens, source))),
+        remarks=tuple(_remarks(specimens, drifts, fit, refusal)),
+    )
+
+
+def known_length(law: MaterialLaw) -> float | None:
+    """The length of the specimens that a law comes from, m; None where it is not among the law's facts."""
+    return next((parse_quantity(fact.value, LENGTH) for fact in law.facts if fact.what == SPECIMEN_LENGTH), None)
+
+
+def cycle_table(cycles: Sequence[Sequence[Cycle]], value: Callable[[Cycle], float]) -> NDArray[np.float64]:
+    """A value of the cycles that every specimen has, shape (specimen, cycle), nan where it is absent."""
+    numbers = common_cycles(cycles)
+    by_number = [{cycle.number: value(cycle) for cycle in own} for own in cycles]
+    return np.array([[own[number] for number in numbers] for own in by_number], dtype=np.float64)
+
+
+def common_cycles(cycles: Sequence[Sequence[Cycle]]) -> list[int]:
+    """Numbers of the cycles that every specimen has."""
+    return sorted(set.intersection(*({cycle.number for cycle in own} for own in cycles)))
+
+
+def _specimen(test: TensileTest, drop_first: bool, band: float) -> Specimen:
+    cycles = find_cycles(test, band=band, drop_first=False)
+    kept = cycles[1:] if drop_first else cycles
+    if not kept:
+        raise InputError(f"{test.name}: need two cycles, of which the first is left out, got one; keep the first, too")
+    return Specimen(test=test, cycles=kept, left_out=cycles[: len(cycles) - len(kept)])
+
+
+def _drift(cycles: Sequence[Sequence[Cycle]], value: Callable[[Cycle], float], relative: bool) -> Drift | None:
+    numbers, table = common_cycles(cycles), cycle_table(cycles, value)
+    if len(numbers) < _FEWEST_CYCLES or not np.all(np.isfinite(table)) or (relative and np.any(table <= 0)):
+        return None
+    return fit_drift(numbers, table, relative=relative)
+
+
+def _single(cycles: Sequence[Sequence[Cycle]]) -> Iterator[ModulusClass]:
+    """The moduli of each cycle of each specimen alone; cycles that pass half of no class give none."""
+    for cycle in (cycle for own in cycles for cycle in own):
+        try:
+            yield from moduli_by_strain([[cycle]])
+        except InputError:
+            continue
+
+
+def strain_history(specimen: Specimen) -> StrainHistory:
+    """A specimen's whole test as a law is fitted to it, compared from the first cycle that counts.
+
+    Of rows with the same time the first is taken.
+    """
+    test = specimen.test
+    rows = np.concatenate([[True], np.diff(test.time) > 0])
+    start = specimen.cycles[0].loading.time[0] if specimen.left_out else test.time[0]
+    return StrainHistory(
+        time=test.time[rows],
+        strain=test.strain[rows],
+        stress=test.stress[rows],
+        name=test.name,
+        first=int(np.searchsorted(test.time[rows], start)),
+    )
+
+
+def _fit(
+    specimens: Sequence[Specimen], name: str, source: str, forms: Sequence[LawForm] | None
+) -> tuple[LawFit | None, str]:
+    """The law, or why there is none."""
+    try:
+        return fit_law([strain_history(each) for each in specimens], name=name, source=source, forms=forms), ""
+    except InputError as error:
+        if forms is not None:
+            raise
+        return None, str(error)
+
+
+def _facts(specimens: Sequence[Specimen], source: str) -> Iterator[Fact]:
+    """What a reader of the law needs to know of the tests."""
+    lengths, areas = [each.test.length for each in specimens], [each.test.area for each in specimens]
+    for what, values, unit in ((SPECIMEN_LENGTH, lengths, LENGTH), (SPECIMEN_AREA, areas, AREA)):
+        if max(values) <= (1 + _SAME_SIZE) * min(values):
+            # the median of equal sizes, to the digits that a machine writes
+            value = float(f"{np.median(values):.6g}")
+            yield Fact(what=what, value=format_quantity(value, unit), source=source)
+    rates = [each.strain_rate for each in specimens]
+    shown = f"{min(rates):.3g}" if max(rates) <= 1.05 * min(rates) else f"{min(rates):.3g} to {max(rates):.3g}"
+    yield Fact(what="strain rate", value=f"{shown} 1/s", source=source)
+    yield Fact(what="number of specimens", value=str(len(specimens)), source=source)
+
+
+def _remarks(
+    specimens: Sequence[Specimen], drifts: Mapping[str, Drift | None], fit: LawFit | None, refusal: str
+) -> Iterator[str]:
+    count = len(specimens)
+    if any(each.left_out for each in specimens):
+        yield "the first cycle of every specimen is left out of all values; the law runs through it"
+    if count < _FEWEST_SPECIMENS:
+        known = "one specimen" if count == 1 else f"{count} specimens"
+        yield f"{known}: intervals and quartiles hardly say how specimens differ; ISO 37 asks for three or more"
+    ratios = [each.test.length / each.test.area for each in specimens]
+    if max(ratios) > (1 + _SAME_SIZE) * min(ratios):
+        yield "the specimens differ in size; the band of moduli in modulus.png is for their median"
+    untold = [key.replace("_", " ") for key, drift in drifts.items() if drift is None]
+    if untold:
+        yield (
+            f"the drift of {', '.join(untold)} cannot be told: that takes {_FEWEST_CYCLES} cycles in every specimen,"
+            " with a value in each"
+        )
+    yield from _fit_remarks(fit, refusal)
+
+
+def _fit_remarks(fit: LawFit | None, refusal: str) -> Iterator[str]:
+    if fit is None:
+        yield f"there is no law: {refusal}"
+        return
+    if fit.relative_misfit > _POOR_FIT:
+        yield f"the law misses the data by {fit.relative_misfit:.0%} of the largest stress; see fit.png"
+    refused = [each.refused for each in fit.candidates if each.refused]
+    rate = [reason for reason in dict.fromkeys(refused) if "rate only" in reason]
+    if rate:
+        yield f"not every law can be told: {max(rate, key=len)}"
+    if any(math.isnan(each.bic) for each in fit.candidates):
+        yield f"{len(refused)} of {len(fit.candidates)} laws are refused; material.json says why for each"

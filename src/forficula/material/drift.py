@@ -1,0 +1,202 @@
+"""How a material changes from cycle to cycle, and its law as it is at one of them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from forficula.errors import InputError
+from forficula.material.law_keys import TERMS
+from forficula.material.material_law import MaterialLaw, MaxwellBranch, known_moduli
+from forficula.material.softening import Triple, softened_moduli
+
+Array = NDArray[np.float64]
+
+_FEWEST_CYCLES = 3
+_FEWEST_FOR_PLATEAU = 5
+_FLOOR = 1e-12  # smaller misfits are rounding
+
+
+@dataclass(frozen=True, kw_only=True)
+class Drift:
+    """A change over the cycles of a test at constant amplitude.
+
+    Attributes:
+        kind: "none", where the data show none; "logarithm", rate ln N; or "plateau", rate (1 - exp(-(N - 1) / cycles)).
+        rate: of the change.
+        interval: of the rate, 95 % confidence.
+        cycles: of the plateau; 0 for the others.
+        relative: whether the change is in the logarithm of the value, or in the value itself.
+        seen: first and last cycle of the data; beyond, a drift is an extrapolation.
+    """
+
+    kind: Literal["none", "logarithm", "plateau"]
+    rate: float
+    interval: tuple[float, float]
+    cycles: float
+    relative: bool
+    seen: tuple[int, int]
+
+    def change(self, cycle: float) -> tuple[float, float, float]:
+        """The change from the first cycle seen to another: its value and its 95 % confidence interval.
+
+        Args:
+            cycle: >= 1, the first one of the test being 1.
+
+        Returns:
+            A factor where the drift is relative, else a difference in the value's unit.
+
+        Raises:
+            InputError: the cycle is none.
+        """
+        if not (math.isfinite(cycle) and cycle >= 1):
+            raise InputError(f"cycle: need >= 1, got {cycle:g}")
+        way = float(_course(self.kind, np.array([float(cycle)]), self.cycles)[0])
+        way -= float(_course(self.kind, np.array([float(self.seen[0])]), self.cycles)[0])
+        low, high = sorted((self.interval[0] * way, self.interval[1] * way))
+        middle = self.rate * way
+        return (math.exp(middle), math.exp(low), math.exp(high)) if self.relative else (middle, low, high)
+
+
+def fit_drift(cycles: Sequence[int], values: ArrayLike, *, relative: bool = True) -> Drift:
+    """Fit the drift of a value over cycles of constant amplitude, where the data show one.
+
+    No drift, one with the logarithm of the cycle (the field's usual one, for ln of the value a power law) and one to a
+    plateau, each with a level of its own for every specimen; the choice is by the Bayesian information criterion. A
+    value may rise as well as fall: some thermoplastic elastomers stiffen (Scetta et al. 2021, arXiv 2104.02504).
+
+    Args:
+        cycles: their numbers, rising, the first one of the test being 1.
+        values: such as the peak stress or a modulus of each cycle, shape (cycles,) or (specimens, cycles).
+        relative: fit the logarithm of the values.
+
+    Raises:
+        InputError: fewer than three cycles, other shapes, or values that are not finite, or not > 0 where relative.
+    """
+    numbers, table = np.asarray(cycles, dtype=np.float64), np.atleast_2d(np.asarray(values, dtype=np.float64))
+    if len(numbers) < _FEWEST_CYCLES or np.any(np.diff(numbers) <= 0) or numbers[0] < 1:
+        raise InputError(f"cycles: need at least {_FEWEST_CYCLES} rising numbers >= 1, got {list(cycles)}")
+    if table.shape[1:] != numbers.shape:
+        raise InputError(f"values: need {len(numbers)} in each row, one for each cycle, got shape {table.shape}")
+    if not np.all(np.isfinite(table)) or (relative and np.any(table <= 0)):
+        raise InputError(f"values: need finite numbers{' > 0' if relative else ''}, got {np.min(table):g}")
+    table = np.log(table) if relative else table
+    scale = 1.0 if relative else max(float(np.max(np.abs(table))), np.finfo(float).tiny)
+    levelled = (table - table.mean(axis=1, keepdims=True)) / scale
+    fits = [_of_kind("none", numbers, levelled), _of_kind("logarithm", numbers, levelled)]
+    if len(numbers) >= _FEWEST_FOR_PLATEAU:
+        fits.append(_of_kind("plateau", numbers, levelled))
+    _, kind, rate, half, length = min(fits, key=lambda fit: fit[0])
+    return Drift(
+        kind=kind,
+        rate=rate * scale,
+        interval=((rate - half) * scale, (rate + half) * scale),
+        cycles=length,
+        relative=relative,
+        seen=(int(numbers[0]), int(numbers[-1])),
+    )
+
+
+def _course(kind: str, numbers: Array, length: float) -> Array:
+    """How far a drift of rate 1 has come at each cycle."""
+    if kind == "logarithm":
+        return np.log(numbers)
+    return np.zeros_like(numbers) if kind == "none" else -np.expm1(-(numbers - 1) / length)
+
+
+def _of_kind(
+    kind: Literal["none", "logarithm", "plateau"], numbers: Array, levelled: Array
+) -> tuple[float, Literal["none", "logarithm", "plateau"], float, float, float]:
+    """BIC, kind, rate, half of its interval and length of the plateau of the best drift of a kind."""
+    from scipy.special import stdtrit
+
+    length = _plateau_length(numbers, levelled) if kind == "plateau" else 0.0
+    course = _course(kind, numbers, length)
+    course = course - course.mean()
+    weight = float(course @ course) * len(levelled)
+    rate = float(np.sum(levelled * course)) / weight if weight else 0.0
+    squares = max(float(np.sum((levelled - rate * course) ** 2)), _FLOOR**2)
+    own = {"none": 0, "logarithm": 1, "plateau": 2}[kind]
+    points, count = levelled.size, own + len(levelled)
+    bic = points * math.log(squares / points) + count * math.log(points)
+    freedom = max(points - count, 1)
+    half = float(stdtrit(freedom, 0.975)) * math.sqrt(squares / freedom / weight) if weight else 0.0
+    return bic, kind, rate, half, length
+
+
+def _plateau_length(numbers: Array, levelled: Array) -> float:
+    """The length, in cycles, that fits best; between a part of a cycle and the cycles seen."""
+    from scipy.optimize import least_squares
+
+    def residual(logarithm: Array) -> Array:
+        course = _course("plateau", numbers, float(np.exp(logarithm[0])))
+        course = course - course.mean()
+        rate = float(np.sum(levelled * course)) / (float(course @ course) * len(levelled))
+        return np.asarray((levelled - rate * course).ravel())
+
+    bounds = (math.log(0.3), math.log(float(np.ptp(numbers))))
+    found = least_squares(residual, [sum(bounds) / 2], bounds=([bounds[0]], [bounds[1]]))
+    return float(np.exp(found.x[0]))
+
+
+def law_at_cycle(
+    law: MaterialLaw, cycle: float, *, stiffness: Drift | None = None, residual_strain: Drift | None = None
+) -> MaterialLaw:
+    """A law as it is at a cycle: every stress times the stiffness' drift, the set longer by the residual strain's.
+
+    Args:
+        law: at the first cycle that the drifts have seen.
+        cycle: >= 1.
+        stiffness: relative drift of the peak stress or of a modulus.
+        residual_strain: drift of the residual strain, not relative.
+
+    Returns:
+        The law; its intervals are left out, since the drift's own uncertainty is not in them.
+
+    Raises:
+        InputError: a cycle that is none, or a drift of the wrong kind.
+    """
+    for key, drift, relative in (("stiffness", stiffness, True), ("residual_strain", residual_strain, False)):
+        if drift is not None and drift.relative != relative:
+            raise InputError(f"{key}: need a drift that is {'relative' if relative else 'a difference'}")
+    factor = 1.0 if stiffness is None else stiffness.change(cycle)[0]
+    longer = 0.0 if residual_strain is None else residual_strain.change(cycle)[0]
+    return replace(
+        law,
+        moduli=None if law.moduli is None else _times(law.moduli, factor),
+        viscosity=None if law.viscosity is None else _times(law.viscosity, factor),
+        branches=tuple(MaxwellBranch(modulus=each.modulus * factor, time=each.time) for each in law.branches),
+        residual_strain=max(law.residual_strain + longer, 0.0),
+        softening=None if law.softening is None else replace(law.softening, m=law.softening.m * factor),
+        intervals=(),
+    )
+
+
+def stretched_before(law: MaterialLaw, peak: float) -> tuple[MaterialLaw, float]:
+    """A law with softening as it is after a stretch: a polynomial that a simulator can take, see `softened_moduli`.
+
+    Args:
+        law: with moduli.
+        peak: the largest strain that its spring has seen, > 0.
+
+    Returns:
+        The law, unchanged where it has no softening, and the largest error as a share of the stress at the peak.
+
+    Raises:
+        InputError: an absent modulus, or a peak that is no strain > 0.
+    """
+    if law.softening is None:
+        return law, 0.0
+    moduli, error = softened_moduli(known_moduli(law), law.softening, peak)
+    own = {f"modulus.{term}" for term in TERMS}
+    kept = tuple(each for each in law.intervals if each.key not in own and not each.key.startswith("softening"))
+    return replace(law, moduli=moduli, softening=None, intervals=kept), error
+
+
+def _times(terms: Triple, factor: float) -> Triple:
+    return terms[0] * factor, terms[1] * factor, terms[2] * factor

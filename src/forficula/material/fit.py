@@ -1,0 +1,247 @@
+"""Measured histories of strain and stress in, a material law with its uncertainty out."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.errors import InputError
+from forficula.material.fit_form import FLOOR, FittedForm, fit_form, one_rate
+from forficula.material.fit_problem import Model, Problem, problem_of
+from forficula.material.fit_start import Starter, pulling_solution
+from forficula.material.law_form import LawForm, all_forms
+from forficula.material.material_law import MaterialLaw
+from forficula.material.strain_history import StrainHistory
+from forficula.material.uncertainty import effective_points
+
+Array = NDArray[np.float64]
+
+_SAME_FIT = 6.0  # of BIC, "strong" evidence (Raftery 1995, doi 10.2307/271063)
+_TIMES = 16  # relaxation times tried in place of a damper
+
+
+@dataclass(frozen=True, kw_only=True)
+class Candidate:
+    """A form that was tried.
+
+    Attributes:
+        form: what was tried.
+        bic: Bayesian information criterion, less is better; nan where it was refused.
+        misfit: root mean square of the residual, Pa; nan where it was refused.
+        refused: why, or empty.
+    """
+
+    form: LawForm
+    bic: float = np.nan
+    misfit: float = np.nan
+    refused: str = ""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Residual:
+    """What a fit leaves of one specimen, by blocks of neighbouring rows.
+
+    Attributes:
+        name: of the specimen.
+        time: s, shape (points,).
+        strain: shape (points,).
+        stress: measured, Pa, shape (points,).
+        fitted: Pa, shape (points,), offset and drift included.
+        offset: of the force's zero, Pa, at the middle of the test; 0 where it was not fitted.
+        drift: of the force's zero, Pa/s; 0 where it was not fitted.
+    """
+
+    name: str
+    time: Array
+    strain: Array
+    stress: Array
+    fitted: Array
+    offset: float
+    drift: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LawFit:
+    """A law and how well data determine it.
+
+    Attributes:
+        law: with the 95 % confidence intervals of its values.
+        form: its terms.
+        points: that were compared.
+        effective_points: that they are worth, neighbours being alike.
+        bic: Bayesian information criterion.
+        misfit: root mean square of the residual, Pa.
+        relative_misfit: that by the largest stress.
+        residuals: by specimen.
+        candidates: all that were tried, the chosen one first, the refused ones last.
+    """
+
+    law: MaterialLaw
+    form: LawForm
+    points: int
+    effective_points: float
+    bic: float
+    misfit: float
+    relative_misfit: float
+    residuals: tuple[Residual, ...]
+    candidates: tuple[Candidate, ...]
+
+
+def fit_law(
+    histories: Sequence[StrainHistory],
+    *,
+    name: str = "fitted",
+    source: str = "",
+    forms: Sequence[LawForm] | None = None,
+) -> LawFit:
+    """Fit laws to one or several specimens and choose between them.
+
+    Least squares of the stress, where a specimen gives way rather than push, with an offset of each specimen's force
+    and a drift linear in time where the data can tell them from the law. The choice is by the Bayesian information
+    criterion, with the points that the best residual is worth; of laws that differ by less than 6 of it, the one with
+    the fewest values is taken. Where a test at one rate fits a damper and a Maxwell
+    branch alike, both are refused. A test of which the first cycle is dropped is best given whole, with its `first`
+    sample: branches, yield and softening remember that cycle.
+
+    Args:
+        histories: of the specimens, each from a specimen at rest.
+        name: of the law.
+        source: of the data.
+        forms: to try; by default `all_forms`.
+
+    Raises:
+        InputError: no data, too few rows, no stretch, or no form whose values the data determine; the message names
+            the values.
+    """
+    problem = _checked(histories)
+    starter = Starter(problem)
+    fitted: list[FittedForm] = []
+    refused: list[Candidate] = []
+    for form in all_forms() if forms is None else forms:
+        try:
+            fitted.append(fit_form(problem, starter, form))
+        except InputError as error:
+            refused.append(Candidate(form=form, refused=str(error)))
+    if fitted:
+        ambiguous = _ambiguous(fitted, problem)
+        refused += [
+            Candidate(form=each.model.form, refused=ambiguous[id(each)]) for each in fitted if id(each) in ambiguous
+        ]
+        fitted = [each for each in fitted if id(each) not in ambiguous]
+    if not fitted:
+        reasons = dict.fromkeys(f"{each.form.name}: {each.refused}" for each in refused)
+        raise InputError(f"no law can be determined: {'; '.join(list(reasons)[:3])}")
+    return _chosen(fitted, refused, name, source)
+
+
+def _checked(histories: Sequence[StrainHistory]) -> Problem:
+    if not histories:
+        raise InputError("histories: need at least one, got none")
+    for each in histories:
+        if np.ptp(each.strain) == 0 or np.max(each.strain) <= 0:
+            raise InputError(f"{each.name}: strain: need a stretch, got {np.max(each.strain):g} throughout")
+        if not np.any(each.stress):
+            raise InputError(f"{each.name}: stress: need a force, got 0 throughout")
+    return problem_of(histories)
+
+
+def _ambiguous(fitted: Sequence[FittedForm], problem: Problem) -> dict[int, str]:
+    """Forms whose damper a Maxwell branch replaces as well, or the other way round, at the one rate of the data."""
+    rate = one_rate(problem)
+    dampers = [each for each in fitted if each.model.form.damper and not each.model.form.branches]
+    branched = [each for each in fitted if each.model.form.branches]
+    if rate is None or not dampers:
+        return {}
+    effective = _effective(fitted)
+    damper = min(dampers, key=lambda each: each.bic(effective))
+    rivals = [2 * effective * _rival_misfit(damper)]
+    settled = False
+    if branched:
+        branch = min(branched, key=lambda each: each.bic(effective))
+        rivals.append(2 * effective * _log_ratio(branch.misfit, damper.misfit, problem.peak))
+        # a branch that fits far better, with values that the data determine
+        settled = rivals[-1] < -_SAME_FIT
+    if settled or min(rivals) > _SAME_FIT:
+        return {}
+    reason = (
+        f"one rate only, {rate:.3g} 1/s, cannot tell viscosity.linear from branches.0.modulus;"
+        " test at another rate, or hold the strain"
+    )
+    return {id(each): reason for each in (*dampers, *branched)}
+
+
+def _rival_misfit(damper: FittedForm) -> float:
+    """By how much a Maxwell branch in place of a damper fits worse: ln of the ratio of misfits.
+
+    Of the branches whose time the data sample; those that `fit_form` refuses since their values are open count, too.
+    """
+    form, problem = damper.model.form, damper.model.problem
+    rival = Model(form=replace(form, damper=0, branches=1), problem=problem, baseline=damper.model.baseline)
+    others = damper.values[len(form.linear_keys) : len(form.keys)]
+    baseline, stress = rival.baseline_columns, problem.stress
+    own = pulling_solution(problem.block(damper.model.columns(others)), baseline, stress)[1]
+    least, (shortest, longest) = np.inf, problem.times
+    for logarithm in np.log(np.geomspace(shortest, longest, _TIMES)):
+        columns = problem.block(rival.columns(np.array([logarithm, *others])))
+        least = min(least, pulling_solution(columns, baseline, stress)[1])
+    points = len(stress)
+    return _log_ratio(np.sqrt(least / points), np.sqrt(own / points), problem.peak)
+
+
+def _log_ratio(misfit: float, other: float, peak: float) -> float:
+    return float(np.log(max(misfit / peak, FLOOR) / max(other / peak, FLOOR)))
+
+
+def _effective(fitted: Sequence[FittedForm]) -> float:
+    """What the points are worth to the form with the least residual, so that all forms are judged by one number."""
+    best = min(fitted, key=lambda each: each.misfit)
+    return max(effective_points(best.residual, best.model.problem.specimen), len(best.values) + 2.0)
+
+
+def _chosen(fitted: list[FittedForm], refused: list[Candidate], name: str, source: str) -> LawFit:
+    effective = _effective(fitted)
+    ranked = sorted(fitted, key=lambda each: each.bic(effective))
+    alike = [each for each in ranked if each.bic(effective) <= ranked[0].bic(effective) + _SAME_FIT]
+    best = min(alike, key=lambda each: len(each.values))
+    ranked = [best, *(each for each in ranked if each is not best)]
+    tried = [Candidate(form=each.model.form, bic=each.bic(effective), misfit=each.misfit) for each in ranked]
+    problem = best.model.problem
+    return LawFit(
+        law=replace(best.law, name=name, source=source),
+        form=best.model.form,
+        points=len(problem.stress),
+        effective_points=effective_points(best.residual, problem.specimen),
+        bic=best.bic(effective),
+        misfit=best.misfit,
+        relative_misfit=best.misfit / problem.peak,
+        residuals=_residuals(best),
+        candidates=(*tried, *refused),
+    )
+
+
+def _residuals(best: FittedForm) -> tuple[Residual, ...]:
+    problem, model = best.model.problem, best.model
+    time = problem.block(np.concatenate([each.time for each in problem.histories]))
+    strain = problem.block(problem.strain)
+    count = len(problem.histories)
+    terms = np.zeros((2, count))
+    terms[: model.baseline] = best.values[len(model.form.keys) :].reshape(model.baseline, count)
+    residuals = []
+    for index, each in enumerate(problem.histories):
+        own = problem.specimen == index
+        half = (each.time[-1] - each.time[0]) / 2
+        residuals.append(
+            Residual(
+                name=each.name,
+                time=time[own],
+                strain=strain[own],
+                stress=problem.stress[own],
+                fitted=problem.stress[own] + best.residual[own],
+                offset=float(terms[0, index]),
+                drift=float(terms[1, index] / half),
+            )
+        )
+    return tuple(residuals)

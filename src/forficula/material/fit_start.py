@@ -1,0 +1,112 @@
+"""Where a fit begins: the best of a grid of the values that the stress is not proportional to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations, product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.material.fit_problem import Model, Problem
+
+Array = NDArray[np.float64]
+
+_MOST_ROWS = 500
+_RESIDUAL = (0.03, 0.1, 0.2, 0.3, 0.4, 0.55)  # of the largest strain
+_YIELD = (0.4, 0.55, 0.7, 0.8, 0.9, 0.97)
+_LOST = (0.25, 0.5, 0.8)
+_WIDTH = (0.05, 0.2, 0.6)  # of the energy at the peak
+
+
+class Starter:
+    """Columns of histories at the nodes of the grid, worked out once for every form."""
+
+    def __init__(self, problem: Problem) -> None:
+        self._problem = problem
+        self._rows = slice(None, None, max(1, -(-len(problem.stress) // _MOST_ROWS)))
+        self._branches: dict[float, Array] = {}
+        self._springs: dict[tuple[str, float], Array] = {}
+        rate = problem.rate
+        self._damper = self._thin(np.stack([rate * np.abs(rate) ** power for power in range(3)], axis=1))
+
+    def start(self, model: Model) -> Array:
+        """The best node, with the proportional values and the baseline that fit it, as a model has them."""
+        best, least = np.zeros(0), np.inf
+        baseline, stress = model.baseline_columns[self._rows], self._problem.stress[self._rows]
+        proportional = len(model.form.linear_keys)
+        for others in self._nodes(model):
+            columns = self._columns(model, others)
+            solution, squares = pulling_solution(columns, baseline, stress)
+            if squares < least:
+                best, least = np.concatenate([solution[:proportional], others, solution[proportional:]]), squares
+        return best
+
+    def _thin(self, values: Array) -> Array:
+        return self._problem.block(values)[self._rows]
+
+    def _nodes(self, model: Model) -> Iterator[Array]:
+        form, problem = model.form, self._problem
+        shortest, longest = np.log(problem.times)
+        # half a decade or so from node to node
+        count = int(np.clip(2 * (longest - shortest) / np.log(10), 4, 8 if form.branches > 1 else 12))
+        times = np.linspace(shortest, longest, count + 2)[1:-1]
+        shares: dict[str, list[tuple[float, ...]]] = {
+            "none": [()],
+            "residual": [(each,) for each in _RESIDUAL],
+            "yield": [(each,) for each in _YIELD],
+        }
+        sets = [tuple(each * problem.largest_strain for each in share) for share in shares[form.permanent_set]]
+        energy = problem.peak * problem.largest_strain / 2
+        soft: dict[str, list[tuple[float, ...]]] = {
+            "none": [()],
+            "m": [(lost, np.log(width * energy)) for lost, width in product(_LOST, _WIDTH)],
+            "m and beta": [(lost, np.log(width * energy), 0.1) for lost, width in product(_LOST, _WIDTH)],
+        }
+        for parts in product(combinations(times, form.branches), sets, soft[form.softening]):
+            yield np.array([value for part in parts for value in part])
+
+    def _columns(self, model: Model, others: Array) -> Array:
+        form = model.form
+        if form.softening != "none":
+            # energy of a linear spring, near enough to begin with
+            modulus = self._problem.peak / self._problem.largest_strain
+            columns = model.columns(others)
+            share = model.softening_share((modulus, 0.0, 0.0), columns[:, 0], others)
+            columns[:, : form.order] *= share[:, None]
+            return self._thin(columns)
+        at = float(others[form.branches]) if form.permanent_set != "none" else 0.0
+        branches = [self._branch(float(time)) for time in others[: form.branches]]
+        spring = self._spring(form.permanent_set, at)[:, : form.order]
+        return np.column_stack([spring, self._damper[:, : form.damper], *branches])
+
+    def _branch(self, logarithm: float) -> Array:
+        if logarithm not in self._branches:
+            self._branches[logarithm] = self._thin(self._problem.branch(float(np.exp(logarithm))))
+        return self._branches[logarithm]
+
+    def _spring(self, kind: str, at: float) -> Array:
+        if (kind, at) not in self._springs:
+            residual, yield_strain = (0.0, at) if kind == "yield" else (at, None)
+            extended = np.maximum(self._problem.strain - self._problem.set_strain(residual, yield_strain), 0.0)
+            self._springs[kind, at] = self._thin(np.stack([extended**power for power in (1, 2, 3)], axis=1))
+        return self._springs[kind, at]
+
+
+def pulling_solution(columns: Array, baseline: Array, stress: Array) -> tuple[Array, float]:
+    """Least squares where rows whose specimen would push count as slack; the values and the sum of squares, Pa^2."""
+    solution = _solve(np.concatenate([columns, baseline], axis=1), stress)
+    pulling = (columns @ solution[: columns.shape[1]] > 0)[:, None]
+    active = np.concatenate([columns * pulling, baseline], axis=1)
+    solution = _solve(active, stress)
+    misfit = active @ solution - stress
+    return solution, float(misfit @ misfit)
+
+
+def _solve(columns: Array, stress: Array) -> Array:
+    """Least squares by the normal equations of columns of unit length: quick, and good enough to begin with."""
+    norms = np.maximum(np.linalg.norm(columns, axis=0), np.finfo(float).tiny)
+    unit = columns / norms
+    normal = unit.T @ unit
+    normal[np.diag_indices_from(normal)] += 1e-10
+    return np.asarray(np.linalg.solve(normal, unit.T @ stress) / norms)

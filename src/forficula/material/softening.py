@@ -1,0 +1,128 @@
+"""Softening of rubber-like materials after their first stretch, the Mullins effect."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from forficula.errors import InputError
+
+Array = NDArray[np.float64]
+Triple = tuple[float, float, float]
+
+_CURVE_POINTS = 201
+
+
+@dataclass(frozen=True, kw_only=True)
+class OgdenRoxburgh:
+    """How far a material softens below the largest strain that it has seen.
+
+    The stress of the virgin curve times eta = 1 - erf((Wmax - W) / (m + beta Wmax)) / r, where W is the virgin curve's
+    strain energy by volume and Wmax the largest it has been (Ogden and Roxburgh 1999, doi 10.1098/rspa.1999.0431, with
+    the beta of the common finite-element codes). On the virgin curve itself eta is 1.
+
+    Attributes:
+        r: the largest share that is lost is 1/r; >= 1.
+        m: energy scale, J/m^3, >= 0.
+        beta: share of Wmax in the energy scale, >= 0; m and beta are not both 0.
+
+    Raises:
+        InputError: a number out of these bounds or not finite.
+    """
+
+    r: float
+    m: float
+    beta: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name, least in (("r", 1.0), ("m", 0.0), ("beta", 0.0)):
+            value = getattr(self, name)
+            if not (np.isfinite(value) and value >= least):
+                raise InputError(f"softening.{name}: need a finite number >= {least:g}, got {value:g}")
+        if self.m == self.beta == 0:
+            raise InputError("softening.m: need m or beta > 0, got 0 for both")
+
+    def share(self, largest: ArrayLike, energy: ArrayLike) -> Array:
+        """The share eta of the virgin curve's stress that is left.
+
+        Args:
+            largest: Wmax, J/m^3.
+            energy: W <= Wmax, J/m^3, of a shape that goes with it.
+
+        Returns:
+            Between 1 - 1/r and 1, in the common shape.
+        """
+        from scipy.special import erf  # here, because a design needs this module and not scipy, which is slow to import
+
+        most, now = np.asarray(largest, dtype=np.float64), np.asarray(energy, dtype=np.float64)
+        width = self.m + self.beta * most
+        # virgin and unloaded with m = 0 is 0/0: nothing is lost there
+        way = np.divide(most - now, width, out=np.zeros(np.broadcast_shapes(most.shape, now.shape)), where=width > 0)
+        return np.asarray(1 - erf(way) / self.r)
+
+
+def spring_stress(moduli: Triple, strain: ArrayLike) -> Array:
+    """Stress of the elastic curve E1 e + E2 e^2 + E3 e^3 where e > 0, none elsewhere, Pa, in the strain's shape."""
+    e = np.maximum(np.asarray(strain, dtype=np.float64), 0.0)
+    return np.asarray(e * (moduli[0] + e * (moduli[1] + e * moduli[2])))
+
+
+def spring_energy(moduli: Triple, strain: ArrayLike) -> Array:
+    """Energy by volume under the elastic curve, J/m^3, in the strain's shape."""
+    e = np.maximum(np.asarray(strain, dtype=np.float64), 0.0)
+    return np.asarray(e**2 * (moduli[0] / 2 + e * (moduli[1] / 3 + e * moduli[2] / 4)))
+
+
+def softened_stress(moduli: Triple, softening: OgdenRoxburgh, strain: ArrayLike) -> Array:
+    """Stress of a strain history that begins with a virgin material.
+
+    Args:
+        moduli: of the virgin curve, Pa.
+        softening: of the material.
+        strain: of the spring, shape (samples,), in the order of time.
+
+    Returns:
+        Pa, shape (samples,). Between two samples Wmax is taken at the sample.
+    """
+    energy = spring_energy(moduli, strain)
+    return softening.share(np.maximum.accumulate(energy), energy) * spring_stress(moduli, strain)
+
+
+def softened_moduli(moduli: Triple, softening: OgdenRoxburgh, peak: float) -> tuple[Triple, float]:
+    """The curve below a strain that was reached before, as a polynomial, which a simulator can take.
+
+    Least squares over strains from 0 to the peak, so an approximation; where its best would push, the best without
+    negative terms.
+
+    Args:
+        moduli: of the virgin curve, Pa.
+        softening: of the material.
+        peak: largest strain that it has seen, > 0.
+
+    Returns:
+        The moduli, Pa, and the largest error of the stress as a share of the stress at the peak.
+
+    Raises:
+        InputError: the peak is no strain > 0.
+    """
+    from scipy.optimize import nnls
+
+    if not (np.isfinite(peak) and peak > 0):
+        raise InputError(f"peak: need a strain > 0, got {peak:g}")
+    strain = np.linspace(0, peak, _CURVE_POINTS)
+    energy = spring_energy(moduli, strain)
+    stress = softening.share(energy[-1], energy) * spring_stress(moduli, strain)
+    powers = np.stack([(strain / peak) ** power for power in (1, 2, 3)], axis=1)
+    terms = np.linalg.lstsq(powers, stress, rcond=None)[0]
+    if not pulls(*terms):
+        terms = nnls(powers, stress)[0]
+    error = float(np.max(np.abs(powers @ terms - stress)) / max(stress[-1], np.finfo(float).tiny))
+    first, second, third = (float(term / peak**power) for power, term in enumerate(terms, start=1))
+    return (first, second, third), error
+
+
+def pulls(first: float, second: float, third: float) -> bool:
+    """Whether a polynomial without constant term is >= 0 at every positive strain."""
+    return bool(first >= 0 and third >= 0 and (second >= 0 or second**2 < 4 * first * third))

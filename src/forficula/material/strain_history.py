@@ -1,0 +1,70 @@
+"""What a specimen went through: strain and stress in time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.errors import InputError
+from forficula.material.stress import check_history
+
+Array = NDArray[np.float64]
+
+_RATE_ERROR = 0.02  # of the typical rate: how much noise of the strain may leave in it
+_WIDEST = 50  # samples
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class StrainHistory:
+    """Strain and engineering stress of one specimen, from one test.
+
+    Attributes:
+        time: s, shape (samples,), rising.
+        strain: extension by resting length, shape (samples,).
+        stress: force by initial area, Pa, shape (samples,).
+        name: of the specimen.
+        first: the first sample that a fit compares; a law runs through those before, such as the first cycle, too.
+
+    Raises:
+        InputError: rows of different length, a first sample that is none, numbers that are not finite, or a time
+            that does not rise.
+    """
+
+    time: Array
+    strain: Array
+    stress: Array
+    name: str = "specimen"
+    first: int = 0
+
+    def __post_init__(self) -> None:
+        for field in ("time", "strain", "stress"):
+            object.__setattr__(self, field, np.asarray(getattr(self, field), dtype=np.float64))
+        try:
+            check_history(self.time, self.strain)
+            if self.stress.shape != self.time.shape or not np.all(np.isfinite(self.stress)):
+                raise InputError(f"stress: need a finite number in each of the {len(self.time)} rows")
+            if not 0 <= self.first < len(self.time):
+                raise InputError(f"first: need a sample from 0 to {len(self.time) - 1}, got {self.first}")
+        except InputError as error:
+            raise InputError(f"{self.name}: {error}") from None
+
+
+def strain_rate(history: StrainHistory) -> Array:
+    """Rate of the strain, 1/s, shape (samples,).
+
+    The slope over as many neighbouring samples as the noise of the strain asks for: one on either side where the
+    strain is clean, so that turning points stay sharp.
+    """
+    strain, time = history.strain, history.time
+    steps = np.diff(strain)
+    typical = float(np.median(np.abs(steps))) or float(np.mean(np.abs(steps)))
+    # a second difference of white noise has 6 times its variance; its median stands for it despite turning points
+    noise = float(np.median(np.abs(np.diff(steps)))) / 0.6745 / np.sqrt(6) if len(steps) > 1 else 0.0
+    reach = 1 if typical == 0 else int(np.clip(np.ceil(noise / np.sqrt(2) / (_RATE_ERROR * typical)), 1, _WIDEST))
+    if reach == 1:
+        return np.asarray(np.gradient(strain, time))
+    rows = np.arange(len(time))
+    before, after = np.maximum(rows - reach, 0), np.minimum(rows + reach, len(time) - 1)
+    return np.asarray((strain[after] - strain[before]) / (time[after] - time[before]))

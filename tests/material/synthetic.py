@@ -1,0 +1,96 @@
+"""Tensile tests whose law is known, and the files that testing machines would have written of them."""
+
+import numpy as np
+
+from forficula.material.tensile_test import TensileTest
+
+LENGTH, AREA = 0.06, 5e-6  # m and m2, the paper's tendon
+SPEED = 0.01 / 60  # m/s, the paper's 10 mm/min
+TO_MM, TO_MM2 = 1e3, 1e6
+
+
+def cyclic_test(
+    loading, unloading=None, *, cycles=5, largest=1.0, samples=500, noise=0.0, offset=0.0, seed=1, name="s"
+):
+    """Pulled to a strain and back, over and over.
+
+    `loading` and `unloading` take strain, shape (sample,), and the number of the cycle, and give stress in Pa, `noise`
+    and `offset` are Pa, too; `samples` stand on each way.
+    """
+    up = np.linspace(0, largest, samples, endpoint=False)
+    ways = [(up, loading, number + 1) for number in range(cycles)]
+    backs = [(largest - up, unloading or loading, number + 1) for number in range(cycles)]
+    strain = np.concatenate([way[0] for pair in zip(ways, backs, strict=True) for way in pair] + [[0.0]])
+    stress = [law(path, number) for pair in zip(ways, backs, strict=True) for path, law, number in pair]
+    stress = np.concatenate([*stress, (unloading or loading)(np.zeros(1), cycles)])
+    stress = stress + offset + noise * np.random.default_rng(seed).standard_normal(len(stress))
+    time = np.arange(len(strain)) * (largest * LENGTH / SPEED / samples)
+    return TensileTest(name=name, time=time, extension=strain * LENGTH, force=stress * AREA, length=LENGTH, area=AREA)
+
+
+def few_rows():
+    """A test that is quickly written and read."""
+    return cyclic_test(lambda strain, _: 4.8e6 * strain, cycles=2, samples=10, noise=1e4)
+
+
+def xpert_text(
+    test, *, delimiter="\t", decimal=".", german=True, force_unit="N", travel="travel", size=True, in_names=False
+):
+    """An export of ZwickRoell testXpert III: properties, names, units, numbers."""
+    force_scale = {"N": 1.0, "kN": 1e-3, "MPa": 1e-6 / test.area}[force_unit]
+    names = {
+        True: {"time": "Prüfzeit", "force": "Standardkraft", "travel": "Standardweg", "strain": "Dehnung"},
+        False: {"time": "Test time", "force": "Standard force", "travel": "Standard travel", "strain": "Strain"},
+    }[german]
+    properties = [
+        ("Prüfinstitut", "Labor für Prüftechnik") if german else ("Test institute", "Laboratory"),
+        ("Datum/Uhrzeit" if german else "Date/Clock time", 44335.4, ""),
+        ("Temperatur", 22, "°C"),
+    ]
+    if size:
+        length = "Messlänge Standardweg" if german else "Gage length, standard travel"
+        properties += [(length, f"{test.length * TO_MM:.1f}", "mm"), ("S0", f"{test.area * TO_MM2:.2f}", "mm²")]
+    lines = [[quoted(label), number(str(value), decimal), *map(quoted, unit)] for label, value, *unit in properties]
+    columns = [(names["time"], "s", test.time), (names["force"], force_unit, test.force * force_scale)]
+    if travel == "travel":
+        columns.append((names["travel"], "mm", test.extension * TO_MM))
+    columns.append((names["strain"], "%", test.strain * 100))
+    return table(columns, lines, delimiter, decimal, quote_names=True, in_names=in_names)
+
+
+def bluehill_text(test, *, decimal=".", german=False, force_unit="N", properties=True):
+    """An export of Instron Bluehill: `type : name,value,units`, a blank line, names, units in brackets, numbers."""
+    names = ("Zeit", "Verfahrweg", "Kraft") if german else ("Time", "Extension", "Load")
+    area, length = number(f"{test.area * TO_MM2:.2f}", decimal), number(f"{test.length * TO_MM:.1f}", decimal)
+    head = ["Specimen properties : Geometry,Rectangular", f'Specimen properties : Area,"{area}",mm^2']
+    lines = [*head, f'Specimen properties : Length,"{length}",mm', ""] if properties else []
+    scale = {"N": 1.0, "kN": 1e-3, "lbf": 1 / 4.4482216152605}[force_unit]
+    values = np.column_stack([test.time, test.extension * TO_MM, test.force * scale])
+    rows = [",".join(f'"{number(f"{value:.9g}", decimal)}"' for value in row) for row in values]
+    return "\r\n".join([*lines, ",".join(names), f"(s),(mm),({force_unit})", *rows, ""])
+
+
+def plain_text(test, *, delimiter=",", decimal=".", pattern="{name} [{unit}]"):
+    """A table with units in its names, and nothing else."""
+    columns = [("time", "s", test.time), ("extension", "mm", test.extension * TO_MM), ("force", "N", test.force)]
+    named = [(pattern.format(name=name, unit=unit), None, values) for name, unit, values in columns]
+    return table(named, [], delimiter, decimal)
+
+
+def table(columns, lines, delimiter, decimal, *, quote_names=False, in_names=False):
+    """Lines, names, units where there are any, numbers of nine digits."""
+    names, units, values = zip(*columns, strict=True)
+    if in_names:
+        names, units = [f"{name} [{unit}]" for name, unit in zip(names, units, strict=True)], [None]
+    quote = quoted if quote_names else str
+    head = [*lines, [quote(name) for name in names], *([[quote(unit) for unit in units]] if units[0] else [])]
+    rows = [[number(f"{value:.9g}", decimal) for value in row] for row in np.column_stack(values)]
+    return "\n".join(delimiter.join(row) for row in [*head, *rows]) + "\n"
+
+
+def quoted(text):
+    return f'"{text}"'
+
+
+def number(text, decimal):
+    return text.replace(".", decimal)
