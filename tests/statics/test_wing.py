@@ -31,7 +31,9 @@ def test_the_points_of_a_wing_are_where_the_simulator_has_them(reference_run):
     assert points[:, wing.tips] == pytest.approx(reference_run.series["vein_position"][:, :, 2], abs=1e-12)
 
 
-@pytest.mark.parametrize("changes", [{}, {"pattern.units": 3}, {"pattern.tangent": "left"}, {"pattern.hub_radius": 0.0}])
+@pytest.mark.parametrize(
+    "changes", [{}, {"pattern.units": 3}, {"pattern.tangent": "left"}, {"pattern.hub_radius": 0.0}]
+)
 def test_without_angles_the_wing_is_flat(changes):
     wing = flat_wing(with_values(REFERENCE, changes))
     points = pose(wing, np.zeros((1, len(wing.hub), 4))).points[0]

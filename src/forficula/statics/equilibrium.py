@@ -108,12 +108,17 @@ def _step_within(
     Returns:
         The step; which coordinates their bounds hold, alike; the least curvature of the others, (case,).
     """
-    to_bound = np.where(down < 0, room[0], room[1])
-    held = (down != 0) & (np.abs(to_bound) <= _NEAR * radius[:, None])
-    values, axes = np.linalg.eigh(_without(curvature, held))
-    free = _trusted_step(np.where(held, 0.0, down), values, axes, radius)
-    step = np.clip(np.where(held, to_bound, free), *room)
-    return step, held, np.where(held.all(axis=1), np.inf, values[:, 0])
+    step, held, least = np.zeros_like(down), np.ones(down.shape, dtype=bool), np.full(len(down), np.inf)
+    loose = np.flatnonzero(np.any(room[0] < room[1], axis=0))
+    if len(loose) and len(down):
+        room, down, curvature = (room[0][:, loose], room[1][:, loose]), down[:, loose], curvature[:, loose][:, :, loose]
+        to_bound = np.where(down < 0, *room)
+        held[:, loose] = (down != 0) & (np.abs(to_bound) <= _NEAR * radius[:, None])
+        values, axes = np.linalg.eigh(_without(curvature, held[:, loose]))
+        free = _trusted_step(np.where(held[:, loose], 0.0, down), values, axes, radius)
+        step[:, loose] = np.clip(np.where(held[:, loose], to_bound, free), *room)
+        least[~held.all(axis=1)] = values[~held.all(axis=1), 0]
+    return step, held, least
 
 
 def _without(curvature: Array, held: NDArray[np.bool_]) -> Array:
@@ -175,7 +180,7 @@ class PathState:
 PathEnergy = Callable[[Array], tuple[Array, Array]]
 
 
-def states_along(path: PathEnergy, places: Array, *, force: float) -> tuple[PathState, ...]:
+def states_along(path: PathEnergy, places: Array, *, force: ArrayLike) -> tuple[PathState, ...]:
     """Find where something on a path rests, from its start to its end.
 
     Stationary points are zeros of the slope (Brent 1973), one at most looked for between two neighbouring places.
@@ -183,7 +188,7 @@ def states_along(path: PathEnergy, places: Array, *, force: float) -> tuple[Path
     Args:
         path: energy, and its slope by the coordinate.
         places: rising coordinates from one end of the path to the other, (place,).
-        force: largest slope that counts as none.
+        force: largest slope that counts as none, one or by place.
     """
     energy, slope = path(places)
     sign = np.where(np.abs(slope) <= force, 0, np.sign(slope))

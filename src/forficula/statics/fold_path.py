@@ -17,7 +17,8 @@ from forficula.statics.sheet import sheet_energy
 
 Array = NDArray[np.float64]
 
-# slope that counts as none: of the tendons' steepest, or, where they have none, of E t l^2 of the membrane
+# Moment that counts as none: of the tendons' largest about the ring, or, where they have none, of E t l^2 of the
+# membrane.
 _QUIET, _QUIET_SHEET = 1e-3, 1e-4
 # how often places learn from their neighbours, and energy that counts as none, of the largest
 _PASSES, _ROUNDING = 8, 1e-12
@@ -38,7 +39,7 @@ class FoldPath:
         sheet_energy: of membrane and guards, J, (place,).
         moment: about the pleats, -d energy / d pleat angle, N m, (place,).
         fold_slope: d ring angle / d pleat angle, (place,).
-        quiet: moment that counts as none, N m.
+        quiet: moment that counts as none, N m, (place,).
         veins: how many.
         states: where the wing rests, in the order of the pleat angle.
         remarks: sentences on what to know of it.
@@ -50,7 +51,7 @@ class FoldPath:
     sheet_energy: Array
     moment: Array
     fold_slope: Array
-    quiet: float
+    quiet: Array
     veins: int
     states: tuple[PathState, ...]
     remarks: tuple[str, ...]
@@ -66,8 +67,8 @@ class FoldPath:
 
         The steepest climb, shared by the veins, which turn by half the pleat angle.
         """
-        climb = float(np.max(-self.moment))
-        return climb * 2 / self.veins if climb > self.quiet else 0.0
+        climbs = np.where(-self.moment > self.quiet, -self.moment, 0.0)
+        return float(climbs.max()) * 2 / self.veins
 
     @property
     def unfold_torque(self) -> float | None:
@@ -75,9 +76,8 @@ class FoldPath:
         moves = self.fold_slope > 0
         if not moves.any():
             return None
-        if not np.max(self.moment) > self.quiet:
-            return 0.0
-        return float(np.max(self.moment[moves] / self.fold_slope[moves])) / self.veins
+        climbs = np.where(self.moment > self.quiet, self.moment, 0.0)
+        return float(np.max(climbs[moves] / self.fold_slope[moves])) / self.veins
 
 
 def ring_ratio(fan: EarwigFan) -> float:
@@ -115,10 +115,7 @@ def fold_path(design: Design, points: int = 181) -> FoldPath:
     slope = of_tendons + on_sheet[:, TURN::4].sum(axis=1) / 2 - on_sheet[:, FOLD::4].sum(axis=1) * fold_slope
     curve = CubicHermiteSpline(pleat, found.energy, slope)
     by_angle = curve.derivative()
-    membrane = design.membrane.youngs_modulus * design.membrane.thickness * design.pattern.proximal_length**2
-    steepest = float(np.abs(of_tendons).max())
-    # a slack tendon's slope is rounding
-    force = _QUIET * steepest if steepest > 1e-9 * membrane else _QUIET_SHEET * membrane
+    quiet = _quiet_moment(design, of_tendons, fold_slope)
     return FoldPath(
         pleat_angle=pleat,
         ring_angle=ring,
@@ -126,9 +123,9 @@ def fold_path(design: Design, points: int = 181) -> FoldPath:
         sheet_energy=sheet,
         moment=-slope,
         fold_slope=fold_slope,
-        quiet=force,
+        quiet=quiet,
         veins=wings.veins,
-        states=states_along(lambda x: (curve(x), by_angle(x)), pleat, force=force),
+        states=states_along(lambda x: (curve(x), by_angle(x)), pleat, force=quiet),
         remarks=_remarks(design, camber),
     )
 
@@ -159,6 +156,17 @@ def _least_stretched(wings: Section, start: Array) -> Equilibria:
         if not lowered:
             break
     return found
+
+
+def _quiet_moment(design: Design, of_tendons: Array, fold_slope: Array) -> Array:
+    """Moment about the pleats that counts as none at every place, N m: the ring moves faster by some than by others."""
+    membrane = design.membrane.youngs_modulus * design.membrane.thickness * design.pattern.proximal_length**2
+    about_ring = np.divide(of_tendons, fold_slope, out=np.zeros_like(of_tendons), where=fold_slope > 0)
+    largest = float(np.abs(about_ring).max())
+    # a slack tendon's moment is rounding
+    if largest > 1e-9 * membrane:
+        return np.asarray(_QUIET * largest * fold_slope)
+    return np.full_like(fold_slope, _QUIET_SHEET * membrane)
 
 
 def _last_pleat(design: Design, ratio: float) -> float:

@@ -11,6 +11,7 @@ from forficula.statics.potential import DRIVES, FOLD, TURN, Drive, Section, rest
 
 Array = NDArray[np.float64]
 
+_LEAD_IN = 4  # halvings of the first torque that folds
 _ACCURACY = 0.01  # of a least torque
 _FIRST_STEP = 1e-4  # of the largest torque tried, which no step is shorter than
 _NEAR = 0.3  # rad, by which the joints of a wing turn at most without a snap from step to step
@@ -55,7 +56,9 @@ def opened_to(position: Array, angle: float) -> NDArray[np.bool_]:
 def slow_transition(wings: Section, start: Array, drive: Drive, torques: ArrayLike) -> SlowTransition:
     """Let the torque grow from step to step, wait for the wing to rest at each, and see when it gets to its goal.
 
-    Goals are the protocol's: folded_angle where the torque folds, opened_angle where it opens.
+    Goals are the protocol's: folded_angle where the torque folds, opened_angle where it opens. A torque that comes at
+    once may lead elsewhere than one that grows: it chooses which veins of a flat wing turn, as hardly anything holds
+    them. So where it folds, smaller ones come before the first.
 
     Args:
         wings: side by side.
@@ -64,12 +67,14 @@ def slow_transition(wings: Section, start: Array, drive: Drive, torques: ArrayLi
         torques: rising, N m, (step,).
     """
     position, least = start.copy(), np.full(len(start), np.nan)
-    for torque in np.asarray(torques, dtype=np.float64).tolist():
+    steps = np.asarray(torques, dtype=np.float64)
+    before = steps[0] / 2.0 ** np.arange(_LEAD_IN, 0, -1) if drive == "fold" else []
+    for torque in [*before, *steps]:
         left = np.flatnonzero(np.isnan(least))
         if not len(left):
             break
         position[left] = _pushed(wings, left, position[left], drive, np.full(len(left), torque))
-        least[left[_at_goal(wings, position[left], drive)]] = torque
+        least[left[_at_goal(wings, position[left], drive)]] = max(torque, steps[0])
     return SlowTransition(torque=least, position=position)
 
 

@@ -1,0 +1,93 @@
+"""Slowly growing torques: what folds and opens without any help by inertia, however the torque grows."""
+
+import numpy as np
+import pytest
+
+from forficula.design import load_design, with_values
+from forficula.statics import potential as potential_module
+from forficula.statics import sheet as sheet_module
+from forficula.statics import wing_hinges
+from forficula.statics.hinge import peak_opening_torque
+from forficula.statics.potential import FOLD, section
+from forficula.statics.quasi_static import flat_state, folded_state, least_slow_torque, slow_transition
+
+REFERENCE = load_design("binder2025")
+# stiffness in N/cm, resting length in cm: on both sides of the edges of the map
+CELLS = [(10, 5), (10, 6), (10, 7), (10, 9), (20, 8), (20, 9), (30, 9), (40, 9)]
+FOLDS = [None, None, 10, 10, None, 10, None, None]
+OPENS = [None, 100, 70, 30, 90, 50, 70, 100]  # N cm
+DESIGNS = [
+    with_values(REFERENCE, {"tendon.stiffness": 100.0 * stiffness, "tendon.rest_length": length / 100})
+    for stiffness, length in CELLS
+]
+
+
+def least(drive, steps):
+    """N cm, None where none of the torques does."""
+    wings = section(DESIGNS)
+    start = flat_state(wings) if drive == "fold" else folded_state(wings)
+    torques = slow_transition(wings, start, drive, np.array(steps) / 100).torque
+    return [None if np.isnan(torque) else float(torque) * 100 for torque in torques]
+
+
+def rounded_up(torques):
+    """To the next 10 N cm."""
+    return [None if torque is None else 10 * int(np.ceil(torque / 10 - 1e-9)) for torque in torques]
+
+
+@pytest.mark.parametrize("step", [10, 5, 2.5])
+def test_torques_that_grow_in_smaller_steps_fold_and_open_the_same_wings(step):
+    assert rounded_up(least("fold", np.arange(step, 51, step))) == FOLDS
+    assert rounded_up(least("unfold", np.arange(step, 101, step))) == OPENS
+
+
+@pytest.mark.parametrize(
+    ("module", "name", "value"),
+    [(potential_module, "_LONGEST_STEP", 0.05), (sheet_module, "_GUARD_STIFFNESS", 300.0)],
+)
+def test_what_folds_and_opens_does_not_depend_on_the_steps_or_on_the_guards_stiffness(monkeypatch, module, name, value):
+    monkeypatch.setattr(module, name, value)
+    assert least("fold", range(10, 51, 10)) == FOLDS
+    assert least("unfold", range(10, 101, 10)) == OPENS
+
+
+def test_the_least_torque_on_the_distal_hinges_is_the_largest_moment_of_their_tendons():
+    """Where all hinges open alike, a panel is in no other's way: theory.md, section 3, the largest moment."""
+    wings = section([REFERENCE])
+    folded = folded_state(wings)
+    peak = peak_opening_torque(wing_hinges(REFERENCE)[0]).torque
+    found = least_slow_torque(wings, folded, "distal", 4 * peak)
+    # 1 % of the search, always upwards
+    assert 0.99 * peak < found.torque[0] < 1.02 * peak
+    assert (found.position[0, FOLD::4] > 0).all()
+    ramp = slow_transition(wings, folded, "distal", [0.98 * peak, 1.02 * peak])
+    assert ramp.torque == pytest.approx([1.02 * peak])
+
+
+def test_the_least_fold_torque_is_that_of_small_equal_steps():
+    wings = section([REFERENCE])
+    flat = flat_state(wings)
+    found = least_slow_torque(wings, flat, "fold", 0.5).torque[0]
+    ramp = slow_transition(wings, flat, "fold", np.arange(0.0001, 0.01, 0.0001)).torque[0]
+    # 1 % of the search, and one step of 1e-4 N m of 7e-3
+    assert found == pytest.approx(ramp, rel=0.03)
+
+
+def test_wings_side_by_side_have_the_least_torques_that_they_have_alone():
+    pair = [DESIGNS[3], DESIGNS[5]]
+    wings = section(pair)
+    together = least_slow_torque(wings, flat_state(wings), "fold", 0.2).torque
+    assert np.isfinite(together).all()
+    for case, design in enumerate(pair):
+        alone = section([design])
+        torque = least_slow_torque(alone, flat_state(alone), "fold", 0.2).torque
+        assert torque == pytest.approx(together[case : case + 1], rel=0.02)
+
+
+def test_a_wing_at_its_goal_needs_no_torque_and_one_that_never_gets_there_has_none():
+    wings = section([REFERENCE, with_values(REFERENCE, {"tendon.rest_length": 0.03})])
+    folded, flat = folded_state(wings), flat_state(wings)
+    assert least_slow_torque(wings, folded, "fold", 0.5).torque.tolist() == [0, 0]
+    assert least_slow_torque(wings, flat, "unfold", 0.5).torque.tolist() == [0, 0]
+    assert np.isnan(least_slow_torque(wings, flat, "fold", 0.001).torque).all()
+    assert np.isnan(slow_transition(wings, flat, "fold", [0.001]).torque).all()

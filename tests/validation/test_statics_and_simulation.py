@@ -1,0 +1,159 @@
+"""The static wing is where a slow, heavily damped simulation of the same design ends.
+
+The two share no code but the pattern and the places on the bars: statics goes downhill on a closed-form energy, the
+simulation integrates the motion with dampers that leave inertia no say. Every hinge has the same damping, so that the
+motion goes down the steepest slope of the energy by the joint angles, as the statics does: where a torque that comes
+at once has two places to go to, both choose the same.
+
+The engine's stops are springs in disguise: their time constant is twice the timestep (MuJoCo's solref), so they give
+by an angle that goes with its square, while those of the statics are rigid.
+"""
+
+import math
+
+import numpy as np
+import pytest
+
+import forficula as ff
+from forficula.design import with_values
+from forficula.statics.potential import DRIVES, rest, section
+from forficula.statics.quasi_static import flat_state, folds_beyond, least_slow_torque, opened_to
+from forficula.statics.sheet import sheet_energy
+
+JOINTS = ("sweep_angle", "lift_angle", "turn_angle", "distal_angle")
+
+
+def stage(name, drive, until, time_limit):
+    return {"name": name, "drive": drive, "until": until, "hold": 0.0, "time_limit": time_limit}
+
+
+def damped(reference, stages, damping, timestep=5e-4, **torques):
+    """A run without inertia to speak of."""
+    return ff.run(
+        with_values(
+            reference,
+            {
+                "hinge.damping": damping,
+                "tendon.damping": 0.0,
+                "membrane.damping": 1e-4,
+                "protocol.timestep": timestep,
+                "protocol.sample_interval": 0.1,
+                "protocol.rest_speed": 1e-5,  # slower than it creeps on its way
+                "protocol.folded_angle": math.radians(160),
+                "protocol.stages": [stage("settle", "none", "time", 1.0), *stages],
+                **{f"protocol.{name}": torque for name, torque in torques.items()},
+            },
+        )
+    )
+
+
+def end_of(run, number):
+    """Row of the record at the end of a stage."""
+    return int(np.argmin(np.abs(run.time - run.stages[number].end)))
+
+
+def angles(run, row):
+    """rad, (1, angle)."""
+    return np.stack([run.series[name][row] for name in JOINTS], axis=1).reshape(1, -1)
+
+
+def energies(wings, position):
+    """Of the tendons, and of the membrane, J."""
+    by_vein = position.reshape(1, -1, 4)
+    return wings.tendons.energy(by_vein[:, :, 3]).sum(), sheet_energy(wings.sheet, by_vein)[0][0]
+
+
+def least_at_once(wings, start, drive, arrived, most):
+    """The least torque that brings a wing to its goal when it comes at once, to 1 %."""
+    low, high = 0.0, most
+    while high - low > 0.01 * high:
+        torque = (low + high) / 2
+        on_proximal, on_distal = DRIVES[drive]
+        there = arrived(rest(wings, start, on_proximal * torque, on_distal * torque).position).all()
+        low, high = (low, torque) if there else (torque, high)
+    return high
+
+
+@pytest.fixture(scope="module")
+def wings(reference):
+    return section([reference])
+
+
+@pytest.fixture(scope="module")
+def pushed(reference):
+    """Runs under half the least fold torque, at two timesteps."""
+    return [
+        damped(reference, [stage("fold", "fold", "folded", 15.0)], 0.005, timestep, fold_torque=0.0035)
+        for timestep in (4e-4, 2e-4)
+    ]
+
+
+def test_the_flat_wing_is_pressed_on_its_stops_alike(wings, pushed):
+    flat = flat_state(wings)
+    off = []
+    for run in pushed:
+        row = end_of(run, 0)
+        off.append(np.abs(angles(run, row) - flat)[:, 3::4].max())
+        energy = run.series["tendon_energy"][row].sum()
+        # the stops give by 0.01 deg, against a moment of 0.03 N m of each tendon
+        assert energy == pytest.approx(energies(wings, flat)[0], abs=3 * 0.03 * off[-1])
+    assert off[0] < math.radians(0.01)
+    assert off[0] / off[1] == pytest.approx(4, rel=0.1)
+
+
+def test_the_pushed_wing_rests_at_the_same_angles_with_the_same_energies(wings, pushed):
+    static = rest(wings, flat_state(wings), 0.0035)
+    tendons, membrane = energies(wings, static.position)
+    off = []
+    for run in pushed:
+        assert run.series["kinetic_energy"][-1] < 1e-9
+        off.append(np.abs(angles(run, -1) - static.position).max())
+        assert run.series["tendon_energy"][-1].sum() == pytest.approx(tendons, rel=1e-4)
+        assert run.series["membrane_energy"][-1] == pytest.approx(membrane, rel=1e-3)
+    assert math.degrees(np.ptp(static.position)) > 90
+    # the softest way of the wing enlarges what the stops give by ten times
+    assert off[0] < math.radians(0.1)
+    # besides, the wing still creeps
+    assert off[1] < off[0] / 2
+
+
+def test_the_least_fold_torque_is_that_of_a_damped_wing(reference, wings):
+    flat = flat_state(wings)
+    least = least_slow_torque(wings, flat, "fold", 0.5).torque[0]
+    at_once = least_at_once(wings, flat, "fold", lambda position: folds_beyond(position, math.radians(160)), 0.5)
+    # 1 % each
+    assert at_once == pytest.approx(least, rel=0.02)
+    for share, folds in ((0.97, False), (1.03, True)):
+        run = damped(reference, [stage("fold", "fold", "folded", 25.0)], 0.005, fold_torque=share * least)
+        assert (run.stages[1].goal_time is not None) == folds
+        assert (run.series["kinetic_energy"][-1] < 1e-9) or folds
+
+
+def test_the_least_torque_that_opens_is_that_of_a_damped_wing_and_below_it_the_wing_stays_partly_folded(
+    reference, wings
+):
+    fold = stage("fold", "fold", "folded", 60.0)
+    opening = [fold, stage("unfold", "unfold", "time", 8.0), stage("release", "none", "time", 15.0)]
+    folded = angles(damped(reference, [fold], 0.03, fold_torque=0.06), -1)
+    assert folds_beyond(folded, math.radians(159)).all()
+    least = least_at_once(wings, folded, "unfold", lambda position: opened_to(position, 0.0), 0.5)
+    below, above = (
+        damped(reference, opening, 0.03, fold_torque=0.06, unfold_torque=share * least) for share in (0.97, 1.03)
+    )
+    assert angles(below, end_of(below, 1)) == pytest.approx(folded, abs=1e-12)
+    opened = angles(above, end_of(above, 2))
+    assert opened_to(opened, 0.0).all()
+    under_torque = angles(below, end_of(below, 2))
+    assert not opened_to(under_torque, 0.0).all()
+
+    static = rest(wings, folded, -0.97 * least, -0.97 * least)
+    assert ((under_torque < 0) == (static.position < 0))[:, 3::4].all()
+    assert (static.position[:, 3::4] < 0).sum() == 1
+    assert energies(wings, under_torque)[0] == pytest.approx(energies(wings, static.position)[0], rel=0.01)
+
+    released = rest(wings, static.position)
+    tendons, membrane = energies(wings, released.position)
+    assert released.rests.all()
+    # hinges on their stops and one folded; what no force holds, a slack tendon's wing, creeps on
+    assert below.series["tendon_energy"][-1].sum() == pytest.approx(tendons, rel=1e-4)
+    assert below.series["membrane_energy"][-1] == pytest.approx(membrane, rel=0.01)
