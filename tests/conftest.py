@@ -1,10 +1,12 @@
 """What several test modules need: the reference run, and one tendon across one hinge."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 import pytest
+from hypothesis import settings
 
 import forficula as ff
 from forficula.design import Design, with_values
@@ -12,6 +14,11 @@ from forficula.dynamics import Record, simulate
 from forficula.dynamics.model import WingModel, compile_veins
 from forficula.dynamics.units import model_units
 from forficula.dynamics.veins import Vein
+
+
+# how long an example takes says more of the machine than of the code
+settings.register_profile("forficula", deadline=None)
+settings.load_profile("forficula")
 
 
 @pytest.fixture(scope="session")
@@ -80,6 +87,7 @@ def one_hinge(reference):
         timestep: float = 1e-5,
         duration: float = 0.1,
         start: float = math.radians(1),
+        values: Mapping[str, object] | None = None,
     ) -> OneHinge:
         swing = {"name": "swing", "drive": "none", "until": "time", "hold": 0.0, "time_limit": duration}
         design = with_values(
@@ -96,6 +104,7 @@ def one_hinge(reference):
                 "protocol.stages": [swing],
             },
         )
+        design = with_values(design, values or {})
         units, pattern, vein = model_units(design), design.pattern, design.vein
         ring = pattern.proximal_length / units.length
         bars = Vein(

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from pydantic import ValidationError
 
 from forficula.design import Design, design_warnings, load_design, scale_design, with_values
-from forficula.design.design import Part, field_quantity
+from forficula.design.part import Part, field_quantity
 from forficula.errors import InputError
 from forficula.quantities import parse_quantity
 
@@ -263,7 +263,9 @@ def test_the_hash_names_the_values_whatever_the_design_is_called():
     assert len(REFERENCE.hash) == 16
 
 
-@pytest.mark.parametrize(("key", "value"), [(key, value) for key, _, value in quantities(REFERENCE)])
+@pytest.mark.parametrize(
+    ("key", "value"), [(key, value) for key, _, value in quantities(REFERENCE) if value is not None]
+)
 def test_the_hash_tells_values_apart_that_differ_in_the_last_bit(key, value):
     assert changed(**{key: math.nextafter(value, 0.0 if value else 1.0)}).hash != REFERENCE.hash
 

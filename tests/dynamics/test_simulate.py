@@ -1,11 +1,16 @@
 """Runs side by side: what wings share is run once, what is not asked for is not kept, and no bit depends on either."""
 
+import importlib
+import threading
 from dataclasses import replace
+from unittest import mock
 
+import mujoco
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from mujoco.batch import Batch, SimulationError
 
 import forficula as ff
 from forficula.design import with_values
@@ -26,6 +31,7 @@ STAGES = {
 }
 SHORT = with_values(ff.load_design("binder2025"), STAGES | {"tendon.rest_length": 0.05})
 WING = compile_wing(SHORT)
+MODULE = importlib.import_module("forficula.dynamics.simulate")
 
 
 def sharing(fold, unfold, stages=5):
@@ -54,19 +60,42 @@ TORQUES = st.sampled_from([0.0, 0.1, 0.2, 0.5, 5.0])
     st.lists(st.tuples(TORQUES, TORQUES, st.integers(1, 5)), min_size=2, max_size=7),
     st.integers(1, 2),
     st.booleans(),
+    st.sampled_from([0, 2, 16]),
 )
-def test_wings_that_share_their_first_stages_give_the_same_bits_as_alone(courses, threads, sparse):
+def test_wings_that_share_their_first_stages_give_the_same_bits_as_alone(courses, threads, sparse, few):
     # a course that others start with, twice, and in any order: leaders follow others in turn
     wings = [sharing(*course) for course in courses]
-    for wing, record in zip(wings, simulate(wings, threads, sparse), strict=True):
+    with mock.patch.object(MODULE, "_FEW", few):
+        records = simulate(wings, threads, sparse)
+    for wing, record in zip(wings, records, strict=True):
         alone = replace(wing, engine=compile_wing(wing.design).engine)
         assert_same_bits(record, simulate([alone], sparse=sparse)[0])
 
 
-def test_every_wing_is_handed_on_once():
+@pytest.mark.parametrize("few", [0, 16])
+def test_every_wing_is_handed_on_once(few):
     wings = [sharing(torque, 1.0, stages) for torque in (0.0, 0.5) for stages in (2, 3, 5, 5)]
-    assert sorted(row for row, _ in simulate_each(wings)) == list(range(8))
+    with mock.patch.object(MODULE, "_FEW", few):
+        assert sorted(row for row, _ in simulate_each(wings)) == list(range(8))
     assert list(simulate_each([])) == []
+
+
+@pytest.mark.parametrize("few", [0, 16])
+@pytest.mark.parametrize("opens", [None, 0, 1])
+def test_wings_that_only_their_unfold_torques_tell_apart_are_tried_until_one_is_enough(few, opens):
+    # without a fold torque none folds, and those that wait for the first end where it does
+    torques = [0.1, 0.5, 1.0]
+    wings = [sharing(fold, torque) for fold in (0.0, 0.5) for torque in torques]
+    last = None if opens is None else torques[opens]
+
+    def enough(record):
+        return record.design.protocol.unfold_torque == last
+
+    with mock.patch.object(MODULE, "_FEW", few):
+        records = dict(simulate_each(wings, enough=enough))
+    assert len(records) == (6 if last is None else 2 * (opens + 1))
+    for row, record in records.items():
+        assert_same_bits(record, simulate([wings[row]])[0])
 
 
 def test_wings_that_share_stages_share_their_numbers_up_to_there_and_part_then():
@@ -147,3 +176,36 @@ def test_progress_tells_of_every_stage_and_never_passes_the_longest():
     times = [time for _, time, _ in seen]
     assert times == sorted(times)
     assert all(time <= longest + 1e-9 for _, time, longest in seen)
+
+
+def test_a_caller_that_stops_leaves_no_thread_and_no_silence_behind():
+    threads = threading.active_count()
+    wings = [compile_wing(with_values(SHORT, {"tendon.rest_length": length})) for length in (0.05, 0.06, 0.07)]
+    records = simulate_each(wings)
+    next(records)
+    with pytest.raises(KeyboardInterrupt):
+        records.throw(KeyboardInterrupt)
+    assert threading.active_count() == threads
+    assert mujoco.get_mju_user_warning() is None
+
+
+def test_what_the_engine_raises_in_the_background_is_raised():
+    error = SimulationError(np.array([0]), "out of memory")
+    with mock.patch.object(Batch, "rollout", side_effect=error), pytest.raises(SimulationError, match="out of memory"):
+        simulate([WING])
+    assert mujoco.get_mju_user_warning() is None
+
+
+def test_simulations_that_take_turns_are_silent_to_the_end_and_no_longer():
+    wild = compile_wing(with_values(SHORT, {"protocol.timestep": 8e-3}))
+    heard = []
+    mujoco.set_mju_user_warning(heard.append)
+    try:
+        turns = [simulate_each([wild, WING]), simulate_each([WING, wild])]
+        for each in turns:
+            next(each)
+        assert [sum(1 for _ in each) for each in turns] == [1, 1]
+        assert mujoco.get_mju_user_warning() == heard.append
+    finally:
+        mujoco.set_mju_user_warning(None)
+    assert not heard

@@ -2,7 +2,7 @@
 
 import forficula as ff
 from forficula.design import with_values
-from forficula.study.evaluate import evaluate
+from forficula.study.evaluate import evaluate, outcome_row, row_key
 
 
 def test_torques_above_the_least_that_opens_do_not_run_and_the_others_keep_their_bits():
@@ -19,3 +19,14 @@ def test_torques_above_the_least_that_opens_do_not_run_and_the_others_keep_their
     assert [bool(row["opened"]) for row in tried] == [False, True]
     assert all(row == every[row["key"]] for row in tried)
     assert len(every) == 3
+
+
+def test_tendons_with_and_without_branches_and_yield_are_evaluated_side_by_side():
+    law = {"linear_modulus": 4.8e6}
+    laws = [law, law | {"branches": [{"modulus": 1e6, "time": 0.002}]}, law | {"yield_strain": 0.1}]
+    designs = [
+        with_values(ff.load_design("binder2025"), {"tendon.area": 18.75e-6, "tendon.law": each}) for each in laws
+    ]
+    rows = {row["key"]: row for row in evaluate(designs)}
+    for design in designs:
+        assert rows[row_key(design)] == {"key": row_key(design)} | outcome_row(ff.measure(ff.run(design)))

@@ -75,6 +75,9 @@ class EnergyBalance:
         hinge_damping: that the hinges' damping took.
         elastic_damping: that the tendons' and the membrane's damping took.
         stops: that stops, guard tendons and, where they are on, contacts took.
+        branches: change of the energy of the tendons' Maxwell branches; None where they have none.
+        branch_damping: that the dampers in these branches took; None where there are none.
+        yielding: that the tendons' yielding took; None where they never yield.
     """
 
     work: float
@@ -85,12 +88,16 @@ class EnergyBalance:
     hinge_damping: float
     elastic_damping: float
     stops: float
+    branches: float | None = None
+    branch_damping: float | None = None
+    yielding: float | None = None
 
     @property
     def missing(self) -> float:
         """Work that the account does not find, J: the error of the integration."""
         stored = self.tendon + self.membrane + self.kinetic + self.gravitational
-        return self.work - stored - self.hinge_damping - self.elastic_damping - self.stops
+        of_law = sum(term or 0.0 for term in (self.branches, self.branch_damping, self.yielding))
+        return self.work - stored - self.hinge_damping - self.elastic_damping - self.stops - of_law
 
     @property
     def residual(self) -> float:
@@ -161,6 +168,8 @@ def measure(record: Record) -> Outcome:
     if record.diverged_at is not None:
         folded = opened = False
     status, advice = _verdict(record, folded, opened, folded_state)
+    if record.design.tendon.law is not None:  # of which the stiffness follows
+        advice = advice.replace("tendon.stiffness", "tendon.area")
     return Outcome(
         status=status,
         advice=advice,
@@ -246,7 +255,14 @@ def _balance(record: Record) -> EnergyBalance:
         hinge_damping=-change["hinge_damping_work"],
         elastic_damping=-change["elastic_damping_work"],
         stops=-change["stop_work"],
+        branches=change.get("branch_energy"),
+        branch_damping=_taken(change, "branch_damping_work"),
+        yielding=_taken(change, "yield_work"),
     )
+
+
+def _taken(change: dict[str, float], name: str) -> float | None:
+    return -change[name] if name in change else None
 
 
 def _verdict(record: Record, folded: bool, opened: bool, folded_state: State | None) -> tuple[str, str]:

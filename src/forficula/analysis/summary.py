@@ -54,6 +54,11 @@ def _transition_summary(transition: Transition | None, torque: float) -> dict[st
 
 
 def _balance_summary(balance: EnergyBalance) -> dict[str, float]:
+    of_law = {
+        "branch_energy_change_J": balance.branches,
+        "branch_damping_J": balance.branch_damping,
+        "yielding_J": balance.yielding,
+    }
     return {
         "residual": balance.residual,
         "work_J": balance.work,
@@ -65,4 +70,5 @@ def _balance_summary(balance: EnergyBalance) -> dict[str, float]:
         "elastic_damping_J": balance.elastic_damping,
         "stops_J": balance.stops,
         "missing_J": balance.missing,
+        **{name: value for name, value in of_law.items() if value is not None},
     }

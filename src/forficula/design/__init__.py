@@ -1,4 +1,4 @@
-from forficula.design.design import LENGTH, TORQUE, Design, Protocol, Stage, design_warnings
+from forficula.design.design import Design, Protocol, Stage
 from forficula.design.design_file import (
     design_from_text,
     design_text,
@@ -8,8 +8,11 @@ from forficula.design.design_file import (
     with_values,
     write_new_design,
 )
+from forficula.design.design_warnings import design_warnings
 from forficula.design.keys import key_quantity, key_value
+from forficula.design.part import LENGTH, TORQUE
 from forficula.design.similarity import in_units, scale_design
+from forficula.design.tendon import tendon_law
 
 __all__ = [
     "LENGTH",
@@ -27,6 +30,7 @@ __all__ = [
     "named_designs",
     "save_design",
     "scale_design",
+    "tendon_law",
     "with_values",
     "write_new_design",
 ]

@@ -13,12 +13,16 @@ from typing import Any
 
 import tomli_w
 from pydantic import ValidationError
+from pydantic.fields import FieldInfo
 
-from forficula.design.design import Design, Part, field_quantity
+from forficula.design.design import Design
 from forficula.design.keys import entry_index, hint, known_keys, siblings
+from forficula.design.law_tables import names_law, with_following, with_law_read, without_following
+from forficula.design.part import Part, as_tables, field_quantity
+from forficula.design.tables import RejectedError, merged, overlaid
 from forficula.errors import InputError
 from forficula.files import write_text
-from forficula.quantities import as_written, format_quantity
+from forficula.quantities import as_written
 
 REFERENCE = "binder2025"
 
@@ -43,28 +47,25 @@ def load_design(name_or_path: str | Path, settings: Mapping[str, object] | None 
     files = _read_files(str(name_or_path))
     tables: dict[str, Any] = {}
     for _, own in files:
-        tables = _merged(tables, own)
-    for key, value in (settings or {}).items():
-        _set(tables, key, value)
+        tables = merged(without_following(tables, own), own)
+    tables = _with_settings(tables, settings or {})
     try:
         return _validate(tables)
-    except _RejectedError as error:
+    except RejectedError as error:
         where = _origin(error.place, files, _dotted(settings or {}))
         raise InputError(f"{where}: {error}" if where else str(error)) from None
 
 
 def with_values(design: Design, values: Mapping[str, object]) -> Design:
-    """Replace some values by dotted key; floats with a unit are SI.
+    """Replace some values by dotted key; floats with a unit are SI, and "tendon.law" may be a `MaterialLaw`.
 
     Raises:
         InputError: an unknown key, or a value that is not allowed.
     """
-    tables = design.model_dump(mode="json")
-    for key, value in values.items():
-        _set(tables, key, value)
+    tables = _with_settings(design.model_dump(mode="json", exclude_none=True), values, si=True)
     try:
         return _validate(tables, si=True)
-    except _RejectedError as error:
+    except RejectedError as error:
         raise InputError(f"{design.name}: {error}") from None
 
 
@@ -80,7 +81,7 @@ def save_design(design: Design, path: str | os.PathLike[str]) -> None:
 
 def design_text(design: Design) -> str:
     """Every value of a design as TOML."""
-    return tomli_w.dumps(_as_text(design))
+    return tomli_w.dumps(as_tables(design))
 
 
 def design_from_text(text: str) -> Design:
@@ -134,6 +135,10 @@ def _read_files(name_or_path: str, above: tuple[Path, ...] = ()) -> list[_File]:
     if path.resolve() in above:
         raise InputError(f"{path}: goes round in a circle")
     tables.setdefault("name", path.stem)
+    try:
+        tables = {key: with_law_read(key, value, folder=path.parent) for key, value in tables.items()}
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from None
     base = tables.pop("based_on", None)
     if base is None:
         return [(name_or_path, tables)]
@@ -167,12 +172,27 @@ def _read_toml(path: Path) -> dict[str, Any]:
         raise InputError(f"{path}: not TOML for a design: nested too deeply") from None
 
 
-def _merged(base: dict[str, Any], over: dict[str, Any]) -> dict[str, Any]:
-    both = dict(base)
-    for key, value in over.items():
-        inner = both.get(key)
-        both[key] = _merged(inner, value) if isinstance(inner, dict) and isinstance(value, dict) else value
-    return both
+def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si: bool = False) -> dict[str, Any]:
+    """Put values into tables by their dotted keys, a law that is named before values of it."""
+    read = {key: with_law_read(key, value, si=si) for key, value in settings.items()}
+    nested: dict[str, Any] = {}
+    for key, value in read.items():
+        _nest(nested, key, value)
+    tables = without_following(tables, nested)
+    for key, value in sorted(read.items(), key=lambda each: not names_law(each[1])):
+        _set(tables, key, value)
+    return tables
+
+
+def _nest(tables: dict[str, Any], key: str, value: object) -> None:
+    """Put a value into tables of its own, as far as its key goes."""
+    *sections, last = key.split(".")
+    for section in sections:
+        inner = tables.setdefault(section, {})
+        if not isinstance(inner, dict):
+            return
+        tables = inner
+    tables[last] = value
 
 
 def _set(tables: dict[str, Any], key: str, value: object) -> None:
@@ -187,7 +207,7 @@ def _set(tables: dict[str, Any], key: str, value: object) -> None:
             raise InputError(f"{key}: unknown key; did you mean {'.'.join(sections[:depth])}?")
     at: Any = entry_index(key, last, place) if isinstance(place, list) else last
     inner = place[at] if isinstance(place, list) else place.get(at)
-    place[at] = _merged(inner, value) if isinstance(inner, dict) and isinstance(value, dict) else value
+    place[at] = overlaid(inner, value)
 
 
 def _dotted(tables: Mapping[str, object], prefix: str = "") -> Iterator[str]:
@@ -199,17 +219,9 @@ def _dotted(tables: Mapping[str, object], prefix: str = "") -> Iterator[str]:
             yield f"{prefix}{key}"
 
 
-class _RejectedError(InputError):
-    """A design that is not allowed, and the place that is to blame."""
-
-    def __init__(self, place: Sequence[str], message: str) -> None:
-        super().__init__(message)
-        self.place = tuple(place)
-
-
 def _validate(tables: dict[str, Any], *, si: bool = False) -> Design:
     try:
-        return Design.model_validate(tables, context={"si": si})
+        return Design.model_validate(with_following(tables, si=si), context={"si": si})
     except ValidationError as error:
         # A wrong value hides what depends on it, so one error is enough; a misspelt key may be the missing one.
         errors = error.errors(include_url=False)
@@ -239,29 +251,31 @@ def _stands_in(tables: object, place: Sequence[str]) -> bool:
     return True
 
 
-def _rejected(place: list[str], error: Any) -> _RejectedError:
+def _rejected(place: list[str], error: Any) -> RejectedError:
     """One pydantic error as one line: key, rule, value."""
     key = _written_key(place)
     kind, value, bounds = error["type"], error["input"], error.get("ctx", {})
     if kind == "value_error":
         message = str(bounds["error"])
         if message.partition(":")[0] in known_keys():  # a check of several values, no one of them to blame
-            return _RejectedError([], message)
-        return _RejectedError(place, f"{key}: {message}")
+            return RejectedError([], message)
+        return RejectedError(place, f"{key}: {message}")
     if kind == "extra_forbidden":
-        return _RejectedError(place, f"{key}: unknown key; {hint(place)}")
+        return RejectedError(place, f"{key}: unknown key; {hint(place)}")
     if kind == "missing":
         in_list = any(part.isdigit() for part in place)
         to_inherit = f'give it, or begin the file with based_on = "{REFERENCE}"'
+        if place[:2] == ["tendon", "law"]:
+            to_inherit = 'give it, or name a material as in tendon.law = "tpu-82a"'
         remedy = f"needed here: {', '.join(siblings(place))}" if in_list else to_inherit
-        return _RejectedError(place[:-1], f"{key}: is missing; {remedy}")
-    return _RejectedError(place, f"{key}: need {_rule(place, kind, value, bounds)}, got {as_written(value)}")
+        return RejectedError(place[:-1], f"{key}: is missing; {remedy}")
+    return RejectedError(place, f"{key}: need {_rule(place, kind, value, bounds)}, got {as_written(value)}")
 
 
 def _rule(place: list[str], kind: str, value: object, bounds: Mapping[str, Any]) -> str:
     """What is allowed, by pydantic's name of the error."""
     header = ".".join(part for part in place if not part.isdigit())
-    is_tables = header == "protocol.stages"
+    is_tables = header in ("protocol.stages", "tendon.law.branches")
     bare = " without quotes" if isinstance(value, str) else ""
     rules = {
         "greater_than": "> {gt:g}",
@@ -277,10 +291,20 @@ def _rule(place: list[str], kind: str, value: object, bounds: Mapping[str, Any])
         "string": "text in quotes",
         "bool": f"true or false{bare}",
         "tuple": f"a list of tables, each under [[{header}]]" if is_tables else "a list of numbers such as [0.3, 0.6]",
-        "model": f"a table under [[{header}]]" if is_tables else f"a table under [{header}]",
+        "model": _table_rule(header),
     }
     rule = rules.get(kind) or next((text for name, text in rules.items() if kind.startswith(f"{name}_")), kind)
     return rule.format(**bounds).replace("'", '"')
+
+
+def _table_rule(header: str) -> str:
+    match header:
+        case "tendon.law":
+            return "the name of a material, the path of a law file, or a table under [tendon.law]"
+        case "protocol.stages" | "tendon.law.branches":
+            return f"a table under [[{header}]]"
+        case _:
+            return f"a table under [{header}]"
 
 
 def _written_key(place: Sequence[str]) -> str:
@@ -293,20 +317,6 @@ def _nearest(word: str, words: list[str]) -> str | None:
     return f'did you mean "{near[0]}"?' if near else None
 
 
-def _as_text(part: Part) -> dict[str, Any]:
-    """A part as TOML tables, quantities as exact text."""
-    tables: dict[str, Any] = {}
-    for name, field in type(part).model_fields.items():
-        value, quantity = getattr(part, name), field_quantity(field)
-        if isinstance(value, Part):
-            tables[name] = _as_text(value)
-        elif isinstance(value, tuple):
-            tables[name] = [_as_text(item) if isinstance(item, Part) else item for item in value]
-        else:
-            tables[name] = format_quantity(value, quantity.unit) if quantity and isinstance(value, float) else value
-    return tables
-
-
 def _commented(design: Design) -> Iterator[str]:
     """The sections of a design, every key with its meaning."""
     for section in Design.model_fields:
@@ -316,10 +326,20 @@ def _commented(design: Design) -> Iterator[str]:
         yield f"\n[{section}]  # {(type(part).__doc__ or '').splitlines()[0].removesuffix('.')}"
         for key, entry in type(part).model_fields.items():
             if key == "stages":
-                yield from _commented_stages(_as_text(part)["stages"], entry.description)
+                yield from _commented_stages(as_tables(part)["stages"], entry.description)
                 continue
-            value = tomli_w.dumps({key: _as_text(part)[key]}).strip().replace("[\n    ", "[").replace(",\n]", "]")
+            values = as_tables(part)
+            if key not in values:
+                yield f"{'# ' + _example(key, entry):<40}  # {entry.description}"
+                continue
+            value = tomli_w.dumps({key: values[key]}).strip().replace("[\n    ", "[").replace(",\n]", "]")
             yield f"{value:<40}  # {entry.description}"
+
+
+def _example(key: str, entry: FieldInfo) -> str:
+    """A line for a value that is absent."""
+    reader = field_quantity(entry)
+    return tomli_w.dumps({key: reader.unit.example if reader else (entry.examples or [""])[0]}).strip()
 
 
 def _commented_stages(stages: list[dict[str, Any]], description: str | None) -> Iterator[str]:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterator, Sequence
+from types import UnionType
 from typing import Any, get_args, get_origin
 
 from pydantic import BaseModel
 
-from forficula.design.design import Design, Part, Quantity, field_quantity
+from forficula.design.design import Design
+from forficula.design.part import Part, Quantity, field_quantity
 from forficula.errors import InputError
 from forficula.quantities import as_written
 
@@ -32,7 +34,7 @@ def key_quantity(key: str) -> Quantity | None:
             field = place.model_fields.get(part)
             if field is None:
                 raise InputError(f"{key}: unknown key; {hint(parts)}")
-            place, quantity = field.annotation, field_quantity(field)
+            place, quantity = _without_none(field.annotation), field_quantity(field)
         elif get_origin(place) is not tuple:
             raise InputError(f"{key}: unknown key; did you mean {'.'.join(parts[:depth])}?")
         elif not part.isdecimal():
@@ -49,14 +51,18 @@ def key_quantity(key: str) -> Quantity | None:
 
 
 def key_value(design: Design, key: str) -> Any:
-    """What a design has at a key that `key_quantity` knows, in SI.
+    """What a design has at a key that `key_quantity` knows, in SI; None where that is absent.
 
     Raises:
-        InputError: a list of the design has no such entry.
+        InputError: a list of the design has no such entry, or the design lacks the section.
     """
     value: Any = design
+    within = ""
     for part in key.split("."):
+        if value is None:
+            raise InputError(f"{key}: {design.name} has no {within}")
         value = value[entry_index(key, part, value)] if isinstance(value, tuple) else getattr(value, part)
+        within = f"{within}.{part}" if within else part
     return value
 
 
@@ -108,6 +114,12 @@ def hint(place: Sequence[str]) -> str:
         return f"did you mean {' or '.join(elsewhere[near[0]])}?"
     # where the section itself is unknown, it is what is wrong
     return f"allowed here: {', '.join(here)}" if here or not section else hint(section)
+
+
+def _without_none(annotation: Any) -> Any:
+    """What a field holds where it is not absent."""
+    given = [each for each in get_args(annotation) if each is not type(None)]
+    return given[0] if len(given) == 1 and get_origin(annotation) is UnionType else annotation
 
 
 def _is_part(annotation: Any) -> bool:

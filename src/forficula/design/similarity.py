@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Any, TypeVar
 
-from forficula.design.design import Design, Part, field_quantity
+from forficula.design.design import Design
 from forficula.design.design_file import with_values
+from forficula.design.part import Part, field_quantity
 from forficula.errors import InputError
 from forficula.quantities import dimension
 

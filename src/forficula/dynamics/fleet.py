@@ -14,6 +14,8 @@ from forficula.dynamics.record import StageEnd
 Array = NDArray[np.float64]
 Steps = NDArray[np.int64]
 
+# relaxation times after which a Maxwell branch has lost 95 % of its force
+_RELAXED = 3
 _GOALS = ("time", "rest", "folded", "opened")
 
 
@@ -47,7 +49,7 @@ class Fleet:
         self._goal = np.array([[_GOALS.index(stage.until) for stage in row] for row in stages])
         self._hold = self._in_steps([[stage.hold for stage in row] for row in stages])
         self._limit = self._in_steps([[stage.time_limit for stage in row] for row in stages])
-        self._window = np.rint([protocol.window for protocol in protocols] / self._timestep).astype(np.int64)
+        self._window = np.rint([_longest_rest(wing) for wing in wings] / self._timestep).astype(np.int64)
         self._may_stick = np.array(
             [[stage.drive != "none" and stage.until in ("folded", "opened") for stage in row] for row in stages]
         )
@@ -77,18 +79,18 @@ class Fleet:
         Args:
             rows: which wings.
             time: before the first step and after each, (row, step + 1).
-            position: likewise, (row, step + 1, dof).
-            velocity: likewise, (row, step + 1, dof).
+            position: after each step, (row, step, dof).
+            velocity: likewise, (row, step, dof).
 
         Returns:
             How many of the steps count, (row,); the others belong to another stage, with other torques.
         """
-        count = time.shape[1] - 1
+        count = position.shape[1]
         sound = _sound_steps(time, position, velocity)
         stage = self.stage[rows]
         number = self.steps[rows, None] + np.arange(1, count + 1)
-        resting = np.all(np.abs(velocity[:, 1:]) <= self._rest_speed[rows, None, None], axis=2)
-        reached = self._reached(rows, position[:, 1:], resting)
+        resting = np.all(np.abs(velocity) <= self._rest_speed[rows, None, None], axis=2)
+        reached = self._reached(rows, position, resting)
         goal_since = _since(reached, number, self._goal_since[rows])
         rest_since = _since(resting, number, self._rest_since[rows])
         held = reached & (number - goal_since >= self._hold[rows, stage][:, None])
@@ -158,6 +160,13 @@ class Fleet:
         self._goal_since[row] = self._rest_since[row] = -1
 
 
+def _longest_rest(wing: WingModel) -> float:
+    """How long a wing may rest short of its goal before it is stuck, s: until its branches have relaxed, too."""
+    law = wing.design.tendon.law
+    times = [branch.time for branch in law.branches] if law else []
+    return max(wing.design.protocol.window, _RELAXED * max(times, default=0.0))
+
+
 def _torques(wing: WingModel, stage: Stage) -> Array:
     """Torques of a stage, (motor,), in the model's units."""
     on_proximal, on_distal = stage_torques(wing, stage)
@@ -192,10 +201,21 @@ def _since(holds: NDArray[np.bool_], number: Steps, carried: Steps) -> Steps:
 
 
 def _sound_steps(time: Array, position: Array, velocity: Array) -> Steps:
-    """How many steps each wing took before its numbers blew up, (row,); the engine then stops its clock."""
-    # a sum is finite where all that it adds are, and sooner found than whether each is
-    with np.errstate(invalid="ignore", over="ignore"):
-        total = np.einsum("ijk->ij", position[:, 1:]) + np.einsum("ijk->ij", velocity[:, 1:])
-    finite = np.isfinite(total)
-    sound = finite & (np.diff(time, axis=1) > 0)
-    return np.asarray(np.where(sound.all(axis=1), sound.shape[1], sound.argmin(axis=1)))
+    """How many steps each wing took before its numbers blew up, (row,); the engine then stops its clock.
+
+    Args:
+        time: before the first step and after each, (row, step + 1).
+        position: after each step, (row, step, dof).
+        velocity: likewise.
+    """
+    sound = np.full(len(time), position.shape[1])
+    # the last step tells: numbers that are not finite stay so, and a clock that has stopped stands
+    broken = np.flatnonzero(~_sound(time[:, -2:], position[:, -1:], velocity[:, -1:])[:, 0])
+    sound[broken] = _sound(time[broken], position[broken], velocity[broken]).argmin(axis=1)
+    return sound
+
+
+def _sound(time: Array, position: Array, velocity: Array) -> NDArray[np.bool_]:
+    """Whether each step left finite numbers and the clock ran, (row, step)."""
+    finite = np.isfinite(position).all(axis=2) & np.isfinite(velocity).all(axis=2)
+    return np.asarray(finite & (np.diff(time, axis=1) > 0))

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass
+from functools import cached_property
 
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.design import Design
+from forficula.design import Design, tendon_law
 from forficula.dynamics.membrane import Membrane, add_membrane, panel_membrane
-from forficula.dynamics.tendons import add_guard, add_tendon
+from forficula.dynamics.tendons import add_branches, add_guard, add_tendon
 from forficula.dynamics.units import ModelUnits, design_in_model_units, model_units
 from forficula.dynamics.veins import Vein, add_vein, fan_veins
 from forficula.errors import InputError
+from forficula.material.tendon_law import TendonLaw
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,8 +32,10 @@ class WingModel:
         membrane: its mesh, in the model's units.
         senses: +1 or -1 by vein, (vein,).
         tendons: index of the tendon by vein, (vein,).
+        branches: index into activations of the tendons' Maxwell branches, (vein, branch).
+        creep: index into plastic states of the tendons' resting lengths, (vein,), or (0,) where they do not yield.
         joints: index into positions and velocities of sweep, lift, turn and fold by vein, (vein, 4); -1 for none.
-        motors: index of the motor of turn and fold by vein, (vein, 2); -1 for none.
+        motors: index of the motor of turn and fold by vein, and of its control, (vein, 2); -1 for none.
         bodies: index of the proximal and the distal bar by vein, (vein, 2).
         tips: index of the site at the tip by vein, (vein,).
     """
@@ -44,10 +48,17 @@ class WingModel:
     membrane: Membrane
     senses: NDArray[np.int64]
     tendons: NDArray[np.int64]
+    branches: NDArray[np.int64]
+    creep: NDArray[np.int64]
     joints: NDArray[np.int64]
     motors: NDArray[np.int64]
     bodies: NDArray[np.int64]
     tips: NDArray[np.int64]
+
+    @cached_property
+    def tendon_law(self) -> TendonLaw:
+        """The law of the tendons, in the model's units."""
+        return tendon_law(self.in_units)
 
     @property
     def xml(self) -> str:
@@ -78,6 +89,9 @@ def compile_veins(design: Design, veins: tuple[Vein, ...], units: ModelUnits) ->
     for index, vein in enumerate(veins):
         add_vein(spec, index, vein, in_units)
         add_tendon(spec, index, in_units)
+    # after all motors, so that a motor and its control have the same index: branches have no control
+    for index in range(len(veins)):
+        add_branches(spec, index, in_units)
     for index in range(len(veins) - 1):
         add_guard(spec, index, veins, in_units)
     add_membrane(spec, membrane, veins, in_units)
@@ -91,6 +105,8 @@ def compile_veins(design: Design, veins: tuple[Vein, ...], units: ModelUnits) ->
             engine = spec.compile()
     except ValueError as error:
         raise InputError(f"{design.name}: MuJoCo cannot build the wing: {' '.join(str(error).split())}") from None
+    tendons = _indices(engine, mujoco.mjtObj.mjOBJ_TENDON, ("tendon",), len(veins))[:, 0]
+    plastic = engine.tendon_plasticadr[tendons]
     return WingModel(
         design=design,
         units=units,
@@ -99,7 +115,10 @@ def compile_veins(design: Design, veins: tuple[Vein, ...], units: ModelUnits) ->
         spec=spec,
         membrane=membrane,
         senses=np.array([vein.sense for vein in veins]),
-        tendons=_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, ("tendon",), len(veins))[:, 0],
+        tendons=tendons,
+        branches=np.arange(engine.na).reshape(len(veins), -1),
+        # of the two numbers of a tendon the dead band's upper end
+        creep=plastic[plastic >= 0] + 1,
         joints=_indices(engine, mujoco.mjtObj.mjOBJ_JOINT, ("sweep", "lift", "turn", "fold"), len(veins)),
         motors=_indices(engine, mujoco.mjtObj.mjOBJ_ACTUATOR, ("turn", "fold"), len(veins)),
         bodies=_indices(engine, mujoco.mjtObj.mjOBJ_BODY, ("proximal", "distal"), len(veins)),

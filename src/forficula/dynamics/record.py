@@ -30,7 +30,7 @@ VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "turn_angle": (("vein",), "rad", "turn of the vein about its own axis, folding positive in its own sense"),
     "distal_angle": (("vein",), "rad", "angle of the distal hinge, folding negative in the vein's own sense"),
     "tendon_length": (("vein",), "m", "length of the tendon"),
-    "tendon_energy": (("vein",), "J", "energy of the tendon"),
+    "tendon_energy": (("vein",), "J", "energy of the tendon's spring"),
     "membrane_energy": ((), "J", "stretch energy of the membrane"),
     "kinetic_energy": ((), "J", "kinetic energy of the bars and hinges"),
     "gravitational_energy": ((), "J", "weight of the bars by their height"),
@@ -44,6 +44,16 @@ VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "vein_position": (("vein", "point", "axis"), "m", "hub end, ring vertex and tip of the vein"),
     "membrane_position": (("node", "axis"), "m", "nodes of the membrane"),
 }
+# what is there only with Maxwell branches, and only with tendons that yield
+BRANCH_VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
+    "branch_energy": (("vein",), "J", "energy of the tendon's Maxwell branches"),
+    "branch_damping_work": ((), "J", "work of the dampers in the tendons' Maxwell branches since the start"),
+}
+YIELD_VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
+    "tendon_rest_length": (("vein",), "m", "resting length of the tendon, which grows where it yields"),
+    "yield_work": ((), "J", "work of the tendons' yielding since the start"),
+}
+_MAYBE = BRANCH_VARIABLES | YIELD_VARIABLES
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -70,7 +80,8 @@ class Record:
     Attributes:
         design: what ran.
         time: s, (time,): at the sample interval and at the end of every stage.
-        series: an array for every name of `VARIABLES`, SI, (time, ...).
+        series: an array for every name of `VARIABLES`, SI, (time, ...), and with a law that has branches or yields, for
+            every name of `BRANCH_VARIABLES` or `YIELD_VARIABLES`.
         stages: the stages that took place, in order.
         triangles: the membrane's mesh, (triangle, 3), indices of nodes.
         diverged_at: when the numbers blew up, s, or None.
@@ -88,9 +99,10 @@ class Record:
         """The series with their dimensions, coordinates and units."""
         import xarray
 
+        known = VARIABLES | {name: meaning for name, meaning in _MAYBE.items() if name in self.series}
         variables = {
             name: (("time", *dimensions), self.series[name], {"units": unit, "long_name": meaning})
-            for name, (dimensions, unit, meaning) in VARIABLES.items()
+            for name, (dimensions, unit, meaning) in known.items()
         }
         coordinates = {
             "time": ("time", self.time, {"units": "s", "long_name": "time"}),
@@ -158,7 +170,7 @@ def load_record(path: str | os.PathLike[str]) -> Record:
         return Record(
             design=design,
             time=data["time"].values,
-            series={name: data[name].values for name in VARIABLES},
+            series={name: data[name].values for name in (*VARIABLES, *(name for name in _MAYBE if name in data))},
             stages=stages,
             triangles=data["triangle"].values.astype(np.int64),
             diverged_at=None if np.isnan(diverged_at) else diverged_at,

@@ -24,18 +24,20 @@ def successors(wings: Sequence[WingModel]) -> dict[int, int]:
 def followers(wings: Sequence[WingModel], held: Container[int] = ()) -> dict[int, tuple[int, int]]:
     """By wing, an earlier one that goes through the same first stages and is not held back, and how many stages."""
     leaders: dict[int, tuple[int, int]] = {}
+    alike: dict[int, list[int]] = {}
     for row, wing in enumerate(wings):
-        shared = [(_shared_stages(wings[leader], wing), -leader) for leader in range(row) if leader not in held]
+        earlier = alike.setdefault(id(wing.engine), [])
+        shared = [(_shared_stages(wings[leader], wing), -leader) for leader in earlier]
         stages, leader = max(shared, default=(0, 0))
         if stages:
             leaders[row] = -leader, stages
+        if row not in held:
+            earlier.append(row)
     return leaders
 
 
 def _shared_stages(one: WingModel, other: WingModel) -> int:
-    """How many first stages two wings have in common, to the last bit."""
-    if one.engine is not other.engine:
-        return 0
+    """How many first stages two wings of one engine model have in common, to the last bit."""
     parting = {"fold_torque": 0.0, "unfold_torque": 0.0, "stages": ()}
     protocols = [wing.design.protocol for wing in (one, other)]
     if protocols[0].model_copy(update=parting) != protocols[1].model_copy(update=parting):

@@ -2,42 +2,29 @@
 
 from __future__ import annotations
 
-import copy
+from collections import deque
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from concurrent.futures import Future
 
-import mujoco
 import numpy as np
-from mujoco.batch import Batch
 from numpy.typing import NDArray
 
 from forficula.design import Design
 from forficula.dynamics.fleet import Fleet
 from forficula.dynamics.model import WingModel, compile_wing
 from forficula.dynamics.record import Record
-from forficula.dynamics.recorder import Chunk, Recorder
+from forficula.dynamics.recorder import Chunk, Recorder, keep
 from forficula.dynamics.sharing import followers, successors
+from forficula.dynamics.stepper import Stepper, Steps
 from forficula.dynamics.timestep import with_timestep
 
-Array = NDArray[np.float64]
 Progress = Callable[[str, float, float], None]
 
 # Steps between two looks at the goals. Every step is looked at and the overshoot is taken back, so that no number
 # depends on it.
 _CHUNK = 100
-# all that the next step depends on, and of that what a step changes: time, positions and velocities first
-_STATE = mujoco.mjtState.mjSTATE_INTEGRATION.value
-_MOVING = _STATE & ~mujoco.mjtState.mjSTATE_USER.value
-_DERIVED = (
-    "ten_length",
-    "energy",
-    "flexvert_xpos",
-    "xpos",
-    "xipos",
-    "site_xpos",
-    "qfrc_damper",
-    "qfrc_constraint",
-)
+# Wings a thread below which all are stepped at once.
+_FEW = 16
 
 
 def run(design: Design, progress: Progress | None = None) -> Record:
@@ -95,24 +82,36 @@ def simulate_each(
     """
     if not wings:
         return
-    batch = Batch(wings[0].engine, len(wings), threads)
-    batch.set_models(_without_energy(wings) if sparse else [wing.engine for wing in wings])
-    batch.bind("qpos")[:] = [_start_position(wing) for wing in wings]
-    names = _DERIVED[:1] if sparse else _DERIVED
-    last = {name: batch.bind(name) for name in names}
+    stepper = Stepper(wings, threads, sparse, _CHUNK)
+    try:
+        yield from _records(wings, stepper, sparse, progress, enough)
+    finally:
+        stepper.close()
+
+
+def _records(
+    wings: Sequence[WingModel],
+    stepper: Stepper,
+    sparse: bool,
+    progress: Progress | None,
+    enough: Callable[[Record], bool] | None,
+) -> Iterator[tuple[int, Record]]:
+    """Do as `simulate_each` does."""
     fleet, recorders = Fleet(wings), [Recorder(wing, sparse) for wing in wings]
     following = {} if enough is None else successors(wings)
     held = set(following.values())
     waiting = followers(wings, held)
-    columns = _moving_columns(batch.model)
     moving = np.array([row not in waiting and row not in held for row in range(len(wings))])
+    under_way: deque[tuple[NDArray[np.int64], Future[Steps]]] = deque()
     while moving.any():
-        rows = np.flatnonzero(moving & ~fleet.ended)
-        if len(rows):
-            _advance(batch, fleet, recorders, rows, names, columns)
+        while len(rows := _next_rows(moving & ~fleet.ended, [rows for rows, _ in under_way], stepper.threads)):
+            under_way.append((rows, stepper.start(rows, fleet.controls(rows))))
+        if under_way:
+            rows, steps = under_way.popleft()
+            _advance(stepper, fleet, recorders, rows, steps.result())
         for row, (leader, stages) in list(waiting.items()):
             if moving[leader] and (fleet.stage[leader] >= stages or fleet.ended[leader]):
-                batch.state[row] = batch.state[leader]
+                stepper.follow_leader(row, leader)
                 fleet.follow_leader(row, leader)
                 recorders[row] = recorders[leader].fork(wings[row])
                 moving[row] = row not in held
@@ -121,83 +120,36 @@ def simulate_each(
             progress(*fleet.progress(rows[0]))
         done = np.flatnonzero(moving & fleet.ended)
         moving[done] = False
-        with _quiet():
-            batch.forward(ids=done)
         for row in done.tolist():
-            state = batch.bind("qpos")[row], batch.bind("qvel")[row], {name: last[name][row] for name in names}
-            record = recorders[row].record(fleet.steps[row], *state, tuple(fleet.ends[row]), fleet.diverged_at[row])
+            ends, diverged_at = tuple(fleet.ends[row]), fleet.diverged_at[row]
+            record = recorders[row].record(fleet.steps[row], *stepper.state(row), ends, diverged_at)
             yield row, record
             if enough is not None and row in following and not enough(record):
                 held.remove(following[row])
                 moving[following[row]] = following[row] not in waiting
 
 
+def _next_rows(moving: NDArray[np.bool_], under_way: Sequence[NDArray[np.int64]], threads: int) -> NDArray[np.int64]:
+    """Which of the moving wings to step next: half of them, so that Python can look at the others meanwhile.
+
+    Few wings go all together, or some threads would have none.
+    """
+    free = moving.copy()
+    for rows in under_way:
+        free[rows] = False
+    count = int(moving.sum())
+    if count < _FEW * threads:
+        return np.flatnonzero(free & (not under_way))
+    return np.flatnonzero(free)[: (count + 1) // 2 * (len(under_way) < 2)]
+
+
 def _advance(
-    batch: Batch,
-    fleet: Fleet,
-    recorders: Sequence[Recorder],
-    rows: NDArray[np.int64],
-    names: Sequence[str],
-    columns: NDArray[np.int64],
+    stepper: Stepper, fleet: Fleet, recorders: Sequence[Recorder], rows: NDArray[np.int64], steps: Steps
 ) -> None:
-    """Take some wings a chunk further, none beyond the end of its stage."""
-    engine = batch.model
-    batch.bind("ctrl")[rows] = fleet.controls(rows)
-    before = batch.state[np.ix_(rows, columns)]
-    with _quiet():
-        recorded = batch.rollout(_CHUNK, record=(_MOVING, *names), ids=rows)
-    states = np.concatenate([before[:, None], recorded[_MOVING]], axis=1)
-    first, stage, begins = fleet.steps[rows], fleet.stage[rows], fleet.steps[rows] == fleet.stage_start[rows]
-    time, position, velocity = np.split(states[:, :, : 1 + engine.nq + engine.nv], [1, 1 + engine.nq], axis=2)
-    taken = fleet.follow(rows, time[:, :, 0], position, velocity)
-    batch.state[np.ix_(rows, columns)] = states[np.arange(len(rows)), taken]
-    for place, row in enumerate(rows):
-        steps = taken[place]
-        recorders[row].keep(
-            Chunk(
-                stage=stage[place],
-                first=first[place],
-                begins=begins[place],
-                position=position[place, : steps + 1],
-                velocity=velocity[place, : steps + 1],
-                derived={name: recorded[name][place, :steps] for name in names},
-            )
-        )
-
-
-def _moving_columns(engine: mujoco.MjModel) -> NDArray[np.int64]:
-    """Where in a state what a step changes lies."""
-    every = np.arange(mujoco.mj_stateSize(engine, _STATE), dtype=np.float64)
-    moving = np.empty(mujoco.mj_stateSize(engine, _MOVING))
-    mujoco.mj_extractState(engine, every, _STATE, moving, _MOVING)
-    return moving.astype(np.int64)
-
-
-def _without_energy(wings: Sequence[WingModel]) -> list[mujoco.MjModel]:
-    """Engine models that leave out the energy of every step; nothing else depends on it."""
-    models = {id(wing.engine): copy.copy(wing.engine) for wing in wings}
-    for model in models.values():
-        model.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_ENERGY)
-    return [models[id(wing.engine)] for wing in wings]
-
-
-def _start_position(wing: WingModel) -> Array:
-    """Joint angles at the start: flat, the distal hinges bent into the overbend."""
-    position = np.zeros(wing.engine.nq)
-    position[wing.joints[:, 3]] = wing.senses * wing.design.protocol.initial_overbend
-    return position
-
-
-@contextmanager
-def _quiet() -> Iterator[None]:
-    """Keep MuJoCo from writing its warnings to a file in the current folder; the record tells of a diverged wing."""
-    before = mujoco.get_mju_user_warning()
-    mujoco.set_mju_user_warning(_ignore)
-    try:
-        yield
-    finally:
-        mujoco.set_mju_user_warning(before)
-
-
-def _ignore(message: str) -> None:
-    """Take a warning of MuJoCo and leave it."""
+    """Take note of a chunk of steps of some wings, of none beyond the end of its stage."""
+    first, stage = fleet.steps[rows], fleet.stage[rows]
+    begins = first == fleet.stage_start[rows]
+    taken = fleet.follow(rows, steps.time, steps.position, steps.velocity)
+    stepper.take_back(rows, steps, taken)
+    chunk = Chunk(steps=steps, stage=stage, first=first, begins=begins, taken=taken)
+    keep([recorders[row] for row in rows], chunk)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +13,7 @@ from scipy.optimize import brentq
 from forficula.design import Design, with_values
 from forficula.dynamics.model import WingModel, compile_wing
 from forficula.errors import InputError
+from forficula.material.tendon_law import TendonBranch
 
 Array = NDArray[np.float64]
 
@@ -46,63 +50,136 @@ def stable_timestep(design: Design) -> float:
     """Estimate the longest timestep, s, at which no mode of the wing blows up while it folds.
 
     The flat wing is linearised at rest, and one step of semi-implicit Euler with implicit joint damping is a linear map
-    of positions and velocities. Above a limit an eigenvalue of it passes -1: the mode flips its sign at every step and
-    grows (for one undamped mode of angular frequency w this is the textbook limit h = 2 / w). Growth without a flip is
-    the snap itself, not an error. Half of that limit is taken, because the folding wing is stiffer than the flat one;
-    the share was measured. A wing that is driven harder than it needs to be can ask for less: see `with_timestep`.
+    of positions, velocities and the forces of Maxwell branches. Above a limit an eigenvalue of it passes -1: the mode
+    flips its sign at every step and grows (for one undamped mode of angular frequency w this is the textbook limit
+    h = 2 / w). Growth without a flip is the snap itself, not an error. Half of that limit is taken, because the folding
+    wing is stiffer than the flat one; the share was measured. Tendons have no lever where the wing is flat, so the
+    limit with tendons at their largest lever, where their law is stiffest, is another bound. A wing that is driven
+    harder than it needs to be can ask for less: see `with_timestep`.
     """
     # the linearised wing does not depend on the step it is compiled with
     wing = compile_wing(with_values(design, {"protocol.timestep": _LONGEST}))
-    wing_at_rest = _linearised(wing)
+    flat = _flat(wing)
+    try:
+        return min(_FOLDING * _limit(wing, flat), _limit(wing, _at_largest_lever(wing, flat)))
+    except np.linalg.LinAlgError:
+        raise InputError(f"{design.name}: a value is too large or too small to compute with") from None
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Linear:
+    """A wing near a state, in the model's units: inertia, stiffness, all damping and its implicit part, (dof, dof).
+
+    `stretch` is by how much each tendon lengthens, (vein, dof).
+    """
+
+    inertia: Array
+    stiffness: Array
+    damping: Array
+    implicit: Array
+    stretch: Array
+
+
+def _limit(wing: WingModel, linear: _Linear) -> float:
+    """The longest timestep, s, without a mode that flips and grows."""
     shortest, longest = np.log10(_SHORTEST), np.log10(_LONGEST)
 
     def sign(power: float) -> float:
-        return -1.0 if _flips(*wing_at_rest, timestep=10.0**power / wing.units.time) else 1.0
+        return -1.0 if _flips(linear, wing.tendon_law.branches, timestep=10.0**power / wing.units.time) else 1.0
 
-    try:
-        if sign(longest) > 0:
-            return _LONGEST
-        if sign(shortest) < 0:
-            raise InputError(f"{design.name}: no timestep is short enough: a part is too stiff or too light")
-        exponent = brentq(sign, shortest, longest, xtol=1e-4)
-    except np.linalg.LinAlgError:
-        raise InputError(f"{design.name}: a value is too large or too small to compute with") from None
-    return _FOLDING * float(10.0**exponent)
+    if sign(longest) > 0:
+        return _LONGEST
+    if sign(shortest) < 0:
+        raise InputError(f"{wing.design.name}: no timestep is short enough: a part is too stiff or too light")
+    return float(10.0 ** brentq(sign, shortest, longest, xtol=1e-4))
 
 
-def _linearised(wing: WingModel) -> tuple[Array, Array, Array, Array]:
-    """Inertia, stiffness, all damping and its implicit part, (dof, dof), of the flat wing in its units."""
+def _flat(wing: WingModel) -> _Linear:
     engine = wing.engine
     data = mujoco.MjData(engine)
     mujoco.mj_forward(engine, data)
     inertia = np.zeros((engine.nv, engine.nv))
     mujoco.mj_fullM(engine, data, inertia)
-    return (
-        inertia,
-        -_slope(engine, data, data.qpos),
-        -_slope(engine, data, data.qvel),
-        np.diag(np.array(engine.dof_damping).reshape(engine.nv, -1)[:, 0]),
+    return _Linear(
+        inertia=inertia,
+        stiffness=-_slope(engine, data, data.qpos, "qfrc_passive"),
+        damping=-_slope(engine, data, data.qvel, "qfrc_passive"),
+        implicit=np.diag(np.array(engine.dof_damping).reshape(engine.nv, -1)[:, 0]),
+        stretch=_slope(engine, data, data.qpos, "ten_length")[wing.tendons],
     )
 
 
-def _slope(engine: mujoco.MjModel, data: mujoco.MjData, state: Array) -> Array:
-    """Passive force by state, central differences, (dof, dof)."""
+def _at_largest_lever(wing: WingModel, flat: _Linear) -> _Linear:
+    """The flat wing with tendons that pull at the shorter of their arms, as stiff as their law is anywhere."""
+    law, tendon, protocol = wing.tendon_law, wing.in_units.tendon, wing.in_units.protocol
+    arm, folds = min(tendon.proximal_attachment, tendon.distal_attachment), wing.joints[:, 3]
+    stretch = np.zeros_like(flat.stretch)
+    stretch[np.arange(len(folds)), folds] = arm
+    longest = wing.engine.tendon_length0[wing.tendons].max()
+    if law.yield_extension is not None:
+        longest = min(longest, law.rest_length + law.yield_extension)
+    # a cubic's slope is largest at an end of its range
+    ends = law.elastic.stiffness([min(law.rest_length, longest), longest])
+    torque = protocol.fold_torque + protocol.unfold_torque
+    linear, quadratic, cubic = law.damping or (0.0, 0.0, 0.0)
+    # a hinge is no faster than the energy of its tendon and the work of the torques on it allow, and about no faster
+    # than where its tendon's damper holds their forces
+    energy = law.elastic.energy(longest) + torque * np.pi
+    fastest = arm * np.sqrt(2 * energy / np.diag(flat.inertia)[folds].min())
+    holding = float(law.elastic.force(longest)) + torque / arm
+    held = np.roots(np.array([cubic, quadratic, linear, -holding]))
+    fastest = min([fastest, *(root.real for root in held if root.real > 0 and abs(root.imag) < 1e-9 * root.real)])
+    viscous = linear + 2 * quadratic * fastest + 3 * cubic * fastest**2
+    square = stretch.T @ stretch
+    return replace(
+        flat,
+        stiffness=flat.stiffness + ends.max() * square,
+        damping=flat.damping + viscous * square,
+        stretch=stretch,
+    )
+
+
+def _slope(engine: mujoco.MjModel, data: mujoco.MjData, state: Array, name: str) -> Array:
+    """One of MuJoCo's fields by state, central differences, (..., dof)."""
     columns = []
     for index in range(engine.nv):
-        forces = []
+        values = []
         for step in (_NUDGE, -_NUDGE):
             state[index] += step
             mujoco.mj_forward(engine, data)
-            forces.append(data.qfrc_passive.copy())
+            values.append(getattr(data, name).copy())
             state[index] -= step
-        columns.append((forces[0] - forces[1]) / (2 * _NUDGE))
+        columns.append((values[0] - values[1]) / (2 * _NUDGE))
     return np.column_stack(columns)
 
 
-def _flips(inertia: Array, stiffness: Array, damping: Array, implicit: Array, timestep: float) -> bool:
+def _flips(linear: _Linear, branches: Sequence[TendonBranch], timestep: float) -> bool:
     """Whether a mode flips its sign and grows from one step to the next."""
-    step = np.linalg.inv(inertia + timestep * implicit) * timestep
-    to_velocity = np.hstack([-step @ stiffness, np.eye(len(inertia)) - step @ damping])
-    to_position = np.hstack([np.eye(len(inertia)), np.zeros_like(inertia)]) + timestep * to_velocity
-    modes = np.linalg.eigvals(np.vstack([to_position, to_velocity]))
+    dofs, tendons = len(linear.inertia), len(linear.stretch)
+    step = np.linalg.inv(linear.inertia + timestep * linear.implicit) * timestep
+    # each branch's force after the step, by position, velocity and the forces of all before it; it takes the velocity
+    # from before, and the velocity after takes the force
+    kept = [np.exp(-timestep / branch.time) for branch in branches for _ in range(tendons)]
+    to_force = np.hstack(
+        [
+            np.zeros((len(kept), dofs)),
+            np.vstack(
+                [
+                    np.zeros((0, dofs)),
+                    *(
+                        -branch.stiffness * branch.time * np.expm1(-timestep / branch.time) * linear.stretch
+                        for branch in branches
+                    ),
+                ]
+            ),
+            np.diag(kept) if kept else np.zeros((0, 0)),
+        ]
+    )
+    pull = np.vstack([np.zeros((0, dofs)), *(linear.stretch for _ in branches)]).T
+    to_velocity = np.hstack(
+        [-step @ linear.stiffness, np.eye(dofs) - step @ linear.damping, np.zeros((dofs, len(kept)))]
+    )
+    to_velocity -= step @ pull @ to_force
+    to_position = np.hstack([np.eye(dofs), np.zeros((dofs, dofs + len(kept)))]) + timestep * to_velocity
+    modes = np.linalg.eigvals(np.vstack([to_position, to_velocity, to_force]))
     return bool(np.any((np.abs(modes) > 1 + 1e-9) & (modes.real < 0)))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -19,11 +18,12 @@ from forficula.material.material_law import Fact, MaterialLaw
 from forficula.material.modulus import ModulusClass, moduli_by_strain
 from forficula.material.strain_history import StrainHistory
 from forficula.material.tensile_test import TensileTest
-from forficula.quantities import Unit, format_quantity, parse_quantity
+from forficula.quantities import Unit, parse_quantity
 
 SPECIMEN_LENGTH, SPECIMEN_AREA = "length of the specimens", "area of the specimens"
 LENGTH = Unit(display="mm", si="m", example="60 mm")
 AREA = Unit(display="mm^2", si="m^2", example="5 mm^2")
+BAND_SHARE = Unit(display="%", si="dimensionless", example="5 %")
 SIMULATED_STIFFNESSES = (1000.0, 6000.0)  # N/m: 10 to 60 N/cm, Binder et al. 2025
 _FEWEST_CYCLES = 3  # that tell a drift
 _FEWEST_SPECIMENS = 3  # ISO 37
@@ -118,8 +118,7 @@ def characterise(
         source: of the tests, for the law.
         drop_first: leave out the first cycle; the law runs through it all the same, since materials remember it.
         band: hysteresis of the turning points, a share of the largest travel.
-        forms: of laws to try, all by default; where forms are given and none of them can be determined, that is an
-            error rather than a remark.
+        forms: of laws to try, all by default; that none of those given can be determined is an error, not a remark.
 
     Raises:
         InputError: no test, or one without cycles; the message names the specimen.
@@ -140,7 +139,7 @@ def characterise(
         pooled=moduli_by_strain(cycles, pool_cycles=True),
         single=tuple(_single(cycles)),
         fit=fit,
-        law=None if fit is None else replace(fit.law, facts=tuple(_facts(specimens, source))),
+        law=None if fit is None else replace(fit.law, facts=tuple(_facts(specimens))),
         remarks=tuple(_remarks(specimens, drifts, fit, refusal)),
     )
 
@@ -166,7 +165,7 @@ def _specimen(test: TensileTest, drop_first: bool, band: float) -> Specimen:
     cycles = find_cycles(test, band=band, drop_first=False)
     kept = cycles[1:] if drop_first else cycles
     if not kept:
-        raise InputError(f"{test.name}: need two cycles, of which the first is left out, got one; keep the first, too")
+        raise InputError(f"{test.name}: need two cycles, of which the first is left out, got one: see --keep-first")
     return Specimen(test=test, cycles=kept, left_out=cycles[: len(cycles) - len(kept)])
 
 
@@ -215,18 +214,19 @@ def _fit(
         return None, str(error)
 
 
-def _facts(specimens: Sequence[Specimen], source: str) -> Iterator[Fact]:
+def _facts(specimens: Sequence[Specimen]) -> Iterator[Fact]:
     """What a reader of the law needs to know of the tests."""
-    lengths, areas = [each.test.length for each in specimens], [each.test.area for each in specimens]
-    for what, values, unit in ((SPECIMEN_LENGTH, lengths, LENGTH), (SPECIMEN_AREA, areas, AREA)):
-        if max(values) <= (1 + _SAME_SIZE) * min(values):
-            # the median of equal sizes, to the digits that a machine writes
-            value = float(f"{np.median(values):.6g}")
-            yield Fact(what=what, value=format_quantity(value, unit), source=source)
+    own = "the same tests"
+    for what, unit, factor, sizes in (
+        (SPECIMEN_LENGTH, "mm", 1e-3, [each.test.length for each in specimens]),
+        (SPECIMEN_AREA, "mm^2", 1e-6, [each.test.area for each in specimens]),
+    ):
+        if max(sizes) <= (1 + _SAME_SIZE) * min(sizes):
+            yield Fact(what=what, value=f"{np.median(sizes) / factor:.6g} {unit}", source=own)
     rates = [each.strain_rate for each in specimens]
     shown = f"{min(rates):.3g}" if max(rates) <= 1.05 * min(rates) else f"{min(rates):.3g} to {max(rates):.3g}"
-    yield Fact(what="strain rate", value=f"{shown} 1/s", source=source)
-    yield Fact(what="number of specimens", value=str(len(specimens)), source=source)
+    yield Fact(what="strain rate", value=f"{shown} 1/s", source=own)
+    yield Fact(what="number of specimens", value=str(len(specimens)), source=own)
 
 
 def _remarks(
@@ -245,7 +245,7 @@ def _remarks(
     if untold:
         yield (
             f"the drift of {', '.join(untold)} cannot be told: that takes {_FEWEST_CYCLES} cycles in every specimen,"
-            " with a value in each"
+            " each with a value that stands clear of 0"
         )
     yield from _fit_remarks(fit, refusal)
 
@@ -256,9 +256,16 @@ def _fit_remarks(fit: LawFit | None, refusal: str) -> Iterator[str]:
         return
     if fit.relative_misfit > _POOR_FIT:
         yield f"the law misses the data by {fit.relative_misfit:.0%} of the largest stress; see fit.png"
+    if fit.form.branches:
+        yield (
+            "a simulated tendon has its Maxwell branches slack or taut, so one that shortens faster than they relax"
+            " pushes, which a real one does not"
+        )
     refused = [each.refused for each in fit.candidates if each.refused]
-    rate = [reason for reason in dict.fromkeys(refused) if "rate only" in reason]
-    if rate:
-        yield f"not every law can be told: {max(rate, key=len)}"
-    if any(math.isnan(each.bic) for each in fit.candidates):
+    # the one that names most values says it for all
+    for what in ("apart", "viscosity.linear from"):
+        reasons = [reason for reason in refused if "one rate only" in reason and what in reason]
+        if reasons:
+            yield max(reasons, key=len)
+    if refused:
         yield f"{len(refused)} of {len(fit.candidates)} laws are refused; material.json says why for each"

@@ -29,7 +29,7 @@ def material_summary(material: Characterisation) -> dict[str, Any]:
     """A material as plain data with units in its keys, as `material.json` has it; what is absent is None."""
     low, high = material.simulated_moduli
     change = {f"{key}_per_cycle": _known(getattr(material.change, name)) for name, key in _CYCLE_KEYS.items()}
-    content = {
+    return {
         "material": material.name,
         "specimens": [_specimen_summary(each) for each in material.specimens],
         "cycles": [
@@ -50,7 +50,6 @@ def material_summary(material: Characterisation) -> dict[str, Any]:
         "remarks": list(material.remarks),
         "versions": {name: metadata.version(name) for name in ("forficula", "numpy", "scipy")},
     }
-    return content
 
 
 def law_rows(law: MaterialLaw) -> list[tuple[str, float, tuple[float, float] | None]]:

@@ -36,9 +36,7 @@ class SpecimenFiles:
         return f"fitted by forficula to the tensile tests in {', '.join(named)}{rest}"
 
 
-def read_specimens(
-    patterns: Sequence[str], *, length: float | None = None, area: float | None = None
-) -> SpecimenFiles:
+def read_specimens(patterns: Sequence[str], *, length: float | None = None, area: float | None = None) -> SpecimenFiles:
     """Read the specimens of a material.
 
     Args:
@@ -61,18 +59,20 @@ def read_specimens(
             raise InputError(f"{file}: is given twice; each file counts as specimens of its own")
     tests = [(file, test) for file in files for test in read_tensile_tests([file], length=length, area=area)]
     times = Counter(test.name for _, test in tests)
-    named = [
-        test if times[test.name] == 1 else replace(test, name=f"{Path(file).parent.as_posix()}/{test.name}")
-        for file, test in tests
-    ]
+    named = [test if times[test.name] == 1 else _named_by_folder(file, test) for file, test in tests]
     return SpecimenFiles(files=tuple(files), tests=tuple(named))
+
+
+def _named_by_folder(file: str, test: TensileTest) -> TensileTest:
+    folder = Path(file).parent.as_posix()
+    return test if folder == "." else replace(test, name=f"{folder}/{test.name}")
 
 
 def _expanded(pattern: str) -> list[str]:
     """The files of a pattern, in order; a file that is there is no pattern."""
     if not glob.has_magic(pattern) or Path(pattern).exists():
         return [pattern]
-    files = sorted(glob.glob(pattern))
+    files = sorted(glob.glob(pattern))  # noqa: PTH207, Path.glob takes no pattern with a drive or a root
     if not files:
         raise InputError(f"{as_written(pattern)}: no file has such a name")
     return files

@@ -106,10 +106,14 @@ def _balance(outcome: Outcome) -> RenderableType:
         ("+ taken by hinge damping", balance.hinge_damping),
         ("+ taken by tendon and membrane damping", balance.elastic_damping),
         ("+ taken by stops, guard tendons and contacts", balance.stops),
+        ("+ change of energy of the Maxwell branches", balance.branches),
+        ("+ taken by the Maxwell branches", balance.branch_damping),
+        ("+ taken by yielding", balance.yielding),
         ("+ missing", balance.missing),
     ):
-        # adding 0 turns -0 into 0
-        table.add_row(label, f"{round(factor * value, 4) + 0.0:.4f} {unit}")
+        if value is not None:
+            # adding 0 turns -0 into 0
+            table.add_row(label, f"{round(factor * value, 4) + 0.0:.4f} {unit}")
     table.add_row("residual", f"{100 * balance.residual:.3f} % of {balance.residual_of}")
     return table
 

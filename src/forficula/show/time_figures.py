@@ -52,6 +52,8 @@ def draw_energies(record: Record) -> Figure:
         "membrane": (data["membrane_energy"], ORANGE),
         "kinetic": (data["kinetic_energy"], VERMILION),
     }
+    if "branch_energy" in data:
+        stored["tendons, Maxwell branches"] = (data["branch_energy"].sum("vein"), GREEN)
     if record.design.protocol.gravity:
         stored["gravitational"] = (data["gravitational_energy"], PURPLE)
     accounts = {
@@ -60,6 +62,10 @@ def draw_energies(record: Record) -> Figure:
         "taken by stops": (-data["stop_work"], VERMILION),
         "taken by other damping": (-data["elastic_damping_work"], SKY),
     }
+    if "branch_damping_work" in data:
+        accounts["taken by Maxwell branches"] = (-data["branch_damping_work"], ORANGE)
+    if "yield_work" in data:
+        accounts["taken by yielding"] = (-data["yield_work"], PURPLE)
     with figure_style():
         figure, rows = _layout(record, ["stored energy", "work since the start"], height=4.4)
         for axes_row, series, label in zip(

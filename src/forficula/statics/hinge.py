@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 
-from forficula.design import Design
+from forficula.design import Design, tendon_law
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
 from forficula.pattern import hub_points, ring_vertices, tips
@@ -144,6 +144,8 @@ class PeakTorque:
 def ideal_hinge(design: Design) -> TendonHinge:
     """The hinge of a design with both bars square to its axis (theory.md, section 3).
 
+    Of the tendon's law it takes the spring, as slow motions do: Maxwell branches are relaxed, and nothing yields.
+
     The distal bar, a solid cylinder, turns about a diameter of its end: m (r^2 / 4 + l^2 / 3), and the armature.
     """
     along, across = np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0])
@@ -152,6 +154,8 @@ def ideal_hinge(design: Design) -> TendonHinge:
 
 def wing_hinges(design: Design) -> tuple[TendonHinge, ...]:
     """The distal hinges of a wing, each about its ring crease, with the proximal bar held still.
+
+    Of the tendons' law they take the spring, as slow motions do: Maxwell branches are relaxed, and nothing yields.
 
     The distal bar meets the crease at the angle beta: its inertia is m r^2 / 2 cos^2(beta) + m (r^2 / 4 + l^2 / 3)
     sin^2(beta) (a solid cylinder's tensor at its end), and the armature.
@@ -285,7 +289,7 @@ def _hinge(design: Design, axis: Array, proximal: Array, distal: Array) -> Tendo
     mass = vein.density * math.pi * radius**2 * length
     bar = mass * (radius**2 / 2 * along**2 + (radius**2 / 4 + length**2 / 3) * across**2)
     return TendonHinge(
-        law=ElasticLaw(rest_length=tendon.rest_length, linear=tendon.stiffness),
+        law=tendon_law(design).elastic,
         proximal_arm=tendon.proximal_attachment * float(np.linalg.norm(np.cross(proximal, axis))),
         distal_arm=tendon.distal_attachment * across,
         axial_offset=tendon.proximal_attachment * float(proximal @ axis) + tendon.distal_attachment * along,

@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 
 from forficula.design import Design, with_values
-from forficula.design.design import MODULUS, SHORT_TIME
+from forficula.design.part import MODULUS, SHORT_TIME
 from forficula.dynamics import with_timestep
 from forficula.errors import InputError
 from forficula.quantities import as_written, parse_quantity, show_quantity

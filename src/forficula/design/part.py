@@ -1,0 +1,112 @@
+"""What sections of a design are made of: fields with units, checked, that read as text and are SI inside."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationInfo, field_validator
+from pydantic.fields import FieldInfo
+
+from forficula.errors import InputError
+from forficula.quantities import Unit, as_written, format_quantity, parse_quantity, show_quantity
+
+LENGTH = Unit(display="cm", si="m", example="12 cm")
+SMALL_LENGTH = Unit(display="mm", si="m", example="5 mm")
+ANGLE = Unit(display="deg", si="rad", example="15 deg")
+DENSITY = Unit(display="g/cm^3", si="kg/m^3", example="1.27 g/cm^3")
+MODULUS = Unit(display="MPa", si="Pa", example="1 MPa")
+TIME = Unit(display="s", si="s", example="0.5 s")
+SHORT_TIME = Unit(display="ms", si="s", example="0.2 ms")
+TORQUE = Unit(display="N cm", si="N m", example="50 N cm")
+STIFFNESS = Unit(display="N/cm", si="N/m", example="10 N/cm")
+TENDON_DAMPING = Unit(display="N s/m", si="N s/m", example="0.1 N s/m")
+HINGE_DAMPING = Unit(display="N m s/rad", si="N m s/rad", example="1e-3 N m s/rad")
+INERTIA = Unit(display="kg m^2", si="kg m^2", example="1e-5 kg m^2")
+ANGULAR_SPEED = Unit(display="deg/s", si="rad/s", example="1 deg/s")
+ACCELERATION = Unit(display="m/s^2", si="m/s^2", example="9.81 m/s^2")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Quantity:
+    """How a field with a unit is read: text with a unit into an SI float within bounds (SI, too)."""
+
+    unit: Unit
+    above: float = -math.inf
+    at_least: float = -math.inf
+    below: float = math.inf
+    at_most: float = math.inf
+    words: tuple[str, ...] = ()
+
+    def read(self, value: object, *, in_si: bool) -> float | str:
+        """Read text with a unit, or, inside the package, an SI float; raise InputError where it is out of bounds."""
+        if isinstance(value, str) and value in self.words:
+            return value
+        if in_si and isinstance(value, float | int) and not isinstance(value, bool):
+            number, got = float(value), show_quantity(float(value), self.unit)
+            if not math.isfinite(number):
+                raise InputError(f"need a finite number, got {got}")
+        else:
+            number, got = self.parse(value), as_written(value).strip('"')
+        for allowed, rule, bound in (
+            (number > self.above, ">", self.above),
+            (number >= self.at_least, ">=", self.at_least),
+            (number < self.below, "<", self.below),
+            (number <= self.at_most, "<=", self.at_most),
+        ):
+            if not allowed:
+                raise InputError(f"need {rule} {show_quantity(bound, self.unit) if bound else 0}, got {got}")
+        return number
+
+    def parse(self, value: object) -> float:
+        """Read text with a unit, whatever the bounds; raise InputError where it is none."""
+        try:
+            return parse_quantity(value, self.unit)
+        except InputError as error:
+            words = "".join(f'; "{word}" is allowed, too' for word in self.words)
+            raise InputError(f"{error}{words}") from None
+
+    def __call__(self, schema: dict[str, Any]) -> None:
+        """Tell the JSON schema that the field is text with a unit."""
+        schema.pop("anyOf", None)
+        schema |= {"type": "string", "examples": [self.unit.example]}
+
+
+def quantity(unit: Unit, description: str, *, default: Any = ..., words: tuple[str, ...] = (), **bounds: float) -> Any:
+    """A field that `Quantity` reads, required without a default; one that may be absent has None."""
+    return Field(default, description=description, json_schema_extra=Quantity(unit=unit, words=words, **bounds))
+
+
+def field_quantity(field: FieldInfo) -> Quantity | None:
+    """How a field is read, or None where it has no unit."""
+    return field.json_schema_extra if isinstance(field.json_schema_extra, Quantity) else None
+
+
+class Part(BaseModel):
+    """A section of a design file: frozen, no unknown keys."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+    @field_validator("*", mode="before")
+    @classmethod
+    def _read_quantities(cls, value: object, info: ValidationInfo) -> object:
+        field = cls.model_fields[str(info.field_name)]
+        reader = field_quantity(field)
+        if reader is None or (value is None and not field.is_required()):
+            return value
+        return reader.read(value, in_si=bool(info.context and info.context.get("si")))
+
+
+def as_tables(part: Part) -> dict[str, Any]:
+    """A part as TOML tables, quantities as exact text; what is absent is left out."""
+    tables: dict[str, Any] = {}
+    for name, field in type(part).model_fields.items():
+        value, reader = getattr(part, name), field_quantity(field)
+        if isinstance(value, Part):
+            tables[name] = as_tables(value)
+        elif isinstance(value, tuple):
+            tables[name] = [as_tables(item) if isinstance(item, Part) else item for item in value]
+        elif value is not None:
+            tables[name] = format_quantity(value, reader.unit) if reader and isinstance(value, float) else value
+    return tables

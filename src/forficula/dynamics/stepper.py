@@ -1,0 +1,237 @@
+"""Wings side by side in the engine: torques go in, steps come out."""
+
+from __future__ import annotations
+
+import copy
+import threading
+from collections import deque
+from collections.abc import Mapping, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+from mujoco.batch import Batch
+from numpy.typing import NDArray
+
+from forficula.dynamics.model import WingModel
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+# all that the next step depends on, and of that what a step changes: time, positions and velocities first
+_STATE = mujoco.mjtState.mjSTATE_INTEGRATION.value
+_MOVING = _STATE & ~mujoco.mjtState.mjSTATE_USER.value
+_DERIVED = (
+    "ten_length",
+    "energy",
+    "flexvert_xpos",
+    "xpos",
+    "xipos",
+    "site_xpos",
+    "qfrc_damper",
+    "qfrc_constraint",
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Steps:
+    """Steps of some wings, in their models' units; the stepper's next ones overwrite them.
+
+    Attributes:
+        dof: number of joints.
+        inner: where in what a step changes the forces of Maxwell branches ("act") and the resting lengths of tendons
+            that yield ("plastic") are, if there are any, by MuJoCo's names.
+        before: what a step changes, before the first step, (wing, number): time, positions, velocities, and more.
+        after: likewise, after each step, (wing, step, number).
+        derived: MuJoCo's fields of the state before each step, (wing, step, ...).
+    """
+
+    dof: int
+    inner: Mapping[str, slice]
+    before: Array
+    after: Array
+    derived: Mapping[str, Array]
+
+    @property
+    def time(self) -> Array:
+        """Before the first step and after each, (wing, step + 1)."""
+        return np.concatenate([self.before[:, :1], self.after[:, :, 0]], axis=1)
+
+    @property
+    def position(self) -> Array:
+        """After each step, (wing, step, dof)."""
+        return self.after[:, :, 1 : 1 + self.dof]
+
+    @property
+    def velocity(self) -> Array:
+        """After each step, (wing, step, dof)."""
+        return self.after[:, :, 1 + self.dof : 1 + 2 * self.dof]
+
+    @property
+    def velocity_before(self) -> Array:
+        """Before the first step, (wing, dof)."""
+        return self.before[:, 1 + self.dof : 1 + 2 * self.dof]
+
+    def activation(self, wing: int, taken: int) -> Array:
+        """Of a wing before the first of so many steps and after each, (step + 1, activation)."""
+        place = self.inner.get("act", slice(0, 0))
+        return np.concatenate([self.before[wing, None, place], self.after[wing, :taken, place]])
+
+    def states(self, wing: Indices, taken: Indices) -> Array:
+        """What wings are in after so many steps, (state, number), for pairs of the two."""
+        states = self.after[wing, taken - 1]
+        states[taken == 0] = self.before[wing[taken == 0]]
+        return states
+
+
+class Stepper:
+    """Wings of one topology in the engine, each in its own state; the engine works in the background."""
+
+    def __init__(self, wings: Sequence[WingModel], threads: int, sparse: bool, chunk: int) -> None:
+        """Put the wings where they start.
+
+        Args:
+            wings: compiled models with the same numbers of veins and membrane nodes.
+            threads: 0 for one a core.
+            sparse: leave out all derived fields but the tendons' lengths.
+            chunk: steps to take at a time.
+        """
+        self._wings, self._chunk = wings, chunk
+        self._batch = Batch(wings[0].engine, len(wings), threads)
+        self._batch.set_models(_without_energy(wings) if sparse else [wing.engine for wing in wings])
+        self._batch.bind("qpos")[:] = [_start_position(wing) for wing in wings]
+        if self._batch.model.nplastic:
+            self._batch.bind("plastic")[:] = [_start_creep(wing) for wing in wings]
+        self._torques = self._batch.bind("ctrl")
+        self._columns = _moving_columns(self._batch.model)
+        self._inner = _inner(self._batch.model)
+        self._names = _DERIVED[:1] if sparse else _DERIVED
+        # the same memory again and again: fresh memory costs as much time as looking at it
+        self._memory = deque([_memory(wings, self._names, chunk, len(self._columns)) for _ in range(2)])
+        self._background = ThreadPoolExecutor(max_workers=1)
+
+    @property
+    def threads(self) -> int:
+        """How many threads step the wings."""
+        return int(self._batch.nthread)
+
+    def start(self, rows: Indices, torques: Array) -> Future[Steps]:
+        """Set out to take these wings a chunk of steps further, driven by torques, (row, motor).
+
+        Others can be started before that is done, but the third steps overwrite the first.
+        """
+        self._torques[rows] = torques
+        self._memory.rotate()
+        return self._background.submit(self._steps, rows, self._memory[0])
+
+    def take_back(self, rows: Indices, steps: Steps, taken: Indices) -> None:
+        """Put these wings where they were after as many of their last steps as count, (row,)."""
+        self._batch.state[np.ix_(rows, self._columns)] = steps.states(np.arange(len(rows)), taken)
+
+    def follow_leader(self, row: int, leader: int) -> None:
+        """Put a wing where another one is."""
+        self._batch.state[row] = self._batch.state[leader]
+
+    def state(self, row: int) -> tuple[Array, Array, dict[str, Array]]:
+        """Positions and velocities of a wing, (dof,), and its derived fields."""
+        engine = self._wings[row].engine
+        data = mujoco.MjData(engine)
+        mujoco.mj_setState(engine, data, self._batch.state[row], _STATE)
+        with _quiet:
+            mujoco.mj_forward(engine, data)
+        names = [*self._names, *self._inner]
+        return data.qpos.copy(), data.qvel.copy(), {name: getattr(data, name).copy() for name in names}
+
+    def close(self) -> None:
+        """Wait for the steps that are being made, and make no more."""
+        self._background.shutdown(cancel_futures=True)
+
+    def _steps(self, rows: Indices, memory: Mapping[str | int, Array]) -> Steps:
+        before = self._batch.state[np.ix_(rows, self._columns)]
+        mine: dict[str | int | mujoco.mjtState, Array] = {name: each[: len(rows)] for name, each in memory.items()}
+        with _quiet:
+            self._batch.rollout(self._chunk, record=tuple(mine), ids=rows, out=mine)
+        derived = {name: mine[name] for name in self._names}
+        return Steps(dof=self._batch.model.nv, inner=self._inner, before=before, after=mine[_MOVING], derived=derived)
+
+
+def _memory(wings: Sequence[WingModel], names: Sequence[str], chunk: int, moving: int) -> dict[str | int, Array]:
+    """Room for a chunk of steps of all wings, by what is recorded."""
+    data = mujoco.MjData(wings[0].engine)
+    shapes = {_MOVING: (moving,), **{name: getattr(data, name).shape for name in names}}
+    return {name: np.empty((len(wings), chunk, *shape)) for name, shape in shapes.items()}
+
+
+def _moving_columns(engine: mujoco.MjModel) -> Indices:
+    """Where in a state what a step changes lies."""
+    every = np.arange(mujoco.mj_stateSize(engine, _STATE), dtype=np.float64)
+    moving = np.empty(mujoco.mj_stateSize(engine, _MOVING))
+    mujoco.mj_extractState(engine, every, _STATE, moving, _MOVING)
+    return moving.astype(np.int64)
+
+
+def _inner(engine: mujoco.MjModel) -> dict[str, slice]:
+    """Where in what a step changes the numbers of branches and of tendons that yield lie, by MuJoCo's names."""
+    state = mujoco.mjtState
+    before = state.mjSTATE_TIME.value | state.mjSTATE_QPOS.value | state.mjSTATE_QVEL.value
+    first, size = mujoco.mj_stateSize(engine, before), mujoco.mj_stateSize(engine, _MOVING)
+    places = {"act": slice(first, first + engine.na), "plastic": slice(size - engine.nplastic, size)}
+    return {name: place for name, place in places.items() if place.start < place.stop}
+
+
+def _without_energy(wings: Sequence[WingModel]) -> list[mujoco.MjModel]:
+    """Engine models that leave out the energy of every step; nothing else depends on it."""
+    models = {id(wing.engine): copy.copy(wing.engine) for wing in wings}
+    for model in models.values():
+        model.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_ENERGY)
+    return [models[id(wing.engine)] for wing in wings]
+
+
+def _start_position(wing: WingModel) -> Array:
+    """Joint angles at the start: flat, the distal hinges bent into the overbend."""
+    position = np.zeros(wing.engine.nq)
+    position[wing.joints[:, 3]] = wing.senses * wing.design.protocol.initial_overbend
+    return position
+
+
+def _start_creep(wing: WingModel) -> Array:
+    """Plastic state at the start: a tendon that the flat wing stretches too far has yielded when it was put there."""
+    engine, law = wing.engine, wing.tendon_law
+    data = mujoco.MjData(engine)
+    data.qpos[:] = _start_position(wing)
+    mujoco.mj_forward(engine, data)
+    plastic = np.asarray(data.plastic.copy())
+    if law.yield_extension is not None:
+        plastic[wing.creep] = np.maximum(law.rest_length, data.ten_length[wing.tendons] - law.yield_extension)
+    return plastic
+
+
+class _Quiet:
+    """Keeps MuJoCo from writing its warnings to a file in the current folder; the record tells of a diverged wing.
+
+    MuJoCo has one place for who takes its warnings: the first to ask for quiet sets it, the last one sets it back.
+    """
+
+    def __init__(self) -> None:
+        self._lock, self._users, self._before = threading.Lock(), 0, None
+
+    def __enter__(self) -> None:
+        with self._lock:
+            if not self._users:
+                self._before = mujoco.get_mju_user_warning()
+                mujoco.set_mju_user_warning(_ignore)
+            self._users += 1
+
+    def __exit__(self, *error: object) -> None:
+        with self._lock:
+            self._users -= 1
+            if not self._users:
+                mujoco.set_mju_user_warning(self._before)
+
+
+def _ignore(message: str) -> None:
+    """Take a warning of MuJoCo and leave it."""
+
+
+_quiet = _Quiet()

@@ -1,0 +1,302 @@
+"""Tendons in the simulation follow their material's law.
+
+Maxwell's branch at constant length relaxes as exp(-t / tau) and loses pi k w tau / (1 + w^2 tau^2) x0^2 in a cycle of
+amplitude x0 (theory.md, section 5; Tschoegl, The Phenomenological Theory of Linear Viscoelastic Behavior, 1989). A
+damped oscillator's amplitude falls by 2 pi zeta / sqrt(1 - zeta^2) a period, in logarithms. A polynomial spring's
+energy is the integral of its force, and its motion that of an integrator which this code does not share (Dormand and
+Prince 1980). A spring of ideal plasticity keeps its largest stretch less its elastic range. By unit length and area
+k = E A / L.
+"""
+
+import math
+
+import mujoco
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
+
+import forficula as ff
+from forficula.design import scale_design, with_values
+from forficula.dynamics import compile_wing, simulate
+from forficula.dynamics.energy import branch_losses
+
+LENGTH, AREA, ARM = 0.06, 12.5e-6, 0.055  # m, m2, m
+BY_LENGTH = AREA / LENGTH  # N/m by Pa
+
+
+def of(law, **values):
+    return {"tendon.rest_length": LENGTH, "tendon.area": AREA, "tendon.law": law} | values
+
+
+def pulled(one_hinge, law, lengths, timestep):
+    """Take a tendon through lengths, m, one a step, by turning a hinge too heavy to mind.
+
+    Returns the wing, the forces of the branches by step, N, positive where they pull, and the resting length, m.
+    """
+    heavy = {"hinge.armature": 1e6, "protocol.timestep": timestep}
+    wing = one_hinge(LENGTH, timestep=timestep, values=of(law) | heavy).wing
+    units, data = wing.units, mujoco.MjData(wing.engine)
+    angles = np.arccos((lengths**2 - 2 * ARM**2) / (2 * ARM**2))
+    levers = ARM**2 * np.sin(angles) / lengths
+    pulls, rests = [], []
+    for angle, lever, rate in zip(angles, levers, np.diff(lengths, append=lengths[-1]) / timestep, strict=True):
+        data.qpos[0], data.qvel[0] = -angle, rate / lever * units.time
+        pulls.append(-data.act.copy() * units.energy / units.length)
+        rests.append(data.plastic[1] * units.length if len(data.plastic) else math.nan)
+        mujoco.mj_step(wing.engine, data)
+    return wing, np.array(pulls), np.array(rests)
+
+
+@pytest.mark.parametrize("times", [(0.02,), (1.7,), (0.02, 1.7, 16.0)])
+def test_a_branch_that_is_held_relaxes_with_its_time(one_hinge, times):
+    law = {"linear_modulus": 1e6, "branches": [{"modulus": 2e6, "time": time} for time in times]}
+    steps, timestep = 2000, 1e-4
+    lengths = np.full(steps, 0.09)
+    lengths[0] = 0.07
+    _, pulls, _ = pulled(one_hinge, law, lengths, timestep)
+    for pull, time in zip(pulls.T, times, strict=True):
+        # rounding of 2000 steps
+        assert pull[1:] == pytest.approx(pull[1] * np.exp(-timestep * np.arange(steps - 1) / time), rel=1e-11)
+        # it takes up k x, less what relaxed during the one step: half of the step's share of its time
+        assert pull[1] == pytest.approx(2e6 * BY_LENGTH * 0.02 * (1 - timestep / time / 2), rel=1e-5)
+
+
+@pytest.mark.parametrize("times", [(0.02,), (0.005, 0.2)])
+@pytest.mark.parametrize("turns", [0.1, 1.0, 10.0])
+def test_in_a_sinusoidal_test_branches_lose_what_their_loss_modulus_says(one_hinge, times, turns):
+    rate = turns / times[0]  # rad/s
+    steps, cycles, amplitude = 4000, 40, 0.004
+    if turns > 1:
+        times = times[:1]  # a cycle is too short for the second to come to its steady state
+    timestep = 2 * math.pi / rate / steps
+    cycles = max(3, math.ceil(12 * max(times) * rate / (2 * math.pi)))
+    moments = timestep * np.arange(steps * cycles + 1)
+    lengths = 0.085 + amplitude * np.sin(rate * moments)
+    law = {"linear_modulus": 1e6, "branches": [{"modulus": 2e6, "time": time} for time in times]}
+    wing, pulls, _ = pulled(one_hinge, law, lengths, timestep)
+    last = slice(-steps - 1, None)
+    for number, time in enumerate(times):
+        stiffness, turn = 2e6 * BY_LENGTH, rate * time
+        loss = math.pi * stiffness * turn / (1 + turn**2) * amplitude**2
+        work = np.trapezoid(pulls[last, number], lengths[last])
+        # of second order in the step of a 4000th of a cycle: (2 pi / 4000)^2
+        assert work == pytest.approx(loss, rel=1e-5)
+        # and the account of the losses says the same
+        force = wing.units.energy / wing.units.length
+        lost = branch_losses(wing, -pulls[last] / force).sum(axis=0)[0, number]
+        assert wing.units.energy * lost == pytest.approx(loss, rel=1e-5)
+        # in phase with the stretch it stores: k (w tau)^2 / (1 + (w tau)^2)
+        stored = 2 / steps * np.sum(pulls[last][:-1, number] * np.sin(rate * moments[last][:-1]))
+        assert stored / amplitude == pytest.approx(stiffness * turn**2 / (1 + turn**2), rel=1e-4)
+
+
+@pytest.mark.parametrize("viscosity", [20.0, 200.0])
+def test_a_kelvin_voigt_tendon_damps_a_free_hinge_by_its_decrement(one_hinge, viscosity):
+    """The bar swings about the angle where its weight, which gravity pulls upwards, balances the tendon."""
+    gravity, timestep = 9.81, 1e-5
+    values = of(
+        {"linear_modulus": 3e3, "linear_viscosity": viscosity},
+        **{"protocol.gravity": -gravity, "protocol.sample_interval": 1e-4},
+    )
+    free = one_hinge(LENGTH, values=values)
+    vein, reach = free.wing.design.vein, free.wing.design.pattern.distal_length
+    weight = vein.density * math.pi * vein.diameter**2 / 4 * reach * gravity
+    stiffness, damping = 3e3 * BY_LENGTH, viscosity * BY_LENGTH
+
+    def moment(angle):
+        length = 2 * ARM * np.cos(angle / 2)
+        return stiffness * np.maximum(length - LENGTH, 0) * ARM * np.sin(angle / 2) + weight * reach / 2 * np.cos(angle)
+
+    rest = brentq(moment, 1.0, 3.0)
+    assert 2 * ARM * math.cos(rest / 2) > LENGTH  # taut: spring and damper side by side
+    hinge_stiffness = -(moment(rest + 1e-5) - moment(rest - 1e-5)) / 2e-5
+    rate = math.sqrt(hinge_stiffness / free.inertia)
+    ratio = damping * (ARM * math.sin(rest / 2)) ** 2 / (2 * free.inertia * rate)
+    assert 0.001 < ratio < 0.2
+    period = 2 * math.pi / rate / math.sqrt(1 - ratio**2)
+    swinging = one_hinge(
+        LENGTH, timestep=timestep, duration=4.2 * period, start=rest + math.radians(0.5), values=values
+    )
+    angles, record = swinging.run()
+    away, time = angles - rest, record.data["time"].values
+    peaks = [0, *(1 + np.flatnonzero((away[1:-1] > away[:-2]) & (away[1:-1] >= away[2:])))]
+    assert len(peaks) == 5
+    decrement = np.log(away[peaks[0]] / away[peaks[4]]) / 4
+    # small swings: the lever's share of the second order is (0.5 deg)^2 / 8
+    assert decrement == pytest.approx(2 * math.pi * ratio / math.sqrt(1 - ratio**2), rel=2e-3)
+    assert (time[peaks[4]] - time[peaks[0]]) / 4 == pytest.approx(period, rel=1e-3)
+
+
+def polynomial(first, second, third, extension):
+    return first * extension + second * extension**2 + third * extension**3
+
+
+LAWS = [(1e6, 0.0, 0.0), (1e6, -1.2e6, 0.8e6), (0.0, 0.0, 2e6), (3e5, 2e6, 0.0)]
+
+
+def as_law(moduli, **values):
+    return dict(zip(("linear_modulus", "quadratic_modulus", "cubic_modulus"), moduli, strict=True)) | values
+
+
+def spring(moduli):
+    """Coefficients of a tendon of 12.5 mm2 and 6 cm, N/m, N/m2, N/m3, by hand."""
+    return tuple(modulus * AREA / LENGTH**power for power, modulus in enumerate(moduli, start=1))
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.sampled_from(LAWS), st.floats(0, math.pi))
+def test_the_engine_gives_a_polynomial_tendon_its_moment(one_hinge, moduli, angle):
+    wing = one_hinge(LENGTH, values=of(as_law(moduli))).wing
+    data = mujoco.MjData(wing.engine)
+    data.qpos[0] = -angle
+    mujoco.mj_forward(wing.engine, data)
+    length = 2 * ARM * math.cos(angle / 2)
+    expected = polynomial(*spring(moduli), max(length - LENGTH, 0)) * ARM * math.sin(angle / 2)
+    # rounding
+    assert -data.qfrc_passive[0] * wing.units.energy == pytest.approx(expected, abs=1e-13)
+
+
+@pytest.mark.parametrize("moduli", LAWS)
+@pytest.mark.parametrize("viscosity", [None, (300.0, 0.0, 0.0), (0.0, 20.0, 0.3)])
+def test_a_hinge_with_a_tendon_of_any_law_moves_as_an_integrator_of_fifth_order_says(one_hinge, moduli, viscosity):
+    names = ("linear_viscosity", "quadratic_viscosity", "cubic_viscosity")
+    law = as_law(moduli) | dict(zip(names, viscosity or (), strict=False))
+    hinge = one_hinge(LENGTH, values=of(law), start=math.radians(20), duration=0.02, timestep=1e-5)
+    angles, record = hinge.run()
+    damping = [value * AREA / LENGTH**power for power, value in enumerate(viscosity or (0, 0, 0), start=1)]
+
+    def motion(_, state):
+        angle, speed = state
+        lever = ARM * math.sin(angle / 2)
+        rate = -lever * speed  # of the tendon
+        pull = polynomial(*spring(moduli), max(2 * ARM * math.cos(angle / 2) - LENGTH, 0))
+        pull += damping[0] * rate + damping[1] * rate * abs(rate) + damping[2] * rate**3
+        return [speed, pull * lever / hinge.inertia]
+
+    time = record.data["time"].values
+    exact = solve_ivp(motion, (0, time[-1]), [angles[0], 0.0], t_eval=time, rtol=1e-9, atol=1e-12).y[0]
+    assert exact[-1] > math.radians(40)
+    assert exact[-1] < math.pi
+    # semi-implicit Euler from rest: half a step ahead, 5e-6 s at up to some 100 rad/s
+    assert np.abs(angles - exact).max() < 1e-3
+    # and the recorded energy is the integral of the force
+    extension = np.maximum(2 * ARM * np.cos(angles / 2) - LENGTH, 0)
+    first, second, third = spring(moduli)
+    energy = first * extension**2 / 2 + second * extension**3 / 3 + third * extension**4 / 4
+    assert record.data["tendon_energy"].values[:, 0] == pytest.approx(energy, abs=1e-13)
+
+
+def test_a_tendon_that_was_pulled_beyond_its_yield_keeps_a_set(one_hinge):
+    law = {"linear_modulus": 1e6, "quadratic_modulus": 5e5, "yield_strain": 0.2}
+    out = np.linspace(0.05, 0.1, 500)
+    _, _, rests = pulled(one_hinge, law, np.concatenate([out, out[::-1]]), 1e-4)
+    # nothing up to 20 %, then all that is beyond; on the way back it stays
+    expected = np.maximum.accumulate(np.maximum(LENGTH, np.concatenate([out, out[::-1]]) - 0.2 * LENGTH))
+    assert rests == pytest.approx(expected, abs=1e-9)
+    assert rests[-1] == pytest.approx(0.1 - 0.012, abs=1e-9)
+
+
+def test_yielding_takes_the_yield_force_times_the_set(one_hinge):
+    """A bar falls from 60 deg to straight and stretches its tendon beyond its yield."""
+    law = {"linear_modulus": 5e4, "cubic_modulus": 5e4, "yield_strain": 0.3}
+    fall = {"protocol.gravity": 200.0, "hinge.damping": 1e-3, "protocol.sample_interval": 1e-3}
+    hinge = one_hinge(LENGTH, values=of(law) | fall, start=math.radians(60), duration=1.0, timestep=2e-5)
+    angles, record = hinge.run()
+    data = record.data
+    rest = data["tendon_rest_length"].values[:, 0]
+    assert np.degrees(angles[-1]) == pytest.approx(-3, abs=0.1)
+    longest = np.maximum.accumulate(data["tendon_length"].values[:, 0])
+    # put where it is stretched too far, it has yielded; the longest may lie between two rows
+    assert rest == pytest.approx(np.maximum(LENGTH, longest - 0.3 * LENGTH), abs=1e-6)
+    extension = 0.3 * LENGTH
+    force = polynomial(5e4 * BY_LENGTH, 0, 5e4 * AREA / LENGTH**3, extension)
+    assert -data["yield_work"].values == pytest.approx(force * (rest - rest[0]), rel=1e-9, abs=1e-15)
+    assert rest[-1] - rest[0] > 0.2 * LENGTH
+    balance = ff.measure(record).energy_balance
+    assert balance.yielding == pytest.approx(force * (rest[-1] - rest[0]), rel=1e-9)
+    assert abs(balance.missing) < 2e-3 * abs(balance.gravitational)
+
+
+WING = {"tendon.rest_length": 0.09, "tendon.area": 18.75e-6}
+BRANCHES = [{"modulus": 2e6, "time": 0.02}, {"modulus": 1e6, "time": 0.5}]
+TIMESTEPS = [2e-4, 1e-4, 5e-5, 2.5e-5]  # s
+
+
+def with_law(reference, law, **values):
+    return with_values(reference, WING | {"tendon.law": law} | values)
+
+
+def test_with_branches_the_energy_of_a_free_wing_is_accounted_for_as_without(reference):
+    free = [{"name": "let go", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.012}]
+    no_stops = {"guard.stretch": 1e3, "hinge.turn_limit": math.pi, "hinge.turn_back": math.pi}
+    bent = {"protocol.initial_overbend": math.radians(-20), "protocol.stages": free, "tendon.rest_length": 0.06}
+    missing = {}
+    for name, branches in (("without", []), ("with", BRANCHES)):
+        base = with_law(reference, {"linear_modulus": 4.8e6, "branches": branches}, **no_stops, **bent)
+        records = simulate([compile_wing(with_values(base, {"protocol.timestep": step})) for step in TIMESTEPS])
+        balances = [ff.measure(record).energy_balance for record in records]
+        missing[name] = [abs(balance.missing / balance.tendon) for balance in balances]
+        if branches:
+            assert balances[-1].branch_damping > 0.01 * abs(balances[-1].tendon)
+            assert balances[-1].branches > 0
+        # the integrator is of first order
+        assert np.polyfit(np.log(TIMESTEPS), np.log(missing[name]), 1)[0] > 0.8
+    assert missing["with"][0] < 2 * missing["without"][0]
+
+
+def test_the_balance_of_a_whole_run_with_branches_closes_as_in_a_linear_run(reference):
+    outcomes = [
+        ff.measure(ff.run(with_law(reference, {"linear_modulus": 4.8e6, "branches": branches})))
+        for branches in ([], [{"modulus": 1e6, "time": 0.002}])
+    ]
+    assert [outcome.status for outcome in outcomes] == ["folded and opened"] * 2
+    linear, branched = (outcome.energy_balance for outcome in outcomes)
+    assert (linear.branches, linear.branch_damping, linear.yielding) == (None, None, None)
+    assert branched.branch_damping > 0.01 * branched.work
+    # half a percent at 0.2 ms: the stops are met within a step
+    assert linear.residual < 5e-3
+    assert branched.residual < 5e-3
+
+
+def test_a_linear_law_is_the_same_stiffness_and_damping_given_directly(reference):
+    law = with_law(reference, {"linear_modulus": 4.8e6, "linear_viscosity": 480.0})
+    # k = 4.8 MPa 18.75 mm2 / 9 cm = 10 N/cm, c = 480 Pa s 18.75 mm2 / 9 cm = 0.1 N s/m
+    direct = with_values(reference, {"tendon.stiffness": 1000.0, "tendon.damping": 0.1, "tendon.rest_length": 0.09})
+    assert law.tendon.stiffness == pytest.approx(1000.0, rel=1e-15)
+    assert law.tendon.damping == pytest.approx(0.1, rel=1e-15)
+    models = [compile_wing(design).engine for design in (law, direct)]
+    for name in ("tendon_stiffness", "tendon_damping", "tendon_lengthspring"):
+        assert getattr(models[0], name) == pytest.approx(getattr(models[1], name), rel=1e-15)
+    ours, theirs = (ff.run(design) for design in (law, direct))
+    assert ours.stages == theirs.stages
+    for name, values in theirs.series.items():
+        # rounding, 1e-16, grown by the snaps
+        assert np.abs(ours.series[name] - values).max() < 1e-10 * max(1, np.abs(values).max()), name
+
+
+@pytest.mark.parametrize("size", [0.1, 1 / 3])
+def test_a_scaled_wing_with_a_law_moves_alike(reference, size):
+    law = as_law((4.8e6, -1e6, 1e6), linear_viscosity=200.0, quadratic_viscosity=2.0, branches=BRANCHES[:1])
+    large = with_law(reference, law | {"yield_strain": 0.15, "residual_strain": 0.02})
+    small = scale_design(large, size)
+    # by hand: at fixed modulus and density time goes with the size, and viscosity is modulus times time
+    assert small.tendon.law.linear_modulus == pytest.approx(4.8e6, rel=1e-12)
+    assert small.tendon.law.linear_viscosity == pytest.approx(200.0 * size, rel=1e-12)
+    assert small.tendon.law.quadratic_viscosity == pytest.approx(2.0 * size**2, rel=1e-12)
+    assert small.tendon.law.branches[0].time == pytest.approx(0.02 * size, rel=1e-12)
+    assert small.tendon.area == pytest.approx(18.75e-6 * size**2, rel=1e-12)
+    records = [ff.run(design) for design in (large, small)]
+    assert records[1].time == pytest.approx(size * records[0].time, rel=1e-12)
+    for name, power in {
+        "distal_angle": 0,
+        "tendon_rest_length": 1,
+        "branch_energy": 3,
+        "branch_damping_work": 3,
+    }.items():
+        series = records[0].series[name]
+        assert np.abs(series).max() > 0
+        # rounding, grown by the snaps
+        assert np.abs(records[1].series[name] / size**power - series).max() < 1e-6 * np.abs(series).max(), name
