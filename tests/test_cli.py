@@ -8,6 +8,7 @@ import pytest
 
 import forficula as ff
 from forficula.cli import main
+from tests.material.synthetic import cyclic_test, plain_text
 
 # the shortest run that leaves everything: 10 ms of settling
 SHORT = """\
@@ -149,7 +150,10 @@ def test_the_named_designs_are_listed_with_their_sources(call):
 
 def test_help_names_every_command(call):
     shown = call("--help").out
-    for command in ("run", "pattern", "landscape", "converge", "study", "new", "designs"):
+    for command in (
+        *("run", "pattern", "landscape", "converge", "study", "new", "designs"),
+        *("material", "materials", "size"),
+    ):
         assert f" {command} " in shown
 
 
@@ -393,3 +397,91 @@ def test_a_wrong_map_is_told_before_anything_is_written(options, message, tmp_pa
         main(["landscape", "binder2025", *options, "--out", str(tmp_path / "map")])
     assert message in capsys.readouterr().err
     assert not (tmp_path / "map").exists()
+
+
+@pytest.fixture
+def specimen_files(in_an_empty_folder):
+    """Write three specimens of 4.8 MPa, as a plain table that says neither length nor area."""
+    for seed in (1, 2, 3):
+        test = cyclic_test(lambda strain, _: 4.8e6 * strain, cycles=3, samples=60, noise=1e4, seed=seed)
+        (in_an_empty_folder / f"tpu-{seed}.csv").write_text(plain_text(test), "utf-8")
+
+
+SIZE = ("--length", "60 mm", "--area", "5 mm^2")
+
+
+@pytest.mark.usefixtures("specimen_files")
+def test_tensile_tests_become_a_law_that_sizes_the_papers_tendons(in_an_empty_folder, call):
+    output = call("material", "tpu-*.csv", *SIZE, "--law", "linear", "--out", "out/tpu")
+    assert output.out.startswith("tpu: 3 specimens, length 60 mm, area 5 mm², cycles 2 to 3\n")
+    assert output.out.splitlines()[-1] == "written to out/tpu"
+    folder = in_an_empty_folder / "out" / "tpu"
+    assert {"material.json", "tendon_law.toml", "modulus.png"} < set(everything_in(folder))
+    law = ff.load_law(folder / "tendon_law.toml")
+    assert law.source.endswith("tpu-1.csv, tpu-2.csv, tpu-3.csv")
+    call("size", "binder2025", "--material", str(folder / "tendon_law.toml"), *RANGE, "--out", "sizes.csv")
+    rows = [row.split(",") for row in (in_an_empty_folder / "sizes.csv").read_text().splitlines()[1:]]
+    # Binder et al. 2025: 12.5 to 75 mm^2; a fit to noise of 0.2 % of the stress
+    areas = [float(row[2]) * 1e6 for row in rows if float(row[0]) == pytest.approx(0.06)]
+    assert areas == pytest.approx([12.5, 25, 37.5, 50, 62.5, 75], rel=2e-3)
+
+
+RANGE = ("--stiffness", "10..60 N/cm step 10")
+
+
+def test_the_named_materials_are_listed_with_their_sources(call):
+    lines = call("materials").out.splitlines()
+    assert lines[::2] == ["petg", "resilin", "tpu-82a", "tpu-95a"]
+    assert all(line.strip() for line in lines[1::2])
+
+
+def test_a_material_known_as_a_range_is_sized_at_the_modulus_chosen(call):
+    output = call("size", "binder2025", "--material", "resilin", "--modulus", "1 MPa", "--stiffness", "10 N/cm")
+    assert "90 mm²" in output.out  # A = k L / E, 9 cm
+
+
+@pytest.mark.usefixtures("specimen_files")
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["material"], "need at least one file of a tensile test, got none"),
+        (["material", "q*.csv"], '"q*.csv": no file has such a name'),
+        (["material", "."], ".: need a file of a tensile test, got a folder; name its files, as in ./*.csv"),
+        (
+            ["material", "tpu-1.csv", "--length", "60 mm"],
+            "tpu-1.csv: area: the file does not say it; give the specimen's area, such as 5 mm^2",
+        ),
+        (
+            ["material", "tpu-1.csv", "--length", "60"],
+            '--length: the unit is missing; write it such as "60 mm", got "60"',
+        ),
+        (
+            ["material", "tpu-1.csv", *SIZE, "--law", "foo"],
+            '--law: need a law such as "zener", got "foo"; allowed here: linear, polynomial, kelvin-voigt, zener,'
+            " prony, softening",
+        ),
+        (["material", "tpu-1.csv", *SIZE, "--out", "tpu-2.csv"], "--out: need a folder, got the file tpu-2.csv"),
+        (
+            ["size", "binder2025", "--material", "tpu82", *RANGE],
+            '"tpu82" is neither a named material nor a .toml file; did you mean tpu-82a?',
+        ),
+        (
+            ["size", "binder2025", "--material", "resilin", *RANGE],
+            "--modulus: resilin: modulus.linear: known only as a range, 0.4 to 1.5 MPa; choose a value in it",
+        ),
+        (
+            ["size", "binder2025", "--material", "tpu-82a", "--stiffness", "10..5 N/cm"],
+            '--stiffness: need a range such as "10..60 N/cm step 10", got "10..5 N/cm"',
+        ),
+        (
+            ["size", "binder2025", "--material", "tpu-82a", "--stiffness", "0 N/cm"],
+            '--stiffness: need > 0, got "0 N/cm"',
+        ),
+        (
+            ["size", "binder2025", "--material", "tpu-82a", *RANGE, "--out", "a.txt"],
+            "--out: need a file that ends with .csv, got a.txt",
+        ),
+    ],
+)
+def test_a_material_that_cannot_be_is_answered_in_one_line(refusal, arguments, message):
+    assert refusal(*arguments) == message

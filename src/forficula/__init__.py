@@ -14,9 +14,16 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from forficula.analysis import Outcome, measure
+    from forficula.analysis.sizing import TendonSizes, size_tendons
     from forficula.design import Design, design_warnings, load_design, named_designs, save_design, scale_design
     from forficula.dynamics import Record, load_record, run, save_record, timestep_warnings
     from forficula.errors import InputError
+    from forficula.material import TensileTest, find_cycles, moduli_by_strain, read_tensile_test, read_tensile_tests
+    from forficula.material.characterisation import Characterisation, characterise
+    from forficula.material.fit import LawFit, fit_law
+    from forficula.material.law_file import load_law, named_laws, save_law
+    from forficula.material.material_law import MaterialLaw, area_for
+    from forficula.material.strain_history import StrainHistory
     from forficula.pattern import CreasePattern, EarwigFan, earwig_pattern, read_fold, read_folded_frames, write_fold
     from forficula.statics import EnergyLandscape, StableState, barrier, energy_landscape, stable_states
     from forficula.study import Study, load_study, run_study
@@ -27,7 +34,20 @@ _HOMES = {
     "forficula.analysis": ("Outcome", "measure"),
     "forficula.design": ("Design", "design_warnings", "load_design", "named_designs", "save_design", "scale_design"),
     "forficula.dynamics": ("Record", "load_record", "run", "save_record", "timestep_warnings"),
+    "forficula.analysis.sizing": ("TendonSizes", "size_tendons"),
     "forficula.errors": ("InputError",),
+    "forficula.material": (
+        "TensileTest",
+        "find_cycles",
+        "moduli_by_strain",
+        "read_tensile_test",
+        "read_tensile_tests",
+    ),
+    "forficula.material.characterisation": ("Characterisation", "characterise"),
+    "forficula.material.fit": ("LawFit", "fit_law"),
+    "forficula.material.law_file": ("load_law", "named_laws", "save_law"),
+    "forficula.material.material_law": ("MaterialLaw", "area_for"),
+    "forficula.material.strain_history": ("StrainHistory",),
     "forficula.statics": ("EnergyLandscape", "StableState", "barrier", "energy_landscape", "stable_states"),
     "forficula.study": ("Study", "load_study", "run_study"),
     "forficula.pattern": (
@@ -41,31 +61,48 @@ _HOMES = {
 }
 
 __all__ = [
+    "Characterisation",
     "CreasePattern",
     "Design",
     "EarwigFan",
     "EnergyLandscape",
     "InputError",
+    "LawFit",
+    "MaterialLaw",
     "Outcome",
     "Record",
     "StableState",
+    "StrainHistory",
     "Study",
+    "TendonSizes",
+    "TensileTest",
+    "area_for",
     "barrier",
+    "characterise",
     "design_warnings",
     "earwig_pattern",
     "energy_landscape",
+    "find_cycles",
+    "fit_law",
     "load_design",
+    "load_law",
     "load_record",
     "load_study",
     "measure",
+    "moduli_by_strain",
     "named_designs",
+    "named_laws",
     "read_fold",
     "read_folded_frames",
+    "read_tensile_test",
+    "read_tensile_tests",
     "run",
     "run_study",
     "save_design",
+    "save_law",
     "save_record",
     "scale_design",
+    "size_tendons",
     "stable_states",
     "timestep_warnings",
     "write_fold",

@@ -1,11 +1,15 @@
-"""Landscapes that several test modules draw, write and print."""
+"""Landscapes and materials that several test modules draw, write and print."""
 
+from dataclasses import replace
 from functools import cache
 
 import pytest
 
 from forficula.design import load_design, scale_design
+from forficula.material.characterisation import characterise
+from forficula.material.law_family import family_forms
 from forficula.statics import EnergyLandscape, energy_landscape
+from tests.material.synthetic import cyclic_test, tpu
 
 SETTINGS = {
     "reference": {},
@@ -27,3 +31,23 @@ def surveyed():
         return energy_landscape(scale_design(design, 1 / 22) if name == "small" else design, points=61)
 
     return survey
+
+
+@pytest.fixture(scope="session")
+def tpu_material():
+    """Three specimens like the paper's, with few laws to choose from."""
+    forms = (*family_forms("zener"), *family_forms("kelvin-voigt"))
+    return characterise([tpu(seed) for seed in (1, 2, 3)], name="tpu", source="made up", forms=forms)
+
+
+@pytest.fixture(scope="session")
+def elastic_material():
+    """One linear specimen of 4.8 MPa, without loss."""
+    test = cyclic_test(lambda strain, _: 4.8e6 * strain, cycles=3, samples=100, noise=1e4, name="elastic")
+    return characterise([test], name="elastic", forms=family_forms("linear"))
+
+
+@pytest.fixture(scope="session")
+def lawless_material(tpu_material):
+    """As tpu_material, but the data tell no law."""
+    return replace(tpu_material, fit=None, law=None, remarks=("there is no law: too few rows",))

@@ -1,0 +1,118 @@
+"""How thick a tendon of a material must be to have a stiffness."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from forficula.design import Design
+from forficula.design.places import tendon_ends
+from forficula.errors import InputError
+from forficula.material.characterisation import known_length
+from forficula.material.material_law import MaterialLaw, area_for, known_moduli
+from forficula.material.softening import spring_stress
+from forficula.pattern import hub_points, ring_vertices, tips
+
+
+@dataclass(frozen=True, kw_only=True)
+class TendonSize:
+    """A tendon that has a stiffness.
+
+    Attributes:
+        stiffness: N/m.
+        area: of its cross-section, if the stiffness is that of a small extension, m2.
+        mean_area: if it is the mean stiffness from slack to the flat wing, m2; as `area` for a linear law, None where
+            the flat wing leaves the tendon slack.
+    """
+
+    stiffness: float
+    area: float
+    mean_area: float | None
+
+    @property
+    def diameter(self) -> float:
+        """Of a round tendon of `area`, m."""
+        return math.sqrt(4 * self.area / math.pi)
+
+
+@dataclass(frozen=True, kw_only=True)
+class TendonSizes:
+    """The tendons of one length.
+
+    Attributes:
+        length: of the unstretched tendon, m.
+        why: whose length it is.
+        flat_strain: of the flat wing's tendon; < 0 where it is slack.
+        beyond: whether that is more than the law was measured for; None where the law does not say.
+        sizes: by stiffness, as asked.
+    """
+
+    length: float
+    why: str
+    flat_strain: float
+    beyond: bool | None
+    sizes: tuple[TendonSize, ...]
+
+
+def size_tendons(
+    design: Design, law: MaterialLaw, stiffnesses: Sequence[float], *, length: float | None = None
+) -> tuple[TendonSizes, ...]:
+    """Size tendons of a material by the stiffness that they need, A = k L / E.
+
+    Args:
+        design: whose flat wing stretches them.
+        law: of the material.
+        stiffnesses: N/m, > 0.
+        length: of the tendon, m; where it is not given, that of the specimens behind the law, if it is known.
+
+    Returns:
+        For that length, and for the design's resting length where that is another one > 0.
+
+    Raises:
+        InputError: a stiffness or length that is not > 0, neither length, a modulus that is absent or known as a range
+            only, or a material that is not for tendons.
+    """
+    lengths = list(_lengths(design, law, length))
+    if not lengths:
+        raise InputError("length: is missing: the design's tendon.rest_length is 0, and strain is extension by length")
+    return tuple(_sizes(design, law, stiffnesses, each, why) for each, why in lengths)
+
+
+def _lengths(design: Design, law: MaterialLaw, given: float | None) -> Iterator[tuple[float, str]]:
+    own, known = design.tendon.rest_length, known_length(law)
+    first = given if given is not None else known
+    if first is not None:
+        yield first, "as given" if given is not None else f"of the specimens of {law.name}"
+    if own > 0 and (first is None or not math.isclose(own, first, rel_tol=1e-9)):
+        yield own, f"resting length of {design.name}"
+
+
+def _sizes(design: Design, law: MaterialLaw, stiffnesses: Sequence[float], length: float, why: str) -> TendonSizes:
+    areas = [area_for(law, length=length, stiffness=each) for each in stiffnesses]
+    strain = _flat_length(design) / length - 1
+    share = _mean_share(law, strain - law.residual_strain)
+    sizes = [
+        TendonSize(stiffness=stiffness, area=area, mean_area=None if share is None else area / share)
+        for stiffness, area in zip(stiffnesses, areas, strict=True)
+    ]
+    beyond = None if law.largest_strain is None else strain > law.largest_strain
+    return TendonSizes(length=length, why=why, flat_strain=strain, beyond=beyond, sizes=tuple(sizes))
+
+
+def _mean_share(law: MaterialLaw, strain: float) -> float | None:
+    """The spring's secant modulus at a strain of its own by that at small strain; None where it is slack."""
+    if strain <= 0:
+        return None
+    moduli = known_moduli(law)
+    reached = strain if law.yield_strain is None else min(strain, law.yield_strain)
+    return float(spring_stress(moduli, reached)) / strain / moduli[0]
+
+
+def _flat_length(design: Design) -> float:
+    """The longest tendon of the flat wing, m."""
+    fan = design.fan
+    before, beyond = tendon_ends(hub_points(fan), ring_vertices(fan), tips(fan), design)
+    return float(np.linalg.norm(beyond - before, axis=-1).max())
