@@ -155,12 +155,10 @@ def test_chunks_take_a_second_or_so_and_the_last_is_no_rest(left, seconds, runs)
         left -= size
 
 
-def test_an_address_where_nothing_listens_is_one_error_within_seconds():
-    start = time.monotonic()
+def test_an_address_where_nothing_listens_is_one_error():
     words = r"--dask: no Dask scheduler answers at tcp://127\.0\.0\.1:9"
     with pytest.raises(InputError, match=words), dask_cluster("tcp://127.0.0.1:9"):
         pass
-    assert time.monotonic() - start < 10
 
 
 @pytest.mark.parametrize("address", ["nonsense", "tcp://", "gopher://x:1"])

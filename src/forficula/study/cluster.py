@@ -74,6 +74,8 @@ def dask_cluster(address: str) -> Iterator[Evaluate]:
         client = Client(address, timeout=_CONNECT_SECONDS, set_as_default=False)
     except (OSError, ValueError, TypeError) as error:
         raise InputError(f"--dask: no Dask scheduler answers at {address}: {error}") from None
+    except AssertionError:  # of Dask's own: its thread did not start within ten seconds
+        raise InputError("--dask: Dask cannot start here, the machine is too busy; try again") from None
     with client:
         try:
             client.wait_for_workers(1, timeout=_CONNECT_SECONDS)

@@ -1,0 +1,267 @@
+"""A wing after many cycles: folded and opened with its tendons as they are at each of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from forficula.design import Design, flat_strain, with_values
+from forficula.dynamics import with_timestep
+from forficula.errors import InputError
+from forficula.material.law_cycle import change_at_cycle, drifts_of, law_at_cycle, stretched_before
+from forficula.material.material_law import MaterialLaw
+from forficula.study.evaluate import row_key
+from forficula.study.fold_margin import MOST_RUNS, evaluated, least_fold_torques
+from forficula.study.journal import Row
+
+Progress = Callable[[int, int, dict[str, Any]], None]
+
+_EVERY_COUNT = 20
+_BY_DECADE = 10  # counts beyond
+_LARGEST_MISS = 0.02  # of a softened spring, that goes without saying
+
+
+@dataclass(frozen=True, kw_only=True)
+class CycleRun:
+    """One cycle: what its tendons are, and what became of the wing.
+
+    Attributes:
+        cycle: number, from 1 on.
+        measured: whether the tests of the material saw this cycle.
+        stiffness: of the tendons by that of the first cycle, but for softening: value, 95 % confidence interval.
+        residual_strain: of the tendons.
+        row: outcome of the run, as `outcome_row` has it.
+        least_fold_torque: to 1 %, N m; None where no torque up to 64 times the protocol's folds, or it has none.
+        margin: the protocol's fold torque by the least one; None as before.
+    """
+
+    cycle: int
+    measured: bool
+    stiffness: tuple[float, float, float]
+    residual_strain: float
+    row: Row
+    least_fold_torque: float | None
+    margin: float | None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Cycling:
+    """A wing over cycles.
+
+    Attributes:
+        design: at the first cycle.
+        runs: in the order of cycles.
+        seen: first and last cycle that the tests of the material saw; None where they do not tell.
+        opens: whether the protocol opens the wing, too.
+        verdict: in a sentence.
+        remarks: what a person should know, one sentence each.
+    """
+
+    design: Design
+    runs: tuple[CycleRun, ...]
+    seen: tuple[int, int] | None
+    opens: bool
+    verdict: str
+    remarks: tuple[str, ...]
+
+    def works(self, run: CycleRun) -> bool:
+        """Whether a cycle did what the protocol asks for: folded, and opened where it opens."""
+        return bool(run.row.get("opened" if self.opens else "folded"))
+
+    @property
+    def first_failure(self) -> int | None:
+        """The first cycle that did not fold and open, after one that did; None where there is none."""
+        works = [self.works(run) for run in self.runs]
+        later = (index for index in range(1, len(works)) if works[index - 1] and not works[index])
+        return next((self.runs[index].cycle for index in later), None)
+
+
+def cycle_counts(last: int) -> tuple[int, ...]:
+    """The cycles to look at: each up to 20, and ten a decade beyond, the last one among them.
+
+    Raises:
+        InputError: the last is not >= 1.
+    """
+    if last < 1:
+        raise InputError(f"need a whole number >= 1, got {last}")
+    counts = list(range(1, min(last, _EVERY_COUNT) + 1))
+    if last > _EVERY_COUNT:
+        steps = int(np.ceil(_BY_DECADE * np.log10(last / _EVERY_COUNT)))
+        counts += [round(each) for each in np.geomspace(_EVERY_COUNT, last, steps + 1)[1:-1]] + [last]
+    return tuple(sorted(set(counts)))
+
+
+def why_unchanged(design: Design) -> str:
+    """Why the tendons of a design are the same at every cycle, in a sentence; empty where they change."""
+    law = design.tendon.law
+    if law is None:
+        return "the design has no tendon.law, so nothing tells how cycles change its tendons: every cycle is the first"
+    drifts, name = drifts_of(law.material), law.name or "the tendons"
+    softens = law.softening is not None and flat_strain(design) > law.residual_strain
+    if softens or any(drift.kind != "none" for drift in drifts.values()):
+        return ""
+    seen = _seen(law.material)
+    if seen is None:
+        return f"the law of {name} has no drift, so nothing tells how cycles change it: every cycle is the first"
+    return f"the tests of {name}, cycles {seen[0]} to {seen[1]}, show no drift: every cycle is the first"
+
+
+def design_at_cycle(design: Design, cycle: int) -> Design:
+    """A design with its tendons as they are at a cycle.
+
+    The drift of the law is taken to that cycle. A law that softens is, from the second cycle on, what it is after the
+    stretch of the flat wing. Every cycle is a run of its own that begins with rested tendons.
+
+    Args:
+        design: whose tendons have a law.
+        cycle: from 1 on.
+    """
+    return with_values(design, {"tendon.law": _law_at(design, cycle)[0]})
+
+
+def run_cycles(design: Design, last: int, progress: Progress | None = None) -> Cycling:
+    """Fold and open a wing with its tendons as they are at each of many cycles, side by side.
+
+    Args:
+        design: whose tendons change.
+        last: cycle to look at; which others, see `cycle_counts`.
+        progress: called with the runs done, the most that there can be, and the last one's row.
+
+    Raises:
+        InputError: the tendons do not change, the protocol does not fold, or the last is not >= 1.
+    """
+    check_cycles(design, last)
+    if reason := why_unchanged(design):
+        raise InputError(f"cycles: {reason}")
+    counts = cycle_counts(last)
+    by_cycle = _designs(design, counts)
+    distinct = {row_key(each): each for each in by_cycle.values()}
+    count_run = _counting(progress, len(distinct) * (1 + MOST_RUNS))
+    rows = evaluated(list(distinct.values()), count_run)
+    least = least_fold_torques(distinct, rows, count_run)
+    seen = _seen(_material(design))
+    cycling = Cycling(
+        design=design,
+        runs=tuple(
+            _run_at(design, cycle, each, rows[row_key(each)], least.get(row_key(each)))
+            for cycle, each in by_cycle.items()
+        ),
+        seen=seen,
+        opens=any(stage.drive == "unfold" for stage in design.protocol.stages),
+        verdict="",
+        remarks=tuple(_remarks(design, counts, seen)),
+    )
+    return replace(cycling, verdict=_verdict(cycling))
+
+
+def check_cycles(design: Design, last: int) -> None:
+    """Refuse what cannot be cycled, before a run that takes a while.
+
+    Raises:
+        InputError: the protocol does not fold, or the last cycle is not >= 1.
+    """
+    cycle_counts(last)
+    if all(stage.drive != "fold" for stage in design.protocol.stages):
+        raise InputError('need a stage with drive = "fold" in protocol.stages, got none')
+
+
+def _material(design: Design) -> MaterialLaw:
+    if design.tendon.law is None:
+        raise InputError(f"{design.name}: has no tendon.law")
+    return design.tendon.law.material
+
+
+def _law_at(design: Design, cycle: int) -> tuple[MaterialLaw, float]:
+    """A law at a cycle, and what its softened spring misses, as a share of the peak stress."""
+    law = law_at_cycle(_material(design), cycle)
+    peak = min(flat_strain(design) - law.residual_strain, law.yield_strain or np.inf)
+    return stretched_before(law, peak) if cycle > 1 and peak > 0 else (law, 0.0)
+
+
+def _designs(design: Design, counts: Sequence[int]) -> dict[int, Design]:
+    """By cycle, all with the timestep that the stiffer end asks for, where the design leaves it open."""
+    found = {cycle: design_at_cycle(design, cycle) for cycle in counts}
+    if design.protocol.timestep != "auto":
+        return found
+    ends = {counts[0], counts[min(1, len(counts) - 1)], counts[-1]}
+    shortest = min(float(with_timestep(found[cycle]).protocol.timestep) for cycle in ends)
+    return {cycle: with_values(each, {"protocol.timestep": shortest}) for cycle, each in found.items()}
+
+
+def _counting(progress: Progress | None, needed: int) -> Callable[[Row], None]:
+    done: list[Row] = []
+
+    def count_run(row: Row) -> None:
+        done.append(row)
+        if progress is not None:
+            progress(len(done), max(needed, len(done)), row)
+
+    return count_run
+
+
+def _run_at(design: Design, cycle: int, own: Design, row: Row, least: float | None) -> CycleRun:
+    """A cycle, its design and what became of it."""
+    seen, law = _seen(_material(design)), own.tendon.law
+    drift = _material(design).stiffness_drift
+    return CycleRun(
+        cycle=cycle,
+        measured=seen is not None and seen[0] <= cycle <= seen[1],
+        stiffness=(1.0, 1.0, 1.0) if drift is None else change_at_cycle(drift, cycle),
+        residual_strain=0.0 if law is None else law.residual_strain,
+        row=row,
+        least_fold_torque=least,
+        margin=None if least is None else own.protocol.fold_torque / least,
+    )
+
+
+def _seen(law: MaterialLaw) -> tuple[int, int] | None:
+    """First and last cycle that all drifts have seen."""
+    drifts = drifts_of(law).values()
+    return (max(each.seen[0] for each in drifts), min(each.seen[1] for each in drifts)) if drifts else None
+
+
+def _remarks(design: Design, counts: Sequence[int], seen: tuple[int, int] | None) -> Iterator[str]:
+    last, law = counts[-1], _material(design)
+    if seen is None:
+        yield "the tests do not tell whether the material drifts: all that changes is its softening after cycle 1"
+    else:
+        if seen[0] > 1:
+            unseen = "cycle 1 is" if seen[0] == 2 else f"cycles 1 to {seen[0] - 1} are"
+            yield f"{unseen} taken to be like cycle {seen[0]}, the first that the tests tell of"
+        if last > seen[1]:
+            yield f"cycles beyond {seen[1]} are extrapolated: the tests saw cycles {seen[0]} to {seen[1]}"
+    drift = law.stiffness_drift
+    if drift is not None and drift.kind != "none":
+        middle, low, high = change_at_cycle(drift, last)
+        yield f"at cycle {last} the tendons are {middle:.3g} times as stiff ({low:.3g} to {high:.3g}) as at cycle 1"
+    if last > _EVERY_COUNT:
+        yield f"beyond cycle {_EVERY_COUNT} only every few are run: {', '.join(map(str, counts[_EVERY_COUNT:]))}"
+    missed = max(_law_at(design, cycle)[1] for cycle in {counts[-1], counts[min(1, len(counts) - 1)]})
+    if missed > _LARGEST_MISS:
+        yield f"the softened spring is a polynomial that misses the law by up to {missed:.0%} of its largest stress"
+
+
+def _verdict(cycling: Cycling) -> str:
+    """Whether the wing still works after the last cycle, and up to which or from which on where it does not."""
+    runs, goal = cycling.runs, "folds and opens" if cycling.opens else "folds"
+    works, last = [cycling.works(run) for run in runs], runs[-1].cycle
+    if all(works):
+        return f"still {goal} after {_cycles(last)}"
+    if not any(works):
+        return f"{goal} at none of the {_cycles(last)}: {runs[0].row['status']}"
+    fails = cycling.first_failure
+    if fails is None:
+        first = runs[works.index(True)].cycle
+        return f"{goal} only from cycle {first} on, before: {runs[0].row['status']}"
+    index = [run.cycle for run in runs].index(fails)
+    failed = runs[index]
+    again = "; some later cycles do" if any(works[index:]) else ""
+    start = "" if works[0] else f" from cycle {runs[works.index(True)].cycle} on,"
+    return f"{goal}{start} up to cycle {runs[index - 1].cycle}; at cycle {fails}: {failed.row['status']}{again}"
+
+
+def _cycles(count: int) -> str:
+    return "1 cycle" if count == 1 else f"{count} cycles"
