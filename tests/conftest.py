@@ -15,7 +15,6 @@ from forficula.dynamics.model import WingModel, compile_veins
 from forficula.dynamics.units import model_units
 from forficula.dynamics.veins import Vein
 
-
 # how long an example takes says more of the machine than of the code
 settings.register_profile("forficula", deadline=None)
 settings.load_profile("forficula")

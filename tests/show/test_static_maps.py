@@ -34,7 +34,7 @@ def test_beside_a_simulation_the_cells_that_differ_are_drawn(statics):
     simulated["least_fold_torque"].values[:] = [[0.3, 0.1], [np.nan, 0.3]]
     figure = draw_static_maps(statics, simulated)
     assert len(titles(figure)) == 6
-    assert {"in both", "in the simulation only: inertia", "in neither"} <= legend(figure)
+    assert {"in both, at the same torque", "in the simulation only: inertia", "in neither"} <= legend(figure)
 
 
 def test_over_one_factor_points_are_drawn(reference):

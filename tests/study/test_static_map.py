@@ -13,6 +13,8 @@ from forficula.statics.quasi_static import flat_state, folded_state, slow_transi
 from forficula.study import load_study
 from forficula.study.static_map import (
     BOTH,
+    BOTH_LESS,
+    BOTH_MORE,
     NEITHER,
     NOT_SIMULATED,
     ONLY_SIMULATED,
@@ -64,6 +66,20 @@ def test_geometry_is_a_factor_and_what_cannot_be_built_is_a_row(reference):
     assert table["flat_energy"].values[0] != table["flat_energy"].values[1]
 
 
+@pytest.mark.parametrize("angles", [["60 deg", "150 deg"], ["150 deg", "60 deg"]])
+def test_what_counts_as_folded_is_a_factor(angles):
+    """Veins that stop at 60 deg leave the last hinge at -70 deg: folded for one wing, not for the other."""
+    design = load_design("binder2025", {"hinge.turn_limit": "60 deg"})
+    table = static_map(map_study(design, {"protocol.folded_angle": angles}))
+    folds = dict(zip(angles, np.isfinite(table["least_fold_torque"].values).tolist(), strict=True))
+    assert folds == {"60 deg": True, "150 deg": False}
+
+
+def test_a_key_that_statics_does_not_look_at_is_refused(reference):
+    with pytest.raises(InputError, match=r"protocol\.fold_torque: changes nothing under slowly growing torques"):
+        map_study(reference, {"protocol.fold_torque": "10..20 N cm step 10"})
+
+
 def test_a_distribution_is_no_grid(reference):
     with pytest.raises(InputError, match=r"tendon.stiffness: need a list or a range"):
         map_study(
@@ -101,7 +117,12 @@ def test_cells_that_differ_are_named(statics):
     nan = np.nan
     found = simulated(statics, [0.1, 0.2, nan, nan, nan, nan], [0.5, nan, nan, nan, nan, nan])
     folds = compare_maps(statics, found, "least_fold_torque").values.ravel().tolist()
-    assert folds == [ONLY_SIMULATED, BOTH, ONLY_STATIC, NEITHER, NEITHER, NEITHER]
+    assert folds == [ONLY_SIMULATED, BOTH_MORE, ONLY_STATIC, NEITHER, NEITHER, NEITHER]
+    alike = simulated(statics, statics["least_fold_torque"].values, [nan] * 6)
+    same = compare_maps(statics, alike, "least_fold_torque")
+    assert same.values.ravel().tolist() == [NEITHER, BOTH, BOTH, NEITHER, NEITHER, NEITHER]
+    less = compare_maps(statics, simulated(statics, [0.01] * 6, [nan] * 6), "least_fold_torque")
+    assert less.values.ravel().tolist()[:3] == [ONLY_SIMULATED, BOTH_LESS, BOTH_LESS]
     opens = compare_maps(statics, found, "least_unfold_torque").values.ravel().tolist()
     assert opens[:2] == [ONLY_SIMULATED, ONLY_STATIC]
     # nothing was opened where nothing folded

@@ -64,8 +64,9 @@ def _barriers(landscape: EnergyLandscape) -> Table:
     for name, value in (
         ("ideal hinge, overbend to straight", landscape.hinge.barrier),
         ("second hinge of the wing, overbend to straight", landscape.tendons[SECOND].barrier),
-        ("wing, flat to folded", landscape.fold_barrier),
-        ("wing, folded to flat", landscape.unfold_barrier),
+        ("wing, flat until its easiest hinge folds alone", float(landscape.hinge_barriers.min())),
+        ("wing, flat to folded, all hinges together", landscape.fold_barrier),
+        ("wing, folded to flat, all hinges together", landscape.unfold_barrier),
     ):
         table.add_row(name, _NONE if value is None else _energy(value))
     return table

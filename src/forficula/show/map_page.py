@@ -39,7 +39,9 @@ STUCK = "stuck on the way"
 NOT_STAYED = "did not stay folded"
 NOT_TRIED = "not tried: did not fold"
 NOT_RUN = "not run"
-IN_BOTH = "in both"
+IN_BOTH = "in both, at the same torque"
+IN_BOTH_LESS = "in both, at less when simulated"
+IN_BOTH_MORE = "in both, at more when simulated"
 SIMULATED_ONLY = "in the simulation only: inertia"
 STATIC_ONLY = "in the statics only"
 IN_NEITHER = "in neither"
@@ -67,6 +69,8 @@ _LOOKS = {
     NOT_BUILT: _Look(face="0.6", hatch="", marker="X"),
     NOT_TRIED: _Look(face="0.86", hatch="", marker="_"),
     IN_BOTH: _Look(face=BLUE, hatch="", marker="o"),
+    IN_BOTH_LESS: _Look(face=BLUE, hatch="....", marker="p"),
+    IN_BOTH_MORE: _Look(face=BLUE, hatch="/////", marker="H"),
     SIMULATED_ONLY: _Look(face=ORANGE, hatch="", marker="^"),
     STATIC_ONLY: _Look(face=SKY, hatch="....", marker="v"),
     IN_NEITHER: _Look(face="0.93", hatch="", marker="x"),

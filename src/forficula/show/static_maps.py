@@ -37,6 +37,9 @@ def draw_static_maps(statics: Dataset, simulated: Dataset | None = None) -> Figu
         for name in _TORQUES:
             extra[f"simulated_{name}"] = simulated_values(statics, simulated, name)
             extra[f"verdict_{name}"] = compare_maps(statics, simulated, name)
+        # where nothing is known of a wing it was not run at all
+        energies = simulated_values(statics, simulated, "flat_energy")
+        extra["simulated"] = energies.copy(data=np.isfinite(energies.values))
         view = table_view(statics.assign(extra))
         panels = []
         for name, (verb, _) in _TORQUES.items():
@@ -54,7 +57,8 @@ def _panel(view: View, name: str, title: str, simulated: bool = False) -> Panel:
     why = np.full(values.shape, _TORQUES[name][1], dtype=object)
     if simulated:
         verdict = table[f"verdict_{name}"].values
-        why[verdict == NOT_SIMULATED] = NOT_TRIED if name == "least_unfold_torque" else NOT_SIMULATED
+        why[verdict == NOT_SIMULATED] = NOT_TRIED
+        why[~table["simulated"].values] = NOT_SIMULATED
     else:
         built = np.char.startswith(table["status"].values.astype(str), NOT_BUILT)
         why[built] = NOT_BUILT

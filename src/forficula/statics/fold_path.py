@@ -170,9 +170,10 @@ def _quiet_moment(design: Design, of_tendons: Array, fold_slope: Array) -> Array
 
 
 def _last_pleat(design: Design, ratio: float) -> float:
-    """Pleat angle at which the ring creases reach the fold limit, rad."""
+    """Pleat angle at which the ring creases reach the fold limit, or the veins theirs, rad."""
     limit = design.hinge.fold_limit
-    return math.pi if ratio == 0 or limit == math.pi else 2 * math.atan2(math.tan(limit / 2), ratio)
+    closed = math.pi if ratio == 0 or limit == math.pi else 2 * math.atan2(math.tan(limit / 2), ratio)
+    return min(closed, 2 * design.hinge.turn_limit)
 
 
 def _remarks(design: Design, camber: float | None) -> tuple[str, ...]:
@@ -181,11 +182,17 @@ def _remarks(design: Design, camber: float | None) -> tuple[str, ...]:
             "pattern.hub_radius is 0, so the ring fold stays straight until the pleats are closed: rigid panels never"
             " reach the overbend, and their energy is the same all along; a hub radius > 0 couples the two",
         )
+    remarks = []
+    if 2 * design.hinge.turn_limit < math.pi:
+        remarks.append(
+            f"hinge.turn_limit stops the veins at {math.degrees(design.hinge.turn_limit):.4g} deg, so rigid panels"
+            f" pleat to {math.degrees(2 * design.hinge.turn_limit):.4g} deg and no further"
+        )
     back, stop = -camber / 2, design.hinge.turn_back
     if back > stop:
-        return (
+        remarks.append(
             f"rigid panels reach the overbend of {math.degrees(design.hinge.overbend):.4g} deg only with veins turned"
             f" back by {math.degrees(back):.4g} deg, and hinge.turn_back stops them at {math.degrees(stop):.4g} deg:"
-            " in the compliant wing the membrane gives way instead",
+            " in the compliant wing the membrane gives way instead"
         )
-    return ()
+    return tuple(remarks)

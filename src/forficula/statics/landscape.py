@@ -17,7 +17,7 @@ from forficula.statics.equilibrium import PathState, barrier_between
 from forficula.statics.fold_path import FoldPath, fold_path
 from forficula.statics.hinge import ideal_hinge, wing_hinges
 from forficula.statics.hinge_landscape import HingeLandscape, hinge_landscape
-from forficula.statics.partial_folds import PartialFold, fold_levels, partial_folds
+from forficula.statics.partial_folds import PartialFold, fold_levels, partial_folds, single_hinge_barriers
 from forficula.statics.potential import FOLD, section
 from forficula.statics.quasi_static import flat_state, folded_state, least_slow_torque
 from forficula.statics.tip_stiffness import TipStiffness, tip_stiffness
@@ -26,6 +26,7 @@ Array = NDArray[np.float64]
 
 # torques tried for opening, by the largest moment of a tendon against it
 _MOST_UNFOLD = 4.0
+_STRAIGHT = math.radians(1)  # what counts as straight
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,6 +40,7 @@ class EnergyLandscape:
         wing: the wing along its fold.
         levels: energies of independent ideal hinges, none to all of them folded, J, (vein + 1,).
         partial_folds: the wing let go with some hinges folded.
+        hinge_barriers: energy to climb until one hinge of the flat wing folds alone, J, (vein,).
         fold_torque: least slowly growing torque on every proximal turn axis that folds the compliant wing, N m; None
             where not even the protocol's does.
         unfold_torque: least slowly growing torque on every distal hinge that opens it from folded, N m; None likewise.
@@ -52,6 +54,7 @@ class EnergyLandscape:
     wing: FoldPath
     levels: Array
     partial_folds: tuple[PartialFold, ...]
+    hinge_barriers: Array
     fold_torque: float | None
     unfold_torque: float | None
     tips: TipStiffness
@@ -103,9 +106,11 @@ def energy_landscape(design: Design, points: int = 181) -> EnergyLandscape:
     tendons = tuple(hinge_landscape(each, points) for each in wing_hinges(design))
     wing = fold_path(design, points)
     wings = section([design])
-    fold = least_slow_torque(wings, flat_state(wings), "fold", design.protocol.fold_torque)
+    flat = flat_state(wings)
+    fold = least_slow_torque(wings, flat, "fold", design.protocol.fold_torque)
     peak = max((each.peak_opening.torque for each in tendons if each.peak_opening is not None), default=0.0)
-    unfold = least_slow_torque(wings, folded_state(wings), "distal", _MOST_UNFOLD * peak)
+    most = max(_MOST_UNFOLD * peak, design.protocol.unfold_torque)
+    unfold = least_slow_torque(wings, folded_state(wings), "distal", most)
     fold_torque, unfold_torque = (_known(each.torque[0]) for each in (fold, unfold))
     return EnergyLandscape(
         design=design,
@@ -114,10 +119,18 @@ def energy_landscape(design: Design, points: int = 181) -> EnergyLandscape:
         wing=wing,
         levels=fold_levels(design),
         partial_folds=partial_folds(design),
+        hinge_barriers=single_hinge_barriers(design),
         fold_torque=fold_torque,
         unfold_torque=unfold_torque,
         tips=tip_stiffness(design),
-        remarks=(*hinge.remarks, *wing.remarks, *_torque_remarks(design, fold_torque, unfold_torque, fold.position[0])),
+        remarks=(
+            *hinge.remarks,
+            *_tendon_remarks(hinge, tendons[0]),
+            *wing.remarks,
+            *_flat_remarks(flat[0]),
+            *_fold_remarks(design, fold_torque, fold.position[0]),
+            *_unfold_remarks(most, unfold_torque),
+        ),
     )
 
 
@@ -127,7 +140,7 @@ def stable_states(landscape: EnergyLandscape) -> tuple[StableState, ...]:
     stable = [state for state in wing.states if state.stable]
     return tuple(
         StableState(
-            name=_name(state, state is stable[-1], wing),
+            name=_name(state, landscape),
             kind=state.kind,
             pleat_angle=state.coordinate,
             far_pleat_angle=state.far_coordinate,
@@ -140,7 +153,9 @@ def stable_states(landscape: EnergyLandscape) -> tuple[StableState, ...]:
 
 
 def barrier(landscape: EnergyLandscape, start: str, end: str) -> float:
-    """Energy to climb along the fold from one stable state to another, J.
+    """Energy to climb along the fold from one stable state to another, J, all hinges together.
+
+    A wing may climb less where one hinge goes before the others: see `EnergyLandscape.hinge_barriers`.
 
     Args:
         landscape: of a design.
@@ -159,7 +174,7 @@ def barrier(landscape: EnergyLandscape, start: str, end: str) -> float:
         if name not in by_name:
             near = difflib.get_close_matches(name, by_name, 1)
             meant = f', did you mean "{near[0]}"?' if near else ""
-            why = "".join(f"; {remark}" for remark in landscape.remarks)
+            why = "" if near else "".join(f"; {remark}" for remark in landscape.wing.remarks)
             known = ", ".join(by_name)
             raise InputError(
                 f'{landscape.design.name}: need a stable state of the wing ({known}), got "{name}"{meant}{why}'
@@ -174,24 +189,47 @@ def _barrier_or_none(landscape: EnergyLandscape, start: str, end: str) -> float 
     return barrier(landscape, start, end) if {start, end} <= names else None
 
 
-def _name(state: PathState, last: bool, wing: FoldPath) -> str:
+def _name(state: PathState, landscape: EnergyLandscape) -> str:
+    wing, folded = landscape.wing, landscape.design.protocol.folded_angle
+    ring = float(np.interp(state.far_coordinate, wing.pleat_angle, wing.ring_angle))
+    closed = ring >= folded or state.far_coordinate >= math.pi
     if state.coordinate <= 0:
-        return "anywhere" if state.far_coordinate > wing.pleat_angle[-1] / 2 else "flat"
-    return "folded" if last and state.far_coordinate > wing.pleat_angle[-1] / 2 else "partly folded"
+        return "anywhere" if closed else "flat"
+    return "folded" if closed else "partly folded"
 
 
 def _known(value: float) -> float | None:
     return None if math.isnan(value) else float(value)
 
 
-def _torque_remarks(design: Design, fold: float | None, unfold: float | None, angles: Array) -> tuple[str, ...]:
-    remarks = []
-    if fold is None:
-        reached = f"{math.degrees(float(angles[FOLD::4].max())):.4g} deg"
-        remarks.append(
-            f"no slowly growing torque up to {show_quantity(design.protocol.fold_torque, TORQUE)} folds it, the last"
-            f" hinge stops at {reached}: it folds by inertia or not at all, which a run tells"
-        )
-    if unfold is None:
-        remarks.append("no slowly growing torque on the distal hinges opens it from folded")
-    return tuple(remarks)
+def _tendon_remarks(ideal: HingeLandscape, tendon: HingeLandscape) -> tuple[str, ...]:
+    """What is said of the wing's tendons and not of the ideal one; where both are slack, the angles differ a little."""
+    if ideal.hinge.pulls == tendon.hinge.pulls:
+        return ()
+    return tuple(f"about the wing's own hinge axes {remark}" for remark in tendon.remarks)
+
+
+def _flat_remarks(angles: Array) -> tuple[str, ...]:
+    least = float(angles[FOLD::4].min())
+    if least >= -_STRAIGHT:
+        return ()
+    return (
+        f"let go flat, the compliant wing does not stay so: a hinge goes to {math.degrees(least):.4g} deg;"
+        " its flat state, and what is said of it, is that",
+    )
+
+
+def _fold_remarks(design: Design, torque: float | None, angles: Array) -> tuple[str, ...]:
+    if torque is not None:
+        return ()
+    reached = f"{math.degrees(float(angles[FOLD::4].max())):.4g} deg"
+    return (
+        f"no slowly growing torque up to {show_quantity(design.protocol.fold_torque, TORQUE)} folds it, the last hinge"
+        f" stops at {reached}: it folds by inertia or not at all, which a run tells",
+    )
+
+
+def _unfold_remarks(most: float, torque: float | None) -> tuple[str, ...]:
+    if torque is not None:
+        return ()
+    return (f"no slowly growing torque up to {show_quantity(most, TORQUE)} on the distal hinges opens it from folded",)

@@ -91,6 +91,7 @@ def _wing_summary(landscape: EnergyLandscape) -> dict[str, Any]:
             {"pleat_angle_deg": float(np.degrees(state.coordinate)), "energy_J": state.energy} for state in climbs
         ],
         "barrier_J": landscape.fold_barrier,
+        "single_hinge_barriers_J": landscape.hinge_barriers.tolist(),
         "opening_barrier_J": landscape.unfold_barrier,
         "holding_torque_N_m": next((state.holding_torque for state in states if state.name == "flat"), None),
         "path_fold_torque_N_m": wing.fold_torque,

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from forficula.design import Design
 from forficula.statics.hinge import ideal_hinge
-from forficula.statics.potential import FOLD, rest, section
+from forficula.statics.potential import FOLD, rest, section, straight_start
 from forficula.statics.sheet import sheet_energy
 
 Array = NDArray[np.float64]
@@ -20,6 +20,7 @@ Array = NDArray[np.float64]
 _EVERY_COMBINATION = 5
 # how far past straight a hinge starts: from there its tendon pulls it as far as neighbours and guards let it
 _START = math.radians(30)
+_WAYS = 45  # places on the way of one hinge, straight among them
 _ROUNDING = 1e-6  # of the stiffest part
 
 
@@ -57,6 +58,28 @@ def fold_levels(design: Design) -> Array:
     hinge, veins = ideal_hinge(design), design.fan.vein_count
     flat, folded = float(hinge.energy(hinge.overbend)), float(hinge.energy(-hinge.fold_limit))
     return np.array([(veins - count) * flat + count * folded for count in range(veins + 1)])
+
+
+def single_hinge_barriers(design: Design) -> Array:
+    """Energy to climb until one hinge folds, the others left alone, J, (vein,).
+
+    The hinge is led from where it rests in the flat wing to past straight, and everything else goes to where the
+    energy is least; 0 where it is downhill all along.
+    """
+    one = section([design])
+    flat = rest(one, straight_start(one))
+    veins = one.veins
+    wings = one.only(np.zeros(veins * _WAYS, dtype=np.int64))
+    start = np.tile(flat.position, (veins * _WAYS, 1))
+    held = np.zeros(start.shape, dtype=bool)
+    for vein in range(veins):
+        rows, joint = slice(vein * _WAYS, (vein + 1) * _WAYS), 4 * vein + FOLD
+        here = flat.position[0, joint]
+        past = -min(_START, design.hinge.fold_limit)
+        start[rows, joint] = np.append(np.linspace(here, past, _WAYS - 1), 0.0)
+        held[rows, joint] = True
+    energy = rest(wings, start, held=held).energy.reshape(veins, _WAYS)
+    return np.asarray(np.maximum(0.0, energy.max(axis=1) - flat.energy[0]))
 
 
 def partial_folds(design: Design) -> tuple[PartialFold, ...]:

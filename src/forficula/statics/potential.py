@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from forficula.design import Design
+from forficula.design import Design, key_value
 from forficula.errors import InputError
 from forficula.statics.equilibrium import Cases, Equilibria, descend
 from forficula.statics.hinge import TendonHinge, stacked_hinges, wing_hinges
@@ -22,6 +22,17 @@ Drive = Literal["fold", "unfold", "distal"]
 
 # torque on every proximal turn axis and on every distal hinge, both towards folding, by unit of torque
 DRIVES: dict[Drive, tuple[float, float]] = {"fold": (1.0, 0.0), "unfold": (-1.0, -1.0), "distal": (0.0, -1.0)}
+
+# keys of a design that statics looks at beside the tendons
+SHARED = (
+    "pattern",
+    "membrane",
+    "hinge",
+    "guard",
+    "protocol.initial_overbend",
+    "protocol.folded_angle",
+    "protocol.opened_angle",
+)
 
 # Steps over which a wing is followed: shorter ones end in the same places.
 _LONGEST_STEP = 0.1  # rad
@@ -67,8 +78,7 @@ def section(designs: Sequence[Design]) -> Section:
     """
     first = designs[0]
     for design in designs[1:]:
-        parts = ("pattern", "membrane", "hinge", "guard")
-        differs = [part for part in parts if getattr(design, part) != getattr(first, part)]
+        differs = [key for key in SHARED if key_value(design, key) != key_value(first, key)]
         if differs:
             raise InputError(f"{design.name}: need wings that differ in their tendons only, got another {differs[0]}")
     hinge = first.hinge
@@ -111,6 +121,7 @@ def rest(
     distal: ArrayLike = 0.0,
     *,
     fixed: Sequence[int] = (),
+    held: ArrayLike = False,
     within: float = np.inf,
 ) -> Equilibria:
     """Let wings go from where they are, slowly, to where they rest under torques.
@@ -121,6 +132,7 @@ def rest(
         proximal: torque on every proximal turn axis towards folding, N m, one or by case.
         distal: torque on every distal hinge towards folding, alike.
         fixed: which of a vein's four joints are held where they start: SWEEP, LIFT, TURN, FOLD.
+        held: which single joints are held where they start, (case, angle).
         within: how far each joint may turn, rad.
     """
     count = len(start)
@@ -128,6 +140,7 @@ def rest(
     lower, upper = np.maximum(wings.lower, start - within), np.minimum(wings.upper, start + within)
     for joint in fixed:
         lower[:, joint::4] = upper[:, joint::4] = start[:, joint::4]
+    lower, upper = np.where(held, start, lower), np.where(held, start, upper)
     law = wings.sheet.wing.design.membrane
     strongest = float(np.abs(wings.tendons.moment(np.full((count, wings.veins), -np.pi / 2))).max())
     scale = max(strongest, law.youngs_modulus * law.thickness * law.margin**2)

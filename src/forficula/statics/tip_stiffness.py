@@ -26,7 +26,7 @@ class TipStiffness:
 
     Attributes:
         deflection: of the secant, m.
-        holding_force: on every tip along folding, up to which the flat wing does not give, N.
+        holding_force: on every tip along folding, up to which no hinge of the flat wing gives, N.
         flat_along: stiffness of the flat wing along folding, N/m.
         flat_against: of the flat wing against folding: None, rigid; with no overbend, that of the unlocked wing.
         unlocked_along: of the unlocked wing along folding, N/m; negative where it runs on by itself.
@@ -58,6 +58,7 @@ def tip_stiffness(design: Design) -> TipStiffness:
         force = -float(slope[0, FOLD::4] @ turned) / wings.veins
         return force, float(turned @ curvature[0, FOLD::4, FOLD::4] @ turned) / wings.veins
 
+    _, pressed, _ = potential(wings, flat, np.zeros(1), np.zeros(1))
     bent, straight = flat.copy(), flat.copy()
     bent[:, FOLD::4] -= deflection / levers
     straight[:, FOLD::4] = 0
@@ -65,7 +66,7 @@ def tip_stiffness(design: Design) -> TipStiffness:
     unlocked = loaded(straight)[1]
     return TipStiffness(
         deflection=deflection,
-        holding_force=max(0.0, loaded(flat)[0]),
+        holding_force=max(0.0, float(np.min(-pressed[0, FOLD::4] / levers))),
         flat_along=loaded(bent)[0] / deflection,
         flat_against=None if design.hinge.overbend > 0 else unlocked,
         unlocked_along=unlocked,

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from forficula.design import Design
+from forficula.design import Design, key_value
 from forficula.errors import InputError
-from forficula.statics.potential import FOLD, Section, section
+from forficula.statics.potential import FOLD, SHARED, Section, section
 from forficula.statics.quasi_static import flat_state, folded_state, slow_transition
 from forficula.study.factors import read_factor
 from forficula.study.search import point_design
@@ -28,8 +27,6 @@ _NUMBERS = {
     "flat_energy": ("J", "energy of the tendons, flat"),
     "folded_energy": ("J", "energy of the tendons, folded"),
 }
-# what wings side by side must have in common
-_SHARED = ("pattern", "membrane", "hinge", "guard")
 
 
 def map_study(design: Design, over: Mapping[str, object], search: Search | None = None) -> Study:
@@ -45,6 +42,11 @@ def map_study(design: Design, over: Mapping[str, object], search: Search | None 
     """
     factors = tuple(read_factor(key, values) for key, values in over.items())
     for factor in factors:
+        if not factor.key.startswith(("tendon.", *SHARED)):
+            raise InputError(
+                f"{factor.key}: changes nothing under slowly growing torques; need a key of the tendon, or of"
+                f" {', '.join(SHARED)}"
+            )
         if factor.distribution is not None:
             raise InputError(f'{factor.key}: need a list or a range such as "10..60 N/cm step 10", got a distribution')
     return Study(
@@ -82,8 +84,7 @@ def static_map(study: Study) -> xarray.Dataset:
         except InputError as error:
             results[number] = {"status": f"cannot be built: {error}"}
         else:
-            shared = {part: getattr(design, part).model_dump(mode="json") for part in _SHARED}
-            groups.setdefault(json.dumps(shared), []).append((number, design))
+            groups.setdefault(repr([key_value(design, key) for key in SHARED]), []).append((number, design))
     for group in groups.values():
         rows = _rows([design for _, design in group], study.search)
         for (number, _), row in zip(group, rows, strict=True):
@@ -134,8 +135,11 @@ def _column(results: Sequence[Mapping[str, float | str]], name: str) -> np.ndarr
     return np.array([float(result.get(name, math.nan)) for result in results])
 
 
-BOTH, ONLY_SIMULATED, ONLY_STATIC, NEITHER, NOT_SIMULATED = (
-    "in both",
+_SAME = 1e-9  # share by which two torques of one grid may differ
+BOTH, BOTH_LESS, BOTH_MORE, ONLY_SIMULATED, ONLY_STATIC, NEITHER, NOT_SIMULATED = (
+    "in both, at the same torque",
+    "in both, at less when simulated",
+    "in both, at more when simulated",
     "in the simulation only: inertia",
     "in the statics only",
     "in neither",
@@ -157,11 +161,22 @@ def compare_maps(statics: xarray.Dataset, simulated: xarray.Dataset, name: str) 
     Raises:
         InputError: the tables have different factors, or no wing in common.
     """
-    found = np.isfinite(simulated_values(statics, simulated, name).values)
+    there = simulated_values(statics, simulated, name).values
+    found = np.isfinite(there)
     tried = simulated_values(statics, simulated.assign(tried=_tried(simulated, name)), "tried").values == 1
     slow = np.isfinite(statics[name].values)
     words = np.full(found.shape, NEITHER, dtype=object)
-    for where, word in ((slow, ONLY_STATIC), (found, ONLY_SIMULATED), (found & slow, BOTH), (~tried, NOT_SIMULATED)):
+    with np.errstate(invalid="ignore"):
+        ratio = there / statics[name].values
+        less, more = ratio < 1 - _SAME, ratio > 1 + _SAME
+    for where, word in (
+        (slow, ONLY_STATIC),
+        (found, ONLY_SIMULATED),
+        (found & slow, BOTH),
+        (less, BOTH_LESS),
+        (more, BOTH_MORE),
+        (~tried, NOT_SIMULATED),
+    ):
         words[where] = word
     return statics[name].copy(data=words)
 

@@ -1,0 +1,105 @@
+"""Stable states, barriers, and what a landscape says where there is none."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+import forficula as ff
+from forficula.errors import InputError
+from forficula.statics import landscape_summary
+
+
+def surveyed(**settings):
+    return ff.energy_landscape(ff.load_design("binder2025", settings), points=61)
+
+
+@pytest.fixture(scope="module")
+def landscape(reference):
+    return ff.energy_landscape(reference, points=61)
+
+
+def test_the_reference_is_bistable_pressed_flat_and_slack_when_folded(landscape):
+    flat, folded = ff.stable_states(landscape)
+    assert (flat.name, flat.kind, folded.name, folded.kind) == ("flat", "stop", "folded", "neutral")
+    assert flat.ring_angle == pytest.approx(-math.radians(3))
+    assert flat.energy == pytest.approx(3 * float(landscape.tendons[0].hinge.energy(math.radians(3))), rel=1e-5)
+    assert folded.energy < 1e-4 * flat.energy
+
+
+def test_all_hinges_together_climb_three_times_what_one_climbs(landscape):
+    """Camber and straight cost the membrane nothing, so the wing's barrier is that of its tendons."""
+    one = landscape.tendons[0].barrier
+    assert ff.barrier(landscape, "flat", "folded") == pytest.approx(3 * one, rel=1e-3)
+    assert landscape.hinge_barriers == pytest.approx(np.full(3, one), rel=5e-3)
+
+
+def test_back_it_climbs_what_it_has_lost(landscape):
+    flat, folded = ff.stable_states(landscape)
+    there, back = ff.barrier(landscape, "flat", "folded"), ff.barrier(landscape, "folded", "flat")
+    assert back - there == pytest.approx(flat.energy - folded.energy)
+
+
+def test_the_flat_state_presses_as_much_as_folding_takes(landscape):
+    """Nothing on the way is steeper than the start, so what holds the wing flat is what must be overcome."""
+    flat = ff.stable_states(landscape)[0]
+    assert landscape.wing.fold_torque == pytest.approx(flat.holding_torque)
+    assert landscape.fold_torque == pytest.approx(flat.holding_torque, rel=0.02)
+
+
+def test_opening_slowly_takes_the_peak_moment_of_a_tendon(landscape):
+    peak = landscape.tendons[0].peak_opening.torque
+    assert landscape.wing.unfold_torque == pytest.approx(peak, rel=5e-3)
+    assert landscape.unfold_torque == pytest.approx(peak, rel=0.02)
+
+
+def test_levels_of_independent_tendons_are_those_of_the_paper():
+    """About 18, 12, 6 and 0 J for 10 N/cm and no resting length (Binder et al. 2025, section 3.1)."""
+    levels = surveyed(**{"tendon.rest_length": "0 cm"}).levels
+    at_stop = 0.5 * 1000 * (0.11 * math.cos(math.radians(1.5))) ** 2
+    assert levels == pytest.approx([3 * at_stop, 2 * at_stop, at_stop, 0], abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("settings", "sentence"),
+    [
+        ({"pattern.hub_radius": "0 cm"}, "rigid panels never reach the overbend"),
+        ({"tendon.rest_length": "12 cm"}, "the tendon is slack at every angle"),
+        ({"tendon.rest_length": "10.95 cm"}, "about the wing's own hinge axes the tendon is slack at every angle"),
+        ({"hinge.overbend": "0 deg", "protocol.initial_overbend": "0 deg"}, "straight is no stable state"),
+        ({"hinge.turn_limit": "60 deg"}, "hinge.turn_limit stops the veins at 60 deg"),
+        ({"tendon.stiffness": "60 N/cm"}, "no slowly growing torque up to 50 N cm folds it"),
+    ],
+)
+def test_what_does_not_exist_is_a_sentence_and_no_nan(settings, sentence):
+    found = surveyed(**settings)
+    assert any(sentence in remark for remark in found.remarks)
+    json.dumps(landscape_summary(found), allow_nan=False)
+
+
+def test_a_wing_whose_veins_stop_early_is_never_called_folded():
+    names = [state.name for state in ff.stable_states(surveyed(**{"hinge.turn_limit": "60 deg"}))]
+    assert names == ["flat", "partly folded"]
+
+
+def test_a_state_that_is_none_is_told_with_the_nearest(landscape):
+    with pytest.raises(InputError, match=r'need a stable state of the wing \(flat, folded\), got "foldd".*"folded"'):
+        ff.barrier(landscape, "flat", "foldd")
+
+
+def test_a_path_without_a_barrier_says_why():
+    with pytest.raises(InputError, match="hub_radius is 0"):
+        ff.barrier(surveyed(**{"pattern.hub_radius": "0 cm"}), "flat", "folded")
+
+
+def test_the_summary_has_units_in_its_keys(landscape):
+    found = landscape_summary(landscape)
+    assert found["hinge"]["angle_deg"][0] == pytest.approx(3)
+    assert found["hinge"]["angle_deg"][-1] == pytest.approx(-180)
+    assert found["hinge"]["slack_angle_deg"] == pytest.approx(-2 * math.degrees(math.acos(9 / 11)))
+    assert found["wing"]["barrier_J"] == pytest.approx(ff.barrier(landscape, "flat", "folded"))
+    assert len(found["tendons"]) == 3
+    assert len(found["wing"]["pleat_angle_deg"]) == len(found["wing"]["energy_J"])
