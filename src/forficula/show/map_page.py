@@ -20,7 +20,7 @@ from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from forficula.quantities import Unit, parse_quantity
-from forficula.show.style import BLUE, ORANGE, PAGE_WIDTH, SKY, figure_style
+from forficula.show.style import BLUE, ORANGE, PAGE_WIDTH, PURPLE, SKY, figure_style
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
@@ -69,10 +69,10 @@ _LOOKS = {
     NOT_BUILT: _Look(face="0.6", hatch="", marker="X"),
     NOT_TRIED: _Look(face="0.86", hatch="", marker="_"),
     IN_BOTH: _Look(face=BLUE, hatch="", marker="o"),
-    IN_BOTH_LESS: _Look(face=BLUE, hatch="....", marker="p"),
-    IN_BOTH_MORE: _Look(face=BLUE, hatch="/////", marker="H"),
+    IN_BOTH_LESS: _Look(face=SKY, hatch="", marker="p"),
+    IN_BOTH_MORE: _Look(face=SKY, hatch="/////", marker="H"),
     SIMULATED_ONLY: _Look(face=ORANGE, hatch="", marker="^"),
-    STATIC_ONLY: _Look(face=SKY, hatch="....", marker="v"),
+    STATIC_ONLY: _Look(face=PURPLE, hatch="", marker="v"),
     IN_NEITHER: _Look(face="0.93", hatch="", marker="x"),
     NOT_RUN: _Look(face="1.0", hatch="", marker="."),
     OTHER: _Look(face="0.97", hatch="---", marker="+"),
