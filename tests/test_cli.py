@@ -399,6 +399,59 @@ def test_a_wrong_map_is_told_before_anything_is_written(options, message, tmp_pa
     assert not (tmp_path / "map").exists()
 
 
+# all of it in 1.2 s of simulated time at most
+CYCLED = """\
+based_on = "binder2025"
+[tendon]
+area = "18.75 mm^2"
+[tendon.law]
+name = "rubber"
+linear_modulus = "4.8 MPa"
+[tendon.law.stiffness_drift]
+kind = "logarithm"
+rate = -0.05
+interval = [-0.06, -0.04]
+seen = [1, 2]
+[protocol]
+stages = [
+  {name = "settle", drive = "none", until = "time", hold = "0 s", time_limit = "50 ms"},
+  {name = "fold", drive = "fold", until = "folded", hold = "0 s", time_limit = "0.2 s"},
+]
+"""
+
+
+def test_a_wing_is_folded_with_its_tendons_as_they_are_at_each_cycle(in_an_empty_folder, call):
+    (in_an_empty_folder / "wing.toml").write_text(CYCLED)
+    lines = call("run", "wing.toml", "--cycles", "3").out.splitlines()
+    assert "Cycles: still folds after 3 cycles" in lines
+    assert "  cycles beyond 2 are extrapolated: the tests saw cycles 1 to 2" in lines
+    folder = in_an_empty_folder / "out" / "wing"
+    left = {"cycles.csv", "cycles.json", "cycles.png"}
+    assert left < set(everything_in(folder))
+    rows = [line.split(",") for line in (folder / "cycles.csv").read_text().splitlines()]
+    factor = rows[0].index("stiffness_by_first")
+    assert [float(row[factor]) for row in rows[1:]] == pytest.approx([1, 2**-0.05, 3**-0.05])
+    # an ordinary run into the same folder has none of it
+    unchanged = CYCLED.replace("logarithm", "none").replace("rate = -0.05\ninterval = [-0.06, -0.04]\n", "")
+    (in_an_empty_folder / "wing.toml").write_text(unchanged)
+    lines = call("run", "wing.toml", "--cycles", "3")
+    assert "\nCycles: the tests of rubber, cycles 1 to 2, show no drift: every cycle is the first\n" in lines.out
+    assert not left & set(everything_in(folder))
+
+
+@pytest.mark.parametrize(
+    ("cycles", "message"),
+    [
+        ("0", "--cycles: need a whole number >= 1, got 0"),
+        ("3", '--cycles: need a stage with drive = "fold" in protocol.stages, got none'),
+    ],
+)
+def test_cycles_that_cannot_be_are_told_before_anything_runs(refusal, in_an_empty_folder, cycles, message):
+    (in_an_empty_folder / "short.toml").write_text(SHORT)
+    assert refusal("run", "short.toml", "--cycles", cycles) == message
+    assert everything_in(in_an_empty_folder) == ["short.toml"]
+
+
 @pytest.fixture
 def specimen_files(in_an_empty_folder):
     """Write three specimens of 4.8 MPa, as a plain table that says neither length nor area."""

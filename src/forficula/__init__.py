@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from forficula.pattern import CreasePattern, EarwigFan, earwig_pattern, read_fold, read_folded_frames, write_fold
     from forficula.statics import EnergyLandscape, StableState, barrier, energy_landscape, stable_states
     from forficula.study import Study, load_study, run_study
+    from forficula.study.cycling import Cycling, run_cycles
 
 # Where each public name lives. They are fetched at first use: MuJoCo and xarray are slow to import, and help, errors
 # and crease patterns need neither.
@@ -50,6 +51,7 @@ _HOMES = {
     "forficula.material.strain_history": ("StrainHistory",),
     "forficula.statics": ("EnergyLandscape", "StableState", "barrier", "energy_landscape", "stable_states"),
     "forficula.study": ("Study", "load_study", "run_study"),
+    "forficula.study.cycling": ("Cycling", "run_cycles"),
     "forficula.pattern": (
         "CreasePattern",
         "EarwigFan",
@@ -63,6 +65,7 @@ _HOMES = {
 __all__ = [
     "Characterisation",
     "CreasePattern",
+    "Cycling",
     "Design",
     "EarwigFan",
     "EnergyLandscape",
@@ -97,6 +100,7 @@ __all__ = [
     "read_tensile_test",
     "read_tensile_tests",
     "run",
+    "run_cycles",
     "run_study",
     "save_design",
     "save_law",

@@ -44,6 +44,9 @@ def run(
     out: Annotated[
         Path | None, Parameter(help="Folder for the results; out/<name of the design> if not given.")
     ] = None,
+    cycles: Annotated[
+        int | None, Parameter(help="Fold and open again with the tendons as they are up to this cycle, as in 100.")
+    ] = None,
 ) -> None:
     """Fold and open a wing: energies, work, times, a verdict, and pictures."""
     from forficula.design import design_warnings, load_design
@@ -51,6 +54,11 @@ def run(
     chosen = load_design(design, _read_settings(settings))
     folder = out or Path("out") / chosen.name
     _check_folder(folder)
+    if cycles is not None:
+        from forficula.study.cycling import check_cycles
+
+        last = cycles
+        read_option("--cycles", lambda: check_cycles(chosen, last))
 
     from forficula.analysis import measure
     from forficula.dynamics import run as run_design
@@ -64,6 +72,7 @@ def run(
     outcome = measure(record)
     write_run(record, outcome, folder)
     print_outcome(chosen.name, outcome)
+    _cycle(chosen, cycles, folder)
     print(f"\nwritten to {folder}")
 
 
@@ -361,6 +370,26 @@ def main(arguments: Sequence[str] | None = None) -> None:
     except KeyboardInterrupt:
         print("forficula: stopped", file=sys.stderr)
         sys.exit(130)
+
+
+def _cycle(design: Design, cycles: int | None, folder: Path) -> None:
+    """Write and print what becomes of a run's wing over cycles, where that is wanted and the tendons change."""
+    from forficula.show.cycling_folder import print_cycling, remove_cycling, write_cycling
+
+    remove_cycling(folder)
+    if cycles is None:
+        return
+
+    from forficula.show import study_progress
+    from forficula.study.cycling import run_cycles, why_unchanged
+
+    if reason := why_unchanged(design):
+        print(f"\nCycles: {reason}")
+        return
+    with study_progress() as progress:
+        cycling = run_cycles(design, cycles, progress)
+    write_cycling(cycling, folder)
+    print_cycling(cycling)
 
 
 def _survey(design: Design, folder: Path, simulation: bool) -> None:

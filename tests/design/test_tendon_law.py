@@ -356,3 +356,17 @@ def test_a_new_design_file_shows_how_a_law_is_named(tmp_path):
     text = text.replace('stiffness = "10 N/cm"', "").replace('damping = "0.1 N s/m"', "")
     (tmp_path / "wing.toml").write_text(text)
     assert load_design(tmp_path / "wing.toml").tendon.law.name == "tpu-82a"
+
+
+def test_branches_that_push_are_warned_of_with_their_share():
+    def warned(**law):
+        law = {"linear_modulus": 4e6, "branches": [{"modulus": 1e6, "time": 0.002}]} | law
+        values = {"tendon.law": law, "tendon.rest_length": 0.09, "tendon.area": 12.5e-6}
+        return [each for each in design_warnings(with_values(load_design("binder2025"), values)) if "branches" in each]
+
+    assert not warned()
+    assert not warned(quadratic_modulus=1e6, linear_viscosity=10.0)
+    assert not warned(branches=[], cubic_modulus=1e6)
+    for law in ({"cubic_modulus": 1e6}, {"yield_strain": 0.2}, {"quadratic_viscosity": 1.0}):
+        (warning,) = warned(**law)
+        assert "25 % of the linear modulus" in warning

@@ -84,7 +84,38 @@ def test_branches_need_no_control_and_leave_the_motors_theirs():
             assert branch.trnid[0] == WING.tendons[vein]
 
 
-def test_a_branch_acts_on_a_slack_tendon_as_on_a_taut_one():
+LETTING_GO = {"quadratic_modulus": 1e6, "cubic_modulus": 0.0, "quadratic_viscosity": 0.0, "cubic_viscosity": 0.0}
+
+
+def letting_go(**law):
+    return design(**LETTING_GO, yield_strain=None, **law)
+
+
+def test_the_model_file_of_tendons_that_let_go_pulls_as_the_model_that_ran():
+    wing = compile_wing(letting_go())
+    again = mujoco.MjModel.from_xml_string(wing.xml)
+    for angle in (20, -40, -120):
+        torques = []
+        for engine in (wing.engine, again):
+            data = mujoco.MjData(engine)
+            data.qpos[wing.joints[:, 3]] = np.radians(angle) * wing.senses
+            data.qvel[wing.joints[:, 3]] = wing.senses
+            mujoco.mj_forward(engine, data)
+            torques.append(data.qfrc_actuator[wing.joints[:, 3]])
+        # MuJoCo writes six digits
+        np.testing.assert_allclose(torques[0], torques[1], rtol=1e-4, atol=1e-6)
+
+
+def test_tendons_that_let_go_go_side_by_side_without_a_bit_of_difference():
+    wings = [compile_wing(letting_go(linear_modulus=modulus)) for modulus in (4.8e6, 3e6)]
+    alone = [simulate([wing], threads=1)[0] for wing in wings]
+    with mock.patch.object(MODULE, "_CHUNK", 7):
+        for record, other in zip(simulate(wings, 2), alone, strict=True):
+            assert_same_bits(record, other)
+    assert alone[0].series["letting_go_work"][-1] > 0
+
+
+def test_a_branch_acts_on_a_slack_tendon_of_a_cubic_law_as_on_a_taut_one():
     data = mujoco.MjData(WING.engine)
     data.qpos[WING.joints[:, 3]] = -np.radians(150) * WING.senses
     data.act[WING.branches] = 1.0

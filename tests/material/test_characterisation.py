@@ -169,3 +169,12 @@ def test_what_a_cycle_does_not_have_is_null_in_the_summary():
     json.dumps(content, allow_nan=False)
     assert content["cycles"][0]["slack_strain"] is None
     assert content["drift"]["residual_strain"] is None
+
+
+def test_the_zero_of_the_force_is_what_the_load_cell_shows_of_a_slack_specimen():
+    """0.01 N on 5 mm2, which the scatter of specimens would hide if it were fitted with the law."""
+    tests = [replace(each, force=each.force + 0.01) for each in (tpu(1), tpu(2), tpu(3))]
+    found = characterise(tests, forms=family_forms("polynomial"))
+    for residual in found.fit.residuals:
+        # 15 samples with a noise of 4 kPa
+        assert residual.offset == pytest.approx(2e3, abs=3.5e3)

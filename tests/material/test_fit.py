@@ -5,6 +5,7 @@ import pytest
 
 from forficula.errors import InputError
 from forficula.material.fit import fit_law
+from forficula.material.law_family import family_forms
 from forficula.material.law_file import law_values
 from forficula.material.law_form import LawForm, all_forms
 from forficula.material.material_law import MaterialLaw, MaxwellBranch
@@ -154,6 +155,47 @@ def test_two_rates_tell_a_nonlinear_damper_and_one_does_not():
     one = measured(NONLINEAR, cycles(800, 3, 0.01), 1, noise=1e4)
     with pytest.raises(InputError, match=r"viscosity.linear, viscosity.quadratic: one rate only, 0.01 1/s"):
         fit_law([one], forms=[form])
+
+
+def test_a_damper_that_was_asked_for_has_no_rivals_that_were_not():
+    fit = fit_law([measured(VISCOUS, cycles(400, 3, 0.01), 2, noise=1e5)], forms=family_forms("kelvin-voigt"))
+    assert (fit.form.damper, fit.form.branches) == (1, 0)
+    assert all(covered(VISCOUS, fit).values())
+
+
+def test_a_refusal_says_every_reason_once():
+    forms = [LawForm(damper=1), LawForm(order=2, damper=1), LawForm(damper=2), LawForm(order=2, damper=2)]
+    with pytest.raises(InputError) as refusal:
+        fit_law([measured(SPRING, cycles(400, 3, 0.01), 1)], forms=forms)
+    said = str(refusal.value)
+    assert said.count("the data cannot tell it from 0") == 1
+    assert said.count("one rate only") == 1
+    assert "(2 laws)" in said
+
+
+def test_the_largest_strain_of_a_law_is_that_of_the_data():
+    """Of more rows than a fit takes, the means of neighbours have less."""
+    time, strain = cycles(30_000, 1, 0.01)
+    fit = fit_law([measured(SPRING, (time, strain), 1)], forms=[LawForm(order=3)])
+    assert fit.law.largest_strain == strain.max() > 0.9999
+
+
+def test_a_known_zero_of_the_force_is_not_fitted():
+    """Specimens that differ by 3 % in stiffness, each with the force's zero known from where it hung slack."""
+    history, zeros = two_rates(600), (2e3, -1e3, 4e3)
+    specimens = []
+    for zero, stiffer in zip(zeros, (0.97, 1.0, 1.03), strict=True):
+        law = replace(SPRING, moduli=tuple(stiffer * modulus for modulus in SPRING.moduli))
+        stress = stress_of(law, *history).pull + zero + 0.5 * (history[0] - history[0][-1] / 2)
+        known = {"offset": zero, "drift": 0.5}
+        specimens.append(StrainHistory(time=history[0], strain=history[1], stress=stress, **known))
+    fit = fit_law(specimens, forms=[LawForm(order=3)])
+    assert [(each.offset, each.drift) for each in fit.residuals] == [(zero, 0.5) for zero in zeros]
+    assert all(covered(SPRING, fit).values())
+    for residual, each in zip(fit.residuals, specimens, strict=True):
+        assert residual.stress == pytest.approx(each.stress)
+        # at rest a law has no stress
+        assert residual.fitted[0] == pytest.approx(each.stress[0], abs=1.0)
 
 
 def test_one_rate_cannot_tell_a_damper_from_a_fast_branch():

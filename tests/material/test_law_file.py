@@ -1,6 +1,7 @@
 import pytest
 
 from forficula.errors import InputError
+from forficula.material.drift import Drift
 from forficula.material.law_file import law_values, load_law, named_laws, save_law
 from forficula.material.material_law import Bounds, Fact, MaterialLaw, MaxwellBranch, Unknown, chosen, require, scaled
 from forficula.material.softening import OgdenRoxburgh
@@ -15,6 +16,10 @@ EVERYTHING = MaterialLaw(
     residual_strain=1 / 3,
     softening=OgdenRoxburgh(r=1.7, m=1e5 / 3, beta=0.1),
     largest_strain=1.0,
+    stiffness_drift=Drift(
+        kind="plateau", rate=-1 / 3, interval=(-0.4, -0.1 - 0.2), cycles=1 / 7, relative=True, seen=(2, 5)
+    ),
+    residual_strain_drift=Drift(kind="none", rate=0.0, interval=(0.0, 0.0), cycles=0.0, relative=False, seen=(2, 5)),
     ranges=(Bounds(key="modulus.cubic", low=0.1, high=1 / 3),),
     intervals=(Bounds(key="branches.1.time", low=0.3, high=0.4), Bounds(key="softening.r", low=1.6, high=1.8)),
     unknown=(Unknown(key="softening", why="nobody asked"),),
@@ -77,6 +82,18 @@ def test_petg_is_no_tendon():
     ("text", "message"),
     [
         ('[modulus]\nlinaer = "1 MPa"', "modulus.linaer: unknown key; did you mean linear?"),
+        ('[drift.stiffness]\nkind = "none"', "drift.stiffness.seen: is missing; needed here: kind, seen"),
+        ('[drift.stiffness]\nkind = "logarithm"\nseen = [1, 5]', "drift.stiffness.rate: is missing"),
+        (
+            '[drift.stiffness]\nkind = "linear"\nrate = 1\ninterval = [0, 1]\nseen = [1, 5]',
+            "drift.stiffness.kind: need one",
+        ),
+        ('[drift.stiffness]\nkind = "none"\nseen = [1.5, 5]', "drift.stiffness.seen: need whole numbers, got"),
+        (
+            '[drift.stiffness]\nkind = "none"\nseen = 5',
+            r"drift.stiffness.seen: need two numbers such as \[2, 5\], got 5",
+        ),
+        ('[drift.modulus]\nkind = "none"\nseen = [1, 5]', "drift.modulus: unknown key; allowed here: stiffness"),
         ('[moduls]\nlinear = "1 MPa"', "moduls: unknown key; did you mean modulus?"),
         ("[modulus]\nlinear = 4.8", 'modulus.linear: the unit is missing; write it as text such as "4.8 MPa", got 4.8'),
         ('[modulus]\nlinear = "4.8 N"', "modulus.linear: .*not a unit of the right kind"),

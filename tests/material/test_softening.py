@@ -8,7 +8,8 @@ from hypothesis import strategies as st
 from scipy.special import erf
 
 from forficula.errors import InputError
-from forficula.material.drift import fit_drift, law_at_cycle, stretched_before
+from forficula.material.drift import Drift, fit_drift
+from forficula.material.law_cycle import law_at_cycle, stretched_before
 from forficula.material.material_law import MaterialLaw, MaxwellBranch
 from forficula.material.softening import OgdenRoxburgh, softened_stress, spring_energy, spring_stress
 from forficula.material.stress import stress_of
@@ -116,11 +117,13 @@ def test_a_law_at_a_cycle_is_weaker_and_longer():
     law = MaterialLaw(name="a", moduli=MODULI, branches=(MaxwellBranch(modulus=1e6, time=2.0),), residual_strain=0.1)
     weaker = fit_drift(*drifting(lambda n: -0.05 * np.log(n), noise=1e-6))
     longer = fit_drift([1, 2, 3, 4], 0.1 + 0.02 * np.log([1, 2, 3, 4]), relative=False)
-    later = law_at_cycle(law, 100, stiffness=weaker, residual_strain=longer)
+    law = replace(law, stiffness_drift=weaker, residual_strain_drift=longer)
+    later = law_at_cycle(law, 100)
     assert later.moduli == pytest.approx(tuple(100**-0.05 * each for each in MODULI), rel=1e-4)
     assert later.branches[0].modulus == pytest.approx(100**-0.05 * 1e6, rel=1e-4)
     assert later.residual_strain == pytest.approx(0.1 + 0.02 * math.log(100))
-    first = law_at_cycle(law, 1, stiffness=weaker, residual_strain=longer)
+    assert (later.stiffness_drift, later.residual_strain_drift) == (None, None)
+    first = law_at_cycle(law, 1)
     assert first.moduli == MODULI
 
 
@@ -135,3 +138,29 @@ def test_a_law_at_a_cycle_is_weaker_and_longer():
 def test_cycles_that_are_none_are_refused(cycles, values, message):
     with pytest.raises(InputError, match=message):
         fit_drift(cycles, values)
+
+
+def test_before_the_first_cycle_seen_a_law_is_as_it_is_there():
+    drift = Drift(kind="logarithm", rate=-0.05, interval=(-0.06, -0.04), cycles=0.0, relative=True, seen=(3, 8))
+    law = replace(LAW, stiffness_drift=drift)
+    assert law_at_cycle(law, 1).moduli == law_at_cycle(law, 3).moduli == MODULI
+    assert law_at_cycle(law, 6).moduli == pytest.approx(tuple(2**-0.05 * each for each in MODULI))
+    for cycle in (0, math.nan):
+        with pytest.raises(InputError, match="cycle: need >= 1, got"):
+            law_at_cycle(law, cycle)
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"kind": "linear"}, 'kind: need one of none, logarithm, plateau, got "linear"'),
+        ({"seen": (5, 2)}, r"seen: need the first and the last cycle, from 1 on, got \[5, 2\]"),
+        ({"rate": 1.0}, r"rate: need a number within its interval \[-0.06, -0.04\], got 1"),
+        ({"kind": "none"}, 'rate: need 0 with kind = "none", got -0.05'),
+        ({"kind": "plateau"}, "cycles: need > 0 for a plateau, 0 for the others, got 0"),
+    ],
+)
+def test_a_drift_that_is_none_is_refused(values, message):
+    right = {"kind": "logarithm", "rate": -0.05, "interval": (-0.06, -0.04), "cycles": 0.0, "seen": (2, 5)}
+    with pytest.raises(InputError, match=message):
+        Drift(relative=True, **right | values)

@@ -189,6 +189,44 @@ def test_a_hinge_with_a_tendon_of_any_law_moves_as_an_integrator_of_fifth_order_
     assert record.data["tendon_energy"].values[:, 0] == pytest.approx(energy, abs=1e-13)
 
 
+@settings(max_examples=200, deadline=None)
+@given(
+    st.sampled_from([(1e6, 0.0), (3e5, 2e6), (0.0, 2e6)]),
+    st.floats(0, math.pi - 0.01),
+    st.floats(-100, 100),
+    st.floats(-3, 3),
+    st.floats(-3, 3),
+)
+def test_spring_damper_and_branches_together_pull_or_let_go(one_hinge, moduli, angle, speed, first_act, second_act):
+    """The pull is the sum where that is > 0, and else nothing: at any length, rate and past of the branches."""
+    branches = [{"modulus": 2e6, "time": 0.02}, {"modulus": 1e6, "time": 0.5}]
+    law = as_law((*moduli, 0.0), linear_viscosity=300.0, branches=branches)
+    wing = one_hinge(LENGTH, values=of(law)).wing
+    units, data = wing.units, mujoco.MjData(wing.engine)
+    data.qpos[0], data.qvel[0] = -angle, -speed * units.time
+    data.act[:] = first_act, second_act
+    mujoco.mj_forward(wing.engine, data)
+    after = mujoco.MjData(wing.engine)
+    mujoco.mj_copyData(after, wing.engine, data)
+    mujoco.mj_step(wing.engine, after)  # the engine takes the branches' forces after the step
+    length, lever = 2 * ARM * math.cos(angle / 2), ARM * math.sin(angle / 2)
+    pull = polynomial(*spring((*moduli, 0.0)), max(length - LENGTH, 0)) - 300.0 * BY_LENGTH * lever * speed
+    pull -= after.act.sum() * units.energy / units.length
+    moment = data.qfrc_actuator[0] + data.qfrc_passive[0]
+    # where the spring sets in it is rounded over a millionth of the resting length
+    assert moment * -units.energy == pytest.approx(max(pull, 0) * lever, abs=1e-7)
+
+
+def test_what_branches_would_push_is_accounted_for(reference):
+    """A stiff branch goes slack when the wing folds; the account closes by the work that it was spared."""
+    values = WING | {"tendon.law": {"linear_modulus": 4.8e6, "linear_viscosity": 50.0, "branches": BRANCHES}}
+    record = ff.run(with_values(reference, values | {"protocol.timestep": 1e-4}))
+    balance = ff.measure(record).energy_balance
+    assert -balance.letting_go > 0.02 * balance.work
+    assert balance.residual < 5e-3
+    assert abs(balance.missing) < 0.2 * abs(balance.letting_go)
+
+
 def test_a_tendon_that_was_pulled_beyond_its_yield_keeps_a_set(one_hinge):
     law = {"linear_modulus": 1e6, "quadratic_modulus": 5e5, "yield_strain": 0.2}
     out = np.linspace(0.05, 0.1, 500)
@@ -244,7 +282,8 @@ def test_with_branches_the_energy_of_a_free_wing_is_accounted_for_as_without(ref
             assert balances[-1].branches > 0
         # the integrator is of first order
         assert np.polyfit(np.log(TIMESTEPS), np.log(missing[name]), 1)[0] > 0.8
-    assert missing["with"][0] < 2 * missing["without"][0]
+    # in mid-flight what branches would push, but do not, is not there to make up for half a step's error of the spring
+    assert missing["with"][0] < 0.02
 
 
 def test_the_balance_of_a_whole_run_with_branches_closes_as_in_a_linear_run(reference):

@@ -78,6 +78,8 @@ class EnergyBalance:
         branches: change of the energy of the tendons' Maxwell branches; None where they have none.
         branch_damping: that the dampers in these branches took; None where there are none.
         yielding: that the tendons' yielding took; None where they never yield.
+        letting_go: minus what their branches stored without work, where the tendon gave way and did not push; None
+            where it never does.
     """
 
     work: float
@@ -91,12 +93,13 @@ class EnergyBalance:
     branches: float | None = None
     branch_damping: float | None = None
     yielding: float | None = None
+    letting_go: float | None = None
 
     @property
     def missing(self) -> float:
         """Work that the account does not find, J: the error of the integration."""
         stored = self.tendon + self.membrane + self.kinetic + self.gravitational
-        of_law = sum(term or 0.0 for term in (self.branches, self.branch_damping, self.yielding))
+        of_law = sum(term or 0.0 for term in (self.branches, self.branch_damping, self.yielding, self.letting_go))
         return self.work - stored - self.hinge_damping - self.elastic_damping - self.stops - of_law
 
     @property
@@ -258,6 +261,7 @@ def _balance(record: Record) -> EnergyBalance:
         branches=change.get("branch_energy"),
         branch_damping=_taken(change, "branch_damping_work"),
         yielding=_taken(change, "yield_work"),
+        letting_go=_taken(change, "letting_go_work"),
     )
 
 

@@ -58,6 +58,7 @@ def _balance_summary(balance: EnergyBalance) -> dict[str, float]:
         "branch_energy_change_J": balance.branches,
         "branch_damping_J": balance.branch_damping,
         "yielding_J": balance.yielding,
+        "letting_go_J": balance.letting_go,
     }
     return {
         "residual": balance.residual,

@@ -12,7 +12,7 @@ from forficula.design.design_warnings import design_warnings
 from forficula.design.keys import key_quantity, key_value
 from forficula.design.part import LENGTH, TORQUE
 from forficula.design.similarity import in_units, scale_design
-from forficula.design.tendon import tendon_law
+from forficula.design.tendon import flat_strain, tendon_law
 
 __all__ = [
     "LENGTH",
@@ -23,6 +23,7 @@ __all__ = [
     "design_from_text",
     "design_text",
     "design_warnings",
+    "flat_strain",
     "in_units",
     "key_quantity",
     "key_value",

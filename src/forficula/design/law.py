@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
 from forficula.design.part import Part, quantity
 from forficula.errors import InputError
+from forficula.material.drift import Drift
+from forficula.material.law_cycle import drifts_of
 from forficula.material.law_keys import law_unit, show_value
 from forficula.material.material_law import MaterialLaw, MaxwellBranch
 from forficula.material.softening import OgdenRoxburgh, pulls
@@ -35,6 +37,36 @@ class LawSoftening(Part):
         if self.m == self.beta == 0:
             raise InputError("need m or beta > 0, got 0 for both")
         return self
+
+
+Number = Annotated[float, Field(strict=True)]
+Whole = Annotated[int, Field(strict=True, ge=1)]
+
+
+class LawDrift(Part):
+    """A change over the cycles of a test; see `Drift`."""
+
+    kind: Annotated[Literal["none", "logarithm", "plateau"], Field(description="its course over the cycles")]
+    rate: Annotated[Number, Field(description="of the change")] = 0.0
+    interval: Annotated[tuple[Number, Number], Field(description="of the rate, 95 % confidence")] = (0.0, 0.0)
+    cycles: Annotated[Number, Field(description="of the plateau")] = 0.0
+    seen: Annotated[tuple[Whole, Whole], Field(description="first and last cycle of the data")]
+
+    @model_validator(mode="after")
+    def _is_a_drift(self) -> LawDrift:
+        self.drift(relative=True)
+        return self
+
+    def drift(self, *, relative: bool) -> Drift:
+        """The same as the material's drift."""
+        return Drift(
+            kind=self.kind,
+            rate=self.rate,
+            interval=self.interval,
+            cycles=self.cycles,
+            relative=relative,
+            seen=self.seen,
+        )
 
 
 class Law(Part):
@@ -65,6 +97,11 @@ class Law(Part):
     )
     softening: Annotated[LawSoftening | None, Field(description="softening after the largest strain seen")] = None
 
+    stiffness_drift: Annotated[LawDrift | None, Field(description="of ln of every stress over the cycles")] = None
+    residual_strain_drift: Annotated[LawDrift | None, Field(description="of the residual strain over the cycles")] = (
+        None
+    )
+
     @model_validator(mode="after")
     def _pulls(self) -> Law:
         if not pulls(self.linear_modulus, self.quadratic_modulus, self.cubic_modulus):
@@ -78,7 +115,7 @@ class Law(Part):
     def material(self) -> MaterialLaw:
         """The same as the material's law."""
         viscosity = (self.linear_viscosity, self.quadratic_viscosity, self.cubic_viscosity)
-        soft = self.softening
+        soft, stiffness, longer = self.softening, self.stiffness_drift, self.residual_strain_drift
         return MaterialLaw(
             name=self.name,
             moduli=(self.linear_modulus, self.quadratic_modulus, self.cubic_modulus),
@@ -88,6 +125,8 @@ class Law(Part):
             residual_strain=self.residual_strain,
             softening=None if soft is None else OgdenRoxburgh(r=soft.r, m=soft.m, beta=soft.beta),
             largest_strain=self.largest_strain,
+            stiffness_drift=None if stiffness is None else stiffness.drift(relative=True),
+            residual_strain_drift=None if longer is None else longer.drift(relative=False),
         )
 
 
@@ -102,6 +141,8 @@ def law_fields(material: MaterialLaw) -> dict[str, object]:
     values |= {name: getattr(material, name) for name in strains if getattr(material, name) is not None}
     if material.softening is not None:
         values["softening"] = {name: getattr(material.softening, name) for name in ("r", "m", "beta")}
+    for name, drift in drifts_of(material).items():
+        values[f"{name}_drift"] = {key: getattr(drift, key) for key in LawDrift.model_fields}
     return values
 
 

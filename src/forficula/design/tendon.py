@@ -1,10 +1,14 @@
-"""The one place that turns a design into its tendons' law."""
+"""A design's tendons: their law, and how far the flat wing stretches them."""
 
 from __future__ import annotations
 
+import numpy as np
+
 from forficula.design.design import Design
+from forficula.design.places import tendon_ends
 from forficula.material.material_law import scaled
 from forficula.material.tendon_law import TendonLaw
+from forficula.pattern import hub_points, ring_vertices, tips
 
 
 def tendon_law(design: Design) -> TendonLaw:
@@ -18,3 +22,10 @@ def tendon_law(design: Design) -> TendonLaw:
     return TendonLaw(
         rest_length=tendon.rest_length, stiffness=(tendon.stiffness, 0.0, 0.0), damping=(tendon.damping, 0.0, 0.0)
     )
+
+
+def flat_strain(design: Design) -> float:
+    """The strain of the tendon that the flat wing stretches most; infinite without a resting length."""
+    before, beyond = tendon_ends(hub_points(design.fan), ring_vertices(design.fan), tips(design.fan), design)
+    longest = float(np.linalg.norm(beyond - before, axis=-1).max())
+    return longest / design.tendon.rest_length - 1 if design.tendon.rest_length else float("inf")

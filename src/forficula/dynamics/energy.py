@@ -59,12 +59,13 @@ def damping_work(
     Args:
         wing: the model.
         velocities: before the first step and after each, (step + 1, dof), in the model's units.
-        forces: generalised forces during each step, (step, dof), by MuJoCo's names: qfrc_damper, qfrc_constraint.
+        forces: generalised forces during each step, (step, dof), by MuJoCo's names: qfrc_damper, qfrc_constraint; of
+            tendons that let go also their ten_length, ten_velocity and ten_J before each step.
         activations: forces of Maxwell branches before the first step and after each, (step + 1, activation).
 
     Returns:
         "hinge_damping_work", "elastic_damping_work" and "stop_work", (step,), and "branch_damping_work" where there are
-        branches; empty where there are no forces.
+        branches, and "letting_go_work" where tendons let go; empty where there are no forces.
     """
     if "qfrc_damper" not in forces:
         return {}
@@ -79,7 +80,28 @@ def damping_work(
     work = {name: wing.units.energy * np.sum(force * travel, axis=-1) for name, force in by_name.items()}
     if wing.branches.size:
         work["branch_damping_work"] = -wing.units.energy * branch_losses(wing, activations).sum(axis=(1, 2))
+    if wing.tendon_law.lets_go:
+        damper, spared = _letting_go(wing, travel, forces, activations)
+        work["elastic_damping_work"] = work["elastic_damping_work"] + wing.units.energy * damper
+        work["letting_go_work"] = wing.units.energy * spared
     return work
+
+
+def _letting_go(wing: WingModel, travel: Array, forces: Mapping[str, Array], activations: Array) -> tuple[Array, Array]:
+    """Work of the dampers of tendons that let go, and of what keeps them from pushing, (step,), in model units."""
+    law = wing.tendon_law
+    longer = np.stack(
+        [
+            np.sum(forces["ten_J"][:, entries] * travel[:, dofs], axis=1)
+            for entries, dofs in (wing.levers(tendon) for tendon in wing.tendons)
+        ],
+        axis=1,
+    )
+    spring = law.elastic.force(forces["ten_length"][:, wing.tendons])
+    damper = (law.damping or (0.0,))[0] * forces["ten_velocity"][:, wing.tendons]
+    # the engine takes the branches' forces after the step; they are > 0 where they push
+    push = activations[1:, wing.branches].sum(axis=2) - spring - damper
+    return -np.sum(damper * longer, axis=1), -np.sum(np.maximum(push, 0.0) * longer, axis=1)
 
 
 def branch_losses(wing: WingModel, activations: Array) -> Array:

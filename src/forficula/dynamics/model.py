@@ -60,6 +60,12 @@ class WingModel:
         """The law of the tendons, in the model's units."""
         return tendon_law(self.in_units)
 
+    def levers(self, tendon: int) -> tuple[slice, NDArray[np.int64]]:
+        """Where in the engine's ten_J the change of a tendon's length by joint is, and the joints."""
+        first = int(self.engine.ten_J_rowadr[tendon])
+        entries = slice(first, first + int(self.engine.ten_J_rownnz[tendon]))
+        return entries, np.asarray(self.engine.ten_J_colind[entries], dtype=np.int64)
+
     @property
     def xml(self) -> str:
         """The source as text, for any MuJoCo viewer; lengths to six digits."""

@@ -53,7 +53,10 @@ YIELD_VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "tendon_rest_length": (("vein",), "m", "resting length of the tendon, which grows where it yields"),
     "yield_work": ((), "J", "work of the tendons' yielding since the start"),
 }
-_MAYBE = BRANCH_VARIABLES | YIELD_VARIABLES
+LETTING_GO_VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
+    "letting_go_work": ((), "J", "work that tendons which let go are spared, where their branches would push"),
+}
+_MAYBE = BRANCH_VARIABLES | YIELD_VARIABLES | LETTING_GO_VARIABLES
 
 
 @dataclass(frozen=True, kw_only=True)

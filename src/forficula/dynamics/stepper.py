@@ -32,6 +32,7 @@ _DERIVED = (
     "qfrc_damper",
     "qfrc_constraint",
 )
+_DERIVED_LETTING_GO = ("ten_velocity", "ten_J")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -106,7 +107,8 @@ class Stepper:
         self._torques = self._batch.bind("ctrl")
         self._columns = _moving_columns(self._batch.model)
         self._inner = _inner(self._batch.model)
-        self._names = _DERIVED[:1] if sparse else _DERIVED
+        every = (*_DERIVED, *_DERIVED_LETTING_GO) if wings[0].tendon_law.lets_go else _DERIVED
+        self._names = _DERIVED[:1] if sparse else every
         # the same memory again and again: fresh memory costs as much time as looking at it
         self._memory = deque([_memory(wings, self._names, chunk, len(self._columns)) for _ in range(2)])
         self._background = ThreadPoolExecutor(max_workers=1)

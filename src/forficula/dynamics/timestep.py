@@ -100,12 +100,20 @@ def _flat(wing: WingModel) -> _Linear:
     mujoco.mj_forward(engine, data)
     inertia = np.zeros((engine.nv, engine.nv))
     mujoco.mj_fullM(engine, data, inertia)
+    stiffness = -_slope(engine, data, data.qpos, "qfrc_passive")
+    damping = -_slope(engine, data, data.qvel, "qfrc_passive")
+    stretch = _slope(engine, data, data.qpos, "ten_length")[wing.tendons]
+    law = wing.tendon_law
+    if law.lets_go:
+        # springs and dampers that are actuators; at rest nothing else is in their forces, at speed branches are, too
+        stiffness -= _slope(engine, data, data.qpos, "qfrc_actuator")
+        damping += (law.damping or (0.0,))[0] * stretch.T @ stretch
     return _Linear(
         inertia=inertia,
-        stiffness=-_slope(engine, data, data.qpos, "qfrc_passive"),
-        damping=-_slope(engine, data, data.qvel, "qfrc_passive"),
+        stiffness=stiffness,
+        damping=damping,
         implicit=np.diag(np.array(engine.dof_damping).reshape(engine.nv, -1)[:, 0]),
-        stretch=_slope(engine, data, data.qpos, "ten_length")[wing.tendons],
+        stretch=stretch,
     )
 
 

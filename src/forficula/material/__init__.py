@@ -1,7 +1,8 @@
 from forficula.material.cycle_drift import CycleDrift, CycleMedians, cycle_drift, cycle_medians
 from forficula.material.cycles import Branch, Cycle, find_cycles
-from forficula.material.drift import Drift, fit_drift, law_at_cycle, stretched_before
+from forficula.material.drift import Drift, fit_drift
 from forficula.material.fit import Candidate, LawFit, Residual, fit_law
+from forficula.material.law_cycle import change_at_cycle, drifts_of, law_at_cycle, stretched_before
 from forficula.material.law_file import law_text, law_values, load_law, named_laws, save_law
 from forficula.material.law_form import LawForm, all_forms
 from forficula.material.law_keys import law_unit
@@ -50,9 +51,11 @@ __all__ = [
     "Unknown",
     "all_forms",
     "area_for",
+    "change_at_cycle",
     "chosen",
     "cycle_drift",
     "cycle_medians",
+    "drifts_of",
     "find_cycles",
     "fit_drift",
     "fit_law",

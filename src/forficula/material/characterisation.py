@@ -14,7 +14,7 @@ from forficula.material.cycles import BAND, Cycle, find_cycles
 from forficula.material.drift import Drift, fit_drift
 from forficula.material.fit import LawFit, fit_law
 from forficula.material.law_form import LawForm
-from forficula.material.material_law import Fact, MaterialLaw
+from forficula.material.material_law import Fact, MaterialLaw, scaled
 from forficula.material.modulus import ModulusClass, moduli_by_strain
 from forficula.material.strain_history import StrainHistory
 from forficula.material.tensile_test import TensileTest
@@ -29,6 +29,7 @@ _FEWEST_CYCLES = 3  # that tell a drift
 _FEWEST_SPECIMENS = 3  # ISO 37
 _POOR_FIT = 0.05  # of the largest stress
 _SAME_SIZE = 0.01
+_ONE_RATE = 1.05  # ratio of fast to slow
 
 # relative ones drift by a factor
 DRIFTING: dict[str, tuple[Callable[[Cycle], float], bool]] = {
@@ -139,7 +140,7 @@ def characterise(
         pooled=moduli_by_strain(cycles, pool_cycles=True),
         single=tuple(_single(cycles)),
         fit=fit,
-        law=None if fit is None else replace(fit.law, facts=tuple(_facts(specimens))),
+        law=None if fit is None else replace(_with_drifts(fit.law, cycles), facts=tuple(_facts(specimens))),
         remarks=tuple(_remarks(specimens, drifts, fit, refusal)),
     )
 
@@ -176,6 +177,18 @@ def _drift(cycles: Sequence[Sequence[Cycle]], value: Callable[[Cycle], float], r
     return fit_drift(numbers, table, relative=relative)
 
 
+def _with_drifts(law: MaterialLaw, cycles: Sequence[Sequence[Cycle]]) -> MaterialLaw:
+    """A law and how it drifts, where that can be told."""
+    longer = _drift(cycles, lambda cycle: cycle.residual_strain, False)
+    stiffness = _drift(cycles, _stiffness if longer else lambda cycle: cycle.secant_modulus, True)
+    return replace(law, stiffness_drift=stiffness, residual_strain_drift=longer)
+
+
+def _stiffness(cycle: Cycle) -> float:
+    """Peak stress over the strain beyond the residual one, so that a longer set does not count twice."""
+    return cycle.secant_modulus * cycle.largest_strain / max(cycle.largest_strain - cycle.residual_strain, 1e-12)
+
+
 def _single(cycles: Sequence[Sequence[Cycle]]) -> Iterator[ModulusClass]:
     """The moduli of each cycle of each specimen alone; cycles that pass half of no class give none."""
     for cycle in (cycle for own in cycles for cycle in own):
@@ -193,13 +206,33 @@ def strain_history(specimen: Specimen) -> StrainHistory:
     test = specimen.test
     rows = np.concatenate([[True], np.diff(test.time) > 0])
     start = specimen.cycles[0].loading.time[0] if specimen.left_out else test.time[0]
+    offset, drift = _zero(specimen)
     return StrainHistory(
         time=test.time[rows],
         strain=test.strain[rows],
         stress=test.stress[rows],
         name=test.name,
         first=int(np.searchsorted(test.time[rows], start)),
+        offset=offset,
+        drift=drift,
     )
+
+
+def _zero(specimen: Specimen) -> tuple[float | None, float]:
+    """Offset at the middle of the test, Pa, and drift, Pa/s, of the force while the specimen hangs slack.
+
+    The drift from three such cycles on: a straight line through two times cannot tell whether it is one.
+    """
+    slack = [each for each in (*specimen.left_out, *specimen.cycles) if each.hanging.any()]
+    if not slack:
+        return None, 0.0
+    shown = np.array([each.zero_stress for each in slack])
+    if len(slack) < _FEWEST_CYCLES:
+        return float(np.mean(shown)), 0.0
+    middle = (specimen.test.time[0] + specimen.test.time[-1]) / 2
+    times = np.array([np.median(each.unloading.time[each.hanging]) for each in slack]) - middle
+    drift, offset = np.polyfit(times, shown, 1)
+    return float(offset), float(drift)
 
 
 def _fit(
@@ -224,7 +257,7 @@ def _facts(specimens: Sequence[Specimen]) -> Iterator[Fact]:
         if max(sizes) <= (1 + _SAME_SIZE) * min(sizes):
             yield Fact(what=what, value=f"{np.median(sizes) / factor:.6g} {unit}", source=own)
     rates = [each.strain_rate for each in specimens]
-    shown = f"{min(rates):.3g}" if max(rates) <= 1.05 * min(rates) else f"{min(rates):.3g} to {max(rates):.3g}"
+    shown = f"{min(rates):.3g}" if max(rates) <= _ONE_RATE * min(rates) else f"{min(rates):.3g} to {max(rates):.3g}"
     yield Fact(what="strain rate", value=f"{shown} 1/s", source=own)
     yield Fact(what="number of specimens", value=str(len(specimens)), source=own)
 
@@ -248,6 +281,10 @@ def _remarks(
             " each with a value that stands clear of 0"
         )
     yield from _fit_remarks(fit, refusal)
+    rates = [each.strain_rate for each in specimens]
+    one_rate = max(rates) <= _ONE_RATE * min(rates)
+    if one_rate and fit and fit.form.damper and not any(each.form.branches for each in fit.candidates):
+        yield "at one rate a Maxwell branch may fit as well as the damper; none was asked for, so none was tried"
 
 
 def _fit_remarks(fit: LawFit | None, refusal: str) -> Iterator[str]:
@@ -256,10 +293,10 @@ def _fit_remarks(fit: LawFit | None, refusal: str) -> Iterator[str]:
         return
     if fit.relative_misfit > _POOR_FIT:
         yield f"the law misses the data by {fit.relative_misfit:.0%} of the largest stress; see fit.png"
-    if fit.form.branches:
+    if fit.form.branches and not scaled(fit.law, length=1.0, area=1.0).lets_go:
         yield (
-            "a simulated tendon has its Maxwell branches slack or taut, so one that shortens faster than they relax"
-            " pushes, which a real one does not"
+            "a simulated tendon has the Maxwell branches of this law slack or taut, so one that shortens faster than"
+            " they relax pushes, which a real one does not; zener or prony without cubic term or yield let go"
         )
     refused = [each.refused for each in fit.candidates if each.refused]
     # the one that names most values says it for all

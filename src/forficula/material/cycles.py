@@ -79,9 +79,17 @@ class Cycle:
     def zero_stress(self) -> float:
         """What the load cell shows while the specimen hangs slack, Pa: its offset.
 
-        The median over the lowest 5 % of the unloading's strains, where the stress is flat there: its slope is less
-        than 1 % of the slope of the whole unloading, or than three of its standard errors. 0 elsewhere, as then nothing
-        tells an offset from a force.
+        The median over the samples that hang slack; 0 where none do, as then nothing tells an offset from a force.
+        """
+        hanging = self.unloading.stress[self.hanging]
+        return float(np.median(hanging)) if len(hanging) else 0.0
+
+    @cached_property
+    def hanging(self) -> NDArray[np.bool_]:
+        """Which samples of the unloading show a slack specimen, shape (sample,).
+
+        Those in the lowest 5 % of the unloading's strains, where the stress is flat there: its slope is less than 1 %
+        of the slope of the whole unloading, or than three of its standard errors. None elsewhere.
         """
         down = self.unloading
         span = float(np.ptp(down.strain))
@@ -89,10 +97,10 @@ class Cycle:
         strain, stress = down.strain[hanging], down.stress[hanging]
         away = strain - strain.mean()
         if len(strain) < _FEWEST or not away.any():
-            return 0.0
+            return np.zeros_like(hanging)
         slope = float(away @ stress / (away @ away))
         steepest = max(_FLAT_SHARE * float(np.ptp(down.stress)) / span, 3 * self.noise / float(np.sqrt(away @ away)))
-        return float(np.median(stress)) if abs(slope) < steepest else 0.0
+        return hanging if abs(slope) < steepest else np.zeros_like(hanging)
 
     @property
     def slack_strain(self) -> float:

@@ -1,21 +1,20 @@
-"""How a material changes from cycle to cycle, and its law as it is at one of them."""
+"""How a value changes over the cycles of a test."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from typing import Literal
+from dataclasses import dataclass
+from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from forficula.errors import InputError
-from forficula.material.law_keys import TERMS
-from forficula.material.material_law import MaterialLaw, MaxwellBranch, known_moduli
-from forficula.material.softening import Triple, softened_moduli
+from forficula.quantities import as_written
 
 Array = NDArray[np.float64]
+Kind = Literal["none", "logarithm", "plateau"]
 
 _FEWEST_CYCLES = 3
 _FEWEST_FOR_PLATEAU = 5
@@ -33,14 +32,29 @@ class Drift:
         cycles: of the plateau; 0 for the others.
         relative: whether the change is in the logarithm of the value, or in the value itself.
         seen: first and last cycle of the data; beyond, a drift is an extrapolation.
+
+    Raises:
+        InputError: numbers that are no such drift.
     """
 
-    kind: Literal["none", "logarithm", "plateau"]
+    kind: Kind
     rate: float
     interval: tuple[float, float]
     cycles: float
     relative: bool
     seen: tuple[int, int]
+
+    def __post_init__(self) -> None:
+        if self.kind not in get_args(Kind):
+            raise InputError(f"kind: need one of {', '.join(get_args(Kind))}, got {as_written(self.kind)}")
+        if not 1 <= self.seen[0] < self.seen[1]:
+            raise InputError(f"seen: need the first and the last cycle, from 1 on, got {list(self.seen)}")
+        if not (math.isfinite(self.rate) and self.interval[0] <= self.rate <= self.interval[1]):
+            raise InputError(f"rate: need a number within its interval {list(self.interval)}, got {self.rate:g}")
+        if self.kind == "none" and self.rate != 0:
+            raise InputError(f'rate: need 0 with kind = "none", got {self.rate:g}')
+        if not math.isfinite(self.cycles) or (self.cycles > 0) != (self.kind == "plateau"):
+            raise InputError(f"cycles: need > 0 for a plateau, 0 for the others, got {self.cycles:g}")
 
     def change(self, cycle: float) -> tuple[float, float, float]:
         """The change from the first cycle seen to another: its value and its 95 % confidence interval.
@@ -109,9 +123,7 @@ def _course(kind: str, numbers: Array, length: float) -> Array:
     return np.zeros_like(numbers) if kind == "none" else -np.expm1(-(numbers - 1) / length)
 
 
-def _of_kind(
-    kind: Literal["none", "logarithm", "plateau"], numbers: Array, levelled: Array
-) -> tuple[float, Literal["none", "logarithm", "plateau"], float, float, float]:
+def _of_kind(kind: Kind, numbers: Array, levelled: Array) -> tuple[float, Kind, float, float, float]:
     """BIC, kind, rate, half of its interval and length of the plateau of the best drift of a kind."""
     from scipy.special import stdtrit
 
@@ -142,61 +154,3 @@ def _plateau_length(numbers: Array, levelled: Array) -> float:
     bounds = (math.log(0.3), math.log(float(np.ptp(numbers))))
     found = least_squares(residual, [sum(bounds) / 2], bounds=([bounds[0]], [bounds[1]]))
     return float(np.exp(found.x[0]))
-
-
-def law_at_cycle(
-    law: MaterialLaw, cycle: float, *, stiffness: Drift | None = None, residual_strain: Drift | None = None
-) -> MaterialLaw:
-    """A law as it is at a cycle: every stress times the stiffness' drift, the set longer by the residual strain's.
-
-    Args:
-        law: at the first cycle that the drifts have seen.
-        cycle: >= 1.
-        stiffness: relative drift of the peak stress or of a modulus.
-        residual_strain: drift of the residual strain, not relative.
-
-    Returns:
-        The law; its intervals are left out, since the drift's own uncertainty is not in them.
-
-    Raises:
-        InputError: a cycle that is none, or a drift of the wrong kind.
-    """
-    for key, drift, relative in (("stiffness", stiffness, True), ("residual_strain", residual_strain, False)):
-        if drift is not None and drift.relative != relative:
-            raise InputError(f"{key}: need a drift that is {'relative' if relative else 'a difference'}")
-    factor = 1.0 if stiffness is None else stiffness.change(cycle)[0]
-    longer = 0.0 if residual_strain is None else residual_strain.change(cycle)[0]
-    return replace(
-        law,
-        moduli=None if law.moduli is None else _times(law.moduli, factor),
-        viscosity=None if law.viscosity is None else _times(law.viscosity, factor),
-        branches=tuple(MaxwellBranch(modulus=each.modulus * factor, time=each.time) for each in law.branches),
-        residual_strain=max(law.residual_strain + longer, 0.0),
-        softening=None if law.softening is None else replace(law.softening, m=law.softening.m * factor),
-        intervals=(),
-    )
-
-
-def stretched_before(law: MaterialLaw, peak: float) -> tuple[MaterialLaw, float]:
-    """A law with softening as it is after a stretch: a polynomial that a simulator can take, see `softened_moduli`.
-
-    Args:
-        law: with moduli.
-        peak: the largest strain that its spring has seen, > 0.
-
-    Returns:
-        The law, unchanged where it has no softening, and the largest error as a share of the stress at the peak.
-
-    Raises:
-        InputError: an absent modulus, or a peak that is no strain > 0.
-    """
-    if law.softening is None:
-        return law, 0.0
-    moduli, error = softened_moduli(known_moduli(law), law.softening, peak)
-    own = {f"modulus.{term}" for term in TERMS}
-    kept = tuple(each for each in law.intervals if each.key not in own and not each.key.startswith("softening"))
-    return replace(law, moduli=moduli, softening=None, intervals=kept), error
-
-
-def _times(terms: Triple, factor: float) -> Triple:
-    return terms[0] * factor, terms[1] * factor, terms[2] * factor

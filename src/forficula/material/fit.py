@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -20,6 +21,9 @@ from forficula.material.uncertainty import effective_points
 Array = NDArray[np.float64]
 
 _SAME_FIT = 6.0  # of BIC, "strong" evidence (Raftery 1995, doi 10.2307/271063)
+# a refusal: the values that it names, and why; and the numbers of one, by which refusals of the same kind differ
+_NAMED = re.compile(r"(?P<keys>[a-z_]+[\w.]*(?:, [a-z_]+[\w.]*)*): (?P<reason>.*)", re.DOTALL)
+_NUMBERS = re.compile(r"(?<![\w.])[-+]?\d[\d.e+-]*|\b[kMG]?Pa\b")
 _TIMES = 16  # relaxation times tried in place of a damper
 
 
@@ -50,8 +54,8 @@ class Residual:
         strain: shape (points,).
         stress: measured, Pa, shape (points,).
         fitted: Pa, shape (points,), offset and drift included.
-        offset: of the force's zero, Pa, at the middle of the test; 0 where it was not fitted.
-        drift: of the force's zero, Pa/s; 0 where it was not fitted.
+        offset: of the force's zero, Pa, at the middle of the test, known or fitted; else 0.
+        drift: of the force's zero, Pa/s, known or fitted; else 0.
     """
 
     name: str
@@ -99,12 +103,14 @@ def fit_law(
 ) -> LawFit:
     """Fit laws to one or several specimens and choose between them.
 
-    Least squares of the stress, where a specimen gives way rather than push, with an offset of each specimen's force
-    and a drift linear in time where the data can tell them from the law. The choice is by the Bayesian information
-    criterion, with the points that the best residual is worth; of laws that differ by less than 6 of it, the one with
-    the fewest values is taken. Where a test at one rate fits a damper and a Maxwell
-    branch alike, both are refused. A test of which the first cycle is dropped is best given whole, with its `first`
-    sample: branches, yield and softening remember that cycle.
+    Least squares of the stress, where a specimen gives way rather than push. Where a specimen's zero of the force is
+    not known, an offset and a drift linear in time are fitted with the law if the data can tell them from it; they then
+    take up part of what makes specimens differ, too.
+
+    The choice is by the Bayesian information criterion, with the points that the best residual is worth; of laws that
+    differ by less than 6 of it, the one with the fewest values is taken. Where a test at one rate fits a damper and a
+    Maxwell branch alike, and forms of both are tried, both are refused. A test of which the first cycle is dropped is
+    best given whole, with its `first` sample: branches, yield and softening remember that cycle.
 
     Args:
         histories: of the specimens, each from a specimen at rest.
@@ -120,20 +126,20 @@ def fit_law(
     starter = Starter(problem)
     fitted: list[FittedForm] = []
     refused: list[Candidate] = []
-    for form in all_forms() if forms is None else forms:
+    tried = all_forms() if forms is None else tuple(forms)
+    for form in tried:
         try:
             fitted.append(fit_form(problem, starter, form))
         except InputError as error:
             refused.append(Candidate(form=form, refused=str(error)))
     if fitted:
-        ambiguous = _ambiguous(fitted, problem)
+        ambiguous = _ambiguous(fitted, tried, problem)
         refused += [
             Candidate(form=each.model.form, refused=ambiguous[id(each)]) for each in fitted if id(each) in ambiguous
         ]
         fitted = [each for each in fitted if id(each) not in ambiguous]
     if not fitted:
-        reasons = dict.fromkeys(f"{each.form.name}: {each.refused}" for each in refused)
-        raise InputError(f"no law can be determined: {'; '.join(list(reasons)[:3])}")
+        raise InputError(f"no law can be determined: {_reasons(refused)}")
     return _chosen(fitted, refused, name, source)
 
 
@@ -148,8 +154,29 @@ def _checked(histories: Sequence[StrainHistory]) -> Problem:
     return problem_of(histories)
 
 
-def _ambiguous(fitted: Sequence[FittedForm], problem: Problem) -> dict[int, str]:
-    """Forms whose damper a Maxwell branch replaces as well, or the other way round, at the one rate of the data."""
+def _reasons(refused: Sequence[Candidate]) -> str:
+    """Why laws were refused, each reason once, with all values that it names and the number of laws."""
+    alike: dict[str, list[tuple[list[str], str]]] = {}
+    for each in refused:
+        named = _NAMED.match(each.refused)
+        keys, reason = (named["keys"].split(", "), named["reason"]) if named else ([], each.refused)
+        alike.setdefault(_NUMBERS.sub("", reason), []).append((keys, reason))
+    told = []
+    for group in alike.values():
+        keys = ", ".join(dict.fromkeys(key for own, _ in group for key in own))
+        told.append(f"{keys}: {group[0][1]}" if keys else group[0][1])
+        if len(group) > 1:
+            told[-1] += f" ({len(group)} laws)"
+    return ". ".join(told)
+
+
+def _ambiguous(fitted: Sequence[FittedForm], tried: Sequence[LawForm], problem: Problem) -> dict[int, str]:
+    """Forms whose damper a Maxwell branch replaces as well, or the other way round, at the one rate of the data.
+
+    Only where both were asked for.
+    """
+    if not any(form.branches for form in tried):
+        return {}
     rate = one_rate(problem)
     dampers = [each for each in fitted if each.model.form.damper and not each.model.form.branches]
     branched = [each for each in fitted if each.model.form.branches]
@@ -226,22 +253,23 @@ def _residuals(best: FittedForm) -> tuple[Residual, ...]:
     problem, model = best.model.problem, best.model
     time = problem.block(np.concatenate([each.time for each in problem.histories]))
     strain = problem.block(problem.strain)
-    count = len(problem.histories)
-    terms = np.zeros((2, count))
-    terms[: model.baseline] = best.values[len(model.form.keys) :].reshape(model.baseline, count)
+    terms = np.zeros((2, len(problem.histories)))
+    fitted = best.values[len(model.form.keys) :].reshape(model.baseline, -1 if model.baseline else 0)
+    terms[: model.baseline, problem.unknown_zeros] = fitted
     residuals = []
     for index, each in enumerate(problem.histories):
         own = problem.specimen == index
         half = (each.time[-1] - each.time[0]) / 2
+        stress = problem.stress[own] + each.zero_at(time[own])
         residuals.append(
             Residual(
                 name=each.name,
                 time=time[own],
                 strain=strain[own],
-                stress=problem.stress[own],
-                fitted=problem.stress[own] + best.residual[own],
-                offset=float(terms[0, index]),
-                drift=float(terms[1, index] / half),
+                stress=stress,
+                fitted=stress + best.residual[own],
+                offset=float(terms[0, index]) if each.offset is None else each.offset,
+                drift=float(terms[1, index] / half) + each.drift,
             )
         )
     return tuple(residuals)

@@ -69,7 +69,7 @@ def fit_form(problem: Problem, starter: Starter, form: LawForm) -> FittedForm:
     needed = _POINTS_BY_VALUE * len(form.keys)
     if len(problem.stress) < needed:
         raise InputError(f"{', '.join(form.keys)}: need at least {needed} rows, got {len(problem.stress)}")
-    for terms in (2, 1, 0):
+    for terms in (2, 1, 0) if problem.unknown_zeros.size else (0,):
         model = Model(form=form, problem=problem, baseline=terms)
         start = starter.start(model)
         open_keys = undetermined(model.sensitivity(start), form.keys, _LIMIT)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -38,9 +38,10 @@ class Problem:
         starts: first row of each block, shape (blocks,).
         counts: rows in each block, shape (blocks,).
         compared: whether a block counts, shape (blocks,); below, only those that do are blocks.
-        stress: mean of each block, Pa, shape (blocks,).
+        stress: mean of each block less what is known of the force's zero, Pa, shape (blocks,).
         specimen: index of the history of each block, shape (blocks,).
         time: mean of each block less the middle of its history, in halves of its duration, shape (blocks,).
+        largest_strain: of all rows that were measured.
         remembered: the last stresses of a Maxwell branch by relaxation time.
     """
 
@@ -53,12 +54,13 @@ class Problem:
     stress: Array
     specimen: NDArray[np.int64]
     time: Array
+    largest_strain: float
     remembered: dict[float, Array] = field(default_factory=dict)
 
     @cached_property
-    def largest_strain(self) -> float:
-        """Of all histories."""
-        return float(np.max(self.strain))
+    def unknown_zeros(self) -> NDArray[np.int64]:
+        """Indices of the histories whose zero of the force has to be fitted."""
+        return np.array([index for index, each in enumerate(self.histories) if each.offset is None], dtype=np.int64)
 
     @cached_property
     def peak(self) -> float:
@@ -99,6 +101,7 @@ def problem_of(histories: Sequence[StrainHistory]) -> Problem:
     history but for a few rows at its turning points.
     """
     size = -(-sum(len(each.time) for each in histories) // MOST_ROWS)
+    largest = max(float(np.max(each.strain)) for each in histories)
     histories = [_thinned(each, size) for each in histories]
     rows = sum(len(each.time) for each in histories)
     size = -(-rows // MOST_POINTS)
@@ -119,9 +122,10 @@ def problem_of(histories: Sequence[StrainHistory]) -> Problem:
         starts=starts,
         counts=counts,
         compared=compared,
-        stress=means([each.stress for each in histories]),
+        stress=means([each.stress - each.zero for each in histories]),
         specimen=np.repeat(np.arange(len(histories)), [len(own) for own in blocks])[compared],
         time=means([_from_middle(each.time) for each in histories]),
+        largest_strain=largest,
     )
 
 
@@ -138,11 +142,11 @@ def _thinned(history: StrainHistory, size: int) -> StrainHistory:
     def mean(values: Array) -> Array:
         return np.asarray(values[:kept].reshape(-1, size).mean(axis=1))
 
-    return StrainHistory(
+    return replace(
+        history,
         time=mean(history.time),
         strain=mean(history.strain),
         stress=mean(history.stress),
-        name=history.name,
         first=history.first // size,
     )
 
@@ -151,8 +155,9 @@ def _thinned(history: StrainHistory, size: int) -> StrainHistory:
 class Model:
     """A form held against histories.
 
-    Values are in the order of `LawForm.keys`, then of the baseline: for each history an offset and, where it has one,
-    a drift, both in Pa. A relaxation time and `softening.m` stand as logarithms, `softening.r` as 1/r.
+    Values are in the order of `LawForm.keys`, then of the baseline: for each history whose zero of the force is unknown
+    an offset and, where it has one, a drift, both in Pa. A relaxation time and `softening.m` stand as logarithms,
+    `softening.r` as 1/r.
 
     Attributes:
         form: of the law.
@@ -166,9 +171,9 @@ class Model:
 
     @cached_property
     def baseline_columns(self) -> Array:
-        """Shape (blocks, histories times terms)."""
-        index, count = self.problem.specimen, len(self.problem.histories)
-        own = (index[:, None] == np.arange(count)).astype(np.float64)
+        """Shape (blocks, histories with an unknown zero times terms)."""
+        index = self.problem.specimen
+        own = (index[:, None] == self.problem.unknown_zeros).astype(np.float64)
         terms = [own, own * self.problem.time[:, None]][: self.baseline]
         return np.concatenate(terms, axis=1) if terms else np.empty((len(index), 0))
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import tomllib
 from collections.abc import Mapping
@@ -13,6 +14,8 @@ import tomli_w
 
 from forficula.errors import InputError
 from forficula.files import write_text
+from forficula.material.drift import Drift
+from forficula.material.law_cycle import drifts_of
 from forficula.material.law_keys import TERMS, law_unit, nearest, number
 from forficula.material.material_law import Bounds, Fact, MaterialLaw, MaxwellBranch, Unknown
 from forficula.material.softening import OgdenRoxburgh, Triple
@@ -20,9 +23,10 @@ from forficula.quantities import as_written, format_quantity, parse_quantity
 
 _STRAINS = ("yield_strain", "residual_strain", "largest_strain")
 _TEXTS = ("name", "source", "no_tendon")
-_TABLES = ("modulus", "viscosity", "branches", "softening", "interval", "range", "unknown", "facts")
+_TABLES = ("modulus", "viscosity", "branches", "softening", "drift", "interval", "range", "unknown", "facts")
 _SECTIONS = ("modulus", "viscosity", "branches", "yield_strain", "softening", "largest_strain")
 _SOFTENING = ("r", "m", "beta")
+_DRIFTS = {"stiffness": True, "residual_strain": False}  # whether they are relative
 
 
 def load_law(name_or_path: str | Path) -> MaterialLaw:
@@ -78,6 +82,8 @@ def law_text(law: MaterialLaw) -> str:
     if law.softening is not None:
         soft = law.softening
         tables["softening"] = {"r": soft.r, "m": _text("softening.m", soft.m), "beta": soft.beta}
+    if drifts := drifts_of(law):
+        tables["drift"] = {name: _drift_table(drift) for name, drift in drifts.items()}
     for name, bounds in (("interval", law.intervals), ("range", law.ranges)):
         if bounds:
             tables[name] = {each.key: [_text(each.key, each.low), _text(each.key, each.high)] for each in bounds}
@@ -147,6 +153,7 @@ def _read(where: str, tables: dict[str, Any]) -> MaterialLaw:
             viscosity=_triple("viscosity", tables),
             branches=tuple(_branch(index, each) for index, each in enumerate(_list("branches", tables))),
             softening=softening,
+            **{f"{name}_drift": drift for name, drift in _drifts(tables).items()},
             intervals=_bounds("interval", tables),
             ranges=_bounds("range", tables),
             unknown=_unknown(tables),
@@ -219,6 +226,52 @@ def _branch(index: int, value: object) -> MaxwellBranch:
 def _softening(value: object) -> OgdenRoxburgh:
     table = _table("softening", value, _SOFTENING, needed=("r", "m"))
     return OgdenRoxburgh(**{name: _quantity(f"softening.{name}", each) for name, each in table.items()})
+
+
+def _drift_table(drift: Drift) -> dict[str, Any]:
+    """Without what a drift of its kind does not have."""
+    values: dict[str, Any] = {"kind": drift.kind}
+    if drift.kind != "none":
+        values |= {"rate": drift.rate, "interval": list(drift.interval)}
+    if drift.kind == "plateau":
+        values["cycles"] = drift.cycles
+    return values | {"seen": list(drift.seen)}
+
+
+def _drifts(tables: Mapping[str, Any]) -> dict[str, Drift]:
+    table = _table("drift", tables.get("drift", {}), tuple(_DRIFTS))
+    return {name: _drift(f"drift.{name}", each, _DRIFTS[name]) for name, each in table.items()}
+
+
+def _drift(key: str, value: object, relative: bool) -> Drift:
+    needed: tuple[str, ...] = ("kind", "seen")
+    table = _table(key, value, ("kind", "rate", "interval", "cycles", "seen"), needed=needed)
+    if table["kind"] != "none":
+        _table(key, value, tuple(table), needed=("rate", "interval", *(["cycles"] * (table["kind"] == "plateau"))))
+    low, high = _numbers(f"{key}.interval", table.get("interval", [0.0, 0.0]))
+    first, last = _numbers(f"{key}.seen", table["seen"])
+    if first % 1 or last % 1:
+        raise InputError(f"{key}.seen: need whole numbers, got {as_written(table['seen'])}")
+    try:
+        return Drift(
+            kind=table["kind"],
+            rate=number(f"{key}.rate", table.get("rate", 0.0)),
+            interval=(low, high),
+            cycles=number(f"{key}.cycles", table.get("cycles", 0.0)),
+            relative=relative,
+            seen=(int(first), int(last)),
+        )
+    except InputError as error:
+        raise InputError(str(error) if key in str(error) else f"{key}.{error}") from None
+
+
+def _numbers(key: str, value: object) -> tuple[float, float]:
+    if not isinstance(value, list) or len(value) != 2:
+        raise InputError(f"{key}: need two numbers such as [2, 5], got {as_written(value)}")
+    first, second = (number(key, each) for each in value)
+    if not (math.isfinite(first) and math.isfinite(second)):
+        raise InputError(f"{key}: need finite numbers, got {as_written(value)}")
+    return first, second
 
 
 def _flat(table: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass, replace
 
 from forficula.errors import InputError
+from forficula.material.drift import Drift
 from forficula.material.law_keys import law_unit, show_range
 from forficula.material.softening import OgdenRoxburgh, Triple, pulls
 from forficula.material.tendon_law import TendonBranch, TendonLaw
@@ -89,6 +90,8 @@ class MaterialLaw:
         residual_strain: the set that it begins with, >= 0.
         softening: after the largest strain seen; None where none was found.
         largest_strain: up to which it was measured.
+        stiffness_drift: of every stress over the cycles, relative; None where nothing tells whether there is one.
+        residual_strain_drift: likewise, a difference.
         ranges: where a source gives no value but a range.
         intervals: 95 % confidence intervals of fitted values.
         unknown: what is absent, and why.
@@ -108,6 +111,8 @@ class MaterialLaw:
     residual_strain: float = 0.0
     softening: OgdenRoxburgh | None = None
     largest_strain: float | None = None
+    stiffness_drift: Drift | None = None
+    residual_strain_drift: Drift | None = None
     ranges: tuple[Bounds, ...] = ()
     intervals: tuple[Bounds, ...] = ()
     unknown: tuple[Unknown, ...] = ()
@@ -131,6 +136,10 @@ class MaterialLaw:
                 raise InputError(f"{name}: need a finite strain > 0, got {value:g}")
         if not (math.isfinite(self.residual_strain) and self.residual_strain >= 0):
             raise InputError(f"residual_strain: need a finite strain >= 0, got {self.residual_strain:g}")
+        if self.stiffness_drift is not None and not self.stiffness_drift.relative:
+            raise InputError("drift.stiffness: need a drift that is relative")
+        if self.residual_strain_drift is not None and self.residual_strain_drift.relative:
+            raise InputError("drift.residual_strain: need a drift that is a difference")
 
 
 def _rule(bounded: bool) -> str:

@@ -10,6 +10,7 @@ from forficula.material.characterisation import SIMULATED_STIFFNESSES, Character
 from forficula.material.cycles import Cycle
 from forficula.material.drift import Drift
 from forficula.material.fit import Candidate, LawFit
+from forficula.material.law_cycle import drifts_of
 from forficula.material.law_file import law_values
 from forficula.material.law_keys import law_unit
 from forficula.material.material_law import MaterialLaw
@@ -128,6 +129,7 @@ def _law_summary(law: MaterialLaw) -> dict[str, Any]:
             }
             for key, value, bounds in law_rows(law)
         ],
+        "drift": {key: _drift_summary(drift) for key, drift in drifts_of(law).items()},
         "facts": [{"what": fact.what, "value": fact.value} for fact in law.facts],
     }
 

@@ -26,6 +26,9 @@ class StrainHistory:
         stress: force by initial area, Pa, shape (samples,).
         name: of the specimen.
         first: the first sample that a fit compares; a law runs through those before, such as the first cycle, too.
+        offset: of the force's zero at the middle of the time, Pa, as a slack specimen shows it; None where none hung
+            slack, so that it has to be fitted with the law.
+        drift: of that zero, Pa/s.
 
     Raises:
         InputError: rows of different length, a first sample that is none, numbers that are not finite, or a time
@@ -37,6 +40,18 @@ class StrainHistory:
     stress: Array
     name: str = "specimen"
     first: int = 0
+    offset: float | None = None
+    drift: float = 0.0
+
+    @property
+    def zero(self) -> Array:
+        """What is known of the force's zero, Pa, shape (samples,)."""
+        return self.zero_at(self.time)
+
+    def zero_at(self, time: Array) -> Array:
+        """What is known of the force's zero at some times, s, in Pa and their shape."""
+        middle = (self.time[0] + self.time[-1]) / 2
+        return np.asarray((self.offset or 0.0) + self.drift * (time - middle))
 
     def __post_init__(self) -> None:
         for field in ("time", "strain", "stress"):

@@ -35,12 +35,15 @@ class StressHistory:
 
     @property
     def total(self) -> Array:
-        """Sum of the parts, Pa, shape (samples,), as a simulated tendon has it: < 0 where damper and branches push."""
+        """Sum of the parts, Pa, shape (samples,), < 0 where damper and branches push."""
         return np.asarray(self.spring + self.damper + self.branches.sum(axis=0))
 
     @property
     def pull(self) -> Array:
-        """What a testing machine sees of a specimen that gives way rather than push: the total where > 0, Pa."""
+        """The total where > 0, Pa: what a testing machine sees of a specimen that gives way rather than push.
+
+        So does a simulated tendon that lets go, see `TendonLaw.lets_go`; others have the total.
+        """
         return np.maximum(self.total, 0.0)
 
 

@@ -95,7 +95,8 @@ class ElasticLaw:
 class TendonBranch:
     """A Maxwell branch of a tendon: a spring and a damper in series, beside the tendon's spring.
 
-    Its force follows dF/dt = stiffness dL/dt - F / time at any length, slack or taut (Maxwell 1867).
+    Its force follows dF/dt = stiffness dL/dt - F / time at any length, slack or taut (Maxwell 1867); whether the tendon
+    passes on what pushes is said by `TendonLaw.lets_go`.
 
     Attributes:
         stiffness: N/m, > 0.
@@ -153,6 +154,17 @@ class TendonLaw:
         """Its spring."""
         linear, quadratic, cubic = self.stiffness
         return ElasticLaw(rest_length=self.rest_length, linear=linear, quadratic=quadratic, cubic=cubic)
+
+    @property
+    def lets_go(self) -> bool:
+        """Whether the simulator has the sum of spring, damper and branches pull only.
+
+        For tendons with branches, a spring of second order at most, a linear damper and no yield; of others the spring
+        alone pulls only, and damper and branches act at any length.
+        """
+        _, quadratic, cubic = self.stiffness
+        plain = quadratic >= 0 and cubic == 0 and not any((self.damping or (0.0,))[1:])
+        return bool(self.branches) and plain and self.yield_extension is None
 
     @property
     def yield_force(self) -> float | None:

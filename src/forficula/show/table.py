@@ -109,6 +109,7 @@ def _balance(outcome: Outcome) -> RenderableType:
         ("+ change of energy of the Maxwell branches", balance.branches),
         ("+ taken by the Maxwell branches", balance.branch_damping),
         ("+ taken by yielding", balance.yielding),
+        ("+ stored by branches that gave way, unpaid", balance.letting_go),
         ("+ missing", balance.missing),
     ):
         if value is not None:

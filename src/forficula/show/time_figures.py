@@ -64,6 +64,8 @@ def draw_energies(record: Record) -> Figure:
     }
     if "branch_damping_work" in data:
         accounts["taken by Maxwell branches"] = (-data["branch_damping_work"], ORANGE)
+    if "letting_go_work" in data:
+        accounts["branches that gave way"] = (-data["letting_go_work"], PURPLE)
     if "yield_work" in data:
         accounts["taken by yielding"] = (-data["yield_work"], PURPLE)
     with figure_style():

@@ -13,9 +13,9 @@ from forficula.dynamics import with_timestep
 from forficula.errors import InputError
 from forficula.material.law_cycle import change_at_cycle, drifts_of, law_at_cycle, stretched_before
 from forficula.material.material_law import MaterialLaw
-from forficula.study.evaluate import row_key
-from forficula.study.fold_margin import MOST_RUNS, evaluated, least_fold_torques
+from forficula.study.evaluate import evaluate, row_key
 from forficula.study.journal import Row
+from forficula.study.slow_margin import least_slow_torques, margin
 
 Progress = Callable[[int, int, dict[str, Any]], None]
 
@@ -34,8 +34,9 @@ class CycleRun:
         stiffness: of the tendons by that of the first cycle, but for softening: value, 95 % confidence interval.
         residual_strain: of the tendons.
         row: outcome of the run, as `outcome_row` has it.
-        least_fold_torque: to 1 %, N m; None where no torque up to 64 times the protocol's folds, or it has none.
-        margin: the protocol's fold torque by the least one; None as before.
+        fold_margin: the protocol's fold torque by the least that folds when it grows slowly, see `least_slow_torques`;
+            None where none up to ten times it folds.
+        unfold_margin: likewise of opening.
     """
 
     cycle: int
@@ -43,8 +44,8 @@ class CycleRun:
     stiffness: tuple[float, float, float]
     residual_strain: float
     row: Row
-    least_fold_torque: float | None
-    margin: float | None
+    fold_margin: float | None
+    unfold_margin: float | None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -137,24 +138,28 @@ def run_cycles(design: Design, last: int, progress: Progress | None = None) -> C
     if reason := why_unchanged(design):
         raise InputError(f"cycles: {reason}")
     counts = cycle_counts(last)
-    by_cycle = _designs(design, counts)
-    distinct = {row_key(each): each for each in by_cycle.values()}
-    count_run = _counting(progress, len(distinct) * (1 + MOST_RUNS))
-    rows = evaluated(list(distinct.values()), count_run)
-    least = least_fold_torques(distinct, rows, count_run)
-    seen = _seen(_material(design))
+    designs = _designs(design, counts)
+    distinct = {row_key(each): each for each in designs}
+    rows: dict[str, Row] = {}
+    for row in evaluate(list(distinct.values())):
+        rows[str(row["key"])] = row
+        if progress is not None:
+            progress(len(rows), len(distinct), row)
+    folding, opening = least_slow_torques(list(distinct.values()))
+    least = dict(zip(distinct, zip(folding.tolist(), opening.tolist(), strict=True), strict=True))
     cycling = Cycling(
         design=design,
         runs=tuple(
-            _run_at(design, cycle, each, rows[row_key(each)], least.get(row_key(each)))
-            for cycle, each in by_cycle.items()
+            _run_at(design, cycle, each, rows[row_key(each)], least[row_key(each)])
+            for cycle, each in zip(counts, designs, strict=True)
         ),
-        seen=seen,
+        seen=_seen(_material(design)),
         opens=any(stage.drive == "unfold" for stage in design.protocol.stages),
         verdict="",
-        remarks=tuple(_remarks(design, counts, seen)),
+        remarks=tuple(_remarks(design, counts)),
     )
-    return replace(cycling, verdict=_verdict(cycling))
+    remarks = (*cycling.remarks, *_beside_statics(cycling))
+    return replace(cycling, verdict=_verdict(cycling), remarks=remarks)
 
 
 def check_cycles(design: Design, last: int) -> None:
@@ -181,28 +186,16 @@ def _law_at(design: Design, cycle: int) -> tuple[MaterialLaw, float]:
     return stretched_before(law, peak) if cycle > 1 and peak > 0 else (law, 0.0)
 
 
-def _designs(design: Design, counts: Sequence[int]) -> dict[int, Design]:
-    """By cycle, all with the timestep that the stiffer end asks for, where the design leaves it open."""
-    found = {cycle: design_at_cycle(design, cycle) for cycle in counts}
+def _designs(design: Design, counts: Sequence[int]) -> list[Design]:
+    """One a cycle, all with the timestep that the stiffer end asks for, where the design leaves it open."""
+    found = [design_at_cycle(design, cycle) for cycle in counts]
     if design.protocol.timestep != "auto":
         return found
-    ends = {counts[0], counts[min(1, len(counts) - 1)], counts[-1]}
-    shortest = min(float(with_timestep(found[cycle]).protocol.timestep) for cycle in ends)
-    return {cycle: with_values(each, {"protocol.timestep": shortest}) for cycle, each in found.items()}
+    shortest = min(float(with_timestep(each).protocol.timestep) for each in (*found[:2], found[-1]))
+    return [with_values(each, {"protocol.timestep": shortest}) for each in found]
 
 
-def _counting(progress: Progress | None, needed: int) -> Callable[[Row], None]:
-    done: list[Row] = []
-
-    def count_run(row: Row) -> None:
-        done.append(row)
-        if progress is not None:
-            progress(len(done), max(needed, len(done)), row)
-
-    return count_run
-
-
-def _run_at(design: Design, cycle: int, own: Design, row: Row, least: float | None) -> CycleRun:
+def _run_at(design: Design, cycle: int, own: Design, row: Row, least: tuple[float, float]) -> CycleRun:
     """A cycle, its design and what became of it."""
     seen, law = _seen(_material(design)), own.tendon.law
     drift = _material(design).stiffness_drift
@@ -212,8 +205,8 @@ def _run_at(design: Design, cycle: int, own: Design, row: Row, least: float | No
         stiffness=(1.0, 1.0, 1.0) if drift is None else change_at_cycle(drift, cycle),
         residual_strain=0.0 if law is None else law.residual_strain,
         row=row,
-        least_fold_torque=least,
-        margin=None if least is None else own.protocol.fold_torque / least,
+        fold_margin=margin(own.protocol.fold_torque, least[0]),
+        unfold_margin=margin(own.protocol.unfold_torque, least[1]),
     )
 
 
@@ -223,8 +216,9 @@ def _seen(law: MaterialLaw) -> tuple[int, int] | None:
     return (max(each.seen[0] for each in drifts), min(each.seen[1] for each in drifts)) if drifts else None
 
 
-def _remarks(design: Design, counts: Sequence[int], seen: tuple[int, int] | None) -> Iterator[str]:
+def _remarks(design: Design, counts: Sequence[int]) -> Iterator[str]:
     last, law = counts[-1], _material(design)
+    seen = _seen(law)
     if seen is None:
         yield "the tests do not tell whether the material drifts: all that changes is its softening after cycle 1"
     else:
@@ -237,6 +231,10 @@ def _remarks(design: Design, counts: Sequence[int], seen: tuple[int, int] | None
     if drift is not None and drift.kind != "none":
         middle, low, high = change_at_cycle(drift, last)
         yield f"at cycle {last} the tendons are {middle:.3g} times as stiff ({low:.3g} to {high:.3g}) as at cycle 1"
+    drift = law.residual_strain_drift
+    if drift is not None and drift.kind != "none":
+        middle, low, high = (100 * each for each in change_at_cycle(drift, last))
+        yield f"at cycle {last} their set is longer by {middle:.3g} % of their length ({low:.3g} to {high:.3g} %)"
     if last > _EVERY_COUNT:
         yield f"beyond cycle {_EVERY_COUNT} only every few are run: {', '.join(map(str, counts[_EVERY_COUNT:]))}"
     missed = max(_law_at(design, cycle)[1] for cycle in {counts[-1], counts[min(1, len(counts) - 1)]})
@@ -244,23 +242,44 @@ def _remarks(design: Design, counts: Sequence[int], seen: tuple[int, int] | None
         yield f"the softened spring is a polynomial that misses the law by up to {missed:.0%} of its largest stress"
 
 
+def _beside_statics(cycling: Cycling) -> Iterator[str]:
+    """What a margin means where the simulation says something else."""
+    for goal, name in (("folded", "fold"), ("opened", "unfold")):
+        margins = [getattr(run, f"{name}_margin") for run in cycling.runs if run.row.get(goal)]
+        if any(each is None or each < 1 for each in margins):
+            yield f"its {name} torque, grown slowly, is too small at some cycles: there it is inertia that carries it"
+        left = [run for run in cycling.runs if not run.row.get(goal) and (name == "fold" or run.row.get("folded"))]
+        if any((getattr(run, f"{name}_margin") or 0) > 1 for run in left):
+            yield (
+                f"at some cycles its {name} torque fails where a slow one succeeds: it comes at once and leads"
+                " elsewhere, or its stage is too short"
+            )
+
+
 def _verdict(cycling: Cycling) -> str:
     """Whether the wing still works after the last cycle, and up to which or from which on where it does not."""
-    runs, goal = cycling.runs, "folds and opens" if cycling.opens else "folds"
-    works, last = [cycling.works(run) for run in runs], runs[-1].cycle
+    folded = [bool(run.row.get("folded")) for run in cycling.runs]
+    if cycling.opens and any(folded) and not any(run.row.get("opened") for run in cycling.runs):
+        return f"opens at none of the {_cycles(cycling.runs[-1].cycle)}; {_course(cycling, folded, 'folds')}"
+    goal = "folds and opens" if cycling.opens else "folds"
+    return _course(cycling, [cycling.works(run) for run in cycling.runs], goal)
+
+
+def _course(cycling: Cycling, works: Sequence[bool], goal: str) -> str:
+    """At which cycles a wing does something, in words."""
+    runs, last = cycling.runs, cycling.runs[-1].cycle
     if all(works):
         return f"still {goal} after {_cycles(last)}"
     if not any(works):
         return f"{goal} at none of the {_cycles(last)}: {runs[0].row['status']}"
-    fails = cycling.first_failure
-    if fails is None:
-        first = runs[works.index(True)].cycle
-        return f"{goal} only from cycle {first} on, before: {runs[0].row['status']}"
-    index = [run.cycle for run in runs].index(fails)
-    failed = runs[index]
-    again = "; some later cycles do" if any(works[index:]) else ""
-    start = "" if works[0] else f" from cycle {runs[works.index(True)].cycle} on,"
-    return f"{goal}{start} up to cycle {runs[index - 1].cycle}; at cycle {fails}: {failed.row['status']}{again}"
+    begins = works.index(True)
+    if all(works[begins:]):
+        return f"{goal} only from cycle {runs[begins].cycle} on, before: {runs[0].row['status']}"
+    ends = begins + list(works[begins:]).index(False)
+    again = "; some later cycles do" if any(works[ends:]) else ""
+    start = "" if begins == 0 else f" from cycle {runs[begins].cycle} on,"
+    failed = f"at cycle {runs[ends].cycle}: {runs[ends].row['status']}"
+    return f"{goal}{start} up to cycle {runs[ends - 1].cycle}; {failed}{again}"
 
 
 def _cycles(count: int) -> str:

@@ -42,7 +42,7 @@ def evaluate(designs: Sequence[Design], threads: int = 0, *, until_opened: bool 
         built = _with_protocol(wing, design)
         engine = built.engine
         sizes = (engine.nq, engine.nv, engine.nu, engine.nbody, engine.ngeom, engine.ntendon, engine.nflexvert)
-        by_topology.setdefault((*sizes, engine.na, engine.nplastic), []).append((key, built))
+        by_topology.setdefault((*sizes, engine.nactuator, engine.na, engine.nplastic), []).append((key, built))
     for wings in by_topology.values():
         enough = _opened if until_opened else None
         for row, record in simulate_each([wing for _, wing in wings], threads, sparse=True, enough=enough):

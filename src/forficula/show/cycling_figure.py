@@ -1,0 +1,140 @@
+"""Energy, fold time and margin of a wing over cycles."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from operator import attrgetter
+from typing import Any
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
+
+from forficula.quantities import reading_unit
+from forficula.show.style import BLUE, GREEN, PAGE_WIDTH, VERMILION, figure_style
+from forficula.study.cycling import CycleRun, Cycling
+
+_STATES = {"flat": (BLUE, "-", "o"), "folded": (VERMILION, "--", "s"), "opened": (GREEN, ":", "^")}
+_EXTRAPOLATED = "0.9"
+_FAILED: dict[str, Any] = {"ls": "none", "marker": "x", "color": VERMILION, "ms": 4.5, "mew": 1.2}
+
+
+def draw_cycling(cycling: Cycling) -> Figure:
+    """Draw the tendons' energy, the fold time and the margin over the count of cycles.
+
+    Cycles that the tests of the material did not see are shaded, and where the wing stops working there is a line.
+    """
+    with figure_style():
+        figure = Figure(figsize=(PAGE_WIDTH, 2.9), layout="constrained")
+        energies, times, margins = figure.subplots(1, 3, sharex=True)
+        _draw_energies(energies, cycling)
+        _draw_times(times, cycling)
+        _draw_margins(margins, cycling)
+        for axes in (energies, times, margins):
+            _draw_counts(axes, cycling)
+        figure.legend(handles=_handles(cycling), loc="outside lower center", ncols=6)
+        return figure
+
+
+def _reached(run: CycleRun, state: str) -> bool:
+    """Whether a run came to a state, not only to the end of the stage."""
+    return state == "flat" or bool(run.row.get(state))
+
+
+def _values(runs: Sequence[CycleRun], value: Callable[[CycleRun], float | None]) -> list[float]:
+    return [math.nan if (number := value(run)) is None else float(number) for run in runs]
+
+
+def _energy(state: str) -> Callable[[CycleRun], float | None]:
+    return lambda run: run.row.get(f"{state}_energy_J") if _reached(run, state) else None
+
+
+def _draw_energies(axes: Axes, cycling: Cycling) -> None:
+    cycles = [run.cycle for run in cycling.runs]
+    by_state = {state: _values(cycling.runs, _energy(state)) for state in _STATES}
+    largest = max((each for values in by_state.values() for each in values if math.isfinite(each)), default=0.0)
+    unit, factor = reading_unit("J", largest or 1.0)
+    for state, (colour, style, marker) in _STATES.items():
+        # flat and opened lie on each other: one is seen through the other
+        face = "white" if state == "flat" else colour
+        scaled = [factor * each for each in by_state[state]]
+        size = 5.5 if state == "flat" else 3.2
+        axes.plot(cycles, scaled, style, color=colour, marker=marker, mfc=face, markersize=size, linewidth=1.0)
+    axes.set_ylabel(f"energy of the tendons ({unit})")
+    axes.set_ylim(-0.05 * factor * (largest or 1.0), 1.1 * factor * (largest or 1.0))
+
+
+def _draw_times(axes: Axes, cycling: Cycling) -> None:
+    values = _values(cycling.runs, lambda run: run.row.get("fold_time_s"))
+    finite = [each for each in values if math.isfinite(each)]
+    unit, factor = reading_unit("s", max(finite, default=1.0))
+    _plot(axes, cycling, [factor * each for each in values])
+    axes.set_ylabel(f"fold time ({unit})")
+    if finite:
+        axes.set_ylim(0, 1.2 * factor * max(finite))
+
+
+def _draw_margins(axes: Axes, cycling: Cycling) -> None:
+    """Both margins on one axis, folding from flat and opening from folded."""
+    finite = [1.0]
+    for name in ("fold", "unfold") if cycling.opens else ("fold",):
+        values = _values(cycling.runs, attrgetter(f"{name}_margin"))
+        finite += [value for value in values if math.isfinite(value)]
+        marker, label = {"fold": ("o", "folding"), "unfold": ("D", "opening")}[name]
+        _plot(axes, cycling, values, marker, label)
+    axes.axhline(1, color="black", linewidth=0.8, linestyle="--", zorder=1)
+    axes.set_yscale("log")
+    axes.set_ylim(min(finite) / 1.6, max(finite) * 2.5)
+    axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axes.yaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
+    axes.yaxis.set_minor_formatter(NullFormatter())
+    axes.set_ylabel("margin: torque over the least slow one")
+    axes.text(0.03, 1.04, "least slow torque", transform=axes.get_yaxis_transform(), va="bottom", fontsize=6.5)
+    if len(finite) > 1:
+        axes.legend(loc="best")
+
+
+def _plot(axes: Axes, cycling: Cycling, values: Sequence[float], marker: str = "o", label: str = "") -> None:
+    cycles = [run.cycle for run in cycling.runs]
+    axes.plot(cycles, values, "-", color="black", marker=marker, markersize=3.2, linewidth=1.0, label=label)
+
+
+def _draw_counts(axes: Axes, cycling: Cycling) -> None:
+    """The axis of counts, what the tests did not see, and where the wing stops working."""
+    last = cycling.runs[-1].cycle
+    low, high = 0.85, max(last, 2) * 1.18
+    axes.set_xscale("log")
+    axes.set_xlim(low, high)
+    axes.set_xlabel("cycle N")
+    axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if last < 1000 else (1.0,)))
+    axes.xaxis.set_major_formatter(StrMethodFormatter("{x:.0f}"))
+    axes.xaxis.set_minor_formatter(NullFormatter())
+    seen = cycling.seen
+    for start, end in ((low, seen[0]), (seen[1], high)) if seen is not None else ():
+        if start < end and (start > low or end > 1):
+            axes.axvspan(start, min(end, high), color=_EXTRAPOLATED, lw=0, zorder=0)
+    if cycling.first_failure is not None:
+        axes.axvline(cycling.first_failure, color=VERMILION, linewidth=1.0, linestyle="-.", zorder=1)
+    failed = [run.cycle for run in cycling.runs if not cycling.works(run)]
+    axes.plot(failed, [0.96] * len(failed), transform=axes.get_xaxis_transform(), **_FAILED)
+
+
+def _handles(cycling: Cycling) -> list[Line2D | Patch]:
+    handles: list[Line2D | Patch] = []
+    for state, (colour, style, marker) in _STATES.items():
+        if any(math.isfinite(each) for each in _values(cycling.runs, _energy(state))):
+            face, size = ("white", 5.5) if state == "flat" else (colour, 3.2)
+            line = Line2D([], [], color=colour, ls=style, marker=marker, mfc=face, ms=size, lw=1.0, label=state)
+            handles.append(line)
+    if cycling.seen is not None and not all(run.measured for run in cycling.runs):
+        handles.append(Patch(color=_EXTRAPOLATED, lw=0, label="not seen in the tests"))
+    words = "fold and open" if cycling.opens else "fold"
+    if cycling.first_failure is not None:
+        label = f"first failure, cycle {cycling.first_failure}"
+        handles.append(Line2D([], [], color=VERMILION, ls="-.", lw=1.0, label=label))
+    if not all(cycling.works(run) for run in cycling.runs):
+        handles.append(Line2D([], [], label=f"did not {words}", **_FAILED))
+    return handles

@@ -1,0 +1,105 @@
+"""What a wing over cycles leaves: a table, the same as JSON, a figure, and a few sentences."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from pathlib import Path
+from typing import Any
+
+from rich.console import Console
+
+from forficula.dynamics import versions
+from forficula.files import replacing_all, write_text
+from forficula.show.cycling_figure import draw_cycling
+from forficula.show.style import save_figure
+from forficula.study.cycling import Cycling
+
+CYCLING_FILES = ("cycles.csv", "cycles.json", "cycles.png")
+_OUTCOME = ("status", "folded", "opened")
+_NUMBERS = (
+    *("flat_energy_J", "folded_energy_J", "opened_energy_J"),
+    *("fold_time_s", "fold_work_J", "unfold_time_s", "unfold_work_J"),
+)
+
+
+def write_cycling(cycling: Cycling, folder: Path) -> None:
+    """Write cycles.csv, cycles.json and cycles.png; all of them, or none.
+
+    Args:
+        cycling: what to write.
+        folder: of the run; what an earlier one left there is replaced.
+
+    Raises:
+        InputError: the folder cannot be written.
+    """
+    with replacing_all(folder) as unfinished:
+        write_text(unfinished / "cycles.csv", cycling_csv(cycling))
+        text = json.dumps(cycling_summary(cycling), indent=2, ensure_ascii=False, allow_nan=False)
+        write_text(unfinished / "cycles.json", text + "\n")
+        save_figure(draw_cycling(cycling), unfinished / "cycles.png")
+
+
+def remove_cycling(folder: Path) -> None:
+    """Remove what an earlier run over cycles left in a folder, which is not of this one."""
+    for name in CYCLING_FILES:
+        (folder / name).unlink(missing_ok=True)
+
+
+def cycling_rows(cycling: Cycling) -> list[dict[str, Any]]:
+    """A row for every cycle as plain data with units in its keys; None where there is no number."""
+    return [
+        {
+            "cycle": run.cycle,
+            "measured": run.measured,
+            "stiffness_by_first": run.stiffness[0],
+            "stiffness_by_first_low_95": run.stiffness[1],
+            "stiffness_by_first_high_95": run.stiffness[2],
+            "residual_strain": run.residual_strain,
+            **{name: run.row.get(name) for name in (*_OUTCOME, *_NUMBERS)},
+            "fold_margin": run.fold_margin,
+            "unfold_margin": run.unfold_margin,
+        }
+        for run in cycling.runs
+    ]
+
+
+def cycling_csv(cycling: Cycling) -> str:
+    """The rows as text, empty where there is no number."""
+    rows = cycling_rows(cycling)
+    text = io.StringIO()
+    writer = csv.DictWriter(text, list(rows[0]), lineterminator="\n")
+    writer.writeheader()
+    writer.writerows({key: "" if value is None else value for key, value in row.items()} for row in rows)
+    return text.getvalue()
+
+
+def cycling_summary(cycling: Cycling) -> dict[str, Any]:
+    """All of it as plain data with units in its keys."""
+    return {
+        "design": cycling.design.name,
+        "design_hash": cycling.design.hash,
+        "verdict": cycling.verdict,
+        "remarks": list(cycling.remarks),
+        "seen_cycles": None if cycling.seen is None else list(cycling.seen),
+        "first_failure": cycling.first_failure,
+        "fold_torque_N_m": cycling.design.protocol.fold_torque,
+        "unfold_torque_N_m": cycling.design.protocol.unfold_torque,
+        "cycles": cycling_rows(cycling),
+        "versions": versions(),
+    }
+
+
+def print_cycling(cycling: Cycling) -> None:
+    """Print what becomes of the wing, and what a person should know."""
+    console = Console(width=110, highlight=False)
+    console.print(f"\nCycles: {cycling.verdict}", markup=False)
+    runs = cycling.runs
+    for name in ("fold", "unfold") if cycling.opens else ("fold",):
+        first, last = (getattr(run, f"{name}_margin") for run in (runs[0], runs[-1]))
+        if first is not None and last is not None:
+            text = f"{first:.3g} at cycle 1, {last:.3g} at cycle {runs[-1].cycle}"
+            console.print(f"  margin of the {name} torque over the least slow one: {text}")
+    for remark in cycling.remarks:
+        console.print(f"  {remark}", markup=False, soft_wrap=True)
