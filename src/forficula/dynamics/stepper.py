@@ -112,6 +112,7 @@ class Stepper:
         # the same memory again and again: fresh memory costs as much time as looking at it
         self._memory = deque([_memory(wings, self._names, chunk, len(self._columns)) for _ in range(2)])
         self._background = ThreadPoolExecutor(max_workers=1)
+        self._data = mujoco.MjData(wings[0].engine)
 
     @property
     def threads(self) -> int:
@@ -137,8 +138,9 @@ class Stepper:
 
     def state(self, row: int) -> tuple[Array, Array, dict[str, Array]]:
         """Positions and velocities of a wing, (dof,), and its derived fields."""
-        engine = self._wings[row].engine
-        data = mujoco.MjData(engine)
+        # wings of one topology have data of one size: making it anew takes as long as many steps
+        engine, data = self._wings[row].engine, self._data
+        mujoco.mj_resetData(engine, data)
         mujoco.mj_setState(engine, data, self._batch.state[row], _STATE)
         with _quiet:
             mujoco.mj_forward(engine, data)
