@@ -1,15 +1,18 @@
-"""Files written whole or not at all."""
+"""Files written whole or not at all, and TOML files read."""
 
 from __future__ import annotations
 
 import os
 import shutil
 import tempfile
+import tomllib
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 from forficula.errors import InputError
+from forficula.quantities import as_written
 
 
 @contextmanager
@@ -98,3 +101,32 @@ def _umask() -> int:
     mask = os.umask(0)
     os.umask(mask)
     return mask
+
+
+def read_toml(path: Path, what: str) -> dict[str, Any]:
+    """Read the tables of a TOML file.
+
+    Args:
+        path: of the file.
+        what: it should describe, such as "a design".
+
+    Raises:
+        InputError: no such file, it cannot be read, or it is not UTF-8 or not TOML.
+    """
+    try:
+        # Windows' editors begin UTF-8 with a byte order mark
+        text = path.read_text("utf-8-sig")
+    except FileNotFoundError:
+        raise InputError(f"{path}: no such file") from None
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path}: not UTF-8 text from byte {error.start} on; save it as UTF-8") from None
+    except ValueError as error:  # a null byte
+        raise InputError(f"{as_written(str(path))}: cannot be read: {error}") from None
+    try:
+        return tomllib.loads(text)
+    except ValueError as error:
+        raise InputError(f"{path}: not TOML: {error}") from None
+    except RecursionError:
+        raise InputError(f"{path}: not TOML for {what}: nested too deeply") from None

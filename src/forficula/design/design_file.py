@@ -21,7 +21,7 @@ from forficula.design.law_tables import names_law, with_following, with_law_read
 from forficula.design.part import Part, as_tables, field_quantity
 from forficula.design.tables import RejectedError, merged, overlaid
 from forficula.errors import InputError
-from forficula.files import write_text
+from forficula.files import read_toml, write_text
 from forficula.quantities import as_written
 
 REFERENCE = "binder2025"
@@ -131,7 +131,7 @@ def _read_files(name_or_path: str, above: tuple[Path, ...] = ()) -> list[_File]:
         known = [*_named(), *sorted(str(file) for file in Path().glob("*.toml"))]
         hint = _nearest(name_or_path, known) or f"the named designs are {', '.join(_named())}"
         raise InputError(f"{as_written(name_or_path)} is neither a named design nor a .toml file; {hint}")
-    tables = _read_toml(path)
+    tables = read_toml(path, "a design")
     if path.resolve() in above:
         raise InputError(f"{path}: goes round in a circle")
     tables.setdefault("name", path.stem)
@@ -150,26 +150,6 @@ def _read_files(name_or_path: str, above: tuple[Path, ...] = ()) -> list[_File]:
         return [*_read_files(base, (*above, path.resolve())), (name_or_path, tables)]
     except InputError as error:
         raise InputError(f"{path}: based_on: {error}") from None
-
-
-def _read_toml(path: Path) -> dict[str, Any]:
-    try:
-        # Windows' editors begin UTF-8 with a byte order mark
-        text = path.read_text("utf-8-sig")
-    except FileNotFoundError:
-        raise InputError(f"{path}: no such file") from None
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
-    except UnicodeDecodeError as error:
-        raise InputError(f"{path}: not UTF-8 text from byte {error.start} on; save it as UTF-8") from None
-    except ValueError as error:
-        raise InputError(f"{as_written(str(path))}: cannot be read: {error}") from None
-    try:
-        return tomllib.loads(text)
-    except ValueError as error:
-        raise InputError(f"{path}: not TOML: {error}") from None
-    except RecursionError:
-        raise InputError(f"{path}: not TOML for a design: nested too deeply") from None
 
 
 def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si: bool = False) -> dict[str, Any]:

@@ -13,7 +13,7 @@ from typing import Any
 import tomli_w
 
 from forficula.errors import InputError
-from forficula.files import write_text
+from forficula.files import read_toml, write_text
 from forficula.material.drift import Drift
 from forficula.material.law_cycle import drifts_of
 from forficula.material.law_keys import TERMS, law_unit, nearest, number
@@ -46,7 +46,7 @@ def load_law(name_or_path: str | Path) -> MaterialLaw:
     if path.suffix.lower() != ".toml":
         hint = nearest(where, _named()).replace("allowed here:", "the named materials are")
         raise InputError(f"{as_written(where)} is neither a named material nor a .toml file; {hint}")
-    tables = _tables(path)
+    tables = read_toml(path, "a law")
     tables.setdefault("name", path.stem)
     return _read(where, tables)
 
@@ -119,20 +119,6 @@ def _named() -> list[str]:
 
 def _reference(name: str) -> str:
     return (resources.files("forficula.material") / "references" / f"{name}.toml").read_text("utf-8")
-
-
-def _tables(path: Path) -> dict[str, Any]:
-    try:
-        # Windows' editors begin UTF-8 with a byte order mark
-        return tomllib.loads(path.read_text("utf-8-sig"))
-    except FileNotFoundError:
-        raise InputError(f"{path}: no such file") from None
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
-    except UnicodeDecodeError as error:
-        raise InputError(f"{path}: not UTF-8 text from byte {error.start} on; save it as UTF-8") from None
-    except (ValueError, RecursionError) as error:
-        raise InputError(f"{path}: not TOML: {error}") from None
 
 
 def _read(where: str, tables: dict[str, Any]) -> MaterialLaw:

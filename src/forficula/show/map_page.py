@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from forficula.quantities import Unit, parse_quantity
 from forficula.show.style import BLUE, ORANGE, PAGE_WIDTH, PURPLE, SKY, figure_style
+from forficula.study.static_map import BOTH, BOTH_LESS, BOTH_MORE, NEITHER, ONLY_SIMULATED, ONLY_STATIC
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
@@ -39,12 +40,6 @@ STUCK = "stuck on the way"
 NOT_STAYED = "did not stay folded"
 NOT_TRIED = "not tried: did not fold"
 NOT_RUN = "not run"
-IN_BOTH = "in both, at the same torque"
-IN_BOTH_LESS = "in both, at less when simulated"
-IN_BOTH_MORE = "in both, at more when simulated"
-SIMULATED_ONLY = "in the simulation only: inertia"
-STATIC_ONLY = "in the statics only"
-IN_NEITHER = "in neither"
 NOT_BUILT = "cannot be built"
 OTHER = "no value"
 
@@ -68,12 +63,12 @@ _LOOKS = {
     "diverged": _Look(face="0.75", hatch="++++", marker="P"),
     NOT_BUILT: _Look(face="0.6", hatch="", marker="X"),
     NOT_TRIED: _Look(face="0.86", hatch="", marker="_"),
-    IN_BOTH: _Look(face=BLUE, hatch="", marker="o"),
-    IN_BOTH_LESS: _Look(face=SKY, hatch="", marker="p"),
-    IN_BOTH_MORE: _Look(face=SKY, hatch="/////", marker="H"),
-    SIMULATED_ONLY: _Look(face=ORANGE, hatch="", marker="^"),
-    STATIC_ONLY: _Look(face=PURPLE, hatch="", marker="v"),
-    IN_NEITHER: _Look(face="0.93", hatch="", marker="x"),
+    BOTH: _Look(face=BLUE, hatch="", marker="o"),
+    BOTH_LESS: _Look(face=SKY, hatch="", marker="p"),
+    BOTH_MORE: _Look(face=SKY, hatch="/////", marker="H"),
+    ONLY_SIMULATED: _Look(face=ORANGE, hatch="", marker="^"),
+    ONLY_STATIC: _Look(face=PURPLE, hatch="", marker="v"),
+    NEITHER: _Look(face="0.93", hatch="", marker="x"),
     NOT_RUN: _Look(face="1.0", hatch="", marker="."),
     OTHER: _Look(face="0.97", hatch="---", marker="+"),
 }
