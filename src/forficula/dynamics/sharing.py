@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Sequence
 
+from forficula.design import Stage
 from forficula.dynamics.fleet import stage_torques
 from forficula.dynamics.model import WingModel
 
@@ -24,10 +25,11 @@ def successors(wings: Sequence[WingModel]) -> dict[int, int]:
 def followers(wings: Sequence[WingModel], held: Container[int] = ()) -> dict[int, tuple[int, int]]:
     """By wing, an earlier one that goes through the same first stages and is not held back, and how many stages."""
     leaders: dict[int, tuple[int, int]] = {}
-    alike: dict[int, list[int]] = {}
+    alike: dict[tuple[int, str], list[int]] = {}
+    ways = [_way(wing) for wing in wings]
     for row, wing in enumerate(wings):
-        earlier = alike.setdefault(id(wing.engine), [])
-        shared = [(_shared_stages(wings[leader], wing), -leader) for leader in earlier]
+        earlier = alike.setdefault((id(wing.engine), _all_but_stages(wing)), [])
+        shared = [(_shared_stages(ways[leader], ways[row]), -leader) for leader in earlier]
         stages, leader = max(shared, default=(0, 0))
         if stages:
             leaders[row] = -leader, stages
@@ -36,12 +38,18 @@ def followers(wings: Sequence[WingModel], held: Container[int] = ()) -> dict[int
     return leaders
 
 
-def _shared_stages(one: WingModel, other: WingModel) -> int:
-    """How many first stages two wings of one engine model have in common, to the last bit."""
+def _all_but_stages(wing: WingModel) -> str:
+    """What names a protocol but for its stages and their torques."""
     parting = {"fold_torque": 0.0, "unfold_torque": 0.0, "stages": ()}
-    protocols = [wing.design.protocol for wing in (one, other)]
-    if protocols[0].model_copy(update=parting) != protocols[1].model_copy(update=parting):
-        return 0
-    pairs = zip(*(protocol.stages for protocol in protocols), strict=False)
-    alike = [a == b and stage_torques(one, a) == stage_torques(other, b) for a, b in pairs]
+    return wing.design.protocol.model_copy(update=parting).model_dump_json()
+
+
+def _way(wing: WingModel) -> list[tuple[Stage, tuple[float, float]]]:
+    """The stages of a wing, each with what drives it."""
+    return [(stage, stage_torques(wing, stage)) for stage in wing.design.protocol.stages]
+
+
+def _shared_stages(one: Sequence[object], other: Sequence[object]) -> int:
+    """How many first stages two ways have in common, to the last bit."""
+    alike = [a == b for a, b in zip(one, other, strict=False)]
     return [*alike, False].index(False)

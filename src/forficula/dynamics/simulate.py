@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Future
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +14,7 @@ from forficula.dynamics.model import WingModel, compile_wing
 from forficula.dynamics.record import Record
 from forficula.dynamics.recorder import Chunk, Recorder, keep
 from forficula.dynamics.sharing import followers, successors
-from forficula.dynamics.stepper import Stepper, Steps
+from forficula.dynamics.stepper import Pending, Stepper, Steps
 from forficula.dynamics.timestep import with_timestep
 
 Progress = Callable[[str, float, float], None]
@@ -24,7 +23,7 @@ Progress = Callable[[str, float, float], None]
 # depends on it.
 _CHUNK = 100
 # Wings a thread below which all are stepped at once.
-_FEW = 16
+_FEW = 2
 
 
 def run(design: Design, progress: Progress | None = None) -> Record:
@@ -102,7 +101,7 @@ def _records(
     held = set(following.values())
     waiting = followers(wings, held)
     moving = np.array([row not in waiting and row not in held for row in range(len(wings))])
-    under_way: deque[tuple[NDArray[np.int64], Future[Steps]]] = deque()
+    under_way: deque[tuple[NDArray[np.int64], Pending]] = deque()
     while moving.any():
         while len(rows := _next_rows(moving & ~fleet.ended, [rows for rows, _ in under_way], stepper.threads)):
             under_way.append((rows, stepper.start(rows, fleet.controls(rows))))

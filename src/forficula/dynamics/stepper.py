@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import copy
+import itertools
 import threading
 from collections import deque
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
+from queue import SimpleQueue
 
 import mujoco
 import numpy as np
@@ -22,6 +24,7 @@ Indices = NDArray[np.int64]
 # all that the next step depends on, and of that what a step changes: time, positions and velocities first
 _STATE = mujoco.mjtState.mjSTATE_INTEGRATION.value
 _MOVING = _STATE & ~mujoco.mjtState.mjSTATE_USER.value
+_CONTROL = mujoco.mjtState.mjSTATE_CTRL.value
 _DERIVED = (
     "ten_length",
     "energy",
@@ -86,8 +89,25 @@ class Steps:
         return states
 
 
+@dataclass(frozen=True, kw_only=True)
+class Pending:
+    """Steps that are being made, by several workers a part of the wings each."""
+
+    parts: Sequence[Future[None]]
+    steps: Steps
+
+    def result(self) -> Steps:
+        """Wait for them."""
+        for part in self.parts:
+            part.result()
+        return self.steps
+
+
 class Stepper:
-    """Wings of one topology in the engine, each in its own state; the engine works in the background."""
+    """Wings of one topology in the engine, each in its own state; workers step them in the background.
+
+    Every worker has an engine of one thread: none waits for another, as the threads of one engine do after each part.
+    """
 
     def __init__(self, wings: Sequence[WingModel], threads: int, sparse: bool, chunk: int) -> None:
         """Put the wings where they start.
@@ -99,49 +119,61 @@ class Stepper:
             chunk: steps to take at a time.
         """
         self._wings, self._chunk = wings, chunk
-        self._batch = Batch(wings[0].engine, len(wings), threads)
-        self._batch.set_models(_without_energy(wings) if sparse else [wing.engine for wing in wings])
-        self._batch.bind("qpos")[:] = [_start_position(wing) for wing in wings]
-        if self._batch.model.nplastic:
-            self._batch.bind("plastic")[:] = [_start_creep(wing) for wing in wings]
-        self._torques = self._batch.bind("ctrl")
-        self._columns = _moving_columns(self._batch.model)
-        self._inner = _inner(self._batch.model)
+        self._models = _without_energy(wings) if sparse else [wing.engine for wing in wings]
+        model = wings[0].engine
+        self._state = _start_states(wings)
+        self._moving, self._control = _columns(model, _MOVING), _columns(model, _CONTROL)
+        self._inner = _inner(model)
         every = (*_DERIVED, *_DERIVED_LETTING_GO) if wings[0].tendon_law.lets_go else _DERIVED
         self._names = _DERIVED[:1] if sparse else every
         # the same memory again and again: fresh memory costs as much time as looking at it
-        self._memory = deque([_memory(wings, self._names, chunk, len(self._columns)) for _ in range(2)])
-        self._background = ThreadPoolExecutor(max_workers=1)
-        self._data = mujoco.MjData(wings[0].engine)
+        self._memory = deque([_memory(wings, self._names, chunk, len(self._moving)) for _ in range(2)])
+        self.threads = int(Batch(model, len(wings), threads).nthread)
+        self._engines: SimpleQueue[Batch] = SimpleQueue()
+        for _ in range(self.threads):
+            self._engines.put(Batch(model, -(-len(wings) // self.threads), 1))
+        self._workers = ThreadPoolExecutor(max_workers=self.threads)
+        self._data = mujoco.MjData(model)
 
-    @property
-    def threads(self) -> int:
-        """How many threads step the wings."""
-        return int(self._batch.nthread)
-
-    def start(self, rows: Indices, torques: Array) -> Future[Steps]:
+    def start(self, rows: Indices, torques: Array) -> Pending:
         """Set out to take these wings a chunk of steps further, driven by torques, (row, motor).
 
         Others can be started before that is done, but the third steps overwrite the first.
         """
-        self._torques[rows] = torques
+        self._state[np.ix_(rows, self._control)] = torques
         self._memory.rotate()
-        return self._background.submit(self._steps, rows, self._memory[0])
+        mine = {name: each[: len(rows)] for name, each in self._memory[0].items()}
+        bounds = np.linspace(0, len(rows), min(len(rows), self.threads) + 1).astype(int).tolist()
+        parts = [slice(*pair) for pair in itertools.pairwise(bounds)]
+        steps = Steps(
+            dof=self._wings[0].engine.nv,
+            inner=self._inner,
+            before=self._state[np.ix_(rows, self._moving)],
+            after=mine[_MOVING],
+            derived={name: mine[name] for name in self._names},
+        )
+        return Pending(
+            parts=[
+                self._workers.submit(self._step, rows[part], {name: each[part] for name, each in mine.items()})
+                for part in parts
+            ],
+            steps=steps,
+        )
 
     def take_back(self, rows: Indices, steps: Steps, taken: Indices) -> None:
         """Put these wings where they were after as many of their last steps as count, (row,)."""
-        self._batch.state[np.ix_(rows, self._columns)] = steps.states(np.arange(len(rows)), taken)
+        self._state[np.ix_(rows, self._moving)] = steps.states(np.arange(len(rows)), taken)
 
     def follow_leader(self, row: int, leader: int) -> None:
         """Put a wing where another one is."""
-        self._batch.state[row] = self._batch.state[leader]
+        self._state[row] = self._state[leader]
 
     def state(self, row: int) -> tuple[Array, Array, dict[str, Array]]:
         """Positions and velocities of a wing, (dof,), and its derived fields."""
         # wings of one topology have data of one size: making it anew takes as long as many steps
         engine, data = self._wings[row].engine, self._data
         mujoco.mj_resetData(engine, data)
-        mujoco.mj_setState(engine, data, self._batch.state[row], _STATE)
+        mujoco.mj_setState(engine, data, self._state[row], _STATE)
         with _quiet:
             mujoco.mj_forward(engine, data)
         names = [*self._names, *self._inner]
@@ -149,15 +181,20 @@ class Stepper:
 
     def close(self) -> None:
         """Wait for the steps that are being made, and make no more."""
-        self._background.shutdown(cancel_futures=True)
+        self._workers.shutdown(cancel_futures=True)
 
-    def _steps(self, rows: Indices, memory: Mapping[str | int, Array]) -> Steps:
-        before = self._batch.state[np.ix_(rows, self._columns)]
-        mine: dict[str | int | mujoco.mjtState, Array] = {name: each[: len(rows)] for name, each in memory.items()}
-        with _quiet:
-            self._batch.rollout(self._chunk, record=tuple(mine), ids=rows, out=mine)
-        derived = {name: mine[name] for name in self._names}
-        return Steps(dof=self._batch.model.nv, inner=self._inner, before=before, after=mine[_MOVING], derived=derived)
+    def _step(self, rows: Indices, memory: Mapping[str | int, Array]) -> None:
+        """Take some wings a chunk of steps further; what comes of it goes to memory."""
+        engine = self._engines.get()
+        try:
+            every = [*range(len(rows)), *[0] * (engine.nsim - len(rows))]
+            engine.set_models([self._models[rows[place]] for place in every])
+            engine.state[: len(rows)] = self._state[rows]
+            out: dict[str | int | mujoco.mjtState, Array] = {**memory}
+            with _quiet:
+                engine.rollout(self._chunk, record=tuple(out), ids=np.arange(len(rows)), out=out)
+        finally:
+            self._engines.put(engine)
 
 
 def _memory(wings: Sequence[WingModel], names: Sequence[str], chunk: int, moving: int) -> dict[str | int, Array]:
@@ -167,12 +204,12 @@ def _memory(wings: Sequence[WingModel], names: Sequence[str], chunk: int, moving
     return {name: np.empty((len(wings), chunk, *shape)) for name, shape in shapes.items()}
 
 
-def _moving_columns(engine: mujoco.MjModel) -> Indices:
-    """Where in a state what a step changes lies."""
+def _columns(engine: mujoco.MjModel, part: int) -> Indices:
+    """Where in a state a part of it lies."""
     every = np.arange(mujoco.mj_stateSize(engine, _STATE), dtype=np.float64)
-    moving = np.empty(mujoco.mj_stateSize(engine, _MOVING))
-    mujoco.mj_extractState(engine, every, _STATE, moving, _MOVING)
-    return moving.astype(np.int64)
+    mine = np.empty(mujoco.mj_stateSize(engine, part))
+    mujoco.mj_extractState(engine, every, _STATE, mine, part)
+    return mine.astype(np.int64)
 
 
 def _inner(engine: mujoco.MjModel) -> dict[str, slice]:
@@ -190,6 +227,16 @@ def _without_energy(wings: Sequence[WingModel]) -> list[mujoco.MjModel]:
     for model in models.values():
         model.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_ENERGY)
     return [models[id(wing.engine)] for wing in wings]
+
+
+def _start_states(wings: Sequence[WingModel]) -> Array:
+    """What the wings start in, (wing, number)."""
+    batch = Batch(wings[0].engine, len(wings), 1)
+    batch.set_models([wing.engine for wing in wings])
+    batch.bind("qpos")[:] = [_start_position(wing) for wing in wings]
+    if batch.model.nplastic:
+        batch.bind("plastic")[:] = [_start_creep(wing) for wing in wings]
+    return np.array(batch.state)
 
 
 def _start_position(wing: WingModel) -> Array:
