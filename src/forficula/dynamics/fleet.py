@@ -73,20 +73,21 @@ class Fleet:
         """Torques that drive these wings, (row, motor), in their models' units."""
         return np.asarray(self._torques[rows, self.stage[rows]])
 
-    def follow(self, rows: Steps, time: Array, position: Array, velocity: Array) -> Steps:
+    def follow(self, rows: Steps, before: Array, time: Array, position: Array, velocity: Array) -> Steps:
         """Take note of some steps of these wings, up to the end of the stage of each.
 
         Args:
             rows: which wings.
-            time: before the first step and after each, (row, step + 1).
-            position: after each step, (row, step, dof).
+            before: time before the first step, (row,).
+            time: after each step, (row, step).
+            position: likewise, (row, step, dof).
             velocity: likewise, (row, step, dof).
 
         Returns:
             How many of the steps count, (row,); the others belong to another stage, with other torques.
         """
         count = position.shape[1]
-        sound = _sound_steps(time, position, velocity)
+        sound = _sound_steps(before, time, position, velocity)
         stage = self.stage[rows]
         number = self.steps[rows, None] + np.arange(1, count + 1)
         resting = np.all(np.abs(velocity) <= self._rest_speed[rows, None, None], axis=2)
@@ -200,22 +201,24 @@ def _since(holds: NDArray[np.bool_], number: Steps, carried: Steps) -> Steps:
     return np.where(broken < 0, before[:, None], broken + 1)
 
 
-def _sound_steps(time: Array, position: Array, velocity: Array) -> Steps:
+def _sound_steps(before: Array, time: Array, position: Array, velocity: Array) -> Steps:
     """How many steps each wing took before its numbers blew up, (row,); the engine then stops its clock.
 
     Args:
-        time: before the first step and after each, (row, step + 1).
+        before: time before the first step, (row,).
+        time: after each step, (row, step).
         position: after each step, (row, step, dof).
         velocity: likewise.
     """
     sound = np.full(len(time), position.shape[1])
     # the last step tells: numbers that are not finite stay so, and a clock that has stopped stands
-    broken = np.flatnonzero(~_sound(time[:, -2:], position[:, -1:], velocity[:, -1:])[:, 0])
-    sound[broken] = _sound(time[broken], position[broken], velocity[broken]).argmin(axis=1)
+    previous = time[:, -2] if time.shape[1] > 1 else before
+    broken = np.flatnonzero(~_sound(previous, time[:, -1:], position[:, -1:], velocity[:, -1:])[:, 0])
+    sound[broken] = _sound(before[broken], time[broken], position[broken], velocity[broken]).argmin(axis=1)
     return sound
 
 
-def _sound(time: Array, position: Array, velocity: Array) -> NDArray[np.bool_]:
+def _sound(before: Array, time: Array, position: Array, velocity: Array) -> NDArray[np.bool_]:
     """Whether each step left finite numbers and the clock ran, (row, step)."""
     finite = np.isfinite(position).all(axis=2) & np.isfinite(velocity).all(axis=2)
-    return np.asarray(finite & (np.diff(time, axis=1) > 0))
+    return np.asarray(finite & (np.diff(time, axis=1, prepend=before[:, None]) > 0))

@@ -168,9 +168,8 @@ def keep(recorders: Sequence[Recorder], chunk: Chunk) -> None:
     kept &= step < chunk.taken[:, None]
     # for all wings at once: a few calls do the work of thousands
     wing, before = np.nonzero(kept)
-    states = steps.states(wing, before)
-    position, velocity = np.split(states[:, 1 : 1 + 2 * steps.dof], 2, axis=1)
-    inner = {name: states[:, place].copy() for name, place in steps.inner.items()}
+    position, velocity = np.split(steps.states(wing, before, slice(1, 1 + 2 * steps.dof)), 2, axis=1)
+    inner = {name: steps.states(wing, before, place) for name, place in steps.inner.items()}
     rows = _Rows(
         number=number[wing, before],
         position=position,

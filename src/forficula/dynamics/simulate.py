@@ -148,7 +148,7 @@ def _advance(
     """Take note of a chunk of steps of some wings, of none beyond the end of its stage."""
     first, stage = fleet.steps[rows], fleet.stage[rows]
     begins = first == fleet.stage_start[rows]
-    taken = fleet.follow(rows, steps.time, steps.position, steps.velocity)
+    taken = fleet.follow(rows, steps.before[:, 0], steps.time, steps.position, steps.velocity)
     stepper.take_back(rows, steps, taken)
     chunk = Chunk(steps=steps, stage=stage, first=first, begins=begins, taken=taken)
     keep([recorders[row] for row in rows], chunk)

@@ -59,8 +59,8 @@ class Steps:
 
     @property
     def time(self) -> Array:
-        """Before the first step and after each, (wing, step + 1)."""
-        return np.concatenate([self.before[:, :1], self.after[:, :, 0]], axis=1)
+        """After each step, (wing, step)."""
+        return self.after[:, :, 0]
 
     @property
     def position(self) -> Array:
@@ -82,10 +82,10 @@ class Steps:
         place = self.inner.get("act", slice(0, 0))
         return np.concatenate([self.before[wing, None, place], self.after[wing, :taken, place]])
 
-    def states(self, wing: Indices, taken: Indices) -> Array:
-        """What wings are in after so many steps, (state, number), for pairs of the two."""
-        states = self.after[wing, taken - 1]
-        states[taken == 0] = self.before[wing[taken == 0]]
+    def states(self, wing: Indices, taken: Indices, part: slice = slice(None)) -> Array:
+        """What wings are in after so many steps, or a part of it, (state, number), for pairs of the two."""
+        states = self.after[:, :, part][wing, taken - 1]
+        states[taken == 0] = self.before[wing[taken == 0], part]
         return states
 
 
