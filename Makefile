@@ -3,7 +3,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 
-.PHONY: demo test check format clean
+.PHONY: demo test check format page clean
 
 demo: $(INSTALLED)  ## fold and open the reference wing; results in out/binder2025/
 	$(BIN)/forficula run binder2025 --out out/binder2025
@@ -20,6 +20,9 @@ check: $(INSTALLED)  ## lint, types, layers
 format: $(INSTALLED)
 	$(BIN)/ruff check --fix
 	$(BIN)/ruff format
+
+page:  ## build the script of the HTML pages, which is kept in the package; needs Node.js
+	cd web && npm ci && npm run build
 
 clean:
 	rm -rf $(VENV) out

@@ -8,6 +8,7 @@ import pytest
 
 import forficula as ff
 from forficula.cli import main
+from forficula.show.style import figure_files
 from tests.material.synthetic import cyclic_test, plain_text
 
 # the shortest run that leaves everything: 10 ms of settling
@@ -90,7 +91,7 @@ def test_a_run_leaves_its_files_and_names_their_folder_last(in_an_empty_folder):
     assert done.stdout.startswith("my-wing: settled\n")
     assert done.stdout.splitlines()[-1] == "written to out/my-wing"
     folder = in_an_empty_folder / "out" / "my-wing"
-    assert {"design.toml", "model.xml", "record.nc", "summary.json"} < set(everything_in(folder))
+    assert {"design.toml", "model.xml", "record.nc", "summary.json", "report.html"} < set(everything_in(folder))
     assert json.loads((folder / "summary.json").read_text())["status"] == "settled"
     assert ff.load_design(folder / "design.toml").tendon.stiffness == 2000.0
 
@@ -114,7 +115,8 @@ def test_a_landscape_leaves_its_files_and_names_their_folder_last(in_an_empty_fo
     assert "The simulated wing settled." in output.out
     assert output.out.splitlines()[-1] == "written to out/my-wing-landscape"
     folder = in_an_empty_folder / "out" / "my-wing-landscape"
-    assert everything_in(folder) == ["design.toml", "landscape.json", "levels.png", "tendon.png", "wing.png"]
+    figures = [name for kind in ("levels", "tendon", "wing") for name in figure_files(kind)]
+    assert everything_in(folder) == sorted(["design.toml", "figures", "landscape.json", *figures])
     content = json.loads((folder / "landscape.json").read_text())
     assert content["simulation"]["status"] == "settled"
     # three independent hinges of 10 N/cm and no resting length (theory.md, section 1: about 6 J each)
@@ -298,6 +300,27 @@ def test_a_study_leaves_its_table_and_names_their_folder_last(in_an_empty_folder
     assert (folder / "journal.jsonl").read_bytes().split() == before.split()
 
 
+def test_a_study_keeps_runs_to_be_played_in_its_page_as_many_as_asked(in_an_empty_folder, call, study_file):
+    study_file(TENDONS)
+    folder = in_an_empty_folder / "out" / "small"
+    output = call("study", "small.toml", "--keep", "1")
+    assert "keeping 1 run whole" in output.err
+    assert [place.name for place in (folder / "runs").iterdir()] == ["1"]
+    assert everything_in(folder / "runs" / "1") == ["design.toml", "record.nc", "summary.json"]
+    with_a_run = (folder / "report.html").stat().st_size
+    output = call("study", "small.toml", "--keep", "0")
+    assert "keeping" not in output.err
+    assert not (folder / "runs").exists()
+    assert (folder / "report.html").stat().st_size < with_a_run - 50_000
+
+
+def test_a_number_of_runs_that_is_none_is_answered_before_the_study(refusal, in_an_empty_folder, study_file):
+    study_file(TENDONS)
+    message = refusal("study", "small.toml", "--keep", "-1")
+    assert message == "--keep: need a whole number of points >= 0, got -1"
+    assert everything_in(in_an_empty_folder) == ["small.toml"]
+
+
 def test_a_dry_run_counts_the_runs_and_writes_nothing(in_an_empty_folder, call, study_file):
     study_file(TENDONS)
     assert call("study", "small.toml", "--dry-run").out.startswith(
@@ -374,7 +397,7 @@ def test_a_landscape_over_two_keys_is_a_map_beside_a_study(tmp_path, write_study
         head='ask = "least-torques"',
         tail='[search]\nfold_torques = ["50 N cm"]\nunfold_torques = ["100 N cm"]',
     )
-    assert forficula("study", str(study), "--out", str(tmp_path / "study")).returncode == 0
+    assert forficula("study", str(study), "--keep", "0", "--out", str(tmp_path / "study")).returncode == 0
     ff.save_design(ff.load_study(study).base, tmp_path / "base.toml")
     over = ["--over", 'tendon.rest_length=["0 cm", "9 cm"]']
     options = ["--no-simulation", "--simulated", str(tmp_path / "study"), "--out", str(tmp_path / "map")]

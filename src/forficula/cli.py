@@ -7,15 +7,18 @@ import sys
 from collections.abc import Sequence
 from contextlib import nullcontext
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import App, CycloptsError, Parameter
 
 from forficula.errors import InputError
-from forficula.options import read_option, read_quantity, read_stiffnesses
+from forficula.options import read_option, read_quantity, read_size, read_stiffnesses
 
 if TYPE_CHECKING:
+    from xarray import Dataset
+
     from forficula.design import Design
+    from forficula.study import Study
 
 # What each command needs is imported in it: help and errors come at once, without MuJoCo and matplotlib.
 
@@ -186,6 +189,18 @@ def converge(
 
 
 @app.command
+def compare(
+    *runs: Annotated[Path, Parameter(help="Folders that forficula run wrote, two or more.")],
+    out: Annotated[Path, Parameter(help="A .html file.")],
+) -> None:
+    """Show runs side by side on one clock, as a page that opens in any browser."""
+    from forficula.show.page import compare_runs
+
+    compare_runs(runs, out)
+    print(f"written to {out}")
+
+
+@app.command
 def study(
     study: Annotated[str, Parameter(help="A named study, or the path of a study file (.toml).")],
     /,
@@ -198,14 +213,23 @@ def study(
     dask: Annotated[
         str | None, Parameter(help="Run on the Dask cluster with this scheduler, as in tcp://scheduler:8786.")
     ] = None,
+    keep: Annotated[
+        int | None,
+        Parameter(help="Keep runs of so many points at most, to be played in its page; 100 if not given, 0 for none."),
+    ] = None,
 ) -> None:
-    """Run a study, or go on with it where it stopped: a table, and maps."""
+    """Run a study, or go on with it where it stopped: a table, maps, and a page on which they open their runs."""
     from forficula.study import collect as collect_study
     from forficula.study import estimate, load_study, run_study, slurm_script
 
     chosen = load_study(study)
     folder = out or Path("out") / chosen.name
     _check_folder(folder)
+    if keep is not None:
+        from forficula.study.kept_runs import check_most
+
+        most = keep
+        read_option("--keep", lambda: check_most(most))
     if slurm is not None:
         from forficula.files import write_text
 
@@ -232,6 +256,7 @@ def study(
     from forficula.show import print_study, write_study
 
     write_study(chosen, table, folder)
+    _report(chosen, table, keep, folder)
     print_study(chosen, table)
     print(f"\nwritten to {folder}")
 
@@ -330,6 +355,57 @@ def size(
 
 
 @app.command
+def figure(
+    results: Annotated[Path, Parameter(help="A folder that forficula wrote: of a run, a study, a landscape, ...")],
+    /,
+    *,
+    kind: Annotated[str, Parameter(help="Which figure, by the name of its picture there, such as energy or folding.")],
+    out: Annotated[Path, Parameter(help="A .pdf, .svg or .png file.")],
+    width: Annotated[
+        Literal["column", "page"] | None,
+        Parameter(help="As wide as a journal's column, 3.5 in, which it is if not given, or as its page, 7.1 in."),
+    ] = None,
+) -> None:
+    """Draw one figure of some results again, for a paper."""
+    from forficula.show.figure_kinds import write_figure
+    from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
+
+    write_figure(results, kind, out, None if width is None else {"column": COLUMN_WIDTH, "page": PAGE_WIDTH}[width])
+    print(f"written to {out}")
+
+
+@app.command
+def film(
+    run: Annotated[Path, Parameter(help="The folder of a run.")],
+    /,
+    *,
+    out: Annotated[Path, Parameter(help="An .mp4 or .gif file.")],
+    size: Annotated[
+        str | None, Parameter(help="Pixels across and upwards; 1280x720, or 800x450 for .gif, if not given.")
+    ] = None,
+    fps: Annotated[int | None, Parameter(help="Pictures a second; 30, or 15 for .gif, if not given.")] = None,
+    slower: Annotated[
+        float | None, Parameter(help="How many times; each move takes about 3.5 s of the film if not given.")
+    ] = None,
+) -> None:
+    """Film a run: the wing, its tendons coloured by their energy, held in every state and slowed down between them."""
+    from forficula.show.film import LARGEST, SMALLEST, check_film, write_film
+    from forficula.show.progress import film_progress
+    from forficula.show.run_folder import read_run
+
+    read_option("--out", lambda: check_film(out))
+    pixels = None if size is None else read_size("--size", size, SMALLEST, LARGEST)
+    if fps is not None and not 1 <= fps <= 60:
+        raise InputError(f"--fps: need 1 to 60, got {fps}")
+    if slower is not None and not 0.01 <= slower <= 10_000:
+        raise InputError(f"--slower: need 0.01 to 10000, got {slower:g}")
+    record = read_run(run)
+    with film_progress() as progress:
+        write_film(record, out, size=pixels, rate=fps, slowed=slower, progress=progress)
+    print(f"written to {out}")
+
+
+@app.command
 def materials() -> None:
     """List the named materials, each with its source."""
     from forficula.material.law_file import named_laws
@@ -392,27 +468,36 @@ def _cycle(design: Design, cycles: int | None, folder: Path) -> None:
     print_cycling(cycling)
 
 
+def _report(study: Study, table: Dataset, keep: int | None, folder: Path) -> None:
+    """Write a study's page, and keep the runs that it plays."""
+    from forficula.show import study_progress
+    from forficula.show.study_folder import write_study_report
+    from forficula.study.kept_runs import MOST_POINTS, kept_runs, runs_to_keep
+
+    runs = runs_to_keep(study, table, MOST_POINTS if keep is None else keep)
+    if runs:
+        what = "1 run" if len(runs) == 1 else f"{len(runs)} runs"
+        print(f"keeping {what} whole, to be played in report.html (--keep 0 does without)", file=sys.stderr)
+    with study_progress() as progress:
+        write_study_report(study, table, kept_runs(runs, folder, progress=progress), len(runs), folder)
+
+
 def _survey(design: Design, folder: Path, simulation: bool) -> None:
     """Write and print the landscape of one design, and a run of it where one is wanted."""
     from forficula.design import design_warnings
+    from forficula.dynamics import timestep_warnings
     from forficula.show.landscape_folder import write_landscape
     from forficula.show.landscape_table import print_landscape
-    from forficula.statics import energy_landscape
+    from forficula.show.progress import run_progress
+    from forficula.study.survey import survey
 
     for warning in design_warnings(design):
         print(f"warning: {warning}", file=sys.stderr)
-    record = None
     if simulation:
-        from forficula.analysis.simulated_snap import finely_sampled
-        from forficula.dynamics import run as run_design
-        from forficula.dynamics import timestep_warnings
-        from forficula.show import run_progress
-
         for warning in timestep_warnings(design):
             print(f"warning: {warning}", file=sys.stderr)
-        with run_progress() as progress:
-            record = run_design(finely_sampled(design), progress)
-    landscape = energy_landscape(design)
+    with run_progress() as progress:
+        landscape, record = survey(design, simulation=simulation, progress=progress)
     write_landscape(landscape, folder, record)
     print_landscape(landscape, record)
 

@@ -7,16 +7,18 @@ from pathlib import Path
 
 from forficula.analysis import Outcome, summary
 from forficula.design import save_design
-from forficula.dynamics import Record, compile_wing, save_record, versions
+from forficula.dynamics import Record, compile_wing, load_record, save_record, versions
+from forficula.errors import InputError
 from forficula.files import replacing_all, write_text
 from forficula.show.folding_figure import draw_folding
+from forficula.show.page import write_run_page
 from forficula.show.pattern_figure import draw_pattern
-from forficula.show.style import save_figure
+from forficula.show.style import Drawing, save_figures
 from forficula.show.time_figures import draw_angles, draw_energies
 
 
 def write_run(record: Record, outcome: Outcome, folder: Path) -> None:
-    """Write design, model, record, summary and figures; all of them, or none.
+    """Write design, model, record, summary, figures and page; all of them, or none.
 
     Args:
         record: what happened.
@@ -35,7 +37,30 @@ def _write_files(record: Record, outcome: Outcome, folder: Path) -> None:
     write_text(folder / "model.xml", compile_wing(record.design).xml)
     save_record(record, folder / "record.nc")
     write_text(folder / "summary.json", json.dumps(summary(record, outcome, versions()), indent=2) + "\n")
-    save_figure(draw_pattern(record.design), folder / "pattern.png")
-    save_figure(draw_angles(record, outcome), folder / "angles.png")
-    save_figure(draw_energies(record), folder / "energies.png")
-    save_figure(draw_folding(record, outcome), folder / "folding.png")
+    save_figures(run_drawings(record, outcome), folder)
+    write_run_page(record, outcome, folder / "report.html")
+
+
+def read_run(folder: Path) -> Record:
+    """Read the record of a run from its folder.
+
+    Raises:
+        InputError: there is no such folder, it holds no run, or the record cannot be read.
+    """
+    if not folder.is_dir():
+        what = "a file" if folder.exists() else "no such folder"
+        raise InputError(f"{folder}: need the folder of a run, as forficula run writes it, got {what}")
+    path = folder / "record.nc"
+    if not path.is_file():
+        raise InputError(f"{folder}: holds no run: record.nc is missing; write it with forficula run --out {folder}")
+    return load_record(path)
+
+
+def run_drawings(record: Record, outcome: Outcome) -> dict[str, Drawing]:
+    """What draws a run, by the stem of its file."""
+    return {
+        "pattern": lambda width: draw_pattern(record.design, width),
+        "angles": lambda width: draw_angles(record, outcome, width),
+        "energy": lambda width: draw_energies(record, width),
+        "folding": lambda width: draw_folding(record, outcome, width),
+    }

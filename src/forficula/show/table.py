@@ -7,8 +7,10 @@ from rich.console import Console, Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from forficula.analysis import Outcome, State, Transition
+from forficula.analysis import EnergyBalance, Outcome, State, Transition
 from forficula.quantities import reading_unit
+
+TRANSITION_HEADINGS = ("", "torque", "succeeded", "time", "work of the torques")
 
 
 def outcome_table(name: str, outcome: Outcome) -> RenderableType:
@@ -48,7 +50,7 @@ def _states(outcome: Outcome) -> RenderableType:
         cells = [str(vein)]
         for state in there.values():
             cells += [
-                _angle(state, vein),
+                state_angle(state, vein),
                 f"{length * state.tendon_length[vein]:.2f}",
                 f"{energy * state.tendon_energy[vein]:.4g}",
             ]
@@ -63,8 +65,8 @@ def _states(outcome: Outcome) -> RenderableType:
     return table
 
 
-def _angle(state: State, vein: int) -> str:
-    """Mean, and half the envelope where the hinge still swings."""
+def state_angle(state: State, vein: int) -> str:
+    """Mean distal angle of a vein, deg, and half the envelope where the hinge still swings."""
     mean = np.degrees(state.distal_angle[vein])
     swing = np.degrees(state.distal_angle_high[vein] - state.distal_angle_low[vein]) / 2
     return f"{mean:.1f} ± {swing:.1f}" if swing > 0.05 else f"{mean:.1f}"
@@ -72,14 +74,15 @@ def _angle(state: State, vein: int) -> str:
 
 def _transitions(outcome: Outcome) -> Table:
     table = Table(box=None, padding=(0, 2, 0, 0), title="Transitions", title_justify="left")
-    for heading in ("", "torque", "succeeded", "time", "work of the torques"):
+    for heading in TRANSITION_HEADINGS:
         table.add_column(heading, justify="left" if not heading else "right")
     for name, transition in (("folding", outcome.fold), ("unfolding", outcome.unfold)):
-        table.add_row(name, *_transition(transition))
+        table.add_row(name, *transition_cells(transition))
     return table
 
 
-def _transition(transition: Transition | None) -> list[str]:
+def transition_cells(transition: Transition | None) -> list[str]:
+    """A transition in words and units, under `TRANSITION_HEADINGS` but the first."""
     if transition is None:
         return ["not tried", "", "", ""]
     time = "" if transition.time is None else _readable(transition.time, "s")
@@ -96,8 +99,15 @@ def _balance(outcome: Outcome) -> RenderableType:
     table = Table(box=None, padding=(0, 2, 0, 0), title="Energy balance", title_justify="left", show_header=False)
     table.add_column("")
     table.add_column("", justify="right")
+    for label, value in balance_rows(balance):
+        table.add_row(label, value)
+    return table
+
+
+def balance_rows(balance: EnergyBalance) -> list[tuple[str, str]]:
+    """An energy balance, term by term, in one unit, and what is missing as a share."""
     unit, factor = reading_unit("J", max(abs(balance.work), abs(balance.tendon), 1e-12))
-    for label, value in (
+    terms = (
         ("work of the torques", balance.work),
         ("= change of tendon energy", balance.tendon),
         ("+ change of membrane energy", balance.membrane),
@@ -111,12 +121,10 @@ def _balance(outcome: Outcome) -> RenderableType:
         ("+ taken by yielding", balance.yielding),
         ("+ stored by branches that gave way, unpaid", balance.letting_go),
         ("+ missing", balance.missing),
-    ):
-        if value is not None:
-            # adding 0 turns -0 into 0
-            table.add_row(label, f"{round(factor * value, 4) + 0.0:.4f} {unit}")
-    table.add_row("residual", f"{100 * balance.residual:.3f} % of {balance.residual_of}")
-    return table
+    )
+    # adding 0 turns -0 into 0
+    rows = [(label, f"{round(factor * value, 4) + 0.0:.4f} {unit}") for label, value in terms if value is not None]
+    return [*rows, ("residual", f"{100 * balance.residual:.3f} % of {balance.residual_of}")]
 
 
 def _readable(value: float, si: str) -> str:

@@ -1,0 +1,62 @@
+"""One HTML file that needs nothing else: style, script and data in it, and no way to the network."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+from importlib import resources
+from typing import Any
+
+from forficula.show.page.html import escaped
+
+_NO_SCRIPT = "Without JavaScript the wing does not move and there are no plots; the numbers below are all there."
+
+
+def page_html(title: str, body: str, data: dict[str, Any]) -> str:
+    """Assemble a page.
+
+    Only the packed script may run, named by its hash, and nothing may be fetched: a name of a design that looks like a
+    script stays text, and the page works without a network as it does with one.
+
+    Args:
+        title: of the window.
+        body: HTML, already escaped.
+        data: what the script shows; its "kind" says how.
+    """
+    script, style = built("page.js"), built("page.css")
+    # "<" could end the element that the data stand in
+    packed = json.dumps(data, separators=(",", ":"), ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
+    return f"""<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="{_policy(script)}">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<meta name="generator" content="forficula">
+<link rel="icon" href="data:,">
+<title>{escaped(title)}</title>
+<style>{style}</style>
+</head>
+<body>
+{body}
+<noscript><p class="note">{_NO_SCRIPT}</p></noscript>
+<script type="application/json" id="data">{packed}</script>
+<script>{script}</script>
+</body>
+</html>
+"""
+
+
+def built(name: str) -> str:
+    """A file that is built from the folder web/."""
+    return (resources.files("forficula.show.page") / "built" / name).read_text("utf-8")
+
+
+def _policy(script: str) -> str:
+    digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode("ascii")
+    return (
+        f"default-src 'none'; script-src 'sha256-{digest}'; style-src 'unsafe-inline'; img-src data: blob:;"
+        " base-uri 'none'; form-action 'none'"
+    )

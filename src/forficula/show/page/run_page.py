@@ -1,0 +1,98 @@
+"""The page of a run: the wing moving, its plots, and every number."""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from forficula.analysis import Outcome
+from forficula.design import Design, design_text, design_warnings
+from forficula.dynamics import Record, timestep_warnings, versions
+from forficula.files import write_text
+from forficula.show.page.design_tables import design_tables
+from forficula.show.page.html import escaped, paragraph, section, table
+from forficula.show.page.outcome_tables import outcome_tables
+from forficula.show.page.page import page_html
+from forficula.show.page.playback import Clip, clip_data, energy_scale, make_clip
+from forficula.show.page.plots import angle_plot, energy_plot, plot_data
+from forficula.show.page.time_spans import run_spans, span_data
+from forficula.show.page.words import energy_text, outcome_remarks, outcome_sentence, wing_text
+
+
+def write_run_page(record: Record, outcome: Outcome, path: Path) -> None:
+    """Write a run as one HTML file that needs no network.
+
+    Raises:
+        InputError: it cannot be written.
+    """
+    write_text(path, run_page(record, outcome))
+
+
+def run_page(record: Record, outcome: Outcome) -> str:
+    """A run as one page: the wing in 3-D, its plots, its numbers, its design and how to repeat it."""
+    design, clip = record.design, make_clip(record, outcome)
+    sentence = paragraph(outcome_sentence(design.name, outcome), "outcome")
+    places = "".join(f'<div id="{name}"></div>\n' for name in ("player", "plots", "readout"))
+    body = (
+        f"<header><h1>{escaped(design.name)}</h1>{sentence}</header>\n<main>{places}{numbers(record, outcome)}</main>"
+    )
+    return page_html(f"{design.name}: {outcome.status}", body, playback_data(record, clip))
+
+
+def numbers(record: Record, outcome: Outcome, run_versions: Mapping[str, str] | None = None) -> str:
+    """The sections of a run's page under its plots, as HTML.
+
+    Args:
+        record: what happened.
+        outcome: what it means.
+        run_versions: that the run was made with; those of now if not given.
+    """
+    design = record.design
+    warnings = [*outcome_remarks(record, outcome), *design_warnings(design), *timestep_warnings(design)]
+    return "".join(
+        (
+            section("What to know", _list(warnings) or paragraph("There is nothing to warn of.")),
+            section("Outcome", *outcome_tables(outcome), name="outcome"),
+            section("Design", *design_tables(design), name="design"),
+            section("Run it again", *_repeat(design, run_versions or versions()), name="repeat"),
+        )
+    )
+
+
+def playback_data(record: Record, clip: Clip) -> dict[str, Any]:
+    """A run as data for JSON: what moves, its plots, and the parts of its time that are shown close up."""
+    plots = (
+        angle_plot(clip, "distal hinge angle", "distalAngle"),
+        angle_plot(clip, "turn about its own axis", "turnAngle"),
+        energy_plot("energy", [(name, 0, values) for name, values in clip.stored_energy.items()], energy_text(clip)),
+    )
+    return {
+        "kind": "run",
+        "clips": [clip_data(clip)],
+        "spans": [span_data(span) for span in run_spans(clip)],
+        "plots": plot_data(plots),
+        "energy": energy_scale([clip]),
+        "text": wing_text(clip, record),
+    }
+
+
+def _list(sentences: list[str]) -> str:
+    items = "".join(f"<li>{escaped(f'{each[:1].upper()}{each[1:]}'.rstrip('.'))}.</li>" for each in sentences)
+    return f'<ul class="warnings">{items}</ul>' if items else ""
+
+
+def _repeat(design: Design, run_versions: Mapping[str, str]) -> list[str]:
+    content = base64.b64encode(design_text(design).encode()).decode("ascii")
+    return [
+        paragraph("The design file holds every value; running it with the same versions gives the same numbers."),
+        f'<p><a class="button" download="design.toml" href="data:application/toml;base64,{content}">'
+        "Download design.toml</a></p>\n<pre><code>forficula run design.toml</code></pre>",
+        table(
+            "Versions",
+            ("", ""),
+            [*([name, version] for name, version in run_versions.items()), ["design hash", design.hash]],
+            numbers=False,
+        ),
+    ]

@@ -1,0 +1,195 @@
+"""A study's table as data for its page: factors, columns, quantities to map, and why values are missing."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from forficula.quantities import reading_unit
+from forficula.show.map_page import (
+    NOT_BUILT,
+    NOT_FOLDED,
+    NOT_OPENED,
+    NOT_RUN,
+    NOT_STAYED,
+    NOT_TRIED,
+    STUCK,
+    display_values,
+    plain_name,
+    value_text,
+)
+from forficula.show.maps import missing_reasons, verdict_words
+from forficula.study import Study
+
+if TYPE_CHECKING:
+    from xarray import DataArray, Dataset
+
+# what a map shows: group, whose maps share a scale where that is said, and title; in the order of the page's choice
+_TORQUES = {"least_fold_torque": "least fold torque", "least_unfold_torque": "least unfold torque"}
+_WORKS = {"fold_work": "work of folding", "unfold_work": "work of unfolding"}
+_ENERGIES = {
+    "flat_energy": "tendons' energy when flat",
+    "folded_energy": "tendons' energy when folded",
+    "opened_energy": "tendons' energy when opened",
+}
+_TIMES = {"fold_time": "fold time", "unfold_time": "opening time"}
+_GROUPS = (("torque", _TORQUES), ("time", _TIMES), ("work", _WORKS), ("energy", _ENERGIES))
+# a sign for each reason, so that no one needs to tell colours apart
+_SIGNS = {
+    "folded and opened": "●",
+    "folded": "◆",
+    NOT_OPENED: "■",
+    NOT_FOLDED: "×",
+    STUCK: "✱",
+    NOT_STAYED: "↺",
+    "diverged": "✚",
+    NOT_BUILT: "⊘",
+    NOT_TRIED: "–",
+    NOT_RUN: "·",
+}
+_WITH_TORQUE, _OTHER = "⊗", "?"
+_DIGITS = 7
+
+
+def study_data(study: Study, table: Dataset) -> dict[str, Any]:
+    """What a page needs to know of a study, as data for JSON.
+
+    Args:
+        study: what was asked.
+        table: what came out.
+
+    Returns:
+        Every list with an entry a point has the study's order, in which the last factor runs fastest; numbers are in
+        the unit that stands beside them, None where there is none.
+
+        - `points`: how many; `sampled`: whether they were drawn.
+        - `factors`: `key`, `name`, `unit`, and `values`: of the grid, or a point each where they were drawn.
+        - `words`: what became of points, those that came furthest first: `word`, `sign`, and `count` of the points with
+          it as their verdict.
+        - `verdicts`: a number of `words` a point; `statuses`: the full texts.
+        - `quantities`: for maps and for the table's columns: `name`, `title`, `group`, `unit`, `values`, and `reasons`:
+          a number of `words` a point, None where there is a value. The first is the verdict and has no values.
+    """
+    words = _Words(sorted(set(verdict_words(table["status"]).values.ravel()), key=_rank))
+    verdicts = words.numbers(verdict_words(table["status"]))
+    quantities = [
+        {"name": "status", "title": "outcome", "group": "outcome", "unit": "", "values": None, "reasons": verdicts},
+        *(_quantity(table, name, title, group, words) for group, name, title in _drawn(table)),
+        *_times_by_torque(table, words),
+    ]
+    return {
+        "name": study.name,
+        "design": study.base.name,
+        "points": len(study.points),
+        "sampled": study.sampled,
+        "search": study.search is not None,
+        "factors": [_factor(table[factor.dimension]) for factor in study.factors],
+        "statuses": [str(status) for status in table["status"].values.ravel()],
+        "verdicts": verdicts,
+        "quantities": quantities,
+        "words": words.data(verdicts),
+    }
+
+
+class _Words:
+    """What became of points, each word once, with a number."""
+
+    def __init__(self, first: Sequence[str]) -> None:
+        self._numbers = {word: number for number, word in enumerate(first)}
+
+    def number(self, word: str) -> int:
+        return self._numbers.setdefault(word, len(self._numbers))
+
+    def numbers(self, words: DataArray) -> list[int]:
+        return [self.number(str(word)) for word in words.values.ravel()]
+
+    def data(self, verdicts: Sequence[int]) -> list[dict[str, Any]]:
+        counts = Counter(verdicts)
+        return [{"word": word, "sign": _sign(word), "count": counts[number]} for word, number in self._numbers.items()]
+
+
+def _rank(word: str) -> tuple[int, str]:
+    """Those that came furthest first."""
+    return [*_SIGNS, word].index(word), word
+
+
+def _sign(word: str) -> str:
+    return _SIGNS.get(word) or (_WITH_TORQUE if " with " in word else _OTHER)
+
+
+def _drawn(table: Dataset) -> Iterator[tuple[str, str, str]]:
+    """Group, name and title of the numbers that a table has."""
+    for group, names in _GROUPS:
+        for name, title in names.items():
+            if name in table:
+                yield group, name, title
+
+
+def _factor(factor: DataArray) -> dict[str, Any]:
+    values, unit = display_values(factor)
+    return {
+        "key": str(factor.attrs["key"]),
+        "name": plain_name(factor),
+        "unit": unit,
+        "values": [_rounded(value) for value in values.tolist()],
+        "texts": [_short_text(factor, index) for index in range(factor.size)],
+    }
+
+
+def _short_text(factor: DataArray, index: int) -> str:
+    """A value without the factor's name and its unit."""
+    unit = display_values(factor)[1]
+    return value_text(factor, index).removeprefix(f"{plain_name(factor)} ").removesuffix(f" {unit}")
+
+
+def _quantity(table: Dataset, name: str, title: str, group: str, words: _Words) -> dict[str, Any]:
+    numbers = table[name].values.ravel()
+    unit, scale = _unit(table[name], numbers)
+    values = [_rounded(scale * value) for value in numbers.tolist()]
+    reasons = missing_reasons(table, name).values.ravel()
+    return {
+        "name": name,
+        "title": title,
+        "group": group,
+        "unit": unit,
+        "values": values,
+        "reasons": [
+            words.number(str(reason)) if value is None else None for value, reason in zip(values, reasons, strict=True)
+        ],
+    }
+
+
+def _times_by_torque(table: Dataset, words: _Words) -> Iterator[dict[str, Any]]:
+    """A map a fold torque that was tried, all in one unit."""
+    if "fold_time_by_torque" not in table:
+        return
+    times, torques = table["fold_time_by_torque"], table["fold_torque"]
+    unit, scale = _unit(times, times.values)
+    reason = words.number(NOT_FOLDED)
+    for index in range(torques.size):
+        values = [_rounded(scale * value) for value in times.isel(fold_torque=index).values.ravel().tolist()]
+        yield {
+            "name": f"fold_time_by_torque:{index}",
+            "title": f"fold time with {value_text(torques, index).removeprefix('fold torque ')}",
+            "group": "time by torque",
+            "unit": unit,
+            "values": values,
+            "reasons": [None if value is not None else reason for value in values],
+        }
+
+
+def _unit(variable: DataArray, values: Any) -> tuple[str, float]:
+    """The unit in which values read well, and its factor from SI."""
+    largest = np.nanmax(np.abs(values), initial=0.0, where=np.isfinite(values))
+    return reading_unit(str(variable.attrs["units"]), float(largest))
+
+
+def _rounded(value: Any) -> Any:
+    """A number with the digits that anyone reads; None for none."""
+    if not isinstance(value, float):
+        return value
+    return float(f"{value:.{_DIGITS}g}") if math.isfinite(value) else None

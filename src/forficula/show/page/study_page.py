@@ -1,0 +1,214 @@
+"""The page of a study: its maps, its runs to play, and its table."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from forficula.design import TORQUE
+from forficula.dynamics import versions
+from forficula.files import write_text
+from forficula.quantities import show_quantity
+from forficula.show.page.html import Cell, escaped, paragraph, section, table
+from forficula.show.page.outcome_tables import outcome_tables
+from forficula.show.page.page import page_html
+from forficula.show.page.playback import BUDGET, make_clip
+from forficula.show.page.run_page import playback_data
+from forficula.show.page.study_data import study_data
+from forficula.show.page.words import outcome_sentence, readable
+from forficula.study import Study, named_studies, table_csv
+from forficula.study.claims import Comparison
+from forficula.study.kept_runs import KeptRun
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+# bytes that all runs may take in the page, where the script takes 0.7 MB more
+_RUNS = 8_000_000
+# a clip with less than this does not show how the wing moves
+_LEAST_BUDGET = 20_000
+# points beyond which a table is a thing for other programs
+_MOST_ROWS = 3000
+_AGREES = {True: "yes", False: "no", None: "cannot tell"}
+
+
+def write_study_page(
+    study: Study, results: Dataset, path: Path, kept: Iterable[KeptRun], count: int, compared: Sequence[Comparison] = ()
+) -> None:
+    """Write a study as one HTML file that needs no network.
+
+    Args are those of `study_page`.
+
+    Raises:
+        InputError: it cannot be written.
+    """
+    write_text(path, study_page(study, results, kept, count, compared))
+
+
+def study_page(
+    study: Study, results: Dataset, kept: Iterable[KeptRun], count: int, compared: Sequence[Comparison] = ()
+) -> str:
+    """A study as one page: maps, the runs behind their cells, all points, and what a paper says of them.
+
+    Args:
+        study: what was asked.
+        results: its table.
+        kept: the runs that can be played.
+        count: how many these are; they share the page's bytes, so that 60 points stay below 10 MB.
+        compared: a paper's claims beside the study's results.
+    """
+    data = study_data(study, results)
+    body = "".join(
+        (
+            f"<header><h1>{escaped(study.name)}</h1>{paragraph(study_sentence(study, results), 'outcome')}</header>\n",
+            '<main class="study"><div id="explorer"></div>\n',
+            section("All points", _points(data), name="points"),
+            section("Beside the paper", _comparison(compared), name="comparison"),
+            section("The study", *_about(study), name="about"),
+            "</main>",
+        )
+    )
+    shown = {
+        "kind": "study",
+        "study": data,
+        "runs": [_run(run, _RUNS // max(count, 1)) for run in kept],
+        "csv": table_csv(study, results) if _has_rows(data) else None,
+    }
+    return page_html(f"{study.name}: {len(study.points)} points", body, shown)
+
+
+def study_sentence(study: Study, results: Dataset) -> str:
+    """How many points there are and what became of them."""
+    count = f"{len(study.points)} points"
+    if study.search is None:
+        folded, opened = int(results["folded"].sum()), int(results["opened"].sum())
+        return f"{count}: {folded} fold, {opened} fold and open again."
+    parts = []
+    for name, what in (("least_fold_torque", "fold"), ("least_unfold_torque", "open again")):
+        torques = results[name].values[np.isfinite(results[name].values)]
+        if not len(torques):
+            parts.append(f"none can {what}")
+            continue
+        low, high = (show_quantity(float(each), TORQUE) for each in (torques.min(), torques.max()))
+        parts.append(f"{len(torques)} {what}, with {low if low == high else f'{low} to {high}'}")
+    return f"{count}: {'; '.join(parts)}."
+
+
+def _run(run: KeptRun, size: int) -> dict[str, Any]:
+    """A run as data for JSON that take so many bytes, if that is enough to see it move."""
+    # three bytes are four letters in the page
+    spare = 3 * (size - len(json.dumps(_run_data(run, 0)))) // 4
+    return _run_data(run, int(np.clip(spare, _LEAST_BUDGET, BUDGET)))
+
+
+def _run_data(run: KeptRun, budget: int) -> dict[str, Any]:
+    """What a run is, its numbers, and its playback within a budget."""
+    outcome = run.outcome
+    torques = [
+        f"{verb} with {readable(transition.torque, 'N m')}"
+        for verb, transition in (("folding", outcome.fold), ("opening", outcome.unfold))
+        if transition is not None
+    ]
+    return {
+        "point": run.point,
+        "part": run.part,
+        "title": ", ".join(torques) or outcome.status,
+        "text": outcome_sentence("This wing", outcome),
+        "advice": outcome.advice,
+        "folder": run.folder,
+        "numbers": "".join(outcome_tables(outcome)),
+        "play": playback_data(run.record, make_clip(run.record, outcome, budget=budget)),
+    }
+
+
+def _has_rows(data: dict[str, Any]) -> bool:
+    return int(data["points"]) <= _MOST_ROWS
+
+
+def _points(data: dict[str, Any]) -> str:
+    """Every point as a row; the script adds filter, order and links."""
+    if not _has_rows(data):
+        return paragraph(f"The {data['points']} points are too many for a table here; table.csv has them all.")
+    factors, numbers = data["factors"], _columns(data)
+    units = [(each["name"], each["unit"]) for each in factors] + [(each["title"], each["unit"]) for each in numbers]
+    named = [f"{name} ({unit})" if unit else name for name, unit in units]
+    headings = ["point", *named[: len(factors)], "outcome", *named[len(factors) :]]
+    rows = []
+    for point, status in enumerate(data["statuses"]):
+        values = [factor["texts"][place] for factor, place in zip(factors, places(data, point), strict=True)]
+        cells = ["—" if (value := each["values"][point]) is None else f"{value:.4g}" for each in numbers]
+        rows.append([str(point + 1), *values, status, *cells])
+    return table("One row a point, as in table.csv; numbers to four digits", headings, rows)
+
+
+def _columns(data: dict[str, Any]) -> list[dict[str, Any]]:
+    """The quantities of which a point has one value."""
+    return [each for each in data["quantities"] if each["group"] in ("torque", "time", "work", "energy")]
+
+
+def places(data: dict[str, Any], point: int) -> list[int]:
+    """Number of each factor's value at a point: the last factor runs fastest, drawn points have their own values."""
+    if data["sampled"]:
+        return [point] * len(data["factors"])
+    found = []
+    for factor in reversed(data["factors"]):
+        point, place = divmod(point, len(factor["values"]))
+        found.append(place)
+    return found[::-1]
+
+
+def _comparison(rows: Sequence[Comparison]) -> str:
+    if not rows:
+        return ""
+    told = [row.agrees for row in rows if row.agrees is not None]
+    cells: list[list[str | Cell]] = [
+        [
+            Cell(text=row.claim, note=row.why),
+            row.paper if row.mark == "paper" else f"{row.paper} [{row.mark}]",
+            row.ours,
+            _AGREES[row.agrees],
+        ]
+        for row in rows
+    ]
+    return paragraph(
+        f"{sum(told)} of {len(told)} claims of Binder, Costi, Izzo, Seidl (Biomimetics 11(1):9, 2025, doi"
+        " 10.3390/biomimetics11010009) agree."
+    ) + table("Claims", ("claim", "paper", "here", "agrees"), cells, numbers=False)
+
+
+def _about(study: Study) -> list[str]:
+    """What was varied, what was tried, and how to repeat it."""
+    rows = [["design", study.base.name], *([factor.key, _values(study, factor.key)] for factor in study.factors)]
+    if study.search is not None:
+        search = study.search
+        rows += [
+            ["fold torques tried", _torques(search.fold_torques)],
+            ["folded before unfolding with", show_quantity(search.fold_with, TORQUE)],
+            ["unfold torques tried", _torques(search.unfold_torques)],
+            ["halvings of the last step", str(search.refinements)],
+        ]
+    rows += [*([name, version] for name, version in versions().items()), ["design hash", study.base.hash]]
+    file = study.name if study.name in named_studies() else f"{study.name}.toml"
+    return [
+        paragraph(f"Source: {study.source}" if study.source else "", "note"),
+        table("What was varied, and with what", ("", ""), rows, numbers=False),
+        paragraph("The same command repeats it with the same numbers, or goes on where it stopped."),
+        f"<pre><code>forficula study {escaped(file)}</code></pre>",
+    ]
+
+
+def _values(study: Study, key: str) -> str:
+    """A factor's values, or how many were drawn."""
+    if study.sampled:
+        return f"{len(study.points)} values drawn"
+    values = list(dict.fromkeys(str(point[key]) for point in study.points))
+    return ", ".join(values) if len(values) <= 12 else f"{values[0]} to {values[-1]}, {len(values)} values"
+
+
+def _torques(torques: Sequence[float]) -> str:
+    first, last = show_quantity(torques[0], TORQUE), show_quantity(torques[-1], TORQUE)
+    return first if len(torques) == 1 else f"{first} to {last}, {len(torques)} torques"

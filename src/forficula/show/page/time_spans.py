@@ -1,0 +1,107 @@
+"""Parts of the time line that a page shows close up."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from forficula.dynamics import StageEnd
+from forficula.show.page.playback import Clip
+
+# before and after a driven stage, as a share of it; its hold, in which little happens, by the time to its goal
+_LEAD, _HOLD = 0.15, 0.6
+
+
+@dataclass(frozen=True, kw_only=True)
+class Span:
+    """A part of the clock that several clips share.
+
+    Attributes:
+        name: what it shows.
+        label: what its times count from.
+        start: s on the clock.
+        end: s on the clock.
+        origins: time of each clip that is 0 on the clock, s, (clip,).
+    """
+
+    name: str
+    label: str
+    start: float
+    end: float
+    origins: tuple[float, ...]
+
+
+def run_spans(clip: Clip) -> list[Span]:
+    """The whole run, then each driven stage close up, in the run's own time."""
+    label = "time since the start of the run"
+    spans = [Span(name="whole run", label=label, start=float(clip.time[0]), end=float(clip.time[-1]), origins=(0.0,))]
+    for end in _driven(clip):
+        low, high = _close_up(end)
+        within = (max(end.start + low, float(clip.time[0])), min(end.start + high, float(clip.time[-1])))
+        if within[0] < within[1]:
+            spans.append(Span(name=end.stage.name, label=label, start=within[0], end=within[1], origins=(0.0,)))
+    return spans
+
+
+def shared_spans(clips: Sequence[Clip]) -> list[Span]:
+    """Whole runs side by side, then folding and unfolding, each from the start of that stage in every run.
+
+    Whole runs are lined up at the start of folding; runs of which one never folds, at their own start.
+    """
+    spans = []
+    starts = {drive: [_start(clip, drive) for clip in clips] for drive in ("fold", "unfold")}
+    folding = [start for start in starts["fold"] if start is not None]
+    if len(folding) == len(clips):
+        spans.append(_whole(clips, tuple(folding), "time since the start of folding"))
+    for drive, name in (("fold", "folding"), ("unfold", "unfolding")):
+        ends = [end for clip in clips for end in _driven(clip) if end.stage.drive == drive]
+        if len(ends) < 2:
+            continue
+        low, high = min(_close_up(end)[0] for end in ends), max(_close_up(end)[1] for end in ends)
+        # a wing that never got there stays as it was at its end
+        origins = tuple(
+            float(clip.time[-1]) if start is None else start for clip, start in zip(clips, starts[drive], strict=True)
+        )
+        spans.append(Span(name=name, label=f"time since the start of {name}", start=low, end=high, origins=origins))
+    if not spans or len(set(spans[0].origins)) > 1:
+        spans.append(_whole(clips, (0.0,) * len(clips), "time since the start of the runs"))
+    return spans
+
+
+def span_data(span: Span) -> dict[str, Any]:
+    """A span as data for JSON."""
+    return {
+        "name": span.name,
+        "label": span.label,
+        "start": span.start,
+        "end": span.end,
+        "origins": list(span.origins),
+    }
+
+
+def _whole(clips: Sequence[Clip], origins: tuple[float, ...], label: str) -> Span:
+    pairs = list(zip(clips, origins, strict=True))
+    return Span(
+        name="whole runs" if any(origins) else "whole runs from their start",
+        label=label,
+        start=min(float(clip.time[0]) - origin for clip, origin in pairs),
+        end=max(float(clip.time[-1]) - origin for clip, origin in pairs),
+        origins=origins,
+    )
+
+
+def _driven(clip: Clip) -> list[StageEnd]:
+    return [end for end in clip.stages if end.stage.drive != "none"]
+
+
+def _start(clip: Clip, drive: str) -> float | None:
+    return next((end.start for end in clip.stages if end.stage.drive == drive), None)
+
+
+def _close_up(end: StageEnd) -> tuple[float, float]:
+    """From where to where a stage is shown, s since its start."""
+    duration = end.end - end.start
+    if end.goal_time is not None:
+        duration = min(duration, (1 + _HOLD) * (end.goal_time - end.start))
+    return -_LEAD * duration, (1 + _LEAD) * duration

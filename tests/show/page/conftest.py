@@ -1,0 +1,137 @@
+"""Runs short enough to be drawn on pages, and a browser to look at these."""
+
+import os
+import shutil
+import time
+from contextlib import contextmanager
+
+import pytest
+
+from forficula.analysis import measure
+from forficula.design import load_design
+from forficula.dynamics import run
+
+# drawn by the processor: a machine that runs tests need not have a graphics chip
+FLAGS = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox")
+
+
+# small, because the processor draws
+DEFAULTS = {"reduced_motion": "reduce", "viewport": {"width": 800, "height": 600}}
+RELEASE = {"drive": "none", "until": "rest", "hold": "10 ms", "time_limit": "0.1 s"}
+SHORT = {
+    "protocol.timestep": "0.4 ms",
+    "protocol.window": "10 ms",
+    "protocol.stages.0.time_limit": "20 ms",
+    "protocol.stages.1.time_limit": "0.1 s",
+    "protocol.stages.2": RELEASE | {"name": "release folded"},
+    # released sooner it would bounce off its stops and fold again
+    "protocol.stages.3.hold": "0.1 s",
+    "protocol.stages.3.time_limit": "0.2 s",
+    "protocol.stages.4": RELEASE | {"name": "release opened"},
+}
+
+
+@pytest.fixture(scope="session")
+def short_run():
+    """The reference, folded and opened in half a second."""
+    return run(load_design("binder2025", SHORT))
+
+
+@pytest.fixture(scope="session")
+def slow_run():
+    """As short_run, with less torque: it folds later."""
+    return run(load_design("binder2025", SHORT | {"protocol.fold_torque": "35 N cm"}))
+
+
+@pytest.fixture(scope="session")
+def large_record():
+    """A wing of five fan units: its first milliseconds, settling."""
+    stage = {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "4 ms"}
+    keys = {"pattern.units": 5, "pattern.sector_angle": "12 deg", "protocol.stages": [stage]}
+    return run(load_design("binder2025", keys))
+
+
+@pytest.fixture(scope="session")
+def short_outcome(short_run):
+    return measure(short_run)
+
+
+def missing(what: str) -> None:
+    """Skip, or fail where a browser must be there."""
+    reason = f"{what}: pages are not tested in a browser"
+    if os.environ.get("FORFICULA_NEED_BROWSER") == "1":
+        pytest.fail(reason)
+    pytest.skip(reason)
+
+
+@pytest.fixture(scope="module")
+def browser():
+    """Chromium from the system; while it runs, so does an event loop, therefore not for longer than a module."""
+    try:
+        from playwright.sync_api import sync_playwright
+    except ImportError:
+        missing("playwright is missing; install it with: pip install playwright")
+    names = ("chromium", "chromium-browser", "google-chrome")
+    found = os.environ.get("FORFICULA_CHROMIUM") or next(filter(None, map(shutil.which, names)), None)
+    if not found:
+        missing("Chromium is missing; install it, as with: apt-get install chromium, or name it in FORFICULA_CHROMIUM")
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=found, args=FLAGS)
+        yield browser
+        browser.close()
+
+
+def until(page, expression, seconds=20.0):
+    """Wait until an expression is true; Playwright's own wait needs eval, which the pages forbid."""
+    end = time.monotonic() + seconds
+    while not page.evaluate(expression):
+        assert time.monotonic() < end, f"never came: {expression}"
+        page.wait_for_timeout(20)
+
+
+class Watched:
+    """A page in the browser, and what it should not do: write to the console, ask for anything."""
+
+    def __init__(self, browser, path, **options):
+        self.context = browser.new_context(offline=True, **DEFAULTS | options)
+        self.page = self.context.new_page()
+        self.messages: list[str] = []
+        self.requests: list[str] = []
+        self.page.on("console", lambda message: self.messages.append(message.text))
+        self.page.on("pageerror", lambda error: self.messages.append(str(error)))
+        self.page.on("request", lambda request: self.requests.append(request.url))
+        self.page.goto(path.as_uri())
+        until(self.page, "window.forficula !== undefined")
+        self.settle()
+        self.time_when_opened = self.page.evaluate("forficula.clock?.time")
+
+    def settle(self):
+        """Wait until what has changed is drawn."""
+        self.page.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+
+
+@contextmanager
+def watching(browser):
+    opened = []
+
+    def watch(path, **options):
+        opened.append(Watched(browser, path, **options))
+        return opened[-1]
+
+    yield watch
+    for each in opened:
+        each.context.close()
+
+
+@pytest.fixture
+def watch(browser):
+    """Open pages from files with the network cut; still, unless motion is asked for."""
+    with watching(browser) as watch:
+        yield watch
+
+
+@pytest.fixture(scope="module")
+def watch_all(browser):
+    """As `watch`, for a page that all tests of a module share."""
+    with watching(browser) as watch:
+        yield watch

@@ -1,0 +1,118 @@
+"""Runs side by side, and what is refused."""
+
+import numpy as np
+import pytest
+
+from forficula.analysis import measure
+from forficula.cli import main
+from forficula.dynamics import save_record
+from forficula.errors import InputError
+from forficula.show.page import compare_runs
+
+
+@pytest.fixture(scope="module")
+def folders(short_run, slow_run, tmp_path_factory):
+    """Two runs as they lie in folders: a quick and a slow one."""
+    above = tmp_path_factory.mktemp("runs")
+    for name, record in (("quick", short_run), ("slow", slow_run)):
+        (above / name).mkdir()
+        save_record(record, above / name / "record.nc")
+    return above / "quick", above / "slow"
+
+
+@pytest.fixture(scope="module")
+def opened(watch_all, folders, tmp_path_factory):
+    path = tmp_path_factory.mktemp("page") / "compared.html"
+    with pytest.raises(SystemExit) as caught:
+        main(["compare", *map(str, folders), "--out", str(path)])
+    assert caught.value.code in (0, None)
+    return watch_all(path)
+
+
+def show(opened, span, moment):
+    opened.page.get_by_label("show").select_option(span)
+    opened.page.evaluate("(moment) => { forficula.clock.seek(moment); }", moment)
+    opened.settle()
+
+
+def test_wings_stand_side_by_side_without_a_request_or_a_word_on_the_console(opened):
+    assert opened.messages == []
+    assert len(opened.requests) == 1
+    cells = opened.page.locator(".cell")
+    boxes = [cell.bounding_box() for cell in cells.all()]
+    assert [text.split("\n")[0].strip() for text in cells.all_inner_texts()] == ["quick", "slow"]
+    assert boxes[0]["y"] == boxes[1]["y"]
+    assert boxes[0]["x"] + boxes[0]["width"] <= boxes[1]["x"] + 1
+
+
+def test_one_clock_moves_all_wings_each_by_the_time_since_it_began_to_fold(opened, short_run, slow_run):
+    show(opened, "folding", 0.02)
+    for view, record in enumerate((short_run, slow_run)):
+        tips = record.series["vein_position"][:, :, 2]
+        moment = record.stages[1].start + 0.02
+        expected = [np.interp(moment, record.time, column) for column in tips.reshape(len(record.time), -1).T]
+        vertices = opened.page.evaluate(f"Array.from(forficula.player.stage.views[{view}].wing.vertices)")
+        away = np.linalg.norm(np.array(vertices).reshape(-1, 3)[:, None] - np.reshape(expected, (-1, 3)), axis=2)
+        assert away.min(axis=0).max() < 1e-6
+
+
+def test_runs_that_differ_in_fold_time_are_seen_to_differ(opened, short_run, slow_run):
+    quick, slow = (measure(record).fold.time for record in (short_run, slow_run))
+    show(opened, "folding", (quick + slow) / 2)
+    texts = opened.page.locator(".state-now").all_inner_texts()
+    assert texts[0].startswith("release folded" if quick < slow else "fold ·")
+    assert texts[1].startswith("fold ·" if quick < slow else "release folded")
+
+
+def test_all_wings_are_seen_from_one_side_whoever_is_turned(opened):
+    before = opened.page.locator("canvas").first.screenshot()
+    opened.page.get_by_role("button", name="top: view from above").click()
+    opened.settle()
+    assert opened.page.evaluate("forficula.player.stage.views.length") == 2
+    assert opened.page.locator("canvas").first.screenshot() != before
+
+
+def test_only_values_that_differ_are_listed(opened):
+    rows = opened.page.locator("#design tbody th").all_inner_texts()
+    assert rows == ["protocol.fold_torque", "design hash"]
+
+
+@pytest.mark.parametrize("width", [360, 1280])
+def test_the_page_fits_its_window(opened, width):
+    opened.page.set_viewport_size({"width": width, "height": 700})
+    opened.settle()
+    assert opened.page.evaluate("document.documentElement.scrollWidth") <= width
+
+
+def refusal(*arguments):
+    with pytest.raises(InputError) as caught:
+        compare_runs(*arguments)
+    return str(caught.value)
+
+
+def test_what_is_no_run_is_refused_with_what_is_needed(folders, tmp_path):
+    page, empty, file = tmp_path / "page.html", tmp_path / "empty", tmp_path / "file"
+    empty.mkdir()
+    file.write_text("no record", "utf-8")
+    quick, slow = folders
+    assert "--out: need a file that ends with .html, got" in refusal(folders, tmp_path / "page.pdf")
+    assert refusal([quick], page) == "compare: need 2 to 12 folders of runs, got 1"
+    assert refusal([quick] * 13, page) == "compare: need 2 to 12 folders of runs, got 13"
+    assert refusal([quick, quick / ".." / "quick"], page).startswith("compare: need every run once, got")
+    assert refusal([quick, tmp_path / "none"], page).endswith("got no such folder")
+    assert refusal([quick, file], page).endswith("got a file")
+    assert "holds no run: record.nc is missing" in refusal([quick, empty], page)
+    (empty / "record.nc").write_text("no record", "utf-8")
+    assert "not a record of forficula" in refusal([slow, empty], page)
+    assert not page.exists()
+
+
+def test_folders_of_one_name_are_told_apart_by_those_above(folders, tmp_path):
+    quick, slow = folders
+    for above, folder in (("first", quick), ("second", slow)):
+        (tmp_path / above).mkdir()
+        (tmp_path / above / "run").mkdir()
+        (tmp_path / above / "run" / "record.nc").write_bytes((folder / "record.nc").read_bytes())
+    page = tmp_path / "page.html"
+    compare_runs([tmp_path / "first" / "run", tmp_path / "second" / "run"], page)
+    assert "first/run and second/run" in page.read_text("utf-8")

@@ -1,0 +1,64 @@
+import pytest
+
+from forficula.design import load_design, with_values
+from forficula.show.page.design_rows import ABSENT, base_design, design_rows, differing_rows
+from forficula.show.page.design_tables import design_tables
+
+
+def differences(design):
+    rows = design_rows(design, base_design(design))
+    return {f"{row.section}.{row.key}": (row.base, row.value) for row in rows if row.differs}
+
+
+def test_a_named_design_differs_in_nothing_from_itself(reference):
+    assert differences(reference) == {}
+    assert "Every value is that of the named design binder2025." in "".join(design_tables(reference))
+
+
+def test_exactly_what_was_changed_differs_with_both_values_and_units():
+    changed = load_design(
+        "binder2025", {"tendon.stiffness": "25 N/cm", "pattern.units": 2, "protocol.stages.1.time_limit": "2 s"}
+    )
+    assert differences(changed) == {
+        "tendon.stiffness": ("10 N/cm", "25 N/cm"),
+        "pattern.units": ("1", "2"),
+        "protocol.stages.1.time_limit": ("1 s", "2 s"),
+    }
+
+
+def test_the_tables_mark_what_differs_and_show_the_old_value():
+    tables = "".join(design_tables(load_design("binder2025", {"tendon.stiffness": "25 N/cm"})))
+    assert "<mark>25 N/cm</mark><small>binder2025: 10 N/cm</small>" in tables
+    assert tables.count("<mark>") == 1
+    assert "1 value differs from the named design binder2025, marked below: tendon.stiffness." in tables
+
+
+def test_every_value_of_a_design_has_a_row_with_its_unit_and_its_meaning(reference):
+    rows = {f"{row.section}.{row.key}": row for row in design_rows(reference, reference)}
+    assert rows["pattern.proximal_length"].value == "12 cm"
+    assert rows["protocol.stages.4.hold"].value == "0.1 s"
+    assert rows["membrane.proximal_rows"].value == "[0.3]"
+    assert rows["protocol.contact"].value == "false"
+    assert all(row.meaning for row in rows.values())
+
+
+def test_a_law_and_stages_that_only_one_of_two_designs_has_are_absent_in_the_other(reference):
+    stages = [stage.model_dump() for stage in reference.protocol.stages[:2]]
+    other = load_design("binder2025", {"tendon.law": "tpu-82a", "tendon.area": "12.5 mm^2"})
+    other = with_values(other, {"protocol.stages": stages})
+    found = differences(other)
+    assert found["tendon.area"] == (ABSENT, "12.5 mm^2")
+    assert found["protocol.stages.4.name"] == ("release opened", ABSENT)
+    assert any(key.startswith("tendon.law.") for key in found)
+    assert "tpu-82a" in "".join(design_tables(other))
+
+
+@pytest.mark.parametrize(("name", "base"), [("my wing", "binder2025"), ("binder2025", "binder2025")])
+def test_a_design_of_another_name_is_compared_with_the_reference(reference, name, base):
+    assert base_design(with_values(reference, {"name": name})).name == base
+
+
+def test_of_several_designs_only_keys_in_which_they_differ_are_listed():
+    designs = [load_design("binder2025", {"tendon.stiffness": f"{value} N/cm"}) for value in (10, 20, 20)]
+    assert differing_rows(designs) == [("tendon.stiffness", ["10 N/cm", "20 N/cm", "20 N/cm"])]
+    assert differing_rows(designs[1:]) == []

@@ -1,0 +1,73 @@
+import base64
+import hashlib
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from forficula.show.page.html import Cell, escaped, section, table
+from forficula.show.page.page import built, page_html
+
+WEB = Path(__file__).parents[3] / "web"
+HOSTILE = '</script><script>alert("1")</script><!--<img src=x onerror=alert(1)>&amp;'
+
+
+def data_of(page):
+    return json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S)[1])
+
+
+def test_text_stays_text_in_the_title_and_in_the_data():
+    page = page_html(HOSTILE, f"<p>{escaped(HOSTILE)}</p>", {"kind": "run", "name": HOSTILE})
+    assert data_of(page)["name"] == HOSTILE
+    assert page.count("<script") == 2
+    assert "<img" not in page
+    assert table("x", ("a", HOSTILE), [[HOSTILE, Cell(text=HOSTILE, note=HOSTILE)]]).count("<script") == 0
+
+
+def test_only_the_packed_script_may_run_and_nothing_may_be_fetched():
+    page = page_html("wing", "", {"kind": "run"})
+    policy = re.search(r'http-equiv="Content-Security-Policy" content="([^"]*)"', page)[1]
+    digest = base64.b64encode(hashlib.sha256(built("page.js").encode()).digest()).decode()
+    assert f"script-src 'sha256-{digest}';" in policy
+    assert policy.startswith("default-src 'none';")
+    assert "http" not in policy
+    # no element asks for anything
+    assert re.findall(r'<(?:script|link|img|iframe)[^>]*(?:src|href)="(?!data:)', page) == []
+
+
+def test_numbers_that_are_none_are_refused_for_the_page_would_not_be_read():
+    with pytest.raises(ValueError, match="not JSON compliant"):
+        page_html("wing", "", {"value": float("nan")})
+
+
+@pytest.mark.skipif(not WEB.is_dir(), reason="the sources of the script are not there")
+def test_the_packed_script_is_that_of_its_sources():
+    """Else: make page."""
+    files = sorted(path for path in (WEB / "src").iterdir() if path.is_file())
+    sources = [WEB / name for name in ("build.js", "package-lock.json", "package.json")] + files
+    digest = hashlib.sha256()
+    for path in sources:
+        text = path.read_text("utf-8").replace("\r\n", "\n")
+        digest.update(f"{path.relative_to(WEB).as_posix()}\n{text}".encode())
+    for name in ("page.js", "page.css"):
+        assert digest.hexdigest() in built(name).partition("\n")[0], f"{name} is stale: run make page"
+
+
+def test_the_licences_of_what_is_packed_stand_beside_it():
+    licences = built("LICENSES.txt")
+    for words in ("three", "Copyright © 2010", "uplot", "Copyright (c) 2022 Leon Sorokin"):
+        assert words in licences
+    assert licences.count("Permission is hereby granted") == 2
+
+
+def test_a_table_names_its_columns_and_rows_and_marks_what_it_should():
+    made = table("Angles", ("vein", "deg"), [["0", Cell(text="3.0", marked=True)]], groups=[("", 1), ("flat", 1)])
+    assert "<caption>Angles</caption>" in made
+    assert '<th scope="colgroup" colspan="1">flat</th>' in made
+    assert '<tr class="changed"><th scope="row">0</th><td><mark>3.0</mark></td></tr>' in made
+    assert "<thead>" not in table("Plain", ("", ""), [["a", "b"]])
+
+
+def test_a_section_without_content_is_left_out():
+    assert section("Nothing", "", "") == ""

@@ -1,0 +1,92 @@
+import base64
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from forficula.analysis import measure
+from forficula.design import load_design
+from forficula.dynamics import run
+from forficula.show.page.playback import clip_data, make_clip
+from forficula.show.page.run_page import run_page
+from forficula.show.page.wing_mesh import moving_points
+
+MEGABYTE = 1_000_000
+
+
+def unpacked(text, kind):
+    return np.frombuffer(base64.b64decode(text), dtype=f"<{kind}")
+
+
+@pytest.fixture(scope="module")
+def data(short_run, short_outcome):
+    """A clip as the page has it: through JSON and back."""
+    return json.loads(json.dumps(clip_data(make_clip(short_run, short_outcome))))
+
+
+def test_the_wing_between_the_frames_is_where_the_record_has_it_to_a_micrometre(data, short_run):
+    time = unpacked(data["time"], "f8")
+    points = unpacked(data["points"], "f4").reshape(len(time), -1)
+    recorded = moving_points(short_run).reshape(len(short_run.time), -1)
+    drawn = np.stack([np.interp(short_run.time, time, column) for column in points.T], axis=1)
+    assert np.abs(drawn - recorded).max() < 1e-6
+
+
+def test_angles_and_energies_are_those_of_the_record(data, short_run):
+    time = unpacked(data["time"], "f8")
+    rows = np.searchsorted(short_run.time, time)
+    assert np.array_equal(short_run.time[rows], time)
+    for key, name, factor in (
+        ("distalAngle_deg", "distal_angle", 180 / np.pi),
+        ("turnAngle_deg", "turn_angle", 180 / np.pi),
+        ("tendonEnergy_J", "tendon_energy", 1.0),
+    ):
+        shown = unpacked(data[key], "f4").reshape(len(time), -1)
+        assert np.allclose(shown, factor * short_run.series[name][rows], rtol=1e-6, atol=1e-9)
+
+
+def test_states_and_ends_of_stages_are_frames(data, short_run, short_outcome):
+    time = set(unpacked(data["time"], "f8"))
+    states = (short_outcome.flat, short_outcome.folded_state, short_outcome.opened_state)
+    assert [mark["time"] for mark in data["marks"]] == [state.time for state in states]
+    assert [mark["name"] for mark in data["marks"]] == ["flat", "folded", "opened"]
+    assert {end.end for end in short_run.stages} <= time
+
+
+def test_a_budget_is_kept_and_the_states_with_it(short_run, short_outcome):
+    clip = make_clip(short_run, short_outcome, budget=10_000)
+    assert clip.points.size * 4 <= 10_000
+    assert {mark.time for mark in clip.marks} <= set(clip.time)
+
+
+def test_a_state_that_was_not_reached_is_not_called_by_its_name():
+    stages = [
+        {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "10 ms"},
+        {"name": "fold", "drive": "fold", "until": "folded", "hold": "0 s", "time_limit": "5 ms"},
+    ]
+    record = run(load_design("binder2025", {"protocol.stages": stages}))
+    clip = make_clip(record, measure(record))
+    assert [(mark.letter, mark.name) for mark in clip.marks] == [("a", "flat"), ("b", "after folding")]
+
+
+def test_a_run_that_diverged_keeps_what_is_finite():
+    record = run(load_design("binder2025", {"protocol.timestep": "5 ms"}))
+    series = {name: values.copy() for name, values in record.series.items()}
+    series["vein_position"][-1] = np.nan
+    record = replace(record, series=series)
+    assert "diverged" in run_page(record, measure(record))
+    clip = make_clip(record, measure(record))
+    assert len(clip.time) == len(record.time) - 1
+    assert np.isfinite(clip.points).all()
+
+
+def test_five_seconds_of_a_wing_of_five_units_that_never_rests_take_less_than_five_megabytes(large_record):
+    rows = 5001
+    random = np.random.default_rng(0)
+    series = {}
+    for name, values in large_record.series.items():
+        jitter = 1e-3 * random.normal(size=(rows, *values.shape[1:]))
+        series[name] = values[:1] + jitter
+    record = replace(large_record, time=np.linspace(0, 5, rows), series=series)
+    assert len(run_page(record, measure(large_record)).encode()) < 5 * MEGABYTE

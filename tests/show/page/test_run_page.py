@@ -1,0 +1,292 @@
+"""The page of a run, in a browser with the network cut."""
+
+import io
+import json
+import re
+
+import matplotlib.image
+import numpy as np
+import pytest
+
+from forficula.analysis import summary
+from forficula.dynamics import versions
+from forficula.show.page import write_run_page
+from tests.show.page.conftest import until
+
+# positions are floats of four bytes, and between two frames off by half of this at most
+EXACT = 1e-6  # m
+FRAME = 1000 / 60  # ms
+
+
+@pytest.fixture(scope="module")
+def report(short_run, short_outcome, tmp_path_factory):
+    path = tmp_path_factory.mktemp("run") / "report.html"
+    write_run_page(short_run, short_outcome, path)
+    return path
+
+
+@pytest.fixture(scope="module")
+def one_page(watch_all, report):
+    return watch_all(report)
+
+
+@pytest.fixture
+def opened(one_page):
+    """The page as it opens."""
+    one_page.page.evaluate(
+        """() => { const { clock, player } = forficula;
+        clock.pause(); clock.setSpan(clock.spans[0]); clock.seek(0); clock.setSpeed("even");
+        document.querySelector("select").value = "even";
+        player.stage.eye.show({ towards: [0.37, -0.695, 0.616] });
+        document.activeElement.blur(); scrollTo(0, 0); }"""
+    )
+    one_page.settle()
+    return one_page
+
+
+def pixels(page, selector="canvas"):
+    return np.round(255 * matplotlib.image.imread(io.BytesIO(page.locator(selector).first.screenshot()))[..., :3])
+
+
+def time(page):
+    return page.evaluate("forficula.clock.time")
+
+
+def readout(page, row):
+    cells = page.locator(f"#readout tr:has(th:text-is('{row}')) td").all_inner_texts()
+    return [float(cell.replace("−", "-")) for cell in cells]
+
+
+def drawn(page):
+    """Vertices that are drawn now, m, (vertex, 3)."""
+    vertices = page.evaluate("Array.from(forficula.player.stage.views[0].wing.vertices)")
+    return np.array(vertices).reshape(-1, 3)
+
+
+def record_points(record, row):
+    positions = (record.series[name][row].reshape(-1, 3) for name in ("vein_position", "membrane_position"))
+    return np.concatenate(list(positions))
+
+
+def furthest(points, vertices):
+    """How far the worst of some points is from the nearest vertex, m."""
+    return np.linalg.norm(points[:, None] - vertices[None], axis=2).min(axis=1).max()
+
+
+def test_the_page_opens_from_a_file_without_a_request_and_without_a_word_on_the_console(opened):
+    page = opened.page
+    page.get_by_role("button", name="b folded").click()
+    page.get_by_label("show").select_option("fold")
+    page.get_by_role("button", name="top: view from above").click()
+    opened.settle()
+    assert opened.messages == []
+    assert [url for url in opened.requests if not url.startswith(("file:", "data:"))] == []
+    assert len(opened.requests) == 1
+
+
+def test_the_wing_is_drawn_in_the_colours_that_the_legend_gives(opened):
+    colours = pixels(opened.page).reshape(-1, 3)
+    assert len(np.unique(colours, axis=0)) > 200
+    # a distal panel is blue, a proximal one sand, a taut tendon yellow, a valley's vein dark blue
+    for red, green, blue in ((176, 216, 240), (240, 224, 184), (253, 231, 37), (0, 114, 178)):
+        near = np.abs(colours - [red, green, blue]).max(axis=1) < 32
+        assert near.sum() > 100, (red, green, blue)
+
+
+def test_every_third_of_the_run_the_drawn_wing_is_where_the_simulator_had_it(opened, short_run):
+    for row in np.linspace(0, len(short_run.time) - 1, 4).astype(int):
+        opened.page.evaluate("(moment) => { forficula.clock.seek(moment); }", float(short_run.time[row]))
+        opened.settle()
+        assert furthest(record_points(short_run, row), drawn(opened.page)) < EXACT
+
+
+def test_play_moves_the_wing_and_the_cursor_and_stops_at_the_end(opened):
+    page = opened.page
+    page.get_by_label("speed").select_option("1/5")
+    before, place, picture = drawn(page), page.locator(".cursor").first.bounding_box()["x"], pixels(page)
+    page.get_by_role("button", name="play").click()
+    until(page, "forficula.clock.time > 0.05")
+    page.get_by_role("button", name="pause").click()
+    opened.settle()
+    assert np.abs(drawn(page) - before).max() > 0.02
+    assert page.locator(".cursor").first.bounding_box()["x"] > place + 20
+    assert (pixels(page) != picture).any(axis=2).mean() > 0.01
+    page.get_by_label("speed").select_option("real time")
+    page.get_by_role("button", name="play").click()
+    until(page, "!forficula.clock.playing")
+    assert time(page) == pytest.approx(page.evaluate("forficula.clock.span.end"))
+
+
+def test_even_motion_takes_its_time_where_the_wing_is_fast(opened):
+    slow = [
+        opened.page.evaluate("(at) => { forficula.clock.seek(at); return forficula.clock.slowness; }", moment)
+        for moment in (0.005, 0.06)
+    ]
+    assert slow[1] > 2 * slow[0]
+
+
+def test_scrubbed_to_folded_the_wing_has_the_angles_that_the_summary_states(opened, short_run, short_outcome):
+    stated = json.loads(json.dumps(summary(short_run, short_outcome, versions())))["states"]["folded"]
+    page = opened.page
+    page.get_by_role("button", name="b folded").click()
+    opened.settle()
+    assert time(page) == pytest.approx(stated["time_s"])
+    low, high = np.array(stated["distal_angle_low_deg"]), np.array(stated["distal_angle_high_deg"])
+    shown = np.array(readout(page, "distal angle (deg)"))
+    # as written, to a tenth of a degree
+    assert np.all(shown >= low - 0.051)
+    assert np.all(shown <= high + 0.051)
+    assert (shown < -150).all()
+
+
+def test_dragging_along_the_time_line_scrubs_to_the_same_place(opened, short_outcome):
+    page = opened.page
+    track = page.get_by_role("slider", name="time").bounding_box()
+    start, end = (page.evaluate(f"forficula.clock.span.{name}") for name in ("start", "end"))
+    share = (short_outcome.folded_state.time - start) / (end - start)
+    page.mouse.move(track["x"] + 20, track["y"] + track["height"] / 2)
+    page.mouse.down()
+    page.mouse.move(track["x"] + 9 + share * (track["width"] - 18), track["y"] + track["height"] / 2, steps=4)
+    page.mouse.up()
+    opened.settle()
+    assert time(page) == pytest.approx(short_outcome.folded_state.time, abs=2e-3 * (end - start))
+    assert max(readout(page, "distal angle (deg)")) < -140
+
+
+@pytest.mark.parametrize("plot", [0, 1, 2])
+def test_a_click_in_a_plot_moves_the_wing_to_that_time(opened, short_run, plot):
+    page = opened.page
+    place = page.locator(".u-over").nth(plot)
+    box = place.bounding_box()
+    place.click(position={"x": 0.3 * box["width"], "y": box["height"] / 2})
+    opened.settle()
+    span = page.evaluate("[forficula.clock.span.start, forficula.clock.span.end]")
+    pixel = (span[1] - span[0]) / box["width"]
+    assert time(page) == pytest.approx(span[0] + 0.3 * (span[1] - span[0]), abs=1.5 * pixel)
+    row = np.argmin(np.abs(short_run.time - time(page)))
+    page.evaluate("(moment) => { forficula.clock.seek(moment); }", float(short_run.time[row]))
+    opened.settle()
+    assert furthest(record_points(short_run, row), drawn(page)) < EXACT
+
+
+def test_the_keyboard_plays_steps_goes_to_the_states_turns_and_zooms(opened, short_outcome):
+    page = opened.page
+    page.locator("canvas").first.focus()
+    eye = "forficula.player.stage.eye.camera.position.toArray()"
+    states = (short_outcome.flat, short_outcome.folded_state, short_outcome.opened_state)
+    for key, state in zip("123", states, strict=True):
+        page.keyboard.press(key)
+        assert time(page) == pytest.approx(state.time)
+    page.keyboard.press("ArrowLeft")
+    assert time(page) < short_outcome.opened_state.time
+    page.keyboard.press("Home")
+    assert time(page) == 0
+    page.keyboard.press("End")
+    assert time(page) == page.evaluate("forficula.clock.span.end")
+    first = np.array(page.evaluate(eye))
+    page.keyboard.press("Shift+ArrowLeft")
+    turned = np.array(page.evaluate(eye))
+    assert not np.allclose(first, turned)
+    page.keyboard.press("+")
+    middle = np.array(page.evaluate("forficula.player.stage.eye.controls.target.toArray()"))
+    near = np.array(page.evaluate(eye))
+    assert np.linalg.norm(near - middle) < np.linalg.norm(turned - middle)
+    page.keyboard.press("0")
+    assert np.allclose(page.evaluate(eye), first)
+    page.keyboard.press(" ")
+    assert page.evaluate("forficula.clock.playing")
+    page.keyboard.press(" ")
+    assert not page.evaluate("forficula.clock.playing")
+
+
+def test_everything_that_can_be_used_or_seen_has_a_name(opened):
+    page = opened.page
+    unnamed = page.evaluate(
+        """[...document.querySelectorAll("button, a, select, input, .stage canvas, [role=img], table")]
+          .filter((element) => !(element.getAttribute("aria-label") || element.labels?.length
+              || element.caption?.textContent || element.textContent.trim()))
+          .map((element) => element.outerHTML)"""
+    )
+    assert unnamed == []
+    assert "3 veins" in page.locator("canvas").first.get_attribute("aria-label")
+    for plot in page.locator(".chart").all():
+        assert "folded" in plot.get_attribute("aria-label")
+    assert page.evaluate("document.documentElement.lang") == "en"
+    page.get_by_role("button", name="b folded").click()
+    until(page, "document.querySelector('.spoken').textContent.includes('b folded, distal angles')")
+
+
+@pytest.mark.parametrize(("width", "height"), [(360, 740), (640, 400)], ids=["a phone", "a laptop at 200 %"])
+def test_nothing_is_wider_than_the_window_of(watch, report, width, height):
+    page = watch(report, viewport={"width": width, "height": height}, device_scale_factor=2).page
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    assert (
+        page.evaluate(
+            "Math.max(...[...document.querySelectorAll('button, select')].map(e => e.getBoundingClientRect().right))"
+        )
+        <= width
+    )
+
+
+def test_dark_windows_get_light_text_on_dark_ground(watch, report):
+    page = watch(report, color_scheme="dark").page
+    colours = page.evaluate("[getComputedStyle(document.body).color, getComputedStyle(document.body).backgroundColor]")
+    ink, ground = (np.mean([int(part) for part in re.findall(r"\d+", colour)[:3]]) for colour in colours)
+    assert ink > 200 > 60 > ground
+    assert pixels(page).mean() < 120
+
+
+def test_the_wing_moves_by_itself_only_for_readers_who_have_not_asked_for_less_motion(watch, report, one_page):
+    moving = watch(report, reduced_motion="no-preference", viewport={"width": 320, "height": 480}).page
+    until(moving, "forficula.clock.time > 0")
+    assert one_page.time_when_opened == 0
+
+
+def test_without_webgl_a_sentence_says_so_and_the_numbers_stay(browser, report):
+    context = browser.new_context(offline=True)
+    context.add_init_script(
+        """const get = HTMLCanvasElement.prototype.getContext;
+        HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+          return kind.startsWith("webgl") ? null : get.call(this, kind, ...rest);
+        };"""
+    )
+    page = context.new_page()
+    messages = []
+    page.on("console", lambda message: messages.append(message.text))
+    page.on("pageerror", lambda error: messages.append(str(error)))
+    page.goto(report.as_uri())
+    page.get_by_text("This browser has no WebGL").wait_for()
+    page.get_by_role("button", name="b folded").click()
+    until(page, "document.querySelector('#readout td').textContent.startsWith('\\u2212')")
+    assert messages == []
+    context.close()
+
+
+def test_the_work_for_a_frame_leaves_most_of_it_to_the_graphics_chip(opened):
+    """At 60 frames a second one takes 16.7 ms; drawing itself is not timed, it is done without a graphics chip here."""
+    page = opened.page
+    times = page.evaluate(
+        """() => { const { clock, player, plots } = forficula; const { stage } = player; const { span } = clock;
+        return Array.from({ length: 100 }, (_, step) => {
+          clock.seek(span.start + (step / 100) * (span.end - span.start));
+          const begin = performance.now();
+          stage.pose();
+          for (const view of stage.views) view.wing.sort(stage.eye.camera.position);
+          for (const chart of plots.charts) chart.valToPos(clock.time, "x");
+          return performance.now() - begin;
+        }); }"""
+    )
+    assert np.median(times) < FRAME / 4
+    drawn = page.evaluate("({ ...forficula.player.stage.statistics() })")
+    assert drawn["calls"] <= 10
+    assert drawn["triangles"] < 50_000
+
+
+def test_nothing_is_drawn_while_nothing_changes(opened):
+    frames = "forficula.player.stage.statistics().frame"
+    before = opened.page.evaluate(frames)
+    opened.page.wait_for_timeout(300)
+    assert opened.page.evaluate(frames) == before
+    opened.page.keyboard.press("ArrowRight")
+    opened.settle()
+    assert opened.page.evaluate(frames) > before

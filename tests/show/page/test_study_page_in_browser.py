@@ -1,0 +1,320 @@
+"""The page of a study, in a browser with the network cut."""
+
+import csv
+import io
+import re
+
+import numpy as np
+import pytest
+
+from forficula.show.page.study_page import write_study_page
+from forficula.study import load_study, run_study, table_csv
+from forficula.study.kept_runs import kept_runs, runs_to_keep
+from tests.show.test_maps import many_ends, planted, sampled
+
+FACTORS = '"tendon.stiffness" = ["10 N/cm", "60 N/cm"]\n"tendon.rest_length" = ["0 cm", "5 cm", "8 cm"]'
+SEARCH = '[search]\nfold_torques = "0..50 N cm step 25"\nunfold_torques = "50..100 N cm step 25"'
+EXACT = 1e-6  # m, as floats of four bytes have it
+
+
+class StudyPage:
+    """A page, what it was made of, and what is asked of it often."""
+
+    def __init__(self, path, table, text, kept):
+        self.path, self.table, self.text = path, table, text
+        self.rows = list(csv.DictReader(io.StringIO(text)))
+        self.kept = {(each.point, each.part): each for each in kept}
+
+
+@pytest.fixture(scope="module")
+def small(tmp_path_factory, write_study_file):
+    """A search of six tendons; the runs of three that fold are kept."""
+    folder = tmp_path_factory.mktemp("study")
+    study = load_study(write_study_file(folder / "small.toml", FACTORS, 'ask = "least-torques"', SEARCH))
+    table = run_study(study, folder)
+    runs = runs_to_keep(study, table, 3)
+    kept = list(kept_runs(runs, folder))
+    write_study_page(study, table, folder / "report.html", kept, len(kept))
+    return StudyPage(folder / "report.html", table, table_csv(study, table), kept)
+
+
+@pytest.fixture(scope="module")
+def one_page(watch_all, small):
+    return watch_all(small.path, accept_downloads=True)
+
+
+@pytest.fixture
+def opened(one_page):
+    """The page as it opens: the outcomes, all rows in order."""
+    page = one_page.page
+    page.set_default_timeout(10_000)
+    choose(page, "show", "outcome")
+    page.evaluate("document.querySelectorAll('.filter input:not(:checked)').forEach((box) => box.click())")
+    page.evaluate("document.activeElement.blur(); scrollTo(0, 0)")
+    one_page.settle()
+    return one_page
+
+
+@pytest.fixture
+def planted_page(tmp_path, study_file):
+    """A page of a planted table, without runs."""
+
+    def write(table, factors, head='ask = "least-torques"'):
+        path = tmp_path / "report.html"
+        write_study_page(load_study(study_file(factors, head)), table, path, (), 0)
+        return path
+
+    return write
+
+
+def cell(page, point):
+    return page.locator(f".grid [data-point='{point}']")
+
+
+def choice(page, label):
+    return page.locator(f".map label[data-name='{label}'] select")
+
+
+def choose(page, label, option):
+    choice(page, label).select_option(label=option)
+
+
+def chosen(page, label):
+    return choice(page, label).evaluate("each => each.selectedOptions[0].text")
+
+
+def shown_points(page):
+    """Numbers of the points in the table, as they stand."""
+    return [int(text) for text in page.locator("#points tbody tr:visible th").all_inner_texts()]
+
+
+def test_the_page_opens_from_a_file_without_a_request_and_without_a_word_on_the_console(opened):
+    page = opened.page
+    for point in (0, 3, 5):
+        cell(page, point).click()
+    for option in page.locator(".map select option").all_inner_texts()[::4]:
+        choose(page, "show", option)
+    page.emulate_media(color_scheme="dark")
+    opened.settle()
+    page.emulate_media(color_scheme="light")
+    opened.settle()
+    assert opened.messages == []
+    assert [url for url in opened.requests if not url.startswith(("file:", "data:", "blob:"))] == []
+
+
+def test_a_click_on_a_cell_shows_that_run_and_its_numbers(opened, small):
+    page = opened.page
+    for point, row in enumerate(small.rows):
+        cell(page, point).click()
+        assert page.locator("#point h2").inner_text() == f"Point {point + 1}"
+        stiffness, length = float(row["tendon_stiffness_N_per_m"]) / 100, float(row["tendon_rest_length_m"]) * 100
+        told = page.locator("#point .outcome").inner_text()
+        assert told == f"Tendon stiffness {stiffness:g} N/cm, tendon rest length {length:g} cm: {row['status']}."
+        numbers = page.locator("#point tr", has_text="work of folding").locator("td").inner_text()
+        if row["fold_work_J"]:
+            assert float(numbers.removesuffix(" J")) == pytest.approx(float(row["fold_work_J"]), rel=5e-3)
+        else:
+            assert numbers == "did not fold"
+        assert cell(page, point).get_attribute("aria-selected") == "true"
+        assert page.locator(".grid [aria-selected=true]").count() == 1
+
+
+@pytest.mark.parametrize("part", ["folding", "opening"])
+def test_a_click_on_a_cell_plays_the_run_that_was_kept_of_it(opened, small, part):
+    page = opened.page
+    choose(page, "show", "work of unfolding" if part == "opening" else "work of folding")
+    for point in {point for point, _ in small.kept}:
+        cell(page, point).click()
+        record = small.kept[point, part].record
+        assert page.evaluate("forficula.panel.playing.run.folder") == small.kept[point, part].folder
+        times = np.array(page.evaluate("Array.from(forficula.panel.playing.clips[0].time)"))
+        assert np.isin(times, record.time).all()
+        for moment in times[[0, len(times) // 2, -1]]:
+            page.evaluate("(moment) => { forficula.panel.playing.clock.seek(moment); }", float(moment))
+            opened.settle()
+            vertices = page.evaluate("Array.from(forficula.panel.playing.player.stage.views[0].wing.vertices)")
+            drawn = np.array(vertices).reshape(-1, 3)
+            tips = record.series["vein_position"][np.searchsorted(record.time, moment)].reshape(-1, 3)
+            assert np.linalg.norm(tips[:, None] - drawn[None], axis=2).min(axis=1).max() < EXACT
+
+
+def test_scrubbed_to_folded_a_kept_run_has_the_angles_of_its_outcome(opened, small):
+    page = opened.page
+    (point, part), kept = next(iter(small.kept.items()))
+    cell(page, point).click()
+    if page.locator(f".parts [data-part={part}]").count():
+        page.locator(f".parts [data-part={part}]").click()
+    page.get_by_role("button", name="b folded").click()
+    opened.settle()
+    angles = np.degrees(kept.outcome.folded_state.distal_angle)
+    shown = page.locator(".readout tr", has_text="distal angle").locator("td").all_inner_texts()
+    assert np.allclose([float(text.replace("−", "-")) for text in shown], angles, atol=2)
+
+
+def test_a_run_that_was_not_kept_says_so_and_has_its_numbers(opened, small):
+    page = opened.page
+    point = next(point for point in range(6) if point not in {kept for kept, _ in small.kept})
+    cell(page, point).click()
+    assert "was not kept" in page.locator("#run").inner_text()
+    assert page.locator("#run canvas").count() == 0
+    assert page.locator("#point td").count() == 9
+
+
+def test_arrows_move_between_cells_and_enter_opens_one(opened):
+    page = opened.page
+    cell(page, 0).click()
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("ArrowUp")
+    focused = "Number(document.activeElement.dataset.point)"
+    assert page.evaluate(focused) == 4
+    assert page.locator("#point h2").inner_text() == "Point 1"
+    page.keyboard.press("Enter")
+    assert page.locator("#point h2").inner_text() == "Point 5"
+    page.keyboard.press("ArrowUp")  # there is none above
+    page.keyboard.press("End")
+    assert page.evaluate(focused) == 5
+    page.keyboard.press("Home")
+    page.keyboard.press(" ")
+    assert page.locator("#point h2").inner_text() == "Point 4"
+    # one stop of the tabulator for all cells
+    assert page.locator(".grid td[tabindex='0']").count() == 1
+
+
+def test_cells_have_their_values_and_where_there_is_none_a_sign_and_a_reason(opened, small):
+    page = opened.page
+    choose(page, "show", "least fold torque")
+    colours = {}
+    for point, row in enumerate(small.rows):
+        text, label = cell(page, point).inner_text(), cell(page, point).get_attribute("aria-label")
+        if torque := row["least_fold_torque_N_m"]:
+            assert float(text) == pytest.approx(100 * float(torque))
+            assert label.endswith(f"least fold torque {float(text):g} N cm")
+            colours[float(text)] = cell(page, point).evaluate("cell => getComputedStyle(cell).backgroundColor")
+        else:
+            assert (text, label.endswith("did not fold")) == ("×", True)
+            assert "gradient" in cell(page, point).evaluate("cell => getComputedStyle(cell).backgroundImage")
+    # lightness rises with the value: the order survives grey print
+    lightness = [
+        np.dot([0.299, 0.587, 0.114], [int(part) for part in re.findall(r"\d+", colours[key])[:3]])
+        for key in sorted(colours)
+    ]
+    assert lightness == sorted(lightness)
+    assert len(set(lightness)) == len(colours) > 1
+    assert "known of" in page.locator(".map > .note").inner_text()
+
+
+def test_the_table_is_filtered_by_status(opened, small):
+    page = opened.page
+    statuses = [row["status"] for row in small.rows]
+    wanted = statuses[0]
+    for box in page.locator(".filter label").all():
+        if not box.inner_text().split("\n")[-1].strip().startswith(f"{wanted} ("):
+            box.locator("input").uncheck()
+    assert shown_points(page) == [point + 1 for point, status in enumerate(statuses) if status == wanted]
+    assert page.get_by_text(f"{statuses.count(wanted)} of 6 points shown.").count() == 1
+    for box in page.locator(".filter input:checked").all():
+        box.uncheck()
+    assert shown_points(page) == []
+
+
+def test_the_table_is_ordered_by_any_column_and_what_has_no_value_is_last(opened, small):
+    page = opened.page
+    works = {point + 1: float(row["fold_work_J"]) for point, row in enumerate(small.rows) if row["fold_work_J"]}
+    heading = page.locator("#points thead th", has_text="work of folding")
+    for order, sign in (("ascending", 1), ("descending", -1)):
+        heading.get_by_role("button").click()
+        assert heading.get_attribute("aria-sort") == order
+        assert shown_points(page)[: len(works)] == sorted(works, key=lambda point: sign * works[point])
+        assert set(shown_points(page)[len(works) :]).isdisjoint(works)
+    assert page.locator("#points [aria-sort]").count() == 1
+    page.locator("#points thead th").first.get_by_role("button").click()
+    assert shown_points(page) == [1, 2, 3, 4, 5, 6]
+
+
+def test_the_number_of_a_row_opens_its_point_in_the_map_too(opened):
+    page = opened.page
+    page.get_by_role("button", name="open point 3").click()
+    assert page.locator("#point h2").inner_text() == "Point 3"
+    assert cell(page, 2).get_attribute("aria-selected") == "true"
+
+
+def test_the_table_that_is_downloaded_is_the_one_of_the_folder(opened, small):
+    with opened.page.expect_download() as download:
+        opened.page.get_by_role("button", name="Download table.csv").click()
+    assert download.value.suggested_filename == "table.csv"
+    assert download.value.path().read_text("utf-8") == small.text
+
+
+def test_a_run_that_is_left_gives_back_its_graphics_memory(opened, small):
+    page = opened.page
+    points = [point for point, part in small.kept if part == "folding"]
+    cell(page, points[0]).click()
+    page.evaluate("window.left = document.querySelector('.stage canvas').getContext('webgl2')")
+    cell(page, points[1]).click()
+    opened.settle()
+    assert page.evaluate("window.left.isContextLost()")
+    assert page.locator(".stage canvas").count() == 1
+    assert opened.messages == []
+
+
+def test_everything_that_can_be_used_or_seen_has_a_name(opened, small):
+    page = opened.page
+    cell(page, next(point for point, _ in small.kept)).click()
+    unnamed = page.evaluate(
+        """[...document.querySelectorAll("button, select, input, .stage canvas, table, [role=img], [role=gridcell]")]
+           .filter((element) => !(element.getAttribute("aria-label") || element.labels?.length
+             || element.caption?.textContent || element.textContent.trim())).map((element) => element.outerHTML)"""
+    )
+    assert unnamed == []
+
+
+@pytest.mark.parametrize(("width", "height"), [(360, 740), (640, 400)], ids=["a phone", "a laptop at 200 %"])
+def test_nothing_is_wider_than_the_window_of(watch, small, width, height):
+    page = watch(small.path, viewport={"width": width, "height": height}, device_scale_factor=2).page
+    choose(page, "show", "work of folding")
+    cell(page, 2).click()
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    # on one column, a press leads to the numbers and the playback below the map
+    assert 0 <= page.locator("#point").bounding_box()["y"] < height
+
+
+def test_of_more_than_two_factors_two_are_chosen_and_the_others_fixed(watch, planted_page):
+    table = planted(("tendon_stiffness", "pattern_tangent", "pattern_hub_radius"))
+    factors = (
+        '"tendon.stiffness" = ["10 N/cm", "20 N/cm", "30 N/cm"]\n"pattern.tangent" = ["left", "right"]\n'
+        '"pattern.hub_radius" = ["1 cm", "1.5 cm", "2 cm"]'
+    )
+    page = watch(planted_page(table, factors)).page
+    choose(page, "show", "work of folding")
+    choose(page, "across", "pattern hub radius")
+    choose(page, "upwards", "tendon stiffness")
+    choose(page, "pattern tangent", "right")
+    expected = table["fold_work"].sel(pattern_tangent="right").values
+    cells = page.locator(".grid tr:not(.feet)").all()
+    shown = [[float(text) for text in row.locator("td").all_inner_texts()] for row in cells]
+    assert np.allclose(shown[::-1], expected, rtol=5e-3)
+    choose(page, "across", "tendon stiffness")
+    assert chosen(page, "upwards") == "pattern hub radius"
+    page.locator("#points tbody tr").first.get_by_role("button").click()
+    assert chosen(page, "pattern tangent") == "left"
+
+
+def test_drawn_points_lie_at_their_values_and_can_be_opened(watch, planted_page):
+    drawn = '"tendon.stiffness" = {distribution = "uniform", low = "10 N/cm", high = "30 N/cm"}\n'
+    drawn += '"tendon.rest_length" = {distribution = "uniform", low = "0 cm", high = "9 cm"}'
+    table = sampled(many_ends())
+    head = 'ask = "least-torques"\n[sampling]\ncount = 12\n'
+    watched = watch(planted_page(table, drawn, head))
+    page = watched.page
+    choose(page, "show", "least fold torque")
+    marks = page.locator(".scatter [data-point]")
+    places = [mark.locator("circle").bounding_box() for mark in marks.all()]
+    for name, side, rising in (("tendon_rest_length", "x", 1), ("tendon_stiffness", "y", -1)):
+        middle = np.array([place[side] + place["width"] / 2 for place in places])
+        assert np.corrcoef(rising * middle, table[name].values)[0, 1] == pytest.approx(1)
+    marks.nth(5).click()
+    assert page.locator("#point h2").inner_text() == "Point 6"
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("Enter")
+    assert page.locator("#point h2").inner_text() == "Point 7"
+    assert watched.messages == []

@@ -1,0 +1,101 @@
+/**
+ * A run that can be played: frames of points that move, numbers that go with them, and what is drawn between them.
+ * Lengths are in m, times in s, angles in deg, energies in J.
+ */
+
+/** Numbers that the page holds as little-endian bytes in base64, as every browser's machine has them. */
+export function unpack(text, Kind) {
+  const letters = atob(text);
+  const bytes = new Uint8Array(letters.length);
+  for (let index = 0; index < letters.length; index++) bytes[index] = letters.charCodeAt(index);
+  return new Kind(bytes.buffer);
+}
+
+export function readClip(data) {
+  const time = unpack(data.time, Float64Array);
+  const points = unpack(data.points, Float32Array);
+  const width = 3 * data.pointCount;
+  const veins = data.tubes.filter((tube) => tube.kind === "tendon").length;
+  const byVein = {
+    distalAngle: unpack(data.distalAngle_deg, Float32Array),
+    turnAngle: unpack(data.turnAngle_deg, Float32Array),
+    tendonEnergy: unpack(data.tendonEnergy_J, Float32Array),
+  };
+  const between = Int32Array.from(data.between);
+  const share = Float64Array.from(data.share);
+  const now = new Float32Array(width);
+
+  /** Write the points at a time; between two frames they are on a straight way. */
+  function pointsAt(moment, into = now) {
+    mix(time, points, width, moment, into);
+    return into;
+  }
+
+  /** Write the vertices, which lie between the points, at a time. */
+  function verticesAt(moment, into = new Float32Array(3 * share.length)) {
+    const place = pointsAt(moment);
+    for (let vertex = 0; vertex < share.length; vertex++) {
+      const first = 3 * between[2 * vertex];
+      const second = 3 * between[2 * vertex + 1];
+      for (let axis = 0; axis < 3; axis++) {
+        const from = place[first + axis];
+        into[3 * vertex + axis] = from + share[vertex] * (place[second + axis] - from);
+      }
+    }
+    return into;
+  }
+
+  /** One of distalAngle, turnAngle and tendonEnergy at a time, by vein. */
+  function valuesAt(name, moment, into = new Float32Array(veins)) {
+    mix(time, byVein[name], veins, moment, into);
+    return into;
+  }
+
+  /** One of the same over all frames, for one vein. */
+  function line(name, vein) {
+    return Float32Array.from(time, (_, frame) => byVein[name][frame * veins + vein]);
+  }
+
+  return {
+    name: data.name,
+    mesh: data,
+    marks: data.marks,
+    stages: data.stages,
+    veins,
+    time,
+    start: time[0],
+    end: time[time.length - 1],
+    pointsAt,
+    verticesAt,
+    valuesAt,
+    line,
+    stageAt: (moment) => data.stages.findLast((stage) => stage.start <= moment) ?? data.stages[0],
+    markAt: (moment) => data.marks.find((mark) => Math.abs(mark.time - moment) < 1e-9),
+  };
+}
+
+/** Write the row of a table at a time, between two rows in proportion. */
+function mix(time, rows, width, moment, into) {
+  const [frame, part] = placeIn(time, moment);
+  const here = frame * width;
+  const next = Math.min(frame + 1, time.length - 1) * width;
+  for (let column = 0; column < width; column++) {
+    const from = rows[here + column];
+    into[column] = part === 0 ? from : from + part * (rows[next + column] - from);
+  }
+}
+
+/** The last frame that is not after a time, and how far it is on the way to the next, 0 to 1. */
+export function placeIn(time, moment) {
+  if (!(moment > time[0])) return [0, 0];
+  const last = time.length - 1;
+  if (moment >= time[last]) return [last, 0];
+  let low = 0;
+  let high = last;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (time[middle] <= moment) low = middle;
+    else high = middle;
+  }
+  return [low, (moment - time[low]) / (time[low + 1] - time[low])];
+}

@@ -1,0 +1,39 @@
+/** Elements of the page from their parts. */
+
+/** An element with properties and children; a name with a dash, or "role", is an attribute. */
+export function make(tag, properties = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(properties)) {
+    if (name.includes("-") || name === "role") element.setAttribute(name, value);
+    else element[name] = value;
+  }
+  element.append(...children);
+  return element;
+}
+
+/** A small drawing of a path in a box of 24 by 24. */
+export function icon(path) {
+  const space = "http://www.w3.org/2000/svg";
+  const drawing = document.createElementNS(space, "svg");
+  drawing.setAttribute("viewBox", "0 0 24 24");
+  drawing.setAttribute("aria-hidden", "true");
+  const line = document.createElementNS(space, "path");
+  line.setAttribute("d", path);
+  drawing.append(line);
+  return drawing;
+}
+
+/** A sample of a plot's line. */
+export function lineSample({ colour, dash }) {
+  const space = "http://www.w3.org/2000/svg";
+  const drawing = document.createElementNS(space, "svg");
+  drawing.setAttribute("viewBox", "0 0 24 8");
+  drawing.setAttribute("aria-hidden", "true");
+  drawing.classList.add("sample");
+  const line = document.createElementNS(space, "path");
+  line.setAttribute("d", "M0 4H24");
+  line.setAttribute("stroke", colour);
+  line.setAttribute("stroke-dasharray", dash.join(" "));
+  drawing.append(line);
+  return drawing;
+}

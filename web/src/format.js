@@ -1,0 +1,28 @@
+/** Numbers and times as text, with a minus sign that is one. */
+
+export function fixed(value, digits) {
+  const text = value.toFixed(digits);
+  return (Number(text) === 0 ? (0).toFixed(digits) : text).replace("-", "\u2212");
+}
+
+/** Four significant digits at most, without zeros at the end. */
+export function short(value) {
+  const text = Number(value.toPrecision(4));
+  const size = Math.abs(text);
+  const written = size !== 0 && (size >= 1e5 || size < 1e-3) ? value.toExponential(2) : String(text);
+  return written.replaceAll("-", "\u2212");
+}
+
+/** The unit in which the times of a span read well, and its factor from s. */
+export function timeUnit(span) {
+  const largest = Math.max(Math.abs(span.start), Math.abs(span.end));
+  if (largest >= 0.2) return { unit: "s", factor: 1 };
+  return largest >= 2e-4 ? { unit: "ms", factor: 1e3 } : { unit: "\u00b5s", factor: 1e6 };
+}
+
+/** A time of a span, to about a thousandth of the span. */
+export function timeText(moment, span) {
+  const { unit, factor } = timeUnit(span);
+  const digits = Math.ceil(2.7 - Math.log10(factor * (span.end - span.start)));
+  return `${fixed(factor * moment, Math.min(6, Math.max(0, digits)))} ${unit}`;
+}

@@ -1,0 +1,64 @@
+/** The keyboard: in the player, and where nothing else on the page has the keys. */
+
+import { make } from "./elements.js";
+
+const HELP = [
+  ["space", "play or pause"],
+  ["\u2190 \u2192", "a little back or on; with page up and page down, further"],
+  ["home, end", "start, end"],
+  ["1 2 3", "flat, folded, opened"],
+  ["shift with \u2190 \u2192 \u2191 \u2193", "turn the wing"],
+  ["+ \u2212", "nearer, further"],
+  ["0", "the first view again"],
+];
+
+export function keysHelp() {
+  const rows = HELP.map(([keys, text]) => make("tr", {}, make("th", { scope: "row" }, keys), make("td", {}, text)));
+  return make(
+    "details",
+    { className: "keys" },
+    make("summary", {}, "Keys"),
+    make("table", {}, make("tbody", {}, ...rows)),
+  );
+}
+
+export function listenToKeys(player, clips, clock, eye, firstView) {
+  const turns = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+  const steps = { ArrowLeft: -1, ArrowRight: 1, PageUp: -10, PageDown: 10 };
+
+  function go(seek) {
+    clock.pause();
+    seek();
+  }
+
+  function act(event) {
+    const { key } = event;
+    if (event.shiftKey && key in turns) eye?.turn(...turns[key]);
+    else if (key in steps) go(() => clock.step(steps[key]));
+    else if (key === " ") clock.playing ? clock.pause() : clock.play();
+    else if (key === "Home") go(() => clock.seek(clock.span.start));
+    else if (key === "End") go(() => clock.seek(clock.span.end));
+    else if (clips.length === 1 && clips[0].marks[Number(key) - 1])
+      go(() => clock.seekClip(0, clips[0].marks[Number(key) - 1].time));
+    else if (key === "+" || key === "=") eye?.zoom(1);
+    else if (key === "-" || key === "\u2212") eye?.zoom(-1);
+    else if (key === "0") eye?.show(firstView);
+    else return false;
+    return true;
+  }
+
+  function listen(event) {
+    const at = document.activeElement;
+    const mine = player.contains(at) || at === document.body || at === null;
+    if (!mine || event.ctrlKey || event.metaKey || event.altKey) return;
+    // a button has its own use for space, a choice for nearly all keys
+    if (at instanceof HTMLSelectElement || (event.key === " " && /^(BUTTON|SUMMARY|A)$/.test(at?.tagName ?? "")))
+      return;
+    // where nothing is chosen, these scroll the page
+    if (at === document.body && /^(Home|End|PageUp|PageDown)$/.test(event.key)) return;
+    if (act(event)) event.preventDefault();
+  }
+
+  document.addEventListener("keydown", listen);
+  return () => document.removeEventListener("keydown", listen);
+}

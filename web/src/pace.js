@@ -1,0 +1,76 @@
+/** How fast a clock goes: at a share of real time, or so that what moves is seen to move evenly. */
+
+import { placeIn } from "./clip.js";
+
+// of the time that even playing takes so much goes by the clips' own time, so that rest is seen to be rest
+const BY_TIME = 0.3;
+const SECONDS = 4;
+const SECONDS_BY_DRIVE = 4;
+
+export const SPEEDS = [
+  { name: "even motion", value: "even" },
+  { name: "real time", value: 1 },
+  { name: "1/2", value: 1 / 2 },
+  { name: "1/5", value: 1 / 5 },
+  { name: "1/10", value: 1 / 10 },
+  { name: "1/20", value: 1 / 20 },
+  { name: "1/50", value: 1 / 50 },
+  { name: "1/100", value: 1 / 100 },
+];
+
+/**
+ * A way through a span on which the fastest point of all wings goes about equally far in every second of playing.
+ * The way runs from 0 to 1; it takes so many seconds.
+ */
+export function evenPace(clips, span) {
+  const times = sampleTimes(clips, span);
+  const way = new Float64Array(times.length);
+  for (const [index, clip] of clips.entries()) addMotion(clip, span.origins[index], times, way);
+  for (let index = 1; index < way.length; index++) way[index] += way[index - 1];
+  const total = way[way.length - 1];
+  const share = total > 0 ? BY_TIME : 1;
+  for (let index = 0; index < way.length; index++) {
+    const passed = (times[index] - times[0]) / (times[times.length - 1] - times[0] || 1);
+    way[index] = share * passed + (1 - share) * (way[index] / (total || 1));
+  }
+  const inside = (stage) =>
+    stage.drive !== "none" && stage.start - span.origins[0] < span.end && stage.end - span.origins[0] > span.start;
+  const drives = clips[0].stages.filter(inside).length;
+  return {
+    seconds: SECONDS + SECONDS_BY_DRIVE * drives,
+    wayAt: (moment) => between(times, way, moment),
+    timeAt: (part) => between(way, times, part),
+  };
+}
+
+function sampleTimes(clips, span) {
+  const times = new Set([span.start, span.end]);
+  for (const [index, clip] of clips.entries()) {
+    for (const moment of clip.time) {
+      const shared = moment - span.origins[index];
+      if (shared > span.start && shared < span.end) times.add(shared);
+    }
+  }
+  return Float64Array.from(times).sort();
+}
+
+/** Add by how much a clip's fastest point moves up to each time since the one before. */
+function addMotion(clip, origin, times, way) {
+  let before = clip.pointsAt(times[0] + origin).slice();
+  let after = before.slice();
+  for (let index = 1; index < times.length; index++) {
+    clip.pointsAt(times[index] + origin, after);
+    let furthest = 0;
+    for (let at = 0; at < after.length; at += 3) {
+      const step = Math.hypot(after[at] - before[at], after[at + 1] - before[at + 1], after[at + 2] - before[at + 2]);
+      if (step > furthest) furthest = step;
+    }
+    way[index] = Math.max(way[index], furthest);
+    [before, after] = [after, before];
+  }
+}
+
+function between(from, to, value) {
+  const [index, part] = placeIn(from, value);
+  return part === 0 ? to[index] : to[index] + part * (to[index + 1] - to[index]);
+}

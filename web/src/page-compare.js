@@ -1,0 +1,43 @@
+/** The page of several runs side by side. */
+
+import { readClip } from "./clip.js";
+import { makeClock } from "./clock.js";
+import { lineSample, make } from "./elements.js";
+import { fixed, short } from "./format.js";
+import { mountPlayer } from "./player.js";
+import { mountPlots } from "./plots.js";
+import { lineLook, onSchemeChange } from "./scheme.js";
+import { playOnceSeen } from "./start.js";
+
+export function showComparison(data) {
+  const clips = data.clips.map(readClip);
+  const clock = makeClock(clips, data.spans);
+  const player = mountPlayer(document.getElementById("player"), { clips, clock, energy: data.energy, text: data.text });
+  if (player.stage) nameCells(player.stage.cells, clips, clock, data.energy);
+  const plots = mountPlots(document.getElementById("plots"), data.plots, clips, clock);
+  playOnceSeen(document.getElementById("player"), clock);
+  return { clips, clock, player, plots };
+}
+
+/** Write on every wing its name, the look of its lines in the plots, and how it is now. */
+function nameCells(cells, clips, clock, energy) {
+  const states = clips.map((clip, index) => {
+    const state = make("span", { className: "state-now" });
+    const name = make("b", {}, lineSample(lineLook(index)), clip.name);
+    onSchemeChange(() => name.replaceChild(lineSample(lineLook(index)), name.firstChild));
+    cells[index].append(name, state);
+    return state;
+  });
+  clock.onChange(() => {
+    for (const [index, clip] of clips.entries()) {
+      const moment = clock.clipTime(index);
+      const over = clock.time + clock.span.origins[index] > clip.end;
+      const angles = clip.valuesAt("distalAngle", moment);
+      const stored = clip.valuesAt("tendonEnergy", moment).reduce((sum, value) => sum + value, 0);
+      const stage = over ? "ended" : clip.stageAt(moment).name;
+      const ends = [Math.min(...angles), Math.max(...angles)].map((angle) => `${fixed(angle, 0)}\u00b0`);
+      const range = ends[0] === ends[1] ? ends[0] : ends.join(" to ");
+      states[index].textContent = `${stage} \u00b7 ${range} \u00b7 ${short(energy.factor * stored)} ${energy.unit}`;
+    }
+  });
+}

@@ -1,0 +1,61 @@
+/** Wings in 3-D with the controls of their clock, in an element of any page. */
+
+import { VIEWS } from "./camera.js";
+import { make } from "./elements.js";
+import { keysHelp, listenToKeys } from "./keys.js";
+import { makeLegend } from "./legend.js";
+import { makeStage } from "./stage.js";
+import { makeTransport } from "./transport.js";
+
+const NO_PICTURE = "This browser has no WebGL, so the wing cannot be drawn in 3-D. The plots and all numbers are here.";
+
+/**
+ * Show clips side by side on one clock.
+ *
+ * energy: {unit, factor, largest_J} of the tendons' colours; text: what the picture shows, in a sentence.
+ * Returns {stage, dispose}; stage is null without WebGL.
+ */
+export function mountPlayer(element, { clips, clock, energy, text }) {
+  const stage = makeStage(clips, clock, energy, text);
+  const picture = stage
+    ? make("div", { className: "picture" }, stage.element, viewButtons(stage.eye))
+    : make("p", { className: "note" }, NO_PICTURE);
+  const legend = stage ? [makeLegend(energy, stage.eye.size, clips.length > 1)] : [];
+  element.replaceChildren(picture, makeTransport(clips, clock), ...legend, keysHelp());
+  element.classList.add("player");
+  element.setAttribute("role", "region");
+  element.setAttribute("aria-label", "the wing moving");
+  const deaf = listenToKeys(element, clips, clock, stage?.eye, VIEWS[0]);
+
+  function dispose() {
+    clock.pause();
+    deaf();
+    stage?.dispose();
+    element.replaceChildren();
+  }
+
+  return { stage, dispose };
+}
+
+function viewButtons(eye) {
+  const button = (text, label, action) => {
+    const made = make("button", { type: "button", title: label, "aria-label": label }, text);
+    made.addEventListener("click", action);
+    return made;
+  };
+  const views = VIEWS.map((view) => button(view.name, `${view.name}: view ${view.text}`, () => eye.show(view)));
+  const turns = [
+    ["\u2190", "turn left", [-1, 0]],
+    ["\u2192", "turn right", [1, 0]],
+    ["\u2191", "turn up", [0, 1]],
+    ["\u2193", "turn down", [0, -1]],
+  ].map(([text, label, steps]) => button(text, label, () => eye.turn(...steps)));
+  const zooms = [button("+", "nearer", () => eye.zoom(1)), button("\u2212", "further", () => eye.zoom(-1))];
+  return make(
+    "div",
+    { className: "views", role: "group", "aria-label": "view" },
+    make("span", {}, ...views),
+    make("span", { className: "turns" }, ...turns),
+    make("span", {}, ...zooms),
+  );
+}

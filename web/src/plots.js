@@ -1,0 +1,228 @@
+/** Plots over the time, with a cursor at the clock's time; where one is pressed, the clock goes there. */
+
+import uPlot from "uplot";
+import { unpack } from "./clip.js";
+import { lineSample, make } from "./elements.js";
+import { short, timeUnit } from "./format.js";
+import { lineLook, onSchemeChange, styleColour } from "./scheme.js";
+
+const HEIGHT = 210;
+const DEGREES = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 90, 180, 360, ...powers(3, 20)];
+
+/** Put plots into an element, all over the span that the clock shows. */
+export function mountPlots(element, plots, clips, clock) {
+  const made = plots.map((plot) => makePlot(plot, clips, clock));
+  element.replaceChildren(...made.map((plot) => plot.element));
+  element.classList.add("plots");
+  for (const plot of made) plot.start();
+  return { charts: made.map((plot) => plot.chart), dispose: () => made.forEach((plot) => plot.dispose()) };
+}
+
+function makePlot(plot, clips, clock) {
+  const values = plot.lines.map((line) =>
+    line.series ? clips[line.clip].line(line.series, line.vein) : unpack(line.values, Float32Array),
+  );
+  const place = make("div", { className: "chart", role: "img", "aria-label": plot.text });
+  const key = make("ul", { className: "key" });
+  const element = make(
+    "figure",
+    {},
+    make("h2", {}, `${plot.title[0].toUpperCase()}${plot.title.slice(1)} (${plot.unit})`),
+    key,
+    place,
+    make("figcaption", {}, plot.text),
+  );
+  const cursor = make("div", { className: "cursor" });
+  let chart = null;
+  let span = null;
+  let stops = [];
+  const watch = new ResizeObserver(() => chart?.setSize({ width: place.clientWidth, height: HEIGHT }));
+
+  function drawKey() {
+    const veins = plot.lines.every((line) => line.name.startsWith("vein "));
+    const samples = plot.lines.map((line, index) =>
+      make("li", {}, lineSample(lineLook(index)), veins ? line.name.slice(5) : line.name),
+    );
+    key.replaceChildren(...(veins ? [make("li", {}, "vein")] : []), ...samples);
+  }
+
+  function follow() {
+    if (clock.span !== span) {
+      span = clock.span;
+      chart.setData(tables(plot, values, clips, span), false);
+      chart.setScale("x", { min: span.start, max: span.end });
+    }
+    cursor.style.transform = `translateX(${chart.valToPos(clock.time, "x").toFixed(2)}px)`;
+  }
+
+  function start() {
+    span = clock.span;
+    chart = new uPlot(options(plot, clips, clock, place.clientWidth), tables(plot, values, clips, span), place);
+    chart.setScale("x", { min: span.start, max: span.end });
+    chart.over.append(cursor);
+    seekByPointer(chart, clock);
+    watch.observe(place);
+    chart.hooks.setSize = [follow];
+    const repaint = () => {
+      drawKey();
+      chart.redraw(false);
+    };
+    stops = [clock.onChange(follow), onSchemeChange(repaint)];
+    drawKey();
+  }
+
+  function dispose() {
+    for (const stop of stops) stop();
+    watch.disconnect();
+    chart.destroy();
+  }
+
+  return {
+    element,
+    start,
+    dispose,
+    get chart() {
+      return chart;
+    },
+  };
+}
+
+/** The lines over the clock's time; those of several clips share one row of times. */
+function tables(plot, values, clips, span) {
+  const byLine = plot.lines.map((line, index) => [
+    Float64Array.from(clips[line.clip].time, (moment) => moment - span.origins[line.clip]),
+    values[index],
+  ]);
+  if (plot.lines.every((line) => line.clip === plot.lines[0].clip)) {
+    return [byLine[0]?.[0] ?? [], ...byLine.map((table) => table[1])];
+  }
+  return uPlot.join(byLine);
+}
+
+function options(plot, clips, clock, width) {
+  const ink = () => styleColour("--muted");
+  const axis = {
+    stroke: ink,
+    grid: { stroke: () => styleColour("--grid"), width: 1 },
+    ticks: { stroke: () => styleColour("--grid"), width: 1, size: 4 },
+    font: "12px system-ui, sans-serif",
+  };
+  return {
+    width,
+    height: HEIGHT,
+    legend: { show: false },
+    cursor: { show: false },
+    padding: [8, 10, 0, 0],
+    scales: { x: { time: false, auto: false }, y: { range: (_, low, high) => yRange(plot, low, high) } },
+    series: [
+      {},
+      ...plot.lines.map((_, index) => ({
+        stroke: () => lineLook(index).colour,
+        dash: lineLook(index).dash,
+        width: 1.6,
+        points: { show: false },
+        spanGaps: true,
+      })),
+    ],
+    axes: [
+      {
+        ...axis,
+        size: 24,
+        gap: 3,
+        labelSize: 18,
+        labelGap: 0,
+        labelFont: "12px system-ui, sans-serif",
+        label: () => `${clock.span.label} (${timeUnit(clock.span).unit})`,
+        values: (_, splits) =>
+          splits.map((value) => (value === null ? "" : tickText(value * timeUnit(clock.span).factor))),
+        space: 56,
+      },
+      {
+        ...axis,
+        size: 48,
+        gap: 3,
+        values: (_, splits) => splits.map((value) => (value === null ? "" : tickText(value))),
+        ...(plot.unit === "deg" ? { incrs: DEGREES, space: 26 } : { space: 30 }),
+      },
+    ],
+    hooks: {
+      drawClear: [(chart) => drawStages(chart, clips, clock.span)],
+      draw: [(chart) => drawMarks(chart, clips, clock.span)],
+    },
+  };
+}
+
+/** From what is there to what is there, zero included, with some room. */
+function yRange(plot, low, high) {
+  const [least, most] = [Math.min(0, low ?? 0), Math.max(0, high ?? 0)];
+  const room = 0.06 * (most - least || 1);
+  return [plot.unit === "deg" || least < 0 ? least - room : least, most + room];
+}
+
+function tickText(value) {
+  const text = Math.abs(value) < 1e-12 ? "0" : String(Number(value.toPrecision(6)));
+  return text.length > 7 ? short(value) : text.replace("-", "\u2212");
+}
+
+/** Grey bands where torques act. */
+function drawStages(chart, clips, span) {
+  if (clips.length > 1) return;
+  const { ctx, bbox } = chart;
+  ctx.save();
+  ctx.fillStyle = styleColour("--band");
+  for (const stage of clips[0].stages.filter((each) => each.drive !== "none")) {
+    const [left, right] = [stage.start, stage.end].map((moment) => chart.valToPos(moment - span.origins[0], "x", true));
+    const from = Math.max(left, bbox.left);
+    ctx.fillRect(from, bbox.top, Math.max(0, Math.min(right, bbox.left + bbox.width) - from), bbox.height);
+  }
+  ctx.restore();
+}
+
+/** Letters a, b and c where the states are. */
+function drawMarks(chart, clips, span) {
+  if (clips.length > 1) return;
+  const { ctx, bbox } = chart;
+  const ratio = devicePixelRatio;
+  ctx.save();
+  ctx.strokeStyle = styleColour("--muted");
+  ctx.font = `bold ${12 * ratio}px system-ui, sans-serif`;
+  ctx.setLineDash([2 * ratio, 3 * ratio]);
+  for (const mark of clips[0].marks) {
+    const x = chart.valToPos(mark.time - span.origins[0], "x", true);
+    if (x < bbox.left - 1 || x > bbox.left + bbox.width + 1) continue;
+    ctx.beginPath();
+    ctx.moveTo(x, bbox.top);
+    ctx.lineTo(x, bbox.top + bbox.height);
+    ctx.stroke();
+    const side = x > bbox.left + bbox.width - 16 * ratio ? -1 : 1;
+    // a line under a letter would hide it
+    ctx.fillStyle = styleColour("--page");
+    ctx.fillRect(x + (side > 0 ? 2 : -14) * ratio, bbox.top + 1 * ratio, 12 * ratio, 15 * ratio);
+    ctx.fillStyle = styleColour("--ink");
+    ctx.textAlign = "center";
+    ctx.fillText(mark.letter, x + side * 8 * ratio, bbox.top + 13 * ratio);
+  }
+  ctx.restore();
+}
+
+function seekByPointer(chart, clock) {
+  const seek = (event) => {
+    clock.pause();
+    clock.seek(chart.posToVal(event.clientX - chart.over.getBoundingClientRect().left, "x"));
+  };
+  chart.over.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) return;
+    chart.over.setPointerCapture(event.pointerId);
+    seek(event);
+  });
+  chart.over.addEventListener("pointermove", (event) => {
+    if (chart.over.hasPointerCapture(event.pointerId)) seek(event);
+  });
+}
+
+/** 1, 2 and 5 times powers of ten. */
+function powers(first, last) {
+  return Array.from({ length: last - first }, (_, power) =>
+    [1, 2, 5].map((step) => step * 10 ** (first + power)),
+  ).flat();
+}

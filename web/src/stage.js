@@ -1,0 +1,133 @@
+/** The picture: one canvas on which every wing has a part, drawn only when something has changed. */
+
+import { DirectionalLight, HemisphereLight, Scene, Vector3, WebGLRenderer } from "three";
+import { makeCamera } from "./camera.js";
+import { make } from "./elements.js";
+import { makeFloor } from "./floor.js";
+import { onSchemeChange, styleColour } from "./scheme.js";
+import { makeWing } from "./wing.js";
+
+const LONGEST = 4096; // pixels of the canvas in one direction, which all graphics chips have
+const NAME_ROOM = 44; // pixels at the top of a cell, where several wings have their names
+const TOWARDS_LIGHT = new Vector3(-0.45, 0.75, 1);
+
+/**
+ * A stage for clips, or null where the browser has no WebGL.
+ * Its cells take the wings' names and what else a page writes on them.
+ */
+export function makeStage(clips, clock, energy, text) {
+  const canvas = make("canvas", { tabIndex: 0, role: "img", "aria-label": `${text} ${HELP}` });
+  const context = canvas.getContext("webgl2", { antialias: true, alpha: true });
+  if (!context) return null;
+  const cells = clips.map(() => make("div", { className: "cell" }));
+  const several = clips.length > 1;
+  const element = make("div", { className: several ? "stage several" : "stage" }, canvas, ...cells);
+  element.style.setProperty(
+    "--columns",
+    String(clips.length === 4 ? 2 : Math.min(clips.length, clips.length > 6 ? 4 : 3)),
+  );
+  const pictureHeight = (cell) => cell.offsetHeight - (several ? NAME_ROOM : 0);
+  const renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
+  renderer.setScissorTest(true);
+  const eye = makeCamera(canvas, clips, invalidate);
+  const views = clips.map((clip) => makeView(clip, energy, eye));
+  let waiting = 0;
+  let posed = false;
+
+  function invalidate() {
+    if (!waiting) waiting = requestAnimationFrame(draw);
+  }
+
+  function pose() {
+    for (const [index, view] of views.entries()) view.wing.pose(clock.clipTime(index));
+    posed = true;
+  }
+
+  function draw() {
+    cancelAnimationFrame(waiting);
+    waiting = 0;
+    if (!posed) pose();
+    const height = canvas.clientHeight;
+    renderer.setScissor(0, 0, canvas.clientWidth, height);
+    renderer.setViewport(0, 0, canvas.clientWidth, height);
+    renderer.clear();
+    for (const [index, view] of views.entries()) {
+      const cell = cells[index];
+      const place = [
+        cell.offsetLeft,
+        height - cell.offsetTop - cell.offsetHeight,
+        cell.offsetWidth,
+        pictureHeight(cell),
+      ];
+      renderer.setViewport(...place);
+      renderer.setScissor(...place);
+      view.light.position.copy(TOWARDS_LIGHT).applyQuaternion(eye.camera.quaternion);
+      view.wing.sort(eye.camera.position);
+      renderer.render(view.scene, eye.camera);
+    }
+  }
+
+  function paint() {
+    for (const view of views) {
+      view.floor.material.color.set(styleColour("--floor"));
+      view.wing.paint();
+    }
+    invalidate();
+  }
+
+  function resize() {
+    const [width, height] = [element.clientWidth, element.clientHeight];
+    if (!width || !height) return;
+    renderer.setPixelRatio(Math.min(devicePixelRatio, 2, LONGEST / Math.max(width, height)));
+    renderer.setSize(width, height, false);
+    eye.resize(cells[0].offsetWidth / pictureHeight(cells[0]), height / pictureHeight(cells[0]));
+    draw();
+  }
+
+  const watch = new ResizeObserver(resize);
+  watch.observe(element);
+  const stop = clock.onChange(() => {
+    posed = false;
+    draw();
+  });
+  const stopPainting = onSchemeChange(paint);
+  canvas.addEventListener("webglcontextrestored", invalidate);
+  paint();
+
+  function dispose() {
+    cancelAnimationFrame(waiting);
+    stop();
+    stopPainting();
+    watch.disconnect();
+    eye.dispose();
+    for (const view of views) view.wing.dispose();
+    renderer.dispose();
+    renderer.forceContextLoss();
+    element.remove();
+  }
+
+  return { element, canvas, cells, eye, pose, draw, views, statistics: () => renderer.info.render, dispose };
+}
+
+const HELP = "Drag to turn it, pinch to zoom; keys are listed below.";
+
+/** A scene of its own for every wing, all seen by one camera. */
+function makeView(clip, energy, eye) {
+  const wing = makeWing(clip, energy.largest_J);
+  const floor = makeFloor(eye.size, eye.target);
+  floor.position.z = lowest(clip) - 0.06 * eye.size;
+  const light = new DirectionalLight("#ffffff", 2.1);
+  const scene = new Scene();
+  scene.add(wing.group, floor, light, new HemisphereLight("#ffffff", "#e6eaee", 2.0));
+  return { wing, floor, light, scene };
+}
+
+function lowest(clip) {
+  let least = Infinity;
+  const step = Math.max(1, Math.floor(clip.time.length / 200));
+  for (let frame = 0; frame < clip.time.length; frame += step) {
+    const points = clip.pointsAt(clip.time[frame]);
+    for (let at = 2; at < points.length; at += 3) least = Math.min(least, points[at]);
+  }
+  return least;
+}

@@ -1,0 +1,16 @@
+/** A page that opens shows the wing move once, unless its reader has asked for less motion. */
+
+export function playOnceSeen(element, clock) {
+  if (matchMedia("(prefers-reduced-motion: reduce)").matches) return;
+  const watch = new IntersectionObserver(
+    (entries) => {
+      if (!entries.some((entry) => entry.isIntersecting)) return;
+      watch.disconnect();
+      clock.play();
+    },
+    { threshold: 0.3 },
+  );
+  watch.observe(element);
+  // whoever has taken hold of it needs no show
+  element.addEventListener("pointerdown", () => watch.disconnect(), { once: true });
+}

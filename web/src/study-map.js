@@ -1,0 +1,230 @@
+/** A study's map: one quantity over two factors as a grid of cells that can be opened. */
+
+import { make } from "./elements.js";
+import { GRADIENT, patternOf } from "./heat.js";
+import { makeScatter } from "./study-scatter.js";
+
+const MOST_CELLS = 20_000;
+const MOST_NUMBERS = 16; // columns beyond which cells are too small for numbers
+const MOST_TICKS = 16;
+const MOVES = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+/** The map with its choices; `open` is called with the point of a cell that is pressed, and the quantity. */
+export function makeMap(model, open) {
+  const { factors, quantities, sampled } = model.study;
+  const varied = factors.map((_, index) => index).filter((index) => model.sizes[index] > 1);
+  const [y, x] = varied.length > 1 ? varied : [null, varied[0] ?? 0];
+  const view = { quantity: quantities[0], x, y, fixed: model.sizes.map((size) => Math.floor(size / 2)), current: null, opened: null };
+  const place = make("div", { className: "map-place" });
+  const legend = make("div", { className: "map-legend" });
+  const text = make("p", { className: "note" });
+  const draw = () => {
+    const shown = sampled ? makeScatter(model, view, press) : makeGrid(model, view, press);
+    place.replaceChildren(shown.element);
+    legend.replaceChildren(...legendParts(model, view.quantity, shown.points));
+    text.textContent = mapText(model, view.quantity, shown.points);
+  };
+  const press = (point) => {
+    view.current = view.opened = point;
+    mark(place, point);
+    open(point, view.quantity);
+  };
+  const chooser = makeChoices(model, view, varied, draw);
+  const element = make("section", { className: "map" }, make("h2", {}, "Map"), chooser.element, place, legend, text);
+  draw();
+  return {
+    element,
+    /** Mark a point as the one that is open, and show the part of the study that it lies in. */
+    show(point) {
+      view.current = view.opened = point;
+      if (!sampled) view.fixed = model.placesOf(point);
+      chooser.fill();
+      draw();
+    },
+  };
+}
+
+function mark(place, point) {
+  for (const cell of place.querySelectorAll("[data-point]")) {
+    const chosen = Number(cell.dataset.point) === point;
+    cell.setAttribute("aria-selected", String(chosen));
+    cell.tabIndex = chosen ? 0 : -1;
+  }
+}
+
+/** What to show, over which factors, and at which values of the others. */
+function makeChoices(model, view, varied, draw) {
+  const { factors, quantities, sampled } = model.study;
+  const element = make("div", { className: "choices" });
+  const choice = (label, options, value, act) => {
+    const select = make("select", {}, ...options.map(([name, text]) => make("option", { value: String(name) }, text)));
+    select.value = String(value);
+    select.addEventListener("change", () => {
+      act(Number(select.value));
+      fill();
+      draw();
+      // the choice that has the keys is another element now
+      [...element.querySelectorAll("label")].find((each) => each.dataset.name === label)?.querySelector("select").focus();
+    });
+    return make("label", {}, `${label} `, select);
+  };
+  const turn = (which, other) => (index) => {
+    if (view[other] === index) view[other] = view[which];
+    view[which] = index;
+  };
+  function fill() {
+    const parts = [choice("show", quantities.map((each, index) => [index, each.title]), quantities.indexOf(view.quantity), (index) => { view.quantity = quantities[index]; })];
+    if (varied.length > 2) {
+      const names = varied.map((index) => [index, factors[index].name]);
+      parts.push(choice("across", names, view.x, turn("x", "y")), choice("upwards", names, view.y, turn("y", "x")));
+    }
+    for (const index of varied.filter((each) => !sampled && each !== view.x && each !== view.y)) {
+      const values = factors[index].texts.map((text, place) => [place, factors[index].unit ? `${text} ${factors[index].unit}` : text]);
+      parts.push(choice(factors[index].name, values, view.fixed[index], (place) => { view.fixed[index] = place; }));
+    }
+    for (const part of parts) part.dataset.name = part.firstChild.textContent.trim();
+    element.replaceChildren(...parts);
+  }
+  fill();
+  return { element, fill };
+}
+
+function makeGrid(model, view, press) {
+  const { factors } = model.study;
+  const [columns, rows] = [model.sizes[view.x], view.y === null ? 1 : model.sizes[view.y]];
+  if (columns * rows > MOST_CELLS) return { element: make("p", { className: "note" }, "This map has too many cells for a page; the study's figures have it."), points: [] };
+  const scale = model.scaleOf(view.quantity);
+  const numbers = columns <= MOST_NUMBERS;
+  const at = (column, row) => model.pointAt(view.fixed.map((place, index) => (index === view.x ? column : index === view.y ? row : place)));
+  const cells = new Map();
+  const body = [];
+  const points = [];
+  for (let row = rows - 1; row >= 0; row--) {
+    const line = make("tr", {}, make("th", { scope: "row" }, view.y === null ? "" : tick(factors[view.y], row)));
+    for (let column = 0; column < columns; column++) {
+      const point = at(column, row);
+      const cell = make("td", { tabIndex: -1, role: "gridcell" });
+      fillCell(cell, model, view, scale, point, numbers);
+      cells.set(`${column} ${row}`, cell);
+      points.push(point);
+      line.append(cell);
+    }
+    body.push(line);
+  }
+  const feet = factors[view.x].texts.map((_, column) => make("th", { scope: "col" }, tick(factors[view.x], column)));
+  body.push(make("tr", { className: "feet" }, make("td"), ...feet));
+  const table = make("table", { role: "grid", className: numbers ? "grid" : "grid small", "aria-label": mapName(model, view) }, make("tbody", {}, ...body));
+  table.style.setProperty("--columns", columns);
+  const first = [...cells.values()].find((cell) => Number(cell.dataset.point) === view.current) ?? cells.get("0 0");
+  first.tabIndex = 0;
+  listen(table, cells, press);
+  const upwards = make("div", { className: "upwards" }, view.y === null ? "" : axisText(factors[view.y]));
+  const across = make("div", { className: "across" }, axisText(factors[view.x]));
+  return { element: make("div", { className: "axes" }, upwards, make("div", {}, make("div", { className: "scroll" }, table), across)), points };
+}
+
+function fillCell(cell, model, view, scale, point, numbers) {
+  const { quantity } = view;
+  const value = quantity.values?.[point] ?? null;
+  cell.dataset.point = point;
+  cell.setAttribute("aria-selected", String(view.opened === point));
+  const text = `${model.pointText(point)}: ${quantity.values ? `${quantity.title} ` : ""}${model.valueText(quantity, point)}`;
+  cell.setAttribute("aria-label", text);
+  cell.title = text;
+  if (value === null) {
+    const { sign } = model.word(quantity.reasons[point]);
+    cell.className = patternOf(sign);
+    cell.append(make("span", {}, numbers ? sign : ""));
+    return;
+  }
+  const { face, ink } = scale.colour(value);
+  cell.style.background = face;
+  cell.style.color = ink;
+  cell.textContent = numbers ? scale.text(value) : "";
+}
+
+/** Arrows move between cells, as in a spreadsheet; enter, space and a press open one. */
+function listen(table, cells, press) {
+  const places = new Map([...cells].map(([place, cell]) => [cell, place.split(" ").map(Number)]));
+  table.addEventListener("click", (event) => {
+    const cell = event.target.closest("[data-point]");
+    if (cell) press(Number(cell.dataset.point));
+  });
+  table.addEventListener("keydown", (event) => {
+    const cell = event.target.closest("[data-point]");
+    if (!cell || event.ctrlKey || event.metaKey || event.altKey) return;
+    const [column, row] = places.get(cell);
+    const [right, up] = MOVES[event.key] ?? [0, 0];
+    const columns = Math.max(...[...places.values()].map(([each]) => each));
+    const there = { Home: `0 ${row}`, End: `${columns} ${row}` }[event.key] ?? `${column + right} ${row + up}`;
+    if (event.key === "Enter" || event.key === " ") press(Number(cell.dataset.point));
+    else if (!(event.key in MOVES) && event.key !== "Home" && event.key !== "End") return;
+    else if (cells.has(there)) {
+      cell.tabIndex = -1;
+      cells.get(there).tabIndex = 0;
+      cells.get(there).focus();
+    }
+    event.preventDefault();
+  });
+}
+
+/** What the colours and the patterns mean. */
+function legendParts(model, quantity, points) {
+  const parts = [];
+  const scale = model.scaleOf(quantity);
+  if (scale) {
+    const bar = make("span", { className: "bar", "aria-hidden": "true" });
+    bar.style.background = GRADIENT;
+    parts.push(make("p", { className: "scale" }, `${quantity.title} (${quantity.unit})`, make("span", {}, scale.text(scale.low)), bar, make("span", {}, scale.text(scale.high))));
+  }
+  const reasons = [...countReasons(quantity, points)].map(([number, count]) => {
+    const { word, sign } = model.word(number);
+    return make("li", {}, make("span", { className: patternOf(sign), "aria-hidden": "true" }, make("span", {}, sign)), `${word} (${count})`);
+  });
+  if (reasons.length) parts.push(make("ul", {}, ...reasons));
+  return parts;
+}
+
+function countReasons(quantity, points) {
+  const counts = new Map();
+  for (const point of points) {
+    const reason = quantity.reasons[point];
+    if (reason !== null) counts.set(reason, (counts.get(reason) ?? 0) + 1);
+  }
+  return new Map([...counts].sort(([first], [second]) => first - second));
+}
+
+/** The map in a sentence or two. */
+function mapText(model, quantity, points) {
+  const found = points.filter((point) => (quantity.values?.[point] ?? null) !== null);
+  const reasons = [...countReasons(quantity, points)].map(([number, count]) => `${count} ${model.word(number).word}`);
+  const title = `${quantity.title[0].toUpperCase()}${quantity.title.slice(1)}`;
+  if (!found.length) return `${title} of ${points.length} points: ${reasons.join(", ") || "none"}.`;
+  const rest = reasons.length ? ` The others: ${reasons.join(", ")}.` : "";
+  const [least, most] = [Math.min, Math.max].map((pick) => endText(model, quantity, found, pick));
+  return `${title}, known of ${found.length} of ${points.length} points: from ${least} to ${most}.${rest}`;
+}
+
+/** The least or the largest value, and which point has it, or how many. */
+function endText(model, quantity, points, pick) {
+  const value = points.map((point) => quantity.values[point]).reduce((first, second) => pick(first, second));
+  const there = points.filter((point) => quantity.values[point] === value);
+  const where = there.length > 1 ? `${there.length} points` : model.pointText(there[0]);
+  return `${model.valueText(quantity, there[0])} (${where})`;
+}
+
+function mapName(model, view) {
+  const { factors } = model.study;
+  const over = view.y === null ? factors[view.x].name : `${factors[view.x].name} across and ${factors[view.y].name} upwards`;
+  return `${view.quantity.title} over ${over}; arrows move between cells, enter opens one`;
+}
+
+function axisText(factor) {
+  return factor.unit ? `${factor.name} (${factor.unit})` : factor.name;
+}
+
+/** A value beside its row or column, where there is room for all of them or it is one that is shown. */
+function tick(factor, place) {
+  const step = Math.ceil(factor.texts.length / MOST_TICKS);
+  return place % step ? "" : factor.texts[place];
+}

@@ -1,0 +1,88 @@
+/** The table of all points: filter by what became of them, order by any column, download. */
+
+import { make } from "./elements.js";
+import { patternOf } from "./heat.js";
+
+/** Add to the page's table what a script can; `open` is called with the point of a row whose number is pressed. */
+export function extendTable(section, model, csv, open) {
+  const table = section?.querySelector("table");
+  if (!table) return;
+  const rows = [...table.tBodies[0].rows];
+  const count = make("p", { className: "note", role: "status" });
+  const filter = statusFilter(model, () => {
+    const shown = filter.shown();
+    let left = 0;
+    for (const [point, row] of rows.entries()) {
+      row.hidden = !shown.has(model.study.verdicts[point]);
+      left += row.hidden ? 0 : 1;
+    }
+    count.textContent = `${left} of ${rows.length} points shown.`;
+  });
+  for (const [point, row] of rows.entries()) {
+    const number = make("button", { type: "button", "aria-label": `open point ${point + 1}` }, row.cells[0].textContent);
+    number.addEventListener("click", () => open(point));
+    row.cells[0].replaceChildren(number);
+  }
+  const words = model.study.factors.length + 1;
+  for (const row of [table.tHead.rows[0], ...rows]) row.cells[words].classList.add("words");
+  makeSortable(table, rows, sortKeys(model));
+  const tools = make("div", { className: "choices" }, filter.element, ...(csv ? [downloadButton(csv)] : []));
+  table.closest(".table").before(tools, count);
+  filter.changed();
+}
+
+function statusFilter(model, changed) {
+  const boxes = new Map();
+  const labels = model.study.words.flatMap(({ word, sign, count }, number) => {
+    if (!count) return [];
+    const box = make("input", { type: "checkbox", checked: true });
+    box.addEventListener("change", changed);
+    boxes.set(number, box);
+    return [make("label", {}, box, make("span", { className: patternOf(sign), "aria-hidden": "true" }, make("span", {}, sign)), `${word} (${count})`)];
+  });
+  const element = make("fieldset", { className: "filter" }, make("legend", {}, "Show points that"), ...labels);
+  return { element, changed, shown: () => new Set([...boxes].filter(([, box]) => box.checked).map(([number]) => number)) };
+}
+
+/** What each column is ordered by: a list with an entry a point. */
+function sortKeys(model) {
+  const { study } = model;
+  const points = study.statuses.map((_, point) => point);
+  const factors = study.factors.map((factor, index) => points.map((point) => factor.values[model.placesOf(point)[index]]));
+  const numbers = study.quantities.filter((each) => ["torque", "time", "work", "energy"].includes(each.group)).map((each) => each.values);
+  return [points, ...factors, study.statuses, ...numbers];
+}
+
+/** Headings that order the rows: up, then down; what has no value is last either way. */
+function makeSortable(table, rows, keys) {
+  const headings = [...table.tHead.rows[0].cells];
+  for (const [column, heading] of headings.entries()) {
+    const button = make("button", { type: "button" }, ...heading.childNodes);
+    heading.replaceChildren(button);
+    button.addEventListener("click", () => {
+      const down = heading.getAttribute("aria-sort") === "ascending";
+      for (const each of headings) each.removeAttribute("aria-sort");
+      heading.setAttribute("aria-sort", down ? "descending" : "ascending");
+      const order = rows.map((_, point) => point).sort((first, second) => compare(keys[column][first], keys[column][second], down ? -1 : 1) || first - second);
+      table.tBodies[0].append(...order.map((point) => rows[point]));
+    });
+  }
+  headings[0].setAttribute("aria-sort", "ascending");
+}
+
+function compare(first, second, direction) {
+  if (first === null || second === null) return (first === null) - (second === null);
+  const order = typeof first === "number" ? first - second : String(first).localeCompare(String(second), "en");
+  return direction * order;
+}
+
+/** The file that the study's folder has, too. */
+function downloadButton(csv) {
+  const button = make("button", { type: "button", className: "button" }, "Download table.csv");
+  button.addEventListener("click", () => {
+    const address = URL.createObjectURL(new Blob([csv], { type: "text/csv;charset=utf-8" }));
+    make("a", { href: address, download: "table.csv" }).click();
+    setTimeout(() => URL.revokeObjectURL(address), 10_000);
+  });
+  return button;
+}

@@ -1,0 +1,140 @@
+/** The controls of a clock: play and pause, the time line with its states, speed, and which part of it is shown. */
+
+import { icon, make } from "./elements.js";
+import { fixed, timeText } from "./format.js";
+import { SPEEDS } from "./pace.js";
+
+const PLAY = "M7 4.5v15l12-7.5z";
+const PAUSE = "M7 5h3.5v14H7zM13.5 5H17v14h-3.5z";
+const TICKS = 10_000;
+
+export function makeTransport(clips, clock) {
+  const play = make("button", { type: "button", className: "play" });
+  const slider = make("input", { type: "range", min: 0, max: TICKS, step: 1, "aria-label": "time" });
+  const bands = make("div", { className: "bands", "aria-hidden": "true" });
+  const ticks = make("div", { className: "ticks", "aria-hidden": "true" });
+  const readout = make("output", { className: "time" });
+  const spoken = make("p", { className: "spoken", role: "status" });
+  const states = clips.length === 1 ? clips[0].marks.map((mark) => stateButton(mark, clock)) : [];
+  const element = make(
+    "div",
+    { className: "transport" },
+    make("div", { className: "line" }, play, make("div", { className: "track" }, bands, slider, ticks)),
+    make(
+      "div",
+      { className: "choices" },
+      readout,
+      make("div", { className: "states" }, ...states),
+      speedChoice(clock),
+      ...spanChoice(clock),
+      spoken,
+    ),
+  );
+  play.addEventListener("click", () => (clock.playing ? clock.pause() : clock.play()));
+  slider.addEventListener("input", () => {
+    clock.pause();
+    clock.seek(clock.span.start + (slider.value / TICKS) * (clock.span.end - clock.span.start));
+  });
+  let drawnSpan = null;
+  let wasPlaying = null;
+  let quiet = 0;
+  clock.onChange(() => {
+    if (clock.span !== drawnSpan) drawTrack(clips, clock, bands, ticks);
+    drawnSpan = clock.span;
+    slider.value = Math.round((TICKS * (clock.time - clock.span.start)) / (clock.span.end - clock.span.start));
+    slider.setAttribute("aria-valuetext", momentText(clips, clock));
+    const since =
+      clips.length === 1 ? ` \u00b7 ${stageText(clips[0], clock.clipTime(0))}` : clock.span.label.replace("time", "");
+    const slow = clock.playing ? `, ${slowness(clock.slowness)}` : "";
+    readout.textContent = `${timeText(clock.time, clock.span)}${since}${slow}`;
+    for (const [index, mark] of (clips.length === 1 ? clips[0].marks : []).entries()) {
+      states[index].setAttribute("aria-pressed", String(Math.abs(mark.time - clock.clipTime(0)) < 1e-9));
+    }
+    if (clock.playing !== wasPlaying) {
+      play.replaceChildren(icon(clock.playing ? PAUSE : PLAY));
+      play.setAttribute("aria-label", clock.playing ? "pause" : "play");
+      wasPlaying = clock.playing;
+    }
+    // said once it has come to rest
+    clearTimeout(quiet);
+    if (!clock.playing)
+      quiet = setTimeout(() => {
+        spoken.textContent = momentText(clips, clock);
+      }, 600);
+  });
+  return element;
+}
+
+function stateButton(mark, clock) {
+  const button = make("button", { type: "button", className: "state" }, make("b", {}, mark.letter), ` ${mark.name}`);
+  button.addEventListener("click", () => {
+    clock.pause();
+    clock.seekClip(0, mark.time);
+  });
+  return button;
+}
+
+function speedChoice(clock) {
+  const options = SPEEDS.map(({ name, value }) => make("option", { value: String(value) }, name));
+  const select = make("select", {}, ...options);
+  select.addEventListener("change", () => clock.setSpeed(select.value === "even" ? "even" : Number(select.value)));
+  return make("label", {}, "speed ", select);
+}
+
+function spanChoice(clock) {
+  if (clock.spans.length < 2) return [];
+  const options = clock.spans.map((span, index) => make("option", { value: String(index) }, span.name));
+  const select = make("select", {}, ...options);
+  select.addEventListener("change", () => clock.setSpan(clock.spans[Number(select.value)]));
+  clock.onChange(() => {
+    select.value = String(clock.spans.indexOf(clock.span));
+  });
+  return [make("label", {}, "show ", select)];
+}
+
+/** Bands where torques act, and ticks at the states; of several clips a tick in each one's colour. */
+function drawTrack(clips, clock, bands, ticks) {
+  const { span } = clock;
+  const place = (moment) => Math.min(1, Math.max(0, (moment - span.start) / (span.end - span.start)));
+  bands.replaceChildren();
+  ticks.replaceChildren();
+  for (const [index, clip] of clips.entries()) {
+    const origin = span.origins[index];
+    for (const stage of clip.stages.filter((each) => each.drive !== "none" && clips.length === 1)) {
+      const [left, right] = [place(stage.start - origin), place(stage.end - origin)];
+      const band = make("span", { className: "band" });
+      band.style.left = `${100 * left}%`;
+      band.style.width = `${100 * (right - left)}%`;
+      if (right > left) bands.append(band);
+    }
+    for (const mark of clip.marks) {
+      const moment = mark.time - origin;
+      if (moment < span.start - 1e-9 || moment > span.end + 1e-9) continue;
+      const tick = make("span", { className: "tick" }, clips.length === 1 ? mark.letter : "");
+      tick.style.left = `${100 * place(moment)}%`;
+      if (clips.length > 1) tick.style.setProperty("--tick", `var(--line-${index % 7})`);
+      ticks.append(tick);
+    }
+  }
+}
+
+function slowness(times) {
+  if (times < 1.05) return "real time";
+  return `${times < 10 ? fixed(times, 1) : Math.round(times)} times slower`;
+}
+
+function stageText(clip, moment) {
+  const mark = clip.markAt(moment);
+  return mark ? `${mark.letter} ${mark.name}` : clip.stageAt(moment).name;
+}
+
+/** The moment in words: its time, and what every wing does then. */
+function momentText(clips, clock) {
+  const wings = clips.map((clip, index) => {
+    const moment = clock.clipTime(index);
+    const angles = clip.valuesAt("distalAngle", moment);
+    const range = `${fixed(Math.min(...angles), 1)} to ${fixed(Math.max(...angles), 1)} degrees`;
+    return `${clips.length > 1 ? `${clip.name}: ` : ""}${stageText(clip, moment)}, distal angles ${range}`;
+  });
+  return `${timeText(clock.time, clock.span)}: ${wings.join("; ")}`;
+}

@@ -1,0 +1,227 @@
+/** The drawn wing: the sheet, and round bars for veins, creases and tendons. */
+
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  CylinderGeometry,
+  DoubleSide,
+  DynamicDrawUsage,
+  Group,
+  InstancedMesh,
+  Mesh,
+  MeshLambertMaterial,
+  SphereGeometry,
+} from "three";
+import { DISTAL, MOUNTAIN, PROXIMAL, VALLEY, energyColour, styleColour } from "./scheme.js";
+
+const OPACITY = 0.88;
+
+/** A wing of a clip; `pose` moves it, `sort` prepares it for a camera. */
+export function makeWing(clip, largestEnergy) {
+  const { mesh } = clip;
+  const vertices = new Float32Array(3 * mesh.share.length);
+  const energies = new Float32Array(clip.veins);
+  const thickest = Math.max(...mesh.tubes.map((tube) => tube.radius));
+  const sheet = makeSheet(mesh);
+  const veins = makeTubes(
+    mesh.tubes.filter((tube) => tube.kind === "vein"),
+    20,
+    0,
+  );
+  // lines on the sheet and tendons within the veins would be hidden: they are drawn as if a little nearer
+  const lines = makeTubes(
+    mesh.tubes.filter((tube) => tube.kind === "ring" || tube.kind === "rim"),
+    8,
+    0.4 * thickest,
+  );
+  const tendons = makeTubes(
+    mesh.tubes.filter((tube) => tube.kind === "tendon"),
+    12,
+    2.4 * thickest,
+  );
+  const joints = makeJoints(mesh);
+  const group = new Group();
+  group.add(veins.object, joints.object, lines.object, tendons.object, sheet.object);
+  const colour = [0, 0, 0];
+  const shade = new Color();
+
+  function pose(moment) {
+    clip.verticesAt(moment, vertices);
+    sheet.pose(vertices);
+    for (const part of [veins, lines, tendons, joints]) part.pose(vertices);
+    clip.valuesAt("tendonEnergy", moment, energies);
+    for (let vein = 0; vein < clip.veins; vein++) {
+      energyColour(largestEnergy > 0 ? energies[vein] / largestEnergy : 0, colour);
+      tendons.object.setColorAt(vein, shade.setRGB(...colour, "srgb"));
+    }
+    tendons.object.instanceColor.needsUpdate = true;
+  }
+
+  /** Take the colours that depend on whether the page is light or dark. */
+  function paint() {
+    for (const part of [veins, lines, joints]) part.paint();
+  }
+
+  function dispose() {
+    for (const part of [sheet, veins, lines, tendons, joints]) {
+      part.object.geometry.dispose();
+      part.object.material.dispose();
+    }
+  }
+
+  return { group, pose, paint, sort: sheet.sort, vertices, dispose };
+}
+
+/** The sheet: flat triangles of two tints, a little translucent, its underside darker. */
+function makeSheet(mesh) {
+  const corners = mesh.triangles;
+  const count = corners.length / 3;
+  const positions = new BufferAttribute(new Float32Array(3 * corners.length), 3).setUsage(DynamicDrawUsage);
+  const colours = new Float32Array(3 * corners.length);
+  const tints = [new Color(PROXIMAL), new Color(DISTAL)];
+  for (let corner = 0; corner < corners.length; corner++)
+    tints[mesh.regions[Math.floor(corner / 3)]].toArray(colours, 3 * corner);
+  const order = new BufferAttribute(new Uint32Array(corners.length), 1).setUsage(DynamicDrawUsage);
+  for (let corner = 0; corner < corners.length; corner++) order.array[corner] = corner;
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", positions);
+  geometry.setAttribute("color", new BufferAttribute(colours, 3));
+  geometry.setIndex(order);
+  const material = new MeshLambertMaterial({
+    vertexColors: true,
+    side: DoubleSide,
+    flatShading: true,
+    transparent: true,
+    opacity: OPACITY,
+    depthWrite: false,
+    forceSinglePass: true,
+  });
+  material.onBeforeCompile = (shader) => {
+    shader.fragmentShader = shader.fragmentShader.replace(
+      "#include <color_fragment>",
+      "#include <color_fragment>\nif (!gl_FrontFacing) diffuseColor.rgb *= 0.84;",
+    );
+  };
+  const object = new Mesh(geometry, material);
+  object.frustumCulled = false;
+  object.renderOrder = 1;
+
+  function pose(vertices) {
+    for (let corner = 0; corner < corners.length; corner++) {
+      for (let axis = 0; axis < 3; axis++) positions.array[3 * corner + axis] = vertices[3 * corners[corner] + axis];
+    }
+    positions.needsUpdate = true;
+  }
+
+  const depths = new Float32Array(count);
+  const ranks = Array.from({ length: count }, (_, triangle) => triangle);
+
+  /** Put the triangles in order, the furthest first: each shows through those before it. */
+  function sort(eye) {
+    const place = positions.array;
+    for (let triangle = 0; triangle < count; triangle++) {
+      let depth = 0;
+      for (let axis = 0; axis < 3; axis++) {
+        const at = 9 * triangle + axis;
+        depth += ((place[at] + place[at + 3] + place[at + 6]) / 3 - eye.getComponent(axis)) ** 2;
+      }
+      depths[triangle] = depth;
+    }
+    ranks.sort((first, second) => depths[second] - depths[first]);
+    for (let rank = 0; rank < count; rank++) {
+      for (let corner = 0; corner < 3; corner++) order.array[3 * rank + corner] = 3 * ranks[rank] + corner;
+    }
+    order.needsUpdate = true;
+  }
+
+  return { object, pose, sort };
+}
+
+function makeTubes(tubes, sides, nearer) {
+  const object = new InstancedMesh(new CylinderGeometry(1, 1, 1, sides), barMaterial(nearer), tubes.length);
+  object.frustumCulled = false;
+  paint();
+  const ends = tubes.map((tube) => [3 * tube.ends[0], 3 * tube.ends[1], tube.radius]);
+
+  function pose(vertices) {
+    const matrix = object.instanceMatrix.array;
+    for (let index = 0; index < ends.length; index++) placeTube(vertices, ...ends[index], matrix, 16 * index);
+    object.instanceMatrix.needsUpdate = true;
+  }
+
+  function paint() {
+    const colours = { M: new Color(MOUNTAIN), V: new Color(VALLEY), B: new Color(styleColour("--vein")) };
+    for (const [index, tube] of tubes.entries()) object.setColorAt(index, colours[tube.crease]);
+    object.instanceColor.needsUpdate = true;
+  }
+
+  return { object, pose, paint };
+}
+
+function makeJoints(mesh) {
+  const object = new InstancedMesh(new SphereGeometry(1, 16, 12), barMaterial(0), mesh.joints.length);
+  object.frustumCulled = false;
+  const paint = () => object.material.color.set(styleColour("--joint"));
+  paint();
+
+  function pose(vertices) {
+    const matrix = object.instanceMatrix.array;
+    for (const [index, vertex] of mesh.joints.entries()) {
+      for (let axis = 0; axis < 3; axis++) {
+        matrix[16 * index + 5 * axis] = mesh.jointRadius;
+        matrix[16 * index + 12 + axis] = vertices[3 * vertex + axis];
+      }
+      matrix[16 * index + 15] = 1;
+    }
+    object.instanceMatrix.needsUpdate = true;
+  }
+
+  return { object, pose, paint };
+}
+
+/** A material of things that are drawn where they are, but in front of what is less than so much nearer, m. */
+function barMaterial(nearer) {
+  const material = new MeshLambertMaterial();
+  if (nearer === 0) return material;
+  material.onBeforeCompile = (shader) => {
+    shader.vertexShader = shader.vertexShader.replace(
+      "#include <project_vertex>",
+      `#include <project_vertex>
+      vec4 pulled = vec4(mvPosition.xyz - normalize(mvPosition.xyz) * ${nearer.toExponential()}, 1.0);
+      vec4 there = projectionMatrix * pulled;
+      gl_Position.z = there.z / there.w * gl_Position.w;`,
+    );
+  };
+  material.customProgramCacheKey = () => `nearer ${nearer}`;
+  return material;
+}
+
+/** Write the matrix that takes a bar of radius and length 1 along y to one between two vertices. */
+function placeTube(vertices, first, second, radius, matrix, at) {
+  let x = vertices[second] - vertices[first];
+  let y = vertices[second + 1] - vertices[first + 1];
+  let z = vertices[second + 2] - vertices[first + 2];
+  const length = Math.hypot(x, y, z) || 1e-12;
+  x /= length;
+  y /= length;
+  z /= length;
+  // any direction across will do: the bar is round
+  const flat = Math.abs(z) < 0.9;
+  let [acrossX, acrossY, acrossZ] = flat ? [y, -x, 0] : [0, z, -y];
+  const size = Math.hypot(acrossX, acrossY, acrossZ);
+  acrossX /= size;
+  acrossY /= size;
+  acrossZ /= size;
+  matrix[at] = radius * acrossX;
+  matrix[at + 1] = radius * acrossY;
+  matrix[at + 2] = radius * acrossZ;
+  matrix[at + 4] = length * x;
+  matrix[at + 5] = length * y;
+  matrix[at + 6] = length * z;
+  matrix[at + 8] = radius * (acrossY * z - acrossZ * y);
+  matrix[at + 9] = radius * (acrossZ * x - acrossX * z);
+  matrix[at + 10] = radius * (acrossX * y - acrossY * x);
+  for (let axis = 0; axis < 3; axis++) matrix[at + 12 + axis] = (vertices[first + axis] + vertices[second + axis]) / 2;
+  matrix[at + 15] = 1;
+}
