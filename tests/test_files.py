@@ -4,7 +4,7 @@ import stat
 import pytest
 
 from forficula.errors import InputError
-from forficula.files import replacing, write_bytes, write_text
+from forficula.files import replacing, replacing_all, write_bytes, write_text
 
 
 def everything_in(folder):
@@ -91,3 +91,25 @@ def test_a_folder_in_the_place_of_the_file_stays(tmp_path):
     with pytest.raises(InputError, match=r"a.txt: cannot be written: Is a directory$"):
         write_text(tmp_path / "a.txt", "")
     assert everything_in(tmp_path) == ["a.txt"]
+
+
+def test_files_in_folders_within_are_put_in_place_beside_those_that_were_there(tmp_path):
+    (tmp_path / "out" / "figures").mkdir(parents=True)
+    (tmp_path / "out" / "figures" / "mine.svg").write_text("stays")
+    with replacing_all(tmp_path / "out") as unfinished:
+        write_text(unfinished / "a.txt", "")
+        write_text(unfinished / "figures" / "a.svg", "")
+    assert everything_in(tmp_path) == ["out", "out/a.txt", "out/figures", "out/figures/a.svg", "out/figures/mine.svg"]
+
+
+def test_nothing_is_put_in_place_where_a_file_has_the_name_of_a_folder(tmp_path):
+    write_text(tmp_path / "out" / "figures", "")
+
+    def write():
+        with replacing_all(tmp_path / "out") as unfinished:
+            write_text(unfinished / "a.txt", "")
+            write_text(unfinished / "figures" / "a.svg", "")
+
+    with pytest.raises(InputError, match="figures: need a folder or nothing there, got a file"):
+        write()
+    assert everything_in(tmp_path) == ["out", "out/figures"]

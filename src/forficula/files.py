@@ -66,11 +66,15 @@ def replacing_all(folder: Path) -> Iterator[Path]:
     try:
         yield unfinished
         folder.mkdir(exist_ok=True)
-        files = sorted(unfinished.iterdir())
-        for blocked in (folder / file.name for file in files if (folder / file.name).is_dir()):
-            raise InputError(f"{blocked}: need a file or nothing there, got a folder")
-        for file in files:
-            file.replace(folder / file.name)
+        files = {file.relative_to(unfinished): file for file in sorted(unfinished.rglob("*")) if file.is_file()}
+        for place in files:
+            if (folder / place).is_dir():
+                raise InputError(f"{folder / place}: need a file or nothing there, got a folder")
+            if (folder / place.parent).is_file():
+                raise InputError(f"{folder / place.parent}: need a folder or nothing there, got a file")
+        for place, file in files.items():
+            (folder / place).parent.mkdir(exist_ok=True)
+            file.replace(folder / place)
     except OSError as error:
         raise InputError(f"{folder}: cannot be written: {error.strerror}") from None
     finally:

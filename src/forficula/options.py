@@ -36,6 +36,21 @@ def read_quantity(option: str, text: object, unit: Unit) -> float:
     return read_option(option, lambda: parse_quantity(text, unit))
 
 
+def read_size(option: str, text: str, smallest: int, largest: int) -> tuple[int, int]:
+    """Turn "1280x720" into pixels across and upwards.
+
+    Raises:
+        InputError: it is no such text, or a number is odd, which films cannot have, or out of bounds.
+    """
+    across, times, upwards = text.partition("x")
+    if times and across.isdecimal() and upwards.isdecimal():
+        size = int(across), int(upwards)
+        if all(smallest <= each <= largest and each % 2 == 0 for each in size):
+            return size
+    rule = f"two even numbers from {smallest} to {largest} such as 1280x720"
+    raise InputError(f'{option}: need {rule}, got "{text}"')
+
+
 def read_stiffnesses(option: str, text: str) -> list[float]:
     """Turn "10 N/cm" or "10..60 N/cm step 10" into N/m.
 

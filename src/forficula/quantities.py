@@ -152,6 +152,12 @@ def show_quantity(value: float, unit: Unit) -> str:
     return f"{value / _factor(unit.display, unit, value):.4g} {unit.display}"
 
 
+def show_value(value: float, unit: str, digits: int = 4) -> str:
+    """Write an SI float in the unit in which it reads well, of those of `reading_unit`."""
+    name, factor = reading_unit(unit, abs(value))
+    return f"{factor * value:.{digits}g} {name}"
+
+
 @cache
 def _registry() -> UnitRegistry[float]:
     """The pint registry, made at first use: it takes 0.2 s."""

@@ -231,6 +231,16 @@ def test_a_material_may_be_written_by_hand():
         ),
         (TPU | {"tendon.law.yield_strain": "0 %"}, "tendon.law.yield_strain: need > 0, got 0 %"),
         (
+            TPU | {"tendon.law.viscosity.linear": "1 MPa s"},
+            "tendon.law.viscosity: unknown key; did you mean tendon.law.linear_viscosity or"
+            " tendon.law.quadratic_viscosity or tendon.law.cubic_viscosity?",
+        ),
+        (
+            TPU | {"tendon.law": "none"},
+            "binder2025: tendon.area: needs tendon.law, which gives force by area; give a law, too, or"
+            " tendon.stiffness instead",
+        ),
+        (
             TPU | {"tendon.law.quadratic_modulus": "-1 MPa"},
             "binder2025: tendon.law.quadratic_modulus: need >= 0 or > -2 sqrt(linear_modulus cubic_modulus), or the"
             " tendon would push at some strain, got -1 MPa",
@@ -269,6 +279,32 @@ def test_stiffness_and_law_in_one_file_must_agree(tmp_path, monkeypatch):
         load_design("wing.toml")
 
 
+@pytest.mark.parametrize("settings", [{"tendon.law": "none"}, {"tendon": {"law": "none"}}])
+def test_a_law_that_is_taken_off_leaves_its_spring_at_small_extension(tmp_path, monkeypatch, law_file, settings):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "wing.toml").write_text(f'{BASED}[tendon]\nlaw = "{law_file}"\narea = "12.5 mm^2"')
+    tendon = load_design("wing.toml", settings).tendon
+    assert (tendon.law, tendon.area) == (None, None)
+    assert tendon.stiffness == pytest.approx(6e6 * 12.5e-6 / 0.09, rel=1e-12)
+    assert with_values(load_design("wing.toml"), settings).tendon == tendon
+    (tmp_path / "plain.toml").write_text('based_on = "wing.toml"\n[tendon]\nlaw = "none"')
+    assert load_design("plain.toml").tendon == tendon
+    stiffer = settings | {"tendon.stiffness": "20 N/cm"}
+    assert load_design("wing.toml", stiffer).tendon.stiffness == 2000
+
+
+def test_a_design_without_a_law_has_none_to_take_off():
+    plain = load_design("binder2025")
+    assert load_design("binder2025", {"tendon.law": "none"}) == plain
+    assert with_values(plain, {"tendon.law": "none"}) == plain
+
+
+def test_the_key_of_a_law_file_is_answered_with_the_designs():
+    for key, near in (("modulus.linear", "linear_modulus"), ("drift.stiffness", "stiffness_drift")):
+        with pytest.raises(InputError, match=rf"did you mean tendon\.law\.{near}\?$"):
+            key_quantity(f"tendon.law.{key}")
+
+
 def test_a_factor_of_a_study_may_be_a_value_of_the_law():
     base = load_design("binder2025", TPU)
     for key, value, stiffness in (
@@ -288,8 +324,9 @@ def test_keys_see_through_what_may_be_absent():
     )
     assert key_quantity("tendon.law.branches.2.time").unit.si == "s"
     assert key_quantity("tendon.law.softening.r") is None
-    with pytest.raises(InputError, match=r"tendon\.law: holds several values; name one of them: tendon\.law\.name, "):
-        key_quantity("tendon.law")
+    assert key_quantity("tendon.law") is None
+    with pytest.raises(InputError, match=r"tendon\.law\.softening: holds several values; name one of them: "):
+        key_quantity("tendon.law.softening")
     with pytest.raises(InputError, match=r"did you mean tendon\.law\.linear_modulus\?"):
         key_quantity("tendon.law.linear_modul")
     plain = load_design("binder2025")
@@ -362,11 +399,42 @@ def test_branches_that_push_are_warned_of_with_their_share():
     def warned(**law):
         law = {"linear_modulus": 4e6, "branches": [{"modulus": 1e6, "time": 0.002}]} | law
         values = {"tendon.law": law, "tendon.rest_length": 0.09, "tendon.area": 12.5e-6}
-        return [each for each in design_warnings(with_values(load_design("binder2025"), values)) if "branches" in each]
+        return [each for each in design_warnings(with_values(load_design("binder2025"), values)) if "push" in each]
 
     assert not warned()
     assert not warned(quadratic_modulus=1e6, linear_viscosity=10.0)
-    assert not warned(branches=[], cubic_modulus=1e6)
-    for law in ({"cubic_modulus": 1e6}, {"yield_strain": 0.2}, {"quadratic_viscosity": 1.0}):
+    assert not warned(quadratic_modulus=-1e6, cubic_modulus=1e6)
+    assert not warned(branches=[], yield_strain=0.2)
+    for law in ({"yield_strain": 0.2}, {"quadratic_viscosity": 1.0}):
         (warning,) = warned(**law)
         assert "25 % of the linear modulus" in warning
+
+
+def test_a_run_with_a_law_that_softens_is_said_to_be_a_first_pull():
+    def warned(**values):
+        law = {"linear_modulus": 4e6, "softening": {"r": 2.0, "m": 1e5}}
+        values = {"tendon.law": law, "tendon.rest_length": 0.09, "tendon.area": 12.5e-6} | values
+        return [each for each in design_warnings(with_values(load_design("binder2025"), values)) if "soften" in each]
+
+    (warning,) = warned()
+    assert "a first pull" in warning
+    assert "--cycles" in warning
+    # slack all the time
+    assert not warned(**{"tendon.rest_length": 0.12})
+    assert not warned(**{"tendon.law": {"linear_modulus": 4e6}})
+
+
+def test_branches_that_relax_while_the_wing_is_folded_are_warned_of():
+    def warned(*times, **values):
+        law = {"linear_modulus": 4e6, "branches": [{"modulus": 1e6, "time": time} for time in times]}
+        values = {"tendon.law": law, "tendon.rest_length": 0.09, "tendon.area": 12.5e-6} | values
+        return [each for each in design_warnings(with_values(load_design("binder2025"), values)) if "relax" in each]
+
+    (warning,) = warned(0.02, 77.0, 0.5)
+    assert warning.startswith("Maxwell branches of 20 ms, 0.5 s relax while the wing is folded")
+    # it is folded for 2 s at most
+    assert warned(1.9)
+    assert not warned(2.1)
+    assert not warned()
+    folding = load_design("binder2025").model_dump()["protocol"]["stages"][:3]
+    assert not warned(0.02, **{"protocol.stages": folding})

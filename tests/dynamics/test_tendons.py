@@ -88,11 +88,12 @@ LETTING_GO = {"quadratic_modulus": 1e6, "cubic_modulus": 0.0, "quadratic_viscosi
 
 
 def letting_go(**law):
-    return design(**LETTING_GO, yield_strain=None, **law)
+    return design(**LETTING_GO | {"yield_strain": None} | law)
 
 
-def test_the_model_file_of_tendons_that_let_go_pulls_as_the_model_that_ran():
-    wing = compile_wing(letting_go())
+@pytest.mark.parametrize("moduli", [(1e6, 0.0), (-2e6, 1e6)])
+def test_the_model_file_of_tendons_that_let_go_pulls_as_the_model_that_ran(moduli):
+    wing = compile_wing(letting_go(quadratic_modulus=moduli[0], cubic_modulus=moduli[1]))
     again = mujoco.MjModel.from_xml_string(wing.xml)
     for angle in (20, -40, -120):
         torques = []
@@ -102,8 +103,8 @@ def test_the_model_file_of_tendons_that_let_go_pulls_as_the_model_that_ran():
             data.qvel[wing.joints[:, 3]] = wing.senses
             mujoco.mj_forward(engine, data)
             torques.append(data.qfrc_actuator[wing.joints[:, 3]])
-        # MuJoCo writes six digits
-        np.testing.assert_allclose(torques[0], torques[1], rtol=1e-4, atol=1e-6)
+        # MuJoCo writes six digits, of which the sum of springs that stiffen and soften loses some
+        np.testing.assert_allclose(torques[0], torques[1], rtol=1e-3, atol=1e-6)
 
 
 def test_tendons_that_let_go_go_side_by_side_without_a_bit_of_difference():
@@ -115,7 +116,7 @@ def test_tendons_that_let_go_go_side_by_side_without_a_bit_of_difference():
     assert alone[0].series["letting_go_work"][-1] > 0
 
 
-def test_a_branch_acts_on_a_slack_tendon_of_a_cubic_law_as_on_a_taut_one():
+def test_a_branch_acts_on_a_slack_tendon_that_yields_as_on_a_taut_one():
     data = mujoco.MjData(WING.engine)
     data.qpos[WING.joints[:, 3]] = -np.radians(150) * WING.senses
     data.act[WING.branches] = 1.0

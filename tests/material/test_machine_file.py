@@ -94,6 +94,53 @@ def test_an_umlaut_may_be_mangled(tmp_path, name):
     check(read_tensile_test(file(tmp_path, xpert_text(TEST).replace("Prüfzeit", name))))
 
 
+def test_bluehill_may_name_its_columns_by_what_was_measured(tmp_path):
+    names = {"Time": "Time measurement", "Load": "Primary load measurement"}
+    text = bluehill_text(TEST)
+    for plain, measured in names.items():
+        text = text.replace(f"{plain},", f"{measured},").replace(f",{plain}\r", f",{measured}\r")
+    assert "Time measurement,Extension,Primary load measurement" in text
+    check(read_tensile_test(file(tmp_path, text)))
+
+
+def test_bluehill_in_german_has_semicolons_and_a_travel_of_the_crosshead(tmp_path):
+    head = 'Texteingaben : Probenbeschriftung;"a"\r\nAllgemein : Startdatum;16.08.2024 16:07:51\r\n'
+    head += "Abmessung : Länge;60,000;mm\r\nAbmessung : Querschnitt;5,00000;mm^2\r\n\r\n"
+    names = "Zeit;Traversenweg;Last;Dehnung 1;Zugspannung\r\n(sec);(mm);(kN);(%);(MPa)\r\n"
+    columns = (TEST.time, TEST.extension * 1e3, TEST.force / 1e3, TEST.strain * 100, TEST.stress / 1e6)
+    rows = [";".join(f"{value:.9g}" for value in row).replace(".", ",") for row in zip(*columns, strict=True)]
+    check(read_tensile_test(file(tmp_path, head + names + "\r\n".join(rows), encoding="cp1252")))
+
+
+def specimens_in_one_file(*tables, between="\n"):
+    lines = bluehill_text(TEST, properties=False).splitlines()
+    return between.join("\n".join([*above, *lines]) + "\n" for above in tables)
+
+
+def test_the_specimens_of_one_file_stand_below_the_same_names(tmp_path):
+    sizes = ["Length,60.0,mm", "Area,5.0,mm^2", ""]
+    path = file(tmp_path, specimens_in_one_file(["Results Table 1", *sizes], ["Length,50.0,mm"], []))
+    first, second, third = read_tensile_tests([path])
+    check(first, name="tendon 1")
+    check(third, name="tendon 3")
+    # its own length, and the area that the file begins with
+    assert (second.name, second.length, second.area) == ("tendon 2", pytest.approx(0.05), pytest.approx(AREA))
+    assert refusal(path) == "need one specimen, got 3: tendon 1, tendon 2, tendon 3"
+
+
+def test_an_error_in_a_later_specimen_names_its_line(tmp_path):
+    lines = specimens_in_one_file([], []).splitlines()
+    lines[-1] = lines[-1].rpartition(",")[0]
+    assert f"line {len(lines)}: need 3 cells" in refusal(file(tmp_path, "\n".join(lines)), **SIZE)
+
+
+def test_one_test_in_two_tables_is_refused(tmp_path):
+    lines = plain_text(TEST).splitlines()
+    halves = [lines[0], *lines[1:20], lines[0], *lines[20:]]
+    message = "line 21: the names stand here again, but time goes on: join the tables"
+    assert refusal(file(tmp_path, "\n".join(halves)), **SIZE) == message
+
+
 def test_results_above_the_table_are_not_the_table(tmp_path):
     results = 'Results Table 1\n,Maximum Load,Extension at break\n,(N),(mm)\n1,"24.3","61.2"\n\n'
     check(read_tensile_test(file(tmp_path, results + bluehill_text(TEST))))
@@ -216,8 +263,8 @@ def test_a_size_that_is_given_is_positive(tmp_path, size):
 
 
 def test_a_file_that_is_not_there_or_a_folder_is_refused(tmp_path):
-    assert refusal(tmp_path / "none.csv") == "need a file that can be read, got No such file or directory"
-    assert refusal(tmp_path) == "need a file that can be read, got Is a directory"
+    assert refusal(tmp_path / "none.csv") == "no such file"
+    assert refusal(tmp_path) == "cannot be read: Is a directory"
 
 
 def test_a_file_that_is_cut_off_anywhere_is_refused_or_a_shorter_test(tmp_path):

@@ -11,7 +11,7 @@ from forficula.material.characterisation import characterise
 from forficula.material.drift import Drift
 from forficula.material.law_family import family_forms
 from forficula.material.law_file import load_law, save_law
-from forficula.material.material_law import MaterialLaw
+from forficula.material.material_law import MaterialLaw, MaxwellBranch
 from forficula.material.softening import OgdenRoxburgh
 from forficula.study.cycling import cycle_counts, design_at_cycle, run_cycles, why_unchanged
 from forficula.study.evaluate import evaluate
@@ -90,6 +90,25 @@ def test_a_wing_that_goes_on_folding_still_folds_after_a_hundred_cycles():
     assert cycling.verdict == "still folds after 100 cycles"
     assert cycling.first_failure is None
     assert [run.cycle for run in cycling.runs] == list(cycle_counts(100))
+
+
+def test_cycles_that_take_turns_in_folding_are_said_to_be_on_an_edge(monkeypatch):
+    def taking_turns(designs):
+        for number, row in enumerate(evaluate(designs), start=1):
+            yield row | {"folded": number in (1, 2, 4)}
+
+    monkeypatch.setattr("forficula.study.cycling.evaluate", taking_turns)
+    cycling = run_cycles(folding(replace(LAW, stiffness_drift=FADING)), 6)
+    assert [cycling.works(run) for run in cycling.runs] == [True, True, False, True, False, False]
+    assert cycling.verdict.endswith("; some later cycles do")
+    assert not any("at rest" in remark for remark in cycling.remarks)
+    (remark,) = [remark for remark in cycling.remarks if "edge" in remark]
+    assert remark.startswith("from cycle 3 to 5 it is on an edge")
+
+
+def test_cycles_of_tendons_with_branches_are_said_to_begin_at_rest():
+    law = replace(LAW, stiffness_drift=FADING, branches=(MaxwellBranch(modulus=1e6, time=50.0),))
+    assert any("begins with tendons at rest" in remark for remark in run_cycles(folding(law), 1).remarks)
 
 
 def test_a_wing_that_never_folds_does_so_at_none_of_the_cycles():

@@ -101,6 +101,15 @@ def test_an_unknown_key_is_answered_with_the_nearest(key, nearest):
         read_factor(key, ["1 cm"])
 
 
+def test_laws_are_a_factor_by_their_names():
+    factor = read_factor("tendon.law", ["none", "tpu-82a", "tpu-95a"])
+    assert (factor.values, factor.unit) == (("none", "tpu-82a", "tpu-95a"), None)
+    with pytest.raises(InputError, match=r'^tendon\.law: "tpu-83a" is neither .*; did you mean tpu-82a\?'):
+        read_factor("tendon.law", ["tpu-82a", "tpu-83a"])
+    with pytest.raises(InputError, match=r"^tendon\.law: need a list such as"):
+        read_factor("tendon.law", "tpu-82a")
+
+
 @pytest.mark.parametrize(
     ("key", "message"),
     [

@@ -55,6 +55,24 @@ def test_a_design_by_path_is_looked_for_beside_the_study(tmp_path, monkeypatch):
     assert load_study("there/study.toml").base.tendon.stiffness == 3300.0
 
 
+@pytest.mark.parametrize("law", ['"soft.toml"', '{based_on = "soft.toml", linear_modulus = "3 MPa"}'])
+def test_a_law_by_path_is_looked_for_beside_the_study(tmp_path, monkeypatch, law):
+    (tmp_path / "studies").mkdir()
+    (tmp_path / "studies" / "soft.toml").write_text('[modulus]\nlinear = "2 MPa"')
+    (tmp_path / "studies" / "laws.toml").write_text(
+        f'design = "binder2025"\n[settings.tendon]\nlaw = {law}\narea = "12.5 mm^2"\n'
+        '[factors]\n"tendon.law" = ["none", "soft.toml", "tpu-82a"]'
+    )
+    monkeypatch.chdir(tmp_path)
+    study = load_study("studies/laws.toml")
+    modulus = 3e6 if "based_on" in law else 2e6
+    assert study.base.tendon.law.linear_modulus == modulus
+    tendons = [point_design(study.base, point).tendon for point in study.points]
+    by_area = [tendon.stiffness * 0.09 / 12.5e-6 for tendon in tendons]
+    assert by_area == pytest.approx([modulus, 2e6, 4.8e6], rel=1e-12)
+    assert [tendon.law is None for tendon in tendons] == [True, False, False]
+
+
 def test_a_key_may_be_written_in_tables(tmp_path):
     path = tmp_path / "study.toml"
     path.write_text('design = "binder2025"\n[settings.protocol]\ntimestep = "0.4 ms"\n[factors.pattern]\nunits = [1]\n')

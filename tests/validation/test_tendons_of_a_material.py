@@ -189,18 +189,31 @@ def test_a_hinge_with_a_tendon_of_any_law_moves_as_an_integrator_of_fifth_order_
     assert record.data["tendon_energy"].values[:, 0] == pytest.approx(energy, abs=1e-13)
 
 
-@settings(max_examples=200, deadline=None)
+# of second order, which the engine has exactly, and cubic ones, as a fit finds them, which it has in pieces
+LETTING_GO = [
+    ((1e6, 0.0, 0.0), 1e-7),
+    ((3e5, 2e6, 0.0), 1e-7),
+    ((0.0, 2e6, 0.0), 1e-7),
+    ((3.2e6, -5.8e6, 5.9e6), 1e-4),
+    ((1e6, 1e6, 2e6), 1e-4),
+    ((1e6, -1.9e6, 1e6), 1e-4),
+    ((0.0, 0.0, 2e6), 1e-3),
+]
+
+
+@settings(max_examples=300, deadline=None)
 @given(
-    st.sampled_from([(1e6, 0.0), (3e5, 2e6), (0.0, 2e6)]),
+    st.sampled_from(LETTING_GO),
     st.floats(0, math.pi - 0.01),
     st.floats(-100, 100),
     st.floats(-3, 3),
     st.floats(-3, 3),
 )
-def test_spring_damper_and_branches_together_pull_or_let_go(one_hinge, moduli, angle, speed, first_act, second_act):
+def test_spring_damper_and_branches_together_pull_or_let_go(one_hinge, spec, angle, speed, first_act, second_act):
     """The pull is the sum where that is > 0, and else nothing: at any length, rate and past of the branches."""
+    moduli, miss = spec
     branches = [{"modulus": 2e6, "time": 0.02}, {"modulus": 1e6, "time": 0.5}]
-    law = as_law((*moduli, 0.0), linear_viscosity=300.0, branches=branches)
+    law = as_law(moduli, linear_viscosity=300.0, branches=branches)
     wing = one_hinge(LENGTH, values=of(law)).wing
     units, data = wing.units, mujoco.MjData(wing.engine)
     data.qpos[0], data.qvel[0] = -angle, -speed * units.time
@@ -210,16 +223,19 @@ def test_spring_damper_and_branches_together_pull_or_let_go(one_hinge, moduli, a
     mujoco.mj_copyData(after, wing.engine, data)
     mujoco.mj_step(wing.engine, after)  # the engine takes the branches' forces after the step
     length, lever = 2 * ARM * math.cos(angle / 2), ARM * math.sin(angle / 2)
-    pull = polynomial(*spring((*moduli, 0.0)), max(length - LENGTH, 0)) - 300.0 * BY_LENGTH * lever * speed
+    pull = polynomial(*spring(moduli), max(length - LENGTH, 0)) - 300.0 * BY_LENGTH * lever * speed
     pull -= after.act.sum() * units.energy / units.length
     moment = data.qfrc_actuator[0] + data.qfrc_passive[0]
-    # where the spring sets in it is rounded over a millionth of the resting length
-    assert moment * -units.energy == pytest.approx(max(pull, 0) * lever, abs=1e-7)
+    # where the spring sets in it is rounded over a millionth of the resting length; in pieces it is off by a share of
+    # its largest force
+    largest = polynomial(*spring(moduli), np.linspace(0, 2 * ARM - LENGTH)).max()
+    assert moment * -units.energy == pytest.approx(max(pull, 0) * lever, abs=max(1e-7, miss * largest * lever))
 
 
-def test_what_branches_would_push_is_accounted_for(reference):
+@pytest.mark.parametrize("moduli", [(4.8e6, 0.0, 0.0), (4.8e6, -8.7e6, 8.9e6)])
+def test_what_branches_would_push_is_accounted_for(reference, moduli):
     """A stiff branch goes slack when the wing folds; the account closes by the work that it was spared."""
-    values = WING | {"tendon.law": {"linear_modulus": 4.8e6, "linear_viscosity": 50.0, "branches": BRANCHES}}
+    values = WING | {"tendon.law": as_law(moduli, linear_viscosity=50.0, branches=BRANCHES)}
     record = ff.run(with_values(reference, values | {"protocol.timestep": 1e-4}))
     balance = ff.measure(record).energy_balance
     assert -balance.letting_go > 0.02 * balance.work

@@ -10,6 +10,7 @@ from forficula.design.design_file import (
 )
 from forficula.design.design_warnings import design_warnings
 from forficula.design.keys import key_quantity, key_value
+from forficula.design.law_tables import law_from_folder, with_law_read
 from forficula.design.part import LENGTH, TORQUE
 from forficula.design.similarity import in_units, scale_design
 from forficula.design.tendon import flat_strain, tendon_law
@@ -27,11 +28,13 @@ __all__ = [
     "in_units",
     "key_quantity",
     "key_value",
+    "law_from_folder",
     "load_design",
     "named_designs",
     "save_design",
     "scale_design",
     "tendon_law",
+    "with_law_read",
     "with_values",
     "write_new_design",
 ]

@@ -17,7 +17,7 @@ from pydantic.fields import FieldInfo
 
 from forficula.design.design import Design
 from forficula.design.keys import entry_index, hint, known_keys, siblings
-from forficula.design.law_tables import names_law, with_following, with_law_read, without_following
+from forficula.design.law_tables import law_taken_off, names_law, with_following, with_law_read, without_following
 from forficula.design.part import Part, as_tables, field_quantity
 from forficula.design.tables import RejectedError, merged, overlaid
 from forficula.errors import InputError
@@ -46,7 +46,8 @@ def load_design(name_or_path: str | Path, settings: Mapping[str, object] | None 
     """
     files = _read_files(str(name_or_path))
     tables: dict[str, Any] = {}
-    for _, own in files:
+    for _, given in files:
+        tables, own = law_taken_off(tables, given)
         tables = merged(without_following(tables, own), own)
     tables = _with_settings(tables, settings or {})
     try:
@@ -155,6 +156,7 @@ def _read_files(name_or_path: str, above: tuple[Path, ...] = ()) -> list[_File]:
 def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si: bool = False) -> dict[str, Any]:
     """Put values into tables by their dotted keys, a law that is named before values of it."""
     read = {key: with_law_read(key, value, si=si) for key, value in settings.items()}
+    tables, read = law_taken_off(tables, read, si=si)
     nested: dict[str, Any] = {}
     for key, value in read.items():
         _nest(nested, key, value)

@@ -12,7 +12,8 @@ from forficula.quantities import reading_unit
 
 def design_warnings(design: Design) -> list[str]:
     """What a person should know of a design that is valid all the same, one sentence each."""
-    return [*_overlapping_veins(design), *_unmeasured_strain(design), *_pushing_branches(design)]
+    branches = [*_pushing_branches(design), *_relaxing_branches(design)]
+    return [*_overlapping_veins(design), *_unmeasured_strain(design), *branches, *_softening(design)]
 
 
 def _overlapping_veins(design: Design) -> list[str]:
@@ -48,7 +49,34 @@ def _pushing_branches(design: Design) -> list[str]:
     share = f", with moduli of {100 * total / linear:.3g} % of the linear modulus," if linear else ""
     return [
         f"Maxwell branches{share} act on slack tendons, too: after fast shortening they push, which a real tendon does"
-        " not; only a law without cubic term, nonlinear viscosity or yield_strain lets go in the simulation"
+        " not; only a law without nonlinear viscosity and yield_strain lets go in the simulation"
+    ]
+
+
+def _relaxing_branches(design: Design) -> list[str]:
+    """Of branches that relax while the wing is folded: in a run their length is the distance of the tendon's ends."""
+    drives = [stage.drive for stage in design.protocol.stages]
+    if "fold" not in drives or "unfold" not in drives:
+        return []
+    between = design.protocol.stages[drives.index("fold") + 1 : drives.index("unfold")]
+    folded = sum(stage.time_limit for stage in between)
+    times = [branch.time for branch in tendon_law(design).branches if branch.time < folded]
+    if not times:
+        return []
+    shown = ", ".join(f"{factor * time:.3g} {unit}" for time in times for unit, factor in [reading_unit("s", time)])
+    return [
+        f"Maxwell branches of {shown} relax while the wing is folded, to the distance of the tendon's ends and not to"
+        " the length of a slack tendon: when it opens they pull too much"
+    ]
+
+
+def _softening(design: Design) -> list[str]:
+    law = design.tendon.law
+    if law is None or law.softening is None or flat_strain(design) <= law.residual_strain:
+        return []
+    return [
+        "tendons do not soften within a run: they have the spring of a first pull; with --cycles, those from the second"
+        " on have the spring that the stretch of the flat wing leaves"
     ]
 
 

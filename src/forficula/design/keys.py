@@ -14,9 +14,16 @@ from forficula.design.part import Part, Quantity, field_quantity
 from forficula.errors import InputError
 from forficula.quantities import as_written
 
+# sections of a law file that a design has as single keys
+_OF_LAW_FILES = {
+    "modulus": ("linear_modulus", "quadratic_modulus", "cubic_modulus"),
+    "viscosity": ("linear_viscosity", "quadratic_viscosity", "cubic_viscosity"),
+    "drift": ("stiffness_drift", "residual_strain_drift"),
+}
+
 
 def key_quantity(key: str) -> Quantity | None:
-    """How a value of a design is read, or None where it has no unit.
+    """How a value of a design is read, or None where it has no unit; a law counts as one value, its name.
 
     Args:
         key: dotted; a number picks an entry of a list, as in "protocol.stages.1.hold", whether or not a design has it.
@@ -26,6 +33,8 @@ def key_quantity(key: str) -> Quantity | None:
     """
     if key == "based_on":
         raise InputError("based_on: is no value of a design; name the design to start from instead")
+    if key == "tendon.law":
+        return None
     parts = key.split(".")
     place: Any = Design
     quantity = None
@@ -103,6 +112,9 @@ def siblings(place: Sequence[str]) -> list[str]:
 
 def hint(place: Sequence[str]) -> str:
     """The nearest valid key of the same section, or of another, or all of the section."""
+    if list(place[:2]) == ["tendon", "law"] and (names := _OF_LAW_FILES.get("".join(place[2:3]))):
+        meant = [name for name in names if name.startswith("".join(place[3:4]))] or names
+        return f"did you mean {' or '.join(f'tendon.law.{name}' for name in meant)}?"
     *section, wrong = place
     here = siblings(place)
     if near := difflib.get_close_matches(wrong.lower(), here, n=1):

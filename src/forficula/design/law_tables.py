@@ -26,6 +26,8 @@ _FOLLOWING = {
 }
 # what is given by hand is what follows, but for how it was written
 _ROUNDING = 1e-9
+# in place of a law's name: no law
+_NONE = "none"
 
 
 class _NamedLaw(WholeTable):
@@ -40,7 +42,7 @@ def with_law_read(key: str, value: object, *, folder: Path | None = None, si: bo
     Args:
         key: of the value: "tendon", "tendon.law", or another, whose value stays.
         value: of the key; a law is named by the name of a material, the path of a law file, or a table with either
-            under `based_on`.
+            under `based_on`; "none" stays, see `law_taken_off`.
         folder: that paths start from; the working folder if not given.
         si: whether the law is wanted as SI floats instead of text.
 
@@ -49,7 +51,7 @@ def with_law_read(key: str, value: object, *, folder: Path | None = None, si: bo
     """
     if key == "tendon" and isinstance(value, dict) and "law" in value:
         return {**value, "law": with_law_read("tendon.law", value["law"], folder=folder, si=si)}
-    if key != "tendon.law":
+    if key != "tendon.law" or value == _NONE:
         return value
     try:
         if isinstance(value, dict) and isinstance(value.get("based_on"), str):
@@ -60,6 +62,50 @@ def with_law_read(key: str, value: object, *, folder: Path | None = None, si: bo
     except InputError as error:
         raise InputError(f"tendon.law: {error}") from None
     return value
+
+
+def law_taken_off(
+    tables: dict[str, Any], over: Mapping[str, Any], *, si: bool = False
+) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Take the law off a tendon where "none" is to be laid over it; what is left is its spring at small extension.
+
+    Args:
+        tables: of a design, not checked yet.
+        over: what is to be laid over them, nested or by dotted key.
+        si: whether numbers are SI floats instead of text.
+
+    Returns:
+        The tables without law and area, and `over` without the word; both as they are where it is not there.
+
+    Raises:
+        RejectedError: as `with_following`.
+    """
+    tendon = over.get("tendon")
+    inside = isinstance(tendon, dict) and tendon.get("law") == _NONE
+    if over.get("tendon.law") != _NONE and not inside:
+        return tables, dict(over)
+    rest = {key: value for key, value in over.items() if key != "tendon.law"}
+    if inside:
+        rest["tendon"] = {key: value for key, value in over["tendon"].items() if key != "law"}
+    linear = with_following(tables, si=si).get("tendon", {})
+    return tables | {"tendon": {key: linear[key] for key in linear if key not in ("law", "area")}}, rest
+
+
+def law_from_folder(key: str, value: object, folder: Path) -> object:
+    """A value of a study with the path of a law file, where it holds one, starting from a folder.
+
+    Args:
+        key: dotted.
+        value: of the key, or a list of values.
+        folder: of the file that the value stands in.
+    """
+    if key != "tendon.law":
+        return value
+    if isinstance(value, list):
+        return [law_from_folder(key, each, folder) for each in value]
+    if isinstance(value, dict) and isinstance(value.get("based_on"), str):
+        return {**value, "based_on": _from_folder(value["based_on"], folder)}
+    return _from_folder(value, folder) if isinstance(value, str) else value
 
 
 def names_law(value: object) -> bool:

@@ -151,7 +151,6 @@ def load_record(path: str | os.PathLike[str]) -> Record:
         InputError: no such file, or not such a file.
     """
     import h5py
-    import xarray
 
     path = Path(path)
     try:
@@ -159,23 +158,23 @@ def load_record(path: str | os.PathLike[str]) -> Record:
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None
     try:
-        # first, because h5netcdf prints a traceback for what is not HDF5
-        h5py.File(io.BytesIO(content)).close()
-        with xarray.open_dataset(io.BytesIO(content), engine="h5netcdf") as file:
-            data = file.load()
-        design = design_from_text(data.attrs["design"])
-        ends = [data[f"stage_{name}"].values for name in ("start", "end", "goal_time")]
+        # by h5py, ten times as fast as by xarray: a study reads a hundred of them
+        with h5py.File(io.BytesIO(content)) as file:
+            design = design_from_text(file.attrs["design"])
+            ends = [file[f"stage_{name}"][()] for name in ("start", "end", "goal_time")]
+            time, triangles = file["time"][()], file["triangle"][()].astype(np.int64)
+            series = {name: file[name][()] for name in (*VARIABLES, *(name for name in _MAYBE if name in file))}
+            diverged_at = float(np.squeeze(file.attrs["diverged_at"]))
         stages = tuple(
             StageEnd(stage=stage, start=float(start), end=float(end), goal_time=None if np.isnan(goal) else float(goal))
             for stage, start, end, goal in zip(design.protocol.stages, *ends, strict=False)
         )
-        diverged_at = float(data.attrs["diverged_at"])
         return Record(
             design=design,
-            time=data["time"].values,
-            series={name: data[name].values for name in (*VARIABLES, *(name for name in _MAYBE if name in data))},
+            time=time,
+            series=series,
             stages=stages,
-            triangles=data["triangle"].values.astype(np.int64),
+            triangles=triangles,
             diverged_at=None if np.isnan(diverged_at) else diverged_at,
         )
     except (OSError, LookupError, ValueError, TypeError, RuntimeError) as error:

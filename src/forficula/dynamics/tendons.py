@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
+
 import mujoco
 import numpy as np
 
 from forficula.design import Design, tendon_law
 from forficula.dynamics.veins import Vein, stop_reference
+from forficula.material.tendon_law import TendonLaw
 
 # MuJoCo lets a limit harden over 0.001 of its length unit, which would be another share of every wing; the other
 # numbers are its defaults.
 _SOFT_SHARE = 0.001
-_PARTS = 1e6  # of the resting length: over one of them a linear spring of a muscle sets in
+_PARTS = 1e6  # of the resting length: over one of them a spring of muscles sets in
 _QUADRATIC = 1e3  # resting lengths up to which a quadratic spring is one
+_CUBIC_MISS = 1e-4  # of the largest force: how far a cubic spring of muscles may be from one
+_SLOW = 1e9  # lengths by unit of time: a muscle feels velocities as shares of that
 
 
 def add_tendon(spec: mujoco.MjSpec, index: int, design: Design) -> None:
@@ -49,14 +55,11 @@ def add_branches(spec: mujoco.MjSpec, index: int, design: Design) -> None:
         _add_motor(spec, f"branch{index}_{number}", index, 1 / (branch.stiffness * branch.time), branch.time)
     if not law.lets_go:
         return
-    linear, quadratic, _ = law.stiffness
-    if linear:
-        # it sets in half a part early, so that half a part late it is the spring itself
-        begins = law.rest_length / (1 + 0.5 / _PARTS)
-        _add_muscle(spec, f"spring{index}", index, begins, _PARTS, 1.0, linear * begins / _PARTS)
-    if quadratic:
-        force = 2 * quadratic * (_QUADRATIC * law.rest_length) ** 2
-        _add_muscle(spec, f"stiffening{index}", index, law.rest_length, 1.0, _QUADRATIC, force)
+    longest = design.tendon.proximal_attachment + design.tendon.distal_attachment
+    for part, (begins, width, stiffer) in enumerate(_stiffening(law, longest)):
+        _add_muscle(spec, f"spring{index}_{part}", index, begins, width, stiffer)
+    if law.stiffness[1] < 0:
+        _add_softening(spec, index, law, longest)
     if law.damping and law.damping[0]:
         _add_motor(spec, f"damper{index}", index, 1 / law.damping[0], 0.0)
 
@@ -71,20 +74,67 @@ def _add_motor(spec: mujoco.MjSpec, name: str, index: int, resistance: float, ti
     )
 
 
-def _add_muscle(
-    spec: mujoco.MjSpec, name: str, index: int, begins: float, parts: float, rounded: float, force: float
-) -> None:
-    """Add what a muscle does when it is passive and stretched, and nothing else of it.
+def _stiffening(law: TendonLaw, longest: float) -> Iterator[tuple[float, float, float]]:
+    """From which length on a tendon's spring grows stiffer, over how much of it, and by how much.
 
-    None up to a length, from there on force (x / rounded)^2 / 2 in units of that length by `parts`, and beyond
-    `rounded` straight on with the slope of there (MuJoCo's mju_muscleBias).
+    Over each part the stiffness grows evenly, so that the force is of second order there. A spring of second order is
+    one part; a cubic one is as many as bring it within 1e-4 of its largest force: with the right force at both ends
+    of a part h it is off by at most c h^3 sqrt(3) / 36, and by up to five times that without a linear term.
+    """
+    (linear, quadratic, cubic), rest = law.stiffness, law.rest_length
+    count, width = 1, _QUADRATIC * rest
+    if cubic:
+        reach = longest - rest if longest > rest else rest
+        allowed = _CUBIC_MISS * float(law.elastic.force(rest + reach * np.linspace(0, 1, 101)).max())
+        count = math.ceil(reach * (cubic * math.sqrt(3) / 36 / allowed) ** (1 / 3))
+        width = reach / count
+    ends = width * np.arange(count + 1)
+    # straight between two ends a slope lies above that of a cubic, by c h^2 / 2 on average
+    slopes = linear + 2 * max(quadratic, 0.0) * ends + 3 * cubic * ends**2 - cubic * width**2 / 2
+    slopes[0] = max(slopes[0], 0.0)
+    # it sets in half a millionth early, so that half a one late it is the spring itself
+    parts = [(rest * (1 - 0.5 / _PARTS), rest / _PARTS, float(slopes[0]))]
+    parts += zip((rest + ends[:-1]).tolist(), [width] * count, np.diff(slopes).tolist(), strict=True)
+    if quadratic < 0:
+        # up to the resting length it takes back what `_add_softening` does there
+        parts.append((0.0, rest, -2 * quadratic * rest))
+    return (part for part in parts if part[2])
+
+
+def _add_muscle(spec: mujoco.MjSpec, name: str, index: int, begins: float, width: float, stiffness: float) -> None:
+    """Add what a muscle does when it is passive and stretched, and nothing else of it (MuJoCo's mju_muscleBias).
+
+    None up to a length; from there on a stiffness that grows evenly over a width to the one given, which stays.
     """
     muscle = spec.add_actuator(name=name, target=f"tendon{index}", trntype=mujoco.mjtTrn.mjTRN_TENDON)
     muscle.gaintype, muscle.biastype = mujoco.mjtGain.mjGAIN_FIXED, mujoco.mjtBias.mjBIAS_MUSCLE
     muscle.gainprm = np.zeros(10)
-    # range, force, scale, lmin, lmax, vmax, fpmax, fvmax; the muscle's own length is 1 where it begins
-    muscle.biasprm = [1 - parts, 1, force, 1, 0, 1 + 2 * rounded, 1, 1, 1, 0]
-    muscle.lengthrange = [0, begins]
+    # the muscle's own length has the width for its unit, and is 1 where it begins
+    own, muscle.lengthrange = ([1 - begins / width, 1], [0, begins]) if begins else ([0, 1], [-width, 0])
+    # range, force, scale, lmin, lmax, vmax, fpmax, fvmax
+    muscle.biasprm = [*own, stiffness * width, 1, 0, 3, 1, 1, 1, 0]
+
+
+def _add_softening(spec: mujoco.MjSpec, index: int, law: TendonLaw, longest: float) -> None:
+    """Add the quadratic term b x^2 of a spring, b < 0, by which it grows softer; passive muscles only grow stiffer.
+
+    An active muscle, whose control is held at 1, pulls F - |b| x^2 as far as F > |b| x^2 / 2 (mju_muscleGain; so slow a
+    tendon minds no velocity). On a slack tendon that and the passive muscle from length 0 to the resting length make
+    a straight line, which is taken off.
+    """
+    bend, rest = -law.stiffness[1], law.rest_length
+    furthest = 1.1 * max(rest, longest - rest)
+    force = 2 * bend * furthest**2
+    arc = spec.add_actuator(name=f"softening{index}", target=f"tendon{index}", trntype=mujoco.mjtTrn.mjTRN_TENDON)
+    arc.gaintype, arc.biastype = mujoco.mjtGain.mjGAIN_MUSCLE, mujoco.mjtBias.mjBIAS_NONE
+    # the muscle's own length is 1 at the resting length, and 0 and 2 as far from it as the tendon comes
+    arc.lengthrange = [rest - furthest, rest]
+    # range, force, scale, lmin, lmax, vmax, fpmax, fvmax
+    arc.gainprm = [0, 1, force, 1, -1, 3, _SLOW, 1, 1, 0]
+    arc.ctrllimited, arc.ctrlrange = mujoco.mjtLimited.mjLIMITED_TRUE, [1, 2]
+    line = spec.add_actuator(name=f"line{index}", target=f"tendon{index}", trntype=mujoco.mjtTrn.mjTRN_TENDON)
+    line.gaintype, line.biastype = mujoco.mjtGain.mjGAIN_FIXED, mujoco.mjtBias.mjBIAS_AFFINE
+    line.gainprm, line.biasprm = np.zeros(10), [force - bend * rest**2, 2 * bend * rest, *np.zeros(8)]
 
 
 def add_guard(spec: mujoco.MjSpec, index: int, veins: tuple[Vein, ...], design: Design) -> None:

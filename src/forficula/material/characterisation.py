@@ -296,7 +296,7 @@ def _fit_remarks(fit: LawFit | None, refusal: str) -> Iterator[str]:
     if fit.form.branches and not scaled(fit.law, length=1.0, area=1.0).lets_go:
         yield (
             "a simulated tendon has the Maxwell branches of this law slack or taut, so one that shortens faster than"
-            " they relax pushes, which a real one does not; zener or prony without cubic term or yield let go"
+            " they relax pushes, which a real one does not; zener and prony without yield let go"
         )
     refused = [each.refused for each in fit.candidates if each.refused]
     # the one that names most values says it for all

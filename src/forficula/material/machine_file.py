@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
-from forficula.material.machine_text import parse_recording
+from forficula.material.machine_text import parse_recordings
 from forficula.material.machine_units import FORCE, LENGTH, STRAIN, STRESS, TIME, Kind
 from forficula.material.recording import Column, Recording, at_line
 from forficula.material.specimen import specimen_area, specimen_length
@@ -52,7 +52,7 @@ def read_tensile_test(
 def read_tensile_tests(
     paths: Sequence[str | os.PathLike[str]], *, length: float | None = None, area: float | None = None
 ) -> tuple[TensileTest, ...]:
-    """Read the tensile tests of several specimens, in the order of the files; a .zs2 may hold several.
+    """Read the tensile tests of several specimens, in the order of the files, each of which may hold several.
 
     Args:
         paths: the files.
@@ -77,11 +77,15 @@ def _recordings(path: Path) -> tuple[Recording, ...]:
     """What a file holds, one entry a specimen."""
     try:
         content = path.read_bytes()
+    except FileNotFoundError as error:
+        raise InputError("no such file") from error
     except OSError as error:
-        raise InputError(f"need a file that can be read, got {error.strerror}") from error
+        raise InputError(f"cannot be read: {error.strerror}") from error
+    except ValueError as error:  # a null byte in its name
+        raise InputError(f"cannot be read: {error}") from error
     if path.suffix.lower() == ".zs2":
         return parse_zs2(content, path.stem)
-    return (parse_recording(content, path.stem),)
+    return parse_recordings(content, path.stem)
 
 
 def _tensile_test(recording: Recording, length: float | None, area: float | None) -> TensileTest:

@@ -16,7 +16,7 @@ from forficula.quantities import as_written
 ROLES: dict[str, tuple[str, ...]] = {
     "time": (
         *("Prüfzeit", "Test time", "Time", "Zeit", "Elapsed time", "Running time", "Total time", "Versuchszeit"),
-        *("Temps", "Temps de test", "System time sensor", "Systemzeit", "t"),
+        *("Temps", "Temps de test", "System time sensor", "Systemzeit", "Time measurement", "t"),
     ),
     "travel": (
         *("Standardweg", "Standard travel", "Course standard", "Extension", "Tensile extension", "Verfahrweg"),
@@ -33,7 +33,7 @@ ROLES: dict[str, tuple[str, ...]] = {
     "force": (
         *("Standardkraft", "Standard force", "Kraft", "Force", "Load", "Last", "Prüfkraft", "Test force", "Zugkraft"),
         *("Tensile force", "Standard load cell", "Force standard", "Charge", "F", "Spannung", "Zugspannung", "Stress"),
-        *("Tensile stress", "Engineering stress", "Contrainte"),
+        *("Primary load measurement", "Tensile stress", "Engineering stress", "Contrainte"),
     ),
 }
 _ORDINARY = {"time": "Time or Prüfzeit", "travel": "Extension or Standardweg", "force": "Load or Standardkraft"}

@@ -33,17 +33,17 @@ _KNOWN = (
 )
 
 
-def parse_recording(content: bytes, name: str) -> Recording:
-    """Find the table of a tensile test in an exported text.
+def parse_recordings(content: bytes, name: str) -> tuple[Recording, ...]:
+    """Find the tables of tensile tests in an exported text: one, or one a specimen, each below the same names.
 
     Numbers are taken by Python's `float`, column by column: 100 000 rows in about a third of a second.
 
     Args:
         content: of the file.
-        name: of the specimen.
+        name: of the specimen; several get a number each.
 
     Returns:
-        The columns in the file's units.
+        The columns in the file's units, one entry a specimen.
 
     Raises:
         InputError: there is no such table, or it is cut off; the message begins with the line.
@@ -54,6 +54,26 @@ def parse_recording(content: bytes, name: str) -> Recording:
     delimiter = _delimiter(text)
     rows, lines = _rows(text, delimiter)
     header = _names_row(rows)
+    starts = [number for number, row in enumerate(rows) if row == rows[header] and number >= header]
+    found: list[Recording] = []
+    above = 0
+    for number, start in enumerate(starts, start=1):
+        end = starts[number] if number < len(starts) else len(rows)
+        while end < len(rows) and end > start + 1 and not _is_numeric(rows[end - 1]):
+            end -= 1  # what stands above the next names
+        own = name if len(starts) == 1 else f"{name} {number}"
+        shared = [] if start == header else found[0].properties
+        found.append(_recording(own, rows[above:end], lines[above:end], start - above, shared))
+        if number > 1 and found[-1].time.values[0] >= found[-2].time.values[-1]:
+            raise InputError(at_line(lines[start], "the names stand here again, but time goes on: join the tables"))
+        above = end
+    return tuple(found)
+
+
+def _recording(
+    name: str, rows: list[list[str]], lines: list[int], header: int, shared: Sequence[Property]
+) -> Recording:
+    """One table, what stands above it, and what it shares with the first of its file."""
     names, units, first = _names_and_units(rows, lines, header)
     columns = _columns_of_roles(names, lines[header])
     body, body_lines = rows[first:], lines[first:]
@@ -69,7 +89,7 @@ def parse_recording(content: bytes, name: str) -> Recording:
         time=found["time"],
         travel=travel_among(found),
         force=found["force"],
-        properties=_properties(rows[:header], lines, decimal),
+        properties=(*_properties(rows[:header], lines, decimal), *shared),
         names_line=lines[header],
         lines=np.array(body_lines, dtype=np.int64),
     )

@@ -159,12 +159,10 @@ class TendonLaw:
     def lets_go(self) -> bool:
         """Whether the simulator has the sum of spring, damper and branches pull only.
 
-        For tendons with branches, a spring of second order at most, a linear damper and no yield; of others the spring
-        alone pulls only, and damper and branches act at any length.
+        For tendons with branches, a linear damper or none, and no yield; of others the spring alone pulls only, and
+        damper and branches act at any length.
         """
-        _, quadratic, cubic = self.stiffness
-        plain = quadratic >= 0 and cubic == 0 and not any((self.damping or (0.0,))[1:])
-        return bool(self.branches) and plain and self.yield_extension is None
+        return bool(self.branches) and not any((self.damping or ())[1:]) and self.yield_extension is None
 
     @property
     def yield_force(self) -> float | None:

@@ -158,7 +158,7 @@ def run_cycles(design: Design, last: int, progress: Progress | None = None) -> C
         verdict="",
         remarks=tuple(_remarks(design, counts)),
     )
-    remarks = (*cycling.remarks, *_beside_statics(cycling))
+    remarks = (*cycling.remarks, *_unsettled(cycling), *_beside_statics(cycling))
     return replace(cycling, verdict=_verdict(cycling), remarks=remarks)
 
 
@@ -235,11 +235,25 @@ def _remarks(design: Design, counts: Sequence[int]) -> Iterator[str]:
     if drift is not None and drift.kind != "none":
         middle, low, high = (100 * each for each in change_at_cycle(drift, last))
         yield f"at cycle {last} their set is longer by {middle:.3g} % of their length ({low:.3g} to {high:.3g} %)"
+    if law.branches:
+        yield "every cycle begins with tendons at rest: their Maxwell branches have relaxed in the flat wing"
     if last > _EVERY_COUNT:
         yield f"beyond cycle {_EVERY_COUNT} only every few are run: {', '.join(map(str, counts[_EVERY_COUNT:]))}"
     missed = max(_law_at(design, cycle)[1] for cycle in {counts[-1], counts[min(1, len(counts) - 1)]})
     if missed > _LARGEST_MISS:
         yield f"the softened spring is a polynomial that misses the law by up to {missed:.0%} of its largest stress"
+
+
+def _unsettled(cycling: Cycling) -> Iterator[str]:
+    """What it means where cycles that work and cycles that do not take turns."""
+    works = [cycling.works(run) for run in cycling.runs]
+    turns = [index for index in range(1, len(works)) if works[index] != works[index - 1]]
+    if len(turns) > 1:
+        first, last = (cycling.runs[index].cycle for index in (turns[0], turns[-1]))
+        yield (
+            f"from cycle {first} to {last} it is on an edge: what decides is how its hinges swing when they arrive,"
+            " which the timestep alters, too"
+        )
 
 
 def _beside_statics(cycling: Cycling) -> Iterator[str]:

@@ -12,13 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
 
-from forficula.design import key_quantity
+from forficula.design import key_quantity, with_law_read
 from forficula.errors import InputError
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity
 
 _RANGE = re.compile(r"\s*(\S+?)\s*\.\.\s*(\S+)\s*(.*?)\s*\bstep\s+(\S+)\s*(.*?)\s*")
 MOST_VALUES = 1_000_000
 _LONGEST_RANGE = 200
+_LAW = "tendon.law"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -83,8 +84,9 @@ def read_factor(key: str, given: object) -> Factor:
 
     Args:
         key: of the design, dotted.
-        given: a list of values; a range such as "10..60 N/cm step 10"; or a table with `distribution` and its two
-            parameters: uniform and log-uniform take low and high, normal takes mean and deviation.
+        given: a list of values, for "tendon.law" names of materials, paths of law files, or "none"; a range such as
+            "10..60 N/cm step 10"; or a table with `distribution` and its two parameters: uniform and log-uniform take
+            low and high, normal takes mean and deviation.
 
     Raises:
         InputError: an unknown key, or values that are not allowed.
@@ -95,13 +97,16 @@ def read_factor(key: str, given: object) -> Factor:
             raise InputError(f"{key}: need at least one value, got an empty list")
         _check_values(key, given)
         return Factor(key=key, values=tuple(given))
-    if isinstance(given, str):
+    if isinstance(given, str) and key != _LAW:
         values = range_values(key, given)
         _check_values(key, values[:1])
         return Factor(key=key, values=values)
     if isinstance(given, Mapping):
         return Factor(key=key, distribution=_distribution(key, given, quantity is not None))
-    raise InputError(f'{key}: need a list, a range such as "1..5 cm step 1", or a distribution, got {given!r}')
+    rule = (
+        'a list such as ["tpu-82a"]' if key == _LAW else 'a list, a range such as "1..5 cm step 1", or a distribution'
+    )
+    raise InputError(f"{key}: need {rule}, got {given!r}")
 
 
 def range_values(key: str, text: str) -> tuple[object, ...]:
@@ -160,6 +165,8 @@ def _check_values(key: str, values: Sequence[object]) -> None:
     """Refuse what no coordinate of a table can be; what is out of bounds is a row of its own."""
     quantity = key_quantity(key)
     for value in values:
+        if key == _LAW:
+            with_law_read(key, value)
         if quantity is None:
             if not isinstance(value, str | int | float | list):
                 raise InputError(f"{key}: need numbers or words, got {as_written(value)}")

@@ -12,7 +12,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
-from forficula.design import TORQUE, Design, key_quantity, key_value, load_design
+from forficula.design import TORQUE, Design, key_quantity, key_value, law_from_folder, load_design
 from forficula.errors import InputError
 from forficula.quantities import as_written, parse_quantity
 from forficula.study.factors import MOST_VALUES, Factor, drawn_values, range_values, read_factor
@@ -116,7 +116,7 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
     given = tables.get("factors")
     if not isinstance(given, dict) or not given:
         raise InputError('factors: need a table with at least one, such as "tendon.stiffness" = "10..60 N/cm step 10"')
-    factors = tuple(read_factor(key, value) for key, value in _flat(given).items())
+    factors = tuple(read_factor(key, law_from_folder(key, value, folder)) for key, value in _flat(given).items())
     drawn = [factor for factor in factors if factor.distribution is not None]
     if drawn and len(drawn) < len(factors):
         raise InputError("factors: need either all of them as distributions or none, got both kinds")
@@ -130,7 +130,8 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
         raise InputError('design: is missing; give the name or path of a design, such as "binder2025"')
     if not isinstance(name, str):
         raise InputError(f'design: need the name or path of a design, such as "binder2025", got {as_written(name)}')
-    base = load_design(str(folder / name) if name.endswith(".toml") else name, _flat(tables.get("settings", {})))
+    settings = {key: law_from_folder(key, value, folder) for key, value in _flat(tables.get("settings", {})).items()}
+    base = load_design(str(folder / name) if name.endswith(".toml") else name, settings)
     for factor in factors:
         now = key_value(base, factor.key)
         if factor in drawn and key_quantity(factor.key) is None and not isinstance(now, float):
@@ -167,10 +168,10 @@ def _known(table: Mapping[str, object], keys: tuple[str, ...], prefix: str) -> N
 
 
 def _flat(table: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
-    """Dotted keys of nested tables; a table with a distribution is a value."""
+    """Dotted keys of nested tables; a table with a distribution is a value, and a law with what it is based on."""
     flat: dict[str, Any] = {}
     for key, value in table.items():
-        if isinstance(value, dict) and "distribution" not in value:
+        if isinstance(value, dict) and not {"distribution", "based_on"} & value.keys():
             flat |= _flat(value, f"{prefix}{key}.")
         else:
             flat[f"{prefix}{key}"] = value
