@@ -561,3 +561,37 @@ def test_a_material_known_as_a_range_is_sized_at_the_modulus_chosen(call):
 )
 def test_a_material_that_cannot_be_is_answered_in_one_line(refusal, arguments, message):
     assert refusal(*arguments) == message
+
+
+def test_a_figure_of_a_run_is_written_and_a_film(in_an_empty_folder, call):
+    (in_an_empty_folder / "my-wing.toml").write_text(SHORT)
+    call("run", "my-wing.toml", "--out", "there")
+    assert call("figure", "there", "--kind", "energy", "--out", "papers/fig.svg").out == "written to papers/fig.svg\n"
+    assert 'width="252pt"' in (in_an_empty_folder / "papers" / "fig.svg").read_text()
+    call("figure", "there", "--kind", "energy", "--width", "page", "--out", "fig.svg")
+    assert 'width="511.2pt"' in (in_an_empty_folder / "fig.svg").read_text()
+    output = call("film", "there", "--out", "wing.gif", "--size", "320x180", "--fps", "2")
+    assert output.out == "written to wing.gif\n"
+    assert (in_an_empty_folder / "wing.gif").read_bytes().startswith(b"GIF89a")
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["--out", "wing.avi"], "--out: need a file that ends with .mp4 or .gif, got wing.avi"),
+        (["--size", "321x180"], '--size: need two even numbers from 160 to 4096 such as 1280x720, got "321x180"'),
+        (["--size", "large"], '--size: need two even numbers from 160 to 4096 such as 1280x720, got "large"'),
+        (["--fps", "0"], "--fps: need 1 to 60, got 0"),
+        (["--slower", "-2"], "--slower: need 0.01 to 10000, got -2"),
+        ([], "there: need the folder of a run, as forficula run writes it, got no such folder"),
+    ],
+)
+def test_a_film_that_cannot_be_made_is_refused(refusal, options, message):
+    out = [] if "--out" in options else ["--out", "wing.gif"]
+    assert refusal("film", "there", *out, *options) == message
+
+
+def test_a_figure_that_cannot_be_made_is_refused(refusal):
+    message = "there: need a folder that forficula wrote, got no such folder"
+    assert refusal("figure", "there", "--kind", "energy", "--out", "fig.pdf") == message
+    assert "--width" in refusal("figure", "there", "--kind", "energy", "--out", "fig.pdf", "--width", "poster")

@@ -147,9 +147,9 @@ def reading_unit(unit: str, largest: float) -> tuple[str, float]:
     return next(fitting, names[-1])[:2]
 
 
-def show_quantity(value: float, unit: Unit) -> str:
-    """Write an SI float for people: four significant digits in the display unit."""
-    return f"{value / _factor(unit.display, unit, value):.4g} {unit.display}"
+def show_quantity(value: float, unit: Unit, digits: int = 4) -> str:
+    """Write an SI float for people: so many significant digits in the display unit."""
+    return f"{value / _factor(unit.display, unit, value):.{digits}g} {unit.display}"
 
 
 def show_value(value: float, unit: str, digits: int = 4) -> str:

@@ -24,6 +24,10 @@ def run(cycle, **row):
     )
 
 
+def files_in(folder):
+    return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file())
+
+
 STUCK = {"status": "stuck at -80.0 deg", "folded": False, "opened": False, "fold_time_s": None}
 
 
@@ -70,7 +74,7 @@ def test_few_cycles_without_a_failure_can_be_drawn(cycling, count):
 
 def test_all_cycles_are_in_the_table_and_in_json(cycling, tmp_path):
     write_cycling(cycling, tmp_path / "run")
-    assert sorted(path.name for path in (tmp_path / "run").iterdir()) == sorted(CYCLING_FILES)
+    assert files_in(tmp_path / "run") == sorted(CYCLING_FILES)
     with (tmp_path / "run" / "cycles.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert [row["cycle"] for row in rows] == ["1", "2", "3", "4", "5", "6"]
@@ -80,7 +84,7 @@ def test_all_cycles_are_in_the_table_and_in_json(cycling, tmp_path):
     assert [row["fold_time_s"] for row in content["cycles"][3:]] == [0.2, None, None]
     assert {key: str(value) if value is not None else "" for key, value in content["cycles"][5].items()} == rows[5]
     remove_cycling(tmp_path / "run")
-    assert not list((tmp_path / "run").iterdir())
+    assert not files_in(tmp_path / "run")
 
 
 def test_the_verdict_and_the_remarks_are_printed(cycling, capsys):

@@ -9,7 +9,7 @@ from forficula.dynamics import run
 from forficula.errors import InputError
 from forficula.show.landscape_folder import write_landscape
 
-FILES = ["design.toml", "landscape.json", "levels.png", "tendon.png", "wing.png"]
+FILES = ["design.toml", "figures", "landscape.json", "levels.png", "tendon.png", "wing.png"]
 
 
 def read(folder):

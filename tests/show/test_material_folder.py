@@ -6,7 +6,7 @@ from forficula.errors import InputError
 from forficula.material.law_file import load_law
 from forficula.show.material_folder import write_material
 
-FILES = ["cycles.png", "drift.png", "fit.png", "material.json", "modulus.png", "tendon_law.toml"]
+FILES = ["cycles.png", "drift.png", "figures", "fit.png", "material.json", "modulus.png", "tendon_law.toml"]
 
 
 def names(folder):
@@ -30,7 +30,8 @@ def test_without_a_law_the_law_of_an_earlier_material_goes(tpu_material, lawless
     write_material(tpu_material, tmp_path)
     (tmp_path / "mine.txt").write_text("stays", "utf-8")
     write_material(lawless_material, tmp_path)
-    assert names(tmp_path) == ["cycles.png", "drift.png", "material.json", "mine.txt", "modulus.png"]
+    assert names(tmp_path) == ["cycles.png", "drift.png", "figures", "material.json", "mine.txt", "modulus.png"]
+    assert {path.stem for path in (tmp_path / "figures").iterdir()} == {"cycles", "drift", "modulus"}
     content = json.loads((tmp_path / "material.json").read_text("utf-8"))
     assert (content["law"], content["fit"]) == (None, None)
 

@@ -265,6 +265,8 @@ def test_the_command_leaves_a_table_its_numbers_and_two_figures(tmp_path, monkey
     assert {file.name for file in folder.iterdir()} == {
         "convergence.json",
         "convergence.csv",
+        "convergence.nc",
+        "figures",
         "angles.png",
         "times.png",
     }

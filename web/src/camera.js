@@ -4,7 +4,7 @@ import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 const FIELD = 28; // deg, upwards
-const ROOM = 1.05;
+const ROOM = 1.1;
 const TURN = Math.PI / 24;
 const ZOOM = 1.15;
 

@@ -2,18 +2,22 @@
 
 import { make } from "./elements.js";
 
-const HELP = [
+const OF_CLOCK = [
   ["space", "play or pause"],
-  ["\u2190 \u2192", "a little back or on; with page up and page down, further"],
+  ["\u2190 \u2192", "a little back or on"],
+  ["page down, page up", "further back or on"],
   ["home, end", "start, end"],
-  ["1 2 3", "flat, folded, opened"],
+];
+const OF_PICTURE = [
   ["shift with \u2190 \u2192 \u2191 \u2193", "turn the wing"],
   ["+ \u2212", "nearer, further"],
   ["0", "the first view again"],
 ];
 
-export function keysHelp() {
-  const rows = HELP.map(([keys, text]) => make("tr", {}, make("th", { scope: "row" }, keys), make("td", {}, text)));
+export function keysHelp(clips, picture) {
+  const marks = clips.length === 1 ? clips[0].marks : [];
+  const ofStates = marks.map((mark, index) => [String(index + 1), mark.name]);
+  const rows = [...OF_CLOCK, ...ofStates, ...(picture ? OF_PICTURE : [])].map(([keys, text]) => make("tr", {}, make("th", { scope: "row" }, keys), make("td", {}, text)));
   return make(
     "details",
     { className: "keys" },
@@ -24,7 +28,7 @@ export function keysHelp() {
 
 export function listenToKeys(player, clips, clock, eye, firstView) {
   const turns = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-  const steps = { ArrowLeft: -1, ArrowRight: 1, PageUp: -10, PageDown: 10 };
+  const steps = { ArrowLeft: -1, ArrowRight: 1, PageUp: 10, PageDown: -10 };
 
   function go(seek) {
     clock.pause();

@@ -5,6 +5,11 @@ import { squareSide } from "./floor.js";
 import { short } from "./format.js";
 import { DISTAL, ENERGY_GRADIENT, MOUNTAIN, PROXIMAL, VALLEY } from "./scheme.js";
 
+const OF_SEVERAL = [
+  "all wings are drawn to one scale",
+  "marks on the time line: the states of each run, in its colour",
+];
+
 export function makeLegend(energy, size, several) {
   const swatch = (kind, style) => {
     const sample = make("span", { className: `swatch ${kind}`, "aria-hidden": "true" });
@@ -30,7 +35,7 @@ export function makeLegend(energy, size, several) {
     entry(swatch("joint", {}), "hinge"),
     bar,
     make("li", {}, `squares of the grid: ${lengthText(squareSide(size))}`),
-    ...(several ? [make("li", {}, "marks on the time line: the states of each run, in its colour")] : []),
+    ...(several ? OF_SEVERAL.map((text) => make("li", {}, text)) : []),
   );
 }
 

@@ -1,6 +1,7 @@
 /** Show what the page's data are. */
 
 import "./page.css";
+import { make } from "./elements.js";
 import { showComparison } from "./page-compare.js";
 import { showRun } from "./page-run.js";
 import { showStudy } from "./page-study.js";
@@ -10,5 +11,11 @@ const PAGES = { run: showRun, compare: showComparison, study: showStudy };
 
 const data = JSON.parse(document.getElementById("data").textContent);
 // for those who want the numbers behind the picture, and for tests
-window.forficula = PAGES[data.kind](data);
+try {
+  window.forficula = PAGES[data.kind](data);
+} catch (error) {
+  const said = `What moves cannot be shown in this browser (${error.message}); the numbers below are all there.`;
+  document.querySelector("main").prepend(make("p", { className: "note", role: "alert" }, said));
+  throw error;
+}
 watchTables();

@@ -21,7 +21,7 @@ export function mountPlayer(element, { clips, clock, energy, text }) {
     ? make("div", { className: "picture" }, stage.element, viewButtons(stage.eye))
     : make("p", { className: "note" }, NO_PICTURE);
   const legend = stage ? [makeLegend(energy, stage.eye.size, clips.length > 1)] : [];
-  element.replaceChildren(picture, makeTransport(clips, clock), ...legend, keysHelp());
+  element.replaceChildren(picture, makeTransport(clips, clock), ...legend, keysHelp(clips, stage !== null));
   element.classList.add("player");
   element.setAttribute("role", "region");
   element.setAttribute("aria-label", "the wing moving");

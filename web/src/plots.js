@@ -139,7 +139,7 @@ function options(plot, clips, clock, width) {
       },
       {
         ...axis,
-        size: 48,
+        size: (_, texts) => Math.max(48, 16 + 7 * Math.max(0, ...(texts ?? []).map((text) => text.length))),
         gap: 3,
         values: (_, splits) => splits.map((value) => (value === null ? "" : tickText(value))),
         ...(plot.unit === "deg" ? { incrs: DEGREES, space: 26 } : { space: 30 }),
@@ -152,11 +152,11 @@ function options(plot, clips, clock, width) {
   };
 }
 
-/** From what is there to what is there, zero included, with some room. */
+/** From what is there to what is there, zero included, with some room, at the top for the letters of the states. */
 function yRange(plot, low, high) {
   const [least, most] = [Math.min(0, low ?? 0), Math.max(0, high ?? 0)];
   const room = 0.06 * (most - least || 1);
-  return [plot.unit === "deg" || least < 0 ? least - room : least, most + room];
+  return [plot.unit === "deg" || least < 0 ? least - room : least, most + 2 * room];
 }
 
 function tickText(value) {

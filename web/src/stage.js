@@ -8,7 +8,7 @@ import { onSchemeChange, styleColour } from "./scheme.js";
 import { makeWing } from "./wing.js";
 
 const LONGEST = 4096; // pixels of the canvas in one direction, which all graphics chips have
-const NAME_ROOM = 44; // pixels at the top of a cell, where several wings have their names
+const NAME_ROOM = 3.2; // lines of letters at the top of a cell, where several wings have their names
 const TOWARDS_LIGHT = new Vector3(-0.45, 0.75, 1);
 
 /**
@@ -26,7 +26,7 @@ export function makeStage(clips, clock, energy, text) {
     "--columns",
     String(clips.length === 4 ? 2 : Math.min(clips.length, clips.length > 6 ? 4 : 3)),
   );
-  const pictureHeight = (cell) => cell.offsetHeight - (several ? NAME_ROOM : 0);
+  const names = () => (several ? Math.ceil(NAME_ROOM * parseFloat(getComputedStyle(cells[0]).fontSize)) : 0);
   const renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
   renderer.setScissorTest(true);
   const eye = makeCamera(canvas, clips, invalidate);
@@ -48,6 +48,7 @@ export function makeStage(clips, clock, energy, text) {
     waiting = 0;
     if (!posed) pose();
     const height = canvas.clientHeight;
+    const named = names();
     renderer.setScissor(0, 0, canvas.clientWidth, height);
     renderer.setViewport(0, 0, canvas.clientWidth, height);
     renderer.clear();
@@ -57,7 +58,7 @@ export function makeStage(clips, clock, energy, text) {
         cell.offsetLeft,
         height - cell.offsetTop - cell.offsetHeight,
         cell.offsetWidth,
-        pictureHeight(cell),
+        cell.offsetHeight - named,
       ];
       renderer.setViewport(...place);
       renderer.setScissor(...place);
@@ -80,7 +81,8 @@ export function makeStage(clips, clock, energy, text) {
     if (!width || !height) return;
     renderer.setPixelRatio(Math.min(devicePixelRatio, 2, LONGEST / Math.max(width, height)));
     renderer.setSize(width, height, false);
-    eye.resize(cells[0].offsetWidth / pictureHeight(cells[0]), height / pictureHeight(cells[0]));
+    const own = cells[0].offsetHeight - names();
+    eye.resize(cells[0].offsetWidth / own, height / own);
     draw();
   }
 
@@ -100,7 +102,11 @@ export function makeStage(clips, clock, energy, text) {
     stopPainting();
     watch.disconnect();
     eye.dispose();
-    for (const view of views) view.wing.dispose();
+    for (const { wing, floor } of views) {
+      wing.dispose();
+      floor.geometry.dispose();
+      floor.material.dispose();
+    }
     renderer.dispose();
     renderer.forceContextLoss();
     element.remove();

@@ -120,7 +120,8 @@ function makeGrid(model, view, press) {
   listen(table, cells, press);
   const upwards = make("div", { className: "upwards" }, view.y === null ? "" : axisText(factors[view.y]));
   const across = make("div", { className: "across" }, axisText(factors[view.x]));
-  return { element: make("div", { className: "axes" }, upwards, make("div", {}, make("div", { className: "scroll" }, table), across)), points };
+  // beside few rows its name has no room
+  return { element: make("div", { className: rows < 6 ? "axes low" : "axes" }, upwards, make("div", {}, make("div", { className: "scroll" }, table), across)), points };
 }
 
 function fillCell(cell, model, view, scale, point, numbers) {

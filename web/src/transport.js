@@ -13,7 +13,7 @@ export function makeTransport(clips, clock) {
   const slider = make("input", { type: "range", min: 0, max: TICKS, step: 1, "aria-label": "time" });
   const bands = make("div", { className: "bands", "aria-hidden": "true" });
   const ticks = make("div", { className: "ticks", "aria-hidden": "true" });
-  const readout = make("output", { className: "time" });
+  const readout = make("p", { className: "time" });
   const spoken = make("p", { className: "spoken", role: "status" });
   const states = clips.length === 1 ? clips[0].marks.map((mark) => stateButton(mark, clock)) : [];
   const element = make(
@@ -24,7 +24,7 @@ export function makeTransport(clips, clock) {
       "div",
       { className: "choices" },
       readout,
-      make("div", { className: "states" }, ...states),
+      ...(states.length ? [make("div", { className: "states" }, ...states)] : []),
       speedChoice(clock),
       ...spanChoice(clock),
       spoken,
@@ -41,7 +41,7 @@ export function makeTransport(clips, clock) {
   clock.onChange(() => {
     if (clock.span !== drawnSpan) drawTrack(clips, clock, bands, ticks);
     drawnSpan = clock.span;
-    slider.value = Math.round((TICKS * (clock.time - clock.span.start)) / (clock.span.end - clock.span.start));
+    slider.value = Math.round((TICKS * (clock.time - clock.span.start)) / (clock.span.end - clock.span.start || 1));
     slider.setAttribute("aria-valuetext", momentText(clips, clock));
     const since =
       clips.length === 1 ? ` \u00b7 ${stageText(clips[0], clock.clipTime(0))}` : clock.span.label.replace("time", "");
@@ -95,7 +95,7 @@ function spanChoice(clock) {
 /** Bands where torques act, and ticks at the states; of several clips a tick in each one's colour. */
 function drawTrack(clips, clock, bands, ticks) {
   const { span } = clock;
-  const place = (moment) => Math.min(1, Math.max(0, (moment - span.start) / (span.end - span.start)));
+  const place = (moment) => Math.min(1, Math.max(0, (moment - span.start) / (span.end - span.start || 1)));
   bands.replaceChildren();
   ticks.replaceChildren();
   for (const [index, clip] of clips.entries()) {
@@ -132,7 +132,7 @@ function stageText(clip, moment) {
 function momentText(clips, clock) {
   const wings = clips.map((clip, index) => {
     const moment = clock.clipTime(index);
-    const angles = clip.valuesAt("distalAngle", moment);
+    const angles = clip.markAt(moment)?.distalAngle_deg ?? clip.valuesAt("distalAngle", moment);
     const range = `${fixed(Math.min(...angles), 1)} to ${fixed(Math.max(...angles), 1)} degrees`;
     return `${clips.length > 1 ? `${clip.name}: ` : ""}${stageText(clip, moment)}, distal angles ${range}`;
   });

@@ -64,6 +64,7 @@ export function makeWing(clip, largestEnergy) {
   }
 
   function dispose() {
+    for (const part of [veins, lines, tendons, joints]) part.object.dispose();
     for (const part of [sheet, veins, lines, tendons, joints]) {
       part.object.geometry.dispose();
       part.object.material.dispose();

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -98,15 +99,15 @@ class Part(BaseModel):
         return reader.read(value, in_si=bool(info.context and info.context.get("si")))
 
 
-def as_tables(part: Part) -> dict[str, Any]:
-    """A part as TOML tables, quantities as exact text; what is absent is left out."""
+def as_tables(part: Part, write: Callable[[float, Unit], str] = format_quantity) -> dict[str, Any]:
+    """A part as TOML tables, quantities as exact text unless written otherwise; what is absent is left out."""
     tables: dict[str, Any] = {}
     for name, field in type(part).model_fields.items():
         value, reader = getattr(part, name), field_quantity(field)
         if isinstance(value, Part):
-            tables[name] = as_tables(value)
+            tables[name] = as_tables(value, write)
         elif isinstance(value, tuple):
-            tables[name] = [as_tables(item) if isinstance(item, Part) else item for item in value]
+            tables[name] = [as_tables(item, write) if isinstance(item, Part) else item for item in value]
         elif value is not None:
-            tables[name] = format_quantity(value, reader.unit) if reader and isinstance(value, float) else value
+            tables[name] = write(value, reader.unit) if reader and isinstance(value, float) else value
     return tables

@@ -19,12 +19,26 @@ from rich.table import Table
 
 from forficula.dynamics import versions
 from forficula.files import replacing_all, write_text
-from forficula.show.style import BLUE, LINE_STYLES, PAGE_WIDTH, VERMILION, figure_style, save_figure
+from forficula.show.style import (
+    BLUE,
+    LINE_STYLES,
+    PAGE_WIDTH,
+    VERMILION,
+    Drawing,
+    describe,
+    figure_style,
+    is_narrow,
+    save_figures,
+)
+from forficula.show.time_figures import stacked_axes
 from forficula.study.convergence import Convergence
+from forficula.study.convergence_file import save_convergence
 from forficula.study.observed_order import OrderFit
 from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, value_text
 
 Array = NDArray[np.float64]
+
+CONVERGENCE_FILE = "convergence.nc"
 
 _AXIS = {
     TIMESTEP: ("timestep (ms)", 1e3),
@@ -35,11 +49,15 @@ _AXIS = {
 _BEFORE, _AFTER = 0.15, 1.6
 
 
-def draw_convergence_angles(convergence: Convergence) -> Figure:
+def draw_convergence_angles(convergence: Convergence, width: float = PAGE_WIDTH) -> Figure:
     """Draw the third distal angle over time for every value: the whole run, and folding and unfolding close up.
 
     The figure of the paper's timestep study, 6C. Unfolding begins when the folded wing rests, which is later in some
     runs than in others: the close-ups count the time from their stage's start.
+
+    Args:
+        convergence: what to draw.
+        width: of the figure, inch.
     """
     spans = [
         (name, starts, times)
@@ -50,10 +68,13 @@ def draw_convergence_angles(convergence: Convergence) -> Figure:
         if np.isfinite(times).any()
     ]
     with figure_style():
-        figure = Figure(figsize=(PAGE_WIDTH, 2.7), layout="constrained")
-        whole, *close = figure.subplots(
-            1, 1 + len(spans), sharey=True, squeeze=False, width_ratios=[1.5] + [1.0] * len(spans)
-        )[0]
+        narrow = is_narrow(width)
+        figure = Figure(figsize=(width, 4.2 if narrow else 2.7), layout="constrained")
+        if narrow:
+            whole, *close = stacked_axes(figure, 1, len(spans))[0]
+        else:
+            ratios = [1.5] + [1.0] * len(spans)
+            whole, *close = figure.subplots(1, len(ratios), sharey=True, squeeze=False, width_ratios=ratios)[0]
         _plot_angles(whole, convergence, np.zeros(len(convergence.values)), 1.0)
         whole.set_xlim(0, max(float(times[-1]) for times in convergence.times))
         whole.set_xlabel("time (s)")
@@ -64,20 +85,26 @@ def draw_convergence_angles(convergence: Convergence) -> Figure:
         for axes, (name, starts, times) in zip(close, spans, strict=True):
             _plot_angles(axes, convergence, starts, 1e3)
             axes.set_xlim(*(1e3 * np.nanmax(times) * np.array([-_BEFORE, _AFTER])))
-            axes.set_xlabel("time since its start (ms)")
+            axes.set_xlabel("since its start (ms)" if narrow else "time since its start (ms)")
             axes.set_title(name)
-        figure.legend(*whole.get_legend_handles_labels(), loc="outside right upper")
-        return figure
+        lines = whole.get_legend_handles_labels()
+        if narrow:
+            figure.legend(*lines, loc="outside upper center", ncols=3)
+        else:
+            figure.legend(*lines, loc="outside right upper")
+        what = f"Third distal angle over time in {len(convergence.values)} runs of {convergence.design.name}"
+        return describe(figure, f"{what}. {_tell(convergence)}")
 
 
-def draw_convergence_times(convergence: Convergence) -> Figure:
-    """Draw fold and opening times over the values, with the law towards h -> 0 where there is one."""
+def draw_convergence_times(convergence: Convergence, width: float = PAGE_WIDTH) -> Figure:
+    """Draw fold and opening times over the values, with the law towards h -> 0 where there is one; width in inch."""
     with figure_style():
-        figure = Figure(figsize=(PAGE_WIDTH, 2.5), layout="constrained")
+        narrow = is_narrow(width)
+        figure = Figure(figsize=(width, 4.2 if narrow else 2.5), layout="constrained")
         label, factor = _AXIS[convergence.key]
         places = factor * _positions(convergence)
         for axes, name, times, fit in zip(
-            figure.subplots(1, 2),
+            figure.subplots(2, 1) if narrow else figure.subplots(1, 2),
             ("fold time", "opening time"),
             (convergence.fold_times, convergence.unfold_times),
             (convergence.fold_order, convergence.unfold_order),
@@ -102,7 +129,8 @@ def draw_convergence_times(convergence: Convergence) -> Figure:
             elif convergence.key == MESH:
                 axes.set_xticks(places)
             axes.legend(loc="best")
-        return figure
+        what = f"Fold and opening times of {convergence.design.name} over the {label.partition(' (')[0]}"
+        return describe(figure, f"{what}. {_tell(convergence)}")
 
 
 def convergence_rows(convergence: Convergence) -> list[dict[str, Any]]:
@@ -158,7 +186,7 @@ def print_convergence(convergence: Convergence) -> None:
 
 
 def write_convergence(convergence: Convergence, folder: Path) -> None:
-    """Write convergence.json, convergence.csv and the figures; all of them, or none.
+    """Write convergence.json, convergence.csv, convergence.nc and the figures; all of them, or none.
 
     Args:
         convergence: what to write.
@@ -192,8 +220,36 @@ def _write_files(convergence: Convergence, folder: Path) -> None:
         "versions": versions(),
     }
     write_text(folder / "convergence.json", json.dumps(content, indent=2, ensure_ascii=False) + "\n")
-    save_figure(draw_convergence_angles(convergence), folder / "angles.png")
-    save_figure(draw_convergence_times(convergence), folder / "times.png")
+    save_convergence(convergence, folder / CONVERGENCE_FILE)
+    save_figures(convergence_drawings(convergence), folder)
+
+
+def convergence_drawings(convergence: Convergence) -> dict[str, Drawing]:
+    """What draws a convergence study, by the stem of its file."""
+    return {
+        "angles": lambda width: draw_convergence_angles(convergence, width),
+        "times": lambda width: draw_convergence_times(convergence, width),
+    }
+
+
+def _tell(convergence: Convergence) -> str:
+    """The times and the verdict in words."""
+    rows = [
+        f"{_name(convergence, index)}: fold {_time(fold)}, opening {_time(unfold)}"
+        for index, (fold, unfold) in enumerate(zip(convergence.fold_times, convergence.unfold_times, strict=True))
+    ]
+    return f"{'; '.join(rows)}. {convergence.verdict}"
+
+
+def _time(time: float) -> str:
+    return f"{1e3 * time:.4g} ms" if math.isfinite(time) else "none"
+
+
+def _name(convergence: Convergence, index: int) -> str:
+    """A run's value for people."""
+    if convergence.key == MESH:
+        return f"{convergence.rows[index]} rows"
+    return value_text(convergence.key, float(convergence.values[index]))
 
 
 def _law(fit: OrderFit | None) -> dict[str, Any] | None:
@@ -222,16 +278,13 @@ def _plot_angles(axes: Axes, convergence: Convergence, starts: Array, scale: flo
     count = len(convergence.values)
     shades = colormaps["viridis"](np.linspace(0.9, 0, count))
     for index in range(count):
-        name = f"{convergence.rows[index]} rows"
-        if convergence.key != MESH:
-            name = value_text(convergence.key, float(convergence.values[index]))
         axes.plot(
             scale * (convergence.times[index] - starts[index]),
             np.degrees(convergence.angles[index]),
             LINE_STYLES[index % len(LINE_STYLES)],
             color=shades[index],
             lw=np.linspace(2.6, 0.9, count)[index],
-            label=name,
+            label=_name(convergence, index),
         )
     axes.axhline(0, color="0.6", lw=0.5, zorder=0)
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from forficula.material.characterisation import Characterisation
 from forficula.material.cycles import Branch, Cycle
 from forficula.show.material_units import stress_unit
-from forficula.show.style import BLUE, PAGE_WIDTH, VERMILION, figure_style
+from forficula.show.style import BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, in_column, is_narrow
 
 Array = NDArray[np.float64]
 
@@ -26,8 +26,8 @@ _MOST_CYCLES = 6
 _POINTS = 201
 
 
-def draw_cycles(material: Characterisation) -> Figure:
-    """Draw stress over strain, a panel a cycle: every specimen thin, the median over specimens thick."""
+def draw_cycles(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
+    """Draw stress over strain, a panel a cycle: every specimen thin, the median over specimens thick; width in inch."""
     left_out = {cycle.number for each in material.specimens for cycle in each.left_out}
     by_number: dict[int, list[Cycle]] = {}
     for each in material.specimens:
@@ -36,10 +36,11 @@ def draw_cycles(material: Characterisation) -> Figure:
     numbers = _shown(sorted(by_number))
     peak = max(float(cycle.loading.stress.max()) for number in numbers for cycle in by_number[number])
     unit, factor = stress_unit(peak)
-    columns = min(len(numbers), 3)
+    most = 2 if is_narrow(width) else 3
+    columns = min(len(numbers), most)
     rows = math.ceil(len(numbers) / columns)
     with figure_style():
-        size = (PAGE_WIDTH * max(columns, 2) / 3, 2.1 * rows + 0.35)
+        size = (width * max(columns, 2) / most, 2.1 * rows + 0.35)
         figure = Figure(figsize=size, layout="constrained")
         grid = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False).ravel()
         for place, (axes, number) in enumerate(zip(grid, numbers, strict=False)):
@@ -54,7 +55,7 @@ def draw_cycles(material: Characterisation) -> Figure:
         _legend(figure, spare[:1], many=len(material.specimens) > 1)
         for axes in spare:
             axes.set_axis_off()
-        return figure
+        return describe(figure, _tell(material, numbers))
 
 
 def _shown(numbers: Sequence[int]) -> list[int]:
@@ -79,7 +80,11 @@ def _draw_cycle(axes: Axes, cycles: Sequence[Cycle], factor: float) -> None:
     # one that never hangs slack has the strain at 1 % of its peak stress there
     if place > _LEAST_SLACK:
         axes.plot(place, 0, **_SLACK, zorder=5, clip_on=False)
-        axes.set_title(f"no force below {place:.0f} %", loc="right", fontsize=7)
+        words = f"no force below {place:.0f} %"
+        if in_column(axes):  # the title has no room for it
+            axes.text(0.04, 0.96, words, transform=axes.transAxes, va="top", fontsize=7)
+        else:
+            axes.set_title(words, loc="right", fontsize=7)
 
 
 def _median_curve(branches: Sequence[Branch]) -> tuple[Array, Array]:
@@ -106,4 +111,12 @@ def _legend(figure: Figure, spare: Sequence[Axes], *, many: bool) -> None:
     if spare:
         spare[0].legend(handles=handles, loc="center left", borderaxespad=0)
     else:
-        figure.legend(handles=handles, loc="outside lower center", ncols=2)
+        figure.legend(handles=handles, loc="outside lower center", ncols=1 if is_narrow(figure.get_figwidth()) else 2)
+
+
+def _tell(material: Characterisation, numbers: Sequence[int]) -> str:
+    """The cycles in words."""
+    count = len(material.specimens)
+    specimens = f"{count} specimens" if count > 1 else "one specimen"
+    cycles = ", ".join(str(number) for number in numbers)
+    return f"Stress over strain of {specimens} of {material.name}, cycle by cycle. Cycles shown: {cycles}."

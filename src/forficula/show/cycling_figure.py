@@ -14,7 +14,7 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
 from forficula.quantities import reading_unit
-from forficula.show.style import BLUE, GREEN, PAGE_WIDTH, VERMILION, figure_style
+from forficula.show.style import BLUE, GREEN, PAGE_WIDTH, VERMILION, describe, figure_style, in_column, is_narrow
 from forficula.study.cycling import CycleRun, Cycling
 
 _STATES = {"flat": (BLUE, "-", "o"), "folded": (VERMILION, "--", "s"), "opened": (GREEN, ":", "^")}
@@ -22,21 +22,26 @@ _EXTRAPOLATED = "0.9"
 _FAILED: dict[str, Any] = {"ls": "none", "marker": "x", "color": VERMILION, "ms": 4.5, "mew": 1.2}
 
 
-def draw_cycling(cycling: Cycling) -> Figure:
+def draw_cycling(cycling: Cycling, width: float = PAGE_WIDTH) -> Figure:
     """Draw the tendons' energy, the fold time and the margin over the count of cycles.
 
     Cycles that the tests of the material did not see are shaded, and where the wing stops working there is a line.
+
+    Args:
+        cycling: what to draw.
+        width: of the figure, inch.
     """
     with figure_style():
-        figure = Figure(figsize=(PAGE_WIDTH, 2.9), layout="constrained")
-        energies, times, margins = figure.subplots(1, 3, sharex=True)
+        narrow = is_narrow(width)
+        figure = Figure(figsize=(width, 6.0 if narrow else 2.9), layout="constrained")
+        energies, times, margins = figure.subplots(3, 1) if narrow else figure.subplots(1, 3, sharex=True)
         _draw_energies(energies, cycling)
         _draw_times(times, cycling)
         _draw_margins(margins, cycling)
         for axes in (energies, times, margins):
             _draw_counts(axes, cycling)
-        figure.legend(handles=_handles(cycling), loc="outside lower center", ncols=6)
-        return figure
+        figure.legend(handles=_handles(cycling), loc="outside lower center", ncols=2 if narrow else 6)
+        return describe(figure, _tell(cycling))
 
 
 def _reached(run: CycleRun, state: str) -> bool:
@@ -91,7 +96,7 @@ def _draw_margins(axes: Axes, cycling: Cycling) -> None:
     axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     axes.yaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
     axes.yaxis.set_minor_formatter(NullFormatter())
-    axes.set_ylabel("margin: torque over the least slow one")
+    axes.set_ylabel(f"margin: torque over{chr(10) if in_column(axes) else ' '}the least slow one")
     axes.text(0.03, 1.04, "least slow torque", transform=axes.get_yaxis_transform(), va="bottom", fontsize=6.5)
     if len(finite) > 1:
         axes.legend(loc="best")
@@ -138,3 +143,10 @@ def _handles(cycling: Cycling) -> list[Line2D | Patch]:
     if not all(cycling.works(run) for run in cycling.runs):
         handles.append(Line2D([], [], label=f"did not {words}", **_FAILED))
     return handles
+
+
+def _tell(cycling: Cycling) -> str:
+    """What becomes of the wing, in words."""
+    last = cycling.runs[-1].cycle
+    what = f"Energy, fold time and torque margins of {cycling.design.name} over the cycles from 1 to {last}"
+    return f"{what}. {cycling.verdict}"

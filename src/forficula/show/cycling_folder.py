@@ -10,13 +10,16 @@ from typing import Any
 
 from rich.console import Console
 
+from forficula.design import load_design
 from forficula.dynamics import versions
+from forficula.errors import InputError
 from forficula.files import replacing_all, write_text
 from forficula.show.cycling_figure import draw_cycling
-from forficula.show.style import save_figure
-from forficula.study.cycling import Cycling
+from forficula.show.style import Drawing, figure_files, save_figures
+from forficula.study.cycling import CycleRun, Cycling
 
-CYCLING_FILES = ("cycles.csv", "cycles.json", "cycles.png")
+CYCLING_FILES = ("cycles.csv", "cycles.json", *figure_files("cycles"))
+_STIFFNESS = ("stiffness_by_first", "stiffness_by_first_low_95", "stiffness_by_first_high_95")
 _OUTCOME = ("status", "folded", "opened")
 _NUMBERS = (
     *("flat_energy_J", "folded_energy_J", "opened_energy_J"),
@@ -25,7 +28,7 @@ _NUMBERS = (
 
 
 def write_cycling(cycling: Cycling, folder: Path) -> None:
-    """Write cycles.csv, cycles.json and cycles.png; all of them, or none.
+    """Write cycles.csv, cycles.json and the figure; all of them, or none.
 
     Args:
         cycling: what to write.
@@ -38,7 +41,7 @@ def write_cycling(cycling: Cycling, folder: Path) -> None:
         write_text(unfinished / "cycles.csv", cycling_csv(cycling))
         text = json.dumps(cycling_summary(cycling), indent=2, ensure_ascii=False, allow_nan=False)
         write_text(unfinished / "cycles.json", text + "\n")
-        save_figure(draw_cycling(cycling), unfinished / "cycles.png")
+        save_figures(cycling_drawings(cycling), unfinished)
 
 
 def remove_cycling(folder: Path) -> None:
@@ -47,15 +50,18 @@ def remove_cycling(folder: Path) -> None:
         (folder / name).unlink(missing_ok=True)
 
 
+def cycling_drawings(cycling: Cycling) -> dict[str, Drawing]:
+    """What draws a wing over cycles, by the stem of its file."""
+    return {"cycles": lambda width: draw_cycling(cycling, width)}
+
+
 def cycling_rows(cycling: Cycling) -> list[dict[str, Any]]:
     """A row for every cycle as plain data with units in its keys; None where there is no number."""
     return [
         {
             "cycle": run.cycle,
             "measured": run.measured,
-            "stiffness_by_first": run.stiffness[0],
-            "stiffness_by_first_low_95": run.stiffness[1],
-            "stiffness_by_first_high_95": run.stiffness[2],
+            **dict(zip(_STIFFNESS, run.stiffness, strict=True)),
             "residual_strain": run.residual_strain,
             **{name: run.row.get(name) for name in (*_OUTCOME, *_NUMBERS)},
             "fold_margin": run.fold_margin,
@@ -89,6 +95,40 @@ def cycling_summary(cycling: Cycling) -> dict[str, Any]:
         "cycles": cycling_rows(cycling),
         "versions": versions(),
     }
+
+
+def read_cycling(folder: Path) -> Cycling:
+    """Read what `write_cycling` wrote into the folder of a run.
+
+    Raises:
+        InputError: it cannot be read, or is of another design than the run.
+    """
+    path = folder / "cycles.json"
+    design = load_design(str(folder / "design.toml"))
+    try:
+        content = json.loads(path.read_text("utf-8"))
+        runs = tuple(_cycle_run(row) for row in content["cycles"])
+        same = content["design_hash"] == design.hash
+        seen = None if content["seen_cycles"] is None else tuple(content["seen_cycles"])
+        verdict, remarks = content["verdict"], tuple(content["remarks"])
+    except (OSError, LookupError, ValueError, TypeError) as error:
+        raise InputError(f"{path}: not cycles of forficula: {' '.join(str(error).split())}") from None
+    if not same:
+        raise InputError(f"{path}: of another design than {folder / 'design.toml'}")
+    opens = any(stage.drive == "unfold" for stage in design.protocol.stages)
+    return Cycling(design=design, runs=runs, seen=seen, opens=opens, verdict=verdict, remarks=remarks)
+
+
+def _cycle_run(row: dict[str, Any]) -> CycleRun:
+    return CycleRun(
+        cycle=row["cycle"],
+        measured=row["measured"],
+        stiffness=tuple(row[name] for name in _STIFFNESS),
+        residual_strain=row["residual_strain"],
+        row={name: row[name] for name in (*_OUTCOME, *_NUMBERS)},
+        fold_margin=row["fold_margin"],
+        unfold_margin=row["unfold_margin"],
+    )
 
 
 def print_cycling(cycling: Cycling) -> None:

@@ -14,22 +14,24 @@ from numpy.typing import NDArray
 from forficula.material.characterisation import DRIFTING, Characterisation, common_cycles, cycle_table
 from forficula.material.drift import Drift
 from forficula.show.material_units import energy_unit, stress_unit
-from forficula.show.style import BLUE, PAGE_WIDTH, VERMILION, figure_style
+from forficula.show.style import BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, is_narrow
 
 Array = NDArray[np.float64]
 
 
-def draw_drift(material: Characterisation) -> Figure:
-    """Draw peak stress, loss and residual strain over the number of the cycle, and the drift that was fitted."""
+def draw_drift(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
+    """Draw peak stress, loss and residual strain over the cycles, and the drift that was fitted; width in inch."""
     with figure_style():
-        figure = Figure(figsize=(PAGE_WIDTH, 2.6), layout="constrained")
-        for axes, key in zip(figure.subplots(1, len(DRIFTING), sharex=True), DRIFTING, strict=True):
+        narrow, count = is_narrow(width), len(DRIFTING)
+        figure = Figure(figsize=(width, 5.6 if narrow else 2.6), layout="constrained")
+        grid = figure.subplots(count, 1) if narrow else figure.subplots(1, count, sharex=True)
+        for axes, key in zip(grid, DRIFTING, strict=True):
             _draw_value(axes, material, key)
             axes.set_xlabel("cycle N")
             axes.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1))
         left_out = any(each.left_out for each in material.specimens)
         _legend(figure, many=len(material.specimens) > 1, left_out=left_out)
-        return figure
+        return describe(figure, _tell(material))
 
 
 def _draw_value(axes: Axes, material: Characterisation, key: str) -> None:
@@ -98,4 +100,13 @@ def _legend(figure: Figure, *, many: bool, left_out: bool) -> None:
     if left_out:
         handles.append(Line2D([], [], ls="none", marker="o", color="white", mec=BLUE, ms=3.5, label="left out"))
     handles.append(Line2D([], [], ls="--", color=VERMILION, label="drift that was fitted, and its 95 % interval"))
-    figure.legend(handles=handles, loc="outside lower center", ncols=3)
+    figure.legend(handles=handles, loc="outside lower center", ncols=2 if is_narrow(figure.get_figwidth()) else 3)
+
+
+def _tell(material: Characterisation) -> str:
+    """The drift of every value in words."""
+    told = [
+        f"{key.replace('_', ' ')}: {'drift cannot be told' if drift is None else _words(drift)}"
+        for key, drift in material.drifts.items()
+    ]
+    return f"Peak stress, loss and residual strain of {material.name} over the cycles. {'; '.join(told)}."

@@ -11,8 +11,25 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from forficula.quantities import reading_unit
-from forficula.show.landscape_marks import mark_barrier, mark_state, rounding_torque, state_handles, write_note
-from forficula.show.style import BLACK, BLUE, ORANGE, PAGE_WIDTH, VERMILION, figure_style
+from forficula.show.landscape_marks import (
+    mark_barrier,
+    mark_state,
+    rounding_torque,
+    show_angle,
+    state_handles,
+    write_note,
+)
+from forficula.show.style import (
+    BLACK,
+    BLUE,
+    ORANGE,
+    PAGE_WIDTH,
+    VERMILION,
+    describe,
+    figure_style,
+    in_column,
+    is_narrow,
+)
 from forficula.statics import EnergyLandscape, StableState, stable_states
 
 Array = NDArray[np.float64]
@@ -22,11 +39,12 @@ _TICK_GAP = 0.06  # between two of them, as a share of the axis
 # free places within the axes: left, low, width, height, in shares of them
 _LOWER_LEFT, _UPPER_LEFT, _UPPER_RIGHT = (0.09, 0.20, 0.34, 0.50), (0.09, 0.50, 0.34, 0.44), (0.66, 0.50, 0.32, 0.44)
 _LABELS = 0.15  # room that ticks and labels take below and beside such a place, alike
+_INWARDS = 0.1  # in a column, where the names of axes need a larger share
 _BESIDE = math.radians(15)  # before a state, where the curve is low where it came down early
 
 
-def draw_wing(landscape: EnergyLandscape) -> Figure:
-    """Draw energy and moment of a wing over its pleat angle, from camber through flat to folded."""
+def draw_wing(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
+    """Draw energy and moment of a wing over its pleat angle, from camber through flat to folded; the width in inch."""
     wing = landscape.wing
     pleat, moment, sheet_energy = np.degrees(wing.pleat_angle), wing.moment, wing.sheet_energy
     rounding = rounding_torque(landscape)
@@ -37,7 +55,7 @@ def draw_wing(landscape: EnergyLandscape) -> Figure:
     sheet_unit, sheet = reading_unit("J", float(sheet_energy.max()))
     torque_unit, torque = reading_unit("N m", float(np.abs(moment).max()))
     with figure_style():
-        figure = Figure(figsize=(PAGE_WIDTH, 5.4), layout="constrained")
+        figure = Figure(figsize=(width, 5.4), layout="constrained")
         top, middle, bottom = figure.subplots(3, 1, sharex=True, height_ratios=[2.0, 0.75, 1.15])
         top.plot(pleat, energy * wing.energy, color=BLACK, lw=2.2, alpha=0.35, label="total")
         top.plot(pleat, energy * wing.tendon_energy, "--", color=BLUE, label="tendons")
@@ -84,8 +102,8 @@ def draw_wing(landscape: EnergyLandscape) -> Figure:
         bottom.set_xlabel("pleat angle (deg): camber < 0, flat 0, folding > 0")
         handles = [handle for axes in (top, middle) for handle in axes.get_legend_handles_labels()[0]]
         handles += state_handles({state.kind for state in states})
-        figure.legend(handles=handles, loc="outside upper center", ncols=4)
-        return figure
+        figure.legend(handles=handles, loc="outside upper center", ncols=2 if is_narrow(width) else 4)
+        return describe(figure, _tell(landscape))
 
 
 def _mark(axes: Axes, landscape: EnergyLandscape, state: StableState, factor: float) -> None:
@@ -95,6 +113,7 @@ def _mark(axes: Axes, landscape: EnergyLandscape, state: StableState, factor: fl
     ends = np.degrees(wing.pleat_angle[band]), factor * wing.energy[band]
     mark_state(axes, state.kind, place, factor * state.energy, *ends)
     words = f"{state.name}, {reading(state.energy)}"
+    last_words = words.replace(", ", ",\n") if in_column(axes) else words
     height = factor * state.energy
     offsets: dict[str, Any] = {"textcoords": "offset points", "va": "center", "fontsize": 7}
     largest = factor * float(wing.energy.max())
@@ -104,9 +123,9 @@ def _mark(axes: Axes, landscape: EnergyLandscape, state: StableState, factor: fl
     before = float(np.interp(state.far_pleat_angle - _BESIDE, wing.pleat_angle, factor * wing.energy))
     corner = (math.degrees(state.far_pleat_angle), height)
     if before < 0.1 * largest:  # the curve has come down before: room above the mark
-        axes.annotate(words, corner, xytext=(0, 24), ha="right", **offsets)
+        axes.annotate(last_words, corner, xytext=(0, 24), ha="right", **offsets)
     else:
-        axes.annotate(words, corner, xytext=(-10, 6), ha="right", **offsets)
+        axes.annotate(last_words, corner, xytext=(-10, 6), ha="right", **offsets)
 
 
 def reading(energy: float) -> str:
@@ -118,7 +137,9 @@ def reading(energy: float) -> str:
 def _close_up(axes: Axes, landscape: EnergyLandscape) -> None:
     """The saddle after the first stable state, by energy above that state; a sentence where there is none."""
     wing = landscape.wing
-    left, low, width, height = place = _free_place(landscape)
+    left, low, width, height = _free_place(landscape)
+    if in_column(axes) and left == _LOWER_LEFT[0]:
+        left += _INWARDS
     start = next((state for state in wing.states if state.stable), None)
     saddle = next(
         (state for state in wing.states if not state.stable and start and state.coordinate > start.coordinate), None
@@ -126,7 +147,7 @@ def _close_up(axes: Axes, landscape: EnergyLandscape) -> None:
     if start is None or saddle is None:
         write_note(axes, (left + width / 2, low + height / 2), _why_no_saddle(landscape))
         return
-    near = axes.inset_axes(place)
+    near = axes.inset_axes((left, low, width, height))
     climb = saddle.energy - start.energy
     unit, factor = reading_unit("J", climb)
     reach = saddle.coordinate - start.coordinate
@@ -185,7 +206,7 @@ def _mark_climbs(axes: Axes, landscape: EnergyLandscape, factor: float, rounding
         unit, reads = reading_unit("N m", torque)
         at = math.degrees(angle), factor * wing.moment[place]
         axes.plot(*at, "o", color=VERMILION, ms=4)
-        words = f"{name} takes {reads * torque:.3g} {unit} on every {where}"
+        words = f"{name} takes {reads * torque:.3g} {unit}{chr(10) if in_column(axes) else ' '}on every {where}"
         axes.annotate(words, at, xytext=(across, up), textcoords="offset points", ha=side, va="center", fontsize=7)
 
 
@@ -207,3 +228,20 @@ def _ring_axis(axes: Axes, landscape: EnergyLandscape) -> None:
     axes.callbacks.connect("xlim_changed", lambda changed: above.set_xlim(changed.get_xlim()))
     above.set_xticks([place for place, _ in ends], [f"{round(ring, 2) + 0.0:g}".replace("-", "−") for _, ring in ends])
     above.set_xlabel("fold angle of the ring creases (deg)")
+
+
+def _tell(landscape: EnergyLandscape) -> str:
+    """The wing along its fold in words."""
+    states = [
+        f"{state.name} at a pleat angle of {show_angle(state.pleat_angle)} with {reading(state.energy)}"
+        for state in stable_states(landscape)
+    ]
+    saddles = [
+        f"{reading(state.energy)} at {show_angle(state.coordinate)}"
+        for state in landscape.wing.states
+        if not state.stable
+    ]
+    return (
+        f"Energy of the wing {landscape.design.name} along its fold, with that of its membrane and the moment about the"
+        f" pleats beneath. Stable states: {'; '.join(states) or 'none'}. Saddles: {'; '.join(saddles) or 'none'}."
+    )

@@ -11,7 +11,7 @@ from forficula.dynamics import Record, versions
 from forficula.files import replacing_all, write_text
 from forficula.show.landscape_figure import draw_wing
 from forficula.show.levels_figure import draw_levels
-from forficula.show.style import save_figure
+from forficula.show.style import Drawing, save_figures
 from forficula.show.tendon_figure import draw_tendon
 from forficula.statics import EnergyLandscape, landscape_summary
 
@@ -40,7 +40,14 @@ def _write_files(landscape: EnergyLandscape, folder: Path, record: Record | None
     # what does not exist is null; not every reader of JSON knows NaN
     text = json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False)
     write_text(folder / "landscape.json", text + "\n")
+    save_figures(landscape_drawings(landscape, record), folder)
+
+
+def landscape_drawings(landscape: EnergyLandscape, record: Record | None = None) -> dict[str, Drawing]:
+    """What draws a landscape, by the stem of its file; a run that diverged is not drawn beside it."""
     drawn = record if record is not None and record.diverged_at is None else None
-    save_figure(draw_tendon(landscape, drawn), folder / "tendon.png")
-    save_figure(draw_wing(landscape), folder / "wing.png")
-    save_figure(draw_levels(landscape), folder / "levels.png")
+    return {
+        "tendon": lambda width: draw_tendon(landscape, drawn, width),
+        "wing": lambda width: draw_wing(landscape, width),
+        "levels": lambda width: draw_levels(landscape, width),
+    }

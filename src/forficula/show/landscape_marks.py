@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike
 
-from forficula.show.style import BLACK, GREEN
+from forficula.show.style import BLACK, GREEN, in_column
 from forficula.statics import EnergyLandscape
 
 _KINDS = {"stop": "s", "minimum": "o", "neutral": "o"}
@@ -63,14 +63,15 @@ def mark_barrier(axes: Axes, place: float, height: float, text: str) -> None:
         xytext=(place, 0),
         arrowprops={"arrowstyle": "<->", "lw": 0.7, "shrinkA": 0, "shrinkB": 0},
     )
-    axes.text(place, -0.12 * height, text, ha="center", va="top", fontsize=7)
+    words = text.replace(" ", "\n", 1) if in_column(axes) else text
+    axes.text(place, -0.12 * height, words, ha="center", va="top", fontsize=7)
 
 
 def write_note(axes: Axes, place: tuple[float, float], text: str, width: int = 44) -> None:
     """Write a sentence into a free place, in shares of the axes."""
     axes.text(
         *place,
-        textwrap.fill(text, width),
+        textwrap.fill(text, width // 2 if in_column(axes) else width),
         transform=axes.transAxes,
         ha="center",
         va="center",

@@ -13,15 +13,20 @@ from forficula.material.characterisation import Characterisation
 from forficula.material.fit import LawFit, Residual
 from forficula.quantities import reading_unit
 from forficula.show.material_units import stress_unit
-from forficula.show.style import BLACK, PAGE_WIDTH, SKY, VERMILION, figure_style
+from forficula.show.style import BLACK, PAGE_WIDTH, SKY, VERMILION, describe, figure_style, is_narrow
 
 _MINUTE, _HOUR = 60.0, 3600.0
+_SOME_ROWS = 1.5  # more than one
 
 
-def draw_fit(material: Characterisation) -> Figure:
+def draw_fit(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
     """Draw data and law over strain and over time, and the residual under both.
 
     Offset and drift of the force's zero, which the fit found beside the law, are taken off the data.
+
+    Args:
+        material: whose law and data are drawn.
+        width: of the figure, inch.
 
     Raises:
         InputError: there is no law.
@@ -34,7 +39,7 @@ def draw_fit(material: Characterisation) -> Figure:
     longest = max(float(each.time[-1]) for each in fit.residuals)
     time_unit, time = _time_unit(longest)
     with figure_style():
-        figure = Figure(figsize=(PAGE_WIDTH, 4.3), layout="constrained")
+        figure = Figure(figsize=(width, 4.3), layout="constrained")
         panels = figure.subplots(2, 2, sharex="col", sharey="row", height_ratios=[2.2, 1])
         middles = {each.test.name: (each.test.time[0] + each.test.time[-1]) / 2 for each in material.specimens}
         for each in fit.residuals:
@@ -51,9 +56,11 @@ def draw_fit(material: Characterisation) -> Figure:
         panels[1, 0].set_ylabel(f"law less\ndata ({unit})")
         panels[1, 0].set_xlabel("engineering strain (%)")
         panels[1, 1].set_xlabel(f"time ({time_unit})")
-        figure.suptitle(f"{fit.form.name}: off by {100 * fit.relative_misfit:.2g} % of the largest stress", fontsize=8)
-        _legend(figure, fit, f"{fit.misfit / factor:.2g} {unit}", shown.name)
-        return figure
+        end = ":\n" if is_narrow(width) else ": "
+        off = f"off by {100 * fit.relative_misfit:.2g} % of the largest stress"
+        figure.suptitle(f"{fit.form.name}{end}{off}", fontsize=8)
+        _legend(figure, material, fit, f"{fit.misfit / factor:.2g} {unit}", shown.name)
+        return describe(figure, _tell(material.name, fit))
 
 
 def _typical(fit: LawFit) -> Residual:
@@ -86,12 +93,22 @@ def _draw_data(panels: Any, residual: Residual, factor: float, time: float, midd
         panels[1, column].plot(across, left, color=SKY, lw=0.7, alpha=0.9)
 
 
-def _legend(figure: Figure, fit: LawFit, misfit: str, name: str) -> None:
+def _legend(figure: Figure, material: Characterisation, fit: LawFit, misfit: str, name: str) -> None:
     many = len(fit.residuals) > 1
     data = f"data of {len(fit.residuals)} specimens" if many else "data"
+    cycles = [cycle for each in material.specimens for cycle in each.cycles]
+    rows = sum(len(cycle.loading.time) + len(cycle.unloading.time) for cycle in cycles) / fit.points
+    means = f", means of {rows:.0f} rows" if rows >= _SOME_ROWS else ""
     handles = [
-        Line2D([], [], color=SKY, lw=1.6, label=f"{data}, zero of the force corrected"),
+        Line2D([], [], color=SKY, lw=1.6, label=f"{data}, zero of the force corrected{means}"),
         Line2D([], [], color=VERMILION, label=f"law along {name}" if many else "law"),
         Line2D([], [], color=BLACK, lw=0.7, ls=":", label=f"root mean square, {misfit}"),
     ]
-    figure.legend(handles=handles, loc="outside lower center", ncols=3)
+    columns, size = (1, 6) if is_narrow(figure.get_figwidth()) else (3, 7)
+    figure.legend(handles=handles, loc="outside lower center", ncols=columns, fontsize=size)
+
+
+def _tell(name: str, fit: LawFit) -> str:
+    """The fit in words."""
+    off = f"off by {100 * fit.relative_misfit:.2g} % of the largest stress"
+    return f"Measured stress of {name} over strain and time beside that of the fitted law. {fit.form.name}, {off}."

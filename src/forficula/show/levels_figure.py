@@ -8,9 +8,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from forficula.quantities import reading_unit
+from forficula.quantities import reading_unit, show_value
 from forficula.show.landscape_marks import write_note
-from forficula.show.style import BLACK, BLUE, ORANGE, PAGE_WIDTH, figure_style
+from forficula.show.style import BLACK, BLUE, ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
 from forficula.statics import EnergyLandscape
 from forficula.statics.partial_folds import PartialFold
 
@@ -19,11 +19,15 @@ _GAP = 0.8  # between groups, in bars
 _WORDS = {0: "none folded", 1: "one", 2: "two", 3: "three", 4: "four", 5: "five"}
 
 
-def draw_levels(landscape: EnergyLandscape) -> Figure:
+def draw_levels(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
     """Draw the energies of independent hinges, and of the wing let go with these hinges folded.
 
     Under every bar stand its veins, one above the other: filled where the hinge started folded, ringed where it came
     to rest on the other side of straight.
+
+    Args:
+        landscape: of a design.
+        width: of the figure, inch.
     """
     folds = landscape.partial_folds
     veins = len(landscape.tendons)
@@ -33,7 +37,7 @@ def draw_levels(landscape: EnergyLandscape) -> Figure:
     largest = max(float(landscape.levels.max()), *(fold.energy for fold in folds))
     unit, factor = reading_unit("J", largest)
     with figure_style():
-        figure = Figure(figsize=(PAGE_WIDTH, 3.1 + 0.13 * veins), layout="constrained")
+        figure = Figure(figsize=(width, 3.1 + 0.13 * veins), layout="constrained")
         top, bottom = figure.subplots(2, 1, sharex=True, height_ratios=[2.6, 0.13 * veins + 0.1])
         _plot_bars(top, folds, places, factor)
         for group in groups:
@@ -57,8 +61,8 @@ def draw_levels(landscape: EnergyLandscape) -> Figure:
         top.tick_params(axis="x", length=0)
         _plot_veins(bottom, folds, places, veins)
         top.set_xlim(places[0] - 1, places[-1] + 1)
-        figure.legend(handles=_handles(folds), loc="outside upper center", ncols=3)
-        return figure
+        figure.legend(handles=_handles(folds), loc="outside upper center", ncols=1 if is_narrow(width) else 3)
+        return describe(figure, _tell(landscape))
 
 
 def _heading(count: int, level: str, *, narrow: bool) -> str:
@@ -109,3 +113,14 @@ def _handles(folds: tuple[PartialFold, ...]) -> list[Line2D | Patch]:
             Line2D([], [], ls="none", marker="o", mfc="none", mec=BLACK, ms=7, label="this hinge changes sides"),
         ]
     return handles
+
+
+def _tell(landscape: EnergyLandscape) -> str:
+    """The levels in words."""
+    folds = landscape.partial_folds
+    levels = ", ".join(show_value(float(level), "J", 3) for level in landscape.levels)
+    return (
+        f"Energy that the wing {landscape.design.name} stores with some of its hinges folded. Of {len(folds)} ways to"
+        f" fold some of {len(landscape.tendons)} hinges {sum(fold.stable for fold in folds)} are stable; independent"
+        f" ideal hinges store {levels} with none to all of them folded."
+    )

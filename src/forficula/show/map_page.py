@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -20,7 +21,8 @@ from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from forficula.quantities import Unit, parse_quantity
-from forficula.show.style import BLUE, ORANGE, PAGE_WIDTH, PURPLE, SKY, figure_style
+from forficula.show.map_text import maps_text
+from forficula.show.style import BLUE, ORANGE, PAGE_WIDTH, PURPLE, SKY, describe, figure_style, is_narrow
 from forficula.study.static_map import BOTH, BOTH_LESS, BOTH_MORE, NEITHER, ONLY_SIMULATED, ONLY_STATIC
 
 if TYPE_CHECKING:
@@ -32,6 +34,9 @@ Array = NDArray[np.float64]
 _COLOURS = matplotlib.colormaps["cividis"]
 # beyond this many values a factor's cells are too small for numbers, and its ticks are thinned out
 _MOST_NUMBERS = 12
+# inch: beside the cells, and what a cell needs to hold a number
+_BESIDE, _TWO_DIGITS, _THREE_DIGITS = 0.9, 0.19, 0.23
+_SHAPE = {"handleheight": 1.4, "handlelength": 2.2, "fontsize": 7}
 _INK = "0.35"
 
 NOT_FOLDED = "did not fold"
@@ -132,7 +137,7 @@ def plain_name(factor: DataArray) -> str:
     return str(factor.attrs.get("key", factor.name)).removeprefix("protocol.").replace(".", " ").replace("_", " ")
 
 
-def _display(factor: DataArray) -> tuple[NDArray[Any], str]:
+def display_values(factor: DataArray) -> tuple[NDArray[Any], str]:
     """A factor's values in the unit for people, and that unit; words stay words."""
     values, si, display = factor.values, factor.attrs.get("units", ""), factor.attrs.get("display", "")
     if values.dtype.kind not in "iuf" or not si or not display or si == display:
@@ -147,12 +152,12 @@ def _number_text(value: object) -> str:
 
 def value_text(factor: DataArray, index: int) -> str:
     """A factor and one of its values, such as "tendon stiffness 10 N/cm"."""
-    values, unit = _display(factor)
+    values, unit = display_values(factor)
     return f"{plain_name(factor)} {_number_text(values[index].item())} {unit}".rstrip()
 
 
 def _label(factor: DataArray) -> str:
-    unit = _display(factor)[1]
+    unit = display_values(factor)[1]
     return f"{plain_name(factor)} ({unit})" if unit else plain_name(factor)
 
 
@@ -170,23 +175,39 @@ class _Scale:
 
 
 def draw_page(
-    view: View, panels: Sequence[Panel], *, one_scale: bool = False, quantity: str = "", note: str = ""
+    view: View,
+    panels: Sequence[Panel],
+    *,
+    one_scale: bool = False,
+    quantity: str = "",
+    note: str = "",
+    width: float = PAGE_WIDTH,
 ) -> Figure:
-    """All panels with their colour bars, a legend of what happened where there is no value, and the slice's name."""
-    columns = {1: 1, 2: 2, 4: 2}.get(len(panels), 3)
+    """All panels with their colour bars, a legend of what happened where there is no value, and the slice's name.
+
+    Args:
+        view: where they are drawn.
+        panels: to draw.
+        one_scale: whether their colours mean the same.
+        quantity: that they show.
+        note: written above them, after the view's.
+        width: of the figure at most, inch.
+    """
+    columns = _columns(len(panels), width)
     rows = math.ceil(len(panels) / columns)
     cells = not view.sampled and (view.y is not None or not panels[0].unit)
     across, upwards = view.table[view.x].size, view.table[view.y].size if view.y else 1
-    width = PAGE_WIDTH if columns > 1 else 0.6 * PAGE_WIDTH
-    height = float(np.clip((0.27 if rows == 1 else 0.21) * upwards, 0.9, 3.2)) if cells else 1.7
+    width = width if columns > 1 else min(width, 0.6 * PAGE_WIDTH)
+    height = float(np.clip((0.27 if rows == 1 else 0.21) * upwards, 0.9 if rows == 1 else 1.2, 3.2)) if cells else 1.7
     figure = Figure(figsize=(width, rows * (height + 0.5) + 0.75), layout="constrained")
     grid = figure.subplots(rows, columns, squeeze=False).ravel()
     scales = [_scale(panels)] * len(panels) if one_scale else [_scale([panel]) for panel in panels]
-    small = columns * across > 24
+    room = (width - _BESIDE) / columns / across
+    digits = 0 if max(across, upwards) > _MOST_NUMBERS or room < _TWO_DIGITS else 3 if room >= _THREE_DIGITS else 2
     for index, (axes, panel, scale) in enumerate(zip(grid, panels, scales, strict=False)):
-        axes.set_title(panel.title)
+        axes.set_title(_wrapped(panel.title, width / columns))
         if cells:
-            _draw_cells(axes, view, panel, scale, numbers=max(across, upwards) <= _MOST_NUMBERS, small=small)
+            _draw_cells(axes, view, panel, scale, digits)
         else:
             _draw_points(axes, view, panel, scale)
         if index + columns >= len(panels):
@@ -204,7 +225,19 @@ def draw_page(
     if text := ", ".join(part for part in (view.note, note) if part):
         figure.suptitle(text, fontsize=8)
     _legend(figure, panels, cells=cells)
-    return figure
+    factors = [plain_name(view.table[name]) for name in (view.y, view.x) if name]
+    return describe(figure, maps_text(quantity, factors, panels, [(scale.unit, scale.factor) for scale in scales]))
+
+
+def _wrapped(title: str, width: float) -> str:
+    """A title in lines that fit a width, inch."""
+    return textwrap.fill(title, max(12, int(13 * width)))
+
+
+def _columns(panels: int, width: float) -> int:
+    if is_narrow(width):
+        return 1 if panels <= 3 else 2
+    return {1: 1, 2: 2, 4: 2}.get(panels, 3)
 
 
 def _scale(panels: Sequence[Panel]) -> _Scale:
@@ -222,7 +255,11 @@ def _scale(panels: Sequence[Panel]) -> _Scale:
 
 def _colour_bar(figure: Figure, axes: list[Axes], label: str, scale: _Scale) -> None:
     mappable = ScalarMappable(scale.norm, _COLOURS)
-    bar = figure.colorbar(mappable, ax=axes, label=label, pad=0.015, aspect=25, fraction=0.06)
+    # beneath two narrow columns, which need all of the width
+    beneath = is_narrow(figure.get_figwidth()) and len(axes) > 3
+    bar = figure.colorbar(
+        mappable, ax=axes, label=label, pad=0.015, aspect=25, fraction=0.06, location="bottom" if beneath else "right"
+    )
     bar.outline.set_visible(False)
 
 
@@ -249,8 +286,10 @@ def _legend(figure: Figure, panels: Sequence[Panel], *, cells: bool) -> None:
         else:
             handles.append(Line2D([], [], ls="", marker=look.marker, color=_ink(look), ms=5, label=word))
     if handles:
+        narrow = is_narrow(figure.get_figwidth())
         columns = min(len(handles), 4 if figure.get_figwidth() >= PAGE_WIDTH else 2)
-        figure.legend(handles=handles, loc="outside lower center", ncols=columns, handleheight=1.4, handlelength=2.2)
+        shape = {"handleheight": 1.3, "handlelength": 1.6, "fontsize": 6} if narrow and len(handles) > 4 else _SHAPE
+        figure.legend(handles=handles, loc="outside lower center", ncols=columns, **shape)
 
 
 def _ink(look: _Look) -> str:
@@ -258,7 +297,7 @@ def _ink(look: _Look) -> str:
     return look.face if look.face in (BLUE, SKY) else _INK
 
 
-def _draw_cells(axes: Axes, view: View, panel: Panel, scale: _Scale, *, numbers: bool, small: bool) -> None:
+def _draw_cells(axes: Axes, view: View, panel: Panel, scale: _Scale, digits: int) -> None:
     """A cell for each pair of values, evenly spaced whatever the values are."""
     order = [name for name in (view.y, view.x) if name]
     panel = Panel(
@@ -282,18 +321,18 @@ def _draw_cells(axes: Axes, view: View, panel: Panel, scale: _Scale, *, numbers:
             edgecolor="white" if look.face == "0.86" else _INK,
             linewidth=0.25,
         )
-    if numbers:
-        _write_numbers(axes, values, scale, size=5 if small else 6)
+    if digits:
+        _write_numbers(axes, values, scale, digits)
     axes.set(xlim=edges[0][[0, -1]], ylim=edges[1][[0, -1]])
     axes.tick_params(length=0)
     for name, axis in ((view.x, axes.xaxis), (view.y, axes.yaxis)):
-        shown_values = _display(view.table[name])[0] if name else np.array([])
+        shown_values = display_values(view.table[name])[0] if name else np.array([])
         step = math.ceil(len(shown_values) / _MOST_NUMBERS) or 1
         places = range(0, len(shown_values), step)
         axis.set_ticks(list(places), [_number_text(shown_values[place].item()) for place in places])
 
 
-def _write_numbers(axes: Axes, values: Array, scale: _Scale, *, size: float) -> None:
+def _write_numbers(axes: Axes, values: Array, scale: _Scale, digits: int) -> None:
     """Every value in its cell, with the digits that the largest one allows, in the ink that shows on its colour."""
     largest = float(np.nanmax(np.abs(values), initial=0.0))
     decimals = 3 - math.floor(math.log10(largest)) if largest else 0
@@ -301,14 +340,14 @@ def _write_numbers(axes: Axes, values: Array, scale: _Scale, *, size: float) -> 
         if np.isfinite(value):
             red, green, blue, _ = _COLOURS(scale.norm(value))
             light = 0.299 * red + 0.587 * green + 0.114 * blue > 0.5
-            text = _short(round(value, decimals) + 0.0)
-            axes.text(column, row, text, ha="center", va="center", fontsize=size, color="black" if light else "white")
+            text = _short(round(value, decimals) + 0.0, digits)
+            axes.text(column, row, text, ha="center", va="center", fontsize=6, color="black" if light else "white")
 
 
-def _short(value: float) -> str:
-    """Three digits, or two where a cell has no room for them."""
-    text = f"{value:.3g}"
-    return text if len(text) <= 4 else f"{value:.2g}"
+def _short(value: float, digits: int) -> str:
+    """So many digits, or one less where a cell has no room for them; whole numbers whole."""
+    text = f"{value:.{digits}g}" if abs(value) < 10**digits else f"{value:.0f}"
+    return text if len(text) <= 4 else f"{value:.{digits - 1}g}"
 
 
 def _draw_points(axes: Axes, view: View, panel: Panel, scale: _Scale) -> None:
@@ -350,7 +389,7 @@ def _draw_points(axes: Axes, view: View, panel: Panel, scale: _Scale) -> None:
 
 def _positions(axes: Axes, view: View, which: str) -> Array:
     """Where a factor's values lie on an axis: at their size, or words one after another."""
-    values, _ = _display(view.table[view.x if which == "x" else str(view.y)])
+    values, _ = display_values(view.table[view.x if which == "x" else str(view.y)])
     if values.dtype.kind in "iuf":
         return values.astype(float)
     words, places = np.unique(values.astype(str), return_inverse=True)

@@ -25,6 +25,7 @@ from forficula.show.map_page import (
     plain_name,
     value_text,
 )
+from forficula.show.style import PAGE_WIDTH, Drawing
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
@@ -34,78 +35,88 @@ _MOST_PANELS = 9
 _GOES_ON = ("folded", "folded and opened", NOT_OPENED)
 
 
-def study_figures(table: Dataset) -> dict[str, Figure]:
-    """Draw every figure that a study's table has the numbers for.
+def study_drawings(table: Dataset) -> dict[str, Drawing]:
+    """Find every figure that a study's table has the numbers for.
 
     Args:
         table: of the search for the least torques or of plain runs, over a grid of factors or over samples.
 
     Returns:
-        Figures by the stem of their file.
+        What draws them, by the stem of their file.
     """
-    figures = {"status": draw_status_map(table)}
+    drawings: dict[str, Drawing] = {"status": lambda width: draw_status_map(table, width=width)}
     if "least_fold_torque" in table:
-        figures["torques"] = draw_torque_maps(table)
+        drawings["torques"] = lambda width: draw_torque_maps(table, width=width)
     if _known(table, "fold_work", "unfold_work"):
-        figures["works"] = draw_work_maps(table)
+        drawings["works"] = lambda width: draw_work_maps(table, width=width)
     if _known(table, "flat_energy", "folded_energy", "opened_energy"):
-        figures["energies"] = draw_energy_maps(table)
+        drawings["energy"] = lambda width: draw_energy_maps(table, width=width)
     if "fold_time_by_torque" in table and not _is_sampled(table):
-        figures["fold_times"] = draw_fold_times(table)
-    return figures
+        drawings["fold_times"] = lambda width: draw_fold_times(table, width=width)
+    return drawings
 
 
-def draw_torque_maps(table: Dataset, x: str | None = None, y: str | None = None) -> Figure:
+def draw_torque_maps(
+    table: Dataset, x: str | None = None, y: str | None = None, *, width: float = PAGE_WIDTH
+) -> Figure:
     """Draw the least torques that fold and unfold, and why there is none where there is none.
 
     Args:
         table: of a search for the least torques.
         x: factor across, such as "tendon.rest_length"; by default the second.
         y: factor upwards; by default the first.
+        width: of the figure at most, inch.
 
     Raises:
         InputError: the table has no such factor.
     """
     names = {"least_fold_torque": "least fold torque", "least_unfold_torque": "least unfold torque"}
-    return _draw(table, x, y, names, "torque")
+    return _draw(table, x, y, names, "torque", width=width)
 
 
-def draw_work_maps(table: Dataset, x: str | None = None, y: str | None = None) -> Figure:
+def draw_work_maps(table: Dataset, x: str | None = None, y: str | None = None, *, width: float = PAGE_WIDTH) -> Figure:
     """Draw the work that folding and unfolding take, at the least torques where these were searched for.
 
     Args and errors are those of `draw_torque_maps`.
     """
-    return _draw(table, x, y, {"fold_work": "work of folding", "unfold_work": "work of unfolding"}, "work")
+    return _draw(table, x, y, {"fold_work": "work of folding", "unfold_work": "work of unfolding"}, "work", width=width)
 
 
-def draw_energy_maps(table: Dataset, x: str | None = None, y: str | None = None) -> Figure:
+def draw_energy_maps(
+    table: Dataset, x: str | None = None, y: str | None = None, *, width: float = PAGE_WIDTH
+) -> Figure:
     """Draw the tendons' energy in the three states on one scale (Binder et al. 2025, Figure 8).
 
     Args and errors are those of `draw_torque_maps`.
     """
     names = {"flat_energy": "energy when flat", "folded_energy": "energy when folded"}
-    return _draw(table, x, y, names | {"opened_energy": "energy when opened"}, "tendons' energy", one_scale=True)
+    return _draw(
+        table, x, y, names | {"opened_energy": "energy when opened"}, "tendons' energy", one_scale=True, width=width
+    )
 
 
-def draw_status_map(table: Dataset, x: str | None = None, y: str | None = None) -> Figure:
+def draw_status_map(table: Dataset, x: str | None = None, y: str | None = None, *, width: float = PAGE_WIDTH) -> Figure:
     """Draw what became of every wing.
 
     Args and errors are those of `draw_torque_maps`.
     """
     with map_style():
         view = table_view(table, x, y)
-        verdicts = _words(view.table["status"])
+        verdicts = verdict_words(view.table["status"])
         nothing = verdicts.copy(data=np.full(verdicts.shape, np.nan))
-        return draw_page(view, [Panel(title="outcome", values=nothing, reasons=verdicts, unit="")])
+        return draw_page(view, [Panel(title="outcome", values=nothing, reasons=verdicts, unit="")], width=width)
 
 
-def draw_fold_times(table: Dataset, panels: str | None = None, y: str | None = None) -> Figure:
+def draw_fold_times(
+    table: Dataset, panels: str | None = None, y: str | None = None, *, width: float = PAGE_WIDTH
+) -> Figure:
     """Draw the time that folding takes over the fold torque and a factor, for values of another (the paper's Figure 7).
 
     Args:
         table: of a search for the least torques over a grid.
         panels: factor with one panel a value; by default the first of several. Of many values, some are drawn.
         y: factor upwards; by default the second, or the only one.
+        width: of the figure, inch.
 
     Raises:
         InputError: the table has no such factor, or has samples.
@@ -126,7 +137,10 @@ def draw_fold_times(table: Dataset, panels: str | None = None, y: str | None = N
         reasons = times.copy(data=np.full(times.shape, NOT_FOLDED))
         if panels is None:
             return draw_page(
-                view, [Panel(title="fold time", values=times, reasons=reasons, unit="s")], quantity="fold time"
+                view,
+                [Panel(title="fold time", values=times, reasons=reasons, unit="s")],
+                quantity="fold time",
+                width=width,
             )
         count = table.sizes[panels]
         chosen = np.unique(np.linspace(0, count - 1, min(count, _MOST_PANELS)).round().astype(int))
@@ -140,20 +154,29 @@ def draw_fold_times(table: Dataset, panels: str | None = None, y: str | None = N
             for index in chosen
         ]
         few = f"{len(chosen)} of {count} values of {plain_name(table[panels])}" if len(chosen) < count else ""
-        return draw_page(view, drawn, one_scale=True, quantity="fold time", note=few)
+        return draw_page(view, drawn, one_scale=True, quantity="fold time", note=few, width=width)
 
 
 def _draw(
-    table: Dataset, x: str | None, y: str | None, names: dict[str, str], quantity: str, *, one_scale: bool = False
+    table: Dataset,
+    x: str | None,
+    y: str | None,
+    names: dict[str, str],
+    quantity: str,
+    *,
+    width: float,
+    one_scale: bool = False,
 ) -> Figure:
     """A page with a panel a variable."""
     with map_style():
         view = table_view(table, x, y)
         panels = [
-            Panel(title=title, values=view.table[name], reasons=_reasons(view.table, name), unit=_unit(table, name))
+            Panel(
+                title=title, values=view.table[name], reasons=missing_reasons(view.table, name), unit=_unit(table, name)
+            )
             for name, title in names.items()
         ]
-        return draw_page(view, panels, one_scale=one_scale, quantity=quantity)
+        return draw_page(view, panels, one_scale=one_scale, quantity=quantity, width=width)
 
 
 # ---- the table: its factors, what is drawn of it, and why a value is missing
@@ -214,7 +237,7 @@ def _unit(table: Dataset, name: str) -> str:
     return str(table[name].attrs.get("units", ""))
 
 
-def _words(statuses: DataArray) -> DataArray:
+def verdict_words(statuses: DataArray) -> DataArray:
     """Statuses without their numbers: "stuck at -134.6 deg" is one of many that are stuck."""
     return statuses.copy(data=np.vectorize(_word, otypes=[object])(statuses.values))
 
@@ -232,11 +255,11 @@ def _word(status: str) -> str:
     return next((word for beginning, word in beginnings.items() if status.startswith(beginning)), status)
 
 
-def _reasons(table: Dataset, name: str) -> DataArray:
+def missing_reasons(table: Dataset, name: str) -> DataArray:
     """Why a variable has no value, wherever it has none."""
     status = table["status"]
     if name == "flat_energy":
-        return _words(status)
+        return verdict_words(status)
     folding = table.get("fold_status", status)
     if name in ("least_fold_torque", "fold_time", "fold_work", "folded_energy"):
         return folding.copy(data=np.vectorize(_why_not_folded, otypes=[object])(folding.values))

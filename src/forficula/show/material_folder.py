@@ -13,9 +13,9 @@ from forficula.show.cycles_figure import draw_cycles
 from forficula.show.drift_figure import draw_drift
 from forficula.show.law_figure import draw_fit
 from forficula.show.modulus_figure import draw_moduli
-from forficula.show.style import save_figure
+from forficula.show.style import Drawing, figure_files, save_figures
 
-LAW_FILE, FIT_FIGURE = "tendon_law.toml", "fit.png"
+LAW_FILE = "tendon_law.toml"
 
 
 def write_material(material: Characterisation, folder: Path) -> None:
@@ -32,7 +32,7 @@ def write_material(material: Characterisation, folder: Path) -> None:
     with replacing_all(folder) as unfinished:
         _write_files(material, unfinished)
     if material.law is None:
-        for name in (LAW_FILE, FIT_FIGURE):
+        for name in (LAW_FILE, *figure_files("fit")):
             (folder / name).unlink(missing_ok=True)
 
 
@@ -42,7 +42,16 @@ def _write_files(material: Characterisation, folder: Path) -> None:
     write_text(folder / "material.json", text + "\n")
     if material.law is not None:
         save_law(material.law, folder / LAW_FILE)
-        save_figure(draw_fit(material), folder / FIT_FIGURE)
-    save_figure(draw_cycles(material), folder / "cycles.png")
-    save_figure(draw_moduli(material), folder / "modulus.png")
-    save_figure(draw_drift(material), folder / "drift.png")
+    save_figures(material_drawings(material), folder)
+
+
+def material_drawings(material: Characterisation) -> dict[str, Drawing]:
+    """What draws a material, by the stem of its file."""
+    drawings: dict[str, Drawing] = {
+        "cycles": lambda width: draw_cycles(material, width),
+        "modulus": lambda width: draw_moduli(material, width),
+        "drift": lambda width: draw_drift(material, width),
+    }
+    if material.law is not None:
+        drawings["fit"] = lambda width: draw_fit(material, width)
+    return drawings

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from typing import Any, Literal
 
 import numpy as np
@@ -14,7 +15,7 @@ from matplotlib.ticker import FuncFormatter
 from forficula.material.characterisation import AREA, LENGTH, Characterisation
 from forficula.material.modulus import ModulusClass
 from forficula.quantities import show_quantity
-from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, VERMILION, figure_style
+from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, in_column, is_narrow
 
 Kind = Literal["secant_modulus", "local_modulus"]
 
@@ -26,13 +27,19 @@ _NAMES: dict[Kind, str] = {
     "local_modulus": "local modulus,\nd stress / d strain (MPa)",
 }
 _MPA = 1e6
+_COLUMN_LINE = 54  # letters of a line in a column
 _GAP = 0.2  # between the two boxes of a class and its middle, in classes
 
 
-def draw_moduli(material: Characterisation) -> Figure:
-    """Draw secant and local moduli by class of strain, loading beside unloading, with the moduli that folding needs."""
+def draw_moduli(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
+    """Draw secant and local moduli by class of strain, loading beside unloading, with the moduli that folding needs.
+
+    Args:
+        material: whose moduli are drawn.
+        width: of the figure, inch.
+    """
     with figure_style():
-        figure = Figure(figsize=(PAGE_WIDTH, 5.2), layout="constrained")
+        figure = Figure(figsize=(width, 5.2), layout="constrained")
         panels = figure.subplots(2, 1, sharex=True, sharey=True)
         kinds: tuple[Kind, Kind] = ("secant_modulus", "local_modulus")
         for axes, kind in zip(panels, kinds, strict=True):
@@ -46,7 +53,7 @@ def draw_moduli(material: Characterisation) -> Figure:
         panels[0].tick_params(axis="x", length=0)
         panels[1].set_xlabel("engineering strain, in classes (%)")
         _legend(figure, material)
-        return figure
+        return describe(figure, _tell(material))
 
 
 def _place(low: float, high: float) -> float:
@@ -119,6 +126,8 @@ def _classes(axes: Axes, material: Characterisation) -> None:
     classes = sorted({(each.from_strain, each.to_strain) for each in material.pooled})
     places = [_place(low, high) for low, high in classes]
     axes.set_xticks(places, [f"{100 * low:g}–{100 * high:g}" for low, high in classes])
+    if in_column(axes):
+        axes.tick_params(axis="x", rotation=90)
     axes.set_xlim(places[0] - 0.5, places[-1] + 0.5)
     for each in axes.figure.axes:
         for place in places[1:]:
@@ -139,4 +148,21 @@ def _legend(figure: Figure, material: Characterisation) -> None:
     count = max(each.values for each in material.pooled)
     what = f"box: quartiles, line: median, whiskers: extremes of up to {count} values, one a specimen and cycle"
     note = f"{what}; linear scale below {_straight(material):g} MPa"
-    figure.legend(handles=handles, loc="outside upper center", ncols=3, title=note, title_fontsize=7)
+    narrow = is_narrow(figure.get_figwidth())
+    if narrow:
+        note = textwrap.fill(note, _COLUMN_LINE)
+    columns = 1 if narrow else 3
+    figure.legend(handles=handles, loc="outside upper center", ncols=columns, title=note, title_fontsize=7)
+
+
+def _tell(material: Characterisation) -> str:
+    """The secant moduli in words."""
+    told = []
+    for way in _LOOKS:
+        medians = [each.secant_modulus.median / _MPA for each in material.pooled if each.way == way]
+        told.append(f"when {way} {min(medians):.3g} to {max(medians):.3g} MPa")
+    low, high = (modulus / _MPA for modulus in material.simulated_moduli)
+    return (
+        f"Moduli of {material.name} by class of strain. Median secant moduli {' and '.join(told)};"
+        f" tendons of 10 to 60 N/cm need {low:.3g} to {high:.3g} MPa."
+    )

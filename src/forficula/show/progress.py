@@ -68,6 +68,25 @@ def study_progress() -> Iterator[Callable[[int, int, dict[str, Any]], None]]:
         )
 
 
+@contextmanager
+def film_progress() -> Iterator[Callable[[int, int], None]]:
+    """Show how many pictures of a film are drawn: a bar on a terminal, a line every 10 s elsewhere."""
+    console = Console(stderr=True, highlight=False)
+    if not console.is_terminal:
+        last = [monotonic()]
+
+        def line(done: int, all_of_them: int) -> None:
+            if monotonic() - last[-1] > 10:
+                last[-1] = monotonic()
+                console.print(f"{done} of {all_of_them} pictures")
+
+        yield line
+        return
+    with Progress(console=console, transient=True) as bar:
+        task = bar.add_task("film")
+        yield lambda done, all_of_them: bar.update(task, completed=done, total=all_of_them)
+
+
 def _end(row: dict[str, Any]) -> str:
     """What became of a run, in a word or two."""
     if row.get("folded"):

@@ -7,8 +7,7 @@ from pathlib import Path
 
 from forficula.analysis import Outcome, summary
 from forficula.design import save_design
-from forficula.dynamics import Record, compile_wing, load_record, save_record, versions
-from forficula.errors import InputError
+from forficula.dynamics import Record, compile_wing, save_record, versions
 from forficula.files import replacing_all, write_text
 from forficula.show.folding_figure import draw_folding
 from forficula.show.page import write_run_page
@@ -39,21 +38,6 @@ def _write_files(record: Record, outcome: Outcome, folder: Path) -> None:
     write_text(folder / "summary.json", json.dumps(summary(record, outcome, versions()), indent=2) + "\n")
     save_figures(run_drawings(record, outcome), folder)
     write_run_page(record, outcome, folder / "report.html")
-
-
-def read_run(folder: Path) -> Record:
-    """Read the record of a run from its folder.
-
-    Raises:
-        InputError: there is no such folder, it holds no run, or the record cannot be read.
-    """
-    if not folder.is_dir():
-        what = "a file" if folder.exists() else "no such folder"
-        raise InputError(f"{folder}: need the folder of a run, as forficula run writes it, got {what}")
-    path = folder / "record.nc"
-    if not path.is_file():
-        raise InputError(f"{folder}: holds no run: record.nc is missing; write it with forficula run --out {folder}")
-    return load_record(path)
 
 
 def run_drawings(record: Record, outcome: Outcome) -> dict[str, Drawing]:

@@ -11,13 +11,15 @@ from forficula.design import Design
 from forficula.errors import InputError
 from forficula.files import write_bytes, write_text
 from forficula.show.static_maps import draw_static_maps
-from forficula.show.style import save_figure
+from forficula.show.style import PAGE_WIDTH, Drawing, save_figures
 from forficula.study import Study, table_csv
 from forficula.study.static_map import compare_maps
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
+# the table that the map was compared with, so that the figure can be drawn again
+SIMULATED = "simulated.nc"
 _VERBS = {"least_fold_torque": "fold", "least_unfold_torque": "open"}
 
 
@@ -57,10 +59,20 @@ def write_static_map(study: Study, table: Dataset, folder: Path, simulated: Data
     Raises:
         InputError: a file cannot be written, or the two have different factors.
     """
-    figure = draw_static_maps(table, simulated)
+    drawings = static_map_drawings(table, simulated)
+    drawings["map"](PAGE_WIDTH)  # before anything is written: the two may not fit
     write_text(folder / "map.csv", table_csv(study, table))
     write_bytes(folder / "map.nc", table.to_netcdf(engine="h5netcdf"))
-    save_figure(figure, folder / "map.png")
+    if simulated is None:
+        (folder / SIMULATED).unlink(missing_ok=True)
+    else:
+        write_bytes(folder / SIMULATED, simulated.to_netcdf(engine="h5netcdf"))
+    save_figures(drawings, folder)
+
+
+def static_map_drawings(table: Dataset, simulated: Dataset | None = None) -> dict[str, Drawing]:
+    """What draws a static map, by the stem of its file."""
+    return {"map": lambda width: draw_static_maps(table, simulated, width)}
 
 
 def print_static_map(table: Dataset, simulated: Dataset | None = None) -> None:

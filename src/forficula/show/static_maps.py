@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 
 from forficula.show.map_page import NOT_BUILT, NOT_FOLDED, NOT_OPENED, NOT_TRIED, Panel, View, draw_page, map_style
 from forficula.show.maps import table_view
+from forficula.show.style import PAGE_WIDTH, is_narrow
 from forficula.study.static_map import NOT_SIMULATED, compare_maps, simulated_values
 
 if TYPE_CHECKING:
@@ -17,13 +18,14 @@ if TYPE_CHECKING:
 _TORQUES = {"least_fold_torque": ("folds", NOT_FOLDED), "least_unfold_torque": ("opens", NOT_OPENED)}
 
 
-def draw_static_maps(statics: Dataset, simulated: Dataset | None = None) -> Figure:
+def draw_static_maps(statics: Dataset, simulated: Dataset | None = None, width: float = PAGE_WIDTH) -> Figure:
     """Draw the least slowly growing torques that fold and that open, over the first two factors.
 
     Args:
         statics: from `static_map`.
         simulated: table of a search for the least torques with the same factors; its torques come beside, and the
             cells in which the two differ.
+        width: of the figure at most, inch.
 
     Raises:
         InputError: the tables have different factors.
@@ -32,7 +34,7 @@ def draw_static_maps(statics: Dataset, simulated: Dataset | None = None) -> Figu
         if simulated is None:
             view = table_view(statics)
             panels = [_panel(view, name, f"{verb} under a slow torque") for name, (verb, _) in _TORQUES.items()]
-            return draw_page(view, panels, quantity="torque", one_scale=True)
+            return draw_page(view, panels, quantity="torque", one_scale=True, width=width)
         extra = {}
         for name in _TORQUES:
             extra[f"simulated_{name}"] = simulated_values(statics, simulated, name)
@@ -48,7 +50,9 @@ def draw_static_maps(statics: Dataset, simulated: Dataset | None = None) -> Figu
                 _panel(view, name, f"{verb}, simulated", simulated=True),
                 _verdicts(view, name, verb),
             ]
-        return draw_page(view, panels, quantity="torque", one_scale=True)
+        if is_narrow(width):  # folding in the left column, opening in the right one
+            panels = [panels[place] for place in (0, 3, 1, 4, 2, 5)]
+        return draw_page(view, panels, quantity="torque", one_scale=True, width=width)
 
 
 def _panel(view: View, name: str, title: str, simulated: bool = False) -> Panel:

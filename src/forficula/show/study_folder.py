@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from forficula.files import write_bytes, write_text
-from forficula.show.maps import study_figures
-from forficula.show.style import save_figure
+from forficula.show.maps import study_drawings
+from forficula.show.page.study_page import write_study_page
+from forficula.show.style import save_figures
 from forficula.study import Study, table_csv
 from forficula.study.comparison import compare_with_paper, comparison_json, comparison_markdown
+from forficula.study.kept_runs import KeptRun
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -32,9 +35,25 @@ def write_study(study: Study, table: Dataset, folder: Path) -> None:
     """
     write_text(folder / "table.csv", table_csv(study, table))
     write_bytes(folder / "table.nc", table.to_netcdf(engine="h5netcdf"))
-    for stem, figure in study_figures(table).items():
-        save_figure(figure, folder / f"{stem}.png")
+    save_figures(study_drawings(table), folder)
     if study.name == _PAPERS_SEARCH:
         rows = compare_with_paper(table)
         write_text(folder / "comparison.md", comparison_markdown(rows))
         write_text(folder / "comparison.json", json.dumps(comparison_json(rows), indent=2) + "\n")
+
+
+def write_study_report(study: Study, table: Dataset, kept: Iterable[KeptRun], count: int, folder: Path) -> None:
+    """Write the study as one page, `report.html`.
+
+    Args:
+        study: what was asked.
+        table: what came out.
+        kept: the runs that can be played, taken one after another.
+        count: how many these are.
+        folder: of the study.
+
+    Raises:
+        InputError: it cannot be written.
+    """
+    compared = compare_with_paper(table) if study.name == _PAPERS_SEARCH else ()
+    write_study_page(study, table, folder / "report.html", kept, count, compared)

@@ -34,6 +34,7 @@ def print_study(study: Study, table: Dataset) -> None:
         torques = table[name].values[np.isfinite(table[name].values)]
         if len(torques):
             low, high = (show_quantity(float(each), TORQUE) for each in (torques.min(), torques.max()))
-            print(f"{len(torques)} of {len(study.points)} {what}, with {low} to {high}")
+            between = low if low == high else f"{low} to {high}"
+            print(f"{len(torques)} of {len(study.points)} {what}, with {between}")
         else:
             print(f"none of {len(study.points)} {what}")

@@ -67,7 +67,7 @@ def _states(outcome: Outcome) -> RenderableType:
 
 def state_angle(state: State, vein: int) -> str:
     """Mean distal angle of a vein, deg, and half the envelope where the hinge still swings."""
-    mean = np.degrees(state.distal_angle[vein])
+    mean = round(float(np.degrees(state.distal_angle[vein])), 1) + 0.0  # adding 0 turns -0 into 0
     swing = np.degrees(state.distal_angle_high[vein] - state.distal_angle_low[vein]) / 2
     return f"{mean:.1f} ± {swing:.1f}" if swing > 0.05 else f"{mean:.1f}"
 

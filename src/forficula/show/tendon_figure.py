@@ -14,9 +14,21 @@ from numpy.typing import NDArray
 
 from forficula.analysis.simulated_snap import SECOND
 from forficula.dynamics import Record
-from forficula.quantities import reading_unit
+from forficula.quantities import reading_unit, show_value
 from forficula.show.landscape_marks import mark_barrier, mark_state, show_angle, state_handles, write_note
-from forficula.show.style import BLUE, GREEN, ORANGE, PAGE_WIDTH, PURPLE, SKY, VERMILION, figure_style
+from forficula.show.style import (
+    BLUE,
+    GREEN,
+    ORANGE,
+    PAGE_WIDTH,
+    PURPLE,
+    SKY,
+    VERMILION,
+    describe,
+    figure_style,
+    in_column,
+    is_narrow,
+)
 from forficula.statics import EnergyLandscape, HingeLandscape
 
 Array = NDArray[np.float64]
@@ -29,18 +41,19 @@ _INSET = (0.62, 0.58, 0.34, 0.40)
 _WIDE_BOWL = 50.0  # of a moment, beside or within which there is room for words, deg
 
 
-def draw_tendon(landscape: EnergyLandscape, record: Record | None = None) -> Figure:
+def draw_tendon(landscape: EnergyLandscape, record: Record | None = None, width: float = PAGE_WIDTH) -> Figure:
     """Draw energy and moment of one tendon over its distal angle.
 
     Args:
         landscape: of a design.
         record: a run of it, whose second tendon is drawn on top; it must not have diverged.
+        width: of the figure, inch.
     """
     wing = landscape.tendons[SECOND]
     energy_unit, energy_factor = reading_unit("J", float(landscape.hinge.energy.max()))
     torque_unit, torque_factor = reading_unit("N m", float(np.abs(landscape.hinge.moment).max()))
     with figure_style():
-        figure = Figure(figsize=(PAGE_WIDTH, 5.0), layout="constrained")
+        figure = Figure(figsize=(width, 5.0), layout="constrained")
         top, bottom = figure.subplots(2, 1, sharex=True, height_ratios=[1.3, 1])
         for hinge, name, style in _curves(landscape):
             angle = np.degrees(hinge.angle)
@@ -57,14 +70,15 @@ def draw_tendon(landscape: EnergyLandscape, record: Record | None = None) -> Fig
         _shade_stops(wing, top, bottom)
         top.set_ylabel(f"tendon energy ({energy_unit})")
         bottom.set_ylabel(f"moment about the hinge,\npositive opens ({torque_unit})")
-        bottom.set_xlabel("distal angle (deg): overbend > 0, straight 0, folding < 0")
+        meaning = "overbend > 0, straight 0, folding < 0"
+        bottom.set_xlabel(f"distal angle (deg){':' if not is_narrow(width) else chr(10)} {meaning}")
         handles, _ = top.get_legend_handles_labels()
         simulated = [handle for handle in handles if handle.get_label().startswith("simulated")]
         curves = [handle for handle in handles if handle not in simulated]
         stops = Patch(color=_STOP, label="beyond the stops")
         handles = [*curves, stops, *simulated, *state_handles({state.kind for state in wing.states})]
-        figure.legend(handles=handles, loc="outside upper center", ncols=3)
-        return figure
+        figure.legend(handles=handles, loc="outside upper center", ncols=1 if is_narrow(width) else 3)
+        return describe(figure, _tell(landscape))
 
 
 def _curves(landscape: EnergyLandscape) -> Iterator[tuple[HingeLandscape, str, dict[str, Any]]]:
@@ -136,7 +150,8 @@ def _mark_moments(axes: Axes, hinge: HingeLandscape, unit: str, factor: float) -
     axes.plot(at, -largest, "o", color=BLUE, ms=4)
     end = -math.degrees(limit if slack is None else -slack)
     words = f"peak against opening:\n{largest:.4g} {unit}\nat {show_angle(peak.angle)}"
-    if -end > _WIDE_BOWL:
+    column = in_column(axes)
+    if -end > _WIDE_BOWL * (2 if column else 1):
         axes.text(at, -0.55 * largest, words, ha="center", va="center", fontsize=7)
     else:
         axes.text(end - 3, -0.7 * largest, words, ha="left", va="center", fontsize=7)
@@ -145,7 +160,8 @@ def _mark_moments(axes: Axes, hinge: HingeLandscape, unit: str, factor: float) -
         place = (math.degrees(hinge.hinge.overbend), factor * hinge.holding_torque)
         axes.plot(*place, "o", color=BLUE, ms=4)
         words = f"presses onto its stop: {factor * hinge.holding_torque:.4g} {unit}"
-        axes.annotate(words, place, xytext=(16, 7), **beside)
+        # in a column above the words on the slack range, which begins near
+        axes.annotate(words, place, xytext=(10, 12) if column else (16, 7), **beside)
     if slack is not None and -slack < limit - math.radians(0.1):
         axes.plot(math.degrees(slack), 0, "o", color=BLUE, ms=4)
         axes.annotate(f"slack beyond {show_angle(slack)}", (math.degrees(slack), 0), xytext=(4, 9), **beside)
@@ -186,3 +202,19 @@ def _shade_stops(hinge: HingeLandscape, *rows: Axes) -> None:
     rows[0].set_ylim(bottom=0)
     if not hinge.hinge.pulls:
         rows[0].set(ylim=(0, 1), yticks=[0])
+
+
+def _tell(landscape: EnergyLandscape) -> str:
+    """One tendon in words."""
+    hinge = landscape.tendons[SECOND]
+    told = [f"up to {show_value(float(hinge.energy.max()), 'J')} are stored"]
+    if hinge.barrier is not None:
+        told.append(f"the barrier from the overbend stop to straight is {show_value(hinge.barrier, 'J')}")
+    if hinge.holding_torque is not None:
+        told.append(f"the holding torque onto that stop {show_value(hinge.holding_torque, 'N m')}")
+    states = ", ".join(show_angle(state.angle) for state in hinge.states) or "none"
+    name = landscape.design.name
+    return (
+        f"Energy and moment of one tendon of {name} over its distal angle. In the wing {', '.join(told)};"
+        f" stable states: {states}."
+    )

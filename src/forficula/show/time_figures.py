@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
 from forficula.analysis import Outcome
 from forficula.dynamics import Record, StageEnd
-from forficula.quantities import reading_unit
+from forficula.quantities import reading_unit, show_value
 from forficula.show.style import (
     BLACK,
     BLUE,
@@ -19,18 +20,22 @@ from forficula.show.style import (
     PURPLE,
     SKY,
     VERMILION,
+    describe,
     figure_style,
+    is_narrow,
 )
+
+Array = NDArray[np.float64]
 
 _VEIN_COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK)
 # before and after a driven stage, as a share of it
 _LEAD = 0.15
 
 
-def draw_angles(record: Record, outcome: Outcome) -> Figure:
-    """Draw the distal angles over time with the three states marked."""
+def draw_angles(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) -> Figure:
+    """Draw the distal angles over time with the three states marked, in a figure of a width in inch."""
     with figure_style():
-        figure, rows = _layout(record, ["distal angle (deg)"], height=2.7)
+        figure, rows = _layout(record, ["distal angle (deg)"], width, height=2.5)
         for axes, (start, scale) in zip(rows[0], _spans(record), strict=True):
             time = _time(record, start, scale)
             for vein, angle in enumerate(np.degrees(record.data["distal_angle"].values.T)):
@@ -40,39 +45,16 @@ def draw_angles(record: Record, outcome: Outcome) -> Figure:
             axes.set_yticks(np.arange(-180, 1, 45))
             _shade_stages(axes, record, start, scale)
         _mark_states(rows[0][0], outcome, _run_unit(record)[1])
-        figure.legend(*rows[0][0].get_legend_handles_labels(), loc="outside right upper")
-        return figure
+        _legend(rows[0], width, columns=4)
+        return describe(figure, _tell_angles(record, outcome))
 
 
-def draw_energies(record: Record) -> Figure:
-    """Draw stored energies over time, and under them the work done and where it went."""
-    data = record.data
-    stored = {
-        "tendons": (data["tendon_energy"].sum("vein"), BLUE),
-        "membrane": (data["membrane_energy"], ORANGE),
-        "kinetic": (data["kinetic_energy"], VERMILION),
-    }
-    if "branch_energy" in data:
-        stored["tendons, Maxwell branches"] = (data["branch_energy"].sum("vein"), GREEN)
-    if record.design.protocol.gravity:
-        stored["gravitational"] = (data["gravitational_energy"], PURPLE)
-    accounts = {
-        "done by torques": (data["proximal_work"] + data["distal_work"], BLACK),
-        "taken by hinge damping": (-data["hinge_damping_work"], GREEN),
-        "taken by stops": (-data["stop_work"], VERMILION),
-        "taken by other damping": (-data["elastic_damping_work"], SKY),
-    }
-    if "branch_damping_work" in data:
-        accounts["taken by Maxwell branches"] = (-data["branch_damping_work"], ORANGE)
-    if "letting_go_work" in data:
-        accounts["branches that gave way"] = (-data["letting_go_work"], PURPLE)
-    if "yield_work" in data:
-        accounts["taken by yielding"] = (-data["yield_work"], PURPLE)
+def draw_energies(record: Record, width: float = PAGE_WIDTH) -> Figure:
+    """Draw stored energies over time, and under them the work done and where it went; the width is in inch."""
+    tables = {"stored energy": _stored(record), "work since the start": _accounts(record)}
     with figure_style():
-        figure, rows = _layout(record, ["stored energy", "work since the start"], height=4.4)
-        for axes_row, series, label in zip(
-            rows, (stored, accounts), ("stored energy", "work since the start"), strict=True
-        ):
+        figure, rows = _layout(record, list(tables), width, height=4.4)
+        for axes_row, (label, series) in zip(rows, tables.items(), strict=True):
             unit, factor = reading_unit("J", max(float(np.abs(values).max()) for values, _ in series.values()))
             axes_row[0].set_ylabel(f"{label} ({unit})")
             for axes, (start, scale) in zip(axes_row, _spans(record), strict=True):
@@ -80,8 +62,67 @@ def draw_energies(record: Record) -> Figure:
                     style = LINE_STYLES[index % len(LINE_STYLES)]
                     axes.plot(_time(record, start, scale), values * factor, style, color=colour, label=name)
                 _shade_stages(axes, record, start, scale)
-            axes_row[min(1, len(axes_row) - 1)].legend(loc="best")
-        return figure
+            _legend(axes_row, width, columns=3 if len(series) == 3 else 2)
+        return describe(figure, _tell_energies(record))
+
+
+def _stored(record: Record) -> dict[str, tuple[Array, str]]:
+    """Energies by what stores them, J, (time,), and their colours."""
+    series = record.series
+    stored = {
+        "tendons": (series["tendon_energy"].sum(axis=1), BLUE),
+        "membrane": (series["membrane_energy"], ORANGE),
+        "kinetic": (series["kinetic_energy"], VERMILION),
+    }
+    if "branch_energy" in series:
+        stored["Maxwell branches"] = (series["branch_energy"].sum(axis=1), GREEN)
+    if record.design.protocol.gravity:
+        stored["gravitational"] = (series["gravitational_energy"], PURPLE)
+    return stored
+
+
+def _accounts(record: Record) -> dict[str, tuple[Array, str]]:
+    """The work done and where it went, J, (time,), and their colours."""
+    series = record.series
+    accounts = {
+        "done by torques": (series["proximal_work"] + series["distal_work"], BLACK),
+        "taken by hinge damping": (-series["hinge_damping_work"], GREEN),
+        "taken by stops": (-series["stop_work"], VERMILION),
+        "taken by other damping": (-series["elastic_damping_work"], SKY),
+    }
+    for name, words, colour in (
+        ("branch_damping_work", "taken by Maxwell branches", ORANGE),
+        ("letting_go_work", "branches that gave way", PURPLE),
+        ("yield_work", "taken by yielding", PURPLE),
+    ):
+        if name in series:
+            accounts[words] = (-series[name], colour)
+    return accounts
+
+
+def _tell_angles(record: Record, outcome: Outcome) -> str:
+    """What the angles do, in words."""
+    states = {"flat": outcome.flat, "folded": outcome.folded_state, "opened": outcome.opened_state}
+    told = [
+        f"{name} {np.degrees(state.distal_angle.mean()):.1f} deg at {show_value(state.time, 's')}"
+        for name, state in states.items()
+        if state is not None
+    ]
+    veins = record.series["distal_angle"].shape[1]
+    means = f" Means over the veins: {', '.join(told)}." if told else ""
+    return f"Distal angles of {veins} veins over the time of a run of {record.design.name}: {outcome.status}.{means}"
+
+
+def _tell_energies(record: Record) -> str:
+    """What the energies come to, in words."""
+    largest = ", ".join(
+        f"{name} {show_value(float(values.max()), 'J')}" for name, (values, _) in _stored(record).items()
+    )
+    work = show_value(float(_accounts(record)["done by torques"][0][-1]), "J")
+    name = record.design.name
+    return (
+        f"Stored energies and work over the time of a run of {name}. Largest: {largest}; work of the torques: {work}."
+    )
 
 
 def _driven(record: Record) -> list[StageEnd]:
@@ -95,33 +136,58 @@ def _spans(record: Record) -> list[tuple[float, float]]:
 
 def _run_unit(record: Record) -> tuple[str, float]:
     """The unit of the whole run's time axis, and its factor from s."""
-    return reading_unit("s", float(record.data.time[-1]))
+    return reading_unit("s", float(record.time[-1]))
 
 
-def _layout(record: Record, labels: list[str], height: float) -> tuple[Figure, list[list[Axes]]]:
-    """Axes by row and column; columns are the whole run and each driven stage."""
-    driven = _driven(record)
+def _layout(record: Record, labels: list[str], width: float, height: float) -> tuple[Figure, list[list[Axes]]]:
+    """For every label the axes of the whole run and of each driven stage: beside it, or beneath where it is narrow."""
+    driven, narrow = _driven(record), is_narrow(width)
     run_unit, run_scale = _run_unit(record)
-    figure = Figure(figsize=(PAGE_WIDTH, height), layout="constrained")
-    grid = figure.subplots(
-        len(labels), 1 + len(driven), sharey="row", squeeze=False, width_ratios=[1.5] + [1.0] * len(driven)
-    )
-    for row, label in zip(grid, labels, strict=True):
+    figure = Figure(figsize=(width, 3.3 * len(labels) if narrow else height), layout="constrained")
+    if narrow:
+        rows = stacked_axes(figure, len(labels), len(driven))
+    else:
+        ratios = [1.5] + [1.0] * len(driven)
+        grid = figure.subplots(len(labels), len(ratios), sharey="row", squeeze=False, width_ratios=ratios)
+        rows = [list(row) for row in grid]
+    for row, label in zip(rows, labels, strict=True):
         row[0].set_ylabel(label)
-    for axes in grid[:, 0]:
-        axes.set_xlim(0, run_scale * float(record.data.time[-1]))
-    for column, end in enumerate(driven, start=1):
-        for axes in grid[:, column]:
+        row[0].set_xlim(0, run_scale * float(record.time[-1]))
+        for axes, end in zip(row[1:], driven, strict=True):
             # the stage holds its goal for a while, in which little happens
             duration = 1e3 * min(end.end - end.start, 1.6 * ((end.goal_time or end.end) - end.start))
             axes.set_xlim(-_LEAD * duration, (1 + _LEAD) * duration)
-        grid[-1, column].set_xlabel("time since its start (ms)")
-    grid[-1, 0].set_xlabel(f"time ({run_unit})")
-    return figure, [list(row) for row in grid]
+        if narrow or row is rows[-1]:
+            row[0].set_xlabel(f"time ({run_unit})")
+            for axes in row[1:]:
+                axes.set_xlabel("since its start (ms)" if narrow else "time since its start (ms)")
+    return figure, rows
+
+
+def stacked_axes(figure: Figure, count: int, stages: int) -> list[list[Axes]]:
+    """The whole run across the figure and its stages beneath, `count` times."""
+    rows: list[list[Axes]] = []
+    deep = 2 if stages else 1
+    grid = figure.add_gridspec(deep * count, max(stages, 1))
+    for place in range(count):
+        whole = figure.add_subplot(grid[deep * place, :])
+        close = [figure.add_subplot(grid[deep * place + 1, stage], sharey=whole) for stage in range(stages)]
+        for axes in close[1:]:
+            axes.tick_params(labelleft=False)
+        rows.append([whole, *close])
+    return rows
+
+
+def _legend(row: list[Axes], width: float, columns: int) -> None:
+    """What the lines are, beside the axes, or above them where these are narrow."""
+    if is_narrow(width):
+        row[0].legend(loc="lower left", bbox_to_anchor=(0, 1.14), ncols=columns, borderaxespad=0, columnspacing=1.2)
+    else:
+        row[-1].legend(loc="upper left", bbox_to_anchor=(1.04, 1), borderaxespad=0)
 
 
 def _time(record: Record, start: float, scale: float) -> np.ndarray:
-    return np.asarray((record.data.time.values - start) * scale)
+    return np.asarray((record.time - start) * scale)
 
 
 def _shade_stages(axes: Axes, record: Record, start: float, scale: float) -> None:

@@ -40,13 +40,18 @@ def evaluate(designs: Sequence[Design], threads: int = 0, *, until_opened: bool 
             yield {"key": key, "status": f"cannot be built: {wing}"}
             continue
         built = _with_protocol(wing, design)
-        engine = built.engine
-        sizes = (engine.nq, engine.nv, engine.nu, engine.nbody, engine.ngeom, engine.ntendon, engine.nflexvert)
-        by_topology.setdefault((*sizes, engine.nactuator, engine.na, engine.nplastic), []).append((key, built))
+        by_topology.setdefault(topology(built), []).append((key, built))
     for wings in by_topology.values():
         enough = _opened if until_opened else None
         for row, record in simulate_each([wing for _, wing in wings], threads, sparse=True, enough=enough):
             yield {"key": wings[row][0], **outcome_row(measure(record))}
+
+
+def topology(wing: WingModel) -> tuple[int, ...]:
+    """The sizes that wings of one batch have in common."""
+    engine = wing.engine
+    sizes = (engine.nq, engine.nv, engine.nu, engine.nbody, engine.ngeom, engine.ntendon, engine.nflexvert)
+    return (*sizes, engine.nactuator, engine.na, engine.nplastic)
 
 
 def _opened(record: Record) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,16 +12,17 @@ import numpy as np
 
 from forficula.analysis import Outcome, measure
 from forficula.design import Design
-from forficula.dynamics import Record, load_record
+from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.files import write_text
-from forficula.show.page.design_rows import differing_rows
+from forficula.show.page.design_rows import DIGITS, differing_rows
 from forficula.show.page.html import Cell, escaped, paragraph, section, table
 from forficula.show.page.page import page_html
 from forficula.show.page.playback import BUDGET, Clip, clip_data, energy_scale, make_clip
 from forficula.show.page.plots import Line, Plot, energy_plot, plot_data
 from forficula.show.page.time_spans import shared_spans, span_data
 from forficula.show.page.words import angle_range, outcome_sentence, readable
+from forficula.show.run_reader import read_run
 
 _FEWEST, _MOST = 2, 12
 
@@ -56,7 +58,7 @@ def compare_runs(folders: Sequence[Path], path: Path) -> None:
         raise InputError(f"compare: need {_FEWEST} to {_MOST} folders of runs, got {len(folders)}")
     runs = []
     for folder, label in zip(folders, _labels(folders), strict=True):
-        record = _load(folder)
+        record = read_run(folder)
         runs.append(ComparedRun(label=label, record=record, outcome=measure(record)))
     write_text(path, compare_page(runs))
 
@@ -79,16 +81,6 @@ def compare_page(runs: Sequence[ComparedRun]) -> str:
     return page_html(f"{title}, compared", body, _data(clips))
 
 
-def _load(folder: Path) -> Record:
-    if not folder.is_dir():
-        what = "a file" if folder.exists() else "no such folder"
-        raise InputError(f"{folder}: need the folder of a run, as forficula run writes it, got {what}")
-    path = folder / "record.nc"
-    if not path.is_file():
-        raise InputError(f"{folder}: holds no run: record.nc is missing; write it with forficula run --out {folder}")
-    return load_record(path)
-
-
 def _labels(folders: Sequence[Path]) -> list[str]:
     """Names of the folders, with as many of those above as tell them apart."""
     resolved = [folder.resolve() for folder in folders]
@@ -96,10 +88,15 @@ def _labels(folders: Sequence[Path]) -> list[str]:
         twice = next(folder for folder, path in zip(folders, resolved, strict=True) if resolved.count(path) > 1)
         raise InputError(f"compare: need every run once, got {twice} twice")
     for depth in range(1, max(len(path.parts) for path in resolved) + 1):
-        labels = ["/".join(path.parts[-depth:]) for path in resolved]
+        labels = ["/".join(map(_printable, path.parts[-depth:])) for path in resolved]
         if len(set(labels)) == len(labels):
             return labels
-    return [str(path) for path in resolved]
+    return [f"{number}: {_printable(str(path))}" for number, path in enumerate(resolved, start=1)]
+
+
+def _printable(name: str) -> str:
+    """A name of a file as text: on Linux it may hold bytes that are none."""
+    return os.fsencode(name).decode("utf-8", "replace")
 
 
 def _data(clips: Sequence[Clip]) -> dict[str, Any]:
@@ -160,7 +157,8 @@ def _outcome_rows(runs: Sequence[ComparedRun]) -> list[list[str]]:
 def _designs(labels: Sequence[str], designs: Sequence[Design]) -> list[str]:
     rows = differing_rows(designs)
     if not rows:
-        return [paragraph("The designs are the same in every value.")]
+        digits = "" if len({design.hash for design in designs}) == 1 else f", to {DIGITS} digits"
+        return [paragraph(f"The designs are the same in every value{digits}.")]
     cells: list[list[str | Cell]] = [[key, *values] for key, values in rows]
     cells.append(["design hash", *(design.hash for design in designs)])
     return [

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 from forficula.design import Design
 from forficula.design.design_file import REFERENCE, load_design, named_designs
 from forficula.design.part import Part, as_tables
-from forficula.quantities import as_written
+from forficula.quantities import as_written, show_quantity
 
 ABSENT = "—"
+DIGITS = 9  # of a quantity, significant
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -79,8 +81,9 @@ def section_title(section: str, design: Design) -> str:
 
 
 def _flat(design: Design) -> dict[str, str]:
-    """Values as text by dotted key, without name and source."""
-    sections = {key: value for key, value in as_tables(design).items() if isinstance(value, dict)}
+    """Values as text by dotted key, without name and source, and without the last digits: scaling leaves errors there."""
+    tables = as_tables(design, partial(show_quantity, digits=DIGITS))
+    sections = {key: value for key, value in tables.items() if isinstance(value, dict)}
     return dict(_leaves(sections))
 
 

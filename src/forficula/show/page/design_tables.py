@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import groupby
 
 from forficula.design import Design
-from forficula.show.page.design_rows import ABSENT, DesignRow, base_design, design_rows, section_title
+from forficula.show.page.design_rows import ABSENT, DIGITS, DesignRow, base_design, design_rows, section_title
 from forficula.show.page.html import Cell, paragraph, table
 
 _NAMES = {"vein": "Veins", "guard": "Guard tendons", "hinge": "Hinges", "tendon": "Tendons"}
@@ -33,10 +33,11 @@ def design_tables(design: Design) -> list[str]:
 
 def _differences(design: Design, base: Design, changed: list[DesignRow]) -> str:
     if not changed:
-        return f"Every value is that of the named design {base.name}."
+        digits = "" if design.hash == base.hash else f", to {DIGITS} digits"
+        return f"Every value is that of the named design {base.name}{digits}."
     values = "value differs" if len(changed) == 1 else "values differ"
     keys = ", ".join(f"{row.section}.{row.key}" for row in changed)
-    why = "" if design.name == base.name else f" A design does not keep what it was based on, so {base.name} it is."
+    why = "" if design.name == base.name else f" A design does not say what it came from: {base.name} is the reference."
     return f"{len(changed)} {values} from the named design {base.name}, marked below: {keys}.{why}"
 
 

@@ -40,8 +40,8 @@ def page_html(title: str, body: str, data: dict[str, Any]) -> str:
 <style>{style}</style>
 </head>
 <body>
-{body}
 <noscript><p class="note">{_NO_SCRIPT}</p></noscript>
+{body}
 <script type="application/json" id="data">{packed}</script>
 <script>{script}</script>
 </body>

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from forficula.analysis import Outcome
+from forficula.analysis import Outcome, State
 from forficula.dynamics import Record, StageEnd
 from forficula.quantities import reading_unit
 from forficula.show.page.frames import kept_frames
@@ -32,12 +32,17 @@ class Mark:
     Attributes:
         letter: a, b or c, as the paper calls the states.
         name: what it is, such as "folded", or "after folding" where the wing is not.
-        time: s.
+        state: means over the last part of its stage, which ends at the mark.
     """
 
     letter: str
     name: str
-    time: float
+    state: State
+
+    @property
+    def time(self) -> float:
+        """End of the state's stage, s."""
+        return self.state.time
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -83,8 +88,9 @@ def make_clip(record: Record, outcome: Outcome, *, name: str = "", budget: int =
         name: what to call it; that of the design if empty.
         budget: most bytes for positions, angles and energies.
     """
-    marks = state_marks(outcome)
     points, pattern = moving_points(record), record.design.pattern
+    points[blown_up(record)] = np.nan
+    marks = state_marks(outcome)
     moments = [mark.time for mark in marks]
     for end in record.stages:
         moments += [end.start, end.end, *([] if end.goal_time is None else [end.goal_time])]
@@ -98,8 +104,8 @@ def make_clip(record: Record, outcome: Outcome, *, name: str = "", budget: int =
         time=record.time[rows],
         points=points[rows],
         mesh=wing_mesh(record.design),
-        marks=marks,
-        stages=record.stages,
+        marks=tuple(mark for mark in marks if mark.time <= record.time[rows[-1]]),
+        stages=tuple(end for end in record.stages if end.start <= record.time[rows[-1]]),
         distal_angle=series["distal_angle"],
         turn_angle=series["turn_angle"],
         tendon_energy=series["tendon_energy"],
@@ -114,7 +120,16 @@ def state_marks(outcome: Outcome) -> tuple[Mark, ...]:
         ("b", "folded" if outcome.folded else "after folding", outcome.folded_state),
         ("c", "opened" if outcome.opened else "after unfolding", outcome.opened_state),
     )
-    return tuple(Mark(letter=letter, name=name, time=state.time) for letter, name, state in states if state is not None)
+    return tuple(Mark(letter=letter, name=name, state=state) for letter, name, state in states if state is not None)
+
+
+def blown_up(record: Record) -> NDArray[np.bool_]:
+    """Which rows of a diverged run mean nothing, (time,): from where a hinge has passed its stops by a full turn."""
+    if record.diverged_at is None:
+        return np.zeros(len(record.time), dtype=np.bool_)
+    angles = np.concatenate([record.series["distal_angle"], record.series["turn_angle"]], axis=1)
+    # nan is beyond everything
+    return np.logical_or.accumulate(~(np.abs(angles) <= 2 * np.pi).all(axis=1))
 
 
 def clip_data(clip: Clip) -> dict[str, Any]:
@@ -135,7 +150,7 @@ def clip_data(clip: Clip) -> dict[str, Any]:
         ],
         "joints": mesh.joints.tolist(),
         "jointRadius": mesh.joint_radius,
-        "marks": [{"letter": mark.letter, "name": mark.name, "time": mark.time} for mark in clip.marks],
+        "marks": [_mark_data(mark) for mark in clip.marks],
         "stages": [
             {"name": end.stage.name, "start": end.start, "end": end.end, "drive": end.stage.drive}
             for end in clip.stages
@@ -143,6 +158,19 @@ def clip_data(clip: Clip) -> dict[str, Any]:
         "distalAngle_deg": packed(np.degrees(clip.distal_angle), "f4"),
         "turnAngle_deg": packed(np.degrees(clip.turn_angle), "f4"),
         "tendonEnergy_J": packed(clip.tendon_energy, "f4"),
+    }
+
+
+def _mark_data(mark: Mark) -> dict[str, Any]:
+    """A state with the numbers that the summary states for it."""
+    state = mark.state
+    return {
+        "letter": mark.letter,
+        "name": mark.name,
+        "time": mark.time,
+        "distalAngle_deg": np.degrees(state.distal_angle).tolist(),
+        "distalSwing_deg": np.degrees((state.distal_angle_high - state.distal_angle_low) / 2).tolist(),
+        "tendonEnergy_J": state.tendon_energy.tolist(),
     }
 
 

@@ -72,10 +72,11 @@ def study_page(
             "</main>",
         )
     )
+    runs = [_run(run, _RUNS // max(count, 1)) for run in kept]
     shown = {
         "kind": "study",
         "study": data,
-        "runs": [_run(run, _RUNS // max(count, 1)) for run in kept],
+        "runs": sorted(runs, key=lambda run: (run["point"], run["part"])),
         "csv": table_csv(study, results) if _has_rows(data) else None,
     }
     return page_html(f"{study.name}: {len(study.points)} points", body, shown)

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
 from forficula.analysis import Outcome
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit
-from forficula.show.page.playback import Clip, Mark
+from forficula.show.page.playback import Clip, blown_up
 
 Array = NDArray[np.float64]
 
@@ -49,8 +51,12 @@ def outcome_remarks(record: Record, outcome: Outcome) -> list[str]:
         if end.stage.until == "rest" and end.goal_time is None and record.diverged_at is None:
             limit = readable(end.stage.time_limit, "s")
             remarks.append(f'In the stage "{end.stage.name}" the wing did not come to rest within {limit}.')
+    if record.diverged_at is not None and blown_up(record).any():
+        remarks.append(
+            "The last rows of the record, in which a hinge has passed its stops by a full turn, are not shown."
+        )
     balance = outcome.energy_balance
-    if balance is not None and balance.residual > 0.02:
+    if balance is not None and 0.02 < balance.residual <= 1:
         remarks.append(
             f"The energy balance misses {100 * balance.residual:.3g} % of {balance.residual_of}: a shorter"
             " protocol.timestep is more accurate."
@@ -67,17 +73,16 @@ def wing_text(clip: Clip, record: Record) -> str:
     )
 
 
-def angle_text(title: str, degrees: Array, clip: Clip) -> str:
-    """A plot of angles, deg, (time, vein), in a sentence: where they are in every state."""
-    parts = [f"{angle_range(degrees[_frame(clip, mark)])} {mark.name}" for mark in clip.marks]
-    subject = f"{title[:1].upper()}{title[1:]} of {degrees.shape[1]} veins"
+def angle_text(title: str, degrees: Sequence[Array], clip: Clip) -> str:
+    """A plot of angles in a sentence: where they are in every state, deg, (state, vein)."""
+    parts = [f"{angle_range(angles)} {mark.name}" for angles, mark in zip(degrees, clip.marks, strict=True)]
+    subject = f"{title[:1].upper()}{title[1:]} of {clip.distal_angle.shape[1]} veins"
     return f"{subject}: {', '.join(parts)}." if parts else f"{subject} over the time."
 
 
 def energy_text(clip: Clip) -> str:
     """The plot of a clip's energies in sentences: what the tendons hold in the states, and the largest of each line."""
-    tendons = clip.tendon_energy.sum(axis=1)
-    held = [f"{readable(float(tendons[_frame(clip, mark)]), 'J')} {mark.name}" for mark in clip.marks]
+    held = [f"{readable(float(mark.state.tendon_energy.sum()), 'J')} {mark.name}" for mark in clip.marks]
     most = [f"{name} {readable(float(values.max()), 'J')}" for name, values in clip.stored_energy.items()]
     first = f"The tendons hold {', '.join(held)}. " if held else ""
     return f"{first}At most: {', '.join(most)}."
@@ -93,7 +98,3 @@ def readable(value: float, si: str) -> str:
     """A value in the unit in which it reads well, with four digits at most."""
     unit, factor = reading_unit(si, abs(value))
     return f"{factor * value:.4g} {unit}"
-
-
-def _frame(clip: Clip, mark: Mark) -> int:
-    return int(np.argmin(np.abs(clip.time - mark.time)))

@@ -1,0 +1,112 @@
+"""Which moment of a run a film shows when: states at rest, and what lies between them slowed down."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from forficula.analysis import Outcome, State
+from forficula.dynamics import Record, StageEnd
+
+_HOLD, _SKIP, _MOVE = 1.2, 0.8, 3.5  # seconds of a film: of a state, on the way to it, and of a move
+_NEARLY_ALL = 0.95
+
+
+@dataclass(frozen=True, kw_only=True)
+class Cut:
+    """A part of a film.
+
+    Attributes:
+        words: what it shows.
+        first: moment of the run at its start, s.
+        last: moment of the run at its end, s.
+        length: of the film, s.
+        stage: the driven stage that it shows; None where it shows a state, or a run without such a stage.
+        slowed: how many times slower than the run it is; None where the film only goes on to the next state.
+    """
+
+    words: str
+    first: float
+    last: float
+    length: float
+    stage: StageEnd | None = None
+    slowed: float | None = None
+
+
+def film_cuts(record: Record, outcome: Outcome, slowed: float | None = None) -> tuple[Cut, ...]:
+    """Cut a run: its states, held for a while, and its driven stages from their start until the wing is still.
+
+    Args:
+        record: what happened.
+        outcome: what it means.
+        slowed: how many times slower than the run its moves are; each takes about 3.5 s if not given.
+    """
+    end = last_sound_time(record)
+    driven = [stage for stage in record.stages if stage.stage.drive != "none" and stage.start < end]
+    if not driven:
+        return (_move("the whole run", 0.0, end, slowed, None),)
+    cuts = [*_state(outcome.flat, "a flat", driven[0].start, "")]
+    states = {
+        "fold": (outcome.folded_state, "b folded" if outcome.folded else "not folded"),
+        "unfold": (outcome.opened_state, "c opened" if outcome.opened else "not opened"),
+    }
+    for stage, until in pairwise([*driven, None]):
+        assert stage is not None
+        limit = end if until is None else min(until.start, end)
+        still = _still_time(record, stage.start, limit)
+        cuts.append(_move(stage.stage.name, stage.start, still, slowed, stage))
+        state, words = states[stage.stage.drive]
+        if state is not None and state.time <= end:
+            cuts += _state(state, words, still, _last_stage(record, state.time))
+    return tuple(cuts)
+
+
+def moment(cuts: Sequence[Cut], time: float) -> tuple[Cut, float]:
+    """The cut that a film shows at one of its own times (s), and the moment of the run, s."""
+    for cut in cuts:
+        if time < cut.length or cut is cuts[-1]:
+            share = min(max(time / cut.length, 0.0), 1.0)
+            return cut, cut.first + share * (cut.last - cut.first)
+        time -= cut.length
+    raise AssertionError("there is no film without a cut")
+
+
+def last_sound_time(record: Record) -> float:
+    """The last moment at which all places are known, s: a run that diverges has none after it did."""
+    sound = np.isfinite(record.series["vein_position"]).all(axis=(1, 2, 3))
+    if record.diverged_at is not None:
+        sound &= record.time < record.diverged_at
+    return float(record.time[sound][-1]) if sound.any() else float(record.time[0])
+
+
+def _state(state: State | None, words: str, after: float, on_the_way: str) -> list[Cut]:
+    """Go on to a state quickly, and hold it."""
+    if state is None:
+        return []
+    hold = Cut(words=words, first=state.time, last=state.time, length=_HOLD)
+    if state.time <= after:
+        return [hold]
+    return [Cut(words=on_the_way, first=after, last=state.time, length=_SKIP), hold]
+
+
+def _last_stage(record: Record, time: float) -> str:
+    """Name of the last stage that began before a time."""
+    return next((end.stage.name for end in reversed(record.stages) if end.start < time), "")
+
+
+def _move(words: str, start: float, end: float, slowed: float | None, stage: StageEnd | None) -> Cut:
+    """A stage, slowed down by a factor of one digit unless one is wanted."""
+    lasts = max(end - start, 1e-9)
+    factor = slowed or float(f"{_MOVE / lasts:.1g}")
+    return Cut(words=words, first=start, last=end, length=lasts * factor, stage=stage, slowed=factor)
+
+
+def _still_time(record: Record, start: float, end: float) -> float:
+    """When the veins' turns and the distal angles have on average gone nearly all their way, s: the rest creeps."""
+    rows = (record.time >= start) & (record.time <= end)
+    angles = np.concatenate([record.series[name][rows] for name in ("turn_angle", "distal_angle")], axis=1)
+    way = np.abs(angles - angles[0]).mean(axis=1)
+    return float(record.time[rows][np.argmax(way >= _NEARLY_ALL * way.max())])

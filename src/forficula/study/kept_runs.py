@@ -1,0 +1,245 @@
+"""Runs of a study that are kept whole, so that they can be played: which, and where they lie."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+import shutil
+from collections.abc import Callable, Collection, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from forficula.analysis import Outcome, measure, summary
+from forficula.analysis.thinning import thin_record
+from forficula.design import Design, save_design
+from forficula.dynamics import (
+    Record,
+    WingModel,
+    compile_wing,
+    load_record,
+    save_record,
+    simulate_each,
+    versions,
+    with_timestep,
+)
+from forficula.errors import InputError
+from forficula.files import replacing_all, write_text
+from forficula.quantities import as_written
+from forficula.study.evaluate import outcome_row, row_key, topology
+from forficula.study.journal import Row
+from forficula.study.search import fold_design, point_design, release_design, unfold_design
+from forficula.study.study import Study
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+Progress = Callable[[int, int, Row], None]
+
+# Points whose runs are kept where nothing else is said.
+MOST_POINTS = 100
+# Runs side by side: a whole record of each is in memory until it is written.
+_BATCH = 48
+_FOLDER = "runs"
+# the summary is written and removed last: a folder without one is not ours
+_FILES = ("design.toml", "record.nc", "summary.json")
+_UNFINISHED = re.compile(r"\.\d+(-[a-z]+)?-\w+")
+
+
+@dataclass(frozen=True, kw_only=True)
+class RunToKeep:
+    """A run of a study that is worth a record.
+
+    Attributes:
+        point: number of the study's point, from 0 on.
+        part: "folding" or "opening" of a search, "run" of a plain study.
+        name: of its folder: the row of `table.csv`, from 1 on, and the part.
+        design: what to run.
+    """
+
+    point: int
+    part: str
+    name: str
+    design: Design
+
+
+@dataclass(frozen=True, kw_only=True)
+class KeptRun:
+    """A run with its record.
+
+    Attributes:
+        point: number of the study's point, from 0 on.
+        part: as of `RunToKeep`.
+        folder: where it lies, within the study's folder.
+        record: with the rows that `thin_record` leaves.
+        outcome: with the same bits as in the study's table.
+    """
+
+    point: int
+    part: str
+    folder: str
+    record: Record
+    outcome: Outcome
+
+
+def runs_to_keep(study: Study, table: Dataset, most: int = MOST_POINTS) -> list[RunToKeep]:
+    """Choose the runs that the numbers of a table come from.
+
+    Of a plain study that is the run of each point. Of a search for the least torques it is folding with the least
+    torque that folds, and the release, and opening with the least torque that opens, from the wing folded with the
+    search's large torque; where no torque worked, the largest that was tried, which shows why.
+
+    Args:
+        study: what was asked.
+        table: what came out.
+        most: points at most. Where there are more, only those count that folded, spread evenly over the study.
+
+    Raises:
+        InputError: `most` is no whole number, or below 0.
+    """
+    check_most(most)
+    width = len(str(len(study.points)))
+    runs = []
+    for point in _points(study, table, most):
+        try:
+            design = point_design(study.base, study.points[point])
+        except InputError:  # its row says why
+            continue
+        for part, each in _parts(study, table, point, design):
+            end = "" if part == "run" else f"-{part}"
+            runs.append(RunToKeep(point=point, part=part, name=f"{point + 1:0{width}d}{end}", design=each))
+    return runs
+
+
+def check_most(most: int) -> None:
+    """Refuse a number of points that is none, before a study that takes a while.
+
+    Raises:
+        InputError: it is no whole number, or below 0.
+    """
+    if isinstance(most, bool) or not isinstance(most, int) or most < 0:
+        raise InputError(f"need a whole number of points >= 0, got {as_written(most)}")
+
+
+def kept_runs(
+    runs: Sequence[RunToKeep], out: str | Path, *, threads: int = 0, progress: Progress | None = None
+) -> Iterator[KeptRun]:
+    """Run again what `runs_to_keep` chose, leave each in a folder of its own, and hand them on one after another.
+
+    A run that is there is read, not run; stopped or killed, the same call goes on. Each folder, such as
+    `runs/07-folding`, is that of a run, without its figures. Kept runs that are not among these, or that other versions
+    made, are removed. Runs are deterministic: their outcomes are those of the table.
+
+    Args:
+        runs: to keep.
+        out: folder of the study.
+        threads: 0 for one a core.
+        progress: called after every run with the runs that are there, all of them, and the run's row.
+
+    Raises:
+        InputError: the folder cannot be written.
+    """
+    folder = Path(out) / _FOLDER
+    there = [run for run in runs if _is_kept(folder / run.name, run)]
+    names = {run.name for run in there}
+    _remove_others(folder, names)
+    missing = [run for run in runs if run.name not in names]
+    for run in there:
+        try:
+            record = load_record(folder / run.name / "record.nc")
+        except InputError:
+            missing.append(run)
+        else:
+            yield _kept(run, record, measure(record))
+    done = len(runs) - len(missing)
+    for first in range(0, len(missing), _BATCH):
+        for run, record in _run(missing[first : first + _BATCH], threads):
+            kept = _keep(folder, run, record)
+            done += 1
+            if progress is not None:
+                progress(done, len(runs), {"key": row_key(run.design), **outcome_row(kept.outcome)})
+            yield kept
+
+
+def _points(study: Study, table: Dataset, most: int) -> list[int]:
+    """Numbers of the points whose runs are kept."""
+    if len(study.points) <= most:
+        return list(range(len(study.points)))
+    folded = np.isfinite(table["least_fold_torque"].values) if study.search else table["folded"].values
+    numbers = np.flatnonzero(folded.ravel())
+    chosen = np.unique(np.linspace(0, len(numbers) - 1, min(len(numbers), most)).round().astype(int))
+    return [int(number) for number in numbers[chosen]]
+
+
+def _parts(study: Study, table: Dataset, point: int, design: Design) -> Iterator[tuple[str, Design]]:
+    """The runs of one point that a row of the table comes from."""
+    search = study.search
+    if search is None:
+        yield "run", design
+        return
+    fold, unfold = (float(table[name].values.ravel()[point]) for name in ("least_fold_torque", "least_unfold_torque"))
+    if math.isnan(fold):
+        yield "folding", fold_design(design, search.fold_torques[-1])
+        return
+    yield "folding", release_design(design, fold)
+    torque = search.unfold_torques[-1] if math.isnan(unfold) else unfold
+    yield "opening", unfold_design(design, search.fold_with, torque)
+
+
+def _run(runs: Sequence[RunToKeep], threads: int) -> Iterator[tuple[RunToKeep, Record]]:
+    """Take wings through their protocols side by side; those that cannot be built are left out, as their rows say."""
+    alike: dict[tuple[int, ...], list[tuple[RunToKeep, WingModel]]] = {}
+    for run in runs:
+        try:
+            wing = compile_wing(with_timestep(run.design))
+        except InputError:
+            continue
+        alike.setdefault(topology(wing), []).append((run, wing))
+    for group in alike.values():
+        for row, record in simulate_each([wing for _, wing in group], threads):
+            yield group[row][0], record
+
+
+def _keep(folder: Path, run: RunToKeep, record: Record) -> KeptRun:
+    """Write a run's folder, all of it or nothing."""
+    outcome, thinned = measure(record), thin_record(record)
+    written = {**summary(record, outcome, versions()), "key": row_key(run.design)}
+    with replacing_all(folder / run.name) as unfinished:
+        save_design(record.design, unfinished / "design.toml")
+        save_record(thinned, unfinished / "record.nc")
+        write_text(unfinished / "summary.json", json.dumps(written, indent=2) + "\n")
+    return _kept(run, thinned, outcome)
+
+
+def _is_kept(folder: Path, run: RunToKeep) -> bool:
+    """Whether the run is there, by these versions."""
+    try:
+        written = json.loads((folder / "summary.json").read_text("utf-8"))
+        same = written["key"] == row_key(run.design) and written["versions"] == versions()
+        return same and (folder / "record.nc").is_file()
+    except (OSError, ValueError, LookupError, TypeError):
+        return False
+
+
+def _kept(run: RunToKeep, record: Record, outcome: Outcome) -> KeptRun:
+    return KeptRun(point=run.point, part=run.part, folder=f"{_FOLDER}/{run.name}", record=record, outcome=outcome)
+
+
+def _remove_others(folder: Path, wanted: Collection[str]) -> None:
+    """Remove what we left there and do not want now; files that are not ours stay."""
+    try:
+        for place in folder.iterdir() if folder.is_dir() else ():
+            if _UNFINISHED.fullmatch(place.name):  # of a process that was killed while it wrote
+                shutil.rmtree(place, ignore_errors=True)
+            elif (place / "summary.json").is_file() and place.name not in wanted:
+                for name in _FILES:
+                    (place / name).unlink(missing_ok=True)
+                if not any(place.iterdir()):
+                    place.rmdir()
+        if not wanted and folder.is_dir() and not any(folder.iterdir()):
+            folder.rmdir()
+    except OSError as error:
+        raise InputError(f"{folder}: cannot be written: {error.strerror}") from None

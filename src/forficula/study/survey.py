@@ -1,0 +1,23 @@
+"""A design's landscape and, beside it, a run that is sampled finely enough to be compared."""
+
+from __future__ import annotations
+
+from forficula.analysis.simulated_snap import finely_sampled
+from forficula.design import Design
+from forficula.dynamics import Record, run
+from forficula.dynamics.simulate import Progress
+from forficula.statics import EnergyLandscape, energy_landscape
+
+
+def survey(
+    design: Design, *, simulation: bool, progress: Progress | None = None
+) -> tuple[EnergyLandscape, Record | None]:
+    """Survey a design's energy, and run it where that is wanted.
+
+    Args:
+        design: to survey.
+        simulation: whether to run it, too.
+        progress: of the run.
+    """
+    record = run(finely_sampled(design), progress) if simulation else None
+    return energy_landscape(design), record

@@ -1,0 +1,68 @@
+"""A thinned record means the same, to the bit, and shows every motion."""
+
+from dataclasses import asdict
+
+import numpy as np
+import pytest
+
+import forficula as ff
+from forficula.analysis.thinning import thin_record
+from forficula.dynamics import load_record, save_record
+
+
+def same(one, other):
+    """Whether two outcomes have the same bits."""
+    return repr(asdict(one)) == repr(asdict(other))
+
+
+@pytest.fixture(scope="module")
+def thinned(reference_run):
+    return thin_record(reference_run)
+
+
+def test_a_thinned_record_has_the_outcome_of_the_whole_one_to_the_bit(reference_outcome, thinned):
+    assert same(ff.measure(thinned), reference_outcome)
+
+
+def test_it_still_has_it_when_it_comes_back_from_a_file(tmp_path, reference_outcome, thinned):
+    save_record(thinned, tmp_path / "record.nc")
+    assert same(ff.measure(load_record(tmp_path / "record.nc")), reference_outcome)
+
+
+def test_every_row_that_stays_is_one_of_the_whole_record(reference_run, thinned):
+    places = np.searchsorted(reference_run.time, thinned.time)
+    assert np.array_equal(reference_run.time[places], thinned.time)
+    for name, rows in thinned.series.items():
+        assert np.array_equal(rows, reference_run.series[name][places])
+
+
+def test_it_has_at_most_two_thirds_of_the_rows(reference_run, thinned):
+    assert len(thinned.time) < 2 / 3 * len(reference_run.time)
+
+
+def test_between_two_rows_no_point_moves_far_and_little_time_passes(reference_run, thinned):
+    tips = thinned.series["vein_position"][:, :, 2]
+    moved = np.linalg.norm(np.diff(tips, axis=0), axis=2).max(axis=1)
+    gaps = np.diff(thinned.time)
+    size = np.ptp(reference_run.series["vein_position"][0].reshape(-1, 3), axis=0).max()
+    interval = reference_run.design.protocol.sample_interval
+    assert gaps.max() < 5e-3 + 1.5 * interval
+    # a row of the whole record may jump further than the share; nothing can be kept between two of its rows
+    apart = gaps > 1.5 * interval
+    fastest = np.linalg.norm(np.diff(reference_run.series["vein_position"][:, :, 2], axis=0), axis=2).max()
+    assert moved[apart].max() < 0.005 * size + fastest
+
+
+def test_the_whole_fold_stays(reference_run, thinned):
+    fold = reference_run.stages[1]
+    inside = [(rows.time >= fold.start) & (rows.time <= fold.end) for rows in (reference_run, thinned)]
+    assert inside[0].sum() == inside[1].sum() > 10
+
+
+def test_a_wing_that_diverges_keeps_its_last_row():
+    settings = {"membrane.youngs_modulus": "30 MPa", "protocol.timestep": "0.4 ms"}
+    record = ff.run(ff.load_design("binder2025", settings))
+    thinned = thin_record(record)
+    assert record.diverged_at is not None
+    assert thinned.time[-1] == record.time[-1]
+    assert same(ff.measure(thinned), ff.measure(record))

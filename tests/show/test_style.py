@@ -1,0 +1,96 @@
+"""Figures as files: what a journal accepts, the same bytes each time, and a text for those who do not see them."""
+
+import re
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+from PIL import Image
+
+from forficula.errors import InputError
+from forficula.show.style import (
+    COLUMN_WIDTH,
+    PAGE_WIDTH,
+    describe,
+    figure_files,
+    figure_style,
+    save_figure,
+    save_figures,
+)
+
+TEXT = "Energy & moment <of> a hinge. At most 2 J."
+
+
+def drawn(width=COLUMN_WIDTH):
+    with figure_style():
+        figure = Figure(figsize=(width, 2), layout="constrained")
+        axes = figure.subplots()
+        axes.plot([-1, 1], [0, 1])
+        axes.set_xlabel("angle (deg), −1 to 1")
+        return describe(figure, TEXT)
+
+
+@pytest.mark.parametrize("ending", [".png", ".svg", ".pdf"])
+def test_the_same_figure_is_the_same_file(tmp_path, ending):
+    for name in ("a", "b"):
+        save_figure(drawn(), tmp_path / f"{name}{ending}")
+    assert (tmp_path / f"a{ending}").read_bytes() == (tmp_path / f"b{ending}").read_bytes()
+
+
+def test_a_pdf_embeds_its_fonts_as_truetype_and_has_the_text(tmp_path):
+    save_figure(drawn(), tmp_path / "a.pdf")
+    content = (tmp_path / "a.pdf").read_bytes()
+    assert b"/Type3" not in content
+    assert b"/FontFile2" in content  # of an embedded TrueType font, ISO 32000-1, table 122
+    assert b"/Subject (Energy & moment <of> a hinge. At most 2 J.)" in content
+    assert b"/Title (Energy & moment <of> a hinge)" in content
+    assert b"/CreationDate" not in content
+    box = re.search(rb"/MediaBox \[([^\]]*)\]", content)
+    assert box is not None
+    assert [float(side) for side in box[1].split()] == pytest.approx([0, 0, 72 * COLUMN_WIDTH, 144])
+
+
+def test_an_svg_is_as_wide_as_a_column_and_says_what_it_shows(tmp_path):
+    save_figure(drawn(), tmp_path / "a.svg")
+    root = ElementTree.parse(tmp_path / "a.svg").getroot()
+    assert float(root.attrib["width"].removesuffix("pt")) == pytest.approx(72 * COLUMN_WIDTH)
+    assert root.attrib["role"] == "img"
+    space = "{http://www.w3.org/2000/svg}"
+    assert root.findtext(f"{space}title") == "Energy & moment <of> a hinge"
+    assert root.findtext(f"{space}desc") == TEXT
+    # letters are outlines: a font that a reader lacks would change their widths
+    assert root.find(f".//{space}text") is None
+
+
+def test_a_png_has_its_text_and_enough_pixels_for_print(tmp_path):
+    save_figure(drawn(PAGE_WIDTH), tmp_path / "a.png")
+    with Image.open(tmp_path / "a.png") as picture:
+        assert picture.info["Description"] == TEXT
+        assert picture.size == (1420, 400)  # 200 dots per inch
+        assert len(np.unique(np.asarray(picture).reshape(-1, 4), axis=0)) > 10
+
+
+def test_a_figure_without_a_text_can_be_written(tmp_path):
+    for ending in (".png", ".svg", ".pdf"):
+        save_figure(Figure(figsize=(1, 1)), tmp_path / f"a{ending}")
+
+
+def test_another_ending_is_refused(tmp_path):
+    with pytest.raises(InputError, match=r"a\.eps: need a file that ends with \.png, \.svg or \.pdf"):
+        save_figure(drawn(), tmp_path / "a.eps")
+    assert not list(tmp_path.iterdir())
+
+
+def test_every_figure_is_left_for_the_screen_at_page_width_and_for_papers_at_column_width(tmp_path):
+    widths = []
+
+    def draw(width):
+        widths.append(width)
+        return drawn(width)
+
+    save_figures({"energy": draw}, tmp_path)
+    assert widths == [PAGE_WIDTH, COLUMN_WIDTH]
+    files = {path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*") if path.is_file()}
+    assert files == set(figure_files("energy")) == {"energy.png", "figures/energy.svg", "figures/energy.pdf"}
+    assert 'width="252pt"' in (tmp_path / "figures" / "energy.svg").read_text("utf-8")

@@ -1,0 +1,210 @@
+"""Runs kept of a study: their outcomes are the table's, to the bit, and killing does not harm them."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+
+import forficula as ff
+from forficula.dynamics import load_record
+from forficula.errors import InputError
+from forficula.study import load_study, run_study
+from forficula.study.kept_runs import kept_runs, runs_to_keep
+
+FACTORS = '"tendon.stiffness" = ["10 N/cm", "60 N/cm"]\n"tendon.rest_length" = ["0 cm", "8 cm"]'
+SEARCH = '[search]\nfold_torques = "0..50 N cm step 25"\nunfold_torques = "50..100 N cm step 25"'
+# the last is no wing
+PLAIN = '"tendon.stiffness" = ["10 N/cm", "20 N/cm"]\n"pattern.units" = [1, 30]'
+
+
+@pytest.fixture(scope="module")
+def searched(tmp_path_factory, write_study_file):
+    """A search of which all runs are kept: the study, its table, its folder, what was kept, by name."""
+    folder = tmp_path_factory.mktemp("searched")
+    path = write_study_file(folder / "small.toml", FACTORS, 'ask = "least-torques"', SEARCH)
+    study = load_study(path)
+    table = run_study(study, folder)
+    return study, table, folder, {kept.folder: kept for kept in kept_runs(runs_to_keep(study, table), folder)}
+
+
+@pytest.fixture
+def plain(tmp_path, study_file):
+    """A study of plain runs, its table and its folder."""
+    study = load_study(study_file(PLAIN))
+    return study, run_study(study, tmp_path / "out"), tmp_path / "out"
+
+
+def value(table, name, point):
+    return float(table[name].values.ravel()[point])
+
+
+def again(study, table, folder):
+    """What is kept, by name, and how many runs that took."""
+    seen = []
+    runs = kept_runs(runs_to_keep(study, table), folder, progress=lambda done, needed, _: seen.append((done, needed)))
+    return {each.folder: each for each in runs}, seen
+
+
+def energy(state):
+    return float(np.sum(state.tendon_energy))
+
+
+def names(folder):
+    return sorted(place.name for place in (folder / "runs").iterdir())
+
+
+def test_the_folding_that_is_kept_has_the_bits_of_the_table(searched):
+    _, table, _, kept = searched
+    folds = np.flatnonzero(np.isfinite(table["least_fold_torque"].values.ravel()))
+    assert 0 < len(folds) < 4
+    for point in folds:
+        outcome = kept[f"runs/{point + 1}-folding"].outcome
+        assert outcome.fold.torque == value(table, "least_fold_torque", point)
+        assert outcome.fold.time == value(table, "fold_time", point)
+        assert outcome.fold.work == value(table, "fold_work", point)
+        assert energy(outcome.flat) == value(table, "flat_energy", point)
+        assert energy(outcome.folded_state) == value(table, "folded_energy", point)
+
+
+def test_the_opening_that_is_kept_has_the_bits_of_the_table(searched):
+    study, table, _, kept = searched
+    opens = np.flatnonzero(np.isfinite(table["least_unfold_torque"].values.ravel()))
+    assert len(opens) > 0
+    for point in opens:
+        outcome = kept[f"runs/{point + 1}-opening"].outcome
+        assert (outcome.status, outcome.opened) == ("folded and opened", True)
+        assert outcome.fold.torque == study.search.fold_with
+        assert outcome.unfold.torque == value(table, "least_unfold_torque", point)
+        assert outcome.unfold.time == value(table, "unfold_time", point)
+        assert outcome.unfold.work == value(table, "unfold_work", point)
+        assert energy(outcome.opened_state) == value(table, "opened_energy", point)
+
+
+def test_where_no_torque_works_the_largest_that_was_tried_is_kept_and_shows_why(searched):
+    study, table, _, kept = searched
+    fails = np.flatnonzero(np.isnan(table["least_fold_torque"].values.ravel()))
+    assert len(fails) > 0
+    for point in fails:
+        run = kept[f"runs/{point + 1}-folding"]
+        assert run.outcome.fold.torque == study.search.fold_torques[-1]
+        assert run.outcome.status == table["status"].values.ravel()[point]
+        assert f"runs/{point + 1}-opening" not in kept
+    folds = np.isfinite(table["least_fold_torque"].values.ravel())
+    closed = np.flatnonzero(folds & np.isnan(table["least_unfold_torque"].values.ravel()))
+    for point in closed:
+        assert kept[f"runs/{point + 1}-opening"].outcome.unfold.torque == study.search.unfold_torques[-1]
+
+
+def test_a_kept_run_is_the_folder_of_a_run(searched):
+    _, _, folder, kept = searched
+    for name, run in kept.items():
+        record = load_record(folder / name / "record.nc")
+        assert np.array_equal(record.time, run.record.time)
+        assert json.loads((folder / name / "summary.json").read_text())["status"] == run.outcome.status
+        assert ff.load_design(folder / name / "design.toml").hash == record.design.hash
+
+
+def test_what_is_there_is_read_and_not_run_again(searched):
+    study, table, folder, kept = searched
+    read, seen = again(study, table, folder)
+    assert seen == []
+    assert read.keys() == kept.keys()
+    for name, each in read.items():
+        assert repr(each.outcome) == repr(kept[name].outcome)
+
+
+def test_a_plain_study_keeps_the_run_of_each_point_that_is_a_wing(plain):
+    study, table, folder = plain
+    kept, seen = again(study, table, folder)
+    assert names(folder) == ["1", "3"]
+    assert sorted(each.point for each in kept.values()) == [0, 2]
+    for each in kept.values():
+        assert each.outcome.fold.work == value(table, "fold_work", each.point)
+        assert each.outcome.status == table["status"].values.ravel()[each.point]
+    assert seen == [(1, 2), (2, 2)]
+
+
+def test_of_many_points_those_that_folded_are_kept_spread_evenly(searched):
+    study, table, _, _ = searched
+    folded = np.flatnonzero(np.isfinite(table["least_fold_torque"].values.ravel())).tolist()
+    assert len(folded) == 3
+    assert sorted({run.point for run in runs_to_keep(study, table, 2)}) == [folded[0], folded[-1]]
+    assert {run.point for run in runs_to_keep(study, table, 3)} == set(folded)
+    assert {run.point for run in runs_to_keep(study, table, 4)} == {0, 1, 2, 3}
+    assert runs_to_keep(study, table, 0) == []
+
+
+def test_runs_that_are_not_wanted_any_more_are_removed_and_what_is_not_ours_stays(plain):
+    study, table, folder = plain
+    list(kept_runs(runs_to_keep(study, table), folder))
+    (folder / "runs" / "3" / "film.mp4").write_bytes(b"mine")
+    (folder / "runs" / ".3-abcd1234").mkdir()
+    (folder / "runs" / ".notes").mkdir()
+    list(kept_runs([], folder))
+    assert names(folder) == [".notes", "3"]
+    assert [place.name for place in (folder / "runs" / "3").iterdir()] == ["film.mp4"]
+
+
+def test_a_run_of_other_versions_or_of_another_design_or_torn_is_run_again(plain):
+    study, table, folder = plain
+    first, _ = again(study, table, folder)
+    summary, record = (folder / "runs" / "1" / name for name in ("summary.json", "record.nc"))
+    for damage in (
+        lambda: summary.write_text(summary.read_text().replace('"mujoco": "', '"mujoco": "0.')),
+        lambda: summary.write_text(summary.read_text().replace('"key": "', '"key": "x')),
+        lambda: summary.write_text(summary.read_text()[:100]),
+        lambda: record.write_bytes(b"torn"),
+        record.unlink,
+    ):
+        damage()
+        kept, seen = again(study, table, folder)
+        assert len(seen) == 1
+        assert repr(kept["runs/1"].outcome) == repr(first["runs/1"].outcome)
+
+
+@pytest.mark.parametrize("most", [-1, 1.5, True, "all"])
+def test_a_number_of_points_that_is_none_is_refused(plain, most):
+    study, table, _ = plain
+    with pytest.raises(InputError, match=r"need a whole number of points >= 0, got"):
+        runs_to_keep(study, table, most)
+
+
+def test_a_folder_that_cannot_be_written_is_an_error_that_names_it(plain):
+    study, table, folder = plain
+    (folder / "runs").write_text("a file")
+    with pytest.raises(InputError, match="runs"):
+        list(kept_runs(runs_to_keep(study, table), folder))
+
+
+def test_killed_at_any_time_the_same_call_goes_on(plain, tmp_path):
+    study, table, folder = plain
+    whole = {each.folder: each for each in kept_runs(runs_to_keep(study, table), tmp_path / "whole")}
+    script = (
+        "import sys, xarray\n"
+        "from forficula.study import load_study\n"
+        "from forficula.study.kept_runs import kept_runs, runs_to_keep\n"
+        "table = xarray.load_dataset(sys.argv[2], engine='h5netcdf')\n"
+        "print('ready', flush=True)\n"
+        "runs = runs_to_keep(load_study(sys.argv[1]), table)\n"
+        "for each in kept_runs(runs, sys.argv[3]): print('kept', flush=True)\n"
+    )
+    table.to_netcdf(tmp_path / "table.nc", engine="h5netcdf")
+    arguments = [str(tmp_path / "small.toml"), str(tmp_path / "table.nc"), str(folder)]
+    for words, wait in (("ready", 0.1), ("kept", 0.0)):
+        child = subprocess.Popen([sys.executable, "-c", script, *arguments], stdout=subprocess.PIPE, text=True)
+        while (line := child.stdout.readline()) and not line.startswith(words):
+            pass
+        time.sleep(wait)
+        os.kill(child.pid, signal.SIGKILL)
+        child.wait()
+        child.stdout.close()
+    again = {each.folder: each for each in kept_runs(runs_to_keep(study, table), folder)}
+    assert {name: repr(each.outcome) for name, each in again.items()} == {
+        name: repr(each.outcome) for name, each in whole.items()
+    }
+    assert names(folder) == ["1", "3"]
