@@ -10,6 +10,7 @@ from forficula.design import load_design, save_design, with_values
 from forficula.dynamics import save_record
 from forficula.errors import InputError
 from forficula.files import write_bytes, write_text
+from forficula.show import figure_kinds
 from forficula.show.convergence_figure import convergence_drawings
 from forficula.show.cycling_folder import cycling_drawings, cycling_summary, read_cycling
 from forficula.show.figure_kinds import folder_drawings, write_figure
@@ -23,7 +24,6 @@ from forficula.study.convergence_file import load_convergence, save_convergence
 from forficula.study.cycling import Cycling
 from forficula.study.refinement import TIMESTEP
 from forficula.study.static_map import map_study, static_map
-from forficula.study.survey import survey
 from tests.show.test_cycling_folder import STUCK
 from tests.show.test_cycling_folder import run as cycle
 from tests.show.test_maps import TWO, planted
@@ -98,11 +98,24 @@ def test_the_figures_of_cycles_of_a_study_and_of_maps_are_drawn_again(folders, t
     assert_drawn_again(folders / "landscape", static_map_drawings(slow_maps(reference)), "map", tmp_path)
 
 
-def test_a_landscape_is_surveyed_again_with_its_run_where_it_had_one(tmp_path, reference):
-    landscape, record = survey(reference, simulation=True)
+@pytest.mark.parametrize(
+    ("simulation", "kind", "runs"), [("{}", "tendon", True), ("{}", "wing", False), ("null", "tendon", False)]
+)
+def test_a_landscape_is_surveyed_again_with_its_run_where_its_figure_shows_one(
+    tmp_path, reference, reference_run, surveyed, monkeypatch, simulation, kind, runs
+):
+    asked = []
+
+    def survey(design, *, simulation):
+        asked.append((design.hash, simulation))
+        return surveyed("reference"), reference_run if simulation else None
+
+    monkeypatch.setattr(figure_kinds, "survey", survey)
     save_design(reference, tmp_path / "design.toml")
-    write_text(tmp_path / "landscape.json", '{"simulation": {"status": "folded"}}')
-    assert_drawn_again(tmp_path, landscape_drawings(landscape, record), "tendon", tmp_path)
+    write_text(tmp_path / "landscape.json", f'{{"simulation": {simulation}}}')
+    drawings = landscape_drawings(surveyed("reference"), reference_run if runs else None)
+    assert_drawn_again(tmp_path, drawings, kind, tmp_path)
+    assert asked == [(reference.hash, runs)]
 
 
 def test_the_figures_of_a_convergence_study_are_drawn_again(folders, tmp_path, convergence):

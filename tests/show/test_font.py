@@ -3,7 +3,7 @@
 from importlib.resources import files
 
 import pytest
-from fontTools.pens.recordingPen import RecordingPen
+from fontTools.pens.recordingPen import DecomposingRecordingPen
 from fontTools.ttLib import TTFont
 from matplotlib import get_data_path
 from matplotlib.figure import Figure
@@ -15,8 +15,8 @@ NEEDED = "abcxyzABCXYZ0123456789 .,:;()[]%+-−±×·°²³µÅÄÖÜäöüß≤
 
 
 def outline(font, letter):
-    pen = RecordingPen()
     glyphs = font.getGlyphSet()
+    pen = DecomposingRecordingPen(glyphs)
     glyphs[font.getBestCmap()[ord(letter)]].draw(pen)
     return pen.value
 

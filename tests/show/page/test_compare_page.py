@@ -1,5 +1,7 @@
 """Runs side by side, and what is refused."""
 
+import os
+
 import numpy as np
 import pytest
 
@@ -8,6 +10,7 @@ from forficula.cli import main
 from forficula.dynamics import save_record
 from forficula.errors import InputError
 from forficula.show.page import compare_runs
+from tests.show.page.appearance import check_look
 
 
 @pytest.fixture(scope="module")
@@ -77,11 +80,31 @@ def test_only_values_that_differ_are_listed(opened):
     assert rows == ["protocol.fold_torque", "design hash"]
 
 
+def test_the_keys_that_are_listed_are_those_of_several_wings(opened):
+    listed = opened.page.locator(".keys th").all_text_contents()
+    assert "space" in listed
+    assert not {"1", "2", "3", "1 2 3"} & set(listed)
+
+
 @pytest.mark.parametrize("width", [360, 1280])
 def test_the_page_fits_its_window(opened, width):
-    opened.page.set_viewport_size({"width": width, "height": 700})
-    opened.settle()
+    opened.show(width=width, height=700)
     assert opened.page.evaluate("document.documentElement.scrollWidth") <= width
+
+
+def test_in_a_narrow_window_the_clock_stays_in_sight_of_every_wing(opened):
+    opened.show(width=360, height=700)
+    for cell in opened.page.locator(".cell").all():
+        cell.evaluate("each => each.scrollIntoView()")
+        play = opened.page.get_by_role("button", name="play").bounding_box()
+        assert 0 <= play["y"] < 700
+
+
+def test_the_page_looks_as_it_was_kept(opened):
+    opened.show(width=1280, height=1000)
+    show(opened, "whole runs", 0.03)
+    opened.page.evaluate("forficula.player.stage.eye.show({ towards: [0.37, -0.695, 0.616] })")
+    check_look(opened, "compare")
 
 
 def refusal(*arguments):
@@ -105,6 +128,18 @@ def test_what_is_no_run_is_refused_with_what_is_needed(folders, tmp_path):
     (empty / "record.nc").write_text("no record", "utf-8")
     assert "not a record of forficula" in refusal([slow, empty], page)
     assert not page.exists()
+
+
+def test_a_folder_whose_name_is_no_text_is_shown_as_well_as_it_can_be(folders, tmp_path):
+    quick, slow = folders
+    odd = tmp_path / os.fsdecode(b"caf\xe9")
+    try:
+        odd.mkdir()
+    except OSError:
+        pytest.skip("the file system wants names that are text")
+    (odd / "record.nc").write_bytes((slow / "record.nc").read_bytes())
+    compare_runs([quick, odd], tmp_path / "page.html")
+    assert "<h1>quick and caf\ufffd</h1>" in (tmp_path / "page.html").read_text("utf-8")
 
 
 def test_folders_of_one_name_are_told_apart_by_those_above(folders, tmp_path):

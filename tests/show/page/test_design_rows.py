@@ -1,6 +1,6 @@
 import pytest
 
-from forficula.design import load_design, with_values
+from forficula.design import load_design, scale_design, with_values
 from forficula.show.page.design_rows import ABSENT, base_design, design_rows, differing_rows
 from forficula.show.page.design_tables import design_tables
 
@@ -51,6 +51,15 @@ def test_a_law_and_stages_that_only_one_of_two_designs_has_are_absent_in_the_oth
     assert found["protocol.stages.4.name"] == ("release opened", ABSENT)
     assert any(key.startswith("tendon.law.") for key in found)
     assert "tpu-82a" in "".join(design_tables(other))
+
+
+def test_the_rounding_errors_of_a_scaled_design_are_not_shown_and_do_not_count(reference):
+    there_and_back = scale_design(scale_design(reference, 1 / 7), 7)
+    assert there_and_back.hash != reference.hash
+    assert differences(there_and_back) == {}
+    tables = "".join(design_tables(there_and_back))
+    assert "Every value is that of the named design binder2025, to 9 digits." in tables
+    assert "0000000000" not in tables
 
 
 @pytest.mark.parametrize(("name", "base"), [("my wing", "binder2025"), ("binder2025", "binder2025")])

@@ -61,6 +61,11 @@ def test_the_licences_of_what_is_packed_stand_beside_it():
     assert licences.count("Permission is hereby granted") == 2
 
 
+def test_a_reader_without_javascript_is_told_so_above_the_numbers():
+    page = page_html("wing", "<h1>wing</h1>", {"kind": "run"})
+    assert page.index("<noscript>") < page.index("<h1>")
+
+
 def test_a_table_names_its_columns_and_rows_and_marks_what_it_should():
     made = table("Angles", ("vein", "deg"), [["0", Cell(text="3.0", marked=True)]], groups=[("", 1), ("flat", 1)])
     assert "<caption>Angles</caption>" in made

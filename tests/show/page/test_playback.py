@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from forficula.analysis import measure
+from forficula.analysis import measure, summary
 from forficula.design import load_design
 from forficula.dynamics import run
 from forficula.show.page.playback import clip_data, make_clip
@@ -70,15 +70,35 @@ def test_a_state_that_was_not_reached_is_not_called_by_its_name():
     assert [(mark.letter, mark.name) for mark in clip.marks] == [("a", "flat"), ("b", "after folding")]
 
 
-def test_a_run_that_diverged_keeps_what_is_finite():
+def test_a_run_that_diverged_is_shown_up_to_where_its_hinges_pass_their_stops_by_a_turn_and_says_so():
     record = run(load_design("binder2025", {"protocol.timestep": "5 ms"}))
-    series = {name: values.copy() for name, values in record.series.items()}
-    series["vein_position"][-1] = np.nan
-    record = replace(record, series=series)
-    assert "diverged" in run_page(record, measure(record))
+    angles = np.concatenate([record.series["distal_angle"], record.series["turn_angle"]], axis=1)
+    shown = np.flatnonzero((np.abs(angles) > 2 * np.pi).any(axis=1))[0]
+    assert 0 < shown < len(record.time)
+    page = run_page(record, measure(record))
+    assert "diverged at t = 0.05 s" in page
+    assert "in which a hinge has passed its stops by a full turn, are not shown." in page
+    # of a balance that does not close no share is worth saying
+    assert "The energy balance misses" not in page
     clip = make_clip(record, measure(record))
-    assert len(clip.time) == len(record.time) - 1
-    assert np.isfinite(clip.points).all()
+    assert clip.time[-1] == record.time[shown - 1]
+    assert np.abs(clip.distal_angle).max() < 2 * np.pi
+    # 0 and 1 are not beyond a turn, but come after nonsense
+    series = {name: values.copy() for name, values in record.series.items()}
+    series["distal_angle"][1], series["turn_angle"][2] = np.nan, np.inf
+    broken = replace(record, series=series)
+    assert len(make_clip(broken, measure(broken)).time) == 1
+    assert "diverged" in run_page(broken, measure(broken))
+
+
+def test_marks_have_the_angles_and_energies_that_the_summary_states(data, short_run, short_outcome):
+    stated = summary(short_run, short_outcome, {})["states"]
+    for mark in data["marks"]:
+        state = stated[mark["name"]]
+        assert mark["distalAngle_deg"] == state["distal_angle_deg"]
+        assert mark["tendonEnergy_J"] == state["tendon_energy_J"]
+        swing = np.subtract(state["distal_angle_high_deg"], state["distal_angle_low_deg"]) / 2
+        assert mark["distalSwing_deg"] == pytest.approx(swing, abs=1e-9)
 
 
 def test_five_seconds_of_a_wing_of_five_units_that_never_rests_take_less_than_five_megabytes(large_record):

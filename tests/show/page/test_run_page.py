@@ -1,7 +1,6 @@
 """The page of a run, in a browser with the network cut."""
 
 import io
-import json
 import re
 
 import matplotlib.image
@@ -9,8 +8,11 @@ import numpy as np
 import pytest
 
 from forficula.analysis import summary
-from forficula.dynamics import versions
+from forficula.design import load_design
+from forficula.dynamics import run, versions
 from forficula.show.page import write_run_page
+from forficula.show.page.words import angle_range
+from tests.show.page.appearance import check_look
 from tests.show.page.conftest import until
 
 # positions are floats of four bytes, and between two frames off by half of this at most
@@ -33,6 +35,7 @@ def one_page(watch_all, report):
 @pytest.fixture
 def opened(one_page):
     """The page as it opens."""
+    one_page.show()
     one_page.page.evaluate(
         """() => { const { clock, player } = forficula;
         clock.pause(); clock.setSpan(clock.spans[0]); clock.seek(0); clock.setSpeed("even");
@@ -52,9 +55,13 @@ def time(page):
     return page.evaluate("forficula.clock.time")
 
 
+def readout_texts(page, row):
+    return page.locator(f"#readout tr:has(th:text-is('{row}')) td").all_inner_texts()
+
+
 def readout(page, row):
-    cells = page.locator(f"#readout tr:has(th:text-is('{row}')) td").all_inner_texts()
-    return [float(cell.replace("−", "-")) for cell in cells]
+    """Numbers of a row, without what stands behind ±."""
+    return [float(text.replace("−", "-").partition(" ")[0]) for text in readout_texts(page, row)]
 
 
 def drawn(page):
@@ -126,17 +133,24 @@ def test_even_motion_takes_its_time_where_the_wing_is_fast(opened):
 
 
 def test_scrubbed_to_folded_the_wing_has_the_angles_that_the_summary_states(opened, short_run, short_outcome):
-    stated = json.loads(json.dumps(summary(short_run, short_outcome, versions())))["states"]["folded"]
+    stated = summary(short_run, short_outcome, versions())["states"]["folded"]
     page = opened.page
     page.get_by_role("button", name="b folded").click()
     opened.settle()
     assert time(page) == pytest.approx(stated["time_s"])
-    low, high = np.array(stated["distal_angle_low_deg"]), np.array(stated["distal_angle_high_deg"])
-    shown = np.array(readout(page, "distal angle (deg)"))
     # as written, to a tenth of a degree
-    assert np.all(shown >= low - 0.051)
-    assert np.all(shown <= high + 0.051)
-    assert (shown < -150).all()
+    shown = readout(page, "distal angle (deg)")
+    assert shown == pytest.approx(stated["distal_angle_deg"], abs=0.0501)
+    assert max(shown) < -150
+    assert [float(energy) for energy in readout(page, "tendon energy (J)")] == stated["tendon_energy_J"]
+    table = page.locator("#outcome table").first.locator("tbody tr")
+    assert readout_texts(page, "distal angle (deg)") == [
+        table.nth(vein).locator("td").nth(3).inner_text() for vein in range(3)
+    ]
+    assert page.locator("#readout caption").inner_text().endswith(", folded (means)")
+    assert (
+        f"{angle_range(np.array(stated['distal_angle_deg']))} folded" in page.locator("figcaption").first.inner_text()
+    )
 
 
 def test_dragging_along_the_time_line_scrubs_to_the_same_place(opened, short_outcome):
@@ -217,8 +231,9 @@ def test_everything_that_can_be_used_or_seen_has_a_name(opened):
 
 
 @pytest.mark.parametrize(("width", "height"), [(360, 740), (640, 400)], ids=["a phone", "a laptop at 200 %"])
-def test_nothing_is_wider_than_the_window_of(watch, report, width, height):
-    page = watch(report, viewport={"width": width, "height": height}, device_scale_factor=2).page
+def test_nothing_is_wider_than_the_window_of(opened, width, height):
+    page = opened.page
+    opened.show(width, height)
     assert page.evaluate("document.documentElement.scrollWidth") <= width
     assert (
         page.evaluate(
@@ -228,8 +243,9 @@ def test_nothing_is_wider_than_the_window_of(watch, report, width, height):
     )
 
 
-def test_dark_windows_get_light_text_on_dark_ground(watch, report):
-    page = watch(report, color_scheme="dark").page
+def test_dark_windows_get_light_text_on_dark_ground(opened):
+    page = opened.page
+    opened.show(scheme="dark")
     colours = page.evaluate("[getComputedStyle(document.body).color, getComputedStyle(document.body).backgroundColor]")
     ink, ground = (np.mean([int(part) for part in re.findall(r"\d+", colour)[:3]]) for colour in colours)
     assert ink > 200 > 60 > ground
@@ -240,6 +256,68 @@ def test_the_wing_moves_by_itself_only_for_readers_who_have_not_asked_for_less_m
     moving = watch(report, reduced_motion="no-preference", viewport={"width": 320, "height": 480}).page
     until(moving, "forficula.clock.time > 0")
     assert one_page.time_when_opened == 0
+
+
+@pytest.mark.parametrize(
+    ("name", "width", "height", "scheme", "state"),
+    [
+        ("run flat", 1280, 1000, "light", "1"),
+        ("run folded", 1280, 1000, "light", "2"),
+        ("run dark", 1280, 1000, "dark", "2"),
+        ("run phone", 360, 660, "light", "2"),
+    ],
+)
+def test_the_page_looks_as_it_was_kept(opened, name, width, height, scheme, state):
+    opened.show(width, height, scheme)
+    opened.page.keyboard.press(state)
+    check_look(opened, name)
+
+
+@pytest.mark.parametrize(
+    ("scheme", "fault"),
+    [
+        ("light", "document.querySelector('canvas').style.visibility = 'hidden'"),
+        ("dark", "undefined"),
+        ("light", "document.querySelector('.plots').style.display = 'block'"),
+        ("light", "document.querySelector('.legend').style.display = 'none'"),
+    ],
+    ids=["a blank canvas", "a wrong scheme", "plots below one another", "no legend"],
+)
+def test_a_page_does_not_look_as_it_was_kept_with(opened, scheme, fault):
+    opened.show(1280, 1000, scheme)
+    opened.page.keyboard.press("2")
+    opened.page.evaluate(fault)
+    with pytest.raises(AssertionError, match="differ"):
+        check_look(opened, "run folded")
+    for changed in (".plots", "canvas", ".legend"):
+        opened.page.locator(changed).first.evaluate("each => each.removeAttribute('style')")
+
+
+def test_downloaded_the_design_repeats_the_run(opened, short_run, tmp_path):
+    with opened.page.expect_download() as download:
+        opened.page.get_by_role("link", name="Download design.toml").click()
+    assert download.value.suggested_filename == "design.toml"
+    download.value.save_as(tmp_path / "design.toml")
+    again = run(load_design(tmp_path / "design.toml"))
+    assert again.design.hash == short_run.design.hash
+    for name, values in short_run.series.items():
+        assert np.array_equal(again.series[name], values), name
+    assert "forficula run design.toml" in opened.page.locator("#repeat").inner_text()
+
+
+def test_what_is_said_aloud_is_not_said_in_every_frame(opened):
+    live = opened.page.locator("[aria-live], [role=status], output")
+    assert [each.get_attribute("class") for each in live.all()] == ["spoken"]
+
+
+def test_where_the_script_fails_the_page_says_so_and_keeps_its_numbers(browser, report):
+    context = browser.new_context(offline=True)
+    context.add_init_script("delete window.ResizeObserver; delete Array.prototype.findLast;")
+    page = context.new_page()
+    page.goto(report.as_uri())
+    assert "cannot be shown in this browser" in page.get_by_role("alert").inner_text()
+    assert page.locator("#outcome table").count() == 3
+    context.close()
 
 
 def test_without_webgl_a_sentence_says_so_and_the_numbers_stay(browser, report):

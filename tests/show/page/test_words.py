@@ -42,7 +42,9 @@ def test_a_wing_that_never_rests_is_told(short_run, short_outcome):
 
 def test_plots_are_told_by_the_values_in_the_states(short_run, short_outcome):
     clip = make_clip(short_run, short_outcome)
-    text = angle_text("distal hinge angle", np.degrees(clip.distal_angle), clip)
+    states = (short_outcome.flat, short_outcome.folded_state, short_outcome.opened_state)
+    text = angle_text("distal hinge angle", [np.degrees(state.distal_angle) for state in states], clip)
+    assert f"{angle_range(np.degrees(states[1].distal_angle))} folded" in text
     assert text.startswith("Distal hinge angle of 3 veins: ")
     assert text.count("°") >= 3
     assert [text.find(name) > 0 for name in ("flat", "folded", "opened")] == [True, True, True]

@@ -81,7 +81,7 @@ def section_title(section: str, design: Design) -> str:
 
 
 def _flat(design: Design) -> dict[str, str]:
-    """Values as text by dotted key, without name and source, and without the last digits: scaling leaves errors there."""
+    """Values as text by dotted key, without name and source; their last digits, where rounding shows, are left out."""
     tables = as_tables(design, partial(show_quantity, digits=DIGITS))
     sections = {key: value for key, value in tables.items() if isinstance(value, dict)}
     return dict(_leaves(sections))

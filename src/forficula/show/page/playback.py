@@ -98,14 +98,15 @@ def make_clip(record: Record, outcome: Outcome, *, name: str = "", budget: int =
     a_frame = 8 + 4 * (points[0].size + _SERIES_BY_VEIN * len(record.series["distal_angle"][0]) + _SERIES)
     most = max(budget // a_frame, 2)
     rows = kept_frames(record.time, points, moments, most=most, tolerance=tolerance)
+    shown_until = record.time[rows[-1]]
     series = {key: values[rows] for key, values in record.series.items()}
     return Clip(
         name=name or record.design.name,
         time=record.time[rows],
         points=points[rows],
         mesh=wing_mesh(record.design),
-        marks=tuple(mark for mark in marks if mark.time <= record.time[rows[-1]]),
-        stages=tuple(end for end in record.stages if end.start <= record.time[rows[-1]]),
+        marks=tuple(mark for mark in marks if mark.time <= shown_until),
+        stages=tuple(end for end in record.stages if end.start <= shown_until),
         distal_angle=series["distal_angle"],
         turn_angle=series["turn_angle"],
         tendon_energy=series["tendon_energy"],

@@ -51,13 +51,11 @@ class Plot:
 def angle_plot(clip: Clip, title: str, series: Literal["distalAngle", "turnAngle"]) -> Plot:
     """Angles of every vein of the only clip of a page, deg."""
     lines = tuple(Line(name=f"vein {vein}", clip=0, values=(series, vein)) for vein in range(clip.turn_angle.shape[1]))
-    in_states = [
-        # what the summary states is a mean
-        mark.state.distal_angle
-        if series == "distalAngle"
-        else clip.turn_angle[np.argmin(np.abs(clip.time - mark.time))]
-        for mark in clip.marks
-    ]
+    if series == "distalAngle":
+        in_states = [mark.state.distal_angle for mark in clip.marks]
+    else:
+        # an outcome has no such means
+        in_states = [clip.turn_angle[np.argmin(np.abs(clip.time - mark.time))] for mark in clip.marks]
     text = angle_text(title, [np.degrees(angles) for angles in in_states], clip)
     return Plot(title=title, unit="deg", lines=lines, text=text)
 
