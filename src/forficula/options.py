@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING, TypeVar
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, TypeVar
+
+from cyclopts import Parameter
 
 from forficula.errors import InputError
 
@@ -11,6 +14,13 @@ if TYPE_CHECKING:
     from forficula.quantities import Unit
 
 T = TypeVar("T")
+Settings = Annotated[
+    list[str] | None,
+    Parameter(
+        name="--set", help='Replace a value, as in --set tendon.stiffness="20 N/cm"; may be repeated.', negative=()
+    ),
+]
+DesignName = Annotated[str, Parameter(help="A named design, or the path of a design file (.toml).")]
 
 
 def read_option(option: str, read: Callable[[], T]) -> T:
@@ -68,4 +78,52 @@ def read_stiffnesses(option: str, text: str) -> list[float]:
     values = [read_quantity(option, each, STIFFNESS) for each in texts]
     if min(values) <= 0:
         raise InputError(f'{option}: need > 0, got "{text}"')
+    return values
+
+
+def read_shard(text: str) -> tuple[int, int]:
+    """Turn "2/8" into (2, 8).
+
+    Raises:
+        InputError: it is no such text.
+    """
+    number, slash, count = text.partition("/")
+    if not (slash and number.isdecimal() and count.isdecimal() and 1 <= int(number) <= int(count)):
+        raise InputError(f'--shard: need a number and a count such as 2/8, got "{text}"')
+    return int(number), int(count)
+
+
+def check_folder(folder: Path) -> None:
+    """Refuse a folder that cannot be made, before a run that takes a while.
+
+    Raises:
+        InputError: it cannot be made.
+    """
+    try:
+        there = next(place for place in (folder, *folder.parents, Path()) if place.exists())
+    except OSError as error:
+        raise InputError(f"--out: {folder}: {error.strerror}") from None
+    if not there.is_dir():
+        raise InputError(f"--out: need a folder, got the file {there}")
+
+
+def read_settings(
+    settings: Sequence[str] | None, option: str = "--set", example: str = 'tendon.stiffness="20 N/cm"'
+) -> dict[str, object]:
+    """Turn key=value texts into values by dotted key: TOML where they are TOML, text with a unit otherwise.
+
+    Raises:
+        InputError: one is no such text.
+    """
+    import tomllib
+
+    values: dict[str, object] = {}
+    for setting in settings or ():
+        key, equals, text = setting.partition("=")
+        if not equals or not key.strip():
+            raise InputError(f'{option}: need KEY=VALUE such as {example}, got "{setting}"')
+        try:
+            values[key.strip()] = tomllib.loads(f"value = {text}")["value"]
+        except (ValueError, RecursionError):  # not TOML, or too long a number or too deep a list for it
+            values[key.strip()] = text.strip()
     return values

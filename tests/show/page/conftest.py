@@ -96,7 +96,7 @@ class Watched:
         self.page = self.context.new_page()
         self.messages: list[str] = []
         self.requests: list[str] = []
-        self.page.on("console", lambda message: self.messages.append(message.text))
+        self.page.on("console", self.hear)
         self.page.on("pageerror", lambda error: self.messages.append(str(error)))
         self.page.on("request", lambda request: self.requests.append(request.url))
         self.page.goto(path.as_uri())
@@ -109,6 +109,11 @@ class Watched:
         self.page.set_viewport_size({"width": width, "height": height})
         self.page.emulate_media(color_scheme=scheme)
         self.settle()
+
+    def hear(self, message):
+        """Keep what is said on the console, but for what Chromium says of its own flags."""
+        if "GPU stall due to ReadPixels" not in message.text:
+            self.messages.append(message.text)
 
     def settle(self):
         """Wait until what has changed is drawn."""

@@ -264,7 +264,7 @@ def test_the_wing_moves_by_itself_only_for_readers_who_have_not_asked_for_less_m
         ("run flat", 1280, 1000, "light", "1"),
         ("run folded", 1280, 1000, "light", "2"),
         ("run dark", 1280, 1000, "dark", "2"),
-        ("run phone", 360, 660, "light", "2"),
+        ("run phone", 360, 600, "light", "2"),
     ],
 )
 def test_the_page_looks_as_it_was_kept(opened, name, width, height, scheme, state):

@@ -1,0 +1,81 @@
+"""The command that surveys a design without simulating."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+from cyclopts import Parameter
+
+from forficula.errors import InputError
+from forficula.options import DesignName, Settings, check_folder, read_settings
+
+if TYPE_CHECKING:
+    from forficula.design import Design
+
+
+def landscape(
+    design: DesignName,
+    /,
+    *,
+    settings: Settings = None,
+    out: Annotated[
+        Path | None, Parameter(help="Folder for the results; out/<name of the design>-landscape if not given.")
+    ] = None,
+    simulation: Annotated[
+        bool, Parameter(help="Run the design, too, and show it beside what statics predicts.")
+    ] = True,
+    over: Annotated[
+        list[str] | None,
+        Parameter(
+            help='Map what folds and opens slowly over a key, as in --over tendon.rest_length="0..9 cm step 1"; may be'
+            " repeated.",
+            negative=(),
+        ),
+    ] = None,
+    simulated: Annotated[
+        Path | None, Parameter(help="Folder of a study of this design over the same keys, to compare the map with.")
+    ] = None,
+) -> None:
+    """Survey a design's energy without simulating: stable states, barriers, holding torques, stiffness, snap."""
+    from forficula.design import load_design
+
+    chosen = load_design(design, read_settings(settings))
+    folder = out or Path("out") / f"{chosen.name}-landscape"
+    check_folder(folder)
+    if simulated is not None and not over:
+        raise InputError("--simulated: needs --over with the keys of the study")
+    if not over:
+        _survey(chosen, folder, simulation)
+    else:
+        from forficula.show.static_map_folder import print_static_map, read_simulated, write_static_map
+        from forficula.study.static_map import map_study, static_map
+
+        study = map_study(chosen, read_settings(over, "--over", 'tendon.rest_length="0..9 cm step 1"'))
+        beside = None if simulated is None else read_simulated(simulated, chosen)
+        _survey(chosen, folder, simulation)
+        table = static_map(study)
+        write_static_map(study, table, folder, beside)
+        print_static_map(table, beside)
+    print(f"\nwritten to {folder}")
+
+
+def _survey(design: Design, folder: Path, simulation: bool) -> None:
+    """Write and print the landscape of one design, and a run of it where one is wanted."""
+    from forficula.design import design_warnings
+    from forficula.dynamics import timestep_warnings
+    from forficula.show.landscape_folder import write_landscape
+    from forficula.show.landscape_table import print_landscape
+    from forficula.show.progress import run_progress
+    from forficula.study.survey import survey
+
+    for warning in design_warnings(design):
+        print(f"warning: {warning}", file=sys.stderr)
+    if simulation:
+        for warning in timestep_warnings(design):
+            print(f"warning: {warning}", file=sys.stderr)
+    with run_progress() as progress:
+        landscape, record = survey(design, simulation=simulation, progress=progress)
+    write_landscape(landscape, folder, record)
+    print_landscape(landscape, record)

@@ -1,0 +1,135 @@
+"""Commands about one run: make it, look at it, compare it."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from cyclopts import Parameter
+
+from forficula.errors import InputError
+from forficula.options import DesignName, Settings, check_folder, read_option, read_settings, read_size
+
+if TYPE_CHECKING:
+    from forficula.design import Design
+
+
+def run(
+    design: DesignName,
+    /,
+    *,
+    settings: Settings = None,
+    out: Annotated[
+        Path | None, Parameter(help="Folder for the results; out/<name of the design> if not given.")
+    ] = None,
+    cycles: Annotated[
+        int | None, Parameter(help="Fold and open again with the tendons as they are up to this cycle, as in 100.")
+    ] = None,
+) -> None:
+    """Fold and open a wing: energies, work, times, a verdict, and pictures."""
+    from forficula.design import design_warnings, load_design
+
+    chosen = load_design(design, read_settings(settings))
+    folder = out or Path("out") / chosen.name
+    check_folder(folder)
+    if cycles is not None:
+        from forficula.study.cycling import check_cycles
+
+        last = cycles
+        read_option("--cycles", lambda: check_cycles(chosen, last))
+
+    from forficula.analysis import measure
+    from forficula.dynamics import run as run_design
+    from forficula.dynamics import timestep_warnings
+    from forficula.show import print_outcome, run_progress, write_run
+
+    for warning in design_warnings(chosen) + timestep_warnings(chosen):
+        print(f"warning: {warning}", file=sys.stderr)
+    with run_progress() as progress:
+        record = run_design(chosen, progress)
+    outcome = measure(record)
+    write_run(record, outcome, folder)
+    print_outcome(chosen.name, outcome)
+    _cycle(chosen, cycles, folder)
+    print(f"\nwritten to {folder}")
+
+
+def _cycle(design: Design, cycles: int | None, folder: Path) -> None:
+    """Write and print what becomes of a run's wing over cycles, where that is wanted and the tendons change."""
+    from forficula.show.cycling_folder import print_cycling, remove_cycling, write_cycling
+
+    remove_cycling(folder)
+    if cycles is None:
+        return
+
+    from forficula.show import study_progress
+    from forficula.study.cycling import run_cycles, why_unchanged
+
+    if reason := why_unchanged(design):
+        print(f"\nCycles: {reason}")
+        return
+    with study_progress() as progress:
+        cycling = run_cycles(design, cycles, progress)
+    write_cycling(cycling, folder)
+    print_cycling(cycling)
+
+
+def compare(
+    *runs: Annotated[Path, Parameter(help="Folders that forficula run wrote, two or more.")],
+    out: Annotated[Path, Parameter(help="A .html file.")],
+) -> None:
+    """Show runs side by side on one clock, as a page that opens in any browser."""
+    from forficula.show.page import compare_runs
+
+    compare_runs(runs, out)
+    print(f"written to {out}")
+
+
+def figure(
+    results: Annotated[Path, Parameter(help="A folder that forficula wrote: of a run, a study, a landscape, ...")],
+    /,
+    *,
+    kind: Annotated[str, Parameter(help="Which figure, by the name of its picture there, such as energy or folding.")],
+    out: Annotated[Path, Parameter(help="A .pdf, .svg or .png file.")],
+    width: Annotated[
+        Literal["column", "page"] | None,
+        Parameter(help="As wide as a journal's column, 3.5 in, which it is if not given, or as its page, 7.1 in."),
+    ] = None,
+) -> None:
+    """Draw one figure of some results again, for a paper."""
+    from forficula.show.figure_kinds import write_figure
+    from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
+
+    write_figure(results, kind, out, None if width is None else {"column": COLUMN_WIDTH, "page": PAGE_WIDTH}[width])
+    print(f"written to {out}")
+
+
+def film(
+    run: Annotated[Path, Parameter(help="The folder of a run.")],
+    /,
+    *,
+    out: Annotated[Path, Parameter(help="An .mp4 or .gif file.")],
+    size: Annotated[
+        str | None, Parameter(help="Pixels across and upwards; 1280x720, or 800x450 for .gif, if not given.")
+    ] = None,
+    fps: Annotated[int | None, Parameter(help="Pictures a second; 30, or 15 for .gif, if not given.")] = None,
+    slower: Annotated[
+        float | None, Parameter(help="How many times; each move takes about 3.5 s of the film if not given.")
+    ] = None,
+) -> None:
+    """Film a run: the wing, its tendons coloured by their energy, held in every state and slowed down between them."""
+    from forficula.show.film import LARGEST, SMALLEST, check_film, write_film
+    from forficula.show.progress import film_progress
+    from forficula.show.run_reader import read_run
+
+    read_option("--out", lambda: check_film(out))
+    pixels = None if size is None else read_size("--size", size, SMALLEST, LARGEST)
+    if fps is not None and not 1 <= fps <= 60:
+        raise InputError(f"--fps: need 1 to 60, got {fps}")
+    if slower is not None and not 0.01 <= slower <= 10_000:
+        raise InputError(f"--slower: need 0.01 to 10000, got {slower:g}")
+    record = read_run(run)
+    with film_progress() as progress:
+        write_film(record, out, size=pixels, rate=fps, slowed=slower, progress=progress)
+    print(f"written to {out}")

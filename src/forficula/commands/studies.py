@@ -1,0 +1,130 @@
+"""Commands that make many runs."""
+
+from __future__ import annotations
+
+import sys
+from contextlib import nullcontext
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+from cyclopts import Parameter
+
+from forficula.errors import InputError
+from forficula.options import DesignName, Settings, check_folder, read_option, read_settings, read_shard
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+    from forficula.study import Study
+
+
+def study(
+    study: Annotated[str, Parameter(help="A named study, or the path of a study file (.toml).")],
+    /,
+    *,
+    out: Annotated[Path | None, Parameter(help="Folder of the study; out/<its name> if not given.")] = None,
+    dry_run: Annotated[bool, Parameter(help="Only say how many runs there are and how long they take.")] = False,
+    shard: Annotated[str, Parameter(help="Run a part of the points, as in 2/8; then collect.")] = "1/1",
+    collect: Annotated[bool, Parameter(help="Build the table from the rows of all shards.")] = False,
+    slurm: Annotated[int | None, Parameter(help="Write a SLURM job array of so many shards instead.")] = None,
+    dask: Annotated[
+        str | None, Parameter(help="Run on the Dask cluster with this scheduler, as in tcp://scheduler:8786.")
+    ] = None,
+    keep: Annotated[
+        int | None,
+        Parameter(help="Keep runs of so many points at most, to be played in its page; 100 if not given, 0 for none."),
+    ] = None,
+) -> None:
+    """Run a study, or go on with it where it stopped: a table, maps, and a page on which they open their runs."""
+    from forficula.study import collect as collect_study
+    from forficula.study import estimate, load_study, run_study, slurm_script
+
+    chosen = load_study(study)
+    folder = out or Path("out") / chosen.name
+    check_folder(folder)
+    if keep is not None:
+        from forficula.study.kept_runs import check_most
+
+        most = keep
+        read_option("--keep", lambda: check_most(most))
+    if slurm is not None:
+        from forficula.files import write_text
+
+        write_text(folder / "study.slurm", slurm_script(study, str(folder), slurm))
+        print(f"written to {folder / 'study.slurm'}; submit it with: sbatch {folder / 'study.slurm'}")
+        return
+    if dry_run:
+        most, left, seconds = estimate(chosen, folder)
+        print(f"{chosen.name}: {len(chosen.points)} points, at most {most} runs; {left} to do, about {seconds:.0f} s")
+        return
+    if collect:
+        table = collect_study(chosen, folder)
+    else:
+        from forficula.show import study_progress
+        from forficula.study import dask_cluster
+
+        with nullcontext() if dask is None else dask_cluster(dask) as cluster, study_progress() as progress:
+            part = run_study(chosen, folder, shard=read_shard(shard), cluster=cluster, progress=progress)
+        if part is None:
+            print(f"shard {shard} is done; when all are: forficula study {study} --out {folder} --collect")
+            return
+        table = part
+
+    from forficula.show import print_study, write_study
+
+    write_study(chosen, table, folder)
+    _report(chosen, table, keep, folder)
+    print_study(chosen, table)
+    print(f"\nwritten to {folder}")
+
+
+def _report(study: Study, table: Dataset, keep: int | None, folder: Path) -> None:
+    """Write a study's page, and keep the runs that it plays."""
+    from forficula.show import study_progress
+    from forficula.show.study_folder import write_study_report
+    from forficula.study.kept_runs import MOST_POINTS, kept_runs, runs_to_keep
+
+    runs = runs_to_keep(study, table, MOST_POINTS if keep is None else keep)
+    if runs:
+        what = "1 run" if len(runs) == 1 else f"{len(runs)} runs"
+        print(f"keeping {what} whole, to be played in report.html (--keep 0 does without)", file=sys.stderr)
+    with study_progress() as progress:
+        write_study_report(study, table, kept_runs(runs, folder, progress=progress), len(runs), folder)
+
+
+def converge(
+    design: DesignName,
+    /,
+    *,
+    timesteps: Annotated[str | None, Parameter(help='Timesteps, as in "0.5 0.4 0.3 0.2 0.1 ms".')] = None,
+    moduli: Annotated[str | None, Parameter(help='Moduli of the membrane, as in "0.5 1 2 4 MPa".')] = None,
+    meshes: Annotated[str | None, Parameter(help='How many times finer its rows are, as in "1 2 3".')] = None,
+    settings: Settings = None,
+    out: Annotated[
+        Path | None, Parameter(help="Folder for the results; out/<name of the design>-converge if not given.")
+    ] = None,
+) -> None:
+    """Run a design at several timesteps, membrane moduli or meshes: do its times depend on them?"""
+    from forficula.design import load_design
+
+    chosen = load_design(design, read_settings(settings))
+    folder = out or Path("out") / f"{chosen.name}-converge"
+    check_folder(folder)
+
+    from forficula.show import study_progress
+    from forficula.show.convergence_figure import print_convergence, write_convergence
+    from forficula.study.convergence import converge as converge_design
+    from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, read_values
+
+    options = {"--timesteps": (TIMESTEP, timesteps), "--moduli": (YOUNGS_MODULUS, moduli), "--meshes": (MESH, meshes)}
+    given = [(option, key, text) for option, (key, text) in options.items() if text is not None]
+    if len(given) != 1:
+        named = ", ".join(option for option, _, _ in given) or "none"
+        raise InputError(f"converge: need one of {', '.join(options)}, got {named}")
+    ((option, key, text),) = given
+    values = read_option(option, lambda: read_values(key, text))
+    with study_progress() as progress:
+        convergence = converge_design(chosen, key, values, progress=progress)
+    print_convergence(convergence)
+    write_convergence(convergence, folder)
+    print(f"\nwritten to {folder}")
