@@ -34,18 +34,25 @@ SHEETS = [sheet_of(REFERENCE), sheet_of(DENSE)]
 @settings(deadline=None, max_examples=20)
 @given(st.sampled_from(SHEETS), st.integers(0, 1000), st.floats(0.01, 1))
 def test_slope_and_curvature_are_derivatives_of_the_energy(sheet, seed, spread):
-    veins, small = sheet.panels + 1, 1e-5
+    veins, small = sheet.panels + 1, 1e-4
     angles = np.random.default_rng(seed).uniform(-spread, spread, (1, veins, 4))
     _, slope, curvature = sheet_energy(sheet, angles)
-    steps = small * np.eye(4 * veins).reshape(-1, veins, 4)
-    ahead, behind = sheet_energy(sheet, angles + steps), sheet_energy(sheet, angles - steps)
+    slopes, curvatures, pulls = zip(*(differences(sheet, angles, step) for step in (small, small / 2)), strict=True)
     stiff = np.abs(curvature).max()
-    # central differences: 1e-10 of the stiffness, twice differentiated; rounding of the energy by 1e-5; where a guard
-    # begins to pull the curvature jumps, which no step may cross
-    assert slope[0] == pytest.approx((ahead[0] - behind[0]) / (2 * small), abs=1e-8 * stiff)
-    if not guards_begin(sheet, np.concatenate([angles + steps, angles - steps])):
-        assert curvature[0] == pytest.approx((ahead[1] - behind[1]) / (2 * small), abs=1e-8 * stiff)
+    # Richardson's extrapolation: an error of 1e-16 of the stiffness, four times differentiated; rounding of the energy
+    # by 1e-4; where a guard begins to pull the curvature jumps, which no step may cross
+    if not any(pulls):
+        assert slope[0] == pytest.approx((4 * slopes[1] - slopes[0]) / 3, abs=1e-9 * stiff)
+        assert curvature[0] == pytest.approx((4 * curvatures[1] - curvatures[0]) / 3, abs=1e-9 * stiff)
     assert curvature[0] == pytest.approx(curvature[0].T, abs=1e-14 * stiff)
+
+
+def differences(sheet, angles, step):
+    """Central differences of energy and slope, and whether a guard begins to pull between them."""
+    steps = step * np.eye(angles.size).reshape(-1, *angles.shape[1:])
+    ahead, behind = sheet_energy(sheet, angles + steps), sheet_energy(sheet, angles - steps)
+    begins = guards_begin(sheet, np.concatenate([angles + steps, angles - steps]))
+    return (ahead[0] - behind[0]) / (2 * step), (ahead[1] - behind[1]) / (2 * step), begins
 
 
 def guards_begin(sheet, angles):

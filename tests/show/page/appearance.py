@@ -7,6 +7,8 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
+from tests.show.page.conftest import missing
+
 KEPT = Path(__file__).parent / "reference"
 RENEW = (
     "FORFICULA_KEEP_PICTURES=1 .venv/bin/python -m pytest tests/show/page -k looks_as_it_was_kept; look at them, too"
@@ -15,20 +17,21 @@ WIDEST = 512  # pixels of a picture that is kept
 BLOCK = 8  # pixels: letters become grey, panels and plots stay what they are
 FONT = "DejaVu Sans"  # which comes with Debian's Chromium
 # Mean difference of blocks, of 255. Where the wings are drawn: 0.7 at most between SwiftShader, Mesa and two pixels for
-# one, 0.4 for another font on the buttons; 2.2 at least for a missing membrane, 6 for a blank canvas, 180 for light in
-# place of dark. Below them: 1.8 at most; 3.7 at least for plots that overlap or have lost their columns.
-PICTURE, BELOW = 1.2, 3.0
+# one; 2.2 at least for a missing membrane, 6 for a blank canvas, 180 for light in place of dark. Beside them: 1.8 at
+# most; 3.7 at least for plots that overlap or have lost their columns.
+PICTURE, BESIDE = 1.2, 3.0
 
 
-def check_look(opened, name):
-    """Compare a page, from its player on, with the picture of this name; keep it as that where this is asked for."""
+def check_look(opened, name, top="#player"):
+    """Compare a page, from an element on, with the picture of this name; keep it as that where this is asked for."""
     page = opened.page
+    if not page.evaluate(_HAS_FONT):
+        missing(f"the font {FONT} is missing; install it, as with: apt-get install fonts-dejavu-core")
     style = page.add_style_tag(content=f'* {{ font-family: "{FONT}" !important; }}')
-    page.evaluate("document.getElementById('player').scrollIntoView()")
+    page.evaluate("top => document.querySelector(top).scrollIntoView()", top)
     opened.settle()
     now, path = _picture(page), KEPT / f"{name.replace(' ', '-')}.png"
-    foot = page.locator(".stage").bounding_box()
-    has_font = page.evaluate(_HAS_FONT)
+    box = page.locator(".stage").bounding_box()
     style.evaluate("each => each.remove()")
     if os.environ.get("FORFICULA_KEEP_PICTURES") == "1":
         KEPT.mkdir(exist_ok=True)
@@ -36,10 +39,15 @@ def check_look(opened, name):
     with Image.open(path) as image:
         kept = image.convert("RGB")
     assert now.size == kept.size, f"{name}: {RENEW}"
-    shrunk = now.width / page.viewport_size["width"]
+    block = BLOCK * page.viewport_size["width"] / now.width
     away = _difference(now, kept)
-    rows = round((foot["y"] + foot["height"]) * shrunk / BLOCK)
-    for part, most in ((away[:rows], PICTURE), *([(away[rows:], BELOW)] if has_font else [])):
+    drawn = np.zeros(away.shape, dtype=bool)
+    rows, columns = (
+        slice(*(round(max(edge, 0) / block) for edge in (box[start], box[start] + box[size])))
+        for start, size in (("y", "height"), ("x", "width"))
+    )
+    drawn[rows, columns] = True
+    for part, most in ((away[drawn], PICTURE), (away[~drawn], BESIDE)):
         assert part.mean() < most, f"{name}: blocks differ by {part.mean():.1f}, not {most}; if that is right: {RENEW}"
 
 

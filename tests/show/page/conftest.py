@@ -57,7 +57,7 @@ def short_outcome(short_run):
 
 def missing(what: str) -> None:
     """Skip, or fail where a browser must be there."""
-    reason = f"{what}: pages are not tested in a browser"
+    reason = f"{what}: pages are not tested as a browser shows them"
     if os.environ.get("FORFICULA_NEED_BROWSER") == "1":
         pytest.fail(reason)
     pytest.skip(reason)

@@ -287,10 +287,12 @@ def test_a_page_does_not_look_as_it_was_kept_with(opened, scheme, fault):
     opened.show(1280, 1000, scheme)
     opened.page.keyboard.press("2")
     opened.page.evaluate(fault)
-    with pytest.raises(AssertionError, match="differ"):
-        check_look(opened, "run folded")
-    for changed in (".plots", "canvas", ".legend"):
-        opened.page.locator(changed).first.evaluate("each => each.removeAttribute('style')")
+    try:
+        with pytest.raises(AssertionError, match="differ"):
+            check_look(opened, "run folded")
+    finally:
+        for changed in (".plots", "canvas", ".legend"):
+            opened.page.locator(changed).first.evaluate("each => each.removeAttribute('style')")
 
 
 def test_downloaded_the_design_repeats_the_run(opened, short_run, tmp_path):

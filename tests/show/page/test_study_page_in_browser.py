@@ -10,6 +10,7 @@ import pytest
 from forficula.show.page.study_page import write_study_page
 from forficula.study import load_study, run_study, table_csv
 from forficula.study.kept_runs import kept_runs, runs_to_keep
+from tests.show.page.appearance import check_look
 from tests.show.test_maps import many_ends, planted, sampled
 
 FACTORS = '"tendon.stiffness" = ["10 N/cm", "60 N/cm"]\n"tendon.rest_length" = ["0 cm", "5 cm", "8 cm"]'
@@ -318,3 +319,13 @@ def test_drawn_points_lie_at_their_values_and_can_be_opened(watch, planted_page)
     page.keyboard.press("Enter")
     assert page.locator("#point h2").inner_text() == "Point 7"
     assert watched.messages == []
+
+
+def test_the_page_looks_as_it_was_kept(opened):
+    opened.show(1280, 1000)
+    cell(opened.page, 2).click()
+    opened.page.evaluate(
+        "() => { const { clock, clips } = forficula.panel.playing; clock.seek(clips[0].marks[1].time); }"
+    )
+    check_look(opened, "study", top="#explorer")
+    opened.show()
