@@ -9,7 +9,7 @@ demo: $(INSTALLED)  ## fold and open the reference wing; results in out/binder20
 	$(BIN)/forficula run binder2025 --out out/binder2025
 
 test: $(INSTALLED)  ## run all tests
-	$(BIN)/python -m pytest -n auto
+	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto  # the cores are taken: more threads would only wait for one another
 
 check: $(INSTALLED)  ## lint, types, layers
 	$(BIN)/ruff check

@@ -1,5 +1,6 @@
 """A study on a Dask cluster is the same study, whatever becomes of its workers."""
 
+import gc
 import os
 import signal
 import subprocess
@@ -165,6 +166,16 @@ def test_an_address_where_nothing_listens_is_one_error():
 def test_an_address_that_is_none_is_one_error(address):
     with pytest.raises(InputError, match=r"^--dask: [^\n]*$"), dask_cluster(address):
         pass
+
+
+def test_a_client_that_failed_does_not_wait_to_be_collected_while_the_next_one_starts():
+    gc.disable()
+    try:
+        with pytest.raises(InputError), dask_cluster("tcp://127.0.0.1:9"):
+            pass
+        assert not [each for each in gc.get_objects() if isinstance(each, distributed.Client)]
+    finally:
+        gc.enable()
 
 
 def test_without_dask_the_error_says_what_to_install():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import math
 import time
 from collections import deque
@@ -70,12 +71,17 @@ def dask_cluster(address: str) -> Iterator[Evaluate]:
         from distributed import Client
     except ImportError:
         raise InputError('--dask: needs Dask; install it with: pip install "forficula[cluster]"') from None
+    why = ""
     try:
         client = Client(address, timeout=_CONNECT_SECONDS, set_as_default=False)
     except (OSError, ValueError, TypeError) as error:
-        raise InputError(f"--dask: no Dask scheduler answers at {address}: {error}") from None
+        why = f"no Dask scheduler answers at {address}: {error}"
     except AssertionError:  # of Dask's own: its thread did not start within ten seconds
-        raise InputError("--dask: Dask cannot start here, the machine is too busy; try again") from None
+        why = "Dask cannot start here, the machine is too busy; try again"
+    if why:
+        # were the client that failed collected while another one starts, it would wait for that one's lock for ever
+        gc.collect()
+        raise InputError(f"--dask: {why}")
     with client:
         try:
             client.wait_for_workers(1, timeout=_CONNECT_SECONDS)
