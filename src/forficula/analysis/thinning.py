@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from forficula.dynamics import Record
 
-# At least a row for every motion by this share of the wing's size, and for every so many seconds.
-_SHARE = 0.005
-_LONGEST = 5e-3
+# A row for every motion by this share of the wing's size, and for every so many seconds.
+_SHARE_OF_SIZE = 0.005
+_LONGEST_GAP = 5e-3
 
 
 def thin_record(record: Record) -> Record:
@@ -34,7 +34,7 @@ def thin_record(record: Record) -> Record:
     kept = _needed(record)
     with np.errstate(over="ignore", invalid="ignore"):  # of a wing that diverged
         moved = np.linalg.norm(np.diff(points, axis=0), axis=2).max(axis=1)
-        ways = np.stack([np.cumsum(moved) / (_SHARE * size), (record.time[1:] - record.time[0]) / _LONGEST])
+        ways = np.stack([np.cumsum(moved) / (_SHARE_OF_SIZE * size), (record.time[1:] - record.time[0]) / _LONGEST_GAP])
         kept[1:] |= (np.diff(np.floor(ways), prepend=0.0) > 0).any(axis=0)
     kept[[0, -1]] = True
     return replace(record, time=record.time[kept], series={name: rows[kept] for name, rows in record.series.items()})

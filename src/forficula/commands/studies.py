@@ -37,7 +37,7 @@ def study(
 ) -> None:
     """Run a study, or go on with it where it stopped: a table, maps, and a page on which they open their runs."""
     from forficula.study import collect as collect_study
-    from forficula.study import estimate, load_study, run_study, slurm_script
+    from forficula.study import load_study
 
     chosen = load_study(study)
     folder = out or Path("out") / chosen.name
@@ -48,27 +48,15 @@ def study(
         most = keep
         read_option("--keep", lambda: check_most(most))
     if slurm is not None:
-        from forficula.files import write_text
-
-        write_text(folder / "study.slurm", slurm_script(study, str(folder), slurm))
-        print(f"written to {folder / 'study.slurm'}; submit it with: sbatch {folder / 'study.slurm'}")
+        _write_job(study, folder, slurm)
         return
     if dry_run:
-        most, left, seconds = estimate(chosen, folder)
-        print(f"{chosen.name}: {len(chosen.points)} points, at most {most} runs; {left} to do, about {seconds:.0f} s")
+        _print_estimate(chosen, folder)
         return
-    if collect:
-        table = collect_study(chosen, folder)
-    else:
-        from forficula.show import study_progress
-        from forficula.study import dask_cluster
-
-        with nullcontext() if dask is None else dask_cluster(dask) as cluster, study_progress() as progress:
-            part = run_study(chosen, folder, shard=read_shard(shard), cluster=cluster, progress=progress)
-        if part is None:
-            print(f"shard {shard} is done; when all are: forficula study {study} --out {folder} --collect")
-            return
-        table = part
+    table = collect_study(chosen, folder) if collect else _run(chosen, folder, shard, dask)
+    if table is None:
+        print(f"shard {shard} is done; when all are: forficula study {study} --out {folder} --collect")
+        return
 
     from forficula.show import print_study, write_study
 
@@ -76,6 +64,33 @@ def study(
     _report(chosen, table, keep, folder)
     print_study(chosen, table)
     print(f"\nwritten to {folder}")
+
+
+def _write_job(study: str, folder: Path, shards: int) -> None:
+    """Write a study's SLURM job array, and say how to submit it."""
+    from forficula.files import write_text
+    from forficula.study import slurm_script
+
+    job = folder / "study.slurm"
+    write_text(job, slurm_script(study, str(folder), shards))
+    print(f"written to {job}; submit it with: sbatch {job}")
+
+
+def _print_estimate(study: Study, folder: Path) -> None:
+    """Print how many runs a study takes, and how long the rest of them."""
+    from forficula.study import estimate
+
+    most, left, seconds = estimate(study, folder)
+    print(f"{study.name}: {len(study.points)} points, at most {most} runs; {left} to do, about {seconds:.0f} s")
+
+
+def _run(study: Study, folder: Path, shard: str, dask: str | None) -> Dataset | None:
+    """Run a study or a shard of it, here or on a Dask cluster; None where others of its shards are not done."""
+    from forficula.show import study_progress
+    from forficula.study import dask_cluster, run_study
+
+    with nullcontext() if dask is None else dask_cluster(dask) as cluster, study_progress() as progress:
+        return run_study(study, folder, shard=read_shard(shard), cluster=cluster, progress=progress)
 
 
 def _report(study: Study, table: Dataset, keep: int | None, folder: Path) -> None:

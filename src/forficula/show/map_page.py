@@ -7,7 +7,7 @@ import textwrap
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import matplotlib
 import numpy as np
@@ -20,7 +20,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
-from forficula.quantities import Unit, parse_quantity
+from forficula.show.factor_text import display_values, factor_label, number_text, plain_name
 from forficula.show.map_text import maps_text
 from forficula.show.style import BLUE, ORANGE, PAGE_WIDTH, PURPLE, SKY, describe, figure_style, is_narrow
 from forficula.study.static_map import BOTH, BOTH_LESS, BOTH_MORE, NEITHER, ONLY_SIMULATED, ONLY_STATIC
@@ -132,35 +132,6 @@ def map_style() -> Iterator[None]:
         yield
 
 
-def plain_name(factor: DataArray) -> str:
-    """A factor's name for people: its key without the protocol's, whose names stand alone."""
-    return str(factor.attrs.get("key", factor.name)).removeprefix("protocol.").replace(".", " ").replace("_", " ")
-
-
-def display_values(factor: DataArray) -> tuple[NDArray[Any], str]:
-    """A factor's values in the unit for people, and that unit; words stay words."""
-    values, si, display = factor.values, factor.attrs.get("units", ""), factor.attrs.get("display", "")
-    if values.dtype.kind not in "iuf" or not si or not display or si == display:
-        return values, str(display or si)
-    unit = Unit(display=display, si=si, example=f"1 {display}")
-    return values / parse_quantity(f"1 {display}", unit), display
-
-
-def _number_text(value: object) -> str:
-    return f"{value:.4g}" if isinstance(value, float | int) and not isinstance(value, bool) else str(value)
-
-
-def value_text(factor: DataArray, index: int) -> str:
-    """A factor and one of its values, such as "tendon stiffness 10 N/cm"."""
-    values, unit = display_values(factor)
-    return f"{plain_name(factor)} {_number_text(values[index].item())} {unit}".rstrip()
-
-
-def _label(factor: DataArray) -> str:
-    unit = display_values(factor)[1]
-    return f"{plain_name(factor)} ({unit})" if unit else plain_name(factor)
-
-
 # ---- a page of panels
 
 
@@ -193,40 +164,59 @@ def draw_page(
         note: written above them, after the view's.
         width: of the figure at most, inch.
     """
-    columns = _columns(len(panels), width)
-    rows = math.ceil(len(panels) / columns)
     cells = not view.sampled and (view.y is not None or not panels[0].unit)
-    across, upwards = view.table[view.x].size, view.table[view.y].size if view.y else 1
+    columns = _columns(len(panels), width)
     width = width if columns > 1 else min(width, 0.6 * PAGE_WIDTH)
-    height = float(np.clip((0.27 if rows == 1 else 0.21) * upwards, 0.9 if rows == 1 else 1.2, 3.2)) if cells else 1.7
-    figure = Figure(figsize=(width, rows * (height + 0.5) + 0.75), layout="constrained")
-    grid = figure.subplots(rows, columns, squeeze=False).ravel()
+    figure, grid = _empty_page(view, len(panels), columns, width, cells)
     scales = [_scale(panels)] * len(panels) if one_scale else [_scale([panel]) for panel in panels]
-    room = (width - _BESIDE) / columns / across
-    digits = 0 if max(across, upwards) > _MOST_NUMBERS or room < _TWO_DIGITS else 3 if room >= _THREE_DIGITS else 2
-    for index, (axes, panel, scale) in enumerate(zip(grid, panels, scales, strict=False)):
+    digits = _digits(view, (width - _BESIDE) / columns)
+    for index, (axes, panel, scale) in enumerate(zip(grid, panels, scales, strict=True)):
         axes.set_title(_wrapped(panel.title, width / columns))
         if cells:
             _draw_cells(axes, view, panel, scale, digits)
         else:
             _draw_points(axes, view, panel, scale)
         if index + columns >= len(panels):
-            axes.set_xlabel(_label(view.table[view.x]))
+            axes.set_xlabel(factor_label(view.table[view.x]))
         if view.y and index % columns == 0:
-            axes.set_ylabel(_label(view.table[view.y]))
+            axes.set_ylabel(factor_label(view.table[view.y]))
         elif view.y:
             axes.tick_params(labelleft=False)
         if (cells or view.y) and not one_scale and not scale.empty:
             _colour_bar(figure, [axes], f"{quantity} ({scale.unit})", scale)
-    for axes in grid[len(panels) :]:
-        axes.remove()
     if (cells or view.y) and one_scale and not scales[0].empty:
-        _colour_bar(figure, list(grid[: len(panels)]), f"{quantity} ({scales[0].unit})", scales[0])
+        _colour_bar(figure, grid, f"{quantity} ({scales[0].unit})", scales[0])
     if text := ", ".join(part for part in (view.note, note) if part):
         figure.suptitle(text, fontsize=8)
     _legend(figure, panels, cells=cells)
     factors = [plain_name(view.table[name]) for name in (view.y, view.x) if name]
     return describe(figure, maps_text(quantity, factors, panels, [(scale.unit, scale.factor) for scale in scales]))
+
+
+def _empty_page(view: View, count: int, columns: int, width: float, cells: bool) -> tuple[Figure, list[Axes]]:
+    """A figure with axes for so many panels, as high as their cells need."""
+    rows = math.ceil(count / columns)
+    upwards = _across_and_upwards(view)[1]
+    height = float(np.clip((0.27 if rows == 1 else 0.21) * upwards, 0.9 if rows == 1 else 1.2, 3.2)) if cells else 1.7
+    figure = Figure(figsize=(width, rows * (height + 0.5) + 0.75), layout="constrained")
+    grid = figure.subplots(rows, columns, squeeze=False).ravel()
+    for axes in grid[count:]:
+        axes.remove()
+    return figure, list(grid[:count])
+
+
+def _digits(view: View, width: float) -> int:
+    """How many digits of its number a cell has room for in a panel so wide, inch; 0 where it has none."""
+    across, upwards = _across_and_upwards(view)
+    room = width / across
+    if max(across, upwards) > _MOST_NUMBERS or room < _TWO_DIGITS:
+        return 0
+    return 3 if room >= _THREE_DIGITS else 2
+
+
+def _across_and_upwards(view: View) -> tuple[int, int]:
+    """Numbers of cells."""
+    return view.table[view.x].size, view.table[view.y].size if view.y else 1
 
 
 def _wrapped(title: str, width: float) -> str:
@@ -329,7 +319,7 @@ def _draw_cells(axes: Axes, view: View, panel: Panel, scale: _Scale, digits: int
         shown_values = display_values(view.table[name])[0] if name else np.array([])
         step = math.ceil(len(shown_values) / _MOST_NUMBERS) or 1
         places = range(0, len(shown_values), step)
-        axis.set_ticks(list(places), [_number_text(shown_values[place].item()) for place in places])
+        axis.set_ticks(list(places), [number_text(shown_values[place].item()) for place in places])
 
 
 def _write_numbers(axes: Axes, values: Array, scale: _Scale, digits: int) -> None:

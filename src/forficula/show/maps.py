@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from forficula.errors import InputError
+from forficula.show.factor_text import plain_name, value_text
 from forficula.show.map_page import (
     NOT_BUILT,
     NOT_FOLDED,
@@ -22,8 +23,6 @@ from forficula.show.map_page import (
     View,
     draw_page,
     map_style,
-    plain_name,
-    value_text,
 )
 from forficula.show.style import PAGE_WIDTH, Drawing
 
@@ -136,12 +135,8 @@ def draw_fold_times(
         times = view.table["fold_time_by_torque"]
         reasons = times.copy(data=np.full(times.shape, NOT_FOLDED))
         if panels is None:
-            return draw_page(
-                view,
-                [Panel(title="fold time", values=times, reasons=reasons, unit="s")],
-                quantity="fold time",
-                width=width,
-            )
+            only = Panel(title="fold time", values=times, reasons=reasons, unit="s")
+            return draw_page(view, [only], quantity="fold time", width=width)
         count = table.sizes[panels]
         chosen = np.unique(np.linspace(0, count - 1, min(count, _MOST_PANELS)).round().astype(int))
         drawn = [

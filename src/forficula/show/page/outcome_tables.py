@@ -5,10 +5,15 @@ from __future__ import annotations
 import math
 
 from forficula.analysis import Outcome, State
-from forficula.quantities import reading_unit
+from forficula.show.outcome_rows import (
+    TRANSITION_HEADINGS,
+    balance_rows,
+    state_rows,
+    states_reached,
+    transition_rows,
+)
 from forficula.show.page.html import paragraph, table
 from forficula.show.page.words import readable
-from forficula.show.table import TRANSITION_HEADINGS, balance_rows, state_angle, transition_cells
 
 
 def outcome_tables(outcome: Outcome) -> list[str]:
@@ -18,32 +23,18 @@ def outcome_tables(outcome: Outcome) -> list[str]:
 
 def _states(outcome: Outcome) -> str:
     """Angles, tendons and energies of the states, by vein."""
-    states = {
-        "flat": outcome.flat,
-        "folded" if outcome.folded else "after folding": outcome.folded_state,
-        "opened" if outcome.opened else "after unfolding": outcome.opened_state,
-    }
-    there = {name: state for name, state in states.items() if state is not None}
+    there = states_reached(outcome)
     if not there:
         return paragraph("None of the three states was reached.")
-    unit, energy = reading_unit("J", max(float(state.tendon_energy.max()) for state in there.values()))
-    length_unit, length = reading_unit("m", max(float(state.tendon_length.max()) for state in there.values()))
+    rows = state_rows(there)
     groups, headings = [("", 1)], ["vein"]
     for name, state in there.items():
         groups.append((f"{name}, at {readable(state.time, 's')}", 3))
-        headings += ["distal angle (deg)", f"tendon ({length_unit})", f"energy ({unit})"]
-    rows: list[list[str]] = []
-    for vein in range(len(next(iter(there.values())).distal_angle)):
-        row = [str(vein)]
-        for state in there.values():
-            tendon = (f"{length * state.tendon_length[vein]:.2f}", f"{energy * state.tendon_energy[vein]:.4g}")
-            row += [state_angle(state, vein).replace("-", "−"), *tendon]
-        rows.append(row)
-    totals, membranes = ["all tendons"], ["membrane"]
-    for state in there.values():
-        totals += ["", "", f"{energy * state.tendon_energy.sum():.4g}"]
-        membranes += ["", "", _membrane(state)]
-    return table("States", headings, [*rows, totals, membranes], groups=groups)
+        headings += ["distal angle (deg)", f"tendon ({rows.length_unit})", f"energy ({rows.energy_unit})"]
+    veins = [[cell.replace("-", "−") for cell in row] for row in rows.veins]
+    membranes = [cell for state in there.values() for cell in ("", "", _membrane(state))]
+    body = [*veins, ["all tendons", *rows.sums], ["membrane", *membranes]]
+    return table("States", headings, body, groups=groups)
 
 
 def _membrane(state: State) -> str:
@@ -52,11 +43,7 @@ def _membrane(state: State) -> str:
 
 
 def _transitions(outcome: Outcome) -> str:
-    rows = [
-        [name, *transition_cells(transition)]
-        for name, transition in (("folding", outcome.fold), ("unfolding", outcome.unfold))
-    ]
-    return table("Folding and unfolding", TRANSITION_HEADINGS, rows)
+    return table("Folding and unfolding", TRANSITION_HEADINGS, transition_rows(outcome))
 
 
 def _balance(outcome: Outcome) -> str:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from forficula.quantities import reading_unit
+from forficula.show.factor_text import display_values, number_text, plain_name, value_with_unit
 from forficula.show.map_page import (
     NOT_BUILT,
     NOT_FOLDED,
@@ -18,9 +19,6 @@ from forficula.show.map_page import (
     NOT_STAYED,
     NOT_TRIED,
     STUCK,
-    display_values,
-    plain_name,
-    value_text,
 )
 from forficula.show.maps import missing_reasons, verdict_words
 from forficula.study import Study
@@ -136,14 +134,8 @@ def _factor(factor: DataArray) -> dict[str, Any]:
         "name": plain_name(factor),
         "unit": unit,
         "values": [_rounded(value) for value in values.tolist()],
-        "texts": [_short_text(factor, index) for index in range(factor.size)],
+        "texts": [number_text(value) for value in values.tolist()],
     }
-
-
-def _short_text(factor: DataArray, index: int) -> str:
-    """A value without the factor's name and its unit."""
-    unit = display_values(factor)[1]
-    return value_text(factor, index).removeprefix(f"{plain_name(factor)} ").removesuffix(f" {unit}")
 
 
 def _quantity(table: Dataset, name: str, title: str, group: str, words: _Words) -> dict[str, Any]:
@@ -174,7 +166,7 @@ def _times_by_torque(table: Dataset, words: _Words) -> Iterator[dict[str, Any]]:
         values = [_rounded(scale * value) for value in times.isel(fold_torque=index).values.ravel().tolist()]
         yield {
             "name": f"fold_time_by_torque:{index}",
-            "title": f"fold time with {value_text(torques, index).removeprefix('fold torque ')}",
+            "title": f"fold time with {value_with_unit(torques, index)}",
             "group": "time by torque",
             "unit": unit,
             "values": values,
