@@ -28,7 +28,7 @@ def planted(seed=0, goal_times=(None, 0.02), diverged_at=None, times=5):
         for name, (dimensions, _, _) in VARIABLES.items()
     }
     ends = tuple(
-        StageEnd(stage=stage, start=0.01 * index, end=0.01 * (index + 1), goal_time=goal)
+        StageEnd(stage=stage, start=0.01 * index, end=0.01 * (index + 1), goal_time=goal, at_rest=goal is None)
         for index, (stage, goal) in enumerate(zip(REFERENCE.protocol.stages, goal_times, strict=False))
     )
     return Record(
