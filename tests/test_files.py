@@ -3,7 +3,6 @@ import json
 import os
 import random
 import shutil
-import signal
 import stat
 import subprocess
 import sys
@@ -242,7 +241,8 @@ main(Path(sys.argv[1]))
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
 def test_killed_anywhere_a_run_leaves_the_old_files_or_the_new_ones_and_nothing_else(tmp_path):
-    done = subprocess.run([sys.executable, "-c", DIES, tmp_path], capture_output=True, text=True, check=False)
+    command, root = [sys.executable, "-c", DIES, tmp_path], Path(__file__).parents[1]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=root)
     assert (done.returncode, done.stderr) == (0, "")
     *killed, finished = [json.loads(line) for line in done.stdout.splitlines()]
     assert finished == AFTER
@@ -277,7 +277,7 @@ def test_killed_at_any_time_all_files_are_of_one_writing(tmp_path):
         child = writer(tmp_path, str(number), 10**6)
         assert child.stdout.readline() == "once\n"
         time.sleep(delays.uniform(0, 0.05))
-        child.send_signal(signal.SIGKILL)
+        child.kill()
         child.wait()
         child.stdout.close()
         clear_leftovers(tmp_path)

@@ -1,5 +1,4 @@
 import os
-import signal
 import subprocess
 import sys
 import time
@@ -34,7 +33,7 @@ def test_a_lock_that_another_process_holds_is_not_given(tmp_path):
 
 def test_a_lock_dies_with_its_owner(tmp_path):
     with another(tmp_path / "lock", 60) as child:
-        os.kill(child.pid, signal.SIGKILL)
+        child.kill()
     assert (tmp_path / "lock").exists()
     with held(tmp_path / "lock", wait=False) as taken:
         assert taken is True
