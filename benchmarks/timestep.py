@@ -1,6 +1,6 @@
 """How accurate are runs whose timestep is "auto"? Random designs of one to three units, beside a quarter of the step.
 
-    python benchmarks/timestep.py [--designs N] [--seed S] [--json FILE]
+python benchmarks/timestep.py [--designs N] [--seed S] [--json FILE]
 """
 
 from __future__ import annotations
@@ -119,7 +119,9 @@ def report(rows: list[dict[str, Any]]) -> None:
             f" {len(near)}, the same outcome in {sum(same)} of {len(same)}"
         )
     ratio = [row["auto"]["steps"] / max(row["guess"]["steps"], 1) for row in told]
-    print(f"steps by those of the guess: median {np.median(ratio):.3g}, mean {np.mean(ratio):.3g}, most {max(ratio):.3g}")
+    print(
+        f"steps by those of the guess: median {np.median(ratio):.3g}, mean {np.mean(ratio):.3g}, most {max(ratio):.3g}"
+    )
 
 
 def main() -> None:
