@@ -13,6 +13,7 @@ from forficula.errors import InputError
 from forficula.show.factor_text import plain_name, value_text
 from forficula.show.map_page import (
     DIVERGED,
+    NOT_BUILT,
     NOT_FOLDED,
     NOT_OPENED,
     NOT_STAYED,
@@ -261,7 +262,7 @@ def _why_not_opened(outcome: str, folding: str, reference: str, where: str) -> s
         # a wing that only the large torque folds was asked to open, too
         word = outcome if folding in _GOES_ON else NOT_OPENED
     elif where and reference:
-        word = reference if reference in (DIVERGED, UNTRUSTED) else f"{reference}{where}"
+        word = reference if reference in (DIVERGED, UNTRUSTED, NOT_BUILT) else f"{reference}{where}"
     else:
         word = NOT_TRIED if folding in (NOT_FOLDED, STUCK, STILL_FOLDING, NOT_STAYED) else outcome
     return OTHER if word in (FOLDED, OPENED) else word

@@ -122,7 +122,7 @@ def table_csv(study: Study, table: xarray.Dataset) -> str:
 def _result(study: Study, design: Design | str, rows: Mapping[str, Row]) -> dict[str, Any]:
     if isinstance(design, str):
         row = ending_row(Ending(verdict=Verdict.NOT_BUILT, why=design))
-        return row | {"outcome": ending_word(row_ending(row)), "reference_outcome": ""}
+        return row | {"outcome": ending_word(row_ending(row))}
     if study.search is None:
         row = rows[row_key(design)]
         numbers = {name: row.get(f"{name}_{unit}") for name, (unit, _) in _RUN_NUMBERS.items() if unit}
