@@ -31,13 +31,14 @@ class Starter:
         self._damper = self._thin(np.stack([rate * np.abs(rate) ** power for power in range(3)], axis=1))
 
     def start(self, model: Model) -> Array:
-        """The best node, with the proportional values and the baseline that fit it, as a model has them."""
+        """The best node, with proportional values, amplitudes and baseline that fit it, as a model has them."""
         best, least = np.zeros(0), np.inf
         baseline, stress = model.baseline_columns[self._rows], self._problem.stress[self._rows]
+        membership = self._problem.membership[self._rows]
         proportional = len(model.form.linear_keys)
         for others in self._nodes(model):
             columns = self._columns(model, others)
-            solution, squares = pulling_solution(columns, baseline, stress)
+            solution, squares = pulling_solution(columns, baseline, stress, membership)
             if squares < least:
                 best, least = np.concatenate([solution[:proportional], others, solution[proportional:]]), squares
         return best
@@ -93,14 +94,35 @@ class Starter:
         return self._springs[kind, at]
 
 
-def pulling_solution(columns: Array, baseline: Array, stress: Array) -> tuple[Array, float]:
-    """Least squares where rows whose specimen would push count as slack; the values and the sum of squares, Pa^2."""
+def pulling_solution(columns: Array, baseline: Array, stress: Array, membership: Array) -> tuple[Array, float]:
+    """Least squares where rows whose specimen would push count as slack, and specimens have amplitudes of their own.
+
+    Args:
+        columns: stress by unit of each proportional value, shape (rows, values).
+        baseline: shape (rows, terms).
+        stress: Pa, shape (rows,).
+        membership: 1 where a row is of a specimen, else 0, shape (rows, specimens).
+
+    Returns:
+        The values, as a model has them, and the sum of squares, Pa^2.
+    """
+    count = columns.shape[1]
     solution = _solve(np.concatenate([columns, baseline], axis=1), stress)
-    pulling = (columns @ solution[: columns.shape[1]] > 0)[:, None]
-    active = np.concatenate([columns * pulling, baseline], axis=1)
+    pull = np.maximum(columns @ solution[:count], 0.0)
+    logarithms = _amplitudes(pull, stress - baseline @ solution[count:], membership)
+    scaled = columns * ((pull > 0) * (membership @ np.exp(logarithms)))[:, None]
+    active = np.concatenate([scaled, baseline], axis=1)
     solution = _solve(active, stress)
     misfit = active @ solution - stress
-    return solution, float(misfit @ misfit)
+    return np.concatenate([solution[:count], logarithms[:-1], solution[count:]]), float(misfit @ misfit)
+
+
+def _amplitudes(pull: Array, stress: Array, membership: Array) -> Array:
+    """Logarithms of what each specimen's stress is of a common pull, least squares, less their mean."""
+    products, squares = (pull * stress) @ membership, pull**2 @ membership
+    seen = (products > 0) & (squares > 0)
+    logarithms = np.log(np.where(seen, products, 1.0) / np.where(seen, squares, 1.0))
+    return np.asarray(np.where(seen, logarithms - logarithms[seen].mean() if seen.any() else 0.0, 0.0))
 
 
 def _solve(columns: Array, stress: Array) -> Array:

@@ -70,13 +70,16 @@ def strain_rate(history: StrainHistory) -> Array:
     """Rate of the strain, 1/s, shape (samples,).
 
     The slope over as many neighbouring samples as the noise of the strain asks for: one on either side where the
-    strain is clean, so that turning points stay sharp.
+    strain is clean, so that turning points stay sharp. Samples need not be evenly spaced.
     """
     strain, time = history.strain, history.time
-    steps = np.diff(strain)
+    steps, spans = np.diff(strain), np.diff(time)
     typical = float(np.median(np.abs(steps))) or float(np.mean(np.abs(steps)))
-    # a second difference of white noise has 6 times its variance; its median stands for it despite turning points
-    noise = float(np.median(np.abs(np.diff(steps)))) / 0.6745 / np.sqrt(6) if len(steps) > 1 else 0.0
+    # off the straight line through its neighbours white noise has this share of its variance more, 1.5 where samples
+    # are evenly spaced; its median stands for it despite turning points
+    share = spans[1:] / (spans[:-1] + spans[1:])
+    off = np.abs(share * steps[:-1] - (1 - share) * steps[1:]) / np.sqrt(1 + share**2 + (1 - share) ** 2)
+    noise = float(np.median(off)) / 0.6745 if len(off) else 0.0
     reach = 1 if typical == 0 else int(np.clip(np.ceil(noise / np.sqrt(2) / (_RATE_ERROR * typical)), 1, _WIDEST))
     if reach == 1:
         return np.asarray(np.gradient(strain, time))
