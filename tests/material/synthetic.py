@@ -1,5 +1,7 @@
 """Tensile tests whose law is known, and the files that testing machines would have written of them."""
 
+from itertools import pairwise
+
 import numpy as np
 
 from forficula.material.tensile_test import TensileTest
@@ -133,18 +135,18 @@ def loading_program(steps, *, acceleration=0.05):
         if len(times) == 1:
             times, rates = [0.0, change], [0.0, rate]
         start += duration
-        # centred at the corner, so that the strain ends where it should
+        # centred at the corner, so that the strain arrives where it should, but for the start from rest
         times += [start - change / 2, start + change / 2]
         rates += [rate, following]
     return np.array(times), np.array(rates)
 
 
 def sampled(knots, *, rows=25):
-    """Times at which a program is sampled, s: `rows` in each step, closer together after its start, 6 where it turns."""
+    """Times at which a program is sampled, s: `rows` in each step, denser after its start, 6 where it turns."""
     ends = knots[0]
     within = [
         begin + (end - begin) * (np.geomspace(1, 40, rows + 1) - 1) / 39 if index % 2 else np.linspace(begin, end, 7)
-        for index, (begin, end) in enumerate(zip(ends[:-1], ends[1:], strict=True))
+        for index, (begin, end) in enumerate(pairwise(ends))
     ]
     return np.unique(np.concatenate(within))
 

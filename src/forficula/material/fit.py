@@ -81,6 +81,7 @@ class LawFit:
         bic: Bayesian information criterion.
         misfit: root mean square of the residual, Pa.
         relative_misfit: that by the largest stress.
+        scatter: standard deviation of the logarithms of the specimens' amplitudes; None of one specimen.
         residuals: by specimen.
         candidates: all that were tried, the chosen one first, the refused ones last.
     """
@@ -92,6 +93,7 @@ class LawFit:
     bic: float
     misfit: float
     relative_misfit: float
+    scatter: float | None
     residuals: tuple[Residual, ...]
     candidates: tuple[Candidate, ...]
 
@@ -105,14 +107,19 @@ def fit_law(
 ) -> LawFit:
     """Fit laws to one or several specimens and choose between them.
 
-    Least squares of the stress, where a specimen gives way rather than push. Where a specimen's zero of the force is
-    not known, an offset and a drift linear in time are fitted with the law if the data can tell them from it; they then
-    take up part of what makes specimens differ, too.
+    Least squares of the stress, where a specimen gives way rather than push. Each of several specimens has an amplitude
+    of its own, and the law is that of their geometric mean; the 95 % intervals of what stress is proportional to hold
+    that of all specimens of the material, by Student's t of the few that were tested, beside what the misfit leaves
+    open. Where a specimen's zero of the force is not known, an offset and a drift linear in time are fitted with the
+    law if the data can tell them from it.
 
     The choice is by the Bayesian information criterion, with the points that the best residual is worth; of laws that
-    differ by less than 6 of it, the one with the fewest values is taken. Where a test at one rate fits a damper and a
-    Maxwell branch alike, and forms of both are tried, both are refused. A test of which the first cycle is dropped is
-    best given whole, with its `first` sample: branches, yield and softening remember that cycle.
+    differ by less than 6 of it, the one with the fewest values is taken. A Prony series, which two Maxwell branches
+    stand for, gets another branch as long as one more fits better by as much.
+
+    Where a test at one rate fits a damper and a Maxwell branch alike, and forms of both are tried, both are refused. A
+    test of which the first cycle is dropped is best given whole, with its `first` sample: branches, yield and softening
+    remember that cycle.
 
     Args:
         histories: of the specimens, each from a specimen at rest.
@@ -260,7 +267,7 @@ def _chosen(fitted: list[FittedForm], refused: list[Candidate], name: str, sourc
     best = min(alike, key=lambda each: len(each.values))
     ranked = [best, *(each for each in ranked if each is not best)]
     tried = [Candidate(form=each.model.form, bic=each.bic(effective), misfit=each.misfit) for each in ranked]
-    problem = best.model.problem
+    problem, logarithms = best.model.problem, best.model.parts(best.values)[1]
     return LawFit(
         law=replace(best.law, name=name, source=source),
         form=best.model.form,
@@ -269,6 +276,7 @@ def _chosen(fitted: list[FittedForm], refused: list[Candidate], name: str, sourc
         bic=best.bic(effective),
         misfit=best.misfit,
         relative_misfit=best.misfit / problem.peak,
+        scatter=float(np.std(logarithms, ddof=1)) if len(logarithms) > 1 else None,
         residuals=_residuals(best),
         candidates=(*tried, *refused),
     )

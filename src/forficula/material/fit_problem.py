@@ -89,10 +89,11 @@ class Problem:
         """Stress of a Maxwell branch of modulus 1, shape (rows,)."""
         if time not in self.remembered:
             unit = MaxwellBranch(modulus=1.0, time=time)
-            own = [branch_stress(unit, each.time, each.strain) for each in self.histories]
             if len(self.remembered) >= _REMEMBERED:
                 self.remembered.pop(next(iter(self.remembered)))
-            self.remembered[time] = np.concatenate(own)
+            rows = np.concatenate([each.time for each in self.histories])
+            starts = np.cumsum([len(each.time) for each in self.histories])[:-1]
+            self.remembered[time] = branch_stress(unit, rows, self.strain, starts)
         return self.remembered[time]
 
     def set_strain(self, residual: float, yield_strain: float | None) -> Array:

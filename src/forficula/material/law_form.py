@@ -56,7 +56,7 @@ class LawForm:
 
     @property
     def is_prony_series(self) -> bool:
-        """Whether it is a spring with two Maxwell branches or more, and nothing else that loses energy with the rate."""
+        """Whether it is a spring with two Maxwell branches or more, and nothing else that its rate matters to."""
         return self.branches > 1 and not self.damper and self.softening == "none"
 
     @property
