@@ -39,7 +39,7 @@ def run(
         last = cycles
         read_option("--cycles", lambda: check_cycles(chosen, last))
 
-    from forficula.analysis import measure
+    from forficula.analysis import measure, run_warnings
     from forficula.dynamics import run as run_design
     from forficula.dynamics import timestep_warnings
     from forficula.show import print_outcome, run_progress, write_run
@@ -48,6 +48,8 @@ def run(
         print(f"warning: {warning}", file=sys.stderr)
     with run_progress() as progress:
         record = run_design(chosen, progress)
+    for warning in run_warnings(record):
+        print(f"warning: {warning}", file=sys.stderr)
     outcome = measure(record)
     write_run(record, outcome, folder)
     print_outcome(chosen.name, outcome)

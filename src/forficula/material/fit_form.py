@@ -123,7 +123,7 @@ def _accepted(model: Model, values: Array) -> FittedForm:
     sensitivity = model.sensitivity(values)
     if open_keys := undetermined(sensitivity, form.keys, _LIMIT):
         raise InputError(_left_open(open_keys, problem))
-    law = _law(form, own, problem.largest_strain)
+    law = _law(form, own, problem)
     residual = model.fitted(values) - problem.stress
     half = half_widths(sensitivity, residual, problem.specimen)[: len(form.keys)]
     # how specimens differ says nothing of whether a value is there
@@ -192,7 +192,7 @@ def _natural(form: LawForm, values: Array) -> dict[str, float]:
     return own
 
 
-def _law(form: LawForm, own: dict[str, float], largest_strain: float) -> MaterialLaw:
+def _law(form: LawForm, own: dict[str, float], problem: Problem) -> MaterialLaw:
     """A law from values by key; raise InputError where it is none."""
 
     def terms(section: str) -> Triple:
@@ -213,7 +213,9 @@ def _law(form: LawForm, own: dict[str, float], largest_strain: float) -> Materia
         yield_strain=own.get("yield_strain"),
         residual_strain=own.get("residual_strain", 0.0),
         softening=OgdenRoxburgh(**soft) if soft else None,
-        largest_strain=largest_strain,
+        largest_strain=problem.largest_strain,
+        lowest_strain_rate=problem.rates[0],
+        highest_strain_rate=problem.rates[1],
     )
 
 

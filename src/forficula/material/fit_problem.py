@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from forficula.material.law_form import LawForm
 from forficula.material.material_law import MaxwellBranch
 from forficula.material.softening import Triple, spring_energy
-from forficula.material.strain_history import StrainHistory, strain_rate
+from forficula.material.strain_history import StrainHistory, rate_range, strain_rate
 from forficula.material.stress import branch_stress, set_history
 
 Array = NDArray[np.float64]
@@ -43,6 +43,7 @@ class Problem:
         specimen: index of the history of each block, shape (blocks,).
         time: mean of each block less the middle of its history, in halves of its duration, shape (blocks,).
         largest_strain: of all rows that were measured.
+        rates: lowest and highest of the histories, 1/s, see `rate_range`.
         remembered: the last stresses of a Maxwell branch by relaxation time.
     """
 
@@ -56,6 +57,7 @@ class Problem:
     specimen: NDArray[np.int64]
     time: Array
     largest_strain: float
+    rates: tuple[float, float]
     remembered: dict[float, Array] = field(default_factory=dict)
 
     @cached_property
@@ -109,6 +111,7 @@ def problem_of(histories: Sequence[StrainHistory]) -> Problem:
     """
     size = -(-sum(len(each.time) for each in histories) // MOST_ROWS)
     largest = max(float(np.max(each.strain)) for each in histories)
+    lowest, highest = zip(*map(rate_range, histories), strict=True)
     histories = [_thinned(each, size) for each in histories]
     rows = sum(len(each.time) for each in histories)
     size = -(-rows // MOST_POINTS)
@@ -133,6 +136,7 @@ def problem_of(histories: Sequence[StrainHistory]) -> Problem:
         specimen=np.repeat(np.arange(len(histories)), [len(own) for own in blocks])[compared],
         time=means([_from_middle(each.time) for each in histories]),
         largest_strain=largest,
+        rates=(min(lowest), max(highest)),
     )
 
 
