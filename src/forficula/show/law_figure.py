@@ -22,7 +22,8 @@ _SOME_ROWS = 1.5  # more than one
 def draw_fit(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
     """Draw data and law over strain and over time, and the residual under both.
 
-    Offset and drift of the force's zero, which the fit found beside the law, are taken off the data.
+    Offset and drift of the force's zero, which the fit found beside the law, are taken off the data. The law is drawn
+    with the amplitude of the specimen along which it runs.
 
     Args:
         material: whose law and data are drawn.
@@ -95,7 +96,7 @@ def _draw_data(panels: Any, residual: Residual, factor: float, time: float, midd
 
 def _legend(figure: Figure, material: Characterisation, fit: LawFit, misfit: str, shown: Residual) -> None:
     many = len(fit.residuals) > 1
-    along = f"law times {shown.amplitude:.3g}, along {shown.name}"
+    along = f"law × {shown.amplitude:.3g} along {shown.name}"
     data = f"data of {len(fit.residuals)} specimens" if many else "data"
     cycles = [cycle for each in material.specimens for cycle in each.cycles]
     rows = sum(len(cycle.loading.time) + len(cycle.unloading.time) for cycle in cycles) / fit.points
