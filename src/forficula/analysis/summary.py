@@ -19,7 +19,7 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[
         "design": record.design.name,
         "status": outcome.status,
         "verdict": outcome.verdict.value,
-        "residual": outcome.energy_balance.residual,
+        "residual": outcome.ending.residual,
         "advice": outcome.advice,
         "folded": outcome.folded,
         "opened": outcome.opened,

@@ -62,7 +62,7 @@ class Ending:
         angle: of the distal hinge that is furthest from folded, at the end of that goal's stages, rad; None where there
             is none, or where nothing is to be trusted.
         time: when the numbers blew up, s, or None.
-        residual: of the energy balance; None where nothing ran.
+        residual: of the energy balance; None where nothing ran, or the run diverged.
         why: there is no wing, or it is not to be trusted whatever the residual; mostly empty.
     """
 
