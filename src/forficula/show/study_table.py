@@ -31,6 +31,8 @@ def print_study(study: Study, table: Dataset) -> None:
     if study.search is None:
         return
     for name, what in (("least_fold_torque", "fold"), ("least_unfold_torque", "open again")):
+        if name not in table:  # a search may leave opening out
+            continue
         torques = table[name].values[np.isfinite(table[name].values)]
         if len(torques):
             low, high = (show_quantity(float(each), TORQUE) for each in (torques.min(), torques.max()))

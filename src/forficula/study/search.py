@@ -22,7 +22,8 @@ def search_designs(design: Design, search: Search, rows: Rows) -> list[Design]:
 
     Folding is tried with every torque, for it need not be monotone, and only the least that folds is also released.
     Opening is tried where some torque folds, from the wing folded with `fold_with`, rising, up to the least torque that
-    opens. What runs next can depend on the last rows: ask again until none is missing.
+    opens; a search without unfold torques leaves that out. What runs next can depend on the last rows: ask again until
+    none is missing.
     """
     fold_torques = _torques(design, search, rows, "fold")
     wanted = [fold_design(design, torque) for torque in fold_torques]
@@ -59,7 +60,7 @@ def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
     }
     least_fold, least_unfold = _least(folds, "folded"), _least(opens, "opened")
     folding = folds[max(folds)] if least_fold is None else rows[row_key(release_design(design, least_fold))]
-    opening = opens[max(opens) if least_unfold is None else least_unfold] or {}
+    opening = opens.get(max(opens, default=0.0) if least_unfold is None else least_unfold) or {}
     result = {
         "least_fold_torque": least_fold,
         "least_unfold_torque": least_unfold,
@@ -78,6 +79,8 @@ def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
 
 def _status(search: Search, folding: Row, opening: Row) -> str:
     """How a wing that some torque folds opened, and what failed before: its release, folding with the large torque."""
+    if not search.unfold_torques:
+        return str(folding["status"])
     large = f"with {show_quantity(search.fold_with, TORQUE)}: {opening['status']}"
     if not folding["folded"]:
         return f"{folding['status']}; {large}"

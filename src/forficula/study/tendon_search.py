@@ -19,6 +19,8 @@ Mask = NDArray[np.bool_]
 
 # the paper's largest torques, N m
 FOLD_TORQUE, UNFOLD_TORQUE = 0.5, 1.0
+# how many of the paper's 60 tendons fold with at most these, and how many of them open again
+PAPER_FOLDS, PAPER_OPENS = 32, 13
 # tendons in words, of many
 AS_MANY = 4
 _FACTORS = ("tendon_stiffness", "tendon_rest_length")

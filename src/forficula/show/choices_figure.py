@@ -1,0 +1,190 @@
+"""A study that varies its factors one at a time: what comes of every choice, side by side."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.transforms import blended_transform_factory
+from numpy.typing import NDArray
+
+from forficula.quantities import reading_unit
+from forficula.show.factor_text import display_values, factor_label, number_text
+from forficula.show.map_page import NOT_FOLDED, NOT_OPENED, NOT_STAYED, STUCK, look_of, map_style
+from forficula.show.maps import missing_reasons, verdict_words
+from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, SKY, VERMILION, describe, in_column, is_narrow
+from forficula.study.choice_groups import choice_groups, count_folded, count_opened, wings_that_fold
+from forficula.study.choices import CHOICE
+from forficula.study.tendon_search import PAPER_FOLDS
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+# inch, of a row
+_ROW = 0.155
+# of a row
+_BAR, _GAP = 0.72, 0.35
+_INK = "0.35"
+_OPENED: dict[str, Any] = {"ls": "", "marker": "D", "ms": 3, "color": "white", "mec": BLACK, "mew": 0.8}
+# the study whose counts stand beside the paper's
+_PAPERS_CHOICES = "binder2025-choices"
+_FAILED = (NOT_FOLDED, STUCK, NOT_STAYED, NOT_OPENED)
+# of single wings, at most three of them
+_NUMBERS = {
+    "least_fold_torque": "least fold torque",
+    "least_unfold_torque": "least unfold torque",
+    "fold_time": "fold time",
+    "fold_work": "work of folding",
+    "unfold_work": "work of unfolding",
+}
+_MOST_PANELS = 3
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Row:
+    """A line of the figure: the name of a factor, or one of its choices.
+
+    Attributes:
+        height: of its middle, in rows, downwards from 0.
+        text: the name, or the value.
+        place: number of the choice; None for a name.
+    """
+
+    height: float
+    text: str
+    place: int | None
+
+
+def draw_choices(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
+    """Draw, factor by factor, how many wings of the grid fold at each choice; of single wings, their numbers.
+
+    Args:
+        table: of a study that varies its factors one at a time.
+        width: of the figure, inch.
+    """
+    rows = list(_rows(table))
+    with map_style():
+        figure = Figure(figsize=(width, _ROW * (rows[-1].height + 1) + 0.85), layout="constrained")
+        if table["status"].dims == (CHOICE,):
+            names = [name for name in _NUMBERS if name in table and bool(np.isfinite(table[name]).any())]
+            shown = (names or list(_NUMBERS)[2:3])[: 1 if is_narrow(width) else _MOST_PANELS]
+            grid = figure.subplots(1, len(shown), sharey=True, squeeze=False)[0]
+            for axes, name in zip(grid, shown, strict=True):
+                _draw_numbers(axes, table, name, rows)
+        else:
+            grid = [figure.subplots()]
+            _draw_counts(grid[0], table, rows)
+        _name_rows(grid, rows)
+        return describe(figure, _tell(table, rows))
+
+
+def _rows(table: Dataset) -> Iterator[_Row]:
+    height = 0.0
+    for group in choice_groups(table):
+        factor = table[group.factor]
+        values, _ = display_values(factor)
+        yield _Row(height=height, text=factor_label(factor), place=None)
+        for place in group.places:
+            height += 1
+            yield _Row(height=height, text=number_text(values[place].item()), place=place)
+        height += 1 + _GAP
+
+
+def _draw_counts(axes: Axes, table: Dataset, rows: Sequence[_Row]) -> None:
+    """A bar a choice, as long as wings fold, and behind it those of which that is not known."""
+    folded, opened, unknown = count_folded(table), count_opened(table), _without_verdict(table)
+    wings = table["status"].size // table.sizes[CHOICE]
+    for row in rows:
+        if row.place is None:
+            continue
+        end = int(folded[row.place])
+        axes.text(
+            end + sum(each[row.place] for each in unknown.values()) + 0.01 * wings, row.height, str(end), va="center"
+        )
+        axes.barh(row.height, end, _BAR, color=_colour(row.place))
+        for word, numbers in unknown.items():
+            look = look_of(word)
+            axes.barh(row.height, numbers[row.place], _BAR, left=end, fc=look.face, hatch=look.hatch, ec=_INK, lw=0.4)
+            end += numbers[row.place]
+        if opened is not None:
+            axes.plot(opened[row.place], row.height, zorder=3, **_OPENED)
+    handles: list[Artist] = [
+        Patch(color=BLUE, label=f"{table.attrs['design']} as it is"),
+        Patch(color=SKY, label="one value changed"),
+        *(Patch(fc=look_of(word).face, hatch=look_of(word).hatch, ec=_INK, lw=0.4, label=word) for word in unknown),
+    ]
+    if opened is not None:
+        handles.append(Line2D([], [], label="open again", **_OPENED))
+    if table.attrs["name"] == _PAPERS_CHOICES:
+        line = axes.axvline(PAPER_FOLDS, color=VERMILION, ls="--", lw=1, zorder=0, label=f"the paper: {PAPER_FOLDS}")
+        handles.append(line)
+    axes.set(xlim=(0, 1.04 * wings), xlabel=f"wings that fold, of {wings}")
+    figure = axes.get_figure(root=True)
+    columns = 2 if in_column(axes) else len(handles)
+    if isinstance(figure, Figure):
+        figure.legend(handles=handles, loc="outside lower center", ncols=min(columns, 5))
+
+
+def _draw_numbers(axes: Axes, table: Dataset, name: str, rows: Sequence[_Row]) -> None:
+    """A dot a choice, or why there is none."""
+    values = table[name].values.astype(float)
+    unit, factor = reading_unit(table[name].attrs["units"], float(np.nanmax(np.abs(values), initial=0.0)))
+    reasons = missing_reasons(table, name).values
+    axes.axvline(factor * values[0], color=BLUE, lw=0.6, zorder=0)
+    foot = blended_transform_factory(axes.transAxes, axes.transData)
+    for row in rows:
+        if row.place is None:
+            continue
+        if np.isfinite(values[row.place]):
+            axes.plot(factor * values[row.place], row.height, "o", ms=4, color=_colour(row.place), mec=BLUE, mew=0.6)
+        else:
+            axes.text(0.02, row.height, str(reasons[row.place]), transform=foot, va="center", fontsize=6, color=_INK)
+    axes.set_xlim(0, 1.08 * factor * float(np.nanmax(values, initial=0.0)) or 1)
+    axes.set_xlabel(f"{_NUMBERS[name]} ({unit})")
+
+
+def _name_rows(grid: Sequence[Axes], rows: Sequence[_Row]) -> None:
+    """Values beside the rows, those of the base bold, and each factor's name above its own."""
+    named = [row for row in rows if row.place is not None]
+    for axes in grid:
+        axes.set_ylim(rows[-1].height + 0.7, -0.6)
+        axes.tick_params(axis="y", length=0)
+        axes.set_yticks([row.height for row in named], [row.text for row in named])
+        for label, row in zip(axes.get_yticklabels(), named, strict=True):
+            label.set_fontweight("bold" if row.place == 0 else "normal")
+    beside = blended_transform_factory(grid[0].transAxes, grid[0].transData)
+    for row in rows:
+        if row.place is None:
+            grid[0].text(0.008, row.height, row.text, transform=beside, va="center", fontweight="bold", fontsize=7)
+
+
+def _colour(place: int) -> str:
+    return SKY if place else BLUE
+
+
+def _without_verdict(table: Dataset) -> dict[str, NDArray[np.int_]]:
+    """How many wings of the grid have none at each choice, shape (choices,), by what became of them."""
+    words = verdict_words(table["status"]).values.reshape(table.sizes[CHOICE], -1)
+    folds = wings_that_fold(table).values.reshape(words.shape)
+    missing = ~folds & ~np.isin(words, _FAILED)
+    return {word: np.sum(missing & (words == word), axis=1) for word in sorted(set(words[missing]))}
+
+
+def _tell(table: Dataset, rows: Sequence[_Row]) -> str:
+    """What the figure shows, in words."""
+    folded, wings = count_folded(table), table["status"].size // table.sizes[CHOICE]
+    told, name = [], ""
+    for row in rows:
+        if row.place is None:
+            name = row.text
+        else:
+            told.append(f"{name} {row.text}: {folded[row.place]}")
+    of = f"of {wings} wings that fold" if wings > 1 else "of wings that fold, 1 or 0"
+    return f"Numbers {of} at values of {table.attrs['design']}, varied one at a time. {'; '.join(told)}."
