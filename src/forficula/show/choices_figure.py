@@ -19,7 +19,7 @@ from forficula.quantities import reading_unit
 from forficula.show.factor_text import display_values, factor_label, number_text
 from forficula.show.map_page import NOT_FOLDED, NOT_OPENED, NOT_STAYED, STUCK, look_of, map_style
 from forficula.show.maps import missing_reasons, verdict_words
-from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, SKY, VERMILION, describe, in_column, is_narrow
+from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, SKY, VERMILION, describe, is_narrow
 from forficula.study.choice_groups import choice_groups, count_folded, count_opened, wings_that_fold
 from forficula.study.choices import CHOICE
 from forficula.study.tendon_search import PAPER_FOLDS
@@ -32,6 +32,9 @@ _ROW = 0.155
 # of a row
 _BAR, _GAP = 0.72, 0.35
 _INK = "0.35"
+# keeps the paper's line out of words
+_BEHIND_TEXT: dict[str, Any] = {"fc": "white", "ec": "none", "pad": 0.6}
+_NAME: dict[str, Any] = {"va": "center", "fontweight": "bold", "fontsize": 7, "bbox": _BEHIND_TEXT}
 _OPENED: dict[str, Any] = {"ls": "", "marker": "D", "ms": 3, "color": "white", "mec": BLACK, "mew": 0.8}
 # the study whose counts stand beside the paper's
 _PAPERS_CHOICES = "binder2025-choices"
@@ -45,6 +48,7 @@ _NUMBERS = {
     "unfold_work": "work of unfolding",
 }
 _MOST_PANELS = 3
+_SMALL = 1e-3
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -89,12 +93,24 @@ def _rows(table: Dataset) -> Iterator[_Row]:
     height = 0.0
     for group in choice_groups(table):
         factor = table[group.factor]
-        values, _ = display_values(factor)
+        texts = _value_texts([display_values(factor)[0][place].item() for place in group.places])
         yield _Row(height=height, text=factor_label(factor), place=None)
-        for place in group.places:
+        for place, text in zip(group.places, texts, strict=True):
             height += 1
-            yield _Row(height=height, text=number_text(values[place].item()), place=place)
+            yield _Row(height=height, text=text, place=place)
         height += 1 + _GAP
+
+
+def _value_texts(values: Sequence[object]) -> list[str]:
+    """Values without their unit, all as powers of ten where one is small."""
+    texts = ["none" if value != value else number_text(value) for value in values]
+    if not any(isinstance(value, float) and 0 < abs(value) < _SMALL for value in values):
+        return texts
+    numbers = [f"{value:.3e}".split("e") if isinstance(value, float) and value else None for value in values]
+    return [
+        text if parts is None else f"{float(parts[0]):g}e{int(parts[1])}"
+        for text, parts in zip(texts, numbers, strict=True)
+    ]
 
 
 def _draw_counts(axes: Axes, table: Dataset, rows: Sequence[_Row]) -> None:
@@ -104,32 +120,34 @@ def _draw_counts(axes: Axes, table: Dataset, rows: Sequence[_Row]) -> None:
     for row in rows:
         if row.place is None:
             continue
-        end = int(folded[row.place])
-        axes.text(
-            end + sum(each[row.place] for each in unknown.values()) + 0.01 * wings, row.height, str(end), va="center"
-        )
+        least = end = int(folded[row.place])
         axes.barh(row.height, end, _BAR, color=_colour(row.place))
         for word, numbers in unknown.items():
-            look = look_of(word)
-            axes.barh(row.height, numbers[row.place], _BAR, left=end, fc=look.face, hatch=look.hatch, ec=_INK, lw=0.4)
-            end += numbers[row.place]
+            if number := int(numbers[row.place]):
+                look = look_of(word)
+                axes.barh(row.height, number, _BAR, left=end, fc=look.face, hatch=look.hatch, ec=_INK, lw=0.4)
+                end += number
+        text = str(least) if end == least else f"{least} to {end}"
+        axes.text(end + 0.01 * wings, row.height, text, va="center", fontsize=7, bbox=_BEHIND_TEXT, zorder=3)
         if opened is not None:
             axes.plot(opened[row.place], row.height, zorder=3, **_OPENED)
     handles: list[Artist] = [
-        Patch(color=BLUE, label=f"{table.attrs['design']} as it is"),
-        Patch(color=SKY, label="one value changed"),
+        Patch(color=BLUE, label=f"{table.attrs['design']}"),
+        Patch(color=SKY, label="with one value changed"),
         *(Patch(fc=look_of(word).face, hatch=look_of(word).hatch, ec=_INK, lw=0.4, label=word) for word in unknown),
     ]
     if opened is not None:
         handles.append(Line2D([], [], label="open again", **_OPENED))
     if table.attrs["name"] == _PAPERS_CHOICES:
-        line = axes.axvline(PAPER_FOLDS, color=VERMILION, ls="--", lw=1, zorder=0, label=f"the paper: {PAPER_FOLDS}")
+        line = axes.axvline(PAPER_FOLDS, color=VERMILION, ls="--", lw=1, zorder=2, label=f"the paper: {PAPER_FOLDS}")
         handles.append(line)
-    axes.set(xlim=(0, 1.04 * wings), xlabel=f"wings that fold, of {wings}")
+    # room for the numbers behind full bars
+    axes.set(xlim=(0, (1.12 if unknown else 1.06) * wings), xlabel=f"wings that fold, of {wings}")
+    axes.set_xticks(np.unique(np.linspace(0, wings, 7).round()))
     figure = axes.get_figure(root=True)
-    columns = 2 if in_column(axes) else len(handles)
     if isinstance(figure, Figure):
-        figure.legend(handles=handles, loc="outside lower center", ncols=min(columns, 5))
+        columns = 2 if is_narrow(figure.get_figwidth()) else 5
+        figure.legend(handles=handles, loc="outside lower center", ncols=min(columns, len(handles)))
 
 
 def _draw_numbers(axes: Axes, table: Dataset, name: str, rows: Sequence[_Row]) -> None:
@@ -153,16 +171,17 @@ def _draw_numbers(axes: Axes, table: Dataset, name: str, rows: Sequence[_Row]) -
 def _name_rows(grid: Sequence[Axes], rows: Sequence[_Row]) -> None:
     """Values beside the rows, those of the base bold, and each factor's name above its own."""
     named = [row for row in rows if row.place is not None]
+    first = grid[0]  # the others share its rows
+    first.set_ylim(rows[-1].height + 0.7, -0.6)
+    first.set_yticks([row.height for row in named], [row.text for row in named])
+    for label, row in zip(first.get_yticklabels(), named, strict=True):
+        label.set_fontweight("bold" if row.place == 0 else "normal")
     for axes in grid:
-        axes.set_ylim(rows[-1].height + 0.7, -0.6)
         axes.tick_params(axis="y", length=0)
-        axes.set_yticks([row.height for row in named], [row.text for row in named])
-        for label, row in zip(axes.get_yticklabels(), named, strict=True):
-            label.set_fontweight("bold" if row.place == 0 else "normal")
-    beside = blended_transform_factory(grid[0].transAxes, grid[0].transData)
+    beside = blended_transform_factory(first.transAxes, first.transData)
     for row in rows:
         if row.place is None:
-            grid[0].text(0.008, row.height, row.text, transform=beside, va="center", fontweight="bold", fontsize=7)
+            first.text(0.012, row.height, row.text, transform=beside, zorder=3, **_NAME)
 
 
 def _colour(place: int) -> str:
@@ -179,12 +198,14 @@ def _without_verdict(table: Dataset) -> dict[str, NDArray[np.int_]]:
 
 def _tell(table: Dataset, rows: Sequence[_Row]) -> str:
     """What the figure shows, in words."""
+    singles = table["status"].dims == (CHOICE,)
     folded, wings = count_folded(table), table["status"].size // table.sizes[CHOICE]
+    what = "Numbers of a wing" if singles else f"How many of {wings} wings fold"
     told, name = [], ""
     for row in rows:
         if row.place is None:
             name = row.text
         else:
-            told.append(f"{name} {row.text}: {folded[row.place]}")
-    of = f"of {wings} wings that fold" if wings > 1 else "of wings that fold, 1 or 0"
-    return f"Numbers {of} at values of {table.attrs['design']}, varied one at a time. {'; '.join(told)}."
+            came = table["status"].values[row.place] if singles else folded[row.place]
+            told.append(f"{name} {row.text}: {came}")
+    return f"{what} with values of {table.attrs['design']} varied one at a time. {'; '.join(told)}."

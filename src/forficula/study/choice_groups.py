@@ -37,7 +37,7 @@ def choice_groups(table: Dataset) -> list[ChoiceGroup]:
         own = values.values[0]
         places = [0, *(place for place in range(1, values.size) if not _same(values.values[place], own))]
         if values.dtype.kind in "iuf":
-            places.sort(key=lambda place: float(values.values[place]))
+            places.sort(key=lambda place: np.nan_to_num(values.values[place], nan=-np.inf))
         groups.append(ChoiceGroup(factor=str(name), places=tuple(places)))
     return groups
 
