@@ -2,6 +2,7 @@
 
 import csv
 import io
+import re
 
 import numpy as np
 import pytest
@@ -163,7 +164,10 @@ def test_a_search_without_unfold_torques_folds_and_lets_go_and_leaves_opening_ou
         "works",
     }
     print_study(study, table)
-    assert "open" not in capsys.readouterr().out
+    told = capsys.readouterr().out
+    assert "open" not in told
+    for count, words in zip(count_folded(table)[[1, 0, 2]], ("0.0001", "0.001", "0.01"), strict=True):
+        assert re.search(rf"^hinge damping {words} N m s/rad(, as in binder2025)? +{count} *$", told, re.MULTILINE)
 
 
 def test_folding_is_found_the_same_whether_or_not_opening_is_asked_for(gridded, write_study_file, tmp_path):

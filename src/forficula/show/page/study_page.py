@@ -13,7 +13,7 @@ from forficula.design import TORQUE
 from forficula.dynamics import versions
 from forficula.files import write_text
 from forficula.quantities import show_quantity
-from forficula.show.factor_text import value_text
+from forficula.show.choice_rows import choice_rows
 from forficula.show.page.html import Cell, escaped, paragraph, section, table
 from forficula.show.page.outcome_tables import outcome_tables
 from forficula.show.page.page import page_html
@@ -22,8 +22,6 @@ from forficula.show.page.run_page import playback_data
 from forficula.show.page.study_data import study_data
 from forficula.show.page.words import outcome_sentence, readable
 from forficula.study import Study, named_studies, table_csv
-from forficula.study.choice_groups import choice_groups, count_folded, count_opened
-from forficula.study.choices import CHOICE
 from forficula.study.claims import Comparison
 from forficula.study.factors import Factor
 from forficula.study.kept_runs import KeptRun
@@ -171,19 +169,8 @@ def places(data: dict[str, Any], point: int) -> list[int]:
 
 def _choices(results: Dataset) -> str:
     """How many wings of the grid fold and open again at each choice; of single wings the points tell."""
-    if CHOICE not in results.dims or results["status"].ndim == 1:
-        return ""
-    folded, opened = count_folded(results), count_opened(results)
-    rows = []
-    for group in choice_groups(results):
-        factor = results[group.factor]
-        for place in group.places:
-            own = "" if place else f", as in {results.attrs['design']}"
-            counts = [str(each[place]) for each in (folded, opened) if each is not None]
-            rows.append([value_text(factor, place) + own, *counts])
-    headings = ["choice", "fold", *(["open again"] if opened is not None else [])]
-    wings = results["status"].size // results.sizes[CHOICE]
-    return table(f"Of {wings} wings each; one value is changed at a time", headings, rows)
+    headings, rows = choice_rows(results)
+    return table("One value is changed at a time", headings, rows) if rows else ""
 
 
 def _comparison(rows: Sequence[Comparison]) -> str:
