@@ -13,10 +13,10 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from forficula.analysis import Outcome, measure
+    from forficula.analysis import Outcome, Verdict, measure
     from forficula.analysis.sizing import TendonSizes, size_tendons
     from forficula.design import Design, design_warnings, load_design, named_designs, save_design, scale_design
-    from forficula.dynamics import Record, load_record, run, save_record, timestep_warnings
+    from forficula.dynamics import Record, load_record, save_record, timestep_warnings
     from forficula.errors import InputError
     from forficula.material import TensileTest, find_cycles, moduli_by_strain, read_tensile_test, read_tensile_tests
     from forficula.material.characterisation import Characterisation, characterise
@@ -28,13 +28,14 @@ if TYPE_CHECKING:
     from forficula.statics import EnergyLandscape, StableState, barrier, energy_landscape, stable_states
     from forficula.study import Study, load_study, run_study
     from forficula.study.cycling import Cycling, run_cycles
+    from forficula.study.runs import run
 
 # Where each public name lives. They are fetched at first use: MuJoCo and xarray are slow to import, and help, errors
 # and crease patterns need neither.
 _HOMES = {
-    "forficula.analysis": ("Outcome", "measure"),
+    "forficula.analysis": ("Outcome", "Verdict", "measure"),
     "forficula.design": ("Design", "design_warnings", "load_design", "named_designs", "save_design", "scale_design"),
-    "forficula.dynamics": ("Record", "load_record", "run", "save_record", "timestep_warnings"),
+    "forficula.dynamics": ("Record", "load_record", "save_record", "timestep_warnings"),
     "forficula.analysis.sizing": ("TendonSizes", "size_tendons"),
     "forficula.errors": ("InputError",),
     "forficula.material": (
@@ -52,6 +53,7 @@ _HOMES = {
     "forficula.statics": ("EnergyLandscape", "StableState", "barrier", "energy_landscape", "stable_states"),
     "forficula.study": ("Study", "load_study", "run_study"),
     "forficula.study.cycling": ("Cycling", "run_cycles"),
+    "forficula.study.runs": ("run",),
     "forficula.pattern": (
         "CreasePattern",
         "EarwigFan",
@@ -79,6 +81,7 @@ __all__ = [
     "Study",
     "TendonSizes",
     "TensileTest",
+    "Verdict",
     "area_for",
     "barrier",
     "characterise",

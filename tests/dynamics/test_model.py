@@ -5,7 +5,8 @@ import numpy as np
 import pytest
 
 from forficula.design import load_design, scale_design
-from forficula.dynamics import compile_wing, run
+from forficula.dynamics import compile_wing
+from forficula.study.runs import run
 
 
 @pytest.fixture(scope="module")

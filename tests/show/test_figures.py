@@ -5,8 +5,8 @@ from rich.console import Console
 
 from forficula.analysis import measure
 from forficula.design import load_design, scale_design
-from forficula.dynamics import run
 from forficula.show import draw_angles, draw_energies, draw_folding, draw_pattern, outcome_table
+from forficula.study.runs import run
 
 STAGE = {"hold": "0 s", "drive": "none", "until": "time"}
 ONLY_SETTLED = [STAGE | {"name": "settle", "time_limit": "20 ms"}]

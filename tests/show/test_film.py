@@ -10,12 +10,12 @@ from PIL import Image
 
 from forficula.analysis import measure
 from forficula.design import load_design
-from forficula.dynamics import run
 from forficula.errors import InputError
 from forficula.show.film import check_film, write_film
 from forficula.show.film_clock import film_cuts, moment
 from forficula.show.film_frame import FilmFrame
 from forficula.show.wing_surface import wing_surface
+from forficula.study.runs import run
 
 SIZE, RATE = (320, 180), 4
 SETTLE = {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "20 ms"}

@@ -5,8 +5,8 @@ import pytest
 
 from forficula.analysis import measure
 from forficula.design import load_design
-from forficula.dynamics import run
 from forficula.show.film_clock import film_cuts, last_sound_time, moment
+from forficula.study.runs import run
 
 SETTLE = [{"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "20 ms"}]
 

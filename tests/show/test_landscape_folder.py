@@ -5,9 +5,9 @@ from dataclasses import replace
 import pytest
 
 from forficula.design import load_design
-from forficula.dynamics import run
 from forficula.errors import InputError
 from forficula.show.landscape_folder import write_landscape
+from forficula.study.runs import run
 
 FILES = ["design.toml", "figures", "landscape.json", "levels.png", "tendon.png", "wing.png"]
 

@@ -2,8 +2,8 @@ import pytest
 from rich.console import Console
 
 from forficula.design import load_design
-from forficula.dynamics import run
 from forficula.show.landscape_table import landscape_table
+from forficula.study.runs import run
 
 
 def printed(landscape, record=None):

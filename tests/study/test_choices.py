@@ -178,7 +178,7 @@ def test_folding_is_found_the_same_whether_or_not_opening_is_asked_for(gridded, 
     both = run_study(study, tmp_path / "out")
     for name in ("least_fold_torque", "fold_work", "folded_energy"):
         assert np.array_equal(both[name].values, table[name].values[0], equal_nan=True)
-    assert np.array_equal(both["fold_status"].values, table["status"].values[0])
+    assert np.array_equal(both["fold_outcome"].values, table["outcome"].values[0])
 
 
 def test_a_base_whose_value_is_a_word_is_told_from_the_numbers_beside_it(tmp_path):

@@ -89,8 +89,7 @@ function numberRows(model, point) {
 }
 
 function whyNotKept(model, point) {
-  const status = model.study.statuses[point];
-  if (status.startsWith("cannot be built")) return "There is nothing to play: this wing cannot be built.";
+  if (!model.study.built[point]) return "There is nothing to play: this wing cannot be built.";
   return "This run was not kept, so it cannot be played here. The study keeps the runs of as many points as --keep says.";
 }
 

@@ -1,4 +1,17 @@
-from forficula.analysis.outcome import EnergyBalance, Outcome, State, Transition, measure
+from forficula.analysis.outcome import Outcome, State, Transition, measure
 from forficula.analysis.summary import summary
+from forficula.analysis.verdict import FOLDED, OPENED, Ending, Verdict, ending_text, ending_word
 
-__all__ = ["EnergyBalance", "Outcome", "State", "Transition", "measure", "summary"]
+__all__ = [
+    "FOLDED",
+    "OPENED",
+    "Ending",
+    "Outcome",
+    "State",
+    "Transition",
+    "Verdict",
+    "ending_text",
+    "ending_word",
+    "measure",
+    "summary",
+]

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from forficula.analysis.outcome import EnergyBalance, Outcome, State, Transition
-from forficula.dynamics import Record
+from forficula.analysis.outcome import Outcome, State, Transition
+from forficula.dynamics import EnergyBalance, Record
 
 
 def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[str, Any]:
@@ -16,13 +16,15 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[
     return {
         "design": record.design.name,
         "status": outcome.status,
+        "verdict": outcome.verdict.value,
+        "residual": outcome.energy_balance.residual,
         "advice": outcome.advice,
         "folded": outcome.folded,
         "opened": outcome.opened,
         "states": {name: None if state is None else _state_summary(state) for name, state in states.items()},
         "fold": _transition_summary(outcome.fold, record.design.protocol.fold_torque),
         "unfold": _transition_summary(outcome.unfold, record.design.protocol.unfold_torque),
-        "energy_balance": None if outcome.energy_balance is None else _balance_summary(outcome.energy_balance),
+        "energy_balance": _balance_summary(outcome.energy_balance),
         "diverged_at_s": record.diverged_at,
         "design_hash": record.design.hash,
         "versions": versions,

@@ -40,9 +40,9 @@ def run(
         read_option("--cycles", lambda: check_cycles(chosen, last))
 
     from forficula.analysis import measure
-    from forficula.dynamics import run as run_design
     from forficula.dynamics import timestep_warnings
     from forficula.show import print_outcome, run_progress, write_run
+    from forficula.study.runs import run as run_design
 
     for warning in design_warnings(chosen) + timestep_warnings(chosen):
         print(f"warning: {warning}", file=sys.stderr)

@@ -160,6 +160,7 @@ class Protocol(Part):
     sample_interval: float = quantity(SHORT_TIME, "time between two rows of the record", above=0)
     fold_torque: float = quantity(TORQUE, "torque on every proximal turn axis while folding", at_least=0)
     unfold_torque: float = quantity(TORQUE, "torque on every distal and proximal axis while unfolding", at_least=0)
+    rise: float = quantity(TIME, "time over which torques rise evenly from 0; 0: at once", default=0.0, at_least=0)
     initial_overbend: float = quantity(ANGLE, "where every distal hinge starts, past straight")
     folded_angle: float = quantity(ANGLE, "folded means that every distal hinge is beyond it", above=0, at_most=math.pi)
     opened_angle: float = quantity(ANGLE, "opened means that every distal hinge is at or past it, on the overbend side")
@@ -170,6 +171,23 @@ class Protocol(Part):
         " tendons' Maxwell branches take to relax, is stuck",
         above=0,
     )
+    least_hold: Annotated[
+        float,
+        Field(
+            strict=True,
+            ge=0,
+            description="how long folded or opened must hold at least, by the time that it took; less is a bounce",
+        ),
+    ] = 0.0
+    residual_limit: Annotated[
+        float,
+        Field(
+            strict=True,
+            gt=0,
+            le=1,
+            description="largest share of the energy that was exchanged that may be missing in a run to be trusted",
+        ),
+    ] = 0.005
     gravity: float = quantity(ACCELERATION, "gravity across the wing, downwards where it lies flat; 0 switches it off")
     contact: Annotated[bool, Field(strict=True, description="whether bars touch each other")]
     stages: Annotated[tuple[Stage, ...], Field(min_length=1, description="what happens, in order")]

@@ -1,17 +1,19 @@
+from forficula.dynamics.energy_balance import EnergyBalance, energy_balance
 from forficula.dynamics.model import WingModel, compile_wing
 from forficula.dynamics.record import Record, StageEnd, load_record, save_record, versions
-from forficula.dynamics.simulate import run, simulate, simulate_each
+from forficula.dynamics.simulate import simulate, simulate_each
 from forficula.dynamics.timestep import stable_timestep, timestep_warnings, with_timestep
 from forficula.dynamics.units import design_in_model_units
 
 __all__ = [
+    "EnergyBalance",
     "Record",
     "StageEnd",
     "WingModel",
     "compile_wing",
     "design_in_model_units",
+    "energy_balance",
     "load_record",
-    "run",
     "save_record",
     "simulate",
     "simulate_each",

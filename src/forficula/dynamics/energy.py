@@ -1,4 +1,4 @@
-"""Energies of states, and work done between them, from what the engine recorded step by step."""
+"""Energies of states, and what tendons with branches take, from what the engine recorded."""
 
 from __future__ import annotations
 
@@ -16,79 +16,17 @@ Array = NDArray[np.float64]
 _NODES = 16
 
 
-def torque_work(
-    wing: WingModel, torques: tuple[float, float], start: tuple[Array, Array], states: tuple[Array, Array]
-) -> dict[str, Array]:
-    """Work of constant torques between a state and later ones, J.
-
-    A step of semi-implicit Euler changes the kinetic energy by force times timestep times the mean of the velocities
-    before and after it, exactly where the inertia is constant. Summed over steps that is torque times the angle turned,
-    less torque times half a timestep times the change of speed. (With the later velocity alone, which is what turns the
-    angle, the account would be out by that last term: first order in the timestep.)
+def letting_go_work(
+    wing: WingModel, travel: Array, forces: Mapping[str, Array], activations: Array
+) -> tuple[Array, Array]:
+    """Work of the dampers of tendons that let go, and of what keeps them from pushing, (step,), in the model's units.
 
     Args:
         wing: the model.
-        torques: on every proximal turn axis and on every distal hinge, in the veins' own senses and the model's units.
-        start: positions and velocities, (dof,), in the model's units.
-        states: positions and velocities, (state, dof).
-
-    Returns:
-        "proximal_work" and "distal_work", (state,).
-    """
-    half_step = float(wing.in_units.protocol.timestep) / 2
-    turned = _along_torques(wing, states[0] - start[0])
-    faster = _along_torques(wing, states[1] - start[1])
-    return {
-        name: wing.units.energy * torque * (angle - half_step * speed)
-        for name, torque, angle, speed in zip(("proximal_work", "distal_work"), torques, turned, faster, strict=True)
-    }
-
-
-def torque_power(wing: WingModel, torques: tuple[float, float], velocity: Array) -> dict[str, Array]:
-    """Power of the torques, W: "proximal_power" and "distal_power", (state,), at velocities (state, dof)."""
-    speeds = _along_torques(wing, velocity)
-    names = ("proximal_power", "distal_power")
-    return {name: wing.units.power * torque * speed for name, torque, speed in zip(names, torques, speeds, strict=True)}
-
-
-def damping_work(
-    wing: WingModel, velocities: Array, forces: Mapping[str, Array], activations: Array
-) -> dict[str, Array]:
-    """Work of dampers and stops in each step, J, at the mean of the velocities before and after it.
-
-    Args:
-        wing: the model.
-        velocities: before the first step and after each, (step + 1, dof), in the model's units.
-        forces: generalised forces during each step, (step, dof), by MuJoCo's names: qfrc_damper, qfrc_constraint; of
-            tendons that let go also their ten_length, ten_velocity and ten_J before each step.
+        travel: of the joints in each step, (step, dof), in the model's units.
+        forces: ten_length, ten_velocity and ten_J before each step.
         activations: forces of Maxwell branches before the first step and after each, (step + 1, activation).
-
-    Returns:
-        "hinge_damping_work", "elastic_damping_work" and "stop_work", (step,), and "branch_damping_work" where there are
-        branches, and "letting_go_work" where tendons let go; empty where there are no forces.
     """
-    if "qfrc_damper" not in forces:
-        return {}
-    travel = (velocities[:-1] + velocities[1:]) / 2 * float(wing.in_units.protocol.timestep)
-    hinge_damping = np.array(wing.engine.dof_damping).reshape(wing.engine.nv, -1)[:, 0]
-    by_name = {
-        # the engine takes hinge damping implicitly, at the velocity after the step
-        "hinge_damping_work": -hinge_damping * velocities[1:],
-        "elastic_damping_work": forces["qfrc_damper"] + hinge_damping * velocities[:-1],
-        "stop_work": forces["qfrc_constraint"],
-    }
-    work = {name: wing.units.energy * np.sum(force * travel, axis=-1) for name, force in by_name.items()}
-    if wing.branches.size:
-        work["branch_damping_work"] = -wing.units.energy * branch_losses(wing, activations).sum(axis=(1, 2))
-    if wing.tendon_law.lets_go:
-        damper, spared = _letting_go(wing, travel, forces, activations)
-        work["elastic_damping_work"] = work["elastic_damping_work"] + wing.units.energy * damper
-        work["letting_go_work"] = wing.units.energy * spared
-    return work
-
-
-def _letting_go(wing: WingModel, travel: Array, forces: Mapping[str, Array], activations: Array) -> tuple[Array, Array]:
-    """Work of the dampers of tendons that let go, and of what keeps them from pushing, (step,), in model units."""
     law = wing.tendon_law
     longer = np.stack(
         [
@@ -123,12 +61,6 @@ def branch_losses(wing: WingModel, activations: Array) -> Array:
     squares = [weights @ product * timestep / 2 for product in (early * early, 2 * early * late, late * late)]
     total = squares[0] * before**2 + squares[1] * before * after + squares[2] * after**2
     return np.asarray(total / (stiffness * time))
-
-
-def _along_torques(wing: WingModel, change: Array) -> tuple[Array, Array]:
-    """Sum over veins of turn and of fold in their own senses, (state,) each, of joint changes (state, dof)."""
-    joints = _by_vein(wing, change)
-    return np.sum(wing.senses * joints[..., 2], axis=-1), np.sum(wing.senses * joints[..., 3], axis=-1)
 
 
 def _by_vein(wing: WingModel, joints: Array) -> Array:
@@ -175,11 +107,23 @@ def state_series(wing: WingModel, positions: Array, derived: Mapping[str, Array]
         return series
     places = derived["xpos"][:, wing.bodies]
     tips = derived["site_xpos"][:, wing.tips]
-    height = np.sum(wing.engine.body_mass * derived["xipos"][..., 2], axis=-1)
     return series | {
+        **state_energies(wing, derived),
+        "vein_position": units.length * np.concatenate([places, tips[:, :, None]], axis=2),
+        "membrane_position": units.length * derived["flexvert_xpos"],
+    }
+
+
+def state_energies(wing: WingModel, derived: Mapping[str, Array]) -> dict[str, Array]:
+    """Energies of states but for the tendons', J, (state,).
+
+    Args:
+        wing: the model.
+        derived: of the states, by MuJoCo's names, in the model's units: energy, flexvert_xpos, xipos.
+    """
+    units, height = wing.units, np.sum(wing.engine.body_mass * derived["xipos"][..., 2], axis=-1)
+    return {
         "membrane_energy": units.energy * membrane_energy(derived["flexvert_xpos"], wing.membrane, wing.in_units),
         "kinetic_energy": units.energy * derived["energy"][:, 1],
         "gravitational_energy": units.energy * wing.in_units.protocol.gravity * height,
-        "vein_position": units.length * np.concatenate([places, tips[:, :, None]], axis=2),
-        "membrane_position": units.length * derived["flexvert_xpos"],
     }

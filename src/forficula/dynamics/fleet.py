@@ -17,6 +17,8 @@ Steps = NDArray[np.int64]
 # relaxation times after which a Maxwell branch has lost 95 % of its force
 _RELAXED = 3
 _GOALS = ("time", "rest", "folded", "opened")
+_AT_ONCE = 1e-9  # steps
+_FAR = np.radians(10.0)  # beyond a stop
 
 
 class Fleet:
@@ -39,6 +41,8 @@ class Fleet:
         protocols = [wing.design.protocol for wing in wings]
         self._folded_angle = np.array([protocol.folded_angle for protocol in protocols])
         self._opened_angle = np.array([protocol.opened_angle for protocol in protocols])
+        self._least_hold = np.array([protocol.least_hold for protocol in protocols])
+        self._lowest, self._highest = (np.array(each) for each in zip(*map(_far_beyond, wings), strict=True))
         self._rest_speed = np.array([wing.in_units.protocol.rest_speed for wing in wings])
         self._last = np.array([len(protocol.stages) for protocol in protocols]) - 1
         # every row as long as the longest and one more, where a wing is when it has ended
@@ -50,12 +54,15 @@ class Fleet:
         self._hold = self._in_steps([[stage.hold for stage in row] for row in stages])
         self._limit = self._in_steps([[stage.time_limit for stage in row] for row in stages])
         self._window = np.rint([_longest_rest(wing) for wing in wings] / self._timestep).astype(np.int64)
+        self._is_state = np.array([[stage.until in ("folded", "opened") for stage in row] for row in stages])
         self._may_stick = np.array(
             [[stage.drive != "none" and stage.until in ("folded", "opened") for stage in row] for row in stages]
         )
         self._torques = np.array(
-            [[_torques(wing, stage) for stage in row] for wing, row in zip(wings, stages, strict=True)]
+            [[stage_torques(wing, stage) for stage in row] for wing, row in zip(wings, stages, strict=True)]
         )
+        self._rise = np.array([protocol.rise for protocol in protocols]) / self._timestep
+        self._motors = np.array([_motors(wing) for wing in wings])
         count = len(wings)
         self.ended = np.zeros(count, dtype=bool)
         self.steps: Steps = np.zeros(count, dtype=np.int64)
@@ -69,9 +76,25 @@ class Fleet:
         # whether the wing missed a goal or blew up, so that the rest of its protocol makes no sense
         self._stopped = np.zeros(count, dtype=bool)
 
-    def controls(self, rows: Steps) -> Array:
-        """Torques that drive these wings, (row, motor), in their models' units."""
-        return np.asarray(self._torques[rows, self.stage[rows]])
+    def torques(self, rows: Steps, count: int) -> Array:
+        """Torques in the next steps of these wings, (row, step, 2), in their models' units.
+
+        On every proximal turn axis and on every distal hinge, in the veins' own senses; each that of the step's middle.
+        """
+        passed = (self.steps - self.stage_start)[rows, None] + np.arange(count) + 0.5
+        share = np.minimum(passed / np.maximum(self._rise[rows, None], _AT_ONCE), 1.0)
+        return np.asarray(share[:, :, None] * self._torques[rows, self.stage[rows]][:, None])
+
+    def last_torques(self, row: int) -> Array:
+        """Torques at the end of the last stage that a wing was in, (2,), as of `torques`."""
+        end = self.ends[row][-1]
+        rise = self._wings[row].design.protocol.rise
+        share = min((end.end - end.start) / rise, 1.0) if rise else 1.0
+        return share * np.array(stage_torques(self._wings[row], end.stage))
+
+    def controls(self, rows: Steps, torques: Array) -> Array:
+        """What the motors of these wings are told in each step for these torques, (row, step, motor)."""
+        return np.asarray(torques @ self._motors[rows])
 
     def follow(self, rows: Steps, before: Array, time: Array, position: Array, velocity: Array) -> Steps:
         """Take note of some steps of these wings, up to the end of the stage of each.
@@ -88,18 +111,23 @@ class Fleet:
         """
         count = position.shape[1]
         sound = _sound_steps(before, time, position, velocity)
+        beyond = ((position < self._lowest[rows, None]) | (position > self._highest[rows, None])).any(axis=2)
+        sound = np.minimum(sound, _first(np.asarray(beyond), count))
         stage = self.stage[rows]
         number = self.steps[rows, None] + np.arange(1, count + 1)
         resting = np.all(np.abs(velocity) <= self._rest_speed[rows, None, None], axis=2)
         reached = self._reached(rows, position, resting)
         goal_since = _since(reached, number, self._goal_since[rows])
         rest_since = _since(resting, number, self._rest_since[rows])
-        held = reached & (number - goal_since >= self._hold[rows, stage][:, None])
+        # what is met for an instant only may be a bounce
+        taken_to_goal = (goal_since - self.stage_start[rows, None]) * self._is_state[rows, stage][:, None]
+        hold = np.maximum(self._hold[rows, stage][:, None], self._least_hold[rows, None] * taken_to_goal)
+        held = reached & (number - goal_since >= hold)
         # a wing that rests short of its goal, torques and all, stays there
         short = ~reached & self._may_stick[rows, stage][:, None]
         stuck = resting & short & (number - rest_since >= self._window[rows, None])
         over = held | stuck | (number - self.stage_start[rows, None] >= self._limit[rows, stage][:, None])
-        end = np.where(over.any(axis=1), over.argmax(axis=1) + 1, count + 1)
+        end = _first(over, count) + 1
         taken = np.minimum(np.minimum(end, sound), count)
         self.steps[rows] += taken
         self._goal_since[rows] = np.where(reached[:, -1], goal_since[:, -1], -1)
@@ -108,11 +136,12 @@ class Fleet:
             if sound[place] < min(end[place], count):
                 row = int(rows[place])
                 self.diverged_at[row] = float((self.steps[row] + 1) * self._timestep[row])
-                self._end_stage(row, None)
+                self._end_stage(row, None, at_rest=False)
                 self.ended[row] = self._stopped[row] = True
             elif end[place] <= count:
                 last = end[place] - 1
-                self._end_stage(int(rows[place]), int(goal_since[place, last]) if held[place, last] else None)
+                goal_step = int(goal_since[place, last]) if held[place, last] else None
+                self._end_stage(int(rows[place]), goal_step, at_rest=bool(resting[place, last]))
         return np.asarray(taken)
 
     def follow_leader(self, row: int, leader: int) -> None:
@@ -143,7 +172,7 @@ class Fleet:
             [goal == _GOALS.index(name) for name in ("rest", "folded", "opened")], [resting, folded, opened], False
         )
 
-    def _end_stage(self, row: int, goal_step: int | None) -> None:
+    def _end_stage(self, row: int, goal_step: int | None, *, at_rest: bool) -> None:
         stage = self._wings[row].design.protocol.stages[self.stage[row]]
         timestep = float(self._timestep[row])
         self.ends[row].append(
@@ -152,6 +181,7 @@ class Fleet:
                 start=int(self.stage_start[row]) * timestep,
                 end=int(self.steps[row]) * timestep,
                 goal_time=None if goal_step is None else goal_step * timestep,
+                at_rest=at_rest,
             )
         )
         self._stopped[row] = goal_step is None and stage.until in ("folded", "opened")
@@ -168,14 +198,24 @@ def _longest_rest(wing: WingModel) -> float:
     return max(wing.design.protocol.window, _RELAXED * max(times, default=0.0))
 
 
-def _torques(wing: WingModel, stage: Stage) -> Array:
-    """Torques of a stage, (motor,), in the model's units."""
-    on_proximal, on_distal = stage_torques(wing, stage)
-    torques = np.zeros(wing.engine.nu)
-    turn, fold = wing.motors.T
-    torques[turn[turn >= 0]] = on_proximal
-    torques[fold] = on_distal
-    return torques
+def _far_beyond(wing: WingModel) -> tuple[Array, Array]:
+    """Positions far beyond the stops of a wing's hinges, (dof,) each, which no sound run comes to."""
+    limited = np.array(wing.engine.jnt_limited, dtype=bool)
+    low, high = np.where(limited[:, None], wing.engine.jnt_range, (-np.inf, np.inf)).T
+    return low - _FAR, high + _FAR
+
+
+def _first(holds: NDArray[np.bool_], count: int) -> Steps:
+    """By wing, the first step at which something holds; so many where it does at none."""
+    return np.where(holds.any(axis=1), holds.argmax(axis=1), count)
+
+
+def _motors(wing: WingModel) -> Array:
+    """Which motors follow the torque on proximal axes and which that on distal ones, as 0 and 1, (2, motor)."""
+    follows = np.zeros((2, wing.engine.nu))
+    for torque, motors in zip(follows, wing.motors.T, strict=True):
+        torque[motors[motors >= 0]] = 1.0
+    return follows
 
 
 def stage_torques(wing: WingModel, stage: Stage) -> tuple[float, float]:

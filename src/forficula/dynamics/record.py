@@ -72,12 +72,14 @@ class StageEnd:
         start: s.
         end: s.
         goal_time: when the goal was reached, s; None where it was not, or where the goal was the time.
+        at_rest: whether every hinge was slower at its end than what counts as rest.
     """
 
     stage: Stage
     start: float
     end: float
     goal_time: float | None
+    at_rest: bool
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -92,6 +94,7 @@ class Record:
         stages: the stages that took place, in order.
         triangles: the membrane's mesh, (triangle, 3), indices of nodes.
         diverged_at: when the numbers blew up, s, or None.
+        doubt: why it is not to be trusted, beside what its energy balance says; mostly empty.
     """
 
     design: Design
@@ -100,6 +103,7 @@ class Record:
     stages: tuple[StageEnd, ...]
     triangles: NDArray[np.int64]
     diverged_at: float | None
+    doubt: str = ""
 
     @cached_property
     def data(self) -> xarray.Dataset:
@@ -136,12 +140,14 @@ def save_record(record: Record, path: str | os.PathLike[str]) -> None:
             [nothing if end.goal_time is None else end.goal_time for end in record.stages],
             {"units": "s", "long_name": "when the stage's goal was reached, nan where it was not"},
         ),
+        stage_at_rest=("stage", np.array([end.at_rest for end in record.stages], dtype=np.int8)),
     )
     data.attrs = {
         "title": f"forficula run of {record.design.name}",
         "design": design_text(record.design),
         "design_hash": record.design.hash,
         "diverged_at": nothing if record.diverged_at is None else record.diverged_at,
+        "doubt": record.doubt,
         **{f"version_{name}": version for name, version in versions().items()},
     }
     write_bytes(Path(path), _netcdf(data))
@@ -190,13 +196,19 @@ def load_record(path: str | os.PathLike[str]) -> Record:
         # by h5py, ten times as fast as by xarray: a study reads a hundred of them
         with h5py.File(io.BytesIO(content)) as file:
             design = design_from_text(file.attrs["design"])
-            ends = [file[f"stage_{name}"][()] for name in ("start", "end", "goal_time")]
+            ends = [file[f"stage_{name}"][()] for name in ("start", "end", "goal_time", "at_rest")]
             time, triangles = file["time"][()], file["triangle"][()].astype(np.int64)
             series = {name: file[name][()] for name in (*VARIABLES, *(name for name in _MAYBE if name in file))}
-            diverged_at = float(np.squeeze(file.attrs["diverged_at"]))
+            diverged_at, doubt = float(np.squeeze(file.attrs["diverged_at"])), str(file.attrs["doubt"])
         stages = tuple(
-            StageEnd(stage=stage, start=float(start), end=float(end), goal_time=None if np.isnan(goal) else float(goal))
-            for stage, start, end, goal in zip(design.protocol.stages, *ends, strict=False)
+            StageEnd(
+                stage=stage,
+                start=float(start),
+                end=float(end),
+                goal_time=None if np.isnan(goal) else float(goal),
+                at_rest=bool(at_rest),
+            )
+            for stage, start, end, goal, at_rest in zip(design.protocol.stages, *ends, strict=False)
         )
         return Record(
             design=design,
@@ -205,6 +217,7 @@ def load_record(path: str | os.PathLike[str]) -> Record:
             stages=stages,
             triangles=triangles,
             diverged_at=None if np.isnan(diverged_at) else diverged_at,
+            doubt=doubt,
         )
     except (OSError, LookupError, ValueError, TypeError, RuntimeError) as error:
         raise InputError(f"{path}: not a record of forficula: {' '.join(str(error).split())}") from None

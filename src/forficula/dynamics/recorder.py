@@ -8,11 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.dynamics.energy import damping_work, state_series, torque_power, torque_work
-from forficula.dynamics.fleet import stage_torques
+from forficula.dynamics.energy import state_energies, state_series
 from forficula.dynamics.model import WingModel
 from forficula.dynamics.record import Record, StageEnd
-from forficula.dynamics.stepper import Steps
+from forficula.dynamics.stepper import State, Steps
 
 Array = NDArray[np.float64]
 
@@ -23,29 +22,27 @@ class Chunk:
 
     Attributes:
         steps: of all wings, in their models' units.
-        stage: number of each wing's stage, (wing,).
         first: number of the step that each wing starts with, (wing,).
         begins: whether the stage begins with it, (wing,).
         taken: how many of each wing's steps count, (wing,).
+        account: by name the work since the start before each step, J, and the powers in it, W, (wing, step).
     """
 
     steps: Steps
-    stage: NDArray[np.int64]
     first: NDArray[np.int64]
     begins: NDArray[np.bool_]
     taken: NDArray[np.int64]
+    account: Mapping[str, Array]
 
 
 @dataclass(frozen=True, kw_only=True)
 class _Rows:
-    """States that are kept, (row, ...), in the model's units, and what damping and stops did until then, J."""
+    """States that are kept, (row, ...), in the model's units, and the account until then, SI."""
 
     number: NDArray[np.int64]
     position: Array
-    velocity: Array
-    next_velocity: Array
     derived: Mapping[str, Array]
-    taken: Mapping[str, Array]
+    account: Mapping[str, Array]
 
 
 # some of them, where copies would take long
@@ -63,32 +60,14 @@ class Recorder:
         self._timestep = float(protocol.timestep)  # s
         self._window = round(protocol.window / self._timestep)
         self.interval = max(1, round(protocol.sample_interval / self._timestep))  # steps
-        # number of each stage so far, and its rows from the first on, in parts
-        self._stages: list[tuple[int, list[_Part]]] = []
-        self._taken: dict[str, float] = {}
+        # the rows of each stage so far, from its first on, in parts
+        self._stages: list[list[_Part]] = []
 
     def fork(self, wing: WingModel) -> Recorder:
         """A recorder of another wing that has gone the same way so far."""
         other = Recorder(wing, self._sparse)
-        other._stages = [(number, [*parts]) for number, parts in self._stages]
-        other._taken = dict(self._taken)
+        other._stages = [[*parts] for parts in self._stages]
         return other
-
-    def account(self, velocity: Array, forces: Mapping[str, Array], activation: Array) -> dict[str, Array]:
-        """Add up what damping and stops do in some steps, J, and say what it is before each of them, (step,), by name.
-
-        Args:
-            velocity: before the first step and after each, (step + 1, dof), in the model's units.
-            forces: generalised forces during each step, (step, dof), by MuJoCo's names.
-            activation: before the first step and after each, (step + 1, activation), in the model's units.
-        """
-        taken: dict[str, Array] = {}
-        for name, each in damping_work(self.wing, velocity, forces, activation).items():
-            # one sum from the start on: it does not depend on where chunks end
-            total = np.cumsum(np.concatenate([[self._taken.get(name, 0.0)], each]))
-            self._taken[name] = float(total[-1])
-            taken[name] = total[:-1]
-        return taken
 
     def add(self, rows: _Rows, mine: slice, chunk: Chunk, place: int) -> None:
         """Keep some rows, of one wing of the chunk; the first one is its stage's first if the stage begins there."""
@@ -96,9 +75,9 @@ class Recorder:
             if self._stages:
                 self._close_stage()
             first = slice(mine.start, mine.start + 1)
-            self._stages.append((int(chunk.stage[place]), [_joined([(rows, first)])]))
+            self._stages.append([_joined([(rows, first)])])
             mine = slice(first.stop, mine.stop)
-        parts = self._stages[-1][1]
+        parts = self._stages[-1]
         if mine.start < mine.stop:
             parts.append((rows, mine))
         if self._sparse:
@@ -109,54 +88,57 @@ class Recorder:
     def record(
         self,
         step: int,
-        position: Array,
-        velocity: Array,
-        derived: Mapping[str, Array],
+        start: State,
+        end: State,
+        account: Mapping[str, float],
         stages: tuple[StageEnd, ...],
         diverged_at: float | None,
     ) -> Record:
-        """The record, its last row being the state that the wing ended in after `step` steps."""
+        """The record, its last row being the state that the wing ended in.
+
+        Args:
+            step: how many steps it took.
+            start: what it started in.
+            end: what it ended in.
+            account: the work since the start, J, and the powers in the last state, W.
+            stages: that took place.
+            diverged_at: when its numbers blew up, s, or None.
+        """
+        recorded = self._stages[-1][0][0].derived
         last = _Rows(
             number=np.array([step]),
-            position=position[None],
-            velocity=velocity[None],
-            next_velocity=velocity[None],
-            derived={name: values[None] for name, values in derived.items()},
-            taken={name: np.array([total]) for name, total in self._taken.items()},
+            position=end.position[None],
+            derived={name: end.derived[name][None] for name in recorded},
+            account={name: np.array([value]) for name, value in account.items()},
         )
-        self._stages[-1][1].append((last, slice(None)))
+        self._stages[-1].append((last, slice(None)))
         self._close_stage()
-        rows, _ = _joined([part for _, parts in self._stages for part in parts])
+        rows, _ = _joined([part for parts in self._stages for part in parts])
+        series = {**state_series(self.wing, rows.position, rows.derived), **rows.account}
+        if self._sparse:
+            series |= self._energies_at_ends(start, end, len(rows.number))
         return Record(
             design=self.wing.design,
             time=np.asarray(rows.number * self._timestep),
-            series={**state_series(self.wing, rows.position, rows.derived), **self._torque_series(), **rows.taken},
+            series=series,
             stages=stages,
             triangles=self.wing.membrane.triangles,
             diverged_at=diverged_at,
         )
 
+    def _energies_at_ends(self, start: State, end: State, count: int) -> dict[str, Array]:
+        """The energies that sparse rows lack, J, (row,): there at the start and at the end, nan between."""
+        energies: dict[str, Array] = {}
+        for place, state in ((0, start), (-1, end)):
+            derived = {name: values[None] for name, values in state.derived.items()}
+            for name, values in state_energies(self.wing, derived).items():
+                energies.setdefault(name, np.full(count, np.nan))[place] = values[0]
+        return energies
+
     def _close_stage(self) -> None:
         """Copy the stage's rows together, so that they do not hold the chunks of all wings in memory."""
-        parts = self._stages[-1][1]
+        parts = self._stages[-1]
         parts[:] = [_joined(parts)]
-
-    def _torque_series(self) -> dict[str, Array]:
-        """Work of the torques since the start, J, and their power, W, in every row of stages that are closed."""
-        given = {"proximal_work": 0.0, "distal_work": 0.0}
-        series: list[dict[str, Array]] = []
-        stages = [(number, rows) for number, ((rows, _),) in self._stages]
-        begins = [(rows.position[:1], rows.velocity[:1]) for _, rows in stages]
-        for (number, rows), begin, following in zip(stages, begins, [*begins[1:], None], strict=True):
-            torques = stage_torques(self.wing, self.wing.design.protocol.stages[number])
-            start = begin[0][0], begin[1][0]
-            work = torque_work(self.wing, torques, start, (rows.position, rows.velocity))
-            power = torque_power(self.wing, torques, (rows.velocity + rows.next_velocity) / 2)
-            series.append({name: given[name] + done for name, done in work.items()} | power)
-            if following is not None:
-                done = torque_work(self.wing, torques, start, following)
-                given = {name: given[name] + float(done[name][0]) for name in given}
-        return {name: np.concatenate([each[name] for each in series]) for name in series[0]}
 
 
 def keep(recorders: Sequence[Recorder], chunk: Chunk) -> None:
@@ -168,33 +150,16 @@ def keep(recorders: Sequence[Recorder], chunk: Chunk) -> None:
     kept &= step < chunk.taken[:, None]
     # for all wings at once: a few calls do the work of thousands
     wing, before = np.nonzero(kept)
-    position, velocity = np.split(steps.states(wing, before, slice(1, 1 + 2 * steps.dof)), 2, axis=1)
     inner = {name: steps.states(wing, before, place) for name, place in steps.inner.items()}
     rows = _Rows(
         number=number[wing, before],
-        position=position,
-        velocity=velocity,
-        next_velocity=steps.velocity[wing, before],
-        derived={name: values[wing, before] for name, values in steps.derived.items()} | inner,
-        taken={name: values[wing, before] for name, values in _damping(recorders, chunk).items()},
+        position=steps.states(wing, before, slice(1, 1 + steps.dof)),
+        derived={name: steps.derived[name][wing, before] for name in steps.kept} | inner,
+        account={name: values[wing, before] for name, values in chunk.account.items()},
     )
     bounds = [0, *np.cumsum(kept.sum(axis=1)).tolist()]
     for place in np.flatnonzero(chunk.taken).tolist():
         recorders[place].add(rows, slice(bounds[place], bounds[place + 1]), chunk, place)
-
-
-def _damping(recorders: Sequence[Recorder], chunk: Chunk) -> dict[str, Array]:
-    """By name, what damping and stops did until before each step that counts, J, (wing, step); empty without forces."""
-    steps = chunk.steps
-    if "qfrc_damper" not in steps.derived:
-        return {}
-    done: dict[str, Array] = {}
-    for place, (recorder, count) in enumerate(zip(recorders, chunk.taken, strict=True)):
-        velocity = np.concatenate([steps.velocity_before[place, None], steps.velocity[place, :count]])
-        forces = {name: values[place, :count] for name, values in steps.derived.items()}
-        for name, values in recorder.account(velocity, forces, steps.activation(place, count)).items():
-            done.setdefault(name, np.zeros(steps.after.shape[:2]))[place, :count] = values
-    return done
 
 
 def _joined(parts: Sequence[_Part]) -> _Part:
@@ -203,9 +168,7 @@ def _joined(parts: Sequence[_Part]) -> _Part:
     rows = _Rows(
         number=np.concatenate([rows.number[mine] for rows, mine in parts]),
         position=np.concatenate([rows.position[mine] for rows, mine in parts]),
-        velocity=np.concatenate([rows.velocity[mine] for rows, mine in parts]),
-        next_velocity=np.concatenate([rows.next_velocity[mine] for rows, mine in parts]),
         derived={name: np.concatenate([rows.derived[name][mine] for rows, mine in parts]) for name in first.derived},
-        taken={name: np.concatenate([rows.taken[name][mine] for rows, mine in parts]) for name in first.taken},
+        account={name: np.concatenate([rows.account[name][mine] for rows, mine in parts]) for name in first.account},
     )
     return rows, slice(None)

@@ -8,15 +8,15 @@ from collections.abc import Callable, Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.design import Design
+from forficula.dynamics.account import Account
 from forficula.dynamics.fleet import Fleet
-from forficula.dynamics.model import WingModel, compile_wing
+from forficula.dynamics.model import WingModel
 from forficula.dynamics.record import Record
 from forficula.dynamics.recorder import Chunk, Recorder, keep
 from forficula.dynamics.sharing import followers, successors
 from forficula.dynamics.stepper import Pending, Stepper, Steps
-from forficula.dynamics.timestep import with_timestep
 
+Array = NDArray[np.float64]
 Progress = Callable[[str, float, float], None]
 
 # Steps between two looks at the goals. Every step is looked at and the overshoot is taken back, so that no number
@@ -26,31 +26,15 @@ _CHUNK = 100
 _FEW = 2
 
 
-def run(design: Design, progress: Progress | None = None) -> Record:
-    """Take one wing through its protocol.
-
-    Args:
-        design: what to build and what to do with it.
-        progress: called now and then with the stage's name, the time so far and the longest it can take, s.
-
-    Returns:
-        What happened, sampled at the protocol's interval.
-
-    Raises:
-        InputError: the wing cannot be built.
-    """
-    ((_, record),) = simulate_each([compile_wing(with_timestep(design))], progress=progress)
-    return record
-
-
 def simulate(wings: Sequence[WingModel], threads: int = 0, sparse: bool = False) -> list[Record]:
     """Take wings of one topology through their protocols, side by side.
 
     Args:
         wings: compiled models with the same numbers of veins and membrane nodes.
         threads: 0 for one a core; the numbers do not depend on it.
-        sparse: keep only what states and transitions need: no rows but those at the ends of stages, no energies but
-            the tendons'. What is kept has the same bits, and many wings take half the time.
+        sparse: keep only what states, transitions and the energy balance need: no rows but those at the ends of
+            stages, no places, and energies but the tendons' at the start and at the end only. What is kept has the same
+            bits, and many wings take half the time.
 
     Returns:
         A record for every wing, in their order.
@@ -96,22 +80,25 @@ def _records(
     enough: Callable[[Record], bool] | None,
 ) -> Iterator[tuple[int, Record]]:
     """Do as `simulate_each` does."""
-    fleet, recorders = Fleet(wings), [Recorder(wing, sparse) for wing in wings]
+    fleet, account, recorders = Fleet(wings), Account(wings), [Recorder(wing, sparse) for wing in wings]
+    starts = [stepper.state(row) for row in range(len(wings))]
     following = {} if enough is None else successors(wings)
     held = set(following.values())
     waiting = followers(wings, held)
     moving = np.array([row not in waiting and row not in held for row in range(len(wings))])
-    under_way: deque[tuple[NDArray[np.int64], Pending]] = deque()
+    under_way: deque[tuple[NDArray[np.int64], Array, Pending]] = deque()
     while moving.any():
-        while len(rows := _next_rows(moving & ~fleet.ended, [rows for rows, _ in under_way], stepper.threads)):
-            under_way.append((rows, stepper.start(rows, fleet.controls(rows))))
+        while len(rows := _next_rows(moving & ~fleet.ended, [rows for rows, *_ in under_way], stepper.threads)):
+            torques = fleet.torques(rows, _CHUNK)
+            under_way.append((rows, torques, stepper.start(rows, fleet.controls(rows, torques))))
         if under_way:
-            rows, steps = under_way.popleft()
-            _advance(stepper, fleet, recorders, rows, steps.result())
+            rows, torques, steps = under_way.popleft()
+            _advance(stepper, fleet, account, recorders, rows, torques, steps.result())
         for row, (leader, stages) in list(waiting.items()):
             if moving[leader] and (fleet.stage[leader] >= stages or fleet.ended[leader]):
                 stepper.follow_leader(row, leader)
                 fleet.follow_leader(row, leader)
+                account.follow_leader(row, leader)
                 recorders[row] = recorders[leader].fork(wings[row])
                 moving[row] = row not in held
                 del waiting[row]
@@ -120,8 +107,11 @@ def _records(
         done = np.flatnonzero(moving & fleet.ended)
         moving[done] = False
         for row in done.tolist():
-            ends, diverged_at = tuple(fleet.ends[row]), fleet.diverged_at[row]
-            record = recorders[row].record(fleet.steps[row], *stepper.state(row), ends, diverged_at)
+            end = stepper.state(row)
+            totals = account.total(row) | account.power(row, fleet.last_torques(row), end.velocity)
+            record = recorders[row].record(
+                fleet.steps[row], starts[row], end, totals, tuple(fleet.ends[row]), fleet.diverged_at[row]
+            )
             yield row, record
             if enough is not None and row in following and not enough(record):
                 held.remove(following[row])
@@ -143,12 +133,24 @@ def _next_rows(moving: NDArray[np.bool_], under_way: Sequence[NDArray[np.int64]]
 
 
 def _advance(
-    stepper: Stepper, fleet: Fleet, recorders: Sequence[Recorder], rows: NDArray[np.int64], steps: Steps
+    stepper: Stepper,
+    fleet: Fleet,
+    account: Account,
+    recorders: Sequence[Recorder],
+    rows: NDArray[np.int64],
+    torques: Array,
+    steps: Steps,
 ) -> None:
     """Take note of a chunk of steps of some wings, of none beyond the end of its stage."""
-    first, stage = fleet.steps[rows], fleet.stage[rows]
+    first = fleet.steps[rows]
     begins = first == fleet.stage_start[rows]
     taken = fleet.follow(rows, steps.before[:, 0], steps.time, steps.position, steps.velocity)
     stepper.take_back(rows, steps, taken)
-    chunk = Chunk(steps=steps, stage=stage, first=first, begins=begins, taken=taken)
+    chunk = Chunk(
+        steps=steps,
+        first=first,
+        begins=begins,
+        taken=taken,
+        account=account.add(rows, steps, torques, taken),
+    )
     keep([recorders[row] for row in rows], chunk)

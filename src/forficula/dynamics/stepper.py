@@ -25,17 +25,11 @@ Indices = NDArray[np.int64]
 _STATE = mujoco.mjtState.mjSTATE_INTEGRATION.value
 _MOVING = _STATE & ~mujoco.mjtState.mjSTATE_USER.value
 _CONTROL = mujoco.mjtState.mjSTATE_CTRL.value
-_DERIVED = (
-    "ten_length",
-    "energy",
-    "flexvert_xpos",
-    "xpos",
-    "xipos",
-    "site_xpos",
-    "qfrc_damper",
-    "qfrc_constraint",
-)
-_DERIVED_LETTING_GO = ("ten_velocity", "ten_J")
+# what states are read from, of a sparse record and of others, and what the account of the work needs besides
+_OF_SPARSE = ("ten_length",)
+_OF_STATES = ("ten_length", "energy", "flexvert_xpos", "xpos", "xipos", "site_xpos")
+_OF_ACCOUNT = ("qfrc_damper", "qfrc_constraint")
+_OF_LETTING_GO = ("ten_velocity", "ten_J")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -49,6 +43,7 @@ class Steps:
         before: what a step changes, before the first step, (wing, number): time, positions, velocities, and more.
         after: likewise, after each step, (wing, step, number).
         derived: MuJoCo's fields of the state before each step, (wing, step, ...).
+        kept: names of those that the states of a record are read from.
     """
 
     dof: int
@@ -56,6 +51,7 @@ class Steps:
     before: Array
     after: Array
     derived: Mapping[str, Array]
+    kept: Sequence[str]
 
     @property
     def time(self) -> Array:
@@ -90,6 +86,21 @@ class Steps:
 
 
 @dataclass(frozen=True, kw_only=True)
+class State:
+    """What a wing is in, in its model's units.
+
+    Attributes:
+        position: of its joints, (dof,).
+        velocity: likewise.
+        derived: all fields of MuJoCo that states are read from, by their names.
+    """
+
+    position: Array
+    velocity: Array
+    derived: Mapping[str, Array]
+
+
+@dataclass(frozen=True, kw_only=True)
 class Pending:
     """Steps that are being made, by several workers a part of the wings each."""
 
@@ -115,7 +126,7 @@ class Stepper:
         Args:
             wings: compiled models with the same numbers of veins and membrane nodes.
             threads: 0 for one a core.
-            sparse: leave out all derived fields but the tendons' lengths.
+            sparse: of the derived fields that states are read from, leave out all but the tendons' lengths.
             chunk: steps to take at a time.
         """
         self._wings, self._chunk = wings, chunk
@@ -124,8 +135,8 @@ class Stepper:
         self._state = _start_states(wings)
         self._moving, self._control = _columns(model, _MOVING), _columns(model, _CONTROL)
         self._inner = _inner(model)
-        every = (*_DERIVED, *_DERIVED_LETTING_GO) if wings[0].tendon_law.lets_go else _DERIVED
-        self._names = _DERIVED[:1] if sparse else every
+        self._kept = _OF_SPARSE if sparse else _OF_STATES
+        self._names = (*self._kept, *_OF_ACCOUNT, *(_OF_LETTING_GO if wings[0].tendon_law.lets_go else ()))
         # the same memory again and again: fresh memory costs as much time as looking at it
         self._memory = deque([_memory(wings, self._names, chunk, len(self._moving)) for _ in range(2)])
         self.threads = int(Batch(model, len(wings), threads).nthread)
@@ -135,12 +146,13 @@ class Stepper:
         self._workers = ThreadPoolExecutor(max_workers=self.threads)
         self._data = mujoco.MjData(model)
 
-    def start(self, rows: Indices, torques: Array) -> Pending:
-        """Set out to take these wings a chunk of steps further, driven by torques, (row, motor).
+    def start(self, rows: Indices, controls: Array) -> Pending:
+        """Set out to take these wings a chunk of steps further, driven by controls, (row, step, motor).
 
         Others can be started before that is done, but the third steps overwrite the first.
         """
-        self._state[np.ix_(rows, self._control)] = torques
+        # for `state`: what drives a wing in its last state drove it in the last step, too
+        self._state[np.ix_(rows, self._control)] = controls[:, -1]
         self._memory.rotate()
         mine = {name: each[: len(rows)] for name, each in self._memory[0].items()}
         bounds = np.linspace(0, len(rows), min(len(rows), self.threads) + 1).astype(int).tolist()
@@ -151,10 +163,13 @@ class Stepper:
             before=self._state[np.ix_(rows, self._moving)],
             after=mine[_MOVING],
             derived={name: mine[name] for name in self._names},
+            kept=self._kept,
         )
         return Pending(
             parts=[
-                self._workers.submit(self._step, rows[part], {name: each[part] for name, each in mine.items()})
+                self._workers.submit(
+                    self._step, rows[part], controls[part], {name: each[part] for name, each in mine.items()}
+                )
                 for part in parts
             ],
             steps=steps,
@@ -168,22 +183,22 @@ class Stepper:
         """Put a wing where another one is."""
         self._state[row] = self._state[leader]
 
-    def state(self, row: int) -> tuple[Array, Array, dict[str, Array]]:
-        """Positions and velocities of a wing, (dof,), and its derived fields."""
+    def state(self, row: int) -> State:
+        """What a wing is in."""
         # wings of one topology have data of one size: making it anew takes as long as many steps
         engine, data = self._wings[row].engine, self._data
         mujoco.mj_resetData(engine, data)
         mujoco.mj_setState(engine, data, self._state[row], _STATE)
         with _quiet:
             mujoco.mj_forward(engine, data)
-        names = [*self._names, *self._inner]
-        return data.qpos.copy(), data.qvel.copy(), {name: getattr(data, name).copy() for name in names}
+        derived = {name: getattr(data, name).copy() for name in (*_OF_STATES, *self._inner)}
+        return State(position=data.qpos.copy(), velocity=data.qvel.copy(), derived=derived)
 
     def close(self) -> None:
         """Wait for the steps that are being made, and make no more."""
         self._workers.shutdown(cancel_futures=True)
 
-    def _step(self, rows: Indices, memory: Mapping[str | int, Array]) -> None:
+    def _step(self, rows: Indices, controls: Array, memory: Mapping[str | int, Array]) -> None:
         """Take some wings a chunk of steps further; what comes of it goes to memory."""
         engine = self._engines.get()
         try:
@@ -192,7 +207,14 @@ class Stepper:
             engine.state[: len(rows)] = self._state[rows]
             out: dict[str | int | mujoco.mjtState, Array] = {**memory}
             with _quiet:
-                engine.rollout(self._chunk, record=tuple(out), ids=np.arange(len(rows)), out=out)
+                engine.rollout(
+                    self._chunk,
+                    control=controls,
+                    control_spec=_CONTROL,
+                    record=tuple(out),
+                    ids=np.arange(len(rows)),
+                    out=out,
+                )
         finally:
             self._engines.put(engine)
 

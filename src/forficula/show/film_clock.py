@@ -48,10 +48,10 @@ def film_cuts(record: Record, outcome: Outcome, slowed: float | None = None) -> 
     driven = [stage for stage in record.stages if stage.stage.drive != "none" and stage.start < end]
     if not driven:
         return (_move("the whole run", 0.0, end, slowed, None),)
-    cuts = [*_state(outcome.flat, "a flat", driven[0].start, "")]
+    cuts = [*_state(outcome.flat, f"a {outcome.flat_name}", driven[0].start, "")]
     states = {
-        "fold": (outcome.folded_state, "b folded" if outcome.folded else "not folded"),
-        "unfold": (outcome.opened_state, "c opened" if outcome.opened else "not opened"),
+        "fold": (outcome.folded_state, "b folded" if outcome.folded else outcome.folded_name),
+        "unfold": (outcome.opened_state, "c opened" if outcome.opened else outcome.opened_name),
     }
     for stage, until in pairwise([*driven, None]):
         assert stage is not None

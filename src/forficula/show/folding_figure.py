@@ -96,9 +96,9 @@ def _moments(record: Record, outcome: Outcome) -> list[tuple[str, float]]:
     """Names and times: the states, and between them moments at equal progress of the fold."""
     moments: list[tuple[str, float]] = []
     for state, name, drive in (
-        (outcome.flat, "a flat", "fold"),
-        (outcome.folded_state, "b folded" if outcome.folded else "not folded", "unfold"),
-        (outcome.opened_state, "c opened" if outcome.opened else "not opened", None),
+        (outcome.flat, f"a {outcome.flat_name}", "fold"),
+        (outcome.folded_state, "b folded" if outcome.folded else outcome.folded_name, "unfold"),
+        (outcome.opened_state, "c opened" if outcome.opened else outcome.opened_name, None),
     ):
         if state is not None:
             moments.append((name, state.time))

@@ -132,8 +132,7 @@ def _simulation_remarks(record: Record | None) -> Iterator[str]:
     if record is None:
         return
     outcome, snap = measure(record), simulated_snap(record)
-    verb = "is " if outcome.status.startswith("stuck") else ""
-    yield f"the simulated wing {verb}{outcome.status}. {outcome.advice}".strip()
+    yield f"the simulated wing: {outcome.status}. {outcome.advice}".strip()
     if snap is not None:
         yield (
             f"its second hinge is sampled every {_time(snap.sample_interval)}; it is driven by the fold torque, damped,"

@@ -20,6 +20,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
+from forficula.analysis import FOLDED, OPENED, Ending, Verdict, ending_word
 from forficula.show.factor_text import display_values, factor_label, number_text, plain_name
 from forficula.show.map_text import maps_text
 from forficula.show.style import BLUE, ORANGE, PAGE_WIDTH, PURPLE, SKY, describe, figure_style, is_narrow
@@ -39,13 +40,18 @@ _BESIDE, _TWO_DIGITS, _THREE_DIGITS = 0.9, 0.19, 0.23
 _SHAPE = {"handleheight": 1.4, "handlelength": 2.2, "fontsize": 7}
 _INK = "0.35"
 
-NOT_FOLDED = "did not fold"
-NOT_OPENED = "did not open"
-STUCK = "stuck on the way"
-NOT_STAYED = "did not stay folded"
+NOT_FOLDED = ending_word(Ending(verdict=Verdict.STUCK, goal="fold"))
+NOT_OPENED = ending_word(Ending(verdict=Verdict.STUCK, goal="unfold"))
+STUCK = ending_word(Ending(verdict=Verdict.STUCK, goal="fold", angle=-math.pi / 2))
+STILL_FOLDING = ending_word(Ending(verdict=Verdict.MOVING, goal="fold"))
+STILL_OPENING = ending_word(Ending(verdict=Verdict.MOVING, goal="unfold"))
+NOT_STAYED = ending_word(Ending(verdict=Verdict.NOT_HELD, goal="fold"))
+NOT_STAYED_OPEN = ending_word(Ending(verdict=Verdict.NOT_HELD, goal="unfold"))
+DIVERGED, UNTRUSTED, NOT_BUILT = (
+    ending_word(Ending(verdict=verdict)) for verdict in (Verdict.DIVERGED, Verdict.UNTRUSTED, Verdict.NOT_BUILT)
+)
 NOT_TRIED = "not tried: did not fold"
 NOT_RUN = "not run"
-NOT_BUILT = "cannot be built"
 OTHER = "no value"
 
 
@@ -59,13 +65,17 @@ class Look:
 
 
 _LOOKS = {
-    "folded and opened": Look(face=BLUE, hatch="", marker="o"),
-    "folded": Look(face=SKY, hatch="", marker="D"),
+    OPENED: Look(face=BLUE, hatch="", marker="o"),
+    FOLDED: Look(face=SKY, hatch="", marker="D"),
     NOT_OPENED: Look(face="#F3DDA6", hatch="....", marker="s"),
     NOT_FOLDED: Look(face="1.0", hatch="/////", marker="x"),
     STUCK: Look(face="0.93", hatch="xxxx", marker="*"),
     NOT_STAYED: Look(face="1.0", hatch="|||||", marker="1"),
-    "diverged": Look(face="0.75", hatch="++++", marker="P"),
+    STILL_FOLDING: Look(face="0.93", hatch=r"\\\\\\", marker=">"),
+    STILL_OPENING: Look(face="#F3DDA6", hatch=r"\\\\\\", marker="<"),
+    NOT_STAYED_OPEN: Look(face="#F3DDA6", hatch="|||||", marker="2"),
+    DIVERGED: Look(face="0.75", hatch="++++", marker="P"),
+    UNTRUSTED: Look(face="0.75", hatch="OO", marker="8"),
     NOT_BUILT: Look(face="0.6", hatch="", marker="X"),
     NOT_TRIED: Look(face="0.86", hatch="", marker="_"),
     BOTH: Look(face=BLUE, hatch="", marker="o"),

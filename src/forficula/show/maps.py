@@ -8,16 +8,18 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.figure import Figure
 
+from forficula.analysis import FOLDED, OPENED
 from forficula.errors import InputError
 from forficula.show.factor_text import plain_name, value_text
 from forficula.show.map_page import (
-    NOT_BUILT,
     NOT_FOLDED,
     NOT_OPENED,
-    NOT_RUN,
     NOT_STAYED,
+    NOT_STAYED_OPEN,
     NOT_TRIED,
     OTHER,
+    STILL_FOLDING,
+    STILL_OPENING,
     STUCK,
     Panel,
     View,
@@ -32,7 +34,7 @@ if TYPE_CHECKING:
 
 _MOST_PANELS = 9
 # what a wing is called that folded, and may have been asked to open
-_GOES_ON = ("folded", "folded and opened", NOT_OPENED)
+_GOES_ON = (FOLDED, OPENED, NOT_OPENED, NOT_STAYED_OPEN, STILL_OPENING)
 
 
 def map_drawings(table: Dataset) -> dict[str, Drawing]:
@@ -103,9 +105,9 @@ def draw_status_map(table: Dataset, x: str | None = None, y: str | None = None, 
     """
     with map_style():
         view = table_view(table, x, y)
-        verdicts = verdict_words(view.table["status"])
-        nothing = verdicts.copy(data=np.full(verdicts.shape, np.nan))
-        return draw_page(view, [Panel(title="outcome", values=nothing, reasons=verdicts, unit="")], width=width)
+        outcomes = view.table["outcome"]
+        nothing = outcomes.copy(data=np.full(outcomes.shape, np.nan))
+        return draw_page(view, [Panel(title="outcome", values=nothing, reasons=outcomes, unit="")], width=width)
 
 
 def draw_fold_times(
@@ -181,14 +183,14 @@ def _draw(
 
 
 def _is_sampled(table: Dataset) -> bool:
-    return table["status"].dims == ("sample",)
+    return table["outcome"].dims == ("sample",)
 
 
 def _factors(table: Dataset) -> list[str]:
     """Names of the factors, in the study's order; choices of one at a time, which stand for the rest of them, last."""
     if not _is_sampled(table):
         # maps are of the grid that is repeated at every choice
-        return sorted((str(name) for name in table["status"].dims), key=lambda name: name == CHOICE)
+        return sorted((str(name) for name in table["outcome"].dims), key=lambda name: name == CHOICE)
     return [str(name) for name, values in table.coords.items() if values.dims == ("sample",) and name != "sample"]
 
 
@@ -236,51 +238,32 @@ def _unit(table: Dataset, name: str) -> str:
     return str(table[name].attrs.get("units", ""))
 
 
-def verdict_words(statuses: DataArray) -> DataArray:
-    """Statuses without their numbers: "stuck at -134.6 deg" is one of many that are stuck."""
-    return statuses.copy(data=np.vectorize(_word, otypes=[object])(statuses.values))
-
-
-def _word(status: str) -> str:
-    if status in ("", "nan", "None"):
-        return NOT_RUN
-    # "did not stay folded; with 500 N cm: did not open": what failed first
-    status = status.partition("; ")[0]
-    if status.startswith("with ") and ": " in status:
-        # "with 500 N cm: stuck at -134.6 deg"
-        torque, rest = status.split(": ", 1)
-        return f"{_word(rest)} {torque}"
-    beginnings = {"stuck": STUCK, "diverged": "diverged", "cannot be built": NOT_BUILT}
-    return next((word for beginning, word in beginnings.items() if status.startswith(beginning)), status)
-
-
 def missing_reasons(table: Dataset, name: str) -> DataArray:
     """Why a variable has no value, wherever it has none."""
-    status = table["status"]
-    if name == "flat_energy":
-        return verdict_words(status)
-    folding = table.get("fold_status", status)
+    outcome = table["outcome"]
+    if name in ("flat_energy", "residual"):
+        return outcome
+    folding = table.get("fold_outcome", outcome)
     if name in ("least_fold_torque", "fold_time", "fold_work", "folded_energy"):
         return folding.copy(data=np.vectorize(_why_not_folded, otypes=[object])(folding.values))
-    reference = table["reference_fold_status"] if "reference_fold_status" in table else status.copy(data=status.values)
-    torque = reference.attrs.get("torque")
-    where = f" with {100 * torque:.4g} N cm" if torque is not None and "reference_fold_status" in table else ""
+    searched = "reference_outcome" in table
+    reference = table["reference_outcome"] if searched else outcome.copy(data=outcome.values)
+    where = f" with {100 * reference.attrs['torque']:.4g} N cm" if searched else ""
     why = np.vectorize(_why_not_opened, otypes=[object])
-    return status.copy(data=why(status.values, folding.values, reference.values, where))
+    return outcome.copy(data=why(outcome.values, folding.values, reference.values, where))
 
 
 def _why_not_folded(folding: str) -> str:
-    word = _word(folding)
-    return OTHER if word in _GOES_ON else word
+    return OTHER if folding in _GOES_ON else folding
 
 
-def _why_not_opened(status: str, folding: str, reference: str, where: str) -> str:
+def _why_not_opened(outcome: str, folding: str, reference: str, where: str) -> str:
     """Why it did not open, where `reference` is how it folded before that, and `where` with which torque."""
-    if where and _word(reference) in _GOES_ON:
+    if where and reference in _GOES_ON:
         # a wing that only the large torque folds was asked to open, too
-        word = _word(status) if _word(folding) in _GOES_ON else NOT_OPENED
-    elif where and _word(reference) not in (NOT_RUN, NOT_BUILT):
-        word = f"{_word(reference)}{where}"
+        word = outcome if folding in _GOES_ON else NOT_OPENED
+    elif where and reference:
+        word = f"{reference}{where}"
     else:
-        word = NOT_TRIED if _word(folding) in (NOT_FOLDED, STUCK, NOT_STAYED) else _word(status)
-    return OTHER if word in ("folded", "folded and opened") else word
+        word = NOT_TRIED if folding in (NOT_FOLDED, STUCK, STILL_FOLDING, NOT_STAYED) else outcome
+    return OTHER if word in (FOLDED, OPENED) else word

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from forficula.analysis import EnergyBalance, Outcome, State, Transition
+from forficula.analysis import Outcome, State, Transition
+from forficula.dynamics import EnergyBalance
 from forficula.quantities import reading_unit
 
 TRANSITION_HEADINGS = ("", "torque", "succeeded", "time", "work of the torques")
@@ -33,7 +34,7 @@ class StateRows:
 def states_reached(outcome: Outcome) -> dict[str, State]:
     """The states that there are, by what they are called."""
     states = {
-        "flat": outcome.flat,
+        outcome.flat_name: outcome.flat,
         "folded" if outcome.folded else "after folding": outcome.folded_state,
         "opened" if outcome.opened else "after unfolding": outcome.opened_state,
     }
@@ -81,7 +82,7 @@ def balance_rows(balance: EnergyBalance) -> list[tuple[str, str]]:
     )
     # adding 0 turns -0 into 0
     rows = [(label, f"{round(factor * value, 4) + 0.0:.4f} {unit}") for label, value in terms if value is not None]
-    return [*rows, ("residual", f"{100 * balance.residual:.3f} % of {balance.residual_of}")]
+    return [*rows, ("residual", f"{100 * balance.residual:.3f} % of what was exchanged")]
 
 
 def _state_angle(state: State, vein: int) -> str:

@@ -89,10 +89,7 @@ def film_progress() -> Iterator[Callable[[int, int], None]]:
 
 def _end(row: dict[str, Any]) -> str:
     """What became of a run, in a word or two."""
-    if row.get("folded"):
-        return "folded"
-    words = {"diverged": "diverged", "cannot": "cannot be built"}
-    return next((word for start, word in words.items() if str(row["status"]).startswith(start)), "stuck")
+    return "folded" if row.get("folded") else str(row["verdict"])
 
 
 def _duration(seconds: float) -> str:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+from matplotlib.figure import Figure
+
 from forficula.analysis import Outcome, summary
 from forficula.design import save_design
 from forficula.dynamics import Record, compile_wing, save_record, versions
@@ -12,7 +14,7 @@ from forficula.files import replacing_all, write_text
 from forficula.show.folding_figure import draw_folding
 from forficula.show.page import write_run_page
 from forficula.show.pattern_figure import draw_pattern
-from forficula.show.style import Drawing, save_figures
+from forficula.show.style import VERMILION, Drawing, save_figures
 from forficula.show.time_figures import draw_angles, draw_energies
 
 
@@ -44,7 +46,14 @@ def run_drawings(record: Record, outcome: Outcome) -> dict[str, Drawing]:
     """What draws a run, by the stem of its file."""
     return {
         "pattern": lambda width: draw_pattern(record.design, width),
-        "angles": lambda width: draw_angles(record, outcome, width),
-        "energy": lambda width: draw_energies(record, width),
-        "folding": lambda width: draw_folding(record, outcome, width),
+        "angles": lambda width: _marked(draw_angles(record, outcome, width), outcome),
+        "energy": lambda width: _marked(draw_energies(record, width), outcome),
+        "folding": lambda width: _marked(draw_folding(record, outcome, width), outcome),
     }
+
+
+def _marked(figure: Figure, outcome: Outcome) -> Figure:
+    """Say on a figure where what it shows is not what a wing would do."""
+    if not outcome.verdict.tells:
+        figure.suptitle(f"{outcome.status[:1].upper()}{outcome.status[1:]}", color=VERMILION, fontweight="bold")
+    return figure

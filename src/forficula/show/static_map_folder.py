@@ -77,7 +77,7 @@ def static_map_drawings(table: Dataset, simulated: Dataset | None = None) -> dic
 
 def print_static_map(table: Dataset, simulated: Dataset | None = None) -> None:
     """Say how many wings fold and open slowly, and where a simulation differs."""
-    count = table["status"].size
+    count = table["outcome"].size
     print()
     for name, verb in _VERBS.items():
         print(f"{int(np.isfinite(table[name]).sum())} of {count} wings {verb} under slowly growing torques")

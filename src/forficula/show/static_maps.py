@@ -64,8 +64,7 @@ def _panel(view: View, name: str, title: str, simulated: bool = False) -> Panel:
         why[verdict == NOT_SIMULATED] = NOT_TRIED
         why[~table["simulated"].values] = NOT_SIMULATED
     else:
-        built = np.char.startswith(table["status"].values.astype(str), NOT_BUILT)
-        why[built] = NOT_BUILT
+        why[table["outcome"].values == NOT_BUILT] = NOT_BUILT
     return Panel(title=title, values=values, reasons=values.copy(data=why), unit="N m")
 
 

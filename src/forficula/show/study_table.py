@@ -24,10 +24,8 @@ def print_study(study: Study, table: Dataset) -> None:
     lines = Table(box=None, padding=(0, 2, 0, 0))
     lines.add_column("outcome")
     lines.add_column("points", justify="right")
-    # "stuck at -134.6 deg" is one of many that are stuck
-    statuses = Counter(str(status).split(" at ")[0] for status in table["status"].values.ravel())
-    for status, count in statuses.most_common():
-        lines.add_row(status, str(count))
+    for outcome, count in Counter(map(str, table["outcome"].values.ravel())).most_common():
+        lines.add_row(outcome, str(count))
     Console(width=110, highlight=False).print(lines)
     headings, rows = choice_rows(table)
     if rows:

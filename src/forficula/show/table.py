@@ -63,9 +63,7 @@ def _transitions(outcome: Outcome) -> Table:
 
 def _balance(outcome: Outcome) -> RenderableType:
     balance = outcome.energy_balance
-    if balance is None:
-        return Text("Energy balance: not kept.")
-    if balance.residual > 1:
+    if not balance.residual <= 1:
         return Text("Energy balance: it does not close; the numbers mean nothing.")
     table = Table(box=None, padding=(0, 2, 0, 0), title="Energy balance", title_justify="left", show_header=False)
     table.add_column("")

@@ -102,7 +102,11 @@ def _accounts(record: Record) -> dict[str, tuple[Array, str]]:
 
 def _tell_angles(record: Record, outcome: Outcome) -> str:
     """What the angles do, in words."""
-    states = {"flat": outcome.flat, "folded": outcome.folded_state, "opened": outcome.opened_state}
+    states = {
+        outcome.flat_name: outcome.flat,
+        outcome.folded_name: outcome.folded_state,
+        outcome.opened_name: outcome.opened_state,
+    }
     told = [
         f"{name} {np.degrees(state.distal_angle.mean()):.1f} deg at {show_value(state.time, 's')}"
         for name, state in states.items()

@@ -43,8 +43,10 @@ def choice_groups(table: Dataset) -> list[ChoiceGroup]:
 
 
 def wings_that_fold(table: Dataset) -> DataArray:
-    """Whether a wing folds, over all dimensions of its table."""
-    return table["least_fold_torque"].notnull() if "least_fold_torque" in table else table["folded"].astype(bool)
+    """Whether a wing folds, with some torque where these were searched, over the dimensions of the points."""
+    # a wing has no least torque where a lesser one was tried and is not to be trusted, and folds all the same
+    searched = "folded_by_torque" in table
+    return table["folded_by_torque"].any("fold_torque") if searched else table["folded"].astype(bool)
 
 
 def count_folded(table: Dataset) -> NDArray[np.int_]:
@@ -54,7 +56,7 @@ def count_folded(table: Dataset) -> NDArray[np.int_]:
 
 def count_opened(table: Dataset) -> NDArray[np.int_] | None:
     """How many wings of the grid fold and open again at each choice, shape (choices,); None where that is not asked."""
-    if "least_fold_torque" in table and "least_unfold_torque" not in table:
+    if "folded_by_torque" in table and "least_unfold_torque" not in table:
         return None
     opens = table["least_unfold_torque"].notnull() if "least_unfold_torque" in table else table["opened"].astype(bool)
     return _count(opens)

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.analysis import FOLDED
 from forficula.study.tendon_search import AS_MANY, FOLD_TORQUE, PAPER_FOLDS, PAPER_OPENS, Array, Mask, TendonSearch
 
 _TORQUE_STEP = 0.1  # of the paper's search, N m
@@ -173,9 +174,9 @@ def _least_work(search: TendonSearch) -> Comparison:
 
 def _large_torque(search: TendonSearch) -> Comparison:
     claim, paper = "tendons that fold with 500 N cm", "all but one"
-    status, large = _folded_at_large_torque(search)
-    tried = ~np.isin(status, ["", "nan", "None"])
-    failed = tried & (status != "folded")
+    outcome, large = _folded_at_large_torque(search)
+    tried = ~np.isin(outcome, ["", "nan", "None"])
+    failed = tried & (outcome != FOLDED)
     ours = f"{int((tried & ~failed).sum())} of {int(tried.sum())} tried"
     ours += f"; not {search.names(failed)}" if failed.any() else ""
     if not (search.whole and large and tried.all()):
@@ -187,9 +188,9 @@ def _large_torque(search: TendonSearch) -> Comparison:
 
 def _outlier(search: TendonSearch) -> Comparison:
     claim, paper = "tendons that fold with at most 50 N cm but stick with 500 N cm", "one"
-    status, large = _folded_at_large_torque(search)
-    tried = ~np.isin(status, ["", "nan", "None"])
-    stuck = search.folds & tried & (status != "folded")
+    outcome, large = _folded_at_large_torque(search)
+    tried = ~np.isin(outcome, ["", "nan", "None"])
+    stuck = search.folds & tried & (outcome != FOLDED)
     ours = f"{int(stuck.sum())}: {search.names(stuck)}" if stuck.any() else "none"
     if not (search.whole and large and tried[search.folds].all()):
         return _row(
@@ -205,8 +206,8 @@ def _outlier(search: TendonSearch) -> Comparison:
 
 def _folded_at_large_torque(search: TendonSearch) -> tuple[NDArray[np.str_], bool]:
     """How each tendon folded before it was to open, and whether that was with the paper's 500 N cm."""
-    torque = float(search.table["reference_fold_status"].attrs.get("torque", math.nan))
-    return search.values("reference_fold_status").astype(str), bool(np.isclose(torque, 5.0))
+    torque = float(search.table["reference_outcome"].attrs.get("torque", math.nan))
+    return search.values("reference_outcome").astype(str), bool(np.isclose(torque, 5.0))
 
 
 def _first_to_open(search: TendonSearch) -> Comparison:

@@ -171,7 +171,7 @@ def _run_all(wings: Sequence[WingModel], progress: Progress | None) -> list[Time
         for row, record in simulate_each([wings[index] for index in members]):
             run = runs[members[row]] = timed_run(record)
             if progress is not None:
-                progress(len(runs), len(wings), {"status": run.status, "folded": run.outcome.folded})
+                progress(len(runs), len(wings), {"verdict": run.verdict, "folded": run.outcome.folded})
     return [runs[index] for index in range(len(wings))]
 
 

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 
 from forficula.design import Design, flat_strain, with_values
-from forficula.dynamics import with_timestep
 from forficula.errors import InputError
 from forficula.material.law_cycle import change_at_cycle, drifts_of, law_at_cycle, stretched_before
 from forficula.material.material_law import MaterialLaw
@@ -138,7 +137,7 @@ def run_cycles(design: Design, last: int, progress: Progress | None = None) -> C
     if reason := why_unchanged(design):
         raise InputError(f"cycles: {reason}")
     counts = cycle_counts(last)
-    designs = _designs(design, counts)
+    designs = [design_at_cycle(design, cycle) for cycle in counts]
     distinct = {row_key(each): each for each in designs}
     rows: dict[str, Row] = {}
     for row in evaluate(list(distinct.values())):
@@ -184,15 +183,6 @@ def _law_at(design: Design, cycle: int) -> tuple[MaterialLaw, float]:
     law = law_at_cycle(_material(design), cycle)
     peak = min(flat_strain(design) - law.residual_strain, law.yield_strain or np.inf)
     return stretched_before(law, peak) if cycle > 1 and peak > 0 else (law, 0.0)
-
-
-def _designs(design: Design, counts: Sequence[int]) -> list[Design]:
-    """One a cycle, all with the timestep that the stiffer end asks for, where the design leaves it open."""
-    found = [design_at_cycle(design, cycle) for cycle in counts]
-    if design.protocol.timestep != "auto":
-        return found
-    shortest = min(float(with_timestep(each).protocol.timestep) for each in (*found[:2], found[-1]))
-    return [with_values(each, {"protocol.timestep": shortest}) for each in found]
 
 
 def _run_at(design: Design, cycle: int, own: Design, row: Row, least: tuple[float, float]) -> CycleRun:

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 
 import numpy as np
 
-from forficula.analysis import Outcome, State, Transition, measure
+from forficula.analysis import Ending, Outcome, State, Transition, Verdict, ending_text, measure
 from forficula.design import Design
-from forficula.dynamics import Record, WingModel, compile_wing, design_in_model_units, simulate_each, with_timestep
 from forficula.errors import InputError
 from forficula.study.journal import SCHEMA, Row
+from forficula.study.runs import run_each
 
 
 def row_key(design: Design) -> str:
@@ -27,70 +26,55 @@ def evaluate(designs: Sequence[Design], threads: int = 0, *, until_opened: bool 
     Args:
         designs: what to run.
         threads: 0 for one a core.
-        until_opened: whether to try designs that only their unfold torques tell apart one after another, as they come,
-            until one opens; the rest of them get no rows.
+        until_opened: as of `run_each`.
     """
-    alike = [_engine_key(design) for design in designs]
-    distinct = dict(zip(alike, designs, strict=True))
-    compiled = {key: _compile(design) for key, design in distinct.items()}
-    by_topology: dict[tuple[int, ...], list[tuple[str, WingModel]]] = {}
-    for design, engine_key in zip(designs, alike, strict=True):
-        key, wing = row_key(design), compiled[engine_key]
-        if isinstance(wing, str):
-            yield {"key": key, "status": f"cannot be built: {wing}"}
-            continue
-        built = _with_protocol(wing, design)
-        by_topology.setdefault(topology(built), []).append((key, built))
-    for wings in by_topology.values():
-        enough = _opened if until_opened else None
-        for row, record in simulate_each([wing for _, wing in wings], threads, sparse=True, enough=enough):
-            yield {"key": wings[row][0], **outcome_row(measure(record))}
-
-
-def topology(wing: WingModel) -> tuple[int, ...]:
-    """The sizes that wings of one batch have in common."""
-    engine = wing.engine
-    sizes = (engine.nq, engine.nv, engine.nu, engine.nbody, engine.ngeom, engine.ntendon, engine.nflexvert)
-    return (*sizes, engine.nactuator, engine.na, engine.nplastic)
-
-
-def _opened(record: Record) -> bool:
-    return bool(measure(record).opened)
+    keys = [row_key(design) for design in designs]
+    for number, result in run_each(designs, threads, sparse=True, until_opened=until_opened):
+        if isinstance(result, InputError):
+            yield {"key": keys[number], **ending_row(Ending(verdict=Verdict.NOT_BUILT, why=str(result)))}
+        else:
+            timestep = float(result.design.protocol.timestep)
+            yield {"key": keys[number], **outcome_row(measure(result)), "timestep_s": timestep}
 
 
 def outcome_row(outcome: Outcome) -> Row:
-    """An outcome as plain numbers with units in their names; None where there is none."""
-    return {
-        "status": outcome.status,
+    """An outcome as plain numbers with units in their names; None where there is none, or none is to be trusted."""
+    tells = outcome.verdict.tells
+    states = {"flat": outcome.flat, "folded": outcome.folded_state, "opened": outcome.opened_state}
+    row = {
+        **ending_row(outcome.ending),
         "folded": outcome.folded,
         "opened": outcome.opened,
-        **_transition("fold", outcome.fold),
-        **_transition("unfold", outcome.unfold),
-        **_state("flat", outcome.flat),
-        **_state("folded", outcome.folded_state),
-        **_state("opened", outcome.opened_state),
+        **_transition("fold", outcome.fold if tells else None),
+        **_transition("unfold", outcome.unfold if tells else None),
+    }
+    for name, state in states.items():
+        row |= _state(name, state if tells else None)
+    return row
+
+
+def ending_row(ending: Ending) -> Row:
+    """What a run came to as plain data."""
+    residual = ending.residual
+    return {
+        "status": ending_text(ending),
+        "verdict": ending.verdict.value,
+        "goal": ending.goal,
+        "angle_deg": None if ending.angle is None else float(np.degrees(ending.angle)),
+        # JSON has no number for what is not finite
+        "residual": None if residual is None or not np.isfinite(residual) else residual,
     }
 
 
-def _engine_key(design: Design) -> str:
-    """What names an engine model: all but what is done to the wing."""
-    parting = {"fold_torque": 0.0, "unfold_torque": 0.0, "stages": ()}
-    return design.model_copy(update={"protocol": design.protocol.model_copy(update=parting)}).hash
-
-
-def _compile(design: Design) -> WingModel | str:
-    """A wing, or why there is none."""
-    try:
-        return compile_wing(with_timestep(design))
-    except InputError as error:
-        return str(error)
-
-
-def _with_protocol(wing: WingModel, design: Design) -> WingModel:
-    """The same wing with another protocol, its engine model shared."""
-    timestep = wing.design.protocol.timestep
-    resolved = design.model_copy(update={"protocol": design.protocol.model_copy(update={"timestep": timestep})})
-    return replace(wing, design=resolved, in_units=design_in_model_units(resolved, wing.units))
+def row_ending(row: Row) -> Ending:
+    """What `ending_row` wrote, but for what only its status says."""
+    angle = row.get("angle_deg")
+    return Ending(
+        verdict=Verdict(row["verdict"]),
+        goal=row.get("goal", "none"),
+        angle=None if angle is None else float(np.radians(angle)),
+        residual=row.get("residual"),
+    )
 
 
 def _transition(name: str, transition: Transition | None) -> Row:

@@ -16,21 +16,13 @@ import numpy as np
 from forficula.analysis import Outcome, measure, summary
 from forficula.analysis.thinning import thin_record
 from forficula.design import Design, save_design
-from forficula.dynamics import (
-    Record,
-    WingModel,
-    compile_wing,
-    load_record,
-    save_record,
-    simulate_each,
-    versions,
-    with_timestep,
-)
+from forficula.dynamics import Record, load_record, save_record, versions
 from forficula.errors import InputError
 from forficula.files import replacing_all, write_text
 from forficula.quantities import as_written
-from forficula.study.evaluate import outcome_row, row_key, topology
+from forficula.study.evaluate import outcome_row, row_key
 from forficula.study.journal import Row
+from forficula.study.runs import run_each
 from forficula.study.search import fold_design, point_design, release_design, unfold_design
 from forficula.study.study import Study
 
@@ -194,16 +186,9 @@ def _parts(study: Study, table: Dataset, point: int, design: Design) -> Iterator
 
 def _run(runs: Sequence[RunToKeep], threads: int) -> Iterator[tuple[RunToKeep, Record]]:
     """Take wings through their protocols side by side; those that cannot be built are left out, as their rows say."""
-    alike: dict[tuple[int, ...], list[tuple[RunToKeep, WingModel]]] = {}
-    for run in runs:
-        try:
-            wing = compile_wing(with_timestep(run.design))
-        except InputError:
-            continue
-        alike.setdefault(topology(wing), []).append((run, wing))
-    for group in alike.values():
-        for row, record in simulate_each([wing for _, wing in group], threads):
-            yield group[row][0], record
+    for number, record in run_each([run.design for run in runs], threads):
+        if not isinstance(record, InputError):
+            yield runs[number], record
 
 
 def _keep(folder: Path, run: RunToKeep, record: Record) -> KeptRun:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from forficula.analysis import FOLDED, Verdict, ending_word
 from forficula.design import TORQUE, Design, Stage, with_values
 from forficula.quantities import show_quantity
-from forficula.study.evaluate import row_key
+from forficula.study.evaluate import row_ending, row_key
 from forficula.study.journal import Row
 from forficula.study.study import Search
 
@@ -47,7 +48,7 @@ def most_runs(search: Search) -> int:
 
 
 def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
-    """What the rows say of one point: the least torques (N m), times (s), work and energies (J), and a status.
+    """What the rows say of one point: the least torques (N m), times (s), work and energies (J), and its ending.
 
     Times, work and energies of folding are those at the least torque that folds, likewise of unfolding; None where no
     torque does.
@@ -55,36 +56,67 @@ def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
     folds = {torque: rows[row_key(fold_design(design, torque))] for torque in _torques(design, search, rows, "fold")}
     # there are none above the least torque that opens, nor where no torque folds
     opens = {
-        torque: rows.get(row_key(unfold_design(design, search.fold_with, torque)))
+        torque: row
         for torque in _torques(design, search, rows, "unfold")
+        if (row := rows.get(row_key(unfold_design(design, search.fold_with, torque)))) is not None
     }
-    least_fold, least_unfold = _least(folds, "folded"), _least(opens, "opened")
-    folding = folds[max(folds)] if least_fold is None else rows[row_key(release_design(design, least_fold))]
-    opening = opens.get(max(opens, default=0.0) if least_unfold is None else least_unfold) or {}
+    least_fold, folding = _decided(folds, "folded")
+    if least_fold is not None:
+        folding = rows[row_key(release_design(design, least_fold))]
+    least_unfold, opening = _decided(opens, "opened")
+    residuals = [
+        row["residual"] for row in (*folds.values(), folding, *opens.values()) if row.get("residual") is not None
+    ]
     result = {
         "least_fold_torque": least_fold,
         "least_unfold_torque": least_unfold,
         "flat_energy": folding.get("flat_energy_J"),
-        "fold_status": folding["status"],
-        "reference_fold_status": "folded" if opening.get("folded") else opening.get("status", ""),
-        "status": folding["status"],
+        "fold_outcome": ending_word(row_ending(folding)),
+        "reference_outcome": _reference(opening),
+        "residual": max(residuals, default=None),
+        **_ending(search, folding, opening),
     }
     if least_fold is not None:
         result |= {name: folding[f"{name}_{unit}"] for name, unit in _FOLDING.items()}
-        result["status"] = _status(search, folding, opening)
     if least_unfold is not None:
         result |= {name: opening[f"{name}_{unit}"] for name, unit in _OPENING.items()}
     return result
 
 
-def _status(search: Search, folding: Row, opening: Row) -> str:
-    """How a wing that some torque folds opened, and what failed before: its release, folding with the large torque."""
-    if not search.unfold_torques:
-        return str(folding["status"])
-    large = f"with {show_quantity(search.fold_with, TORQUE)}: {opening['status']}"
-    if not folding["folded"]:
-        return f"{folding['status']}; {large}"
-    return str(opening["status"]) if opening.get("folded") else large
+def _decided(found: Mapping[float, Row], goal: str) -> tuple[float | None, Row]:
+    """The least torque that reaches a goal and its row, or none and the row that says why.
+
+    That is the first one, as the torques rise, that says nothing of the wing: below what reaches the goal it may hide a
+    lesser torque that does. Otherwise it is that of the largest torque; an empty one where nothing was tried.
+    """
+    least = _least(found, goal)
+    for torque, row in found.items():
+        if not Verdict(row["verdict"]).tells:
+            return None, row
+        if torque == least:
+            return least, row
+    return None, found[max(found)] if found else {}
+
+
+def _reference(opening: Row) -> str:
+    """How a wing folded with the large torque, in a word; empty where that was not tried."""
+    if not opening:
+        return ""
+    return FOLDED if opening["folded"] else ending_word(row_ending(opening))
+
+
+def _ending(search: Search, folding: Row, opening: Row) -> dict[str, Any]:
+    """How a wing that some torque folds opened, or what failed before: its release, folding with the large torque."""
+    told = folding if not (folding.get("folded") and opening) else opening
+    word = ending_word(row_ending(told))
+    ending = {"status": told["status"], "verdict": told["verdict"], "outcome": word}
+    large = show_quantity(search.fold_with, TORQUE)
+    if told is folding:
+        if opening and folding.get("folded") is False:
+            ending["status"] += f"; with {large}: {opening['status']}"
+    elif opening["folded"] is False:
+        ending |= {"status": f"with {large}: {opening['status']}", "outcome": f"{word} with {large}"}
+    return ending
 
 
 def fold_design(design: Design, torque: float) -> Design:

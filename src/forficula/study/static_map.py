@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from forficula.analysis import Ending, Verdict, ending_text, ending_word
 from forficula.design import Design, key_value
 from forficula.errors import InputError
 from forficula.statics.potential import FOLD, SHARED, Section, section
@@ -82,7 +83,8 @@ def static_map(study: Study) -> xarray.Dataset:
         try:
             design = point_design(study.base, point)
         except InputError as error:
-            results[number] = {"status": f"cannot be built: {error}"}
+            ending = Ending(verdict=Verdict.NOT_BUILT, why=str(error))
+            results[number] = {"status": ending_text(ending), "outcome": ending_word(ending)}
         else:
             groups.setdefault(repr([key_value(design, key) for key in SHARED]), []).append((number, design))
     for group in groups.values():
@@ -90,13 +92,15 @@ def static_map(study: Study) -> xarray.Dataset:
         for (number, _), row in zip(group, rows, strict=True):
             results[number] = row
     coordinates, dimensions, shape = table_axes(study)
-    variables = {
+    variables: dict[str, Any] = {
         name: (dimensions, _column(results, name).reshape(shape), {"units": unit, "long_name": meaning})
         for name, (unit, meaning) in _NUMBERS.items()
     }
-    words = np.array([result["status"] for result in results], dtype=object).reshape(shape)
+    for name in ("status", "outcome"):
+        words = np.array([result[name] for result in results], dtype=object).reshape(shape)
+        variables[name] = (dimensions, words)
     return xarray.Dataset(
-        {**variables, "status": (dimensions, words)},
+        variables,
         coordinates,
         {"name": study.name, "design": study.base.name, "design_hash": study.base.hash, "ask": "statics"},
     )
@@ -114,7 +118,7 @@ def _rows(designs: Sequence[Design], search: Search) -> list[dict[str, float | s
             "least_unfold_torque": float(unfold[case]),
             "flat_energy": _tendon_energy(wings, case, flat),
             "folded_energy": _tendon_energy(wings, case, folded),
-            "status": _status(bool(np.isfinite(fold[case])), bool(np.isfinite(unfold[case]))),
+            **dict.fromkeys(("status", "outcome"), _word(folds=fold[case], opens=unfold[case])),
         }
         for case in range(len(designs))
     ]
@@ -125,10 +129,11 @@ def _tendon_energy(wings: Section, case: int, position: np.ndarray) -> float:
     return float(sum(hinge.energy(angle) for hinge, angle in zip(wings.hinges[case], angles, strict=True)))
 
 
-def _status(folds: bool, opens: bool) -> str:
-    if not folds:
-        return "did not fold"
-    return "folded and opened" if opens else "did not open"
+def _word(*, folds: float, opens: float) -> str:
+    """What a wing comes to for which these torques, nan where there is none, are the least that fold and open."""
+    reached = np.isfinite([folds, opens])
+    goal = "unfold" if reached[0] else "fold"
+    return ending_word(Ending(verdict=Verdict.REACHED if reached.all() else Verdict.STUCK, goal=goal))
 
 
 def _column(results: Sequence[Mapping[str, float | str]], name: str) -> np.ndarray:
@@ -187,8 +192,8 @@ def simulated_values(statics: xarray.Dataset, simulated: xarray.Dataset, name: s
     Raises:
         InputError: as `compare_maps`.
     """
-    factors = [str(factor) for factor in statics["status"].dims]
-    theirs = [str(factor) for factor in simulated["status"].dims]
+    factors = [str(factor) for factor in statics["outcome"].dims]
+    theirs = [str(factor) for factor in simulated["outcome"].dims]
     if set(factors) != set(theirs) or name not in simulated:
         raise InputError(
             f"the simulated study: need a search for the least torques over {', '.join(factors)}, got a table of"

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from forficula.analysis.simulated_snap import finely_sampled
 from forficula.design import Design
-from forficula.dynamics import Record, run
+from forficula.dynamics import Record
 from forficula.dynamics.simulate import Progress
 from forficula.statics import EnergyLandscape, energy_landscape
+from forficula.study.runs import run
 
 
 def survey(

@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from forficula.analysis import Ending, Verdict, ending_word
 from forficula.design import TORQUE, Design
 from forficula.quantities import as_written, parse_quantity
 from forficula.study.choices import CHOICE, choice_label, own_value
-from forficula.study.evaluate import row_key
+from forficula.study.evaluate import ending_row, row_ending, row_key
 from forficula.study.factors import Factor
 from forficula.study.journal import Row
 from forficula.study.search import fold_design, search_result
@@ -33,12 +34,19 @@ _NUMBERS = {
     "flat_energy": ("J", "energy of the tendons, flat"),
     "folded_energy": ("J", "energy of the tendons, folded"),
     "opened_energy": ("J", "energy of the tendons, opened"),
+    "residual": ("", "largest share of the energy that is missing in a run"),
 }
 _TORQUE = {"units": TORQUE.si, "display": TORQUE.display, "key": "protocol.fold_torque", "long_name": "fold torque"}
 # what only opening tells
-_OPENING = ("least_unfold_torque", "unfold_time", "unfold_work", "opened_energy", "reference_fold_status")
+_OPENING = ("least_unfold_torque", "unfold_time", "unfold_work", "opened_energy", "reference_outcome")
 _RUN_NUMBERS = {name: unit for name, unit in _NUMBERS.items() if not name.startswith("least")}
-_COLUMNS = (*(name for name in _NUMBERS if name != "unfold_time"), "status", "unfold_time")
+_COLUMNS = (
+    *(name for name in _NUMBERS if name not in ("unfold_time", "residual")),
+    "status",
+    "unfold_time",
+    "verdict",
+    "residual",
+)
 
 
 def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping[str, Row]) -> xarray.Dataset:
@@ -59,19 +67,21 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
     results = [_result(study, designs[number], rows) for number in range(len(study.points))]
     coordinates, dimensions, shape = table_axes(study)
     numbers = _NUMBERS if study.search is not None else _RUN_NUMBERS
-    words = ("status",) if study.search is None else ("status", "fold_status", "reference_fold_status")
+    words: tuple[str, ...] = ("status", "verdict", "outcome")
+    if study.search is not None:
+        words += ("fold_outcome", "reference_outcome")
     variables: dict[str, Any] = {}
     for name, (unit, meaning) in numbers.items():
         values = np.array([_nan(result.get(name)) for result in results]).reshape(shape)
         variables[name] = (dimensions, values, {"units": unit, "long_name": meaning})
     for name in words:
-        texts = np.array([str(result.get(name, result["status"])) for result in results], dtype=object).reshape(shape)
+        texts = np.array([str(result.get(name, result["outcome"])) for result in results], dtype=object).reshape(shape)
         variables[name] = (dimensions, texts)
     if study.search is None:
         for name in ("folded", "opened"):
             variables[name] = (dimensions, np.array([bool(each.get(name)) for each in results]).reshape(shape))
     else:
-        variables["reference_fold_status"] += ({"torque": study.search.fold_with, "units": "N m"},)
+        variables["reference_outcome"] += ({"torque": study.search.fold_with, "units": "N m"},)
         coordinates["fold_torque"] = ("fold_torque", np.array(study.search.fold_torques), _TORQUE)
         times = [[_nan(each.get("fold_times", {}).get(t)) for t in study.search.fold_torques] for each in results]
         by_torque = np.array(times).reshape(*shape, -1)
@@ -95,7 +105,7 @@ def table_csv(study: Study, table: xarray.Dataset) -> str:
     varied = (*study.factors, *study.grid)
     factors = [_column(factor) for factor in varied]
     names = [name for name in _COLUMNS if name in table]
-    units = {name: _suffix(table[name].attrs["units"]) for name in names if name != "status"}
+    units = {name: _suffix(table[name].attrs["units"]) for name in names if table[name].attrs.get("units")}
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow([*(name for name, _ in factors), *(f"{name}{units.get(name, '')}" for name in names)])
@@ -112,10 +122,12 @@ def table_csv(study: Study, table: xarray.Dataset) -> str:
 
 def _result(study: Study, design: Design | str, rows: Mapping[str, Row]) -> dict[str, Any]:
     if isinstance(design, str):
-        return {"status": f"cannot be built: {design}"}
+        row = ending_row(Ending(verdict=Verdict.NOT_BUILT, why=design))
+        return row | {"outcome": ending_word(row_ending(row))}
     if study.search is None:
         row = rows[row_key(design)]
-        return row | {name: row.get(f"{name}_{unit}") for name, (unit, _) in _RUN_NUMBERS.items()}
+        numbers = {name: row.get(f"{name}_{unit}") for name, (unit, _) in _RUN_NUMBERS.items() if unit}
+        return row | numbers | {"outcome": ending_word(row_ending(row))}
     result = search_result(design, study.search, rows)
     result["fold_times"] = {
         torque: rows[row_key(fold_design(design, torque))].get("fold_time_s") for torque in study.search.fold_torques

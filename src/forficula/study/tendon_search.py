@@ -80,7 +80,7 @@ def read_search(table: Dataset) -> TendonSearch:
     Raises:
         InputError: the study asks for something else, or has other factors.
     """
-    dims = set(table["status"].dims)
+    dims = set(table["outcome"].dims)
     if dims != set(_FACTORS) or "least_fold_torque" not in table:
         given = ", ".join(sorted(str(dim).replace("_", ".", 1) for dim in dims))
         raise InputError(

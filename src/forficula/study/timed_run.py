@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.analysis import measure
+from forficula.analysis import Verdict, measure
 from forficula.dynamics import Record, StageEnd
 
 Array = NDArray[np.float64]
@@ -29,6 +29,7 @@ class TimedRun:
 
     Attributes:
         status: in a few words.
+        verdict: in a word.
         outcome: what must not change.
         fold_time: from the start of folding until the slowest hinge crosses the folded angle, s; nan where it did not.
         unfold_time: likewise until the last hinge has opened for good, s.
@@ -39,6 +40,7 @@ class TimedRun:
     """
 
     status: str
+    verdict: Verdict
     outcome: Kind
     fold_time: float
     unfold_time: float
@@ -57,7 +59,8 @@ def timed_run(record: Record) -> TimedRun:
     starts = {end.stage.drive: end for end in record.stages}
     return TimedRun(
         status=outcome.status,
-        outcome=Kind(outcome.folded, outcome.opened, record.diverged_at is not None),
+        verdict=outcome.verdict,
+        outcome=Kind(bool(outcome.folded), bool(outcome.opened), record.diverged_at is not None),
         fold_time=_crossing(record, starts.get("fold"), to_fold) if outcome.folded else math.nan,
         unfold_time=_crossing(record, starts.get("unfold"), to_open) if outcome.opened else math.nan,
         fold_start=starts["fold"].start if "fold" in starts else math.nan,

@@ -9,7 +9,7 @@ import pytest
 
 from forficula.analysis import measure
 from forficula.design import load_design
-from forficula.dynamics import run
+from forficula.study.runs import run
 
 # drawn by the processor: a machine that runs tests need not have a graphics chip; then put together by it, too, so that
 # a page is there in half the time

@@ -9,9 +9,10 @@ import pytest
 
 from forficula.analysis import summary
 from forficula.design import load_design
-from forficula.dynamics import run, versions
+from forficula.dynamics import versions
 from forficula.show.page import write_run_page
 from forficula.show.page.words import angle_range
+from forficula.study.runs import run
 from tests.show.page.appearance import check_look
 from tests.show.page.conftest import until
 

@@ -69,7 +69,7 @@ def test_the_dashes_of_a_crease_lie_on_the_ring_fold_and_mountains_differ_from_v
 
 def test_triangles_of_the_flat_wing_are_counterclockwise_from_above(reference):
     mesh = wing_mesh(reference)
-    from forficula.dynamics import run
+    from forficula.study.runs import run
 
     stage = {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "1 ms"}
     record = run(load_design("binder2025", {"protocol.stages": [stage]}))

@@ -48,9 +48,7 @@ def _transitions(outcome: Outcome) -> str:
 
 def _balance(outcome: Outcome) -> str:
     balance = outcome.energy_balance
-    if balance is None:
-        return paragraph("The record does not keep the energy balance.")
-    if balance.residual > 1:
+    if not balance.residual <= 1:
         return paragraph("The energy balance does not close; the numbers mean nothing.")
     rows = [(label, value.replace("-", "−")) for label, value in balance_rows(balance)]
     return table("Energy balance", ("", ""), rows)

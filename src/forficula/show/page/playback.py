@@ -117,7 +117,7 @@ def make_clip(record: Record, outcome: Outcome, *, name: str = "", budget: int =
 def state_marks(outcome: Outcome) -> tuple[Mark, ...]:
     """Where the states are on the time line."""
     states = (
-        ("a", "flat", outcome.flat),
+        ("a", outcome.flat_name, outcome.flat),
         ("b", "folded" if outcome.folded else "after folding", outcome.folded_state),
         ("c", "opened" if outcome.opened else "after unfolding", outcome.opened_state),
     )

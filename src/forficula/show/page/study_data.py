@@ -9,18 +9,24 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from forficula.analysis import FOLDED, OPENED, Verdict
 from forficula.quantities import reading_unit
 from forficula.show.factor_text import display_values, number_text, plain_name, value_with_unit
 from forficula.show.map_page import (
+    DIVERGED,
     NOT_BUILT,
     NOT_FOLDED,
     NOT_OPENED,
     NOT_RUN,
     NOT_STAYED,
+    NOT_STAYED_OPEN,
     NOT_TRIED,
+    STILL_FOLDING,
+    STILL_OPENING,
     STUCK,
+    UNTRUSTED,
 )
-from forficula.show.maps import missing_reasons, verdict_words
+from forficula.show.maps import missing_reasons
 from forficula.study import Study
 from forficula.study.choices import CHOICE
 
@@ -39,13 +45,17 @@ _TIMES = {"fold_time": "fold time", "unfold_time": "opening time"}
 _GROUPS = (("torque", _TORQUES), ("time", _TIMES), ("work", _WORKS), ("energy", _ENERGIES))
 # a sign for each reason, so that no one needs to tell colours apart
 _SIGNS = {
-    "folded and opened": "●",
-    "folded": "◆",
+    OPENED: "●",
+    FOLDED: "◆",
+    NOT_STAYED_OPEN: "↻",
+    STILL_OPENING: "◁",
     NOT_OPENED: "■",
     NOT_FOLDED: "×",
     STUCK: "✱",
+    STILL_FOLDING: "▷",
     NOT_STAYED: "↺",
-    "diverged": "✚",
+    DIVERGED: "✚",
+    UNTRUSTED: "≠",
     NOT_BUILT: "⊘",
     NOT_TRIED: "–",
     NOT_RUN: "·",
@@ -71,13 +81,13 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
         - `axes`: numbers of the factors in the order in which maps take them for axes; `cuts`: number of each one's
           value at which maps of the others lie.
         - `words`: what became of points, those that came furthest first: `word`, `sign`, and `count` of the points with
-          it as their verdict.
-        - `verdicts`: a number of `words` a point; `statuses`: the full texts.
+          it as their outcome.
+        - `verdicts`: a number of `words` a point; `statuses`: the full texts; `built`: whether there is a wing.
         - `quantities`: for maps and for the table's columns: `name`, `title`, `group`, `unit`, `values`, and `reasons`:
           a number of `words` a point, None where there is a value. The first is the verdict and has no values.
     """
-    words = _Words(sorted(set(verdict_words(table["status"]).values.ravel()), key=_rank))
-    verdicts = words.numbers(verdict_words(table["status"]))
+    words = _Words(sorted({str(word) for word in table["outcome"].values.ravel()}, key=_rank))
+    verdicts = words.numbers(table["outcome"])
     quantities = [
         {"name": "status", "title": "outcome", "group": "outcome", "unit": "", "values": None, "reasons": verdicts},
         *(_quantity(table, name, title, group, words) for group, name, title in _drawn(table)),
@@ -94,6 +104,7 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
         "factors": [_factor(table[name]) for name in names],
         "axes": sorted(range(len(names)), key=lambda index: names[index] == CHOICE),
         "cuts": [0 if name == CHOICE else table[name].size // 2 for name in names],
+        "built": [str(verdict) != Verdict.NOT_BUILT for verdict in table["verdict"].values.ravel()],
         "statuses": [str(status) for status in table["status"].values.ravel()],
         "verdicts": verdicts,
         "quantities": quantities,

@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 def outcome_sentence(name: str, outcome: Outcome) -> str:
     """What the wing did, how fast, with which torque and for how much work."""
     fold, unfold = outcome.fold, outcome.unfold
-    if fold is None:
+    if fold is None or not outcome.verdict.tells:
         return f"{name}: {outcome.status}."
     if not (outcome.folded and fold.time is not None):
         return f"{name}: {outcome.status}, with {readable(fold.torque, 'N m')} on every proximal joint."
@@ -40,7 +40,7 @@ def outcome_sentence(name: str, outcome: Outcome) -> str:
 def outcome_remarks(record: Record, outcome: Outcome) -> list[str]:
     """What to know of an outcome, and what to try, one sentence or two each."""
     remarks = [f"{outcome.status[:1].upper()}{outcome.status[1:]}. {outcome.advice}"] if outcome.advice else []
-    states = (("flat", outcome.flat), ("folded", outcome.folded_state), ("opened", outcome.opened_state))
+    states = ((outcome.flat_name, outcome.flat), ("folded", outcome.folded_state), ("opened", outcome.opened_state))
     swinging = [name for name, state in states if state is not None and state.swings]
     if swinging:
         remarks.append(
@@ -54,12 +54,6 @@ def outcome_remarks(record: Record, outcome: Outcome) -> list[str]:
     if record.diverged_at is not None and blown_up(record).any():
         remarks.append(
             "The last rows of the record, in which a hinge has passed its stops by a full turn, are not shown."
-        )
-    balance = outcome.energy_balance
-    if balance is not None and 0.02 < balance.residual <= 1:
-        remarks.append(
-            f"The energy balance misses {100 * balance.residual:.3g} % of {balance.residual_of}: a shorter"
-            " protocol.timestep is more accurate."
         )
     return remarks
 

@@ -1,0 +1,86 @@
+"""Where the energy of a run went, and how much of it the integration lost."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from forficula.dynamics.record import Record
+
+
+@dataclass(frozen=True, kw_only=True)
+class EnergyBalance:
+    """Where the work went, J, from start to end of the run.
+
+    Attributes:
+        work: that the torques put in.
+        tendon: change of the tendons' energy.
+        membrane: change of the membrane's energy.
+        kinetic: change of the kinetic energy.
+        gravitational: change of the gravitational energy.
+        hinge_damping: that the hinges' damping took.
+        elastic_damping: that the tendons' and the membrane's damping took.
+        stops: that stops, guard tendons and, where they are on, contacts took.
+        branches: change of the energy of the tendons' Maxwell branches; None where they have none.
+        branch_damping: that the dampers in these branches took; None where there are none.
+        yielding: that the tendons' yielding took; None where they never yield.
+        letting_go: minus what their branches stored without work, where the tendon gave way and did not push; None
+            where it never does.
+    """
+
+    work: float
+    tendon: float
+    membrane: float
+    kinetic: float
+    gravitational: float
+    hinge_damping: float
+    elastic_damping: float
+    stops: float
+    branches: float | None = None
+    branch_damping: float | None = None
+    yielding: float | None = None
+    letting_go: float | None = None
+
+    @property
+    def missing(self) -> float:
+        """Work that the account does not find, J: the error of the integration."""
+        stored = self.tendon + self.membrane + self.kinetic + self.gravitational
+        of_law = sum(term or 0.0 for term in (self.branches, self.branch_damping, self.yielding, self.letting_go))
+        return self.work - stored - self.hinge_damping - self.elastic_damping - self.stops - of_law
+
+    @property
+    def exchanged(self) -> float:
+        """Energy that torques, springs and weight gave or took, J."""
+        springs = (self.tendon, self.membrane, self.branches or 0.0)
+        return sum(abs(term) for term in (self.work, *springs, self.gravitational))
+
+    @property
+    def residual(self) -> float:
+        """What is missing, as a share of the energy that was exchanged."""
+        return abs(self.missing) / self.exchanged if self.exchanged else 0.0
+
+
+def energy_balance(record: Record) -> EnergyBalance:
+    """Account for a run's energy from its start to its end."""
+    change = {
+        name: float(values[-1].sum() - values[0].sum())
+        for name, values in record.series.items()
+        if name.endswith(("_energy", "_work"))
+    }
+    return EnergyBalance(
+        work=change["proximal_work"] + change["distal_work"],
+        tendon=change["tendon_energy"],
+        membrane=change["membrane_energy"],
+        kinetic=change["kinetic_energy"],
+        gravitational=change["gravitational_energy"],
+        hinge_damping=-change["hinge_damping_work"],
+        elastic_damping=-change["elastic_damping_work"],
+        stops=-change["stop_work"],
+        branches=change.get("branch_energy"),
+        branch_damping=_taken(change, "branch_damping_work"),
+        yielding=_taken(change, "yield_work"),
+        letting_go=_taken(change, "letting_go_work"),
+    )
+
+
+def _taken(change: dict[str, float], name: str) -> float | None:
+    return -change[name] if name in change else None
