@@ -87,6 +87,8 @@ def read_search(table: Dataset) -> TendonSearch:
             f"the paper searched for the least torques over tendon.stiffness and tendon.rest_length, got a study over"
             f" {given or 'nothing'}"
         )
+    if "least_unfold_torque" not in table:
+        raise InputError("the paper searched for the least torques that open, too, got a search without unfold torques")
     stiffness, rest_length = (np.asarray(table[name].values, dtype=float) for name in _FACTORS)
     fold, unfold = (
         np.asarray(table[name].transpose(*_FACTORS).values, dtype=float)
