@@ -285,6 +285,85 @@ def test_names_too_long_for_the_disk_are_answered_before_anything_is_done(refusa
     assert "File name too long" in refusal("pattern", "binder2025", "--out", "x" * 300 + ".svg")
 
 
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["run", "binder2025"],
+        ["pattern", "binder2025"],
+        ["landscape", "binder2025"],
+        ["converge", "binder2025", "--meshes", "1 2"],
+        ["compare", "a", "b"],
+        ["study", "binder2025-search"],
+        ["study", "binder2025-search", "--slurm", "3"],
+        ["material", "a.csv"],
+        ["size", "binder2025", "--material", "resilin", "--stiffness", "10 N/cm"],
+        ["figure", "a", "--kind", "energy"],
+        ["film", "a"],
+    ],
+)
+def test_a_name_without_letters_is_no_place_for_results(refusal, arguments):
+    said = "Invalid value for --out: need the name of a file or a folder, got an empty text"
+    assert refusal(*arguments, "--out", "") == said
+    assert refusal(*arguments, "--out=") == said
+
+
+def test_a_run_says_which_run_it_replaces(in_an_empty_folder, call):
+    (in_an_empty_folder / "wing.toml").write_text(SHORT)
+    said = 'there: replaces the run of wing ("settled") there\n'
+    assert "replaces" not in call("run", "wing.toml", "--out", "there").err
+    assert call("run", "wing.toml", "--out", "there").err.startswith(said)
+    (in_an_empty_folder / "there" / "summary.json").write_text('{"design": "a\\u001b[2J\\nb", "status": ' + "[" * 10**5)
+    assert "there: replaces the run of an unknown name there\n" in call("run", "wing.toml", "--out", "there").err
+
+
+def test_a_landscape_a_convergence_study_and_a_study_say_what_they_replace(in_an_empty_folder, call, study_file):
+    (in_an_empty_folder / "wing.toml").write_text(SHORT)
+    study_file(TENDONS)
+    for arguments, said in (
+        (("landscape", "wing.toml", "--no-simulation"), "a: replaces the landscape of wing there\n"),
+        (("converge", "wing.toml", "--timesteps", "0.5 0.2 ms"), "a: replaces the convergence study of wing ("),
+        (("study", "small.toml", "--keep", "0"), "a: replaces the table, the maps and the page there; the rows stay\n"),
+    ):
+        assert "replaces" not in call(*arguments, "--out", "a").err
+        assert said in call(*arguments, "--out", "a").err
+
+
+@pytest.mark.parametrize("command", ["film", "figure", "run"])
+def test_a_run_whose_replacing_was_killed_half_way_stands_whole_when_it_is_next_looked_at(
+    in_an_empty_folder, call, command
+):
+    (in_an_empty_folder / "wing.toml").write_text(SHORT)
+    call("run", "wing.toml", "--out", "there")
+    folder = in_an_empty_folder / "there"
+    before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+    script = (
+        "import os, signal, sys\nfrom forficula.cli import main\nreplace = os.replace\n"
+        "def die(source, target):\n"
+        "    replace(source, target)\n"
+        "    if 'record.nc' in str(target) and 'old' in str(target):\n"
+        "        os.kill(os.getpid(), signal.SIGKILL)\n"
+        "os.replace = die\n"
+        "main(['run', 'wing.toml', '--set', 'tendon.stiffness=20 N/cm', '--out', 'there'])\n"
+    )
+    assert (
+        subprocess.run([sys.executable, "-c", script], check=False, capture_output=True).returncode == -signal.SIGKILL
+    )
+    assert not (folder / "record.nc").exists()
+    if command == "run":
+        # refused, but what is there is restored first
+        with pytest.raises(SystemExit):
+            main(["run", "wing.toml", "--out", "there", "--cycles", "0"])
+    else:
+        call(
+            command,
+            "there",
+            *(["--kind", "energy"] if command == "figure" else ["--fps", "1"]),
+            "--out",
+            {"film": "a.gif", "figure": "a.svg"}[command],
+        )
+    assert {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()} == before
+
+
 TENDONS = '"tendon.stiffness" = ["10 N/cm", "20 N/cm", "30 N/cm"]'
 
 

@@ -1,14 +1,70 @@
+import errno
+import json
 import os
+import random
+import shutil
 import stat
+import subprocess
+import sys
+import time
+from pathlib import Path
 
 import pytest
 
 from forficula.errors import InputError
-from forficula.files import replacing, replacing_all, write_bytes, write_text
+from forficula.files import clear_leftovers, open_to_append, replacing, replacing_all, write_bytes, write_text
+
+OLD = {"a.txt": "old a", "b.txt": "old b", "figures/c.svg": "old c", "gone.txt": "old", "mine.txt": "mine"}
+NEW = {"a.txt": "new a", "b.txt": "new b", "figures/c.svg": "new c", "d.txt": "new d", "more/e.svg": "new e"}
+AFTER = NEW | {"mine.txt": "mine"}
 
 
 def everything_in(folder):
     return sorted(str(path.relative_to(folder)) for path in folder.rglob("*"))
+
+
+def files_in(folder):
+    """What is there, hidden files too; a folder without files counts."""
+    return {
+        path.relative_to(folder).as_posix(): None if path.is_dir() else path.read_text()
+        for path in folder.rglob("*")
+        if path.is_file() or not any(path.iterdir())
+    }
+
+
+def fill(folder, content=OLD):
+    for name, text in content.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+
+
+def write_new(folder):
+    with replacing_all(folder, remove=("gone.txt",)) as unfinished:
+        for name, text in NEW.items():
+            write_text(unfinished / name, text)
+
+
+def refusal(folder):
+    """Why the new files could not be written, or None."""
+    try:
+        write_new(folder)
+    except InputError as error:
+        return str(error)
+    return None
+
+
+def fails_from(monkeypatch, first, last):
+    """Have the disk refuse to rename the first to the last time, from now on."""
+    rename, calls = os.replace, [0]
+
+    def replace(source, target):
+        calls[0] += 1
+        if first <= calls[0] <= last:
+            raise PermissionError(errno.EPERM, "Operation not permitted")
+        rename(source, target)
+
+    monkeypatch.setattr(os, "replace", replace)
+    return calls
 
 
 def test_a_text_is_written_as_utf_8_with_plain_line_ends(tmp_path):
@@ -113,3 +169,205 @@ def test_nothing_is_put_in_place_where_a_file_has_the_name_of_a_folder(tmp_path)
     with pytest.raises(InputError, match="figures: need a folder or nothing there, got a file"):
         write()
     assert everything_in(tmp_path) == ["out", "out/figures"]
+
+
+@pytest.mark.parametrize("lasting", [False, True])
+def test_where_any_file_cannot_be_replaced_the_old_ones_stand_as_they_stood(tmp_path, lasting):
+    # one number for every renaming that there is, the files written before the exchange among them
+    for number in range(1, 100):
+        folder = tmp_path / str(number)
+        fill(folder)
+        with pytest.MonkeyPatch.context() as patch:
+            calls = fails_from(patch, number, 10**9 if lasting else number)
+            said = refusal(folder)
+        if said is None:
+            break
+        assert "Operation not permitted" in said
+        assert len(said.splitlines()) == 1
+        if lasting:
+            # nothing could be put back, either: the next run does
+            clear_leftovers(folder)
+        assert files_in(folder) == OLD
+    assert calls[0] == number - 1 > 12
+    assert files_in(folder) == AFTER
+
+
+def test_a_file_that_cannot_be_changed_is_named_and_the_old_files_stand(tmp_path):
+    fill(tmp_path)
+    attributes = shutil.which("chattr")
+    command = [attributes or "", "+i", tmp_path / "b.txt"]
+    if attributes is None or subprocess.run(command, capture_output=True, check=False).returncode:
+        pytest.skip("no file can be made immutable here")
+    try:
+        said = refusal(tmp_path)
+        assert files_in(tmp_path) == OLD
+    finally:
+        subprocess.run([attributes, "-i", tmp_path / "b.txt"], check=True)
+    why = "Operation not permitted; what was there stands as it stood"
+    assert said == f"{tmp_path}/b.txt: cannot be replaced: {why}"
+    write_new(tmp_path)
+    assert files_in(tmp_path) == AFTER
+
+
+# dies at every change of the disk in turn, and says what was there then and after the next one looked
+DIES = """
+import itertools, json, os, signal, sys
+from pathlib import Path
+from tests.test_files import fill, files_in, write_new
+from forficula.files import clear_leftovers
+CHANGES = {"os.rename", "os.remove", "os.mkdir", "os.rmdir", "open"}
+def main(folder):
+    for number in itertools.count(1):
+        fill(folder / str(number))
+        child = os.fork()
+        if not child:
+            left = [number]
+            def count(event, arguments):
+                if event in CHANGES and str(folder) in str(arguments[0]):
+                    left[0] -= 1
+                    if not left[0]:
+                        os.kill(os.getpid(), signal.SIGKILL)
+            sys.addaudithook(count)
+            write_new(folder / str(number))
+            os._exit(0)
+        _, status = os.waitpid(child, 0)
+        clear_leftovers(folder / str(number))
+        print(json.dumps(files_in(folder / str(number))), flush=True)
+        if status == 0:
+            return
+main(Path(sys.argv[1]))
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
+def test_killed_anywhere_a_run_leaves_the_old_files_or_the_new_ones_and_nothing_else(tmp_path):
+    command, root = [sys.executable, "-c", DIES, tmp_path], Path(__file__).parents[1]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=root)
+    assert (done.returncode, done.stderr) == (0, "")
+    *killed, finished = [json.loads(line) for line in done.stdout.splitlines()]
+    assert finished == AFTER
+    assert len(killed) > 40
+    which = [{"old": OLD, "new": AFTER}["new" if "d.txt" in each else "old"] == each for each in killed]
+    assert all(which)
+    assert OLD in killed
+    assert AFTER in killed
+
+
+AGAIN_AND_AGAIN = """
+import sys
+from pathlib import Path
+from forficula.files import replacing_all, write_text
+for number in range(int(sys.argv[3])):
+    with replacing_all(Path(sys.argv[1])) as unfinished:
+        for name in "abcdef":
+            write_text(unfinished / name, f"{sys.argv[2]}-{number}" + " " * 20_000)
+    if not number:
+        print("once", flush=True)
+"""
+
+
+def writer(folder, name, times):
+    command = [sys.executable, "-c", AGAIN_AND_AGAIN, str(folder), name, str(times)]
+    return subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+
+
+def test_killed_at_any_time_all_files_are_of_one_writing(tmp_path):
+    delays = random.Random(11)
+    for number in range(12):
+        child = writer(tmp_path, str(number), 10**6)
+        assert child.stdout.readline() == "once\n"
+        time.sleep(delays.uniform(0, 0.05))
+        child.kill()
+        child.wait()
+        child.stdout.close()
+        clear_leftovers(tmp_path)
+        content = files_in(tmp_path)
+        assert sorted(content) == list("abcdef")
+        assert len(set(content.values())) == 1
+
+
+def test_of_processes_that_write_the_same_folder_at_once_the_last_has_all_its_files_there(tmp_path):
+    children = [writer(tmp_path, name, 40) for name in ("one", "two", "three")]
+    assert [child.communicate()[0] and child.returncode for child in children] == [0, 0, 0]
+    content = files_in(tmp_path)
+    assert sorted(content) == list("abcdef")
+    assert {text.strip() for text in content.values()} <= {"one-39", "two-39", "three-39"}
+    assert len(set(content.values())) == 1
+
+
+@pytest.mark.parametrize("whole", [True, False])
+def test_what_a_killed_process_left_is_cleared_away_and_what_a_living_one_writes_is_not(tmp_path, whole):
+    script = (
+        "import sys, time\nfrom pathlib import Path\nfrom forficula.files import replacing, replacing_all\n"
+        f"with {'replacing_all(Path(sys.argv[1]))' if whole else 'replacing(Path(sys.argv[1], chr(97)))'} as place:\n"
+        f"    {'(place / chr(97))' if whole else 'place'}.write_text('half')\n"
+        "    print('half', flush=True)\n"
+        "    sys.stdin.readline()\n"
+    )
+    with subprocess.Popen(
+        [sys.executable, "-c", script, tmp_path], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    ) as living:
+        with subprocess.Popen([sys.executable, "-c", script, tmp_path], stdout=subprocess.PIPE, text=True) as dead:
+            assert [living.stdout.readline(), dead.stdout.readline()] == ["half\n", "half\n"]
+            dead.kill()
+        write_text(tmp_path / "b", "")
+        assert len(list(tmp_path.glob(".*.lock"))) == 1
+        living.communicate("\n")
+    assert living.returncode == 0
+    assert files_in(tmp_path) == {"a": "half", "b": ""}
+
+
+def test_a_folder_of_the_user_that_looks_like_ours_is_left_alone(tmp_path):
+    for name in (".forficula-notes", ".forficula-0123456789abcdef", ".a-12345678"):
+        fill(tmp_path / name, {"file": "mine"})
+    write_new(tmp_path)
+    assert len([name for name in files_in(tmp_path) if name.endswith("/file")]) == 3
+
+
+def test_the_current_folder_and_one_behind_a_link_and_a_mounted_one_can_be_written(tmp_path, monkeypatch):
+    fill(tmp_path / "real")
+    (tmp_path / "link").symlink_to(tmp_path / "real", target_is_directory=True)
+    write_new(tmp_path / "link")
+    assert files_in(tmp_path / "real") == AFTER
+    monkeypatch.chdir(tmp_path / "real")
+    write_new(Path())
+    assert files_in(tmp_path / "real") == AFTER
+    assert (tmp_path / "link").is_symlink()
+    # nothing is made beside it: what is above a mounted folder is another disk
+    assert sorted(place.name for place in tmp_path.iterdir()) == ["link", "real"]
+    before = (tmp_path / "real").stat().st_ino
+    write_new(tmp_path / "real")
+    assert (tmp_path / "real").stat().st_ino == before
+
+
+@pytest.mark.parametrize("write", [lambda path: write_text(path, "new"), lambda path: write_new(path.parent)])
+def test_a_planted_link_is_replaced_and_not_followed(tmp_path, write):
+    (tmp_path / "out").mkdir()
+    (tmp_path / "elsewhere").write_text("theirs")
+    (tmp_path / "out" / "a.txt").symlink_to(tmp_path / "elsewhere")
+    write(tmp_path / "out" / "a.txt")
+    assert (tmp_path / "elsewhere").read_text() == "theirs"
+    assert not (tmp_path / "out" / "a.txt").is_symlink()
+
+
+@pytest.mark.parametrize("there", [True, False])
+def test_lines_are_not_added_to_a_file_behind_a_link(tmp_path, there):
+    if there:
+        (tmp_path / "elsewhere").write_text("theirs")
+    (tmp_path / "a.jsonl").symlink_to(tmp_path / "elsewhere")
+    with pytest.raises(InputError) as caught:
+        open_to_append(tmp_path / "a.jsonl")
+    said = f"{tmp_path}/a.jsonl: need a file or nothing there, got a link to {tmp_path}/elsewhere; remove it"
+    assert str(caught.value) == said
+    assert (tmp_path / "elsewhere").exists() == there
+
+
+def test_a_new_folder_that_could_not_be_filled_is_not_left_behind(tmp_path):
+    def write():
+        with replacing_all(tmp_path / "out") as unfinished:
+            write_text(unfinished / "a.txt", "")
+            raise RuntimeError("bug")
+
+    with pytest.raises(RuntimeError):
+        write()
+    assert everything_in(tmp_path) == []

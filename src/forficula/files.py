@@ -3,16 +3,30 @@
 from __future__ import annotations
 
 import os
+import re
+import secrets
 import shutil
-import tempfile
 import tomllib
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Collection, Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 from forficula.errors import InputError
+from forficula.lock import held
 from forficula.quantities import as_written
+
+# How files come to lie in a folder, so that whoever is killed, wherever, leaves the old ones or the new ones, and
+# nothing that stays for ever:
+# - What is unfinished lies in the folder itself, for what is beside it may be on another disk, or not ours to write to,
+#   and what is in use, mounted or the current folder cannot be renamed. Its name begins with a mark of its writer, and
+#   the writer holds a lock of that name: what nobody holds is a dead writer's, and the next writer clears it away.
+# - One file takes its place by one renaming. Several do so one after another, by one writer at a time; each file that
+#   was there is set aside first, and a file "undo" says so until all are in place. Where that fails, or was broken off
+#   by a kill, what was set aside goes back: the files that were there stand as they stood. Files of other names are
+#   never touched.
+_MARK = re.compile(r"(\.forficula-[0-9a-f]{12})(\.lock|-.*)")
+_TURN = ".forficula.lock"
 
 
 @contextmanager
@@ -20,7 +34,7 @@ def replacing(path: Path) -> Iterator[Path]:
     """Give a temporary name in the same folder, and put the file in place when the block ends well.
 
     Args:
-        path: the file to write; its folder is made where it is missing.
+        path: the file to write; its folder is made where it is missing. A link there is replaced, not followed.
 
     Raises:
         InputError: the folder or the file cannot be written.
@@ -32,53 +46,165 @@ def replacing(path: Path) -> Iterator[Path]:
     except OSError as error:
         raise InputError(f"{path}: cannot be written: {error.strerror}") from None
     try:
-        handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.stem}-", suffix=path.suffix)
-        os.close(handle)
-    except OSError as error:
-        raise InputError(f"{path}: cannot be written: {error.strerror}") from None
-    temporary = Path(name)
-    try:
-        yield temporary
-        temporary.chmod(0o666 & ~_umask())
-        temporary.replace(path)
+        with _writing(path.parent) as mark:
+            # writers go by the ending
+            temporary = mark.with_name(f"{mark.name}-file{path.suffix}")
+            try:
+                temporary.touch(exist_ok=False)
+                yield temporary
+                temporary.replace(path)
+            finally:
+                temporary.unlink(missing_ok=True)
     except OSError as error:
         # HDF5 gives its reason as text only
         raise InputError(f"{path}: cannot be written: {error.strerror or error}") from None
-    finally:
-        temporary.unlink(missing_ok=True)
 
 
 @contextmanager
-def replacing_all(folder: Path) -> Iterator[Path]:
+def replacing_all(folder: Path, remove: Collection[str] = ()) -> Iterator[Path]:
     """Give a temporary folder, and put its files into a folder when the block ends well: all of them, or none.
 
     Args:
         folder: made where it is missing; files of the same names are replaced, others stay.
+        remove: names of files that go, where they are there and are not replaced.
 
     Raises:
-        InputError: the folder or a file in it cannot be written.
+        InputError: the folder or a file in it cannot be written; what was there stands as it stood.
     """
+    missing = not folder.exists()
     try:
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        unfinished = Path(tempfile.mkdtemp(dir=folder.parent, prefix=f".{folder.name}-"))
-    except OSError as error:
-        raise InputError(f"{folder}: cannot be written: {error.strerror}") from None
-    try:
-        yield unfinished
-        folder.mkdir(exist_ok=True)
-        files = {file.relative_to(unfinished): file for file in sorted(unfinished.rglob("*")) if file.is_file()}
-        for place in files:
-            if (folder / place).is_dir():
-                raise InputError(f"{folder / place}: need a file or nothing there, got a folder")
-            if (folder / place.parent).is_file():
-                raise InputError(f"{folder / place.parent}: need a folder or nothing there, got a file")
-        for place, file in files.items():
-            (folder / place).parent.mkdir(exist_ok=True)
-            file.replace(folder / place)
+        folder.mkdir(parents=True, exist_ok=True)
+        with _writing(folder) as mark:
+            work = mark.with_name(f"{mark.name}-work")
+            try:
+                (work / "new").mkdir(parents=True)
+                yield work / "new"
+                with held(folder / _TURN):
+                    _clear(folder)
+                    _exchange(folder, work, remove)
+            finally:
+                if not (work / "undo").exists():
+                    shutil.rmtree(work, ignore_errors=True)
     except OSError as error:
         raise InputError(f"{folder}: cannot be written: {error.strerror}") from None
     finally:
-        shutil.rmtree(unfinished, ignore_errors=True)
+        if missing:
+            with suppress(OSError):  # it holds files
+                folder.rmdir()
+
+
+def clear_leftovers(folder: Path) -> None:
+    """Clear away what writers that were killed left in a folder, and put files back that they had set aside.
+
+    What a living process is writing stays, and so does all that is not ours. Where nothing can be written, nothing is.
+    """
+    with suppress(OSError):
+        if _marks(folder) or os.path.lexists(folder / _TURN):
+            with held(folder / _TURN):
+                _clear(folder)
+
+
+@contextmanager
+def _writing(folder: Path) -> Iterator[Path]:
+    """Give what the names of one writer's unfinished files begin with."""
+    clear_leftovers(folder)
+    mark = folder / f".forficula-{secrets.token_hex(6)}"
+    with held(_lock(mark)):
+        yield mark
+
+
+def _lock(mark: Path) -> Path:
+    return mark.with_name(f"{mark.name}.lock")
+
+
+def _marks(folder: Path) -> list[Path]:
+    """The marks of all writers that are at work in a folder or died there."""
+    found = (_MARK.fullmatch(place.name) for place in folder.iterdir())
+    return [folder / name for name in sorted({each[1] for each in found if each})]
+
+
+def _clear(folder: Path) -> None:
+    """Remove what dead writers left; it is our turn."""
+    for mark in _marks(folder):
+        with held(_lock(mark), wait=False) as dead:
+            if not dead:
+                continue
+            work = mark.with_name(f"{mark.name}-work")
+            _undo(folder, work)
+            shutil.rmtree(work, ignore_errors=True)
+            for file in folder.glob(f"{mark.name}-file*"):
+                file.unlink()
+
+
+def _exchange(folder: Path, work: Path, remove: Collection[str]) -> None:
+    """Put the new files in place, all of them or none; it is our turn."""
+    new, old, nothing, undo = (work / name for name in ("new", "old", "nothing", "undo"))
+    places = _files(new)
+    for place in places:
+        if (folder / place).is_dir():
+            raise InputError(f"{folder / place}: need a file or nothing there, got a folder")
+        if (folder / place.parent).is_file():
+            raise InputError(f"{folder / place.parent}: need a folder or nothing there, got a file")
+        if not os.path.lexists(folder / place):
+            (nothing / place).parent.mkdir(parents=True, exist_ok=True)
+            (nothing / place).touch()
+    undo.touch()
+    place = Path()
+    try:
+        for place in dict.fromkeys([*places, *map(Path, remove)]):
+            if os.path.lexists(folder / place):
+                (old / place).parent.mkdir(parents=True, exist_ok=True)
+                (folder / place).replace(old / place)
+            if place in places:
+                (folder / place).parent.mkdir(exist_ok=True)
+                (new / place).replace(folder / place)
+        undo.unlink()
+    except BaseException as error:
+        try:
+            _undo(folder, work)
+        except OSError:
+            why = "; what was there is set aside, and the next run puts it back"
+        else:
+            why = "; what was there stands as it stood"
+        if isinstance(error, OSError):
+            raise InputError(f"{folder / place}: cannot be replaced: {error.strerror}{why}") from None
+        raise
+
+
+def _undo(folder: Path, work: Path) -> None:
+    """Put back what was set aside, where not all files took their places; broken off, it can be done again."""
+    new, old, nothing, undo = (work / name for name in ("new", "old", "nothing", "undo"))
+    if not undo.exists():
+        return
+    for place in _files(nothing):
+        if not (new / place).exists():
+            (folder / place).unlink(missing_ok=True)
+        if place.parent != Path():
+            with suppress(OSError):  # other files are there
+                (folder / place).parent.rmdir()
+    for place in _files(old):
+        (old / place).replace(folder / place)
+    undo.unlink()
+
+
+def _files(folder: Path) -> list[Path]:
+    """Where the files in a folder lie within it; links are files, too."""
+    return sorted(Path(top, name).relative_to(folder) for top, _, names in os.walk(folder) for name in names)
+
+
+def open_to_append(path: Path) -> IO[bytes]:
+    """Open a file to which lines are added; it is made where it is missing.
+
+    Raises:
+        InputError: it cannot be written, or is a link, which is not followed: someone else may have planted it.
+    """
+    if path.is_symlink():
+        raise InputError(f"{path}: need a file or nothing there, got a link to {path.readlink()}; remove it")
+    flags = os.O_WRONLY | os.O_APPEND | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
+    try:
+        return os.fdopen(os.open(path, flags, 0o666), "ab")
+    except OSError as error:
+        raise InputError(f"{path}: cannot be written: {error.strerror}") from None
 
 
 def write_text(path: Path, text: str) -> None:
@@ -99,12 +225,6 @@ def write_bytes(path: Path, content: bytes | memoryview) -> None:
     """
     with replacing(path) as temporary:
         temporary.write_bytes(content)
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
 
 
 def read_toml(path: Path, what: str) -> dict[str, Any]:

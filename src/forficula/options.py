@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import json
+import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TypeVar
 
-from cyclopts import Parameter
+from cyclopts import Parameter, Token
 
 from forficula.errors import InputError
 
@@ -20,6 +22,17 @@ Settings = Annotated[
         name="--set", help='Replace a value, as in --set tendon.stiffness="20 N/cm"; may be repeated.', negative=()
     ),
 ]
+
+
+def _read_out(_: object, tokens: Sequence[Token]) -> Path:
+    # as a path it would be the current folder
+    if not tokens[0].value:
+        raise InputError("need the name of a file or a folder, got an empty text")
+    return Path(tokens[0].value)
+
+
+Out = Annotated[Path, Parameter(converter=_read_out)]
+OutIfGiven = Annotated[Path | None, Parameter(converter=_read_out)]
 DesignName = Annotated[str, Parameter(help="A named design, or the path of a design file (.toml).")]
 
 
@@ -94,17 +107,52 @@ def read_shard(text: str) -> tuple[int, int]:
 
 
 def check_folder(folder: Path) -> None:
-    """Refuse a folder that cannot be made, before a run that takes a while.
+    """Refuse a folder that cannot be made, before a run that takes a while, and restore what a killed one left of it.
 
     Raises:
         InputError: it cannot be made.
     """
+    from forficula.files import clear_leftovers
+
     try:
         there = next(place for place in (folder, *folder.parents, Path()) if place.exists())
     except OSError as error:
         raise InputError(f"--out: {folder}: {error.strerror}") from None
     if not there.is_dir():
         raise InputError(f"--out: need a folder, got the file {there}")
+    clear_leftovers(folder)
+
+
+# by the file that tells of them: the results of one name, what names them in it, and their verdict
+_RESULTS = {
+    "run": ("summary.json", "design", "status"),
+    "landscape": ("landscape.json", "design", None),
+    "convergence study": ("convergence.json", "design", "verdict"),
+    "material": ("material.json", "material", None),
+}
+
+
+def tell_replaced(folder: Path, what: str) -> None:
+    """Say on stderr which earlier results a command is about to replace, where there are any.
+
+    Args:
+        folder: where it will write.
+        what: "run", "landscape", "convergence study" or "material".
+    """
+    from forficula.quantities import as_written
+
+    file, name, verdict = _RESULTS[what]
+    try:
+        text = (folder / file).read_text("utf-8")
+    except (OSError, ValueError):
+        return
+    try:
+        content = json.loads(text)
+        called = as_written(content[name]).strip('"')
+        how = "" if verdict is None else f" ({as_written(content[verdict])})"
+    except (ValueError, LookupError, TypeError, RecursionError):
+        called, how = "an unknown name", ""
+    print(f"{folder}: replaces the {what} of {called}{how} there", file=sys.stderr)
 
 
 def read_settings(

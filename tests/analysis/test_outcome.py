@@ -46,7 +46,7 @@ def planted(
         )
     starts = (0.0, *ends[:-1])
     stages = tuple(
-        StageEnd(stage=stage, start=start, end=end, goal_time=goal)
+        StageEnd(stage=stage, start=start, end=end, goal_time=goal, at_rest=True)
         for stage, start, end, goal in zip(design.protocol.stages, starts, ends, goals or ends, strict=False)
     )
     return Record(

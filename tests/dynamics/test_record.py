@@ -28,7 +28,7 @@ def planted(seed=0, goal_times=(None, 0.02), diverged_at=None, times=5):
         for name, (dimensions, _, _) in VARIABLES.items()
     }
     ends = tuple(
-        StageEnd(stage=stage, start=0.01 * index, end=0.01 * (index + 1), goal_time=goal)
+        StageEnd(stage=stage, start=0.01 * index, end=0.01 * (index + 1), goal_time=goal, at_rest=goal is None)
         for index, (stage, goal) in enumerate(zip(REFERENCE.protocol.stages, goal_times, strict=False))
     )
     return Record(
@@ -162,6 +162,53 @@ def test_a_record_that_was_cut_off_is_one_error(tmp_path):
     for share in (0.01, 0.5, 0.99):
         (tmp_path / "a.nc").write_bytes(whole[: int(share * len(whole))])
         assert refusal(tmp_path / "a.nc").startswith(f"{tmp_path}/a.nc: not a record of forficula: ")
+
+
+def flips(size, count):
+    """Places of bits, spread over a file, and those of its checksum."""
+    random = np.random.default_rng(11)
+    return sorted({*random.integers(0, 8 * size, count).tolist(), *range(8 * (size - 90), 8 * size, 3)})
+
+
+def test_every_flipped_bit_is_refused_or_does_not_matter(tmp_path, short_run):
+    path = tmp_path / "record.nc"
+    save_record(short_run, path)
+    whole = path.read_bytes()
+    for place in flips(len(whole), 1000):
+        damaged = bytearray(whole)
+        damaged[place // 8] ^= 1 << place % 8
+        path.write_bytes(damaged)
+        assert refusal(path).startswith(f"{path}: not a record of forficula")
+    path.write_bytes(whole)
+    assert load_record(path).data.drop_attrs(deep=False).identical(short_run.data)
+
+
+def test_bytes_lost_or_added_anywhere_are_noticed(tmp_path):
+    path = tmp_path / "record.nc"
+    save_record(planted(), path)
+    whole = path.read_bytes()
+    for place in np.linspace(0, len(whole) - 1, 60).astype(int):
+        path.write_bytes(whole[:place] + whole[place + 1 :])
+        assert refusal(path).startswith(f"{path}: not a record of forficula")
+    path.write_bytes(whole + b"x")
+    assert (
+        refusal(path)
+        == f"{path}: not a record of forficula any more: damaged since it was written; run its design again"
+    )
+
+
+def test_a_record_without_a_checksum_is_refused_with_what_to_do(tmp_path):
+    path = tmp_path / "record.nc"
+    save_record(planted(), path)
+    path.write_bytes(path.read_bytes().rpartition(b"\nforficula sha256 ")[0])
+    why = "no checksum ends it: it is cut off, or not of this version"
+    assert refusal(path) == f"{path}: not a record of forficula: {why}; run its design again"
+
+
+def test_a_checksum_does_not_keep_other_programs_from_reading_a_record(tmp_path, short_run):
+    save_record(short_run, tmp_path / "record.nc")
+    with xarray.open_dataset(tmp_path / "record.nc", engine="h5netcdf") as file:
+        assert np.array_equal(file["tendon_length"].values, short_run.data["tendon_length"].values)
 
 
 def test_a_netcdf_file_of_another_program_is_one_error(tmp_path):

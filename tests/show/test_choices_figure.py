@@ -99,7 +99,6 @@ def test_the_values_of_the_base_are_told_from_those_that_were_changed():
         ("diverged", "diverged"),
         ("untrusted", "not to be trusted"),
         ("not built", "cannot be built"),
-        ("moving", "still folding"),
     ],
 )
 def test_wings_of_which_it_is_not_known_make_the_count_a_range_and_are_hatched(verdict, outcome):
@@ -107,6 +106,11 @@ def test_wings_of_which_it_is_not_known_make_the_count_a_range_and_are_hatched(v
     assert bars(figure)["10"] == [3, 3]
     assert "3 to 6" in words(figure)
     assert legend(figure)[2:] == [outcome]
+
+
+def test_a_wing_that_is_still_folding_when_its_time_is_over_does_not_fold():
+    figure = drawn(draw_choices(planted(verdict="moving", outcome="still folding")))
+    assert bars(figure)["10"] == [3]
 
 
 def test_wings_that_fold_count_even_where_a_lesser_torque_is_not_to_be_trusted():

@@ -5,8 +5,10 @@ from dataclasses import replace
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
+import forficula as ff
 from forficula.show.cycling_figure import draw_cycling
-from forficula.show.cycling_folder import CYCLING_FILES, print_cycling, remove_cycling, write_cycling
+from forficula.show.cycling_folder import CYCLING_FILES, print_cycling, write_cycling
+from forficula.show.run_folder import write_run
 from forficula.study.cycling import CycleRun, Cycling
 
 
@@ -83,8 +85,13 @@ def test_all_cycles_are_in_the_table_and_in_json(cycling, tmp_path):
     assert content["first_failure"] == 5
     assert [row["fold_time_s"] for row in content["cycles"][3:]] == [0.2, None, None]
     assert {key: str(value) if value is not None else "" for key, value in content["cycles"][5].items()} == rows[5]
-    remove_cycling(tmp_path / "run")
-    assert not files_in(tmp_path / "run")
+
+
+def test_the_cycles_of_an_earlier_run_go_when_another_run_takes_its_place(cycling, tmp_path, reference_run):
+    write_cycling(cycling, tmp_path / "run")
+    write_run(reference_run, ff.measure(reference_run), tmp_path / "run")
+    assert not set(CYCLING_FILES) & set(files_in(tmp_path / "run"))
+    assert "record.nc" in files_in(tmp_path / "run")
 
 
 def test_the_verdict_and_the_remarks_are_printed(cycling, capsys):

@@ -1,5 +1,7 @@
 import json
 import os
+import random
+import signal
 import subprocess
 import sys
 
@@ -186,3 +188,130 @@ def test_a_full_disk_is_one_line_and_the_study_goes_on_when_there_is_room(tmp_pa
     kept = len(read_rows(tmp_path / "out", study.base))
     assert kept == 0 if limit == 100 else 0 < kept < 6
     assert run_study(study, tmp_path / "out").identical(run_study(study, tmp_path / "other"))
+
+
+def lines_of(path):
+    return [line for line in path.read_bytes().split(b"\n") if line]
+
+
+def changed(line, change):
+    """A row with other contents, its checksum as it was: as a hand or another program leaves it."""
+    return json.dumps(change(json.loads(line))).encode()
+
+
+DAMAGE = {
+    "no key": lambda line: changed(line, lambda row: {name: row[name] for name in row if name != "key"}),
+    "no status": lambda line: changed(line, lambda row: {name: row[name] for name in row if name != "status"}),
+    "no time": lambda line: changed(line, lambda row: {name: row[name] for name in row if name != "fold_time_s"}),
+    "text for a number": lambda line: changed(line, lambda row: row | {"fold_time_s": "soon"}),
+    "a list for a number": lambda line: changed(line, lambda row: row | {"fold_time_s": [1.0]}),
+    "another number": lambda line: changed(line, lambda row: row | {"fold_time_s": 0.5}),
+    "nan": lambda line: changed(line, lambda row: row | {"fold_time_s": float("nan")}),
+    "another verdict": lambda line: changed(line, lambda row: row | {"folded": not row["folded"]}),
+    "no checksum": lambda line: changed(line, lambda row: {name: row[name] for name in row if name != "crc32"}),
+    "a long number": lambda line: line[:-1] + b', "x": ' + b"1" * 5000 + b"}",
+    "nested": lambda line: line[:-1] + b', "x": ' + b"[" * 100_000 + b"]" * 100_000 + b"}",
+    "nested only": lambda _: b"[" * 100_000,
+    "torn": lambda line: line[:-30],
+    "zeros": lambda line: bytes(len(line)),
+}
+
+
+@pytest.fixture(scope="module")
+def whole_study(tmp_path_factory, write_study_file):
+    """A study of two runs, its table and its journal."""
+    folder = tmp_path_factory.mktemp("whole")
+    study = load_study(write_study_file(folder / "small.toml", '"tendon.stiffness" = ["10 N/cm", "20 N/cm"]'))
+    table = run_study(study, folder)
+    return study, table, folder / "journal.jsonl"
+
+
+@pytest.mark.parametrize("damage", DAMAGE.values(), ids=DAMAGE)
+def test_a_damaged_row_is_told_of_and_run_again(tmp_path, whole_study, capsys, damage):
+    study, table, journal = whole_study
+    signature, first, second = lines_of(journal)
+    damaged = tmp_path / "journal.jsonl"
+    damaged.write_bytes(b"\n".join([signature, damage(first), second, b""]))
+    again = []
+    assert run_study(study, tmp_path, progress=lambda *each: again.append(each)).identical(table)
+    assert len(again) == 1
+    said = f"warning: {damaged}: 1 damaged row is left out; runs that are missing are done again\n"
+    assert capsys.readouterr().err == said
+    assert json.loads(lines_of(damaged)[-1]) == json.loads(first)
+
+
+def test_no_flipped_bit_of_a_row_is_read_as_data(tmp_path, whole_study, capsys):
+    study, _, journal = whole_study
+    rows, content = read_rows(journal.parent, study.base), journal.read_bytes()
+    start, chosen = content.index(b"\n") + 1, random.Random(11)
+    places = chosen.sample(range(8 * start, 8 * len(content)), 1000)
+    for place in places:
+        damaged = bytearray(content)
+        damaged[place // 8] ^= 1 << place % 8
+        (tmp_path / "journal.jsonl").write_bytes(damaged)
+        kept = read_rows(tmp_path, study.base)
+        assert all(rows[key] == row for key, row in kept.items())
+        assert len(kept) == 2 or "left out" in capsys.readouterr().err
+
+
+def test_rows_that_an_earlier_version_wrote_without_checksums_are_refused(tmp_path):
+    append(tmp_path, [])
+    rewrite(tmp_path / "journal.jsonl", schema=1)
+    with (tmp_path / "journal.jsonl").open("a") as file:
+        file.write('{"key": "1-a", "status": "folded"}\n')
+    with pytest.raises(InputError, match=r"other versions: schema 1 there, 2 now; take another folder for --out"):
+        read_rows(tmp_path, DESIGN)
+
+
+def test_a_study_that_another_process_runs_there_is_refused_and_a_shard_of_it_is_not(tmp_path):
+    for shard, what in (((1, 1), "this study"), ((2, 3), "shard 2/3 of this study")):
+        with open_journal(tmp_path, DESIGN, shard) as journal:
+            with pytest.raises(InputError) as caught:
+                append(tmp_path, [], shard)
+            append(tmp_path, [{"key": "2-b", "status": "folded"}], (1, 3))
+            journal.append({"key": "2-a", "status": "folded"})
+        said = f"another process is running {what} there; wait for it, or take another folder"
+        assert str(caught.value).partition(": ")[2] == said
+        append(tmp_path, [], shard)
+    assert set(read_rows(tmp_path, DESIGN)) == {"2-a", "2-b"}
+    assert not list(tmp_path.glob(".*"))
+
+
+@pytest.mark.skipif(os.name != "posix", reason="processes cannot be stopped here")
+def test_of_the_same_study_started_twice_one_goes_on_and_one_is_refused_at_once(tmp_path, study_file):
+    path = study_file('"tendon.stiffness" = "10..30 N/cm step 1"')
+    command = [sys.executable, "-m", "forficula", "study", str(path), "--keep", "0", "--out", str(tmp_path / "out")]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as first:
+        while not list((tmp_path / "out").glob("journal.jsonl")):
+            assert first.poll() is None
+        first.send_signal(signal.SIGSTOP)
+        second = subprocess.run(command, capture_output=True, text=True, check=False)
+        first.send_signal(signal.SIGCONT)
+        said = "another process is running this study there; wait for it, or take another folder"
+        assert second.stderr == f"forficula: {tmp_path / 'out' / 'journal.jsonl'}: {said}\n"
+        assert second.returncode == 1
+        first.communicate()
+    assert first.returncode == 0
+    assert len(read_rows(tmp_path / "out", load_study(path).base)) == 21
+
+
+@pytest.mark.parametrize("there", [True, False])
+def test_a_planted_link_in_the_place_of_a_journal_is_not_followed(tmp_path, study_file, there):
+    study = load_study(study_file(TENDONS))
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "journal.jsonl").symlink_to(tmp_path / "theirs")
+    if there:
+        (tmp_path / "theirs").write_text("theirs")
+    with pytest.raises(
+        InputError, match=r"journal\.jsonl: (need a file or nothing there, got a link to|cannot be read)"
+    ):
+        run_study(study, tmp_path / "out")
+    assert (tmp_path / "theirs").exists() == there
+    assert not there or (tmp_path / "theirs").read_text() == "theirs"
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with names here")
+def test_a_pipe_in_the_place_of_a_journal_is_one_error_and_nobody_waits_for_it(tmp_path):
+    os.mkfifo(tmp_path / "journal.jsonl")
+    with pytest.raises(InputError, match=r"journal\.jsonl: cannot be read: need a file"):
+        read_rows(tmp_path, DESIGN)

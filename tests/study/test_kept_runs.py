@@ -208,3 +208,59 @@ def test_killed_at_any_time_the_same_call_goes_on(plain, tmp_path):
         name: repr(each.outcome) for name, each in whole.items()
     }
     assert names(folder) == ["1", "3"]
+    # nothing hidden is left, neither there nor in the folders of the runs
+    assert list(folder.rglob(".*")) == []
+
+
+def test_what_a_killed_process_left_of_runs_that_are_not_wanted_any_more_is_removed(plain):
+    study, table, folder = plain
+    script = (
+        "import os, signal, sys\nfrom pathlib import Path\nfrom forficula.files import replacing_all\n"
+        "for name in ('1', '7-folding'):\n"
+        "    if not os.fork():\n"
+        "        with replacing_all(Path(sys.argv[1]) / 'runs' / name) as unfinished:\n"
+        "            (unfinished / 'record.nc').write_text('half')\n"
+        "            os.kill(os.getpid(), signal.SIGKILL)\n"
+        "    os.wait()\n"
+    )
+    subprocess.run([sys.executable, "-c", script, folder], check=True)
+    assert len(list(folder.rglob("runs/*/.forficula-*-work"))) == 2
+    again(study, table, folder)
+    assert names(folder) == ["1", "3"]
+    assert list(folder.rglob(".*")) == []
+
+
+def test_a_run_of_the_user_in_that_folder_stays(plain):
+    study, table, folder = plain
+    again(study, table, folder)
+    (folder / "runs" / "1").rename(folder / "runs" / "favourite")
+    list(kept_runs([], folder))
+    assert names(folder) == ["favourite"]
+    assert len(list((folder / "runs" / "favourite").iterdir())) == 3
+
+
+def test_two_processes_that_keep_runs_in_one_folder_take_turns(plain):
+    _, table, folder = plain
+    table.to_netcdf(folder / "table.nc", engine="h5netcdf")
+    script = (
+        "import sys, xarray\n"
+        "from forficula.study import load_study\n"
+        "from forficula.study.kept_runs import kept_runs, runs_to_keep\n"
+        "table = xarray.load_dataset(sys.argv[2], engine='h5netcdf')\n"
+        "runs = runs_to_keep(load_study(sys.argv[1]), table, int(sys.argv[4]))\n"
+        "for each in kept_runs(runs, sys.argv[3]):\n"
+        "    print('kept', flush=True)\n"
+        "    sys.stdin.readline()\n"
+    )
+    arguments = [folder.parent / "small.toml", folder / "table.nc", folder]
+    pipes = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.PIPE)
+    first = subprocess.Popen([sys.executable, "-c", script, *arguments, "100"], **pipes, text=True)
+    assert first.stdout.readline() == "kept\n"
+    # it wants none of those runs
+    second = subprocess.Popen([sys.executable, "-c", script, *arguments, "0"], **pipes, text=True)
+    assert second.stderr.readline() == f"waiting for another process that writes to {folder}\n"
+    assert len(names(folder)) >= 1
+    assert first.communicate("\n\n") == ("kept\n", "")
+    assert second.communicate()[0] == ""
+    assert (first.returncode, second.returncode) == (0, 0)
+    assert not (folder / "runs").exists()

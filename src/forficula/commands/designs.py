@@ -8,7 +8,7 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from forficula.errors import InputError
-from forficula.options import DesignName, Settings, read_settings
+from forficula.options import DesignName, Out, Settings, read_settings
 
 
 def new(file: Annotated[Path, Parameter(help="Where to write it; must end with .toml and not exist.")], /) -> None:
@@ -31,7 +31,7 @@ def pattern(
     design: DesignName,
     /,
     *,
-    out: Annotated[Path, Parameter(help="A .fold or .svg file.")],
+    out: Annotated[Out, Parameter(help="A .fold or .svg file.")],
     settings: Settings = None,
 ) -> None:
     """Write a design's crease pattern as FOLD or SVG, by the ending of the file."""

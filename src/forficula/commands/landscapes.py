@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from forficula.errors import InputError
-from forficula.options import DesignName, Settings, check_folder, read_settings
+from forficula.options import DesignName, OutIfGiven, Settings, check_folder, read_settings, tell_replaced
 
 if TYPE_CHECKING:
     from forficula.design import Design
@@ -21,7 +21,7 @@ def landscape(
     *,
     settings: Settings = None,
     out: Annotated[
-        Path | None, Parameter(help="Folder for the results; out/<name of the design>-landscape if not given.")
+        OutIfGiven, Parameter(help="Folder for the results; out/<name of the design>-landscape if not given.")
     ] = None,
     simulation: Annotated[
         bool, Parameter(help="Run the design, too, and show it beside what statics predicts.")
@@ -70,6 +70,7 @@ def _survey(design: Design, folder: Path, simulation: bool) -> None:
     from forficula.show.progress import run_progress
     from forficula.study.survey import survey
 
+    tell_replaced(folder, "landscape")
     for warning in design_warnings(design):
         print(f"warning: {warning}", file=sys.stderr)
     if simulation:

@@ -10,12 +10,15 @@ from cyclopts import Parameter
 from forficula.errors import InputError
 from forficula.options import (
     DesignName,
+    Out,
+    OutIfGiven,
     Settings,
     check_folder,
     read_option,
     read_quantity,
     read_settings,
     read_stiffnesses,
+    tell_replaced,
 )
 
 
@@ -38,7 +41,7 @@ def material(
     band: Annotated[
         str, Parameter(help="A turn back by less of the largest travel is noise, not the end of a cycle.")
     ] = "5 %",
-    out: Annotated[Path, Parameter(help="Folder for the results; the material is named after it.")] = Path(
+    out: Annotated[Out, Parameter(help="Folder for the results; the material is named after it.")] = Path(
         "out/material"
     ),
 ) -> None:
@@ -55,6 +58,7 @@ def material(
         area=None if area is None else read_quantity("--area", area, AREA),
     )
     share = read_quantity("--band", band, BAND_SHARE)
+    tell_replaced(out, "material")
     found = characterise(
         read.tests, name=out.resolve().name, source=read.source, drop_first=not keep_first, band=share, forms=forms
     )
@@ -88,7 +92,7 @@ def size(
         str | None, Parameter(help='Modulus of a material that is known as a range only, as in "1 MPa".')
     ] = None,
     settings: Settings = None,
-    out: Annotated[Path | None, Parameter(help="A .csv file for the table.")] = None,
+    out: Annotated[OutIfGiven, Parameter(help="A .csv file for the table.")] = None,
 ) -> None:
     """Tell how thick a tendon of a material must be to have a stiffness."""
     from forficula.analysis.sizing import size_tendons

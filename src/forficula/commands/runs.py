@@ -9,7 +9,17 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from cyclopts import Parameter
 
 from forficula.errors import InputError
-from forficula.options import DesignName, Settings, check_folder, read_option, read_settings, read_size
+from forficula.options import (
+    DesignName,
+    Out,
+    OutIfGiven,
+    Settings,
+    check_folder,
+    read_option,
+    read_settings,
+    read_size,
+    tell_replaced,
+)
 
 if TYPE_CHECKING:
     from forficula.design import Design
@@ -20,9 +30,7 @@ def run(
     /,
     *,
     settings: Settings = None,
-    out: Annotated[
-        Path | None, Parameter(help="Folder for the results; out/<name of the design> if not given.")
-    ] = None,
+    out: Annotated[OutIfGiven, Parameter(help="Folder for the results; out/<name of the design> if not given.")] = None,
     cycles: Annotated[
         int | None, Parameter(help="Fold and open again with the tendons as they are up to this cycle, as in 100.")
     ] = None,
@@ -44,6 +52,7 @@ def run(
     from forficula.show import print_outcome, run_progress, write_run
     from forficula.study.runs import run as run_design
 
+    tell_replaced(folder, "run")
     for warning in design_warnings(chosen) + timestep_warnings(chosen):
         print(f"warning: {warning}", file=sys.stderr)
     with run_progress() as progress:
@@ -57,9 +66,8 @@ def run(
 
 def _cycle(design: Design, cycles: int | None, folder: Path) -> None:
     """Write and print what becomes of a run's wing over cycles, where that is wanted and the tendons change."""
-    from forficula.show.cycling_folder import print_cycling, remove_cycling, write_cycling
+    from forficula.show.cycling_folder import print_cycling, write_cycling
 
-    remove_cycling(folder)
     if cycles is None:
         return
 
@@ -77,7 +85,7 @@ def _cycle(design: Design, cycles: int | None, folder: Path) -> None:
 
 def compare(
     *runs: Annotated[Path, Parameter(help="Folders that forficula run wrote, two or more.")],
-    out: Annotated[Path, Parameter(help="A .html file.")],
+    out: Annotated[Out, Parameter(help="A .html file.")],
 ) -> None:
     """Show runs side by side on one clock, as a page that opens in any browser."""
     from forficula.show.page import compare_runs
@@ -91,7 +99,7 @@ def figure(
     /,
     *,
     kind: Annotated[str, Parameter(help="Which figure, by the name of its picture there, such as energy or folding.")],
-    out: Annotated[Path, Parameter(help="A .pdf, .svg or .png file.")],
+    out: Annotated[Out, Parameter(help="A .pdf, .svg or .png file.")],
     width: Annotated[
         Literal["column", "page"] | None,
         Parameter(help="As wide as a journal's column, 3.5 in, which it is if not given, or as its page, 7.1 in."),
@@ -109,7 +117,7 @@ def film(
     run: Annotated[Path, Parameter(help="The folder of a run.")],
     /,
     *,
-    out: Annotated[Path, Parameter(help="An .mp4 or .gif file.")],
+    out: Annotated[Out, Parameter(help="An .mp4 or .gif file.")],
     size: Annotated[
         str | None, Parameter(help="Pixels across and upwards; 1280x720, or 800x450 for .gif, if not given.")
     ] = None,

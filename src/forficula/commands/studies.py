@@ -10,7 +10,16 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from forficula.errors import InputError
-from forficula.options import DesignName, Settings, check_folder, read_option, read_settings, read_shard
+from forficula.options import (
+    DesignName,
+    OutIfGiven,
+    Settings,
+    check_folder,
+    read_option,
+    read_settings,
+    read_shard,
+    tell_replaced,
+)
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -22,7 +31,7 @@ def study(
     study: Annotated[str, Parameter(help="A named study, or the path of a study file (.toml).")],
     /,
     *,
-    out: Annotated[Path | None, Parameter(help="Folder of the study; out/<its name> if not given.")] = None,
+    out: Annotated[OutIfGiven, Parameter(help="Folder of the study; out/<its name> if not given.")] = None,
     dry_run: Annotated[bool, Parameter(help="Only say how many runs there are and how long they take.")] = False,
     shard: Annotated[str, Parameter(help="Run a part of the points, as in 2/8; then collect.")] = "1/1",
     collect: Annotated[bool, Parameter(help="Build the table from the rows of all shards.")] = False,
@@ -60,6 +69,8 @@ def study(
 
     from forficula.show import print_study, write_study
 
+    if (folder / "table.nc").is_file():
+        print(f"{folder}: replaces the table, the maps and the page there; the rows stay", file=sys.stderr)
     write_study(chosen, table, folder)
     _report(chosen, table, keep, folder)
     print_study(chosen, table)
@@ -116,7 +127,7 @@ def converge(
     meshes: Annotated[str | None, Parameter(help='How many times finer its rows are, as in "1 2 3".')] = None,
     settings: Settings = None,
     out: Annotated[
-        Path | None, Parameter(help="Folder for the results; out/<name of the design>-converge if not given.")
+        OutIfGiven, Parameter(help="Folder for the results; out/<name of the design>-converge if not given.")
     ] = None,
 ) -> None:
     """Run a design at several timesteps, membrane moduli or meshes: do its times depend on them?"""
@@ -138,6 +149,7 @@ def converge(
         raise InputError(f"converge: need one of {', '.join(options)}, got {named}")
     ((option, key, text),) = given
     values = read_option(option, lambda: read_values(key, text))
+    tell_replaced(folder, "convergence study")
     with study_progress() as progress:
         convergence = converge_design(chosen, key, values, progress=progress)
     print_convergence(convergence)

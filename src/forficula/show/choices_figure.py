@@ -39,8 +39,8 @@ _NAME: dict[str, Any] = {"va": "center", "fontweight": "bold", "fontsize": 7, "b
 _OPENED: dict[str, Any] = {"ls": "", "marker": "D", "ms": 3, "color": "white", "mec": BLACK, "mew": 0.8}
 # the study whose counts stand beside the paper's
 _PAPERS_CHOICES = "binder2025-choices"
-# a wing that still moves may yet fold
-_KNOWN = (Verdict.REACHED, Verdict.STUCK, Verdict.NOT_HELD)
+# verdicts on the wing; a wing that still moves has not folded in its time
+_KNOWN = [verdict for verdict in Verdict if verdict.tells]
 # of single wings, at most three of them
 _NUMBERS = {
     "least_fold_torque": "least fold torque",

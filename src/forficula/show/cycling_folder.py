@@ -44,12 +44,6 @@ def write_cycling(cycling: Cycling, folder: Path) -> None:
         save_figures(cycling_drawings(cycling), unfinished)
 
 
-def remove_cycling(folder: Path) -> None:
-    """Remove what an earlier run over cycles left in a folder, which is not of this one."""
-    for name in CYCLING_FILES:
-        (folder / name).unlink(missing_ok=True)
-
-
 def cycling_drawings(cycling: Cycling) -> dict[str, Drawing]:
     """What draws a wing over cycles, by the stem of its file."""
     return {"cycles": lambda width: draw_cycling(cycling, width)}

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from forficula.analysis import measure
 from forficula.design import load_design
 from forficula.errors import InputError
-from forficula.files import write_bytes
+from forficula.files import clear_leftovers, write_bytes
 from forficula.show.convergence_figure import CONVERGENCE_FILE, convergence_drawings
 from forficula.show.cycling_folder import cycling_drawings, read_cycling
 from forficula.show.landscape_folder import landscape_drawings
@@ -45,6 +45,7 @@ def write_figure(folder: Path, kind: str, path: Path, width: float | None = None
     """
     if path.suffix not in ENDINGS:
         raise InputError(f"--out: need a file that ends with .png, .svg or .pdf, got {path}")
+    clear_leftovers(folder)  # a run that was killed may have set files aside
     if (folder / _MATERIAL).is_file():
         _copy(folder, kind, path, width)
         return

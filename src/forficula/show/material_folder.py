@@ -29,11 +29,8 @@ def write_material(material: Characterisation, folder: Path) -> None:
     Raises:
         InputError: the folder cannot be written.
     """
-    with replacing_all(folder) as unfinished:
+    with replacing_all(folder, remove=(LAW_FILE, *figure_files("fit"))) as unfinished:
         _write_files(material, unfinished)
-    if material.law is None:
-        for name in (LAW_FILE, *figure_files("fit")):
-            (folder / name).unlink(missing_ok=True)
 
 
 def _write_files(material: Characterisation, folder: Path) -> None:

@@ -11,6 +11,7 @@ from forficula.analysis import Outcome, summary
 from forficula.design import save_design
 from forficula.dynamics import Record, compile_wing, save_record, versions
 from forficula.files import replacing_all, write_text
+from forficula.show.cycling_folder import CYCLING_FILES
 from forficula.show.folding_figure import draw_folding
 from forficula.show.page import write_run_page
 from forficula.show.pattern_figure import draw_pattern
@@ -24,12 +25,12 @@ def write_run(record: Record, outcome: Outcome, folder: Path) -> None:
     Args:
         record: what happened.
         outcome: what it means.
-        folder: made where it is missing; what an earlier run left there is replaced.
+        folder: made where it is missing; what an earlier run left there is replaced, its cycles removed.
 
     Raises:
         InputError: the folder cannot be written.
     """
-    with replacing_all(folder) as unfinished:
+    with replacing_all(folder, remove=CYCLING_FILES) as unfinished:
         _write_files(record, outcome, unfinished)
 
 

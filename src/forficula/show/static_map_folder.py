@@ -9,7 +9,7 @@ import numpy as np
 
 from forficula.design import Design
 from forficula.errors import InputError
-from forficula.files import write_bytes, write_text
+from forficula.files import replacing_all, write_bytes, write_text
 from forficula.show.static_maps import draw_static_maps
 from forficula.show.style import PAGE_WIDTH, Drawing, save_figures
 from forficula.study import Study, table_csv
@@ -48,12 +48,12 @@ def read_simulated(folder: Path, design: Design) -> Dataset:
 
 
 def write_static_map(study: Study, table: Dataset, folder: Path, simulated: Dataset | None = None) -> None:
-    """Write the map as a table and as a figure.
+    """Write the map as a table and as a figure; all of it, or nothing.
 
     Args:
         study: the grid.
         table: from `static_map`.
-        folder: of the landscape.
+        folder: of the landscape; what an earlier map left there is replaced.
         simulated: table of a simulated study with the same factors, drawn beside.
 
     Raises:
@@ -61,13 +61,12 @@ def write_static_map(study: Study, table: Dataset, folder: Path, simulated: Data
     """
     drawings = static_map_drawings(table, simulated)
     drawings["map"](PAGE_WIDTH)  # before anything is written: the two may not fit
-    write_text(folder / "map.csv", table_csv(study, table))
-    write_bytes(folder / "map.nc", table.to_netcdf(engine="h5netcdf"))
-    if simulated is None:
-        (folder / SIMULATED).unlink(missing_ok=True)
-    else:
-        write_bytes(folder / SIMULATED, simulated.to_netcdf(engine="h5netcdf"))
-    save_figures(drawings, folder)
+    with replacing_all(folder, remove=(SIMULATED,)) as unfinished:
+        write_text(unfinished / "map.csv", table_csv(study, table))
+        write_bytes(unfinished / "map.nc", table.to_netcdf(engine="h5netcdf"))
+        if simulated is not None:
+            write_bytes(unfinished / SIMULATED, simulated.to_netcdf(engine="h5netcdf"))
+        save_figures(drawings, unfinished)
 
 
 def static_map_drawings(table: Dataset, simulated: Dataset | None = None) -> dict[str, Drawing]:

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from forficula.files import write_bytes, write_text
+from forficula.files import replacing_all, write_bytes, write_text
 from forficula.show.choices_figure import draw_choices
 from forficula.show.maps import map_drawings
 from forficula.show.page.study_page import write_study_page
@@ -38,16 +38,21 @@ def study_drawings(table: Dataset) -> dict[str, Drawing]:
 
 
 def write_study(study: Study, table: Dataset, folder: Path) -> None:
-    """Write the table, the maps, and, for the paper's own search, the paper's numbers beside ours.
+    """Write the table, the maps, and, for the paper's own search, the paper's numbers; all of them, or none.
 
     Args:
         study: what was asked.
         table: what came out.
-        folder: of the study.
+        folder: of the study; what an earlier table left there is replaced.
 
     Raises:
         InputError: a file cannot be written.
     """
+    with replacing_all(folder) as unfinished:
+        _write_files(study, table, unfinished)
+
+
+def _write_files(study: Study, table: Dataset, folder: Path) -> None:
     write_text(folder / "table.csv", table_csv(study, table))
     write_bytes(folder / "table.nc", table.to_netcdf(engine="h5netcdf"))
     save_figures(study_drawings(table), folder)

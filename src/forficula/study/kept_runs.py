@@ -7,6 +7,7 @@ import math
 import re
 import shutil
 from collections.abc import Callable, Collection, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,7 +19,8 @@ from forficula.analysis.thinning import thin_record
 from forficula.design import Design, save_design
 from forficula.dynamics import Record, load_record, save_record, versions
 from forficula.errors import InputError
-from forficula.files import replacing_all, write_text
+from forficula.files import clear_leftovers, replacing_all, write_text
+from forficula.lock import held
 from forficula.quantities import as_written
 from forficula.study.evaluate import outcome_row, row_key
 from forficula.study.journal import Row
@@ -36,8 +38,10 @@ MOST_POINTS = 100
 # Runs side by side: a whole record of each is in memory until it is written.
 _BATCH = 48
 _FOLDER = "runs"
-# the summary is written and removed last: a folder without one is not ours
+# the summary is removed last: a folder without one is not ours
 _FILES = ("design.toml", "record.nc", "summary.json")
+# as a folder of ours is named, and as earlier versions named one that they were writing
+_NAME = re.compile(r"\d+(-[a-z]+)?")
 _UNFINISHED = re.compile(r"\.\d+(-[a-z]+)?-\w+")
 
 
@@ -125,6 +129,9 @@ def kept_runs(
     `runs/07-folding`, is that of a run, without its figures. Kept runs that are not among these, or that other versions
     made, are removed. Runs are deterministic: their outcomes are those of the table.
 
+    One process at a time keeps runs in a folder. Another one waits, which takes minutes at most, and of the same study
+    finds all of them there: shards that end together need no care.
+
     Args:
         runs: to keep.
         out: folder of the study.
@@ -135,25 +142,42 @@ def kept_runs(
         InputError: the folder cannot be written.
     """
     folder = Path(out) / _FOLDER
-    there = [run for run in runs if _is_kept(folder / run.name, run)]
-    names = {run.name for run in there}
-    _remove_others(folder, names)
-    missing = [run for run in runs if run.name not in names]
-    for run in there:
+    with _alone(Path(out), needed=bool(runs) or folder.exists()):
+        clear_leftovers(folder)
+        for run in runs:
+            clear_leftovers(folder / run.name)
+        there = [run for run in runs if _is_kept(folder / run.name, run)]
+        names = {run.name for run in there}
+        _remove_others(folder, names)
+        missing = [run for run in runs if run.name not in names]
+        for run in there:
+            try:
+                record = load_record(folder / run.name / "record.nc")
+            except InputError:
+                missing.append(run)
+            else:
+                yield _kept(run, record, measure(record))
+        done = len(runs) - len(missing)
+        for first in range(0, len(missing), _BATCH):
+            for run, record in _run(missing[first : first + _BATCH], threads):
+                kept = _keep(folder, run, record)
+                done += 1
+                if progress is not None:
+                    progress(done, len(runs), {"key": row_key(run.design), **outcome_row(kept.outcome)})
+                yield kept
+
+
+@contextmanager
+def _alone(out: Path, needed: bool) -> Iterator[None]:
+    """Be the only process that keeps runs in a study's folder, where there is anything to do."""
+    with ExitStack() as stack:
         try:
-            record = load_record(folder / run.name / "record.nc")
-        except InputError:
-            missing.append(run)
-        else:
-            yield _kept(run, record, measure(record))
-    done = len(runs) - len(missing)
-    for first in range(0, len(missing), _BATCH):
-        for run, record in _run(missing[first : first + _BATCH], threads):
-            kept = _keep(folder, run, record)
-            done += 1
-            if progress is not None:
-                progress(done, len(runs), {"key": row_key(run.design), **outcome_row(kept.outcome)})
-            yield kept
+            if needed:
+                out.mkdir(parents=True, exist_ok=True)
+                stack.enter_context(held(out / f".{_FOLDER}.lock"))
+        except OSError as error:
+            raise InputError(f"{out}: cannot be written: {error.strerror}") from None
+        yield
 
 
 def _points(study: Study, table: Dataset, most: int) -> list[int]:
@@ -222,9 +246,11 @@ def _remove_others(folder: Path, wanted: Collection[str]) -> None:
         for place in folder.iterdir() if folder.is_dir() else ():
             if _UNFINISHED.fullmatch(place.name):  # of a process that was killed while it wrote
                 shutil.rmtree(place, ignore_errors=True)
-            elif (place / "summary.json").is_file() and place.name not in wanted:
-                for name in _FILES:
-                    (place / name).unlink(missing_ok=True)
+            elif _NAME.fullmatch(place.name) and place.is_dir() and place.name not in wanted:
+                clear_leftovers(place)
+                if (place / "summary.json").is_file():
+                    for name in _FILES:
+                        (place / name).unlink(missing_ok=True)
                 if not any(place.iterdir()):
                     place.rmdir()
         if not wanted and folder.is_dir() and not any(folder.iterdir()):

@@ -16,7 +16,7 @@ from forficula.quantities import show_value
 # By how much of themselves times may differ between two timesteps of which the finer one is taken.
 _TIME_TOLERANCE = 0.02
 # How often a timestep is halved before it is given up.
-_HALVINGS = 6
+_HALVINGS = 7
 # What is missing of the energy falls with the timestep between in proportion and with its square.
 _RESIDUAL_ORDER = 1.3
 _CHANGES = "its outcome still changes with the timestep"
@@ -42,7 +42,7 @@ class _Attempt:
 def run(design: Design, progress: Progress | None = None) -> Record:
     """Take one wing through its protocol.
 
-    A timestep "auto" is found by halving, from a quarter of what the stiffest mode allows on, until three things hold:
+    A timestep "auto" is found by halving, from half of what the stiffest mode allows on, until three things hold:
     the energy balance misses no more than `protocol.residual_limit`, and between the last two timesteps the verdict is
     the same and no transition's time moves by more than 2 %. The record is that of the last one, and its design has it.
 
@@ -89,8 +89,7 @@ def run_each(
     engines: dict[str, WingModel | InputError] = {}
     for number, design in enumerate(designs):
         try:
-            given = design.protocol.timestep != "auto"
-            attempts.append(_Attempt(number=number, design=with_timestep(design), halvings=None if given else 0))
+            attempts.append(_first(number, design))
         except InputError as error:
             yield number, error
     while attempts:
@@ -116,6 +115,14 @@ def run_each(
                 }
         attempts = [left[number] for number in sorted(left)]
         engines.clear()
+
+
+def _first(number: int, design: Design) -> _Attempt:
+    """The first attempt: with twice the estimate where the timestep is left open, so that the second one can do."""
+    guessed = with_timestep(design)
+    if guessed is design:
+        return _Attempt(number=number, design=design, halvings=None)
+    return _Attempt(number=number, design=_with_step(guessed, 2 * float(guessed.protocol.timestep)), halvings=0)
 
 
 def topology(wing: WingModel) -> tuple[int, ...]:
@@ -162,13 +169,12 @@ def _following(attempt: _Attempt, outcome: Outcome) -> _Attempt | None:
         return None
     total = min(attempt.halvings + halvings, _HALVINGS)
     timestep = float(attempt.design.protocol.timestep) / 2 ** (total - attempt.halvings)
-    protocol = attempt.design.protocol.model_copy(update={"timestep": timestep})
-    return _Attempt(
-        number=attempt.number,
-        design=attempt.design.model_copy(update={"protocol": protocol}),
-        halvings=total,
-        before=outcome,
-    )
+    return _Attempt(number=attempt.number, design=_with_step(attempt.design, timestep), halvings=total, before=outcome)
+
+
+def _with_step(design: Design, timestep: float) -> Design:
+    """The design with a timestep, s."""
+    return design.model_copy(update={"protocol": design.protocol.model_copy(update={"timestep": timestep})})
 
 
 def _agree(before: Outcome, after: Outcome) -> bool:
