@@ -76,7 +76,10 @@ def _drawn(rng: np.random.Generator) -> dict[str, object]:
         "protocol.sample_interval": 1e-3 * size,
         "protocol.window": 0.1 * size,
         "protocol.rest_speed": math.radians(5) / size,
-        **{f"protocol.stages.{number}.time_limit": limit * size for number, limit in enumerate((0.3, 1.0, 1.0, 1.0, 1.0))},
+        **{
+            f"protocol.stages.{number}.time_limit": limit * size
+            for number, limit in enumerate((0.3, 1.0, 1.0, 1.0, 1.0))
+        },
         **{f"protocol.stages.{number}.hold": 0.1 * size for number in (2, 3, 4)},
     }
 
