@@ -153,7 +153,7 @@ class Protocol(Part):
 
     timestep: float | Literal["auto"] = quantity(
         SHORT_TIME,
-        'step of the integrator, or "auto": halved until neither verdict nor times change, and the energy balance closes',
+        'step of the integrator, or "auto": halved until verdict and times stay, and the energy balance closes',
         above=0,
         words=("auto",),
     )
