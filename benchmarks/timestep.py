@@ -32,10 +32,8 @@ def random_designs(seed: int, count: int, *, wide: bool = False, **values: objec
     rng, base = np.random.default_rng(seed), load_design("binder2025")
     while count:
         try:
-            yield with_values(
-                base,
-                {**_drawn(rng, 2.0 if wide else 1.0), "name": f"random-{count}", "protocol.timestep": "auto", **values},
-            )
+            drawn = _drawn(rng, 2.0 if wide else 1.0)
+            yield with_values(base, {**drawn, "name": f"random-{count}", "protocol.timestep": "auto", **values})
         except InputError:  # of values that do not fit together
             continue
         count -= 1
