@@ -23,27 +23,33 @@ from forficula.errors import InputError
 from forficula.study.runs import run_each
 
 
-def random_designs(seed: int, count: int, **values: object) -> Iterator[Design]:
-    """Draw designs over what can be built: sizes of 3 to 40 cm, and every other value by its scale with the size."""
+def random_designs(seed: int, count: int, *, wide: bool = False, **values: object) -> Iterator[Design]:
+    """Draw designs that can be built: sizes of 3 to 40 cm, and every other value by its scale with the size.
+
+    What only has a magnitude is drawn evenly in its logarithm, up to three times what the paper, its prototype or the
+    reference have, or less; `wide`, up to nine times.
+    """
     rng, base = np.random.default_rng(seed), load_design("binder2025")
     while count:
         try:
-            yield with_values(base, {**_drawn(rng), "name": f"random-{count}", "protocol.timestep": "auto", **values})
+            drawn = _drawn(rng, 2.0 if wide else 1.0)
+            yield with_values(base, {**drawn, "name": f"random-{count}", "protocol.timestep": "auto", **values})
         except InputError:  # of values that do not fit together
             continue
         count -= 1
 
 
-def _drawn(rng: np.random.Generator) -> dict[str, object]:
+def _drawn(rng: np.random.Generator, width: float) -> dict[str, object]:
     """Values of one design by dotted key, SI; those of a wing of 12 cm go with the powers of its size."""
 
     def even(low: float, high: float) -> float:
         return float(rng.uniform(low, high))
 
     def spread(low: float, high: float) -> float:
-        return float(np.exp(rng.uniform(math.log(low), math.log(high))))
+        middle, half = math.log(low * high) / 2, width * math.log(high / low) / 2
+        return float(np.exp(rng.uniform(middle - half, middle + half)))
 
-    proximal = spread(0.03, 0.4)
+    proximal = float(np.exp(rng.uniform(math.log(0.03), math.log(0.4))))
     size, distal, units = proximal / 0.12, proximal * even(0.4, 1.5), int(rng.choice([1, 1, 1, 2, 2, 3]))
     arms = proximal * even(0.15, 0.9), distal * even(0.15, 0.9)
     overbend = math.radians(even(0.5, 10))
@@ -54,25 +60,33 @@ def _drawn(rng: np.random.Generator) -> dict[str, object]:
         "pattern.hub_radius": proximal * even(0.02, 0.25),
         "pattern.sector_angle": math.radians(even(8, 40 if units == 1 else 25)),
         "pattern.tangent": str(rng.choice(["left", "right"])),
-        "vein.diameter": size * spread(2e-3, 8e-3),
-        "vein.density": spread(500, 8000),
-        "membrane.youngs_modulus": spread(0.1e6, 10e6),
-        "membrane.thickness": size * spread(0.03e-3, 0.3e-3),
+        "vein.diameter": size * spread(3e-3, 8e-3),
+        "vein.density": spread(600, 2700),
+        "membrane.youngs_modulus": spread(0.4e6, 3e6),
+        "membrane.thickness": size * spread(0.05e-3, 0.2e-3),
         "membrane.poisson_ratio": even(0, 0.49),
-        "membrane.damping": size * spread(0.03e-3, 10e-3),
+        "membrane.damping": size * spread(0.3e-3, 3e-3),
         "membrane.margin": size * even(0.003, 0.025),
         "membrane.margin_limit": even(0.3, 0.9),
         "hinge.overbend": overbend,
-        "hinge.damping": size**4 * spread(1e-5, 1e-2),
-        "hinge.armature": size**5 * spread(1e-7, 1e-4),
-        "tendon.stiffness": size * spread(200, 8000),
+        "hinge.damping": size**4 * spread(3e-4, 3e-3),
+        "hinge.armature": size**5 * spread(3e-6, 3e-5),
+        "tendon.stiffness": size * spread(400, 6000),
         "tendon.rest_length": even(0, 1) * sum(arms),
-        "tendon.damping": size**2 * spread(0.003, 3),
+        "tendon.damping": size**2 * spread(0.03, 0.3),
         "tendon.proximal_attachment": arms[0],
         "tendon.distal_attachment": arms[1],
-        "protocol.fold_torque": size**3 * spread(0.05, 5),
-        "protocol.unfold_torque": size**3 * spread(0.2, 10),
+        "protocol.fold_torque": size**3 * spread(0.1, 1),
+        "protocol.unfold_torque": size**3 * spread(0.3, 2),
         "protocol.initial_overbend": overbend * even(0.2, 0.9),
+        "protocol.sample_interval": 1e-3 * size,
+        "protocol.window": 0.1 * size,
+        "protocol.rest_speed": math.radians(5) / size,
+        **{
+            f"protocol.stages.{number}.time_limit": limit * size
+            for number, limit in enumerate((0.3, 1.0, 1.0, 1.0, 1.0))
+        },
+        **{f"protocol.stages.{number}.hold": 0.1 * size for number in (2, 3, 4)},
     }
 
 
@@ -129,13 +143,14 @@ def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--designs", type=int, default=120)
     parser.add_argument("--seed", type=int, default=2026)
+    parser.add_argument("--wide", action="store_true")
     parser.add_argument("--json", type=Path)
     parser.add_argument("--least-hold", type=float)
     given = parser.parse_args()
     values = {} if given.least_hold is None else {"protocol.least_hold": given.least_hold}
     rows = []
     with ProcessPoolExecutor(os.cpu_count()) as workers:
-        for row in workers.map(judge, random_designs(given.seed, given.designs, **values)):
+        for row in workers.map(judge, random_designs(given.seed, given.designs, wide=given.wide, **values)):
             rows.append(row)
             print(json.dumps(row), flush=True)
             if given.json:

@@ -12,7 +12,7 @@ from forficula.design import with_values
 from forficula.show.convergence_figure import convergence_drawings
 from forficula.show.cycling_folder import cycling_drawings
 from forficula.show.landscape_folder import landscape_drawings
-from forficula.show.maps import study_drawings
+from forficula.show.maps import map_drawings
 from forficula.show.material_folder import material_drawings
 from forficula.show.run_folder import run_drawings
 from forficula.show.static_map_folder import static_map_drawings
@@ -45,8 +45,8 @@ def drawings(reference, reference_run, reference_outcome, surveyed, tpu_material
         "landscape": landscape_drawings(surveyed("reference"), reference_run),
         "material": material_drawings(tpu_material),
         "converge": convergence_drawings(converge(folding, TIMESTEP, [4e-4, 3e-4])),
-        "study": study_drawings(planted(TWO)),
-        "failures": study_drawings(many_ends()),
+        "study": map_drawings(planted(TWO)),
+        "failures": map_drawings(many_ends()),
         "map": static_map_drawings(statics),
         "cycling": cycling_drawings(cycling),
     }

@@ -15,7 +15,7 @@ from forficula.show.convergence_figure import convergence_drawings
 from forficula.show.cycling_folder import cycling_drawings, cycling_summary, read_cycling
 from forficula.show.figure_kinds import folder_drawings, write_figure
 from forficula.show.landscape_folder import landscape_drawings
-from forficula.show.maps import study_drawings
+from forficula.show.maps import map_drawings
 from forficula.show.run_folder import run_drawings
 from forficula.show.static_map_folder import static_map_drawings
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, figure_files, save_figure
@@ -94,7 +94,7 @@ def test_the_figures_of_a_run_are_drawn_again(folders, tmp_path, reference_run, 
 
 def test_the_figures_of_cycles_of_a_study_and_of_maps_are_drawn_again(folders, tmp_path, cycling, reference):
     assert_drawn_again(folders / "run", cycling_drawings(cycling), "cycles", tmp_path)
-    assert_drawn_again(folders / "study", study_drawings(planted(TWO)), "torques", tmp_path)
+    assert_drawn_again(folders / "study", map_drawings(planted(TWO)), "torques", tmp_path)
     assert_drawn_again(folders / "landscape", static_map_drawings(slow_maps(reference)), "map", tmp_path)
 
 

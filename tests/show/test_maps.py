@@ -13,7 +13,7 @@ from forficula.show.maps import (
     draw_status_map,
     draw_torque_maps,
     draw_work_maps,
-    study_drawings,
+    map_drawings,
 )
 from forficula.show.style import PAGE_WIDTH
 
@@ -190,14 +190,14 @@ TABLES = {
 
 @pytest.mark.parametrize("name", TABLES)
 def test_every_table_can_be_drawn(name):
-    for drawing in study_drawings(TABLES[name]()).values():
+    for drawing in map_drawings(TABLES[name]()).values():
         assert np.unique(draw(drawing(PAGE_WIDTH)).reshape(-1, 3), axis=0).shape[0] > 10  # not blank
 
 
 def test_a_search_has_every_figure_and_plain_runs_those_without_torques():
-    assert set(study_drawings(planted(TWO))) == {"status", "torques", "works", "energy", "fold_times"}
-    assert set(study_drawings(as_run(planted(TWO)))) == {"status", "works", "energy"}
-    assert set(study_drawings(sampled(planted(TWO)))) == {"status", "torques", "works", "energy"}
+    assert set(map_drawings(planted(TWO))) == {"status", "torques", "works", "energy", "fold_times"}
+    assert set(map_drawings(as_run(planted(TWO)))) == {"status", "works", "energy"}
+    assert set(map_drawings(sampled(planted(TWO)))) == {"status", "torques", "works", "energy"}
 
 
 def test_each_value_stands_in_its_cell_in_the_unit_for_people():

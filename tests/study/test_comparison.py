@@ -233,6 +233,8 @@ def test_a_study_over_other_factors_is_refused_by_name(table):
         compare_with_paper(table.isel(tendon_stiffness=0).rename(tendon_rest_length="hub_radius"))
     with pytest.raises(InputError, match="least torques"):
         compare_with_paper(table.drop_vars("least_fold_torque"))
+    with pytest.raises(InputError, match="got a search without unfold torques"):
+        compare_with_paper(table.drop_vars("least_unfold_torque"))
 
 
 def test_markdown_and_json_hold_every_row(table):

@@ -9,7 +9,7 @@ import xarray as xr
 import forficula as ff
 from forficula.design import with_values
 from forficula.dynamics import with_timestep
-from forficula.show.maps import study_drawings
+from forficula.show.maps import map_drawings
 from forficula.study import load_study, run_study, table_csv
 
 # the issue that asked for the table: these first, and in this order
@@ -163,7 +163,7 @@ def test_a_timestep_of_its_own_choice_stands_beside_given_ones(tmp_path, study_f
     alone = ff.measure(ff.run(with_values(study.base, {"protocol.timestep": chosen})))
     assert table["fold_work"].values[1] == alone.fold.work
     assert table.to_netcdf(engine="h5netcdf")
-    assert study_drawings(table)
+    assert map_drawings(table)
 
 
 def test_drawn_points_are_samples_with_the_values_that_ran(tmp_path, study_file):

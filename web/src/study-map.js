@@ -11,10 +11,10 @@ const MOVES = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDo
 
 /** The map with its choices; `open` is called with the point of a cell that is pressed, and the quantity. */
 export function makeMap(model, open) {
-  const { factors, quantities, sampled } = model.study;
-  const varied = factors.map((_, index) => index).filter((index) => model.sizes[index] > 1);
+  const { quantities, sampled } = model.study;
+  const varied = model.study.axes.filter((index) => model.sizes[index] > 1);
   const [y, x] = varied.length > 1 ? varied : [null, varied[0] ?? 0];
-  const view = { quantity: quantities[0], x, y, fixed: model.sizes.map((size) => Math.floor(size / 2)), current: null, opened: null };
+  const view = { quantity: quantities[0], x, y, fixed: [...model.study.cuts], current: null, opened: null };
   const place = make("div", { className: "map-place" });
   const legend = make("div", { className: "map-legend" });
   const text = make("p", { className: "note" });

@@ -153,7 +153,7 @@ class Protocol(Part):
 
     timestep: float | Literal["auto"] = quantity(
         SHORT_TIME,
-        'step of the integrator, or "auto": a quarter of what the stiffest mode allows',
+        'step of the integrator, or "auto": halved until verdict and times stay, and the energy balance closes',
         above=0,
         words=("auto",),
     )
@@ -178,7 +178,7 @@ class Protocol(Part):
             ge=0,
             description="how long folded or opened must hold at least, by the time that it took; less is a bounce",
         ),
-    ] = 0.0
+    ] = 0.25
     residual_limit: Annotated[
         float,
         Field(

@@ -27,7 +27,10 @@ _SHORTEST, _LONGEST = 1e-12, 1e3  # s
 
 
 def with_timestep(design: Design) -> Design:
-    """Give a design whose timestep is "auto" a quarter of what its modes allow, rounded down to one digit."""
+    """Give a design whose timestep is "auto" an estimate: a quarter of what its modes allow, rounded down to one digit.
+
+    That is a limit of stability; whether it is accurate, only runs tell.
+    """
     if design.protocol.timestep != "auto":
         return design
     allowed = _SAFETY * stable_timestep(design)

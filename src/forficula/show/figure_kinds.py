@@ -16,10 +16,10 @@ from forficula.files import clear_leftovers, write_bytes
 from forficula.show.convergence_figure import CONVERGENCE_FILE, convergence_drawings
 from forficula.show.cycling_folder import cycling_drawings, read_cycling
 from forficula.show.landscape_folder import landscape_drawings
-from forficula.show.maps import study_drawings
 from forficula.show.run_folder import run_drawings
 from forficula.show.run_reader import read_run
 from forficula.show.static_map_folder import SIMULATED, static_map_drawings
+from forficula.show.study_folder import study_drawings
 from forficula.show.style import COLUMN_WIDTH, COPIES, ENDINGS, PAGE_WIDTH, Drawing, save_figure
 from forficula.study.convergence_file import load_convergence
 from forficula.study.survey import survey

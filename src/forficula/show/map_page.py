@@ -56,7 +56,7 @@ OTHER = "no value"
 
 
 @dataclass(frozen=True, kw_only=True)
-class _Look:
+class Look:
     """How what happened is drawn: the cell's face and hatch, and the marker where there are no cells."""
 
     face: str
@@ -65,31 +65,31 @@ class _Look:
 
 
 _LOOKS = {
-    OPENED: _Look(face=BLUE, hatch="", marker="o"),
-    FOLDED: _Look(face=SKY, hatch="", marker="D"),
-    NOT_OPENED: _Look(face="#F3DDA6", hatch="....", marker="s"),
-    NOT_FOLDED: _Look(face="1.0", hatch="/////", marker="x"),
-    STUCK: _Look(face="0.93", hatch="xxxx", marker="*"),
-    NOT_STAYED: _Look(face="1.0", hatch="|||||", marker="1"),
-    STILL_FOLDING: _Look(face="0.93", hatch=r"\\\\\\", marker=">"),
-    STILL_OPENING: _Look(face="#F3DDA6", hatch=r"\\\\\\", marker="<"),
-    NOT_STAYED_OPEN: _Look(face="#F3DDA6", hatch="|||||", marker="2"),
-    DIVERGED: _Look(face="0.75", hatch="++++", marker="P"),
-    UNTRUSTED: _Look(face="0.75", hatch="OO", marker="8"),
-    NOT_BUILT: _Look(face="0.6", hatch="", marker="X"),
-    NOT_TRIED: _Look(face="0.86", hatch="", marker="_"),
-    BOTH: _Look(face=BLUE, hatch="", marker="o"),
-    BOTH_LESS: _Look(face=SKY, hatch="", marker="p"),
-    BOTH_MORE: _Look(face=SKY, hatch="/////", marker="H"),
-    ONLY_SIMULATED: _Look(face=ORANGE, hatch="", marker="^"),
-    ONLY_STATIC: _Look(face=PURPLE, hatch="", marker="v"),
-    NEITHER: _Look(face="0.93", hatch="", marker="x"),
-    NOT_RUN: _Look(face="1.0", hatch="", marker="."),
-    OTHER: _Look(face="0.97", hatch="---", marker="+"),
+    OPENED: Look(face=BLUE, hatch="", marker="o"),
+    FOLDED: Look(face=SKY, hatch="", marker="D"),
+    NOT_OPENED: Look(face="#F3DDA6", hatch="....", marker="s"),
+    NOT_FOLDED: Look(face="1.0", hatch="/////", marker="x"),
+    STUCK: Look(face="0.93", hatch="xxxx", marker="*"),
+    NOT_STAYED: Look(face="1.0", hatch="|||||", marker="1"),
+    STILL_FOLDING: Look(face="0.93", hatch=r"\\\\\\", marker=">"),
+    STILL_OPENING: Look(face="#F3DDA6", hatch=r"\\\\\\", marker="<"),
+    NOT_STAYED_OPEN: Look(face="#F3DDA6", hatch="|||||", marker="2"),
+    DIVERGED: Look(face="0.75", hatch="++++", marker="P"),
+    UNTRUSTED: Look(face="0.75", hatch="OO", marker="8"),
+    NOT_BUILT: Look(face="0.6", hatch="", marker="X"),
+    NOT_TRIED: Look(face="0.86", hatch="", marker="_"),
+    BOTH: Look(face=BLUE, hatch="", marker="o"),
+    BOTH_LESS: Look(face=SKY, hatch="", marker="p"),
+    BOTH_MORE: Look(face=SKY, hatch="/////", marker="H"),
+    ONLY_SIMULATED: Look(face=ORANGE, hatch="", marker="^"),
+    ONLY_STATIC: Look(face=PURPLE, hatch="", marker="v"),
+    NEITHER: Look(face="0.93", hatch="", marker="x"),
+    NOT_RUN: Look(face="1.0", hatch="", marker="."),
+    OTHER: Look(face="0.97", hatch="---", marker="+"),
 }
 
 # failed when folded for the unfolding, with a torque that its word names
-_BEFORE_OPENING = _Look(face="0.93", hatch="oo", marker="h")
+_BEFORE_OPENING = Look(face="0.93", hatch="oo", marker="h")
 
 # for a variable's kind of quantity: units in which it reads well, and their factors from SI
 _READABLE = {
@@ -271,7 +271,8 @@ def _missing(panel: Panel) -> dict[str, NDArray[np.bool_]]:
     return {word: where for word in order if (where := absent & (words == word)).any()}
 
 
-def _look(word: str) -> _Look:
+def look_of(word: str) -> Look:
+    """How a wing is drawn that came to this."""
     return _LOOKS.get(word) or (_BEFORE_OPENING if " with " in word else _LOOKS[OTHER])
 
 
@@ -280,7 +281,7 @@ def _legend(figure: Figure, panels: Sequence[Panel], *, cells: bool) -> None:
     words = list(dict.fromkeys(word for panel in panels for word in _missing(panel)))
     handles: list[Patch | Line2D] = []
     for word in words:
-        look = _look(word)
+        look = look_of(word)
         if cells:
             handles.append(Patch(facecolor=look.face, hatch=look.hatch, edgecolor=_INK, lw=0.4, label=word))
         else:
@@ -292,7 +293,7 @@ def _legend(figure: Figure, panels: Sequence[Panel], *, cells: bool) -> None:
         figure.legend(handles=handles, loc="outside lower center", ncols=columns, **shape)
 
 
-def _ink(look: _Look) -> str:
+def _ink(look: Look) -> str:
     """A marker's colour: the face where that shows on white."""
     return look.face if look.face in (BLUE, SKY) else _INK
 
@@ -312,7 +313,7 @@ def _draw_cells(axes: Axes, view: View, panel: Panel, scale: _Scale, digits: int
         shown = np.ma.masked_invalid(values)
         axes.pcolormesh(*edges, shown, cmap=_COLOURS, norm=scale.norm, edgecolors="white", linewidth=0.4)
     for word, where in _missing(panel).items():
-        look = _look(word)
+        look = look_of(word)
         axes.pcolor(
             *edges,
             np.ma.masked_array(np.zeros(values.shape), ~np.atleast_2d(where)),
@@ -381,7 +382,7 @@ def _draw_points(axes: Axes, view: View, panel: Panel, scale: _Scale) -> None:
         else:
             axes.set_yticks([])
     for word, where in missing.items():
-        look = _look(word)
+        look = look_of(word)
         axes.plot(
             across[where], upwards[where], ls="", marker=look.marker, color=_ink(look), ms=4, mew=0.8, transform=foot
         )

@@ -30,6 +30,7 @@ from forficula.show.map_page import (
     map_style,
 )
 from forficula.show.style import PAGE_WIDTH, Drawing
+from forficula.study.choices import CHOICE
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
@@ -39,11 +40,12 @@ _MOST_PANELS = 9
 _GOES_ON = (FOLDED, OPENED, NOT_OPENED, NOT_STAYED_OPEN, STILL_OPENING)
 
 
-def study_drawings(table: Dataset) -> dict[str, Drawing]:
-    """Find every figure that a study's table has the numbers for.
+def map_drawings(table: Dataset) -> dict[str, Drawing]:
+    """Find every map that a study's table has the numbers for.
 
     Args:
-        table: of the search for the least torques or of plain runs, over a grid of factors or over samples.
+        table: of the search for the least torques or of plain runs, over a grid of factors, with or without choices,
+            or over samples.
 
     Returns:
         What draws them, by the stem of their file.
@@ -175,6 +177,7 @@ def _draw(
                 title=title, values=view.table[name], reasons=missing_reasons(view.table, name), unit=_unit(table, name)
             )
             for name, title in names.items()
+            if name in table  # a search may leave opening out
         ]
         return draw_page(view, panels, one_scale=one_scale, quantity=quantity, width=width)
 
@@ -187,9 +190,10 @@ def _is_sampled(table: Dataset) -> bool:
 
 
 def _factors(table: Dataset) -> list[str]:
-    """Names of the factors, in the study's order."""
+    """Names of the factors, in the study's order; choices of one at a time, which stand for the rest of them, last."""
     if not _is_sampled(table):
-        return [str(name) for name in table["outcome"].dims]
+        # maps are of the grid that is repeated at every choice
+        return sorted((str(name) for name in table["outcome"].dims), key=lambda name: name == CHOICE)
     return [str(name) for name, values in table.coords.items() if values.dims == ("sample",) and name != "sample"]
 
 
@@ -221,16 +225,16 @@ def table_view(table: Dataset, x: str | None = None, y: str | None = None) -> Vi
 
 
 def _slice(table: Dataset, kept: Sequence[str], *, x: str, y: str | None) -> View:
-    """The middle of every factor that is not kept, and a note that says so."""
+    """The middle of every factor that is not kept, of choices the base, and a note that says so."""
     if _is_sampled(table):
         return View(table=table, x=x, y=y, note="", sampled=True)
-    middle = {name: table.sizes[name] // 2 for name in _factors(table) if name not in kept}
+    middle = {name: 0 if name == CHOICE else table.sizes[name] // 2 for name in _factors(table) if name not in kept}
     note = ", ".join(value_text(table[name], index) for name, index in middle.items() if table.sizes[name] > 1)
     return View(table=table.isel(middle), x=x, y=y, note=f"at {note}" if note else "", sampled=False)
 
 
 def _known(table: Dataset, *names: str) -> bool:
-    return all(name in table for name in names) and any(bool(np.isfinite(table[name]).any()) for name in names)
+    return any(name in table and bool(np.isfinite(table[name]).any()) for name in names)
 
 
 def _unit(table: Dataset, name: str) -> str:

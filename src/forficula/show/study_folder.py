@@ -8,10 +8,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from forficula.files import replacing_all, write_bytes, write_text
-from forficula.show.maps import study_drawings
+from forficula.show.choices_figure import draw_choices
+from forficula.show.maps import map_drawings
 from forficula.show.page.study_page import write_study_page
-from forficula.show.style import save_figures
+from forficula.show.style import Drawing, save_figures
 from forficula.study import Study, table_csv
+from forficula.study.choices import CHOICE
 from forficula.study.comparison import compare_with_paper, comparison_json, comparison_markdown
 from forficula.study.kept_runs import KeptRun
 
@@ -20,6 +22,19 @@ if TYPE_CHECKING:
 
 # the study whose results the paper reports
 _PAPERS_SEARCH = "binder2025-search"
+
+
+def study_drawings(table: Dataset) -> dict[str, Drawing]:
+    """Find every figure that a study's table has the numbers for.
+
+    Returns:
+        What draws them, by the stem of their file.
+    """
+    if CHOICE not in table.dims:
+        return map_drawings(table)
+    side_by_side: dict[str, Drawing] = {"choices": lambda width: draw_choices(table, width=width)}
+    # without a grid there is nothing to draw a map over
+    return side_by_side | (map_drawings(table) if table["status"].ndim > 1 else {})
 
 
 def write_study(study: Study, table: Dataset, folder: Path) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.analysis import FOLDED, Ending, Verdict, ending_word
-from forficula.study.tendon_search import AS_MANY, FOLD_TORQUE, Array, Mask, TendonSearch
+from forficula.study.tendon_search import AS_MANY, FOLD_TORQUE, PAPER_FOLDS, PAPER_OPENS, Array, Mask, TendonSearch
 
 _TORQUE_STEP = 0.1  # of the paper's search, N m
 # of the flat energy: what is less is no more than what has not yet come to rest
@@ -93,13 +93,13 @@ def _tendon_energy(
 
 def _count_that_fold(search: TendonSearch) -> Comparison:
     count = int(search.folds.sum())
-    ours, agrees, why = _count(search, count, 32, _GEOMETRY, "fold_outcome")
-    return _row("tendons that fold with at most 50 N cm", "32 of 60", ours, agrees, why)
+    ours, agrees, why = _count(search, count, PAPER_FOLDS, _GEOMETRY, "fold_outcome")
+    return _row("tendons that fold with at most 50 N cm", f"{PAPER_FOLDS} of 60", ours, agrees, why)
 
 
 def _count_that_open(search: TendonSearch) -> Comparison:
-    ours, agrees, why = _count(search, int(search.opens.sum()), 13, _LOST, "outcome")
-    return _row("those of them that open again with at most 100 N cm", "13 of 60", ours, agrees, why)
+    ours, agrees, why = _count(search, int(search.opens.sum()), PAPER_OPENS, _LOST, "outcome")
+    return _row("those of them that open again with at most 100 N cm", f"{PAPER_OPENS} of 60", ours, agrees, why)
 
 
 def _count(search: TendonSearch, count: int, paper: int, why: str, outcome: str) -> tuple[str, bool | None, str]:

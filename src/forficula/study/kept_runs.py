@@ -196,11 +196,14 @@ def _parts(study: Study, table: Dataset, point: int, design: Design) -> Iterator
     if search is None:
         yield "run", design
         return
-    fold, unfold = (float(table[name].values.ravel()[point]) for name in ("least_fold_torque", "least_unfold_torque"))
+    fold = float(table["least_fold_torque"].values.ravel()[point])
     if math.isnan(fold):
         yield "folding", fold_design(design, search.fold_torques[-1])
         return
     yield "folding", release_design(design, fold)
+    if not search.unfold_torques:
+        return
+    unfold = float(table["least_unfold_torque"].values.ravel()[point])
     torque = search.unfold_torques[-1] if math.isnan(unfold) else unfold
     yield "opening", unfold_design(design, search.fold_with, torque)
 

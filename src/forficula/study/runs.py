@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
@@ -19,6 +20,8 @@ _TIME_TOLERANCE = 0.02
 _HALVINGS = 7
 # What is missing of the energy falls with the timestep between in proportion and with its square.
 _RESIDUAL_ORDER = 1.3
+# How long wings are built before the first of them run, s; twice as long each time, for many side by side are faster.
+_FIRST_SECONDS = 1.0
 _CHANGES = "its outcome still changes with the timestep"
 
 
@@ -28,7 +31,7 @@ class _Attempt:
 
     Attributes:
         number: of the design.
-        design: with the timestep, s.
+        design: with the timestep, s, but for "auto" before the first attempt.
         halvings: by which it is shorter than the first one; None where the design gives it.
         before: outcome at the timestep before, or None.
     """
@@ -62,6 +65,20 @@ def run(design: Design, progress: Progress | None = None) -> Record:
     return record
 
 
+def resolved(design: Design) -> Design:
+    """The design with the timestep that a run of it takes.
+
+    Raises:
+        InputError: the wing cannot be built.
+    """
+    if design.protocol.timestep != "auto":
+        return design
+    ((_, record),) = run_each([design], sparse=True)
+    if isinstance(record, InputError):
+        raise record
+    return design.model_copy(update={"protocol": record.design.protocol})
+
+
 def run_each(
     designs: Sequence[Design],
     threads: int = 0,
@@ -85,16 +102,13 @@ def run_each(
     Returns:
         Records, or why a design cannot be built.
     """
-    attempts: list[_Attempt] = []
-    engines: dict[str, WingModel | InputError] = {}
-    for number, design in enumerate(designs):
-        try:
-            attempts.append(_first(number, design))
-        except InputError as error:
-            yield number, error
+    attempts = [
+        _Attempt(number=number, design=design, halvings=0 if design.protocol.timestep == "auto" else None)
+        for number, design in enumerate(designs)
+    ]
     while attempts:
         left = {attempt.number: attempt for attempt in attempts}
-        for attempt, result in _results(attempts, engines, threads, sparse, until_opened, progress):
+        for attempt, result in _results(attempts, threads, sparse, until_opened, progress):
             del left[attempt.number]
             if isinstance(result, InputError):
                 yield attempt.number, result
@@ -114,15 +128,6 @@ def run_each(
                     if number < attempt.number or _but_unfold_torque(designs[number]) != chain
                 }
         attempts = [left[number] for number in sorted(left)]
-        engines.clear()
-
-
-def _first(number: int, design: Design) -> _Attempt:
-    """The first attempt: with twice the estimate where the timestep is left open, so that the second one can do."""
-    guessed = with_timestep(design)
-    if guessed is design:
-        return _Attempt(number=number, design=design, halvings=None)
-    return _Attempt(number=number, design=_with_step(guessed, 2 * float(guessed.protocol.timestep)), halvings=0)
 
 
 def topology(wing: WingModel) -> tuple[int, ...]:
@@ -133,28 +138,52 @@ def topology(wing: WingModel) -> tuple[int, ...]:
 
 
 def _results(
-    attempts: Sequence[_Attempt],
-    engines: dict[str, WingModel | InputError],
+    attempts: Sequence[_Attempt], threads: int, sparse: bool, until_opened: bool, progress: Progress | None
+) -> Iterator[tuple[_Attempt, Record | InputError]]:
+    """Build wings and simulate them, the first ones soon and more of them side by side each time."""
+    by_engine: dict[str, list[_Attempt]] = {}
+    for attempt in attempts:
+        by_engine.setdefault(_engine_key(attempt.design), []).append(attempt)
+    built: list[tuple[_Attempt, WingModel]] = []
+    seconds, start = _FIRST_SECONDS, time.perf_counter()
+    for alike in by_engine.values():
+        try:
+            wing = _compile(alike[0].design)
+            built += [_with_protocol(wing, attempt) for attempt in alike]
+        except InputError as error:
+            yield from ((attempt, error) for attempt in alike)
+        if time.perf_counter() - start > seconds:
+            yield from _simulated(built, threads, sparse, until_opened, progress)
+            seconds, start, built = 2 * seconds, time.perf_counter(), []
+    yield from _simulated(built, threads, sparse, until_opened, progress)
+
+
+def _simulated(
+    built: Sequence[tuple[_Attempt, WingModel]],
     threads: int,
     sparse: bool,
     until_opened: bool,
     progress: Progress | None,
 ) -> Iterator[tuple[_Attempt, Record | InputError]]:
-    """Simulate attempts, those of one topology side by side."""
-    by_topology: dict[tuple[int, ...], list[tuple[_Attempt, WingModel]]] = {}
-    for attempt in attempts:
-        key = _engine_key(attempt.design)
-        wing = engines[key] if key in engines else engines.setdefault(key, _compile(attempt.design))
-        if isinstance(wing, InputError):
-            yield attempt, wing
-            continue
-        built = _with_protocol(wing, attempt.design)
-        by_topology.setdefault(topology(built), []).append((attempt, built))
-    for group in by_topology.values():
-        enough = _opened if until_opened else None
+    """Simulate wings, those of one topology side by side; in halves where memory does not hold them."""
+    groups: dict[tuple[int, ...], list[tuple[_Attempt, WingModel]]] = {}
+    for attempt, wing in built:
+        groups.setdefault(topology(wing), []).append((attempt, wing))
+    enough = _opened if until_opened else None
+    for group in groups.values():
         telling = None if progress is None else _with_timestep_told(progress, group[0][0])
-        for row, record in simulate_each([wing for _, wing in group], threads, sparse, telling, enough):
-            yield group[row][0], record
+        done: set[int] = set()
+        try:
+            for row, record in simulate_each([wing for _, wing in group], threads, sparse, telling, enough):
+                done.add(row)
+                yield group[row][0], record
+        except InputError as error:
+            if len(group) == 1:
+                yield group[0][0], error
+                continue
+            rest = [each for row, each in enumerate(group) if row not in done]
+            for half in (rest[: len(rest) // 2], rest[len(rest) // 2 :]):
+                yield from _simulated(half, threads, sparse, until_opened, progress)
 
 
 def _following(attempt: _Attempt, outcome: Outcome) -> _Attempt | None:
@@ -204,17 +233,18 @@ def _engine_key(design: Design) -> str:
     return design.model_copy(update={"protocol": design.protocol.model_copy(update=parting)}).hash
 
 
-def _compile(design: Design) -> WingModel | InputError:
-    """A wing, or why there is none."""
-    try:
-        return compile_wing(design)
-    except InputError as error:
-        return error
+def _compile(design: Design) -> WingModel:
+    """A wing; with twice the estimated timestep where that is left open, so that the second attempt can do."""
+    guessed = with_timestep(design)
+    return compile_wing(design if guessed is design else _with_step(guessed, 2 * float(guessed.protocol.timestep)))
 
 
-def _with_protocol(wing: WingModel, design: Design) -> WingModel:
-    """The same wing with another protocol, its engine model shared."""
-    return replace(wing, design=design, in_units=design_in_model_units(design, wing.units))
+def _with_protocol(wing: WingModel, attempt: _Attempt) -> tuple[_Attempt, WingModel]:
+    """An attempt at the timestep of a wing, and that wing with its protocol, the engine model shared."""
+    design = _with_step(attempt.design, float(wing.design.protocol.timestep))
+    return replace(attempt, design=design), replace(
+        wing, design=design, in_units=design_in_model_units(design, wing.units)
+    )
 
 
 def _with_timestep_told(progress: Progress, attempt: _Attempt) -> Progress:

@@ -23,7 +23,8 @@ def search_designs(design: Design, search: Search, rows: Rows) -> list[Design]:
 
     Folding is tried with every torque, for it need not be monotone, and only the least that folds is also released.
     Opening is tried where there is a least torque that folds, from the wing folded with `fold_with`, rising, up to the
-    least torque that opens. What runs next can depend on the last rows: ask again until none is missing.
+    least torque that opens; a search without unfold torques leaves that out. What runs next can depend on the last
+    rows: ask again until none is missing.
     """
     fold_torques = _torques(design, search, rows, "fold")
     wanted = [fold_design(design, torque) for torque in fold_torques]

@@ -15,9 +15,10 @@ from typing import Any
 from forficula.design import TORQUE, Design, key_quantity, key_value, law_from_folder, load_design
 from forficula.errors import InputError
 from forficula.quantities import as_written, parse_quantity
+from forficula.study.choices import one_at_a_time, with_own_word
 from forficula.study.factors import MOST_VALUES, Factor, drawn_values, range_values, read_factor
 
-_KEYS = ("name", "source", "design", "ask", "settings", "factors", "sampling", "search")
+_KEYS = ("name", "source", "design", "ask", "vary", "settings", "factors", "grid", "sampling", "search")
 _TORQUE_KEY = "protocol.fold_torque"
 
 
@@ -28,7 +29,7 @@ class Search:
     Attributes:
         fold_torques: rising.
         fold_with: that folds the wing before any unfolding.
-        unfold_torques: rising.
+        unfold_torques: rising; none where opening is not asked for.
         refinements: how often the step below the least torque that worked is halved.
     """
 
@@ -47,9 +48,12 @@ class Study:
         source: where the question comes from.
         base: the design that is varied.
         factors: what is varied.
-        points: the values of every point by dotted key, as a design file has them.
+        points: the values of every point by dotted key, as a design file has them; what is not there is the base's.
         sampled: whether the points were drawn; otherwise they are the grid of all factors, the last fastest.
         search: the torques to try for the least ones; None runs the protocol as it is.
+        choices: where factors are varied one at a time, the value of one of them each, by key; the first is empty, the
+            base. Otherwise none.
+        grid: the factors whose whole grid is repeated at every choice, the last fastest.
     """
 
     name: str
@@ -59,6 +63,8 @@ class Study:
     points: tuple[Mapping[str, object], ...]
     sampled: bool
     search: Search | None
+    choices: tuple[Mapping[str, object], ...] = ()
+    grid: tuple[Factor, ...] = ()
 
 
 def load_study(name_or_path: str | Path) -> Study:
@@ -113,13 +119,16 @@ def _read(name_or_path: str) -> tuple[str, str, Path]:
 
 def _study(tables: dict[str, Any], folder: Path) -> Study:
     _known(tables, _KEYS, "")
-    given = tables.get("factors")
-    if not isinstance(given, dict) or not given:
-        raise InputError('factors: need a table with at least one, such as "tendon.stiffness" = "10..60 N/cm step 10"')
-    factors = tuple(read_factor(key, law_from_folder(key, value, folder)) for key, value in _flat(given).items())
+    factors = _factors(tables, "factors", folder)
     drawn = [factor for factor in factors if factor.distribution is not None]
     if drawn and len(drawn) < len(factors):
         raise InputError("factors: need either all of them as distributions or none, got both kinds")
+    vary = tables.get("vary", "grid")
+    if vary not in ("grid", "one-at-a-time"):
+        raise InputError(f'vary: need "grid" or "one-at-a-time", got {as_written(vary)}')
+    if "vary" in tables and drawn:
+        raise InputError(f"vary: needs factors that are lists or ranges, got distributions with {as_written(vary)}")
+    grid = _repeated_grid(tables, vary, factors, folder)
     for key in ("settings", "sampling", "search"):
         if not isinstance(tables.get(key, {}), dict):
             raise InputError(f"{key}: need a table, got {as_written(tables[key])}")
@@ -132,14 +141,14 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
         raise InputError(f'design: need the name or path of a design, such as "binder2025", got {as_written(name)}')
     settings = {key: law_from_folder(key, value, folder) for key, value in _flat(tables.get("settings", {})).items()}
     base = load_design(str(folder / name) if name.endswith(".toml") else name, settings)
-    for factor in factors:
+    for factor in (*factors, *grid):
         now = key_value(base, factor.key)
         if factor in drawn and key_quantity(factor.key) is None and not isinstance(now, float):
             raise InputError(f"{factor.key}: need a list or a range; only numbers with fractions are drawn")
     ask = tables.get("ask", "run")
     if ask not in ("run", "least-torques"):
         raise InputError(f'ask: need "run" or "least-torques", got {ask!r}')
-    taken = {"protocol.fold_torque", "protocol.unfold_torque"} & {factor.key for factor in factors}
+    taken = {"protocol.fold_torque", "protocol.unfold_torque"} & {factor.key for factor in (*factors, *grid)}
     if ask == "least-torques" and taken:
         raise InputError(
             f'factors.{min(taken)}: is what "least-torques" looks for; give it under [search], or ask "run"'
@@ -148,15 +157,51 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
         raise InputError("sampling: needs factors that are distributions, got lists and ranges")
     if "search" in tables and ask != "least-torques":
         raise InputError('search: needs ask = "least-torques"')
+    choices: tuple[Mapping[str, object], ...] = ()
+    if vary == "one-at-a-time":
+        factors = tuple(with_own_word(base, factor) for factor in factors)
+        choices = one_at_a_time(base, factors)
+    if drawn:
+        points = _drawn(factors, tables.get("sampling", {}))
+    elif choices:
+        points = [{**choice, **point} for choice in choices for point in grid_points(grid, len(choices))]
+    else:
+        points = grid_points(factors)
     return Study(
         name=title,
         source=str(tables.get("source", "")),
         base=base,
         factors=factors,
-        points=tuple(_drawn(factors, tables.get("sampling", {})) if drawn else grid_points(factors)),
+        points=tuple(points),
         sampled=bool(drawn),
         search=read_torque_search(tables.get("search", {})) if ask == "least-torques" else None,
+        choices=choices,
+        grid=grid,
     )
+
+
+def _factors(tables: Mapping[str, Any], name: str, folder: Path) -> tuple[Factor, ...]:
+    """The factors of a table of the file."""
+    given = tables.get(name)
+    if not isinstance(given, dict) or not given:
+        raise InputError(f'{name}: need a table with at least one, such as "tendon.stiffness" = "10..60 N/cm step 10"')
+    return tuple(read_factor(key, law_from_folder(key, value, folder)) for key, value in _flat(given).items())
+
+
+def _repeated_grid(
+    tables: Mapping[str, Any], vary: str, factors: tuple[Factor, ...], folder: Path
+) -> tuple[Factor, ...]:
+    """The factors that are crossed wherever the others, varied one at a time, are."""
+    if "grid" not in tables:
+        return ()
+    if vary != "one-at-a-time":
+        raise InputError('grid: needs vary = "one-at-a-time"; otherwise all factors are a grid, under [factors]')
+    grid = _factors(tables, "grid", folder)
+    if twice := {factor.key for factor in grid} & {factor.key for factor in factors}:
+        raise InputError(f"grid.{min(twice)}: is under [factors], too; need it in one of them")
+    if drawn := [factor.key for factor in grid if factor.distribution is not None]:
+        raise InputError(f"grid.{drawn[0]}: need a list or a range, got a distribution")
+    return grid
 
 
 def _known(table: Mapping[str, object], keys: tuple[str, ...], prefix: str) -> None:
@@ -178,14 +223,18 @@ def _flat(table: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
     return flat
 
 
-def grid_points(factors: tuple[Factor, ...]) -> list[dict[str, object]]:
+def grid_points(factors: tuple[Factor, ...], times: int = 1) -> list[dict[str, object]]:
     """Every combination of the factors' values, the last factor fastest.
 
+    Args:
+        factors: with values.
+        times: how often the study has this grid.
+
     Raises:
-        InputError: more than a million.
+        InputError: more than a million in all.
     """
     keys = [factor.key for factor in factors]
-    count = math.prod(len(factor.values) for factor in factors)
+    count = times * math.prod(len(factor.values) for factor in factors)
     if count > MOST_VALUES:
         raise InputError(f"factors: need at most {MOST_VALUES} points, got {count}")
     return [dict(zip(keys, values, strict=True)) for values in itertools.product(*(each.values for each in factors))]
@@ -217,19 +266,19 @@ def read_torque_search(given: Mapping[str, Any]) -> Search:
     return Search(
         fold_torques=_torques("fold_torques", given.get("fold_torques", "0..50 N cm step 10")),
         fold_with=_torques("fold_with", [given.get("fold_with", "500 N cm")])[0],
-        unfold_torques=_torques("unfold_torques", given.get("unfold_torques", "10..100 N cm step 10")),
+        unfold_torques=_torques("unfold_torques", given.get("unfold_torques", "10..100 N cm step 10"), none=True),
         refinements=refinements,
     )
 
 
-def _torques(key: str, given: object) -> tuple[float, ...]:
+def _torques(key: str, given: object, *, none: bool = False) -> tuple[float, ...]:
     values = range_values(_TORQUE_KEY, given) if isinstance(given, str) else given
-    if not isinstance(values, list | tuple) or not values:
+    if not isinstance(values, list | tuple) or not (values or none):
         raise InputError(f'search.{key}: need torques such as "0..50 N cm step 10", got {given!r}')
     try:
         torques = tuple(parse_quantity(value, TORQUE) for value in values)
     except InputError as error:
         raise InputError(f"search.{key}: {error}") from None
-    if list(torques) != sorted(set(torques)) or torques[0] < 0:
+    if list(torques) != sorted(set(torques)) or min(torques, default=0.0) < 0:
         raise InputError(f"search.{key}: need rising torques >= 0, got {given!r}")
     return torques

@@ -13,6 +13,7 @@ import numpy as np
 from forficula.analysis import Ending, Verdict, ending_word
 from forficula.design import TORQUE, Design
 from forficula.quantities import as_written, parse_quantity
+from forficula.study.choices import CHOICE, choice_label, own_value
 from forficula.study.evaluate import ending_row, row_ending, row_key
 from forficula.study.factors import Factor
 from forficula.study.journal import Row
@@ -36,6 +37,8 @@ _NUMBERS = {
     "residual": ("", "largest share of the energy that is missing in a run"),
 }
 _TORQUE = {"units": TORQUE.si, "display": TORQUE.display, "key": "protocol.fold_torque", "long_name": "fold torque"}
+# what only opening tells
+_OPENING = ("least_unfold_torque", "unfold_time", "unfold_work", "opened_energy", "reference_outcome")
 _RUN_NUMBERS = {name: unit for name, unit in _NUMBERS.items() if not name.startswith("least")}
 _COLUMNS = (
     *(name for name in _NUMBERS if name not in ("unfold_time", "residual")),
@@ -55,8 +58,9 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         rows: by key, none missing.
 
     Returns:
-        Dimensions are the factors, in the study's order, or "sample" where the points were drawn; coordinates in SI
-        with `units`, `display` and `key`.
+        Dimensions are the factors, in the study's order, or "sample" where the points were drawn, or "choice" and the
+        grid that is repeated there where factors are varied one at a time, the base first; coordinates in SI with
+        `units`, `display` and `key`.
     """
     import xarray
 
@@ -89,6 +93,8 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         ]
         by_torque = np.array(became, dtype=object).reshape(*shape, -1)
         variables["fold_outcome_by_torque"] = ((*dimensions, "fold_torque"), by_torque)
+        if not study.search.unfold_torques:
+            variables = {name: values for name, values in variables.items() if name not in _OPENING}
     attributes = {
         "name": study.name,
         "source": study.source,
@@ -102,7 +108,8 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
 
 def table_csv(study: Study, table: xarray.Dataset) -> str:
     """The table as text, one line a point, units in the names of the columns, empty where there is no number."""
-    factors = [_column(factor) for factor in study.factors]
+    varied = (*study.factors, *study.grid)
+    factors = [_column(factor) for factor in varied]
     names = [name for name in _COLUMNS if name in table]
     units = {name: _suffix(table[name].attrs["units"]) for name in names if table[name].attrs.get("units")}
     text = io.StringIO()
@@ -110,7 +117,7 @@ def table_csv(study: Study, table: xarray.Dataset) -> str:
     writer.writerow([*(name for name, _ in factors), *(f"{name}{units.get(name, '')}" for name in names)])
     columns = [table[name].values.ravel() for name in names]
     for number, point in enumerate(study.points):
-        values = [_factor_value(factor, point[factor.key]) for factor in study.factors]
+        values = [_point_value(study, factor, point) for factor in varied]
         cells = [
             factor * value if isinstance(value, float) else value
             for value, (_, factor) in zip(values, factors, strict=True)
@@ -137,25 +144,37 @@ def _result(study: Study, design: Design | str, rows: Mapping[str, Row]) -> dict
 def table_axes(study: Study) -> tuple[dict[str, Any], tuple[str, ...], tuple[int, ...]]:
     """Coordinates, dimensions and shape of the table."""
     coordinates: dict[str, Any] = {}
-    for factor in study.factors:
-        given = [point[factor.key] for point in study.points] if study.sampled else list(factor.values)
-        values = [_factor_value(factor, value) for value in given]
+    crossed = study.grid if study.choices else () if study.sampled else study.factors
+    names, shape = [factor.dimension for factor in crossed], [len(factor.values) for factor in crossed]
+    if study.choices:
+        names, shape = [CHOICE, *names], [len(study.choices), *shape]
+        coordinates[CHOICE] = (CHOICE, [choice_label(study.base, choice) for choice in study.choices])
+    elif study.sampled:
+        names, shape = ["sample"], [len(study.points)]
+    for factor in (*study.factors, *study.grid):
+        if factor in crossed:
+            dimension, values = factor.dimension, [_factor_value(factor, value) for value in factor.values]
+        else:
+            dimension, points = names[0], study.choices or study.points
+            values = [_point_value(study, factor, point) for point in points]
         unit = factor.unit
         attributes = {"key": factor.key, "long_name": factor.key.replace(".", " ").replace("_", " ")}
         if unit is not None:
             attributes |= {"units": unit.si, "display": unit.display}
-        coordinates[factor.dimension] = ("sample" if study.sampled else factor.dimension, values, attributes)
-    if study.sampled:
-        return coordinates, ("sample",), (len(study.points),)
-    names = tuple(factor.dimension for factor in study.factors)
-    return coordinates, names, tuple(len(factor.values) for factor in study.factors)
+        coordinates[factor.dimension] = (dimension, values, attributes)
+    return coordinates, tuple(names), tuple(shape)
+
+
+def _point_value(study: Study, factor: Factor, point: Mapping[str, object]) -> Any:
+    """The value of a factor at a point or a choice: the base's where that has none of its own."""
+    return _factor_value(factor, point[factor.key] if factor.key in point else own_value(study.base, factor))
 
 
 def _factor_value(factor: Factor, value: object) -> Any:
     unit = factor.unit
     if unit is None:
         return as_written(value) if isinstance(value, list) else value
-    return parse_quantity(value, unit)
+    return value if isinstance(value, float) else parse_quantity(value, unit)
 
 
 def _column(factor: Factor) -> tuple[str, float]:

@@ -19,6 +19,8 @@ Mask = NDArray[np.bool_]
 
 # the paper's largest torques, N m
 FOLD_TORQUE, UNFOLD_TORQUE = 0.5, 1.0
+# how many of the paper's 60 tendons fold with at most these, and how many of them open again
+PAPER_FOLDS, PAPER_OPENS = 32, 13
 # tendons in words, of many
 AS_MANY = 4
 _FACTORS = ("tendon_stiffness", "tendon_rest_length")
@@ -85,6 +87,8 @@ def read_search(table: Dataset) -> TendonSearch:
             f"the paper searched for the least torques over tendon.stiffness and tendon.rest_length, got a study over"
             f" {given or 'nothing'}"
         )
+    if "least_unfold_torque" not in table:
+        raise InputError("the paper searched for the least torques that open, too, got a search without unfold torques")
     stiffness, rest_length = (np.asarray(table[name].values, dtype=float) for name in _FACTORS)
     fold, unfold = (
         np.asarray(table[name].transpose(*_FACTORS).values, dtype=float)

@@ -14,6 +14,7 @@ from forficula.show.page.study_page import places, study_page, study_sentence
 from forficula.study import load_study, table_csv
 from forficula.study.comparison import compare_with_paper
 from forficula.study.kept_runs import KeptRun
+from tests.show.test_choices_figure import planted as choices_table
 from tests.show.test_maps import TWO, as_run, many_ends, planted, sampled
 
 GRID = '"tendon.stiffness" = ["10 N/cm", "20 N/cm", "30 N/cm"]\n"tendon.rest_length" = ["0 cm", "3 cm", "6 cm", "9 cm"]'
@@ -147,3 +148,29 @@ def test_drawn_points_and_plain_runs_have_a_page_too(study_file):
     page = study_page(study, sampled(many_ends()), (), 0)
     assert len(rows(page)) == 12
     assert "12 values drawn" in page
+
+
+def test_choices_stand_side_by_side_with_what_folds_at_each(study_file):
+    dampings = '"hinge.damping" = ["1e-4 N m s/rad", "1e-2 N m s/rad"]\n"vein.diameter" = ["3 mm", "10 mm"]'
+    grid = '[grid]\n"tendon.stiffness" = ["10 N/cm", "20 N/cm"]\n"tendon.rest_length" = ["0 cm", "3 cm", "6 cm"]'
+    head = 'vary = "one-at-a-time"\nask = "least-torques"'
+    study = load_study(study_file(dampings, head, f"{grid}\n[search]\nunfold_torques = []"))
+    page = study_page(study, choices_table(), [], 0)
+    body = re.search(r"<caption>One value is changed[^<]*</caption>.*?<tbody>(.*?)</tbody>", page, re.DOTALL)[1]
+    assert [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row) for row in re.findall(r"<tr>(.*?)</tr>", body)] == [
+        ["hinge damping 0.0001 N m s/rad", "6"],
+        ["hinge damping 0.001 N m s/rad, as in binder2025", "4"],
+        ["hinge damping 0.01 N m s/rad", "0"],
+        ["vein diameter 3 mm", "2"],
+        ["vein diameter 5 mm, as in binder2025", "4"],
+        ["vein diameter 10 mm", "3"],
+    ]
+    # maps are over the grid, and begin at the base
+    shown = data(page)["study"]
+    assert [factor["key"] for factor in shown["factors"]] == ["choice", "tendon.stiffness", "tendon.rest_length"]
+    assert (shown["axes"], shown["cuts"]) == ([1, 2, 0], [0, 1, 1])
+    assert rows(page)[6][1:4] == ["a", "1000", "0"]
+
+
+def test_a_grid_has_no_choices_side_by_side(study):
+    assert "Choices side by side" not in study_page(study, many_ends(), [], 0)

@@ -29,6 +29,7 @@ from forficula.show.map_page import (
 )
 from forficula.show.maps import missing_reasons
 from forficula.study import Study
+from forficula.study.choices import CHOICE
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
@@ -76,7 +77,10 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
         the unit that stands beside them, None where there is none.
 
         - `points`: how many; `sampled`: whether they were drawn.
-        - `factors`: `key`, `name`, `unit`, and `values`: of the grid, or a point each where they were drawn.
+        - `factors`: `key`, `name`, `unit`, and `values`: of the grid, or a point each where they were drawn. Where
+          factors are varied one at a time, their choices are the first of these.
+        - `axes`: numbers of the factors in the order in which maps take them for axes; `cuts`: number of each one's
+          value at which maps of the others lie.
         - `words`: what became of points, those that came furthest first: `word`, `sign`, and `count` of the points with
           it as their outcome.
         - `verdicts`: a number of `words` a point; `statuses`: the full texts; `built`: whether there is a wing.
@@ -90,13 +94,17 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
         *(_quantity(table, name, title, group, words) for group, name, title in _drawn(table)),
         *_times_by_torque(table, words),
     ]
+    drawn = [factor.dimension for factor in study.factors]
+    names = drawn if study.sampled else [str(name) for name in table["status"].dims]
     return {
         "name": study.name,
         "design": study.base.name,
         "points": len(study.points),
         "sampled": study.sampled,
         "search": study.search is not None,
-        "factors": [_factor(table[factor.dimension]) for factor in study.factors],
+        "factors": [_factor(table[name]) for name in names],
+        "axes": sorted(range(len(names)), key=lambda index: names[index] == CHOICE),
+        "cuts": [0 if name == CHOICE else table[name].size // 2 for name in names],
         "built": [str(verdict) != Verdict.NOT_BUILT for verdict in table["verdict"].values.ravel()],
         "statuses": [str(status) for status in table["status"].values.ravel()],
         "verdicts": verdicts,
@@ -142,7 +150,7 @@ def _drawn(table: Dataset) -> Iterator[tuple[str, str, str]]:
 def _factor(factor: DataArray) -> dict[str, Any]:
     values, unit = display_values(factor)
     return {
-        "key": str(factor.attrs["key"]),
+        "key": str(factor.attrs.get("key", factor.name)),
         "name": plain_name(factor),
         "unit": unit,
         "values": [_rounded(value) for value in values.tolist()],

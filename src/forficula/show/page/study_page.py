@@ -13,6 +13,7 @@ from forficula.design import TORQUE
 from forficula.dynamics import versions
 from forficula.files import write_text
 from forficula.quantities import show_quantity
+from forficula.show.choice_rows import choice_rows
 from forficula.show.page.html import Cell, escaped, paragraph, section, table
 from forficula.show.page.outcome_tables import outcome_tables
 from forficula.show.page.page import page_html
@@ -22,6 +23,7 @@ from forficula.show.page.study_data import study_data
 from forficula.show.page.words import outcome_sentence, readable
 from forficula.study import Study, named_studies, table_csv
 from forficula.study.claims import Comparison
+from forficula.study.factors import Factor
 from forficula.study.kept_runs import KeptRun
 
 if TYPE_CHECKING:
@@ -66,6 +68,7 @@ def study_page(
         (
             f"<header><h1>{escaped(study.name)}</h1>{paragraph(study_sentence(study, results), 'outcome')}</header>\n",
             '<main class="study"><div id="explorer"></div>\n',
+            section("Choices side by side", _choices(results), name="choices"),
             section("All points", _points(data), name="points"),
             section("Beside the paper", _comparison(compared), name="comparison"),
             section("The study", *_about(study), name="about"),
@@ -90,6 +93,8 @@ def study_sentence(study: Study, results: Dataset) -> str:
         return f"{count}: {folded} fold, {opened} fold and open again."
     parts = []
     for name, what in (("least_fold_torque", "fold"), ("least_unfold_torque", "open again")):
+        if name not in results:  # a search may leave opening out
+            continue
         torques = results[name].values[np.isfinite(results[name].values)]
         if not len(torques):
             parts.append(f"none can {what}")
@@ -162,6 +167,12 @@ def places(data: dict[str, Any], point: int) -> list[int]:
     return found[::-1]
 
 
+def _choices(results: Dataset) -> str:
+    """How many wings of the grid fold and open again at each choice; of single wings the points tell."""
+    headings, rows = choice_rows(results)
+    return table("One value is changed at a time", headings, rows) if rows else ""
+
+
 def _comparison(rows: Sequence[Comparison]) -> str:
     if not rows:
         return ""
@@ -183,15 +194,17 @@ def _comparison(rows: Sequence[Comparison]) -> str:
 
 def _about(study: Study) -> list[str]:
     """What was varied, what was tried, and how to repeat it."""
-    rows = [["design", study.base.name], *([factor.key, _values(study, factor.key)] for factor in study.factors)]
+    rows = [["design", study.base.name], *([factor.key, _values(study, factor)] for factor in study.factors)]
+    if study.choices:
+        rows.append(["varied", "one at a time"])
+        rows += [[f"{factor.key}, at every choice", _values(study, factor)] for factor in study.grid]
     if study.search is not None:
         search = study.search
-        rows += [
-            ["fold torques tried", _torques(search.fold_torques)],
-            ["folded before unfolding with", show_quantity(search.fold_with, TORQUE)],
-            ["unfold torques tried", _torques(search.unfold_torques)],
-            ["halvings of the last step", str(search.refinements)],
-        ]
+        rows.append(["fold torques tried", _torques(search.fold_torques)])
+        if search.unfold_torques:
+            rows.append(["folded before unfolding with", show_quantity(search.fold_with, TORQUE)])
+            rows.append(["unfold torques tried", _torques(search.unfold_torques)])
+        rows.append(["halvings of the last step", str(search.refinements)])
     rows += [*([name, version] for name, version in versions().items()), ["design hash", study.base.hash]]
     file = study.name if study.name in named_studies() else f"{study.name}.toml"
     return [
@@ -202,11 +215,11 @@ def _about(study: Study) -> list[str]:
     ]
 
 
-def _values(study: Study, key: str) -> str:
+def _values(study: Study, factor: Factor) -> str:
     """A factor's values, or how many were drawn."""
     if study.sampled:
         return f"{len(study.points)} values drawn"
-    values = list(dict.fromkeys(str(point[key]) for point in study.points))
+    values = list(dict.fromkeys(str(value) for value in factor.values))
     return ", ".join(values) if len(values) <= 12 else f"{values[0]} to {values[-1]}, {len(values)} values"
 
 

@@ -1,0 +1,72 @@
+"""The choices of a study's table factor by factor, and how many wings fold and open at each."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.study.choices import CHOICE
+
+if TYPE_CHECKING:
+    from xarray import DataArray, Dataset
+
+
+@dataclass(frozen=True, kw_only=True)
+class ChoiceGroup:
+    """The choices of one factor.
+
+    Attributes:
+        factor: its name in the table.
+        places: numbers of its choices along "choice", the base's, 0, among them; by rising value where these are
+            numbers.
+    """
+
+    factor: str
+    places: tuple[int, ...]
+
+
+def choice_groups(table: Dataset) -> list[ChoiceGroup]:
+    """The choices factor by factor, in the study's order."""
+    groups = []
+    for name, values in table.coords.items():
+        if values.dims != (CHOICE,) or name == CHOICE:
+            continue
+        own = values.values[0]
+        places = [0, *(place for place in range(1, values.size) if not _same(values.values[place], own))]
+        if values.dtype.kind in "iuf":
+            places.sort(key=lambda place: np.nan_to_num(values.values[place], nan=-np.inf))
+        groups.append(ChoiceGroup(factor=str(name), places=tuple(places)))
+    return groups
+
+
+def wings_that_fold(table: Dataset) -> DataArray:
+    """Whether a wing folds, with some torque where these were searched, over the dimensions of the points."""
+    # a wing has no least torque where a lesser one was tried and is not to be trusted, and folds all the same
+    searched = "folded_by_torque" in table
+    return table["folded_by_torque"].any("fold_torque") if searched else table["folded"].astype(bool)
+
+
+def count_folded(table: Dataset) -> NDArray[np.int_]:
+    """How many wings of the grid fold at each choice, shape (choices,)."""
+    return _count(wings_that_fold(table))
+
+
+def count_opened(table: Dataset) -> NDArray[np.int_] | None:
+    """How many wings of the grid fold and open again at each choice, shape (choices,); None where that is not asked."""
+    if "folded_by_torque" in table and "least_unfold_torque" not in table:
+        return None
+    opens = table["least_unfold_torque"].notnull() if "least_unfold_torque" in table else table["opened"].astype(bool)
+    return _count(opens)
+
+
+def _count(wings: DataArray) -> NDArray[np.int_]:
+    """How many of the grid there are at each choice."""
+    return np.asarray(wings.sum([name for name in wings.dims if name != CHOICE]).values)
+
+
+def _same(value: object, other: object) -> bool:
+    """Whether two values are one, or neither is a number."""
+    return bool(value == other) or (value != value and other != other)
