@@ -258,7 +258,8 @@ def test_inertia_carries_the_long_slack_tendon_on_as_the_reason_says(torque):
     values = {"tendon.stiffness": "10 N/cm", "tendon.rest_length": "9 cm", "protocol.fold_torque": torque}
     assert ff.measure(ff.run(ff.load_design("binder2025", values))).folded
     damped = ff.measure(ff.run(ff.load_design("binder2025", values | {"hinge.damping": "1e-2 N m s/rad"})))
-    assert damped.status.startswith("stuck")
+    # it creeps on, and is no further when its second to fold is over
+    assert damped.verdict is ff.Verdict.MOVING
     # the last hinge to fold, within 5 deg of the angle at which its tendon slackens
     slack = 2 * math.degrees(math.acos(9 / 11))
     assert -np.degrees(damped.folded_state.distal_angle).max() == pytest.approx(slack, abs=5)

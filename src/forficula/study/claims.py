@@ -121,7 +121,7 @@ def _long_tendons(search: TendonSearch) -> Comparison:
     # tests/study/test_comparison.py holds this reason against the model
     why = (
         "A tendon of 9 cm is slack beyond about 70 deg, and there inertia carries the hinges on; with ten times the"
-        " hinge damping chosen here, the wing of 10 N/cm sticks there under 50 N cm."
+        " hinge damping chosen here, the wing of 10 N/cm is still there after its second under 50 N cm."
     )
     return _row(claim, paper, ours, not folds, why)
 
