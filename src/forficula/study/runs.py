@@ -201,7 +201,12 @@ def _following(attempt: _Attempt, outcome: Outcome) -> _Attempt | None:
         return None
     total = min(attempt.halvings + halvings, _HALVINGS)
     timestep = float(attempt.design.protocol.timestep) / 2 ** (total - attempt.halvings)
-    return _Attempt(number=attempt.number, design=_with_step(attempt.design, timestep), halvings=total, before=outcome)
+    return _Attempt(
+        number=attempt.number,
+        design=_with_step(attempt.design, timestep),
+        halvings=total,
+        before=(*attempt.before, outcome)[1 - _AGREEING :],
+    )
 
 
 def _with_step(design: Design, timestep: float) -> Design:
