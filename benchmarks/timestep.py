@@ -59,7 +59,7 @@ def _drawn(rng: np.random.Generator) -> dict[str, object]:
         "membrane.youngs_modulus": spread(0.1e6, 10e6),
         "membrane.thickness": size * spread(0.03e-3, 0.3e-3),
         "membrane.poisson_ratio": even(0, 0.49),
-        "membrane.damping": size * spread(0.03e-3, 10e-3),
+        "membrane.damping": size * spread(0.03e-3, 3e-3),
         "membrane.margin": size * even(0.003, 0.025),
         "membrane.margin_limit": even(0.3, 0.9),
         "hinge.overbend": overbend,
@@ -73,6 +73,14 @@ def _drawn(rng: np.random.Generator) -> dict[str, object]:
         "protocol.fold_torque": size**3 * spread(0.05, 5),
         "protocol.unfold_torque": size**3 * spread(0.2, 10),
         "protocol.initial_overbend": overbend * even(0.2, 0.9),
+        "protocol.sample_interval": 1e-3 * size,
+        "protocol.window": 0.1 * size,
+        "protocol.rest_speed": math.radians(5) / size,
+        **{
+            f"protocol.stages.{number}.time_limit": limit * size
+            for number, limit in enumerate((0.3, 1.0, 1.0, 1.0, 1.0))
+        },
+        **{f"protocol.stages.{number}.hold": 0.1 * size for number in (2, 3, 4)},
     }
 
 

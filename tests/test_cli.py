@@ -584,6 +584,16 @@ def test_tensile_tests_become_a_law_that_sizes_the_papers_tendons(in_an_empty_fo
 RANGE = ("--stiffness", "10..60 N/cm step 10")
 
 
+def test_a_run_warns_of_tendons_far_faster_than_the_tests_of_their_material(in_an_empty_folder, call):
+    output = call("run", "binder2025", "--set", "tendon.law=tpu-82a", "--set", "tendon.area=12.5 mm^2")
+    (warning,) = [line for line in output.err.splitlines() if "up to which tpu-82a was measured" in line]
+    assert warning.startswith("warning: taut tendons move at up to ")
+    # 10 mm/min by 60 mm
+    assert "times the 0.00278 1/s" in warning
+    written = json.loads((in_an_empty_folder / "out" / "binder2025" / "summary.json").read_text("utf-8"))
+    assert warning.removeprefix("warning: ") in written["warnings"]
+
+
 def test_the_named_materials_are_listed_with_their_sources(call):
     lines = call("materials").out.splitlines()
     assert lines[::2] == ["petg", "resilin", "tpu-82a", "tpu-95a"]

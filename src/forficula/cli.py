@@ -37,9 +37,13 @@ for command in (
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Run the command line; exit with 0 where the command was carried out, and with 1 for bad input."""
+    """Run the command line, and exit with what it came to.
+
+    0: done, and every goal met; 1: bad input; 2: done and to be trusted, but a goal missed; 3: a run diverged or is not
+    to be trusted; 130: stopped.
+    """
     try:
-        app(arguments, exit_on_error=False, print_error=False)
+        status = app(arguments, exit_on_error=False, print_error=False, result_action="return_value")
     except (InputError, CycloptsError) as error:
         print(f"forficula: {' '.join(str(error).split())}", file=sys.stderr)
         sys.exit(1)
@@ -50,3 +54,5 @@ def main(arguments: Sequence[str] | None = None) -> None:
     except KeyboardInterrupt:
         print("forficula: stopped", file=sys.stderr)
         sys.exit(130)
+    if status:
+        sys.exit(status)

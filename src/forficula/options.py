@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TypeVar
 
@@ -13,6 +13,7 @@ from cyclopts import Parameter, Token
 from forficula.errors import InputError
 
 if TYPE_CHECKING:
+    from forficula.analysis import Verdict
     from forficula.quantities import Unit
 
 T = TypeVar("T")
@@ -33,7 +34,27 @@ def _read_out(_: object, tokens: Sequence[Token]) -> Path:
 
 Out = Annotated[Path, Parameter(converter=_read_out)]
 OutIfGiven = Annotated[Path | None, Parameter(converter=_read_out)]
+Tolerate = Annotated[
+    bool,
+    Parameter(help="End with status 0, not 3, where a run diverged or is not to be trusted.", negative=()),
+]
 DesignName = Annotated[str, Parameter(help="A named design, or the path of a design file (.toml).")]
+
+
+def exit_status(verdicts: Iterable[Verdict], *, tolerate: bool) -> int:
+    """What a command ends with that was carried out, for scripts.
+
+    Args:
+        verdicts: of the runs that it was asked for.
+        tolerate: whether what diverged or is not to be trusted counts as done.
+
+    Returns:
+        0 where every goal was reached, 2 where one was missed, 3 where one run says nothing of its wing.
+    """
+    told = [verdict for verdict in verdicts if verdict.tells or not tolerate]
+    if not all(verdict.tells for verdict in told):
+        return 3
+    return 0 if all(verdict == "reached" for verdict in told) else 2
 
 
 def read_option(option: str, read: Callable[[], T]) -> T:

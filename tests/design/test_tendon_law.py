@@ -32,6 +32,8 @@ name = "mine"
 yield_strain = "40 %"
 residual_strain = "5 %"
 largest_strain = "60 %"
+lowest_strain_rate = "0.003 1/s"
+highest_strain_rate = "0.1 1/s"
 [modulus]
 linear = "6 MPa"
 quadratic = "-3 MPa"
@@ -84,7 +86,8 @@ def test_a_law_file_is_taken_into_the_design(law_file):
     design = load_design("binder2025", AREA | {"tendon.law": law_file})
     law, material = design.tendon.law, load_law(law_file)
     assert law.material.moduli == material.moduli == (6e6, -3e6, 1e6)
-    for name in ("viscosity", "branches", "yield_strain", "residual_strain", "largest_strain", "softening", "name"):
+    strains = ("yield_strain", "residual_strain", "largest_strain", "lowest_strain_rate", "highest_strain_rate")
+    for name in ("viscosity", "branches", *strains, "softening", "name"):
         assert getattr(law.material, name) == getattr(material, name), name
 
 

@@ -1,5 +1,7 @@
 """Tensile tests whose law is known, and the files that testing machines would have written of them."""
 
+from itertools import pairwise
+
 import numpy as np
 
 from forficula.material.tensile_test import TensileTest
@@ -114,3 +116,60 @@ def tpu(seed, *, cycles=4, samples=100):
 
     name = f"tpu-{seed}"
     return cyclic_test(loading, unloading, cycles=cycles, samples=samples, noise=4e3, seed=seed, name=name)
+
+
+def loading_program(steps, *, acceleration=0.05):
+    """Knots of a test, shape (knot,) each: time in s, strain rate in 1/s, which runs straight between knots.
+
+    `steps` are pairs of a strain to go to and the rate to go there with, 1/s, or of None and the seconds of a hold;
+    every change of rate takes `acceleration` of the shorter of the two steps beside it.
+    """
+    ways, strain = [], 0.0
+    for target, value in steps:
+        duration = value if target is None else abs(target - strain) / value
+        ways.append((duration, 0.0 if target is None else (target - strain) / duration))
+        strain = strain if target is None else target
+    times, rates, start = [0.0], [0.0], 0.0
+    for (duration, rate), (after, following) in zip(ways, [*ways[1:], (np.inf, 0.0)], strict=True):
+        change = acceleration * min(duration, after)
+        if len(times) == 1:
+            times, rates = [0.0, change], [0.0, rate]
+        start += duration
+        # centred at the corner, so that the strain arrives where it should, but for the start from rest
+        times += [start - change / 2, start + change / 2]
+        rates += [rate, following]
+    return np.array(times), np.array(rates)
+
+
+def sampled(knots, *, rows=25):
+    """Times at which a program is sampled, s: `rows` in each step, denser after its start, 6 where it turns."""
+    ends = knots[0]
+    within = [
+        begin + (end - begin) * (np.geomspace(1, 40, rows + 1) - 1) / 39 if index % 2 else np.linspace(begin, end, 7)
+        for index, (begin, end) in enumerate(pairwise(ends))
+    ]
+    return np.unique(np.concatenate(within))
+
+
+def viscoelastic_stress(knots, time, moduli, *, viscosity=0.0, branches=()):
+    """Strain and stress in Pa of a spring, a damper and Maxwell branches, closed forms, shape (sample,) each.
+
+    Where the rate is r + a t, dq/dt = E r(t) - q / T has the solution q = E T (r(t) - a T) + C exp(-t / T).
+    """
+    strain, stress = np.zeros_like(time), np.zeros_like(time)
+    reached, stresses = 0.0, [0.0 for _ in branches]
+    ends = zip(knots[0][:-1], knots[0][1:], knots[1][:-1], knots[1][1:], strict=True)
+    for begin, end, rate, following in ends:
+        own = (time >= begin) & (time <= end)
+        since = np.append(time[own], end) - begin
+        slope = (following - rate) / (end - begin)
+        rates = rate + slope * since
+        strains = reached + rate * since + slope * since**2 / 2
+        total = viscosity * rates + sum(each * strains ** (power + 1) for power, each in enumerate(moduli))
+        for index, (modulus, relaxation) in enumerate(branches):
+            steady = modulus * relaxation * (rates - slope * relaxation)
+            first = modulus * relaxation * (rate - slope * relaxation)
+            course = steady + (stresses[index] - first) * np.exp(-since / relaxation)
+            total, stresses[index] = total + course, course[-1]
+        strain[own], stress[own], reached = strains[:-1], total[:-1], strains[-1]
+    return strain, stress

@@ -151,6 +151,31 @@ def test_the_summary_is_json_with_units_and_says_what_the_issue_asks(three_elast
     compared = content["fit"]["compared"]
     assert all((entry["refused"] is None) != (entry["bayesian_information_criterion"] is None) for entry in compared)
     assert content["specimens"][0]["strain_rate_per_s"] == pytest.approx(SPEED / LENGTH, rel=1e-6)
+    rates = {entry["key"]: entry for entry in content["law"]["parameters"] if entry["key"].endswith("strain_rate")}
+    assert set(rates) == {"lowest_strain_rate", "highest_strain_rate"}
+    for entry in rates.values():
+        assert (entry["value"], entry["unit"]) == (pytest.approx(SPEED / LENGTH, rel=0.01), "1/s")
+    # noise of 10 kPa in hundreds of rows of up to 4.8 MPa
+    assert [entry["amplitude"] for entry in content["fit"]["amplitudes"]] == pytest.approx([1, 1, 1], abs=1e-3)
+    assert 0 < content["fit"]["amplitude_standard_deviation"] < 1e-3
+
+
+def test_specimens_that_scatter_are_told_in_the_law_and_its_file(tmp_path):
+    modulus = {"a": 4.6e6, "b": 4.8e6, "c": 5.0e6}
+    tests = [
+        cyclic_test(lambda strain, _, own=own: own * strain, cycles=4, samples=100, noise=1e4, name=name)
+        for name, own in modulus.items()
+    ]
+    found = characterise(tests, forms=family_forms("linear"))
+    save_law(found.law, tmp_path / "law.toml")
+    law = load_law(tmp_path / "law.toml")
+    # the standard deviation of their logarithms
+    scatter = np.log(list(modulus.values())).std(ddof=1)
+    (fact,) = [fact for fact in law.facts if "amplitudes" in fact.what]
+    assert float(fact.value.removesuffix(" %")) == pytest.approx(100 * scatter, rel=0.02)
+    (bounds,) = [each for each in law.intervals if each.key == "modulus.linear"]
+    # Student's t of 2, by the square root of 3
+    assert math.log(bounds.high / bounds.low) == pytest.approx(2 * 4.303 * scatter / math.sqrt(3), rel=0.05)
 
 
 def test_what_a_cycle_does_not_have_is_null_in_the_summary():

@@ -16,6 +16,8 @@ EVERYTHING = MaterialLaw(
     residual_strain=1 / 3,
     softening=OgdenRoxburgh(r=1.7, m=1e5 / 3, beta=0.1),
     largest_strain=1.0,
+    lowest_strain_rate=1 / 360,
+    highest_strain_rate=0.1 + 0.2,
     stiffness_drift=Drift(
         kind="plateau", rate=-1 / 3, interval=(-0.4, -0.1 - 0.2), cycles=1 / 7, relative=True, seen=(2, 5)
     ),
@@ -50,6 +52,13 @@ def test_a_file_is_read_as_it_is_written_by_hand(tmp_path):
     assert law_values(law)["branches.0.time"] == 0.12
 
 
+def test_an_old_file_does_not_say_over_which_rates_it_was_measured(tmp_path):
+    path = tmp_path / "old.toml"
+    path.write_text('largest_strain = "100 %"\n[modulus]\nlinear = "4.8 MPa"\n')
+    law = load_law(path)
+    assert (law.lowest_strain_rate, law.highest_strain_rate) == (None, None)
+
+
 def test_the_library_has_a_source_for_each():
     assert set(named_laws()) == {"resilin", "tpu-82a", "tpu-95a", "petg"}
     assert all(named_laws().values())
@@ -60,6 +69,8 @@ def test_the_paper_s_tpu_is_its_secant_modulus():
     law = load_law("tpu-82a")
     assert scaled(law, length=0.06, area=5e-6).stiffness[0] == pytest.approx(400)
     assert law.largest_strain == 1.0
+    # 10 mm/min by 60 mm
+    assert law.lowest_strain_rate == law.highest_strain_rate == pytest.approx(0.01 / 60 / 0.06, rel=1e-3)
     with pytest.raises(InputError, match="tpu-82a: viscosity: is unknown: the paper shows hysteresis at one speed"):
         require(law, "viscosity")
 
@@ -104,6 +115,13 @@ def test_petg_is_no_tendon():
         ('[[branches]]\nmodulus = "1 MPa"\ntime = "0 s"', "branches.0.time: need a finite number > 0, got 0 s"),
         ('[branches]\nmodulus = "1 MPa"', r"branches: need a list of tables, each under \[\[branches\]\]"),
         ('largest_strain = "1 mm"', "largest_strain: .*not a unit of the right kind"),
+        (
+            'lowest_strain_rate = "2 1/s"\nhighest_strain_rate = "1 1/s"',
+            "lowest_strain_rate: need <= highest_strain_rate, 1 1/s, got 2 1/s",
+        ),
+        ('highest_strain_rate = "1 mm/s"', "highest_strain_rate: .*not a unit of the right kind"),
+        ('highest_strain_rate = "0 1/s"', "highest_strain_rate: need a finite rate > 0, got 0"),
+        ('lowest_rate = "1 1/s"', "lowest_rate: unknown key; did you mean lowest_strain_rate"),
         ('[softening]\nr = 0.5\nm = "1 kJ/m^3"', "softening.r: need a finite number >= 1, got 0.5"),
         ('[softening]\nr = "2"\nm = "1 kJ/m^3"', 'softening.r: need a number without quotes, got "2"'),
         (

@@ -41,6 +41,20 @@ def test_the_table_has_the_moduli_with_their_unit_and_the_interval_of_the_law(el
     assert low < 4.8 < high
 
 
+def test_the_table_says_by_how_much_specimens_differ_and_over_which_rates_they_were_pulled(tpu_material):
+    text = " ".join(printed(material_table(tpu_material)).split())
+    amplitudes = [each.amplitude for each in tpu_material.fit.residuals]
+    assert f"differ from the law's by −{100 * (1 - min(amplitudes)):.2f} %" in text
+    assert f"standard deviation {100 * tpu_material.fit.scatter:.2f} %" in text
+    # 10 mm/min by 60 mm
+    assert "lowest_strain_rate 0.002778 1/s" in text
+    assert "highest_strain_rate 0.002778 1/s" in text
+
+
+def test_one_specimen_has_no_others_to_differ_from(elastic_material):
+    assert "amplitude" not in printed(material_table(elastic_material))
+
+
 def test_what_the_data_cannot_tell_is_a_sentence(tpu_material):
     text = printed(material_table(tpu_material))
     assert "one rate only" in text

@@ -157,7 +157,7 @@ def measure(record: Record) -> Outcome:
         goal="none" if goal is None else goal.stage.drive,
         angle=float(np.max(state.distal_angle)) if verdict.tells and state else None,
         time=record.diverged_at,
-        residual=balance.residual,
+        residual=balance.residual if record.diverged_at is None else None,
         why=record.doubt,
     )
     return Outcome(

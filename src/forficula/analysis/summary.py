@@ -7,6 +7,8 @@ from typing import Any
 import numpy as np
 
 from forficula.analysis.outcome import Outcome, State, Transition
+from forficula.analysis.run_warnings import run_warnings
+from forficula.design import design_warnings
 from forficula.dynamics import EnergyBalance, Record
 
 
@@ -17,7 +19,7 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[
         "design": record.design.name,
         "status": outcome.status,
         "verdict": outcome.verdict.value,
-        "residual": outcome.energy_balance.residual,
+        "residual": outcome.ending.residual,
         "advice": outcome.advice,
         "folded": outcome.folded,
         "opened": outcome.opened,
@@ -26,6 +28,7 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[
         "unfold": _transition_summary(outcome.unfold, record.design.protocol.unfold_torque),
         "energy_balance": _balance_summary(outcome.energy_balance),
         "diverged_at_s": record.diverged_at,
+        "warnings": [*design_warnings(record.design), *run_warnings(record)],
         "design_hash": record.design.hash,
         "versions": versions,
     }

@@ -31,6 +31,8 @@ class Verdict(StrEnum):
 
 
 FOLDED, OPENED = "folded", "folded and opened"
+# how many times the allowed residual tells nothing of the timestep that would do
+_FAR_OFF = 20
 # by verdict and by the drive of the goal, where it matters
 _WORDS = {
     (Verdict.REACHED, "none"): "settled",
@@ -60,7 +62,7 @@ class Ending:
         angle: of the distal hinge that is furthest from folded, at the end of that goal's stages, rad; None where there
             is none, or where nothing is to be trusted.
         time: when the numbers blew up, s, or None.
-        residual: of the energy balance; None where nothing ran.
+        residual: of the energy balance; None where nothing ran, or the run diverged.
         why: there is no wing, or it is not to be trusted whatever the residual; mostly empty.
     """
 
@@ -153,9 +155,9 @@ def _shorter_step(ending: Ending, design: Design) -> str:
     """The timestep that would do: what is missing falls with it at least in proportion."""
     limit, timestep = design.protocol.residual_limit, design.protocol.timestep
     allowed = f"{100 * limit:.3g} % are allowed (protocol.residual_limit)"
-    if ending.residual is None or not math.isfinite(ending.residual) or not isinstance(timestep, float):
+    if ending.residual is None or not ending.residual <= _FAR_OFF * limit or not isinstance(timestep, float):
         return f'Take a shorter timestep: {allowed}; protocol.timestep = "auto" chooses one.'
-    needed = timestep * max(limit / ending.residual, 1e-3)
+    needed = timestep * limit / ending.residual
     digit = 10.0 ** math.floor(math.log10(needed))
     needed = math.floor(needed / digit * (1 + 1e-9)) * digit
     return (

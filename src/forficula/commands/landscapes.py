@@ -9,9 +9,19 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from forficula.errors import InputError
-from forficula.options import DesignName, OutIfGiven, Settings, check_folder, read_settings, tell_replaced
+from forficula.options import (
+    DesignName,
+    OutIfGiven,
+    Settings,
+    Tolerate,
+    check_folder,
+    exit_status,
+    read_settings,
+    tell_replaced,
+)
 
 if TYPE_CHECKING:
+    from forficula.analysis import Verdict
     from forficula.design import Design
 
 
@@ -37,7 +47,8 @@ def landscape(
     simulated: Annotated[
         Path | None, Parameter(help="Folder of a study of this design over the same keys, to compare the map with.")
     ] = None,
-) -> None:
+    tolerate: Tolerate = False,
+) -> int:
     """Survey a design's energy without simulating: stable states, barriers, holding torques, stiffness, snap."""
     from forficula.design import load_design
 
@@ -47,22 +58,25 @@ def landscape(
     if simulated is not None and not over:
         raise InputError("--simulated: needs --over with the keys of the study")
     if not over:
-        _survey(chosen, folder, simulation)
+        verdict = _survey(chosen, folder, simulation)
     else:
         from forficula.show.static_map_folder import print_static_map, read_simulated, write_static_map
         from forficula.study.static_map import map_study, static_map
 
         study = map_study(chosen, read_settings(over, "--over", 'tendon.rest_length="0..9 cm step 1"'))
         beside = None if simulated is None else read_simulated(simulated, chosen)
-        _survey(chosen, folder, simulation)
+        verdict = _survey(chosen, folder, simulation)
         table = static_map(study)
         write_static_map(study, table, folder, beside)
         print_static_map(table, beside)
     print(f"\nwritten to {folder}")
+    # no goal is set here: a run that misses one is an answer, too
+    return exit_status([verdict] if verdict is not None and not verdict.tells else [], tolerate=tolerate)
 
 
-def _survey(design: Design, folder: Path, simulation: bool) -> None:
-    """Write and print the landscape of one design, and a run of it where one is wanted."""
+def _survey(design: Design, folder: Path, simulation: bool) -> Verdict | None:
+    """Write and print the landscape of one design, and a run of it where one is wanted; hand on what that came to."""
+    from forficula.analysis import measure
     from forficula.design import design_warnings
     from forficula.dynamics import timestep_warnings
     from forficula.show.landscape_folder import write_landscape
@@ -80,3 +94,4 @@ def _survey(design: Design, folder: Path, simulation: bool) -> None:
         landscape, record = survey(design, simulation=simulation, progress=progress)
     write_landscape(landscape, folder, record)
     print_landscape(landscape, record)
+    return None if record is None else measure(record).verdict

@@ -14,7 +14,9 @@ from forficula.options import (
     Out,
     OutIfGiven,
     Settings,
+    Tolerate,
     check_folder,
+    exit_status,
     read_option,
     read_settings,
     read_size,
@@ -22,6 +24,7 @@ from forficula.options import (
 )
 
 if TYPE_CHECKING:
+    from forficula.analysis import Verdict
     from forficula.design import Design
 
 
@@ -34,7 +37,8 @@ def run(
     cycles: Annotated[
         int | None, Parameter(help="Fold and open again with the tendons as they are up to this cycle, as in 100.")
     ] = None,
-) -> None:
+    tolerate: Tolerate = False,
+) -> int:
     """Fold and open a wing: energies, work, times, a verdict, and pictures."""
     from forficula.design import design_warnings, load_design
 
@@ -47,7 +51,7 @@ def run(
         last = cycles
         read_option("--cycles", lambda: check_cycles(chosen, last))
 
-    from forficula.analysis import measure
+    from forficula.analysis import measure, run_warnings
     from forficula.dynamics import timestep_warnings
     from forficula.show import print_outcome, run_progress, write_run
     from forficula.study.runs import run as run_design
@@ -57,30 +61,35 @@ def run(
         print(f"warning: {warning}", file=sys.stderr)
     with run_progress() as progress:
         record = run_design(chosen, progress)
+    for warning in run_warnings(record):
+        print(f"warning: {warning}", file=sys.stderr)
     outcome = measure(record)
     write_run(record, outcome, folder)
     print_outcome(chosen.name, outcome)
-    _cycle(chosen, cycles, folder)
+    verdicts = [outcome.verdict, *_cycle(chosen, cycles, folder)]
     print(f"\nwritten to {folder}")
+    return exit_status(verdicts, tolerate=tolerate)
 
 
-def _cycle(design: Design, cycles: int | None, folder: Path) -> None:
+def _cycle(design: Design, cycles: int | None, folder: Path) -> list[Verdict]:
     """Write and print what becomes of a run's wing over cycles, where that is wanted and the tendons change."""
     from forficula.show.cycling_folder import print_cycling, write_cycling
 
     if cycles is None:
-        return
+        return []
 
+    from forficula.analysis import Verdict
     from forficula.show import study_progress
     from forficula.study.cycling import run_cycles, why_unchanged
 
     if reason := why_unchanged(design):
         print(f"\nCycles: {reason}")
-        return
+        return []
     with study_progress() as progress:
         cycling = run_cycles(design, cycles, progress)
     write_cycling(cycling, folder)
     print_cycling(cycling)
+    return [Verdict(run.row["verdict"]) for run in cycling.runs]
 
 
 def compare(

@@ -14,7 +14,9 @@ from forficula.options import (
     DesignName,
     OutIfGiven,
     Settings,
+    Tolerate,
     check_folder,
+    exit_status,
     read_option,
     read_settings,
     read_shard,
@@ -129,7 +131,8 @@ def converge(
     out: Annotated[
         OutIfGiven, Parameter(help="Folder for the results; out/<name of the design>-converge if not given.")
     ] = None,
-) -> None:
+    tolerate: Tolerate = False,
+) -> int:
     """Run a design at several timesteps, membrane moduli or meshes: do its times depend on them?"""
     from forficula.design import load_design
 
@@ -155,3 +158,7 @@ def converge(
     print_convergence(convergence)
     write_convergence(convergence, folder)
     print(f"\nwritten to {folder}")
+    own = convergence.own_verdict
+    if not own.tells:
+        return exit_status([own], tolerate=tolerate)
+    return 2 if convergence.fine is False else 0

@@ -178,7 +178,7 @@ class Protocol(Part):
             ge=0,
             description="how long folded or opened must hold at least, by the time that it took; less is a bounce",
         ),
-    ] = 0.0
+    ] = 0.25
     residual_limit: Annotated[
         float,
         Field(

@@ -11,7 +11,7 @@ from forficula.errors import InputError
 from forficula.material.drift import Drift
 from forficula.material.law_cycle import drifts_of
 from forficula.material.law_keys import law_unit, show_value
-from forficula.material.material_law import MaterialLaw, MaxwellBranch
+from forficula.material.material_law import MaterialLaw, MaxwellBranch, check_rates
 from forficula.material.softening import OgdenRoxburgh, pulls
 from forficula.quantities import Unit
 
@@ -95,6 +95,12 @@ class Law(Part):
     largest_strain: float | None = quantity(
         law_unit("largest_strain"), "up to which it was measured", default=None, above=0
     )
+    lowest_strain_rate: float | None = quantity(
+        law_unit("lowest_strain_rate"), "from which on it was measured", default=None, above=0
+    )
+    highest_strain_rate: float | None = quantity(
+        law_unit("highest_strain_rate"), "up to which it was measured", default=None, above=0
+    )
     softening: Annotated[LawSoftening | None, Field(description="softening after the largest strain seen")] = None
 
     stiffness_drift: Annotated[LawDrift | None, Field(description="of ln of every stress over the cycles")] = None
@@ -111,6 +117,11 @@ class Law(Part):
             )
         return self
 
+    @model_validator(mode="after")
+    def _has_a_range(self) -> Law:
+        check_rates(self.lowest_strain_rate, self.highest_strain_rate)
+        return self
+
     @property
     def material(self) -> MaterialLaw:
         """The same as the material's law."""
@@ -125,6 +136,8 @@ class Law(Part):
             residual_strain=self.residual_strain,
             softening=None if soft is None else OgdenRoxburgh(r=soft.r, m=soft.m, beta=soft.beta),
             largest_strain=self.largest_strain,
+            lowest_strain_rate=self.lowest_strain_rate,
+            highest_strain_rate=self.highest_strain_rate,
             stiffness_drift=None if stiffness is None else stiffness.drift(relative=True),
             residual_strain_drift=None if longer is None else longer.drift(relative=False),
         )
@@ -137,8 +150,8 @@ def law_fields(material: MaterialLaw) -> dict[str, object]:
         if terms is not None:
             values |= dict(zip((f"{term}_{section}" for term in ("linear", "quadratic", "cubic")), terms, strict=True))
     values["branches"] = [{"modulus": branch.modulus, "time": branch.time} for branch in material.branches]
-    strains = ("yield_strain", "residual_strain", "largest_strain")
-    values |= {name: getattr(material, name) for name in strains if getattr(material, name) is not None}
+    numbers = ("yield_strain", "residual_strain", "largest_strain", "lowest_strain_rate", "highest_strain_rate")
+    values |= {name: getattr(material, name) for name in numbers if getattr(material, name) is not None}
     if material.softening is not None:
         values["softening"] = {name: getattr(material.softening, name) for name in ("r", "m", "beta")}
     for name, drift in drifts_of(material).items():

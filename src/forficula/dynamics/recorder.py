@@ -146,8 +146,9 @@ def keep(recorders: Sequence[Recorder], chunk: Chunk) -> None:
     steps, step = chunk.steps, np.arange(chunk.steps.after.shape[1])
     number = chunk.first[:, None] + step
     interval = np.array([recorder.interval for recorder in recorders])
-    kept = (number % interval[:, None] == 0) | (chunk.begins[:, None] & (step == 0))
-    kept &= step < chunk.taken[:, None]
+    kept = (number % interval[:, None] == 0) & (step < chunk.taken[:, None])
+    # where a stage begins, even one whose first step blows up
+    kept |= chunk.begins[:, None] & (step == 0)
     # for all wings at once: a few calls do the work of thousands
     wing, before = np.nonzero(kept)
     inner = {name: steps.states(wing, before, place) for name, place in steps.inner.items()}
@@ -158,7 +159,7 @@ def keep(recorders: Sequence[Recorder], chunk: Chunk) -> None:
         account={name: values[wing, before] for name, values in chunk.account.items()},
     )
     bounds = [0, *np.cumsum(kept.sum(axis=1)).tolist()]
-    for place in np.flatnonzero(chunk.taken).tolist():
+    for place in np.flatnonzero(kept.any(axis=1)).tolist():
         recorders[place].add(rows, slice(bounds[place], bounds[place + 1]), chunk, place)
 
 

@@ -21,6 +21,7 @@ from forficula.material.tensile_test import TensileTest
 from forficula.quantities import Unit, parse_quantity
 
 SPECIMEN_LENGTH, SPECIMEN_AREA = "length of the specimens", "area of the specimens"
+AMPLITUDE_SCATTER = "standard deviation of the specimens' amplitudes"
 LENGTH = Unit(display="mm", si="m", example="60 mm")
 AREA = Unit(display="mm^2", si="m^2", example="5 mm^2")
 BAND_SHARE = Unit(display="%", si="dimensionless", example="5 %")
@@ -140,7 +141,7 @@ def characterise(
         pooled=moduli_by_strain(cycles, pool_cycles=True),
         single=tuple(_single(cycles)),
         fit=fit,
-        law=None if fit is None else replace(_with_drifts(fit.law, cycles), facts=tuple(_facts(specimens))),
+        law=None if fit is None else replace(_with_drifts(fit.law, cycles), facts=tuple(_facts(specimens, fit))),
         remarks=tuple(_remarks(specimens, drifts, fit, refusal)),
     )
 
@@ -247,7 +248,7 @@ def _fit(
         return None, str(error)
 
 
-def _facts(specimens: Sequence[Specimen]) -> Iterator[Fact]:
+def _facts(specimens: Sequence[Specimen], fit: LawFit) -> Iterator[Fact]:
     """What a reader of the law needs to know of the tests."""
     own = "the same tests"
     for what, unit, factor, sizes in (
@@ -256,9 +257,8 @@ def _facts(specimens: Sequence[Specimen]) -> Iterator[Fact]:
     ):
         if max(sizes) <= (1 + _SAME_SIZE) * min(sizes):
             yield Fact(what=what, value=f"{np.median(sizes) / factor:.6g} {unit}", source=own)
-    rates = [each.strain_rate for each in specimens]
-    shown = f"{min(rates):.3g}" if max(rates) <= _ONE_RATE * min(rates) else f"{min(rates):.3g} to {max(rates):.3g}"
-    yield Fact(what="strain rate", value=f"{shown} 1/s", source=own)
+    if fit.scatter is not None:
+        yield Fact(what=AMPLITUDE_SCATTER, value=f"{100 * fit.scatter:.3g} %", source=own)
     yield Fact(what="number of specimens", value=str(len(specimens)), source=own)
 
 

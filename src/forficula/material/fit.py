@@ -50,15 +50,17 @@ class Residual:
 
     Attributes:
         name: of the specimen.
+        amplitude: its stress by that of the law.
         time: s, shape (points,).
         strain: shape (points,).
         stress: measured, Pa, shape (points,).
-        fitted: Pa, shape (points,), offset and drift included.
+        fitted: Pa, shape (points,), amplitude, offset and drift included.
         offset: of the force's zero, Pa, at the middle of the test, known or fitted; else 0.
         drift: of the force's zero, Pa/s, known or fitted; else 0.
     """
 
     name: str
+    amplitude: float
     time: Array
     strain: Array
     stress: Array
@@ -79,6 +81,7 @@ class LawFit:
         bic: Bayesian information criterion.
         misfit: root mean square of the residual, Pa.
         relative_misfit: that by the largest stress.
+        scatter: standard deviation of the logarithms of the specimens' amplitudes; None of one specimen.
         residuals: by specimen.
         candidates: all that were tried, the chosen one first, the refused ones last.
     """
@@ -90,6 +93,7 @@ class LawFit:
     bic: float
     misfit: float
     relative_misfit: float
+    scatter: float | None
     residuals: tuple[Residual, ...]
     candidates: tuple[Candidate, ...]
 
@@ -103,14 +107,19 @@ def fit_law(
 ) -> LawFit:
     """Fit laws to one or several specimens and choose between them.
 
-    Least squares of the stress, where a specimen gives way rather than push. Where a specimen's zero of the force is
-    not known, an offset and a drift linear in time are fitted with the law if the data can tell them from it; they then
-    take up part of what makes specimens differ, too.
+    Least squares of the stress, where a specimen gives way rather than push. Each of several specimens has an amplitude
+    of its own, and the law is that of their geometric mean; the 95 % intervals of what stress is proportional to hold
+    that of all specimens of the material, by Student's t of the few that were tested, beside what the misfit leaves
+    open. Where a specimen's zero of the force is not known, an offset and a drift linear in time are fitted with the
+    law if the data can tell them from it.
 
     The choice is by the Bayesian information criterion, with the points that the best residual is worth; of laws that
-    differ by less than 6 of it, the one with the fewest values is taken. Where a test at one rate fits a damper and a
-    Maxwell branch alike, and forms of both are tried, both are refused. A test of which the first cycle is dropped is
-    best given whole, with its `first` sample: branches, yield and softening remember that cycle.
+    differ by less than 6 of it, the one with the fewest values is taken. A Prony series, which two Maxwell branches
+    stand for, gets another branch as long as one more fits better by as much.
+
+    Where a test at one rate fits a damper and a Maxwell branch alike, and forms of both are tried, both are refused. A
+    test of which the first cycle is dropped is best given whole, with its `first` sample: branches, yield and softening
+    remember that cycle.
 
     Args:
         histories: of the specimens, each from a specimen at rest.
@@ -124,14 +133,13 @@ def fit_law(
     """
     problem = _checked(histories)
     starter = Starter(problem)
-    fitted: list[FittedForm] = []
-    refused: list[Candidate] = []
     tried = all_forms() if forms is None else tuple(forms)
-    for form in tried:
-        try:
-            fitted.append(fit_form(problem, starter, form))
-        except InputError as error:
-            refused.append(Candidate(form=form, refused=str(error)))
+    fitted, refused = _fitted(problem, starter, tried)
+    series = [form for form in tried if form.is_prony_series]
+    while series and _gains(fitted, series[0].branches):
+        series = [replace(form, branches=form.branches + 1) for form in series]
+        more, less = _fitted(problem, starter, series)
+        fitted, refused = fitted + more, refused + less
     if fitted:
         ambiguous = _ambiguous(fitted, tried, problem)
         refused += [
@@ -141,6 +149,29 @@ def fit_law(
     if not fitted:
         raise InputError(f"no law can be determined: {_reasons(refused)}")
     return _chosen(fitted, refused, name, source)
+
+
+def _fitted(problem: Problem, starter: Starter, forms: Sequence[LawForm]) -> tuple[list[FittedForm], list[Candidate]]:
+    """Forms that the data determine, and those that are refused."""
+    fitted: list[FittedForm] = []
+    refused: list[Candidate] = []
+    for form in forms:
+        try:
+            fitted.append(fit_form(problem, starter, form))
+        except InputError as error:
+            refused.append(Candidate(form=form, refused=str(error)))
+    return fitted, refused
+
+
+def _gains(fitted: Sequence[FittedForm], branches: int) -> bool:
+    """Whether a Prony series of so many branches fits better than everything with fewer, by the criterion."""
+    longest = [each for each in fitted if each.model.form.branches == branches]
+    others = [each for each in fitted if each.model.form.branches < branches]
+    if not longest or not others:
+        return bool(longest)
+    effective = _effective(fitted)
+    least, other = (min(each.bic(effective) for each in group) for group in (longest, others))
+    return least < other - _SAME_FIT
 
 
 def _checked(histories: Sequence[StrainHistory]) -> Problem:
@@ -209,11 +240,12 @@ def _rival_misfit(damper: FittedForm) -> float:
     rival = Model(form=replace(form, damper=0, branches=1), problem=problem, baseline=damper.model.baseline)
     others = damper.values[len(form.linear_keys) : len(form.keys)]
     baseline, stress = rival.baseline_columns, problem.stress
-    own = pulling_solution(problem.block(damper.model.columns(others)), baseline, stress)[1]
+    members = problem.membership
+    own = pulling_solution(problem.block(damper.model.columns(others)), baseline, stress, members)[1]
     least, (shortest, longest) = np.inf, problem.times
     for logarithm in np.log(np.geomspace(shortest, longest, _TIMES)):
         columns = problem.block(rival.columns(np.array([logarithm, *others])))
-        least = min(least, pulling_solution(columns, baseline, stress)[1])
+        least = min(least, pulling_solution(columns, baseline, stress, members)[1])
     points = len(stress)
     return _log_ratio(np.sqrt(least / points), np.sqrt(own / points), problem.peak)
 
@@ -235,7 +267,7 @@ def _chosen(fitted: list[FittedForm], refused: list[Candidate], name: str, sourc
     best = min(alike, key=lambda each: len(each.values))
     ranked = [best, *(each for each in ranked if each is not best)]
     tried = [Candidate(form=each.model.form, bic=each.bic(effective), misfit=each.misfit) for each in ranked]
-    problem = best.model.problem
+    problem, logarithms = best.model.problem, best.model.parts(best.values)[1]
     return LawFit(
         law=replace(best.law, name=name, source=source),
         form=best.model.form,
@@ -244,6 +276,7 @@ def _chosen(fitted: list[FittedForm], refused: list[Candidate], name: str, sourc
         bic=best.bic(effective),
         misfit=best.misfit,
         relative_misfit=best.misfit / problem.peak,
+        scatter=float(np.std(logarithms, ddof=1)) if len(logarithms) > 1 else None,
         residuals=_residuals(best),
         candidates=(*tried, *refused),
     )
@@ -254,8 +287,8 @@ def _residuals(best: FittedForm) -> tuple[Residual, ...]:
     time = problem.block(np.concatenate([each.time for each in problem.histories]))
     strain = problem.block(problem.strain)
     terms = np.zeros((2, len(problem.histories)))
-    fitted = best.values[len(model.form.keys) :].reshape(model.baseline, -1 if model.baseline else 0)
-    terms[: model.baseline, problem.unknown_zeros] = fitted
+    _, logarithms, zeros = model.parts(best.values)
+    terms[: model.baseline, problem.unknown_zeros] = zeros.reshape(model.baseline, -1 if model.baseline else 0)
     residuals = []
     for index, each in enumerate(problem.histories):
         own = problem.specimen == index
@@ -264,6 +297,7 @@ def _residuals(best: FittedForm) -> tuple[Residual, ...]:
         residuals.append(
             Residual(
                 name=each.name,
+                amplitude=float(np.exp(logarithms[index])),
                 time=time[own],
                 strain=strain[own],
                 stress=stress,

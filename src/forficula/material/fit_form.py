@@ -15,7 +15,7 @@ from forficula.material.law_form import LawForm
 from forficula.material.law_keys import TERMS, show_range, show_value
 from forficula.material.material_law import Bounds, MaterialLaw, MaxwellBranch
 from forficula.material.softening import OgdenRoxburgh, Triple
-from forficula.material.uncertainty import half_widths, undetermined
+from forficula.material.uncertainty import half_widths, mean_half_width, undetermined
 
 Array = NDArray[np.float64]
 
@@ -111,6 +111,7 @@ def _left_open(keys: Sequence[str], problem: Problem) -> str:
 def _accepted(model: Model, values: Array) -> FittedForm:
     """Refuse values that are out of bounds or that the data leave open; attach the intervals to the law."""
     form, problem = model.form, model.problem
+    values = _in_order(form, values)
     own = _natural(form, values)
     shortest, longest = problem.times
     for key in form.keys:
@@ -122,14 +123,48 @@ def _accepted(model: Model, values: Array) -> FittedForm:
     sensitivity = model.sensitivity(values)
     if open_keys := undetermined(sensitivity, form.keys, _LIMIT):
         raise InputError(_left_open(open_keys, problem))
-    law = _law(form, own, problem.largest_strain)
+    law = _law(form, own, problem)
     residual = model.fitted(values) - problem.stress
-    half = half_widths(sensitivity, residual, problem.specimen)
-    low, high = _natural(form, values - half), _natural(form, values + half)
-    bounds = [Bounds(key=key, low=min(low[key], high[key]), high=max(low[key], high[key])) for key in form.keys]
-    for each in bounds:
+    half = half_widths(sensitivity, residual, problem.specimen)[: len(form.keys)]
+    # how specimens differ says nothing of whether a value is there
+    for each in _intervals(form, values, half, 0.0):
         _check_interval(each, problem.largest_strain)
-    return FittedForm(model=model, values=values, residual=residual, law=replace(law, intervals=tuple(bounds)))
+    bounds = _intervals(form, values, half, mean_half_width(model.parts(values)[1]))
+    return FittedForm(model=model, values=values, residual=residual, law=replace(law, intervals=bounds))
+
+
+def _in_order(form: LawForm, values: Array) -> Array:
+    """Values with the Maxwell branches by their relaxation times."""
+    first = len(form.linear_keys)
+    order = np.arange(len(values))
+    rising = np.argsort(values[first : first + form.branches])
+    order[first : first + form.branches] = first + rising
+    order[first - form.branches : first] = first - form.branches + rising
+    return np.asarray(values[order])
+
+
+def _intervals(form: LawForm, values: Array, half: Array, amplitude: float) -> tuple[Bounds, ...]:
+    """The 95 % intervals of the values of a law.
+
+    Args:
+        form: of the law.
+        values: as a model has them.
+        half: half-widths that the misfit leaves, as a model has the values, shape (keys,).
+        amplitude: half-width of the logarithm of the mean amplitude. Both are independent and add by squares.
+    """
+    own = values[: len(half)]
+    down, up = half.copy(), half.copy()
+    for index, key in enumerate(form.keys):
+        if key in form.linear_keys:
+            signs = (-amplitude, amplitude) if own[index] > 0 else (amplitude, -amplitude)
+            fall, rise = (float(own[index] * np.expm1(sign)) for sign in signs)
+        elif key == "softening.m":
+            fall, rise = -amplitude, amplitude
+        else:
+            continue
+        down[index], up[index] = np.hypot(half[index], fall), np.hypot(half[index], rise)
+    low, high = _natural(form, own - down), _natural(form, own + up)
+    return tuple(Bounds(key=key, low=min(low[key], high[key]), high=max(low[key], high[key])) for key in form.keys)
 
 
 def _check_interval(bounds: Bounds, largest_strain: float) -> None:
@@ -157,7 +192,7 @@ def _natural(form: LawForm, values: Array) -> dict[str, float]:
     return own
 
 
-def _law(form: LawForm, own: dict[str, float], largest_strain: float) -> MaterialLaw:
+def _law(form: LawForm, own: dict[str, float], problem: Problem) -> MaterialLaw:
     """A law from values by key; raise InputError where it is none."""
 
     def terms(section: str) -> Triple:
@@ -178,7 +213,9 @@ def _law(form: LawForm, own: dict[str, float], largest_strain: float) -> Materia
         yield_strain=own.get("yield_strain"),
         residual_strain=own.get("residual_strain", 0.0),
         softening=OgdenRoxburgh(**soft) if soft else None,
-        largest_strain=largest_strain,
+        largest_strain=problem.largest_strain,
+        lowest_strain_rate=problem.rates[0],
+        highest_strain_rate=problem.rates[1],
     )
 
 

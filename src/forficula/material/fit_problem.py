@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from forficula.material.law_form import LawForm
 from forficula.material.material_law import MaxwellBranch
 from forficula.material.softening import Triple, spring_energy
-from forficula.material.strain_history import StrainHistory, strain_rate
+from forficula.material.strain_history import StrainHistory, rate_range, strain_rate
 from forficula.material.stress import branch_stress, set_history
 
 Array = NDArray[np.float64]
@@ -20,6 +20,7 @@ Array = NDArray[np.float64]
 MOST_ROWS = 10_000
 MOST_POINTS = 2000
 _REMEMBERED = 32
+_CLOSE = 0.1  # share of the samples: a machine may take more while the force changes
 _LOG = 300.0  # beyond which no value of a fit makes sense, and exp may overflow
 _STEP = 1e-6  # of finite differences: of a share, a logarithm or the largest strain
 
@@ -42,6 +43,7 @@ class Problem:
         specimen: index of the history of each block, shape (blocks,).
         time: mean of each block less the middle of its history, in halves of its duration, shape (blocks,).
         largest_strain: of all rows that were measured.
+        rates: lowest and highest of the histories, 1/s, see `rate_range`.
         remembered: the last stresses of a Maxwell branch by relaxation time.
     """
 
@@ -55,6 +57,7 @@ class Problem:
     specimen: NDArray[np.int64]
     time: Array
     largest_strain: float
+    rates: tuple[float, float]
     remembered: dict[float, Array] = field(default_factory=dict)
 
     @cached_property
@@ -63,14 +66,19 @@ class Problem:
         return np.array([index for index, each in enumerate(self.histories) if each.offset is None], dtype=np.int64)
 
     @cached_property
+    def membership(self) -> Array:
+        """1 where a block is of a history, else 0, shape (blocks, histories)."""
+        return np.asarray(self.specimen[:, None] == np.arange(len(self.histories)), dtype=np.float64)
+
+    @cached_property
     def peak(self) -> float:
         """Largest stress that was measured in a block, Pa."""
         return float(np.max(np.abs(self.stress)))
 
     @cached_property
     def times(self) -> tuple[float, float]:
-        """Between which a relaxation time can be seen: two samples, and the longest history, s."""
-        steps = [float(np.median(np.diff(each.time))) for each in self.histories]
+        """Between which a relaxation time can be seen: two samples where they are close, and the longest history, s."""
+        steps = [float(np.quantile(np.diff(each.time), _CLOSE)) for each in self.histories]
         return 2 * min(steps), max(float(each.time[-1] - each.time[0]) for each in self.histories)
 
     def block(self, values: Array) -> Array:
@@ -83,10 +91,11 @@ class Problem:
         """Stress of a Maxwell branch of modulus 1, shape (rows,)."""
         if time not in self.remembered:
             unit = MaxwellBranch(modulus=1.0, time=time)
-            own = [branch_stress(unit, each.time, each.strain) for each in self.histories]
             if len(self.remembered) >= _REMEMBERED:
                 self.remembered.pop(next(iter(self.remembered)))
-            self.remembered[time] = np.concatenate(own)
+            rows = np.concatenate([each.time for each in self.histories])
+            starts = np.cumsum([len(each.time) for each in self.histories])[:-1]
+            self.remembered[time] = branch_stress(unit, rows, self.strain, starts)
         return self.remembered[time]
 
     def set_strain(self, residual: float, yield_strain: float | None) -> Array:
@@ -102,6 +111,7 @@ def problem_of(histories: Sequence[StrainHistory]) -> Problem:
     """
     size = -(-sum(len(each.time) for each in histories) // MOST_ROWS)
     largest = max(float(np.max(each.strain)) for each in histories)
+    lowest, highest = zip(*map(rate_range, histories), strict=True)
     histories = [_thinned(each, size) for each in histories]
     rows = sum(len(each.time) for each in histories)
     size = -(-rows // MOST_POINTS)
@@ -126,6 +136,7 @@ def problem_of(histories: Sequence[StrainHistory]) -> Problem:
         specimen=np.repeat(np.arange(len(histories)), [len(own) for own in blocks])[compared],
         time=means([_from_middle(each.time) for each in histories]),
         largest_strain=largest,
+        rates=(min(lowest), max(highest)),
     )
 
 
@@ -155,9 +166,13 @@ def _thinned(history: StrainHistory, size: int) -> StrainHistory:
 class Model:
     """A form held against histories.
 
-    Values are in the order of `LawForm.keys`, then of the baseline: for each history whose zero of the force is unknown
-    an offset and, where it has one, a drift, both in Pa. A relaxation time and `softening.m` stand as logarithms,
-    `softening.r` as 1/r.
+    Values are in the order of `LawForm.keys`; then the logarithms of the specimens' amplitudes, of all but the last,
+    which makes their sum 0; then the baseline: for each history whose zero of the force is unknown an offset and, where
+    it has one, a drift, both in Pa. A relaxation time and `softening.m` stand as logarithms, `softening.r` as 1/r.
+
+    Specimens of one material differ in amplitude: their area is known to some per cent, and their fabric differs. Taken
+    for lack of fit, that would pass for a misfit that every row shares and hide all that is finer. So the law is that
+    of the specimens' geometric mean, and each has every stress of it times an amplitude of its own.
 
     Attributes:
         form: of the law.
@@ -172,21 +187,36 @@ class Model:
     @cached_property
     def baseline_columns(self) -> Array:
         """Shape (blocks, histories with an unknown zero times terms)."""
-        index = self.problem.specimen
-        own = (index[:, None] == self.problem.unknown_zeros).astype(np.float64)
+        own = self.problem.membership[:, self.problem.unknown_zeros]
         terms = [own, own * self.problem.time[:, None]][: self.baseline]
-        return np.concatenate(terms, axis=1) if terms else np.empty((len(index), 0))
+        return np.concatenate(terms, axis=1) if terms else np.empty((len(own), 0))
+
+    def parts(self, values: Array) -> tuple[Array, Array, Array]:
+        """Values of the law, logarithms of all amplitudes, shape (histories,), and values of the baseline."""
+        count, others = len(self.form.keys), len(self.problem.histories) - 1
+        own, free, zeros = np.split(values, [count, count + others])
+        return own, self._contrasts @ free, zeros
+
+    @cached_property
+    def _contrasts(self) -> Array:
+        """The logarithms of all amplitudes by those that are free, shape (histories, histories - 1)."""
+        others = len(self.problem.histories) - 1
+        return np.concatenate([np.eye(others), np.full((1, others), -1.0)])
 
     def fitted(self, values: Array) -> Array:
         """Stress of each block, Pa, shape (blocks,); a specimen gives way rather than push."""
-        count = len(self.form.keys)
-        total = self.total(values[:count])
-        return np.asarray(self.problem.block(np.maximum(total, 0.0)) + self.baseline_columns @ values[count:])
+        own, logarithms, zeros = self.parts(values)
+        pull = self.problem.block(np.maximum(self.total(own), 0.0))
+        return np.asarray(pull * self._amplitudes(logarithms) + self.baseline_columns @ zeros)
+
+    def _amplitudes(self, logarithms: Array) -> Array:
+        """Of the specimen of each block, shape (blocks,)."""
+        return np.asarray(np.exp(np.clip(logarithms, -_LOG, _LOG))[self.problem.specimen])
 
     def sensitivity(self, values: Array) -> Array:
         """Derivatives of `fitted`, shape (blocks, values)."""
         count, proportional = len(self.form.keys), len(self.form.linear_keys)
-        own = values[:count]
+        own, logarithms, _ = self.parts(values)
         columns = np.empty((len(self.problem.strain), count))
         # softening makes the spring's moduli act by way of its energy, too
         if self.form.softening == "none":
@@ -200,7 +230,11 @@ class Model:
             moved[index] += step
             columns[:, index] = (self.total(moved) - total) / step
         columns[total <= 0] = 0.0
-        return np.concatenate([self.problem.block(columns), self.baseline_columns], axis=1)
+        amplitudes = self._amplitudes(logarithms)[:, None]
+        pull = self.problem.block(np.maximum(total, 0.0))[:, None] * (self.problem.membership @ self._contrasts)
+        return np.concatenate(
+            [amplitudes * self.problem.block(columns), amplitudes * pull, self.baseline_columns], axis=1
+        )
 
     def total(self, own: Array) -> Array:
         """Stress of spring, damper and branches in each row, Pa, shape (rows,)."""

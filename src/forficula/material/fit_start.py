@@ -9,10 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.material.fit_problem import Model, Problem
+from forficula.material.law_form import LawForm
 
 Array = NDArray[np.float64]
 
 _MOST_ROWS = 500
+_HALVINGS = 2  # of the grid's spacing
 _RESIDUAL = (0.03, 0.1, 0.2, 0.3, 0.4, 0.55)  # of the largest strain
 _YIELD = (0.4, 0.55, 0.7, 0.8, 0.9, 0.97)
 _LOST = (0.25, 0.5, 0.8)
@@ -31,26 +33,46 @@ class Starter:
         self._damper = self._thin(np.stack([rate * np.abs(rate) ** power for power in range(3)], axis=1))
 
     def start(self, model: Model) -> Array:
-        """The best node, with the proportional values and the baseline that fit it, as a model has them."""
-        best, least = np.zeros(0), np.inf
-        baseline, stress = model.baseline_columns[self._rows], self._problem.stress[self._rows]
-        proportional = len(model.form.linear_keys)
-        for others in self._nodes(model):
-            columns = self._columns(model, others)
-            solution, squares = pulling_solution(columns, baseline, stress)
-            if squares < least:
-                best, least = np.concatenate([solution[:proportional], others, solution[proportional:]]), squares
+        """The best node, with proportional values, amplitudes and baseline that fit it, as a model has them."""
+        best, misfit = min((self._fitted(model, each) for each in self._nodes(model)), key=lambda each: each[1])
+        # branches that a coarse grid sets wrong may merge, and never part again
+        step = self._times(model.form)[1] if model.form.branches > 1 else 0.0
+        first = len(model.form.linear_keys)
+        for _ in range(_HALVINGS if step else 0):
+            step /= 2
+            for index, sign in product(range(model.form.branches), (-1, 1)):
+                others = best[first : len(model.form.keys)].copy()
+                others[index] += sign * step
+                moved, less = self._fitted(model, others)
+                if less < misfit:
+                    best, misfit = moved, less
         return best
+
+    def _fitted(self, model: Model, others: Array) -> tuple[Array, tuple[bool, float]]:
+        """The values that fit a node, and how badly: whether a branch is none, and the sum of squares, Pa^2."""
+        count, form = len(model.form.linear_keys), model.form
+        solution, squares = pulling_solution(
+            self._columns(model, others),
+            model.baseline_columns[self._rows],
+            self._problem.stress[self._rows],
+            self._problem.membership[self._rows],
+        )
+        values = np.concatenate([solution[:count], others, solution[count:]])
+        return values, (bool(np.any(solution[count - form.branches : count] <= 0)), squares)
+
+    def _times(self, form: LawForm) -> tuple[Array, float]:
+        """Logarithms of the relaxation times of a form's grid, half a decade or so from one to the next, and that."""
+        shortest, longest = np.log(self._problem.times)
+        count = int(np.clip(2 * (longest - shortest) / np.log(10), 4, 8 if form.branches > 1 else 12))
+        times = np.linspace(shortest, longest, count + 2)
+        return times[1:-1], float(times[1] - times[0])
 
     def _thin(self, values: Array) -> Array:
         return self._problem.block(values)[self._rows]
 
     def _nodes(self, model: Model) -> Iterator[Array]:
         form, problem = model.form, self._problem
-        shortest, longest = np.log(problem.times)
-        # half a decade or so from node to node
-        count = int(np.clip(2 * (longest - shortest) / np.log(10), 4, 8 if form.branches > 1 else 12))
-        times = np.linspace(shortest, longest, count + 2)[1:-1]
+        times = self._times(form)[0]
         shares: dict[str, list[tuple[float, ...]]] = {
             "none": [()],
             "residual": [(each,) for each in _RESIDUAL],
@@ -93,14 +115,35 @@ class Starter:
         return self._springs[kind, at]
 
 
-def pulling_solution(columns: Array, baseline: Array, stress: Array) -> tuple[Array, float]:
-    """Least squares where rows whose specimen would push count as slack; the values and the sum of squares, Pa^2."""
+def pulling_solution(columns: Array, baseline: Array, stress: Array, membership: Array) -> tuple[Array, float]:
+    """Least squares where rows whose specimen would push count as slack, and specimens have amplitudes of their own.
+
+    Args:
+        columns: stress by unit of each proportional value, shape (rows, values).
+        baseline: shape (rows, terms).
+        stress: Pa, shape (rows,).
+        membership: 1 where a row is of a specimen, else 0, shape (rows, specimens).
+
+    Returns:
+        The values, as a model has them, and the sum of squares, Pa^2.
+    """
+    count = columns.shape[1]
     solution = _solve(np.concatenate([columns, baseline], axis=1), stress)
-    pulling = (columns @ solution[: columns.shape[1]] > 0)[:, None]
-    active = np.concatenate([columns * pulling, baseline], axis=1)
+    pull = np.maximum(columns @ solution[:count], 0.0)
+    logarithms = _amplitudes(pull, stress - baseline @ solution[count:], membership)
+    scaled = columns * ((pull > 0) * (membership @ np.exp(logarithms)))[:, None]
+    active = np.concatenate([scaled, baseline], axis=1)
     solution = _solve(active, stress)
     misfit = active @ solution - stress
-    return solution, float(misfit @ misfit)
+    return np.concatenate([solution[:count], logarithms[:-1], solution[count:]]), float(misfit @ misfit)
+
+
+def _amplitudes(pull: Array, stress: Array, membership: Array) -> Array:
+    """Logarithms of what each specimen's stress is of a common pull, least squares, less their mean."""
+    products, squares = (pull * stress) @ membership, pull**2 @ membership
+    seen = (products > 0) & (squares > 0)
+    logarithms = np.log(np.where(seen, products, 1.0) / np.where(seen, squares, 1.0))
+    return np.asarray(np.where(seen, logarithms - logarithms[seen].mean() if seen.any() else 0.0, 0.0))
 
 
 def _solve(columns: Array, stress: Array) -> Array:

@@ -11,7 +11,7 @@ FAMILIES = {
     "polynomial": "a spring of second or third order",
     "kelvin-voigt": "a spring and a damper side by side",
     "zener": "a spring and one Maxwell branch",
-    "prony": "a spring and two Maxwell branches",
+    "prony": "a spring and two Maxwell branches, or more where the data tell them apart",
     "softening": "a spring that softens below the largest strain seen (Ogden and Roxburgh), with a branch or without",
 }
 
@@ -36,7 +36,7 @@ def _family(form: LawForm) -> str:
     if form.softening != "none":
         return "softening"
     if form.branches:
-        return "" if form.damper else ("zener", "prony")[form.branches - 1]
+        return "" if form.damper else ("zener" if form.branches == 1 else "prony")
     if form.damper:
         return "kelvin-voigt"
     return "linear" if form.order == 1 else "polynomial"

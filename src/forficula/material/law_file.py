@@ -21,7 +21,7 @@ from forficula.material.material_law import Bounds, Fact, MaterialLaw, MaxwellBr
 from forficula.material.softening import OgdenRoxburgh, Triple
 from forficula.quantities import as_written, format_quantity, parse_quantity
 
-_STRAINS = ("yield_strain", "residual_strain", "largest_strain")
+_NUMBERS = ("yield_strain", "residual_strain", "largest_strain", "lowest_strain_rate", "highest_strain_rate")
 _TEXTS = ("name", "source", "no_tendon")
 _TABLES = ("modulus", "viscosity", "branches", "softening", "drift", "interval", "range", "unknown", "facts")
 _SECTIONS = ("modulus", "viscosity", "branches", "yield_strain", "softening", "largest_strain")
@@ -68,7 +68,7 @@ def named_laws() -> dict[str, str]:
 def law_text(law: MaterialLaw) -> str:
     """A law as TOML; what is absent is left out."""
     tables: dict[str, Any] = {name: getattr(law, name) for name in _TEXTS if getattr(law, name) or name == "name"}
-    for name in _STRAINS:
+    for name in _NUMBERS:
         if getattr(law, name) not in (None, 0.0):
             tables[name] = _text(name, getattr(law, name))
     for name, values in (("modulus", law.moduli), ("viscosity", law.viscosity)):
@@ -103,7 +103,7 @@ def law_values(law: MaterialLaw) -> dict[str, float]:
         values |= {f"branches.{index}.modulus": branch.modulus, f"branches.{index}.time": branch.time}
     if law.softening is not None:
         values |= {f"softening.{name}": getattr(law.softening, name) for name in _SOFTENING}
-    values |= {name: getattr(law, name) for name in _STRAINS if getattr(law, name) is not None}
+    values |= {name: getattr(law, name) for name in _NUMBERS if getattr(law, name) is not None}
     return values
 
 
@@ -124,17 +124,19 @@ def _reference(name: str) -> str:
 def _read(where: str, tables: dict[str, Any]) -> MaterialLaw:
     """Turn the tables of a file into a law; every error begins with the file."""
     try:
-        _only("", tables, (*_TEXTS, *_STRAINS, *_TABLES))
+        _only("", tables, (*_TEXTS, *_NUMBERS, *_TABLES))
         texts = {name: _string(name, tables.get(name, "")) for name in _TEXTS}
-        strains = {name: _quantity(name, tables[name]) for name in _STRAINS if name in tables}
+        numbers = {name: _quantity(name, tables[name]) for name in _NUMBERS if name in tables}
         softening = _softening(tables["softening"]) if "softening" in tables else None
         return MaterialLaw(
             name=texts["name"],
             source=texts["source"],
             no_tendon=texts["no_tendon"],
-            yield_strain=strains.get("yield_strain"),
-            residual_strain=strains.get("residual_strain", 0.0),
-            largest_strain=strains.get("largest_strain"),
+            yield_strain=numbers.get("yield_strain"),
+            residual_strain=numbers.get("residual_strain", 0.0),
+            largest_strain=numbers.get("largest_strain"),
+            lowest_strain_rate=numbers.get("lowest_strain_rate"),
+            highest_strain_rate=numbers.get("highest_strain_rate"),
             moduli=_triple("modulus", tables),
             viscosity=_triple("viscosity", tables),
             branches=tuple(_branch(index, each) for index, each in enumerate(_list("branches", tables))),

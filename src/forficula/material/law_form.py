@@ -11,7 +11,7 @@ from forficula.material.law_keys import TERMS
 _SPRINGS = ("linear spring", "quadratic spring", "cubic spring")
 _DAMPERS = ("", "linear damper", "quadratic damper", "cubic damper")
 # how strain energy may be lost: order of the damper, number of Maxwell branches
-_LOSSES: tuple[tuple[Literal[0, 1, 2, 3], Literal[0, 1, 2]], ...] = (
+_LOSSES: tuple[tuple[Literal[0, 1, 2, 3], int], ...] = (
     (0, 0),
     (1, 0),
     (2, 0),
@@ -37,7 +37,7 @@ class LawForm:
 
     order: Literal[1, 2, 3] = 1
     damper: Literal[0, 1, 2, 3] = 0
-    branches: Literal[0, 1, 2] = 0
+    branches: int = 0
     permanent_set: Literal["none", "residual", "yield"] = "none"
     softening: Literal["none", "m", "m and beta"] = "none"
 
@@ -53,6 +53,11 @@ class LawForm:
             {"none": "", "m": "softening", "m and beta": "softening by amplitude"}[self.softening],
         ]
         return ", ".join(part for part in parts if part)
+
+    @property
+    def is_prony_series(self) -> bool:
+        """Whether it is a spring with two Maxwell branches or more, and nothing else that its rate matters to."""
+        return self.branches > 1 and not self.damper and self.softening == "none"
 
     @property
     def linear_keys(self) -> tuple[str, ...]:
@@ -77,7 +82,10 @@ class LawForm:
 
 
 def all_forms() -> tuple[LawForm, ...]:
-    """Every form that a fit tries by itself, simple ones first; softening goes with a Maxwell branch at most."""
+    """Every form that a fit tries at first, simple ones first; softening goes with a Maxwell branch at most.
+
+    Two Maxwell branches without a damper stand for a Prony series, which a fit makes longer as far as the data go.
+    """
     orders: tuple[Literal[1, 2, 3], ...] = (1, 2, 3)
     sets: tuple[Literal["none", "residual", "yield"], ...] = ("none", "residual", "yield")
     soft: tuple[Literal["m", "m and beta"], ...] = ("m", "m and beta")
@@ -85,8 +93,8 @@ def all_forms() -> tuple[LawForm, ...]:
         LawForm(order=order, damper=damper, branches=branches, permanent_set=permanent_set)
         for (damper, branches), permanent_set, order in product(_LOSSES, sets, orders)
     ]
-    few: tuple[Literal[0, 1], ...] = (0, 1)
     softening = [
-        LawForm(order=order, branches=branches, softening=kind) for kind, branches, order in product(soft, few, orders)
+        LawForm(order=order, branches=branches, softening=kind)
+        for kind, branches, order in product(soft, (0, 1), orders)
     ]
     return (*plain, *softening)

@@ -10,6 +10,7 @@ from forficula.quantities import Unit, as_written, show_quantity
 
 TERMS = ("linear", "quadratic", "cubic")
 STRAIN = Unit(display="%", si="dimensionless", example="100 %")
+RATE = Unit(display="1/s", si="1/s", example="0.003 1/s")
 NUMBER = Unit(display="dimensionless", si="dimensionless", example="1.5")
 
 _UNITS = {
@@ -27,6 +28,8 @@ _UNITS = {
     "softening.m": Unit(display="kJ/m^3", si="J/m^3", example="300 kJ/m^3"),
     "softening.beta": NUMBER,
     "largest_strain": STRAIN,
+    "lowest_strain_rate": RATE,
+    "highest_strain_rate": RATE,
 }
 
 

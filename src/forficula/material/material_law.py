@@ -90,6 +90,8 @@ class MaterialLaw:
         residual_strain: the set that it begins with, >= 0.
         softening: after the largest strain seen; None where none was found.
         largest_strain: up to which it was measured.
+        lowest_strain_rate: from which on it was measured, 1/s.
+        highest_strain_rate: up to which it was measured, 1/s.
         stiffness_drift: of every stress over the cycles, relative; None where nothing tells whether there is one.
         residual_strain_drift: likewise, a difference.
         ranges: where a source gives no value but a range.
@@ -111,6 +113,8 @@ class MaterialLaw:
     residual_strain: float = 0.0
     softening: OgdenRoxburgh | None = None
     largest_strain: float | None = None
+    lowest_strain_rate: float | None = None
+    highest_strain_rate: float | None = None
     stiffness_drift: Drift | None = None
     residual_strain_drift: Drift | None = None
     ranges: tuple[Bounds, ...] = ()
@@ -130,16 +134,28 @@ class MaterialLaw:
                 "modulus.quadratic: need >= 0 or > -2 sqrt(linear cubic), or the material would push at some strain,"
                 f" got {show_quantity(self.moduli[1], law_unit('modulus.quadratic'))}"
             )
-        for name in ("yield_strain", "largest_strain"):
+        for name in ("yield_strain", "largest_strain", "lowest_strain_rate", "highest_strain_rate"):
             value = getattr(self, name)
             if value is not None and not (math.isfinite(value) and value > 0):
-                raise InputError(f"{name}: need a finite strain > 0, got {value:g}")
+                kind = "strain" if name.endswith("strain") else "rate"
+                raise InputError(f"{name}: need a finite {kind} > 0, got {value:g}")
+        check_rates(self.lowest_strain_rate, self.highest_strain_rate)
         if not (math.isfinite(self.residual_strain) and self.residual_strain >= 0):
             raise InputError(f"residual_strain: need a finite strain >= 0, got {self.residual_strain:g}")
         if self.stiffness_drift is not None and not self.stiffness_drift.relative:
             raise InputError("drift.stiffness: need a drift that is relative")
         if self.residual_strain_drift is not None and self.residual_strain_drift.relative:
             raise InputError("drift.residual_strain: need a drift that is a difference")
+
+
+def check_rates(lowest: float | None, highest: float | None) -> None:
+    """Refuse a range of strain rates, 1/s, that ends below its start; either end may be unknown.
+
+    Raises:
+        InputError: it does.
+    """
+    if lowest is not None and highest is not None and lowest > highest:
+        raise InputError(f"lowest_strain_rate: need <= highest_strain_rate, {highest:g} 1/s, got {lowest:g} 1/s")
 
 
 def _rule(bounded: bool) -> str:

@@ -142,6 +142,8 @@ def _fit_summary(fit: LawFit) -> dict[str, Any]:
         "bayesian_information_criterion": fit.bic,
         "residual_rms_Pa": fit.misfit,
         "residual_rms_by_largest_stress": fit.relative_misfit,
+        "amplitude_standard_deviation": fit.scatter,
+        "amplitudes": [{"specimen": each.name, "amplitude": each.amplitude} for each in fit.residuals],
         "force_zero": [
             {"specimen": each.name, "offset_Pa": each.offset, "drift_Pa_per_s": each.drift} for each in fit.residuals
         ],

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
+from forficula.material.cycles import BAND
 from forficula.material.stress import check_history
+from forficula.material.turning_points import turning_points
 
 Array = NDArray[np.float64]
 
 _RATE_ERROR = 0.02  # of the typical rate: how much noise of the strain may leave in it
 _WIDEST = 50  # samples
+_SHARES = (0.1, 0.9)  # of the way from one turn to the next: what is less is a turn, or noise
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -70,16 +74,36 @@ def strain_rate(history: StrainHistory) -> Array:
     """Rate of the strain, 1/s, shape (samples,).
 
     The slope over as many neighbouring samples as the noise of the strain asks for: one on either side where the
-    strain is clean, so that turning points stay sharp.
+    strain is clean, so that turning points stay sharp. Samples need not be evenly spaced.
     """
     strain, time = history.strain, history.time
-    steps = np.diff(strain)
+    steps, spans = np.diff(strain), np.diff(time)
     typical = float(np.median(np.abs(steps))) or float(np.mean(np.abs(steps)))
-    # a second difference of white noise has 6 times its variance; its median stands for it despite turning points
-    noise = float(np.median(np.abs(np.diff(steps)))) / 0.6745 / np.sqrt(6) if len(steps) > 1 else 0.0
+    # off the straight line through its neighbours white noise has this share of its variance more, 1.5 where samples
+    # are evenly spaced; its median stands for it despite turning points
+    share = spans[1:] / (spans[:-1] + spans[1:])
+    off = np.abs(share * steps[:-1] - (1 - share) * steps[1:]) / np.sqrt(1 + share**2 + (1 - share) ** 2)
+    noise = float(np.median(off)) / 0.6745 if len(off) else 0.0
     reach = 1 if typical == 0 else int(np.clip(np.ceil(noise / np.sqrt(2) / (_RATE_ERROR * typical)), 1, _WIDEST))
     if reach == 1:
         return np.asarray(np.gradient(strain, time))
     rows = np.arange(len(time))
     before, after = np.maximum(rows - reach, 0), np.minimum(rows + reach, len(time) - 1)
     return np.asarray((strain[after] - strain[before]) / (time[after] - time[before]))
+
+
+def rate_range(history: StrainHistory) -> tuple[float, float]:
+    """The lowest and the highest rate at which a history, from its first sample that counts, is strained, 1/s.
+
+    Those at which at least a tenth of a way from turn to turn goes; in a hold nothing does.
+    """
+    strain = history.strain[history.first :]
+    speed, span = np.abs(strain_rate(history))[history.first :], np.gradient(history.time)[history.first :]
+    turns = turning_points(strain, BAND * float(np.ptp(strain)))
+    found = []
+    for start, end in pairwise(turns):
+        rising = np.argsort(speed[start : end + 1])
+        speeds = speed[start : end + 1][rising]
+        travelled = np.cumsum(speeds * span[start : end + 1][rising])
+        found.append(speeds[np.searchsorted(travelled, np.multiply(_SHARES, travelled[-1]))])
+    return float(np.min(found)), float(np.max(found))

@@ -116,13 +116,21 @@ def damper_stress(viscosity: Triple, rate: ArrayLike) -> Array:
     return np.asarray(r * (viscosity[0] + np.abs(r) * (viscosity[1] + np.abs(r) * viscosity[2])))
 
 
-def branch_stress(branch: MaxwellBranch, time: Array, strain: Array) -> Array:
+def branch_stress(branch: MaxwellBranch, time: Array, strain: Array, starts: ArrayLike = ()) -> Array:
     """Stress of a Maxwell branch that is relaxed at the first sample, Pa, shape (samples,).
 
     Exact where the strain runs straight between samples: over h it becomes
     q exp(-h / tau) + E (1 - exp(-h / tau)) (tau / h) de.
+
+    Args:
+        branch: of a law.
+        time: s, shape (samples,).
+        strain: shape (samples,).
+        starts: first samples of further histories, end to end with the first, at which it is relaxed, too.
     """
-    steps = np.diff(time) / branch.time
+    spans = np.diff(time)
+    spans[np.asarray(starts, dtype=np.int64) - 1] = np.inf
+    steps = spans / branch.time
     gained = branch.modulus * np.diff(strain) * -np.expm1(-steps) / steps
     stress = np.zeros(len(time))
     stress[1:] = _decaying_sum(steps, gained)

@@ -99,3 +99,20 @@ def half_widths(sensitivity: Array, residual: Array, specimen: NDArray[np.int64]
         scatter = few * np.diag(inverse @ scores.T @ scores @ inverse)
         widths = np.maximum(widths, stdtrit(len(specimens) - 1, 0.975) * np.sqrt(np.maximum(scatter, 0.0)))
     return np.asarray(widths / norms)
+
+
+def mean_half_width(values: Array) -> float:
+    """Half of the 95 % confidence interval of the mean of a population, by Student's t.
+
+    Args:
+        values: of a sample, shape (specimens,).
+
+    Returns:
+        In the values' unit; 0 where one specimen tells nothing of others.
+    """
+    from scipy.special import stdtrit
+
+    count = len(values)
+    if count == 1:
+        return 0.0
+    return float(stdtrit(count - 1, 0.975) * np.std(values, ddof=1) / np.sqrt(count))

@@ -22,7 +22,8 @@ _SOME_ROWS = 1.5  # more than one
 def draw_fit(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
     """Draw data and law over strain and over time, and the residual under both.
 
-    Offset and drift of the force's zero, which the fit found beside the law, are taken off the data.
+    Offset and drift of the force's zero, which the fit found beside the law, are taken off the data. The law is drawn
+    with the amplitude of the specimen along which it runs.
 
     Args:
         material: whose law and data are drawn.
@@ -59,7 +60,7 @@ def draw_fit(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
         end = ":\n" if is_narrow(width) else ": "
         off = f"off by {100 * fit.relative_misfit:.2g} % of the largest stress"
         figure.suptitle(f"{fit.form.name}{end}{off}", fontsize=8)
-        _legend(figure, material, fit, f"{fit.misfit / factor:.2g} {unit}", shown.name)
+        _legend(figure, material, fit, f"{fit.misfit / factor:.2g} {unit}", shown)
         return describe(figure, _tell(material.name, fit))
 
 
@@ -93,15 +94,16 @@ def _draw_data(panels: Any, residual: Residual, factor: float, time: float, midd
         panels[1, column].plot(across, left, color=SKY, lw=0.7, alpha=0.9)
 
 
-def _legend(figure: Figure, material: Characterisation, fit: LawFit, misfit: str, name: str) -> None:
+def _legend(figure: Figure, material: Characterisation, fit: LawFit, misfit: str, shown: Residual) -> None:
     many = len(fit.residuals) > 1
+    along = f"law × {shown.amplitude:.3g} along {shown.name}"
     data = f"data of {len(fit.residuals)} specimens" if many else "data"
     cycles = [cycle for each in material.specimens for cycle in each.cycles]
     rows = sum(len(cycle.loading.time) + len(cycle.unloading.time) for cycle in cycles) / fit.points
     means = f", means of {rows:.0f} rows" if rows >= _SOME_ROWS else ""
     handles = [
         Line2D([], [], color=SKY, lw=1.6, label=f"{data}, zero of the force corrected{means}"),
-        Line2D([], [], color=VERMILION, label=f"law along {name}" if many else "law"),
+        Line2D([], [], color=VERMILION, label=along if many else "law"),
         Line2D([], [], color=BLACK, lw=0.7, ls=":", label=f"root mean square, {misfit}"),
     ]
     columns, size = (1, 6) if is_narrow(figure.get_figwidth()) else (3, 7)

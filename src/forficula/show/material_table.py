@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 from rich.console import Console, Group, RenderableType
 from rich.table import Table
@@ -140,7 +141,19 @@ def _law(law: MaterialLaw, fit: LawFit) -> list[RenderableType]:
             key, _minus(show_value(key, value)), _NONE if bounds is None else _minus(show_range(key, *bounds))
         )
     left = f"{_stress(fit.misfit)}, {100 * fit.relative_misfit:.2g} % of the largest stress"
-    return [Text(f"Law: {fit.form.name}; residual {left}", style="italic"), table]
+    return [Text(f"Law: {fit.form.name}; residual {left}", style="italic"), table, *_amplitudes(fit)]
+
+
+def _amplitudes(fit: LawFit) -> Iterator[Text]:
+    """By how much specimens differ, where there are several."""
+    if fit.scatter is None:
+        return
+    least, *_, most = sorted(fit.residuals, key=lambda each: each.amplitude)
+    shown = [f"{_signed(100 * (each.amplitude - 1))} % ({each.name})" for each in (least, most)]
+    yield Text(
+        f"The specimens' amplitudes differ from the law's by {shown[0]} to {shown[1]}, standard deviation"
+        f" {_number(100 * fit.scatter)} %; the intervals hold for the material, not for these specimens alone."
+    )
 
 
 def _candidates(fit: LawFit) -> list[RenderableType]:

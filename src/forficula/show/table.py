@@ -6,7 +6,7 @@ from rich.console import Console, Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from forficula.analysis import Outcome
+from forficula.analysis import Outcome, Verdict
 from forficula.quantities import reading_unit
 from forficula.show.outcome_rows import (
     TRANSITION_HEADINGS,
@@ -63,7 +63,7 @@ def _transitions(outcome: Outcome) -> Table:
 
 def _balance(outcome: Outcome) -> RenderableType:
     balance = outcome.energy_balance
-    if not balance.residual <= 1:
+    if outcome.verdict is Verdict.DIVERGED or not balance.residual <= 1:
         return Text("Energy balance: it does not close; the numbers mean nothing.")
     table = Table(box=None, padding=(0, 2, 0, 0), title="Energy balance", title_justify="left", show_header=False)
     table.add_column("")

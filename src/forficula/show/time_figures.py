@@ -156,7 +156,7 @@ def _layout(record: Record, labels: list[str], width: float, height: float) -> t
         rows = [list(row) for row in grid]
     for row, label in zip(rows, labels, strict=True):
         row[0].set_ylabel(label)
-        row[0].set_xlim(0, run_scale * float(record.time[-1]))
+        row[0].set_xlim(0, run_scale * max(float(record.time[-1]), float(record.design.protocol.timestep)))
         for axes, end in zip(row[1:], driven, strict=True):
             # the stage holds its goal for a while, in which little happens
             duration = 1e3 * min(end.end - end.start, 1.6 * ((end.goal_time or end.end) - end.start))

@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.analysis import Verdict
 from forficula.design import Design, with_values
-from forficula.dynamics import WingModel, compile_wing, with_timestep
+from forficula.dynamics import WingModel, compile_wing
 from forficula.dynamics.simulate import simulate_each
 from forficula.errors import InputError
 from forficula.quantities import as_written
@@ -27,6 +28,7 @@ from forficula.study.refinement import (
     value_text,
     with_value,
 )
+from forficula.study.runs import resolved
 from forficula.study.timed_run import TimedRun, timed_run
 from forficula.study.verdict import judge_moves, judge_timestep
 
@@ -48,6 +50,7 @@ class Convergence:
         own: the design's own among them.
         rows: of the membrane's mesh, by run.
         statuses: what each run came to, in a few words.
+        verdicts: likewise, in a word.
         fold_times: from the start of folding until the slowest hinge crosses the folded angle, s, nan where it did not
             fold, (run,).
         unfold_times: likewise until the last hinge has opened for good, s, (run,).
@@ -68,6 +71,7 @@ class Convergence:
     own: float
     rows: tuple[int, ...]
     statuses: tuple[str, ...]
+    verdicts: tuple[Verdict, ...]
     fold_times: Array
     unfold_times: Array
     times: tuple[Array, ...]
@@ -79,6 +83,11 @@ class Convergence:
     tolerance: float
     fine: bool | None
     verdict: str
+
+    @property
+    def own_verdict(self) -> Verdict:
+        """What the run at the design's own value came to."""
+        return self.verdicts[int(np.flatnonzero(self.values == self.own)[0])]
 
 
 def converge(
@@ -101,10 +110,11 @@ def converge(
     if key not in (TIMESTEP, YOUNGS_MODULUS, MESH):
         raise InputError(f"key: need {TIMESTEP}, {YOUNGS_MODULUS} or {MESH}, got {as_written(key)}")
     check_values(key, values)
+    design = resolved(design) if key == TIMESTEP else design
     own = own_value(design, key)
     # a timestep goes from coarse to fine, the others from soft or coarse on
     ordered = sorted([own, *(value for value in values if not same(value, own))], reverse=key == TIMESTEP)
-    wings = [compile_wing(_with_dense_record(with_timestep(with_value(design, key, value)))) for value in ordered]
+    wings = [compile_wing(_with_dense_record(resolved(with_value(design, key, value)))) for value in ordered]
     return replace(compare_wings(wings, key, ordered, own, tolerance=tolerance, progress=progress), design=design)
 
 
@@ -140,6 +150,7 @@ def compare_wings(
         own=own,
         rows=rows,
         statuses=tuple(run.status for run in runs),
+        verdicts=tuple(run.verdict for run in runs),
         fold_times=fold_times,
         unfold_times=unfold_times,
         times=tuple(run.times for run in runs),

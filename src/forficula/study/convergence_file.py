@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.analysis import Verdict
 from forficula.design import design_from_text, design_text
 from forficula.errors import InputError
 from forficula.files import write_bytes
@@ -47,6 +48,7 @@ def save_convergence(convergence: Convergence, path: Path) -> None:
     words = {
         "rows": ("run", np.array(convergence.rows)),
         "status": ("run", np.array(convergence.statuses, dtype=object)),
+        "verdict": ("run", np.array([str(verdict) for verdict in convergence.verdicts], dtype=object)),
     }
     data = xarray.Dataset(variables | curves | words)
     fits = {name: getattr(convergence, name) for name in ("fold_order", "unfold_order")}
@@ -81,6 +83,7 @@ def load_convergence(path: Path) -> Convergence:
             own=float(kept["own"]),
             rows=tuple(int(count) for count in data["rows"].values),
             statuses=tuple(str(status) for status in data["status"].values),
+            verdicts=tuple(Verdict(str(verdict)) for verdict in data["verdict"].values),
             tolerance=float(kept["tolerance"]),
             fine=json.loads(kept["fine"]),
             verdict=kept["verdict"],

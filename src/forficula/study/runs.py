@@ -62,6 +62,20 @@ def run(design: Design, progress: Progress | None = None) -> Record:
     return record
 
 
+def resolved(design: Design) -> Design:
+    """The design with the timestep that a run of it takes.
+
+    Raises:
+        InputError: the wing cannot be built.
+    """
+    if design.protocol.timestep != "auto":
+        return design
+    ((_, record),) = run_each([design], sparse=True)
+    if isinstance(record, InputError):
+        raise record
+    return design.model_copy(update={"protocol": record.design.protocol})
+
+
 def run_each(
     designs: Sequence[Design],
     threads: int = 0,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from forficula.analysis import Outcome, State
+from forficula.analysis import Outcome, State, Verdict
 from forficula.show.outcome_rows import (
     TRANSITION_HEADINGS,
     balance_rows,
@@ -48,7 +48,7 @@ def _transitions(outcome: Outcome) -> str:
 
 def _balance(outcome: Outcome) -> str:
     balance = outcome.energy_balance
-    if not balance.residual <= 1:
+    if outcome.verdict is Verdict.DIVERGED or not balance.residual <= 1:
         return paragraph("The energy balance does not close; the numbers mean nothing.")
     rows = [(label, value.replace("-", "−")) for label, value in balance_rows(balance)]
     return table("Energy balance", ("", ""), rows)

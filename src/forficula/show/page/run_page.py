@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from forficula.analysis import Outcome
+from forficula.analysis import Outcome, run_warnings
 from forficula.design import Design, design_text, design_warnings
 from forficula.dynamics import Record, timestep_warnings, versions
 from forficula.files import write_text
@@ -50,7 +50,8 @@ def numbers(record: Record, outcome: Outcome, run_versions: Mapping[str, str] | 
         run_versions: that the run was made with; those of now if not given.
     """
     design = record.design
-    warnings = [*outcome_remarks(record, outcome), *design_warnings(design), *timestep_warnings(design)]
+    known = [*design_warnings(design), *timestep_warnings(design), *run_warnings(record)]
+    warnings = [*outcome_remarks(record, outcome), *known]
     return "".join(
         (
             section("What to know", _list(warnings) or paragraph("There is nothing to warn of.")),

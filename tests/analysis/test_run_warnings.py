@@ -1,0 +1,77 @@
+"""A run says where its tendons move far faster than their material was ever tested."""
+
+from dataclasses import replace
+from types import MappingProxyType
+
+import numpy as np
+import pytest
+
+from forficula.analysis import measure, summary
+from forficula.analysis.run_warnings import highest_strain_rate, run_warnings
+from forficula.design import load_design, with_values
+from forficula.dynamics import Record, run
+
+LENGTH = 0.06
+
+
+def design(**law):
+    values = {"linear_modulus": 4.8e6, "name": "tpu", "highest_strain_rate": 0.1} | law
+    own = {"tendon.law": values, "tendon.area": 12.5e-6, "tendon.rest_length": LENGTH}
+    return with_values(load_design("binder2025"), own)
+
+
+def moving(speed, *, start=1.5, of=None, rows=11):
+    """A record of two tendons: one that is pulled at a speed in m/s, one that stays slack and moves fast."""
+    time = np.linspace(0, 1e-3, rows)
+    length = np.stack([start * LENGTH + speed * time, 0.5 * LENGTH + 100 * abs(speed) * (time - 1e-3)], axis=1)
+    series = MappingProxyType({"tendon_length": length})
+    return Record(
+        design=of or design(),
+        time=time,
+        series=series,
+        stages=(),
+        triangles=np.empty((0, 3), dtype=np.int64),
+        diverged_at=None,
+    )
+
+
+@pytest.mark.parametrize("speed", [1.2, -1.2])
+def test_tendons_a_hundred_times_faster_than_the_tests_are_warned_of_with_both_numbers(speed):
+    # 1.2 m/s by 6 cm is 20 1/s
+    (warning,) = run_warnings(moving(speed))
+    assert warning.startswith("taut tendons move at up to 20 1/s, 200 times the 0.1 1/s up to which tpu was measured")
+
+
+@pytest.mark.parametrize(
+    "record",
+    [
+        moving(0.5),
+        moving(1.2, start=0.5),
+        moving(1.2, of=design(highest_strain_rate=None)),
+        moving(1.2, of=load_design("binder2025")),
+        replace(moving(1.2), diverged_at=1e-3),
+        moving(1.2, rows=1),
+    ],
+    ids=["not that fast", "slack", "unknown rates", "no law", "diverged", "one row"],
+)
+def test_nothing_is_said_where_there_is_nothing_to_say(record):
+    assert run_warnings(record) == []
+
+
+def test_tendons_that_have_yielded_are_slack_below_their_new_length():
+    record = moving(1.2, start=1.1)
+    grown = np.full((11, 2), 1.2 * LENGTH)
+    assert run_warnings(record)
+    assert run_warnings(replace(record, series={**record.series, "tendon_rest_length": grown})) == []
+
+
+def test_a_wing_of_the_papers_tpu_folds_far_faster_than_the_papers_machine_pulled():
+    wing = load_design("binder2025", {"tendon.law": "tpu-82a", "tendon.area": "12.5 mm^2"})
+    record = run(wing)
+    rate, tested = highest_strain_rate(record), wing.tendon.law.highest_strain_rate
+    # of a hinge's speed and the arms of its tendon no more can come than their sum
+    speed = np.abs(np.diff(record.series["distal_angle"], axis=0)) / np.diff(record.time)[:, None]
+    arms = wing.tendon.proximal_attachment + wing.tendon.distal_attachment
+    assert 1e3 * tested < rate < speed.max() * arms / wing.tendon.rest_length
+    (said,) = [each for each in summary(record, measure(record), {})["warnings"] if "was measured" in each]
+    assert said == run_warnings(record)[0]

@@ -1,0 +1,141 @@
+"""Specimens of one material differ in amplitude: their common law comes out all the same, with honest intervals.
+
+The tests are made of closed forms that the fit does not use; amplitudes scatter as a logarithmic normal law.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from forficula.material.fit import fit_law
+from forficula.material.law_family import family_forms
+from forficula.material.law_file import law_values
+from forficula.material.law_form import LawForm
+from forficula.material.material_law import MaterialLaw, MaxwellBranch
+from forficula.material.strain_history import StrainHistory
+from tests.material.synthetic import loading_program, sampled, viscoelastic_stress
+
+# four rates over two decades, three holds, and slack after fast unloading
+STEPS = (
+    *((0.3, 0.3), (None, 60), (0.6, 0.01), (None, 200), (0.2, 0.1)),
+    *((0.8, 1.0), (None, 300), (0.3, 0.03), (1, 0.01), (0.2, 0.3)),
+)
+# each of three specimens at a rate of its own
+OWN_RATES = (
+    ((0.3, 0.01), (None, 60), (0.8, 0.01), (None, 200), (0.2, 0.01), (1, 0.01), (0.1, 0.01)),
+    ((0.5, 0.1), (None, 100), (0.1, 0.1), (0.9, 0.1), (None, 200), (0.1, 0.1)),
+    ((0.4, 1.0), (None, 100), (0.0, 1.0), (0.9, 1.0), (None, 300), (0.3, 1.0), (0.9, 1.0), (0.1, 1.0)),
+)
+CUBIC = (6e6, -5e6, 3e6)
+NOISE = 3e4  # Pa
+SPRING = MaterialLaw(name="spring", moduli=CUBIC)
+VISCOUS = MaterialLaw(name="viscous", moduli=(5e6, 0, 0), viscosity=(1e6, 0, 0))
+ZENER = MaterialLaw(name="Zener", moduli=CUBIC, branches=(MaxwellBranch(modulus=3e6, time=20.0),))
+THREE = MaterialLaw(
+    name="three branches",
+    moduli=CUBIC,
+    branches=tuple(
+        MaxwellBranch(modulus=modulus, time=time) for modulus, time in ((3e6, 0.5), (2e6, 8.0), (2e6, 120.0))
+    ),
+)
+FORMS = {
+    "spring": LawForm(order=3),
+    "viscous": LawForm(damper=1),
+    "Zener": LawForm(order=3, branches=1),
+    "three branches": LawForm(order=3, branches=3),
+}
+RIVALS = [
+    LawForm(order=order, damper=damper, branches=branches)
+    for damper, branches in ((0, 0), (1, 0), (2, 0), (0, 1), (1, 1), (0, 2))
+    for order in (1, 3)
+]
+
+
+def specimens(law, *, scatter, rng, programs=(STEPS,) * 3, rows=12):
+    """Histories of a law whose amplitude scatters; noise and unknown zeros of the force are of 1 % of the stress."""
+    branches = [(branch.modulus, branch.time) for branch in law.branches]
+    viscosity = (law.viscosity or (0.0,))[0]
+    histories = []
+    for steps in programs:
+        knots = loading_program(steps)
+        time = sampled(knots, rows=rows)
+        strain, stress = viscoelastic_stress(knots, time, law.moduli, viscosity=viscosity, branches=branches)
+        # a specimen gives way rather than push
+        own = np.exp(scatter * rng.standard_normal()) * np.maximum(stress, 0)
+        false = NOISE * (rng.standard_normal() + rng.standard_normal(len(time)))
+        histories.append(StrainHistory(time=time, strain=strain, stress=own + false))
+    return histories
+
+
+def covered(law, fit):
+    """Whether each interval holds the planted value, by key."""
+    planted = law_values(law)
+    return {each.key: each.low <= planted[each.key] <= each.high for each in fit.law.intervals}
+
+
+@pytest.mark.parametrize(
+    ("law", "programs", "draws"),
+    [(VISCOUS, (STEPS,) * 3, 100), (ZENER, (STEPS,) * 3, 100), (ZENER, OWN_RATES, 100), (THREE, (STEPS,) * 3, 30)],
+    ids=["viscous", "Zener", "Zener, a rate each", "three branches"],
+)
+def test_the_true_value_lies_in_the_95_intervals_in_at_least_90_of_100_draws(law, programs, draws):
+    form, held = FORMS[law.name], dict.fromkeys(FORMS[law.name].keys, 0)
+    for draw in range(draws):
+        rng = np.random.default_rng(draw)
+        histories = specimens(law, scatter=rng.uniform(0, 0.1), rng=rng, programs=programs)
+        fit = fit_law(histories, forms=[form])
+        for key, holds in covered(law, fit).items():
+            held[key] += holds
+    assert min(held.values()) >= 0.9 * draws, held
+
+
+@pytest.mark.parametrize("law", [SPRING, VISCOUS, ZENER, THREE], ids=lambda law: law.name)
+@pytest.mark.parametrize("scatter", [0.0, 0.01, 0.03, 0.1])
+def test_the_true_law_is_chosen_however_much_specimens_scatter(law, scatter):
+    fit = fit_law(specimens(law, scatter=scatter, rng=np.random.default_rng(5)), forms=RIVALS)
+    assert fit.form == FORMS[law.name]
+    # nothing is left but the noise, and of a damper what lies between samples where the rate turns
+    assert fit.misfit == pytest.approx(NOISE, rel=0.1) or law is VISCOUS
+
+
+def test_the_scatter_that_was_planted_is_reported():
+    rng = np.random.default_rng(2)
+    fit = fit_law(specimens(ZENER, scatter=0.05, rng=rng, programs=(STEPS,) * 40), forms=[FORMS["Zener"]])
+    # a standard deviation from 40 is out by 1 / sqrt(78)
+    assert fit.scatter == pytest.approx(0.05, rel=0.3)
+    amplitudes = np.array([each.amplitude for each in fit.residuals])
+    assert np.log(amplitudes).mean() == pytest.approx(0, abs=1e-9)
+    assert np.log(amplitudes).std(ddof=1) == pytest.approx(fit.scatter)
+
+
+def test_three_specimens_know_the_modulus_of_all_to_their_scatter():
+    """Student's t of 2 times the scatter by sqrt(3), which no number of rows makes narrower."""
+    histories = specimens(ZENER, scatter=0.05, rng=np.random.default_rng(3), rows=60)
+    fit = fit_law(histories, forms=[FORMS["Zener"]])
+    (modulus,) = [each for each in fit.law.intervals if each.key == "modulus.linear"]
+    assert np.log(modulus.high / modulus.low) == pytest.approx(2 * 4.303 * fit.scatter / np.sqrt(3), rel=0.05)
+    # their time is not theirs to scatter
+    (time,) = [each for each in fit.law.intervals if each.key == "branches.0.time"]
+    assert time.high / time.low < 1.05
+
+
+def test_a_lone_specimen_has_no_scatter():
+    fit = fit_law(
+        specimens(ZENER, scatter=0.05, rng=np.random.default_rng(3), programs=(STEPS,)), forms=[FORMS["Zener"]]
+    )
+    assert fit.scatter is None
+    assert [each.amplitude for each in fit.residuals] == [1.0]
+
+
+def test_a_series_is_as_long_as_the_data_tell_its_branches_apart():
+    """Three branches of 0.5, 8 and 120 s, of which two was the most that was tried."""
+    rng = np.random.default_rng(1)
+    cubic = [form for form in family_forms("prony") if form.order == 3]
+    fit = fit_law(specimens(THREE, scatter=0.05, rng=rng), forms=cubic)
+    assert [branch.time for branch in fit.law.branches] == pytest.approx([0.5, 8.0, 120.0], rel=0.3)
+    tried = {each.form.branches for each in fit.candidates}
+    assert tried == {2, 3, 4}
+    shortened = replace(THREE, branches=THREE.branches[1:])
+    fit = fit_law(specimens(shortened, scatter=0.05, rng=rng), forms=cubic)
+    assert len(fit.law.branches) == 2
