@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import shutil
 import tempfile
-import tomllib
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -13,6 +12,7 @@ from typing import Any
 
 from forficula.errors import InputError
 from forficula.quantities import as_written
+from forficula.toml_text import parse_toml
 
 
 @contextmanager
@@ -129,8 +129,6 @@ def read_toml(path: Path, what: str) -> dict[str, Any]:
     except ValueError as error:  # a null byte
         raise InputError(f"{as_written(str(path))}: cannot be read: {error}") from None
     try:
-        return tomllib.loads(text)
-    except ValueError as error:
-        raise InputError(f"{path}: not TOML: {error}") from None
-    except RecursionError:
-        raise InputError(f"{path}: not TOML for {what}: nested too deeply") from None
+        return parse_toml(text, what)
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from None

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from cyclopts import Parameter
 
 from forficula.errors import InputError
-from forficula.options import DesignName, Settings, check_folder, read_option, read_settings, read_size
+from forficula.options import WHOLE_NUMBER, DesignName, Settings, check_folder, read_option, read_settings, read_size
 
 if TYPE_CHECKING:
     from forficula.design import Design
@@ -24,7 +24,9 @@ def run(
         Path | None, Parameter(help="Folder for the results; out/<name of the design> if not given.")
     ] = None,
     cycles: Annotated[
-        int | None, Parameter(help="Fold and open again with the tendons as they are up to this cycle, as in 100.")
+        int | None,
+        WHOLE_NUMBER,
+        Parameter(help="Fold and open again with the tendons as they are up to this cycle, as in 100."),
     ] = None,
 ) -> None:
     """Fold and open a wing: energies, work, times, a verdict, and pictures."""
@@ -113,7 +115,9 @@ def film(
     size: Annotated[
         str | None, Parameter(help="Pixels across and upwards; 1280x720, or 800x450 for .gif, if not given.")
     ] = None,
-    fps: Annotated[int | None, Parameter(help="Pictures a second; 30, or 15 for .gif, if not given.")] = None,
+    fps: Annotated[
+        int | None, WHOLE_NUMBER, Parameter(help="Pictures a second; 30, or 15 for .gif, if not given.")
+    ] = None,
     slower: Annotated[
         float | None, Parameter(help="How many times; each move takes about 3.5 s of the film if not given.")
     ] = None,

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from forficula.errors import InputError
-from forficula.options import DesignName, Settings, check_folder, read_option, read_settings, read_shard
+from forficula.options import WHOLE_NUMBER, DesignName, Settings, check_folder, read_option, read_settings, read_shard
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -26,12 +26,15 @@ def study(
     dry_run: Annotated[bool, Parameter(help="Only say how many runs there are and how long they take.")] = False,
     shard: Annotated[str, Parameter(help="Run a part of the points, as in 2/8; then collect.")] = "1/1",
     collect: Annotated[bool, Parameter(help="Build the table from the rows of all shards.")] = False,
-    slurm: Annotated[int | None, Parameter(help="Write a SLURM job array of so many shards instead.")] = None,
+    slurm: Annotated[
+        int | None, WHOLE_NUMBER, Parameter(help="Write a SLURM job array of so many shards instead.")
+    ] = None,
     dask: Annotated[
         str | None, Parameter(help="Run on the Dask cluster with this scheduler, as in tcp://scheduler:8786.")
     ] = None,
     keep: Annotated[
         int | None,
+        WHOLE_NUMBER,
         Parameter(help="Keep runs of so many points at most, to be played in its page; 100 if not given, 0 for none."),
     ] = None,
 ) -> None:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.dynamics.energy import damping_work, state_series, torque_power, torque_work
-from forficula.dynamics.fleet import stage_torques
+from forficula.dynamics.fleet import NEVER, stage_torques
 from forficula.dynamics.model import WingModel
 from forficula.dynamics.record import Record, StageEnd
 from forficula.dynamics.stepper import Steps
@@ -61,8 +61,9 @@ class Recorder:
         self._sparse = sparse
         protocol = wing.design.protocol
         self._timestep = float(protocol.timestep)  # s
-        self._window = round(protocol.window / self._timestep)
-        self.interval = max(1, round(protocol.sample_interval / self._timestep))  # steps
+        longest = NEVER * self._timestep
+        self._window = round(min(protocol.window, longest) / self._timestep)
+        self.interval = max(1, round(min(protocol.sample_interval, longest) / self._timestep))  # steps
         # number of each stage so far, and its rows from the first on, in parts
         self._stages: list[tuple[int, list[_Part]]] = []
         self._taken: dict[str, float] = {}
