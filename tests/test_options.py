@@ -51,7 +51,7 @@ def test_a_shard_is_two_whole_numbers_or_one_error(text):
         if int(number) <= int(count):
             assert read_shard(text) == (int(number), int(count))
             return
-    with pytest.raises(InputError, match="^--shard: need a number and a count such as 2/8, got .{0,70}$"):
+    with pytest.raises(InputError, match=r"^--shard: need a number and a count such as 2/8, got .{0,70}$"):
         read_shard(text)
 
 
