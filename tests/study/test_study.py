@@ -213,6 +213,8 @@ def test_whole_numbers_and_words_are_not_drawn(study_file):
 @pytest.mark.parametrize(
     ("search", "message"),
     [
+        ('fold_torques = "0..1000 N cm step 1"', "search.fold_torques: need at most 1000 torques, got 1001"),
+        ('unfold_torques = "0..999999 N cm step 1"', "search.unfold_torques: need at most 1000 torques, got 1000000"),
         ('fold_torques = ["20 N cm", "10 N cm"]', "search.fold_torques: need rising torques >= 0"),
         ('fold_torques = ["10 N cm", "10 N cm"]', "search.fold_torques: need rising torques >= 0"),
         ('unfold_torques = "-10..10 N cm step 10"', "search.unfold_torques: need rising torques >= 0"),

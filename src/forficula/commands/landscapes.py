@@ -49,13 +49,14 @@ def landscape(
     if not over:
         _survey(chosen, folder, simulation)
     else:
+        from forficula.show.progress import map_progress
         from forficula.show.static_map_folder import print_static_map, read_simulated, write_static_map
         from forficula.study.static_map import map_study, static_map
 
         study = map_study(chosen, read_settings(over, "--over", 'tendon.rest_length="0..9 cm step 1"'))
         beside = None if simulated is None else read_simulated(simulated, chosen)
         _survey(chosen, folder, simulation)
-        table = static_map(study)
+        table = static_map(study, map_progress())
         write_static_map(study, table, folder, beside)
         print_static_map(table, beside)
     print(f"\nwritten to {folder}")

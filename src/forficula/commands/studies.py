@@ -39,6 +39,7 @@ def study(
     ] = None,
 ) -> None:
     """Run a study, or go on with it where it stopped: a table, maps, and a page on which they open their runs."""
+    from forficula.show.progress import building_progress
     from forficula.study import collect as collect_study
     from forficula.study import load_study
 
@@ -56,7 +57,7 @@ def study(
     if dry_run:
         _print_estimate(chosen, folder)
         return
-    table = collect_study(chosen, folder) if collect else _run(chosen, folder, shard, dask)
+    table = collect_study(chosen, folder, building_progress()) if collect else _run(chosen, folder, shard, dask)
     if table is None:
         print(f"shard {shard} is done; when all are: forficula study {study} --out {folder} --collect")
         return
@@ -81,19 +82,28 @@ def _write_job(study: str, folder: Path, shards: int) -> None:
 
 def _print_estimate(study: Study, folder: Path) -> None:
     """Print how many runs a study takes, and how long the rest of them."""
+    from forficula.show.progress import building_progress
     from forficula.study import estimate
 
-    most, left, seconds = estimate(study, folder)
+    most, left, seconds = estimate(study, folder, building_progress())
     print(f"{study.name}: {len(study.points)} points, at most {most} runs; {left} to do, about {seconds:.0f} s")
 
 
 def _run(study: Study, folder: Path, shard: str, dask: str | None) -> Dataset | None:
     """Run a study or a shard of it, here or on a Dask cluster; None where others of its shards are not done."""
     from forficula.show import study_progress
+    from forficula.show.progress import building_progress
     from forficula.study import dask_cluster, run_study
 
     with nullcontext() if dask is None else dask_cluster(dask) as cluster, study_progress() as progress:
-        return run_study(study, folder, shard=read_shard(shard), cluster=cluster, progress=progress)
+        return run_study(
+            study,
+            folder,
+            shard=read_shard(shard),
+            cluster=cluster,
+            progress=progress,
+            building=building_progress(),
+        )
 
 
 def _report(study: Study, table: Dataset, keep: int | None, folder: Path) -> None:

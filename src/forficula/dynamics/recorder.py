@@ -166,21 +166,24 @@ def keep(recorders: Sequence[Recorder], chunk: Chunk) -> None:
     number = chunk.first[:, None] + step
     interval = np.array([recorder.interval for recorder in recorders])
     kept = (number % interval[:, None] == 0) | (chunk.begins[:, None] & (step == 0))
-    kept &= step < chunk.taken[:, None]
+    # where a stage begins, its wing is somewhere even if its first step blows up
+    counted = np.maximum(chunk.taken, chunk.begins)
+    kept &= step < counted[:, None]
     # for all wings at once: a few calls do the work of thousands
     wing, before = np.nonzero(kept)
     position, velocity = np.split(steps.states(wing, before, slice(1, 1 + 2 * steps.dof)), 2, axis=1)
+    speeds = slice(1 + steps.dof, 1 + 2 * steps.dof)
     inner = {name: steps.states(wing, before, place) for name, place in steps.inner.items()}
     rows = _Rows(
         number=number[wing, before],
         position=position,
         velocity=velocity,
-        next_velocity=steps.velocity[wing, before],
+        next_velocity=steps.states(wing, np.minimum(before + 1, chunk.taken[wing]), speeds),
         derived={name: values[wing, before] for name, values in steps.derived.items()} | inner,
         taken={name: values[wing, before] for name, values in _damping(recorders, chunk).items()},
     )
     bounds = [0, *np.cumsum(kept.sum(axis=1)).tolist()]
-    for place in np.flatnonzero(chunk.taken).tolist():
+    for place in np.flatnonzero(counted).tolist():
         recorders[place].add(rows, slice(bounds[place], bounds[place + 1]), chunk, place)
 
 

@@ -87,6 +87,27 @@ def film_progress() -> Iterator[Callable[[int, int], None]]:
         yield lambda done, all_of_them: bar.update(task, completed=done, total=all_of_them)
 
 
+def building_progress() -> Callable[[int, int], None]:
+    """Say how many designs are built: a line every 5 s, on a terminal, too, where a bar may stand below it."""
+    return _lines("designs built", 5)
+
+
+def map_progress() -> Callable[[int, int], None]:
+    """Say how many wings of a static map are done: a line every 5 s."""
+    return _lines("wings of the map", 5)
+
+
+def _lines(what: str, seconds: float) -> Callable[[int, int], None]:
+    console, last = Console(stderr=True, highlight=False), [monotonic()]
+
+    def line(done: int, all_of_them: int) -> None:
+        if monotonic() - last[-1] > seconds:
+            last[-1] = monotonic()
+            console.print(f"{done} of {all_of_them} {what}", soft_wrap=True)
+
+    return line
+
+
 def _end(row: dict[str, Any]) -> str:
     """What became of a run, in a word or two."""
     if row.get("folded"):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
@@ -12,6 +13,9 @@ from forficula.design import Design
 from forficula.dynamics import Record, WingModel, compile_wing, design_in_model_units, simulate_each, with_timestep
 from forficula.errors import InputError
 from forficula.study.journal import SCHEMA, Row
+
+# How long wings are built before the first of them run, s; twice as long each time, for many side by side are faster.
+_FIRST_SECONDS = 1.0
 
 
 def row_key(design: Design) -> str:
@@ -30,21 +34,52 @@ def evaluate(designs: Sequence[Design], threads: int = 0, *, until_opened: bool 
         until_opened: whether to try designs that only their unfold torques tell apart one after another, as they come,
             until one opens; the rest of them get no rows.
     """
-    alike = [_engine_key(design) for design in designs]
-    distinct = dict(zip(alike, designs, strict=True))
-    compiled = {key: _compile(design) for key, design in distinct.items()}
-    by_topology: dict[tuple[int, ...], list[tuple[str, WingModel]]] = {}
-    for design, engine_key in zip(designs, alike, strict=True):
-        key, wing = row_key(design), compiled[engine_key]
-        if isinstance(wing, str):
-            yield {"key": key, "status": f"cannot be built: {wing}"}
-            continue
-        built = _with_protocol(wing, design)
-        by_topology.setdefault(topology(built), []).append((key, built))
-    for wings in by_topology.values():
-        enough = _opened if until_opened else None
+    by_engine: dict[str, list[Design]] = {}
+    for design in designs:
+        by_engine.setdefault(_engine_key(design), []).append(design)
+    built: list[tuple[str, WingModel]] = []
+    seconds, start = _FIRST_SECONDS, time.perf_counter()
+    for alike in by_engine.values():
+        wing = _compile(alike[0])
+        for design in alike:
+            try:
+                built.append((row_key(design), _with_protocol(wing, design)))
+            except InputError as error:
+                yield _not_built(row_key(design), error)
+        if time.perf_counter() - start > seconds:
+            yield from _by_topology(built, threads, until_opened)
+            seconds, start, built = 2 * seconds, time.perf_counter(), []
+    yield from _by_topology(built, threads, until_opened)
+
+
+def _by_topology(wings: Sequence[tuple[str, WingModel]], threads: int, until_opened: bool) -> Iterator[Row]:
+    """Rows of wings, those of one topology side by side."""
+    groups: dict[tuple[int, ...], list[tuple[str, WingModel]]] = {}
+    for key, wing in wings:
+        groups.setdefault(topology(wing), []).append((key, wing))
+    for group in groups.values():
+        yield from _rows(group, threads, until_opened)
+
+
+def _rows(wings: Sequence[tuple[str, WingModel]], threads: int, until_opened: bool) -> Iterator[Row]:
+    """Rows of wings of one topology; in halves where memory does not hold all, and a status where it holds none."""
+    done: set[int] = set()
+    enough = _opened if until_opened else None
+    try:
         for row, record in simulate_each([wing for _, wing in wings], threads, sparse=True, enough=enough):
+            done.add(row)
             yield {"key": wings[row][0], **outcome_row(measure(record))}
+    except InputError as error:
+        left = [wing for row, wing in enumerate(wings) if row not in done]
+        if len(wings) == 1:
+            yield _not_built(wings[0][0], error)
+            return
+        for half in (left[: len(left) // 2], left[len(left) // 2 :]):
+            yield from _rows(half, threads, until_opened)
+
+
+def _not_built(key: str, error: InputError) -> Row:
+    return {"key": key, "status": f"cannot be built: {error}"}
 
 
 def topology(wing: WingModel) -> tuple[int, ...]:
@@ -78,16 +113,18 @@ def _engine_key(design: Design) -> str:
     return design.model_copy(update={"protocol": design.protocol.model_copy(update=parting)}).hash
 
 
-def _compile(design: Design) -> WingModel | str:
+def _compile(design: Design) -> WingModel | InputError:
     """A wing, or why there is none."""
     try:
         return compile_wing(with_timestep(design))
     except InputError as error:
-        return str(error)
+        return error
 
 
-def _with_protocol(wing: WingModel, design: Design) -> WingModel:
-    """The same wing with another protocol, its engine model shared."""
+def _with_protocol(wing: WingModel | InputError, design: Design) -> WingModel:
+    """The same wing with another protocol, its engine model shared; raise InputError where there is none."""
+    if isinstance(wing, InputError):
+        raise wing
     timestep = wing.design.protocol.timestep
     resolved = design.model_copy(update={"protocol": design.protocol.model_copy(update={"timestep": timestep})})
     return replace(wing, design=resolved, in_units=design_in_model_units(resolved, wing.units))

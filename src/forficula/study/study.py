@@ -19,6 +19,7 @@ from forficula.study.factors import MOST_VALUES, Factor, drawn_values, range_val
 from forficula.toml_text import parse_toml
 
 _KEYS = ("name", "source", "design", "ask", "settings", "factors", "sampling", "search")
+_MOST_TORQUES = 1000  # every one of them is a run of every point
 _TORQUE_KEY = "protocol.fold_torque"
 
 
@@ -229,6 +230,8 @@ def _torques(key: str, given: object) -> tuple[float, ...]:
     values = range_values(_TORQUE_KEY, given) if isinstance(given, str) else given
     if not isinstance(values, list | tuple) or not values:
         raise InputError(f'search.{key}: need torques such as "0..50 N cm step 10", got {given!r}')
+    if len(values) > _MOST_TORQUES:
+        raise InputError(f"search.{key}: need at most {_MOST_TORQUES} torques, got {len(values)}")
     try:
         torques = tuple(parse_quantity(value, TORQUE) for value in values)
     except InputError as error:
