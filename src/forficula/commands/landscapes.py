@@ -68,13 +68,15 @@ def _survey(design: Design, folder: Path, simulation: bool) -> None:
     from forficula.dynamics import timestep_warnings
     from forficula.show.landscape_folder import write_landscape
     from forficula.show.landscape_table import print_landscape
-    from forficula.show.progress import run_progress
+    from forficula.show.progress import run_progress, waiting
     from forficula.study.survey import survey
 
     for warning in design_warnings(design):
         print(f"warning: {warning}", file=sys.stderr)
     if simulation:
-        for warning in timestep_warnings(design):
+        with waiting("working out the timestep that the wing allows"):
+            warnings = timestep_warnings(design)
+        for warning in warnings:
             print(f"warning: {warning}", file=sys.stderr)
     with run_progress() as progress:
         landscape, record = survey(design, simulation=simulation, progress=progress)

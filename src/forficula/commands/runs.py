@@ -45,8 +45,11 @@ def run(
     from forficula.dynamics import run as run_design
     from forficula.dynamics import timestep_warnings
     from forficula.show import print_outcome, run_progress, write_run
+    from forficula.show.progress import waiting
 
-    for warning in design_warnings(chosen) + timestep_warnings(chosen):
+    with waiting("working out the timestep that the wing allows"):
+        warnings = design_warnings(chosen) + timestep_warnings(chosen)
+    for warning in warnings:
         print(f"warning: {warning}", file=sys.stderr)
     with run_progress() as progress:
         record = run_design(chosen, progress)

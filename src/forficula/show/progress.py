@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import sys
 from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from threading import Timer
 from time import monotonic
 from typing import Any
 
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn
 from rich.table import Column
+
+_PATIENCE = 3  # s
 
 
 @contextmanager
@@ -19,17 +23,31 @@ def run_progress() -> Iterator[Callable[[str, float, float], None]]:
     console = Console(stderr=True, highlight=False)
     if not console.is_terminal:
         stages = [""]
+        with waiting("building the wing") as stop_waiting:
 
-        def line(stage: str, time: float, longest: float) -> None:
-            if stage != stages[-1]:
-                stages.append(stage)
-                console.print(f"{stage}: {time:.3g} s of at most {longest:.3g} s simulated")
+            def line(stage: str, time: float, longest: float) -> None:
+                stop_waiting()
+                if stage != stages[-1]:
+                    stages.append(stage)
+                    console.print(f"{stage}: {time:.3g} s of at most {longest:.3g} s simulated", markup=False)
 
-        yield line
+            yield line
         return
     with Progress(console=console, transient=True) as bar:
-        task = bar.add_task("start")
+        task = bar.add_task("building the wing")
         yield lambda stage, time, longest: bar.update(task, description=stage, completed=time, total=longest)
+
+
+@contextmanager
+def waiting(what: str) -> Iterator[Callable[[], None]]:
+    """Say what takes so long, if it takes longer than a few seconds; what is handed out ends the waiting."""
+    timer = Timer(_PATIENCE, lambda: print(f"{what} ...", file=sys.stderr, flush=True))
+    timer.daemon = True
+    timer.start()
+    try:
+        yield timer.cancel
+    finally:
+        timer.cancel()
 
 
 @contextmanager
