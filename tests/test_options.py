@@ -68,5 +68,10 @@ def test_a_key_that_is_set_twice_is_refused(option):
     assert str(caught.value) == f"{option}: tendon.stiffness is given twice"
 
 
+def test_bytes_that_are_no_text_are_refused():
+    with pytest.raises(InputError, match="^--set: need text in UTF-8, got "):
+        read_settings(["source=\udcff"])
+
+
 def test_keys_that_are_set_once_are_values():
     assert read_settings(["a.b=1", "c = 2 cm"]) == {"a.b": 1, "c": "2 cm"}

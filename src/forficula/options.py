@@ -135,6 +135,8 @@ def read_settings(
 
     values: dict[str, object] = {}
     for setting in settings or ():
+        if re.search("[\ud800-\udfff]", setting):
+            raise InputError(f"{option}: need text in UTF-8, got {as_written(setting)}")
         key, equals, text = (part.strip() for part in setting.partition("="))
         if not equals or not key:
             raise InputError(f"{option}: need KEY=VALUE such as {example}, got {as_written(setting)}")

@@ -78,7 +78,7 @@ def _survey(design: Design, folder: Path, simulation: bool) -> None:
             warnings = timestep_warnings(design)
         for warning in warnings:
             print(f"warning: {warning}", file=sys.stderr)
-    with run_progress() as progress:
+    with run_progress("building the wing" if simulation else "surveying its energy") as progress:
         landscape, record = survey(design, simulation=simulation, progress=progress)
     write_landscape(landscape, folder, record)
     print_landscape(landscape, record)

@@ -39,6 +39,7 @@ _SMALLEST, _LARGEST = 1e-12, 1e12
 _MOST_STEPS = 1e9
 # rows of a record times veins: some 5 GB in memory
 _MOST_ROWS = 1e7
+_MOST_VEINS = 1001
 
 
 class Pattern(Part):
@@ -302,7 +303,9 @@ class Design(Part):
     @property
     def shortest_sample_interval(self) -> float:
         """The least time between two rows, s, at which the longest record that there can be fits into memory."""
-        return sum(stage.time_limit for stage in self.protocol.stages) * self.fan.vein_count / _MOST_ROWS
+        # wings of more are drawn, but not run
+        veins = min(self.fan.vein_count, _MOST_VEINS)
+        return sum(stage.time_limit for stage in self.protocol.stages) * veins / _MOST_ROWS
 
     @property
     def fan(self) -> EarwigFan:

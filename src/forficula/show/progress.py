@@ -18,12 +18,12 @@ _PATIENCE = 3  # s
 
 
 @contextmanager
-def run_progress() -> Iterator[Callable[[str, float, float], None]]:
-    """Show how far a run is: a bar on a terminal, a line a stage elsewhere."""
+def run_progress(first: str = "building the wing") -> Iterator[Callable[[str, float, float], None]]:
+    """Show how far a run is, and what comes first of all: a bar on a terminal, a line a stage elsewhere."""
     console = Console(stderr=True, highlight=False)
     if not console.is_terminal:
         stages = [""]
-        with waiting("building the wing") as stop_waiting:
+        with waiting(first) as stop_waiting:
 
             def line(stage: str, time: float, longest: float) -> None:
                 stop_waiting()
@@ -34,7 +34,7 @@ def run_progress() -> Iterator[Callable[[str, float, float], None]]:
             yield line
         return
     with Progress(console=console, transient=True) as bar:
-        task = bar.add_task("building the wing")
+        task = bar.add_task(first)
         yield lambda stage, time, longest: bar.update(task, description=stage, completed=time, total=longest)
 
 

@@ -170,6 +170,8 @@ def _check_values(key: str, values: Sequence[object]) -> None:
         if quantity is None:
             if not isinstance(value, str | int | float | list):
                 raise InputError(f"{key}: need numbers or words, got {as_written(value)}")
+            if isinstance(value, float) and not math.isfinite(value):
+                raise InputError(f"{key}: need finite numbers, got {as_written(value)}")
             continue
         if value in quantity.words:
             continue
