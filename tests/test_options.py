@@ -69,7 +69,7 @@ def test_a_key_that_is_set_twice_is_refused(option):
 
 
 def test_bytes_that_are_no_text_are_refused():
-    with pytest.raises(InputError, match="^--set: need text in UTF-8, got "):
+    with pytest.raises(InputError, match=r"^--set: need text in UTF-8, got "):
         read_settings(["source=\udcff"])
 
 
