@@ -150,11 +150,12 @@ def _results(
     built: list[tuple[_Attempt, WingModel]] = []
     seconds, start = _FIRST_SECONDS, time.perf_counter()
     for alike in by_engine.values():
-        try:
-            wing = _compile(alike[0].design)
-            built += [_with_protocol(wing, attempt) for attempt in alike]
-        except InputError as error:
-            yield from ((attempt, error) for attempt in alike)
+        wing = _compile(alike[0].design)
+        for attempt in alike:
+            try:
+                built.append(_with_protocol(wing, attempt))
+            except InputError as error:
+                yield attempt, error
         if time.perf_counter() - start > seconds:
             yield from _simulated(built, threads, sparse, until_opened, progress)
             seconds, start, built = 2 * seconds, time.perf_counter(), []
@@ -241,7 +242,7 @@ def _engine_key(design: Design) -> str:
     return design.model_copy(update={"protocol": design.protocol.model_copy(update=parting)}).hash
 
 
-def _compile(design: Design) -> WingModel:
+def _compile(design: Design) -> WingModel | InputError:
     """A wing; with four times the estimated timestep where that is left open, so that the third attempt can do."""
     guessed = with_timestep(design)
     return compile_wing(
@@ -249,8 +250,14 @@ def _compile(design: Design) -> WingModel:
     )
 
 
-def _with_protocol(wing: WingModel, attempt: _Attempt) -> tuple[_Attempt, WingModel]:
-    """An attempt at the timestep of a wing, and that wing with its protocol, the engine model shared."""
+def _with_protocol(wing: WingModel | InputError, attempt: _Attempt) -> tuple[_Attempt, WingModel]:
+    """An attempt at the timestep of a wing, and that wing with its protocol, the engine model shared.
+
+    Raises:
+        InputError: there is no wing, or its protocol is too large or small for it.
+    """
+    if isinstance(wing, InputError):
+        raise wing
     design = _with_step(attempt.design, float(wing.design.protocol.timestep))
     return replace(attempt, design=design), replace(
         wing, design=design, in_units=design_in_model_units(design, wing.units)
