@@ -39,27 +39,62 @@ FLOATS = (
 )
 
 
-def planted(factors, status=None, *, fold_status=None, sizes=None):
+NOT_RUN = "not run"
+# how statuses begin, what the page's words and the verdict are
+ENDS = {
+    "folded and opened": ("folded and opened", "reached"),
+    "did not open": ("did not open", "stuck"),
+    "did not fold": ("did not fold", "stuck"),
+    "stuck": ("stuck on the way", "stuck"),
+    "did not stay folded": ("did not stay folded", "not held"),
+    "still moving": ("still folding", "moving"),
+    "diverged": ("diverged", "diverged"),
+    "not to be trusted": ("not to be trusted", "untrusted"),
+    "cannot be built": ("cannot be built", "not built"),
+    NOT_RUN: (NOT_RUN, ""),
+}
+
+
+def end(status):
+    """The word for a status, and the verdict."""
+    if status.startswith("with "):
+        torque, rest = status.split(": ", 1)
+        word, verdict = end(rest)
+        return (word if verdict in ("diverged", "untrusted") else f"{word} {torque}"), verdict
+    return next(each for beginning, each in ENDS.items() if status.startswith(beginning))
+
+
+def planted(factors, status=None, *, fold_outcome=None, sizes=None):
     """A search over some factors, in which wings fold and open unless a status says something else."""
     coords = {name: COORDS[name][0][: (sizes or {}).get(name)] for name in factors}
     shape = tuple(len(values) for values in coords.values())
     status = np.full(shape, "folded and opened", dtype=object) if status is None else status
-    opens = status == "folded and opened"
-    folds = opens | (status == "did not open")
+    outcome, verdict = np.vectorize(end, otypes=[object, object])(status)
+    opens = outcome == "folded and opened"
+    folds = opens | (outcome == "did not open")
+    tells = np.isin(verdict, ["reached", "stuck", "not held", "moving"])
     rising = 1.0 + np.arange(opens.size).reshape(shape)
     variables = {}
     for name in FLOATS:
-        where = np.isin(status, [""], invert=True) if name == "flat_energy" else opens if "open" in name else folds
-        where = opens if "unfold" in name else where
+        where = tells if name == "flat_energy" else opens if "open" in name or "unfold" in name else folds
         scale = 0.01 if "torque" in name or "time" in name else 1.0
         variables[name] = (factors, np.where(where, scale * rising, np.nan), {"units": UNITS[name.rsplit("_", 1)[1]]})
-    fold_status = np.where(folds, "folded", status) if fold_status is None else fold_status
+    fold_outcome = np.where(folds, "folded", outcome) if fold_outcome is None else fold_outcome
     variables["status"] = (factors, status)
-    variables["fold_status"] = (factors, fold_status.astype(object))
-    variables["reference_fold_status"] = (factors, np.where(folds, "folded", "").astype(object), {"torque": 5.0})
+    variables["outcome"] = (factors, outcome)
+    variables["verdict"] = (factors, verdict)
+    variables["residual"] = (
+        factors,
+        np.where(verdict == "untrusted", 0.1, np.where(tells, 1e-3, np.nan)),
+        {"units": ""},
+    )
+    variables["fold_outcome"] = (factors, fold_outcome.astype(object))
+    variables["reference_outcome"] = (factors, np.where(folds, "folded", "").astype(object), {"torque": 5.0})
     times = np.where(folds[..., None], 0.05 / np.array(TORQUES), np.nan) + 0.001 * rising[..., None]
     variables["fold_time_by_torque"] = ((*factors, "fold_torque"), times, {"units": "s"})
     variables["folded_by_torque"] = ((*factors, "fold_torque"), np.isfinite(times))
+    by_torque = np.broadcast_to(fold_outcome[..., None], times.shape).astype(object)
+    variables["fold_outcome_by_torque"] = ((*factors, "fold_torque"), by_torque)
     table = xr.Dataset(variables, coords={**coords, "fold_torque": TORQUES}, attrs={"ask": "least-torques"})
     for name in factors:
         _, key, si, display = COORDS[name]
@@ -73,7 +108,23 @@ def many_ends():
         [
             ["folded and opened", "folded and opened", "did not open", "did not fold"],
             ["folded and opened", "did not open", "stuck at -134.6 deg", "diverged at t = 0.3 s"],
-            ["did not stay folded", "", "did not fold", "did not fold"],
+            ["did not stay folded", NOT_RUN, "did not fold", "did not fold"],
+        ],
+        dtype=object,
+    )
+    return planted(TWO, status)
+
+
+UNTRUSTED = "not to be trusted: the energy balance misses 12 %"
+
+
+def doubtful():
+    """As where a timestep is too long for some wings, and a time limit too short for others."""
+    status = np.array(
+        [
+            ["folded and opened", UNTRUSTED, "still moving at -34.0 deg when its time to fold was over", UNTRUSTED],
+            ["diverged at t = 0.3 s", "diverged at t = 0.1 s", "did not open", "did not fold"],
+            ["folded and opened"] * 4,
         ],
         dtype=object,
     )
@@ -81,8 +132,9 @@ def many_ends():
 
 
 def as_run(table):
-    names = ["least_fold_torque", "least_unfold_torque", "fold_status", "reference_fold_status"]
-    return table.drop_vars([*names, "fold_time_by_torque", "folded_by_torque", "fold_torque"])
+    names = ["least_fold_torque", "least_unfold_torque", "fold_outcome", "reference_outcome"]
+    by_torque = ["fold_time_by_torque", "folded_by_torque", "fold_outcome_by_torque", "fold_torque"]
+    return table.drop_vars(names + by_torque)
 
 
 def sampled(table):
@@ -119,8 +171,10 @@ def panels(figure):
 TABLES = {
     "two factors": lambda: planted(TWO),
     "many ends": many_ends,
+    "not to be trusted": doubtful,
+    "samples not to be trusted": lambda: sampled(doubtful()),
     "nothing folds": lambda: planted(TWO, np.full((3, 4), "did not fold", dtype=object)),
-    "nothing ran": lambda: planted(TWO, np.full((3, 4), "", dtype=object)),
+    "nothing ran": lambda: planted(TWO, np.full((3, 4), NOT_RUN, dtype=object)),
     "one cell": lambda: planted(TWO, sizes={"tendon_stiffness": 1, "tendon_rest_length": 1}),
     "one factor": lambda: planted(("tendon_stiffness",)),
     "one factor of words, one value": lambda: planted(
@@ -175,13 +229,15 @@ def test_each_cell_without_a_value_is_marked_by_its_reason():
 def test_a_wing_that_sticks_when_folded_for_the_unfolding_says_with_which_torque():
     table = planted(TWO)
     table["least_unfold_torque"][0, 3] = np.nan
-    table["status"][0, 3] = table["reference_fold_status"][0, 3] = "stuck at -134.6 deg"
+    table["status"][0, 3] = "with 500 N cm: stuck at -134.6 deg"
+    table["outcome"][0, 3] = "stuck on the way with 500 N cm"
+    table["reference_outcome"][0, 3] = "stuck on the way"
     assert legend(draw_torque_maps(table)) == ["stuck on the way with 500 N cm"]
 
 
 def test_a_wing_that_only_the_large_torque_folds_was_asked_to_open():
     table = many_ends()
-    table["reference_fold_status"][2, 3] = "folded"
+    table["reference_outcome"][2, 3] = "folded"
     # as before, but one more did not open, and one fewer was not tried
     assert marked(panels(draw_torque_maps(table))["least unfold torque"]) == [1, 1, 3, 4]
 
@@ -201,6 +257,38 @@ def test_a_wing_whose_release_failed_is_marked_by_that_whatever_the_large_torque
     status = np.full((3, 4), "folded and opened", dtype=object)
     status[0, 0] = "did not stay folded; with 500 N cm: stuck at -134.6 deg"
     assert legend(draw_status_map(planted(TWO, status))) == ["folded and opened", "did not stay folded"]
+
+
+def test_what_is_not_to_be_trusted_is_drawn_as_such_in_every_map_and_never_as_a_wing_that_did_not_fold():
+    table = doubtful()
+    for figure in (draw_torque_maps(table), draw_work_maps(table), draw_energy_maps(table), draw_status_map(table)):
+        assert {"diverged", "not to be trusted"} <= set(legend(figure))
+        handles = {handle.get_label(): handle for handle in figure.legends[0].legend_handles}
+        hatches = [handle.get_hatch() for handle in handles.values() if handle.get_hatch()]
+        assert len(hatches) == len(set(hatches))
+        for axes in panels(figure).values():
+            assert marked(axes).count(2) >= 2
+    # by torque, too: two wings at three torques each
+    figure = draw_fold_times(table)
+    assert set(legend(figure)) == {"diverged", "not to be trusted", "still folding", "did not fold"}
+
+
+def test_torques_that_are_not_to_be_trusted_stand_beside_others_that_are():
+    table = planted(TWO)
+    table["fold_time_by_torque"][0, 1, 2] = table["fold_time_by_torque"][0, 2, 1] = np.nan
+    table["fold_outcome_by_torque"][0, 1, 2] = "not to be trusted"
+    table["fold_outcome_by_torque"][0, 2, 1] = "diverged"
+    figure = draw_fold_times(table)
+    assert legend(figure) == ["diverged", "not to be trusted"]
+    assert marked(panels(figure)["tendon stiffness 10 N/cm"]) == [1, 1]
+
+
+def test_a_reference_not_to_be_trusted_has_the_hatch_of_that_whatever_the_torque():
+    table = planted(TWO)
+    table["least_unfold_torque"][0, 3] = table["least_unfold_torque"][1, 3] = np.nan
+    for place, word in (((0, 3), "not to be trusted"), ((1, 3), "diverged")):
+        table["outcome"][place] = table["reference_outcome"][place] = word
+    assert legend(draw_torque_maps(table)) == ["diverged", "not to be trusted"]
 
 
 def test_runs_that_did_not_fold_were_not_asked_to_open():

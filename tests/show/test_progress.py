@@ -8,9 +8,9 @@ from rich.console import Console
 
 from forficula.show import progress
 
-FOLDED = {"status": "folded and opened", "folded": True}
-STUCK = {"status": "stuck at -134.6 deg", "folded": False}
-DIVERGED = {"status": "diverged at t = 0.3 s", "folded": False}
+FOLDED = {"status": "folded and opened", "verdict": "reached", "folded": True}
+STUCK = {"status": "stuck at -134.6 deg", "verdict": "stuck", "folded": False}
+DIVERGED = {"status": "diverged at t = 0.3 s", "verdict": "diverged", "folded": None}
 
 
 @pytest.fixture

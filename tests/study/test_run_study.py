@@ -12,10 +12,12 @@ import pytest
 import xarray as xr
 
 from forficula.errors import InputError
+from forficula.show.maps import draw_torque_maps
 from forficula.study import collect, estimate, load_study, run_study, table_csv
 from forficula.study.evaluate import evaluate
 from forficula.study.run_study import _designs
 from forficula.study.search import point_design
+from tests.show.test_maps import legend
 
 TENDONS = '"tendon.stiffness" = "10..30 N/cm step 10"\n"tendon.rest_length" = ["5 cm", "9 cm"]'
 LEAST_TORQUES = 'ask = "least-torques"'
@@ -197,8 +199,11 @@ def test_a_search_at_points_that_are_no_wing_is_whole_too(tmp_path, study_file):
     search = '[search]\nfold_torques = ["50 N cm"]\nunfold_torques = ["100 N cm"]'
     study = load_study(study_file('"pattern.units" = [1, 30]', head=LEAST_TORQUES, tail=search))
     table = run_study(study, tmp_path)
-    for name in ("status", "fold_status", "reference_fold_status"):
-        assert str(table[name].values[1]).startswith("cannot be built: ")
+    assert str(table["status"].values[1]).startswith("cannot be built: ")
+    for name in ("outcome", "fold_outcome", "reference_outcome"):
+        assert table[name].values[1] == "cannot be built"
+    assert table["verdict"].values.tolist()[1] == "not built"
+    assert "cannot be built" in legend(draw_torque_maps(table))
     assert table["least_fold_torque"].isnull().values.tolist() == [False, True]
 
 

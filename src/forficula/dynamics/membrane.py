@@ -111,7 +111,8 @@ def membrane_energy(nodes: NDArray[np.float64], membrane: Membrane, design: Desi
     trace = np.trace(strain, axis1=-2, axis2=-1)
     density = shear * np.sum(strain**2, axis=(-2, -1)) + lame / 2 * trace**2
     area = np.abs(np.linalg.det(rest)) / 2
-    return np.asarray(law.thickness * np.sum(area * density, axis=-1))
+    # in rows, so that a state's sum has the same bits beside others and alone
+    return np.asarray(law.thickness * np.sum(np.ascontiguousarray(area * density), axis=-1))
 
 
 def _edges(nodes: NDArray[np.float64], triangles: NDArray[np.int64]) -> NDArray[np.float64]:

@@ -12,6 +12,8 @@ from forficula.analysis import FOLDED, OPENED
 from forficula.errors import InputError
 from forficula.show.factor_text import plain_name, value_text
 from forficula.show.map_page import (
+    DIVERGED,
+    NOT_BUILT,
     NOT_FOLDED,
     NOT_OPENED,
     NOT_STAYED,
@@ -21,6 +23,7 @@ from forficula.show.map_page import (
     STILL_FOLDING,
     STILL_OPENING,
     STUCK,
+    UNTRUSTED,
     Panel,
     View,
     draw_page,
@@ -137,7 +140,7 @@ def draw_fold_times(
     with map_style():
         view = _slice(table, [name for name in (panels, y) if name], x="fold_torque", y=y)
         times = view.table["fold_time_by_torque"]
-        reasons = times.copy(data=np.full(times.shape, NOT_FOLDED))
+        reasons = view.table["fold_outcome_by_torque"]
         if panels is None:
             only = Panel(title="fold time", values=times, reasons=reasons, unit="s")
             return draw_page(view, [only], quantity="fold time", width=width)
@@ -263,7 +266,7 @@ def _why_not_opened(outcome: str, folding: str, reference: str, where: str) -> s
         # a wing that only the large torque folds was asked to open, too
         word = outcome if folding in _GOES_ON else NOT_OPENED
     elif where and reference:
-        word = f"{reference}{where}"
+        word = reference if reference in (DIVERGED, UNTRUSTED, NOT_BUILT) else f"{reference}{where}"
     else:
         word = NOT_TRIED if folding in (NOT_FOLDED, STUCK, STILL_FOLDING, NOT_STAYED) else outcome
     return OTHER if word in (FOLDED, OPENED) else word

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.analysis import FOLDED
+from forficula.analysis import FOLDED, Ending, Verdict, ending_word
 from forficula.study.tendon_search import AS_MANY, FOLD_TORQUE, PAPER_FOLDS, PAPER_OPENS, Array, Mask, TendonSearch
 
 _TORQUE_STEP = 0.1  # of the paper's search, N m
@@ -21,6 +21,8 @@ _LOST = "The paper's lengths and masses are lost, and ours are chosen."
 _GEOMETRY = "Hub radius, sector angle and margin move the boundary; the paper's are lost, and ours are chosen."
 _OTHER_TENDONS = "The study does not have the paper's 60 tendons, or no fold torques up to 50 N cm."
 _ABSENT = "The study does not have the tendons that this is about."
+_UNKNOWN = "The outcome of some is not known: they need a shorter timestep."
+_SAYS_NOTHING = [ending_word(Ending(verdict=verdict)) for verdict in Verdict if not verdict.tells]
 _NONE_OPENS = "No tendon of the study folds and opens again."
 
 
@@ -91,18 +93,21 @@ def _tendon_energy(
 
 def _count_that_fold(search: TendonSearch) -> Comparison:
     count = int(search.folds.sum())
-    ours, agrees, why = _count(search, count, PAPER_FOLDS, _GEOMETRY)
+    ours, agrees, why = _count(search, count, PAPER_FOLDS, _GEOMETRY, "fold_outcome")
     return _row("tendons that fold with at most 50 N cm", f"{PAPER_FOLDS} of 60", ours, agrees, why)
 
 
 def _count_that_open(search: TendonSearch) -> Comparison:
-    ours, agrees, why = _count(search, int(search.opens.sum()), PAPER_OPENS, _LOST)
+    ours, agrees, why = _count(search, int(search.opens.sum()), PAPER_OPENS, _LOST, "outcome")
     return _row("those of them that open again with at most 100 N cm", f"{PAPER_OPENS} of 60", ours, agrees, why)
 
 
-def _count(search: TendonSearch, count: int, paper: int, why: str) -> tuple[str, bool | None, str]:
-    """A count in words, whether it is the paper's, and why not."""
+def _count(search: TendonSearch, count: int, paper: int, why: str, outcome: str) -> tuple[str, bool | None, str]:
+    """A count in words, whether it is the paper's, and why not; `outcome` is the variable that tells what is known."""
     ours = f"{count} of {search.folds.size}"
+    unknown = np.isin(search.values(outcome).astype(str), _SAYS_NOTHING)
+    if unknown.any():
+        return f"{ours}; not known of {search.names(unknown)}", None, _UNKNOWN
     return (ours, count == paper, why) if search.whole else (ours, None, _OTHER_TENDONS)
 
 
@@ -116,7 +121,7 @@ def _long_tendons(search: TendonSearch) -> Comparison:
     # tests/study/test_comparison.py holds this reason against the model
     why = (
         "A tendon of 9 cm is slack beyond about 70 deg, and there inertia carries the hinges on; with ten times the"
-        " hinge damping chosen here, the wing of 10 N/cm sticks there under 50 N cm."
+        " hinge damping chosen here, the wing of 10 N/cm is still there after its second under 50 N cm."
     )
     return _row(claim, paper, ours, not folds, why)
 
@@ -174,11 +179,12 @@ def _least_work(search: TendonSearch) -> Comparison:
 
 def _large_torque(search: TendonSearch) -> Comparison:
     claim, paper = "tendons that fold with 500 N cm", "all but one"
-    outcome, large = _folded_at_large_torque(search)
-    tried = ~np.isin(outcome, ["", "nan", "None"])
+    outcome, large, tried, unknown = _folded_at_large_torque(search)
     failed = tried & (outcome != FOLDED)
     ours = f"{int((tried & ~failed).sum())} of {int(tried.sum())} tried"
     ours += f"; not {search.names(failed)}" if failed.any() else ""
+    if unknown.any():
+        return _row(claim, paper, ours, None, _UNKNOWN, mark="derived")
     if not (search.whole and large and tried.all()):
         why = "The study did not fold all of the paper's 60 tendons with 500 N cm."
         return _row(claim, paper, ours, None, why, mark="derived")
@@ -188,10 +194,11 @@ def _large_torque(search: TendonSearch) -> Comparison:
 
 def _outlier(search: TendonSearch) -> Comparison:
     claim, paper = "tendons that fold with at most 50 N cm but stick with 500 N cm", "one"
-    outcome, large = _folded_at_large_torque(search)
-    tried = ~np.isin(outcome, ["", "nan", "None"])
+    outcome, large, tried, unknown = _folded_at_large_torque(search)
     stuck = search.folds & tried & (outcome != FOLDED)
     ours = f"{int(stuck.sum())}: {search.names(stuck)}" if stuck.any() else "none"
+    if unknown.any():
+        return _row(claim, paper, ours, None, _UNKNOWN)
     if not (search.whole and large and tried[search.folds].all()):
         return _row(
             claim,
@@ -204,10 +211,13 @@ def _outlier(search: TendonSearch) -> Comparison:
     return _row(claim, paper, ours, stuck.sum() == 1, why)
 
 
-def _folded_at_large_torque(search: TendonSearch) -> tuple[NDArray[np.str_], bool]:
-    """How each tendon folded before it was to open, and whether that was with the paper's 500 N cm."""
+def _folded_at_large_torque(search: TendonSearch) -> tuple[NDArray[np.str_], bool, Mask, Mask]:
+    """How each tendon folded before it was to open, whether with 500 N cm, which were tried, which say nothing."""
     torque = float(search.table["reference_outcome"].attrs.get("torque", math.nan))
-    return search.values("reference_outcome").astype(str), bool(np.isclose(torque, 5.0))
+    outcome = search.values("reference_outcome").astype(str)
+    unknown = np.isin(outcome, _SAYS_NOTHING)
+    tried = ~np.isin(outcome, ["", "nan", "None"]) & ~unknown
+    return outcome, bool(np.isclose(torque, 5.0)), tried, unknown
 
 
 def _first_to_open(search: TendonSearch) -> Comparison:

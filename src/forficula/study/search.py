@@ -22,16 +22,16 @@ def search_designs(design: Design, search: Search, rows: Rows) -> list[Design]:
     """The designs that must run to find the least torques, as far as the rows so far tell.
 
     Folding is tried with every torque, for it need not be monotone, and only the least that folds is also released.
-    Opening is tried where some torque folds, from the wing folded with `fold_with`, rising, up to the least torque that
-    opens; a search without unfold torques leaves that out. What runs next can depend on the last rows: ask again until
-    none is missing.
+    Opening is tried where there is a least torque that folds, from the wing folded with `fold_with`, rising, up to the
+    least torque that opens; a search without unfold torques leaves that out. What runs next can depend on the last
+    rows: ask again until none is missing.
     """
     fold_torques = _torques(design, search, rows, "fold")
     wanted = [fold_design(design, torque) for torque in fold_torques]
     folds = [rows.get(row_key(each)) for each in wanted]
     if any(row is None for row in folds):
         return wanted
-    least = _least(dict(zip(fold_torques, folds, strict=True)), "folded")
+    least, _ = _decided({torque: row for torque, row in zip(fold_torques, folds, strict=True) if row}, "folded")
     if least is None:
         return wanted
     wanted.append(release_design(design, least))
@@ -54,13 +54,14 @@ def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
     torque does.
     """
     folds = {torque: rows[row_key(fold_design(design, torque))] for torque in _torques(design, search, rows, "fold")}
-    # there are none above the least torque that opens, nor where no torque folds
+    least_fold, folding = _decided(folds, "folded")
+    # there are none above the least torque that opens
     opens = {
         torque: row
         for torque in _torques(design, search, rows, "unfold")
-        if (row := rows.get(row_key(unfold_design(design, search.fold_with, torque)))) is not None
+        if least_fold is not None
+        and (row := rows.get(row_key(unfold_design(design, search.fold_with, torque)))) is not None
     }
-    least_fold, folding = _decided(folds, "folded")
     if least_fold is not None:
         folding = rows[row_key(release_design(design, least_fold))]
     least_unfold, opening = _decided(opens, "opened")
@@ -112,10 +113,12 @@ def _ending(search: Search, folding: Row, opening: Row) -> dict[str, Any]:
     ending = {"status": told["status"], "verdict": told["verdict"], "outcome": word}
     large = show_quantity(search.fold_with, TORQUE)
     if told is folding:
-        if opening and folding.get("folded") is False:
+        if opening:
             ending["status"] += f"; with {large}: {opening['status']}"
-    elif opening["folded"] is False:
-        ending |= {"status": f"with {large}: {opening['status']}", "outcome": f"{word} with {large}"}
+    elif not opening["folded"]:
+        ending["status"] = f"with {large}: {opening['status']}"
+        if Verdict(opening["verdict"]).tells:
+            ending["outcome"] = f"{word} with {large}"
     return ending
 
 

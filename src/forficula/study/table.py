@@ -86,6 +86,12 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         by_torque = np.array(times).reshape(*shape, -1)
         variables["fold_time_by_torque"] = ((*dimensions, "fold_torque"), by_torque, {"units": "s"})
         variables["folded_by_torque"] = ((*dimensions, "fold_torque"), np.isfinite(by_torque))
+        became = [
+            [each.get("fold_outcomes", {}).get(t, each["outcome"]) for t in study.search.fold_torques]
+            for each in results
+        ]
+        by_torque = np.array(became, dtype=object).reshape(*shape, -1)
+        variables["fold_outcome_by_torque"] = ((*dimensions, "fold_torque"), by_torque)
         if not study.search.unfold_torques:
             variables = {name: values for name, values in variables.items() if name not in _OPENING}
     attributes = {
@@ -128,9 +134,9 @@ def _result(study: Study, design: Design | str, rows: Mapping[str, Row]) -> dict
         numbers = {name: row.get(f"{name}_{unit}") for name, (unit, _) in _RUN_NUMBERS.items() if unit}
         return row | numbers | {"outcome": ending_word(row_ending(row))}
     result = search_result(design, study.search, rows)
-    result["fold_times"] = {
-        torque: rows[row_key(fold_design(design, torque))].get("fold_time_s") for torque in study.search.fold_torques
-    }
+    tried = {torque: rows[row_key(fold_design(design, torque))] for torque in study.search.fold_torques}
+    result["fold_times"] = {torque: row.get("fold_time_s") for torque, row in tried.items()}
+    result["fold_outcomes"] = {torque: ending_word(row_ending(row)) for torque, row in tried.items()}
     return result
 
 

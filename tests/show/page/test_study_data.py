@@ -9,7 +9,7 @@ import pytest
 from forficula.show.maps import missing_reasons
 from forficula.show.page.study_data import study_data
 from forficula.study import load_study
-from tests.show.test_maps import TORQUES, TWO, as_run, many_ends, planted, sampled
+from tests.show.test_maps import TORQUES, TWO, as_run, doubtful, many_ends, planted, sampled
 
 GRID = '"tendon.stiffness" = ["10 N/cm", "20 N/cm", "30 N/cm"]\n"tendon.rest_length" = ["0 cm", "3 cm", "6 cm", "9 cm"]'
 DRAWN = """
@@ -74,6 +74,19 @@ def test_where_a_value_is_missing_its_reason_is_that_of_the_figure(study):
                 assert word(data, reason) == expected
 
 
+def test_each_torque_has_its_own_reason_for_no_fold_time(study):
+    table = doubtful()
+    data = study_data(study, table)
+    times = [each for name, each in quantities(data).items() if name.startswith("fold_time_by")]
+    for index, each in enumerate(times):
+        expected = table["fold_outcome_by_torque"].values[..., index].ravel()
+        for value, reason, became in zip(each["values"], each["reasons"], expected, strict=True):
+            assert (value is None) == (reason is not None) == (became != "folded")
+            if reason is not None:
+                assert word(data, reason) == became
+    assert {"diverged", "not to be trusted", "still folding"} <= {each["word"] for each in data["words"]}
+
+
 def test_every_point_has_a_verdict_and_the_verdicts_are_counted(study):
     data = study_data(study, many_ends())
     verdicts = [word(data, number) for number in data["verdicts"]]
@@ -85,8 +98,9 @@ def test_every_point_has_a_verdict_and_the_verdicts_are_counted(study):
 
 
 def test_reasons_have_signs_of_their_own(study):
-    words = study_data(study, many_ends())["words"]
-    assert len({entry["sign"] for entry in words}) == len(words) > 5
+    for table, least in ((many_ends(), 5), (doubtful(), 4)):
+        words = study_data(study, table)["words"]
+        assert len({entry["sign"] for entry in words}) == len(words) > least
 
 
 def test_factors_are_in_the_units_of_design_files(study):

@@ -3,6 +3,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from forficula.analysis import measure
 from forficula.show.page.playback import make_clip
 from forficula.show.page.words import angle_range, angle_text, energy_text, outcome_remarks, outcome_sentence
 
@@ -26,12 +27,17 @@ def test_what_failed_is_told_with_its_torque(short_outcome):
 
 def test_remarks_tell_what_to_try_what_swings_and_what_the_balance_misses(short_run, short_outcome):
     state = replace(short_outcome.folded_state, distal_angle_high=short_outcome.folded_state.distal_angle_low + 0.1)
-    balance = replace(short_outcome.energy_balance, stops=short_outcome.energy_balance.stops - 1.0)
-    odd = replace(short_outcome, status="did not open", advice="Raise it.", folded_state=state, energy_balance=balance)
+    odd = replace(short_outcome, status="did not open", advice="Raise it.", folded_state=state)
     remarks = outcome_remarks(short_run, odd)
     assert remarks[0] == "Did not open. Raise it."
     assert any(remark.startswith("Where the folded state is taken, hinges still swing") for remark in remarks)
-    assert any(remark.startswith("The energy balance misses") for remark in remarks)
+    series = {name: values.copy() for name, values in short_run.series.items()}
+    series["stop_work"][-1] += 1.0  # J
+    unsound = replace(short_run, series=series)
+    (remark, *_) = outcome_remarks(unsound, measure(unsound))
+    assert remark.startswith("Not to be trusted: the energy balance misses ")
+    assert "Take a timestep of about " in remark
+    assert outcome_sentence("wing", measure(unsound)).startswith("wing: not to be trusted: the energy balance misses ")
 
 
 def test_a_wing_that_never_rests_is_told(short_run, short_outcome):

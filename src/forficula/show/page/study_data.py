@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from forficula.analysis import FOLDED, OPENED, Verdict
 from forficula.quantities import reading_unit
@@ -161,17 +162,20 @@ def _quantity(table: Dataset, name: str, title: str, group: str, words: _Words) 
     numbers = table[name].values.ravel()
     unit, scale = _unit(table[name], numbers)
     values = [_rounded(scale * value) for value in numbers.tolist()]
-    reasons = missing_reasons(table, name).values.ravel()
     return {
         "name": name,
         "title": title,
         "group": group,
         "unit": unit,
         "values": values,
-        "reasons": [
-            words.number(str(reason)) if value is None else None for value, reason in zip(values, reasons, strict=True)
-        ],
+        "reasons": _reasons(values, missing_reasons(table, name).values.ravel(), words),
     }
+
+
+def _reasons(values: Sequence[float | None], reasons: NDArray[np.object_], words: _Words) -> list[int | None]:
+    """Why there is no value, where there is none."""
+    pairs = zip(values, reasons.tolist(), strict=True)
+    return [words.number(str(reason)) if value is None else None for value, reason in pairs]
 
 
 def _times_by_torque(table: Dataset, words: _Words) -> Iterator[dict[str, Any]]:
@@ -180,16 +184,16 @@ def _times_by_torque(table: Dataset, words: _Words) -> Iterator[dict[str, Any]]:
         return
     times, torques = table["fold_time_by_torque"], table["fold_torque"]
     unit, scale = _unit(times, times.values)
-    reason = words.number(NOT_FOLDED)
     for index in range(torques.size):
         values = [_rounded(scale * value) for value in times.isel(fold_torque=index).values.ravel().tolist()]
+        became = table["fold_outcome_by_torque"].isel(fold_torque=index).values.ravel()
         yield {
             "name": f"fold_time_by_torque:{index}",
             "title": f"fold time with {value_with_unit(torques, index)}",
             "group": "time by torque",
             "unit": unit,
             "values": values,
-            "reasons": [None if value is not None else reason for value in values],
+            "reasons": _reasons(values, became, words),
         }
 
 
