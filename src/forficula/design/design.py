@@ -29,6 +29,7 @@ from forficula.design.part import (
     Part,
     quantity,
 )
+from forficula.design.start import largest_start, start_stretch
 from forficula.errors import InputError
 from forficula.names import folder_name, shown_name
 from forficula.pattern import EarwigFan, ring_vertices, vein_gaps
@@ -281,6 +282,7 @@ class Design(Part):
             if list(rows) != sorted({row for row in rows if 0 < row < 1}):
                 raise InputError(f"membrane.{key}: need rising shares between 0 and 1, got {list(rows)}")
         self._goals_within_stops()
+        self._start_within_guards()
         self._not_too_long()
         return self
 
@@ -298,6 +300,18 @@ class Design(Part):
                     f"protocol.{key}: need {above}<= {show_quantity(most, ANGLE)} (hinge.{stop}),"
                     f" got {show_quantity(angle, ANGLE)}"
                 )
+
+    def _start_within_guards(self) -> None:
+        """Refuse a start that guard tendons are too short for: they would throw the wing, harder at a shorter step."""
+        start, allowed = self.protocol.initial_overbend, self.guard.stretch
+        stretch = start_stretch(self.fan, start)
+        if stretch > allowed:
+            most = show_quantity(largest_start(self.fan, allowed), ANGLE)
+            raise InputError(
+                f"protocol.initial_overbend: neighbouring tips would start {stretch:.4g} times as far apart as in the"
+                f" flat wing, and guard.stretch allows {allowed:.4g}: need <= {most} or a larger guard.stretch,"
+                f" got {show_quantity(start, ANGLE)}"
+            )
 
     def _not_too_long(self) -> None:
         """Refuse a run of more steps than anyone waits for, and a record of more rows than memory holds."""
