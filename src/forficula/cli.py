@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from collections.abc import Sequence
 
@@ -10,6 +9,7 @@ from cyclopts import App, CycloptsError
 
 from forficula.commands import designs, landscapes, materials, runs, studies
 from forficula.errors import InputError
+from forficula.terminal import drop_output, flush_output, plain_terminal
 
 app = App(
     name="forficula",
@@ -43,13 +43,25 @@ def main(arguments: Sequence[str] | None = None) -> None:
     to be trusted; 130: stopped.
     """
     try:
-        status = app(arguments, exit_on_error=False, print_error=False, result_action="return_value")
+        with plain_terminal():
+            try:
+                status = app(arguments, exit_on_error=False, print_error=False, result_action="return_value")
+            finally:
+                flush_output()
     except (InputError, CycloptsError) as error:
         print(f"forficula: {' '.join(str(error).split())}", file=sys.stderr)
         sys.exit(1)
     except BrokenPipeError:
-        # whoever read our output has seen enough; Python would complain once more when it closes it
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        # whoever read our output has seen enough
+        drop_output()
+        sys.exit(1)
+    except OSError as error:
+        drop_output()
+        where = error.filename or "the output cannot be written"
+        print(f"forficula: {where}: {error.strerror or error}", file=sys.stderr)
+        sys.exit(1)
+    except MemoryError:
+        print("forficula: no memory left; take fewer units, or fewer rows by a longer sample_interval", file=sys.stderr)
         sys.exit(1)
     except KeyboardInterrupt:
         print("forficula: stopped", file=sys.stderr)

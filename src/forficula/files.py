@@ -6,7 +6,6 @@ import os
 import re
 import secrets
 import shutil
-import tomllib
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -15,6 +14,7 @@ from typing import IO, Any
 from forficula.errors import InputError
 from forficula.lock import held
 from forficula.quantities import as_written
+from forficula.toml_text import parse_toml
 
 # How files come to lie in a folder, so that whoever is killed, wherever, leaves the old ones or the new ones, and
 # nothing that stays for ever:
@@ -249,8 +249,6 @@ def read_toml(path: Path, what: str) -> dict[str, Any]:
     except ValueError as error:  # a null byte
         raise InputError(f"{as_written(str(path))}: cannot be read: {error}") from None
     try:
-        return tomllib.loads(text)
-    except ValueError as error:
-        raise InputError(f"{path}: not TOML: {error}") from None
-    except RecursionError:
-        raise InputError(f"{path}: not TOML for {what}: nested too deeply") from None
+        return parse_toml(text, what)
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from None

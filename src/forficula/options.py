@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
@@ -11,12 +12,27 @@ from typing import TYPE_CHECKING, Annotated, TypeVar
 from cyclopts import Parameter, Token
 
 from forficula.errors import InputError
+from forficula.quantities import as_written
 
 if TYPE_CHECKING:
     from forficula.analysis import Verdict
     from forficula.quantities import Unit
 
 T = TypeVar("T")
+# digits of ASCII only: others, such as ², are digits to Python, too
+_WHOLE = re.compile(r"[0-9]{1,18}")
+
+
+def _whole_number(_type: object, tokens: Sequence[Token]) -> int:
+    """Take a whole number as one: a fraction would otherwise be rounded without a word."""
+    (token,) = tokens
+    if not re.fullmatch(rf"[+-]?{_WHOLE.pattern}", token.value):
+        raise InputError(f"need a whole number, got {as_written(token.value)}")
+    return int(token.value)
+
+
+# of every option that takes a whole number
+WHOLE_NUMBER = Parameter(converter=_whole_number)
 Settings = Annotated[
     list[str] | None,
     Parameter(
@@ -87,7 +103,7 @@ def read_size(option: str, text: str, smallest: int, largest: int) -> tuple[int,
         InputError: it is no such text, or a number is odd, which films cannot have, or out of bounds.
     """
     across, times, upwards = text.partition("x")
-    if times and across.isdecimal() and upwards.isdecimal():
+    if times and _WHOLE.fullmatch(across) and _WHOLE.fullmatch(upwards):
         size = int(across), int(upwards)
         if all(smallest <= each <= largest and each % 2 == 0 for each in size):
             return size
@@ -122,9 +138,9 @@ def read_shard(text: str) -> tuple[int, int]:
         InputError: it is no such text.
     """
     number, slash, count = text.partition("/")
-    if not (slash and number.isdecimal() and count.isdecimal() and 1 <= int(number) <= int(count)):
-        raise InputError(f'--shard: need a number and a count such as 2/8, got "{text}"')
-    return int(number), int(count)
+    if slash and _WHOLE.fullmatch(number) and _WHOLE.fullmatch(count) and 1 <= int(number) <= int(count):
+        return int(number), int(count)
+    raise InputError(f"--shard: need a number and a count such as 2/8, got {as_written(text)}")
 
 
 def check_folder(folder: Path) -> None:
@@ -188,11 +204,15 @@ def read_settings(
 
     values: dict[str, object] = {}
     for setting in settings or ():
-        key, equals, text = setting.partition("=")
-        if not equals or not key.strip():
-            raise InputError(f'{option}: need KEY=VALUE such as {example}, got "{setting}"')
+        if re.search("[\ud800-\udfff]", setting):
+            raise InputError(f"{option}: need text in UTF-8, got {as_written(setting)}")
+        key, equals, text = (part.strip() for part in setting.partition("="))
+        if not equals or not key:
+            raise InputError(f"{option}: need KEY=VALUE such as {example}, got {as_written(setting)}")
+        if key in values:
+            raise InputError(f"{option}: {key} is given twice")
         try:
-            values[key.strip()] = tomllib.loads(f"value = {text}")["value"]
+            values[key] = tomllib.loads(f"value = {text}")["value"]
         except (ValueError, RecursionError):  # not TOML, or too long a number or too deep a list for it
-            values[key.strip()] = text.strip()
+            values[key] = text
     return values

@@ -61,3 +61,9 @@ def test_without_any_length_there_is_no_strain():
     with pytest.raises(InputError, match=r"length: is missing: the design's tendon\.rest_length is 0"):
         size_tendons(design, load_law("tpu-95a"), [1000.0])
     assert len(size_tendons(design, load_law("tpu-82a"), [1000.0])) == 1
+
+
+@pytest.mark.parametrize("length", [1e-302, 1e298])
+def test_a_length_beyond_any_world_is_refused(reference, length):
+    with pytest.raises(InputError, match=r"^length: need >= 1e-09 mm and <= 1e\+15 mm, got "):
+        size_tendons(reference, load_law("tpu-82a"), [1000.0], length=length)

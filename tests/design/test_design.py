@@ -162,6 +162,51 @@ def test_the_wing_starts_within_the_limits_of_its_hinges(degrees):
     assert message == f"protocol.initial_overbend: {allowed}, got {degrees} deg"
 
 
+@pytest.mark.parametrize(
+    ("key", "degrees", "allowed"),
+    [
+        ("folded_angle", 161, "need <= 160 deg (hinge.fold_limit)"),
+        ("opened_angle", 3.5, "need >= -160 deg (-hinge.fold_limit) and <= 3 deg (hinge.overbend)"),
+        ("opened_angle", -161, "need >= -160 deg (-hinge.fold_limit) and <= 3 deg (hinge.overbend)"),
+    ],
+)
+def test_a_goal_beyond_the_stops_of_the_hinges_is_refused(key, degrees, allowed):
+    limits = {"hinge__fold_limit": math.radians(160)}
+    message = refusal(**limits, **{f"protocol__{key}": math.radians(degrees)})
+    assert message == f"protocol.{key}: {allowed}, got {degrees} deg"
+    at_the_stops = changed(protocol__folded_angle=math.pi, protocol__opened_angle=REFERENCE.hinge.overbend)
+    assert at_the_stops.protocol.folded_angle == at_the_stops.hinge.fold_limit
+
+
+@pytest.mark.parametrize("timestep", [1e-300, 6.2e-9, 6.4, 1e300])
+def test_a_timestep_that_no_run_can_take_is_refused_with_what_is_allowed(timestep):
+    message = refusal(protocol__timestep=timestep)
+    assert message.startswith("protocol.timestep: need >= 6.3e-06 ms and <= 6.3 s, so that all stages together, 6.3 s")
+    assert changed(protocol__timestep=6.4e-9, protocol__sample_interval=1e-3).protocol.timestep == 6.4e-9
+
+
+def test_a_record_that_no_memory_holds_is_refused_with_the_interval_that_one_does():
+    message = refusal(protocol__timestep=1e-7, protocol__sample_interval=1e-300)
+    assert message.startswith("protocol.sample_interval: need >= 0.00189 ms, so that the record of 3 veins over 6.3 s")
+    # rows are no closer than steps
+    assert changed(protocol__timestep=1e-4, protocol__sample_interval=1e-9).protocol.sample_interval == 1e-9
+
+
+@pytest.mark.parametrize("key", ["proximal_length", "distal_length", "hub_radius"])
+@pytest.mark.parametrize("length", [1e198, 1.1e12])
+def test_lengths_beyond_any_world_are_refused(key, length):
+    message = refusal(**{f"pattern__{key}": length})
+    assert message.startswith(f"pattern.{key}: need >= ")
+    assert message.endswith(f"and <= 1e+14 cm, got {100 * length:.4g} cm")
+
+
+@pytest.mark.parametrize("name", ["", "  ", "a\nb", "\x1b[2J", "\x00", "\x85", "\ud800"])
+def test_a_stage_has_a_name_that_a_terminal_and_a_file_can_hold(name):
+    stages = [stage.model_dump() for stage in REFERENCE.protocol.stages]
+    stages[0]["name"] = name
+    assert "stages.0.name: need " in refusal(protocol__stages=stages)
+
+
 @pytest.mark.parametrize("rows", [[0.5, 0.3], [0.3, 0.3], [0.0], [1.0], [-0.1, 0.5], [1.5]])
 def test_rows_of_the_membrane_rise_between_0_and_1(rows):
     for key in ("proximal_rows", "distal_rows"):

@@ -1,7 +1,9 @@
 import codecs
 import gzip
+import io
 import itertools
 import sys
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -245,6 +247,16 @@ ROWS = "0,0,0\n1,1.5,2.5\n2,3,4\n"
             "time [s];extension [mm];force [N]\n0,0;0,1;0,2\n1,5;1.5;2,5\n2,5;3,5;4,5\n",
             'line 3: decimal points and commas are mixed, got "1.5"',
         ),
+        (f'note,"{"x" * 200_000}"\n' + NAMES + ROWS, "line 1: need at most 100000 characters on a line, got more"),
+        (NAMES + f"0,0,0\n1,1.5,{'2' * 200_000}\n", "line 3: need at most 100000 characters on a line, got more"),
+        (
+            "time [s];extension [mm];force [N]\n0;0;999\n1;2;1,234\n2;3;12,345\n",
+            'line 3: force: "1,234" may be 1.234 or 1234; export without commas between thousands, or with another',
+        ),
+        (
+            'time [s],extension [mm],force [N]\n"1,000","1","2,000"\n"2,000","2","3,000"\n',
+            'line 2: force: "2,000" may be 2.000 or 2000; export without',
+        ),
         ('"L0";"60\n' + NAMES.replace(",", ";") + ROWS.replace(",", ";"), "line 5: need cells in closed quotes, is it"),
         ("L0,sixty,mm\n" + NAMES + ROWS, "length: the file does not say it; give the specimen's length, such as 60 mm"),
         ("L0,60,mm\n" + NAMES + ROWS, "area: the file does not say it; give the specimen's area, such as 5 mm^2"),
@@ -255,6 +267,25 @@ ROWS = "0,0,0\n1,1.5,2.5\n2,3,4\n"
 )
 def test_a_file_that_cannot_be_used_is_refused_in_one_line(tmp_path, text, message):
     assert refusal(file(tmp_path, text)).startswith(message)
+
+
+@pytest.mark.parametrize("row", ["1;2;1,2345", "1;2;0,123", "1,5;2;1,234", "1;0,002;1,234", "1;2;-0,002", "1;2;,125"])
+def test_a_comma_that_can_only_stand_for_decimals_tells_for_the_table(tmp_path, row):
+    text = f"time [s];extension [mm];force [N]\n0;0;1,234\n{row}\n2;3;1,236\n"
+    assert read_tensile_test(file(tmp_path, text), **SIZE).force[[0, 2]].tolist() == [1.234, 1.236]
+
+
+@pytest.mark.parametrize(("length", "shown"), [(0.0001, "0.1 mm"), (0.001, "1 mm")])
+def test_a_specimen_that_is_stretched_a_thousandfold_is_refused_with_both_numbers(tmp_path, length, shown):
+    text = plain_text(TEST)
+    message = refusal(file(tmp_path, text), length=length, area=AREA)
+    assert "extension: need more than -1 and at most 20 times the specimen's length" in message
+    assert f"{shown}, got 6 cm; is the unit of one of them wrong?" in message
+
+
+def test_a_file_larger_than_any_test_is_refused_unread(tmp_path, monkeypatch):
+    monkeypatch.setattr("forficula.material.machine_file._LARGEST", 2**20)
+    assert refusal(file(tmp_path, b"x" * (2**20 + 1))) == "need a file of at most 1 MiB, got a larger one"
 
 
 @pytest.mark.parametrize("size", [{"length": 0.0, "area": AREA}, {"length": LENGTH, "area": -1.0}])
@@ -373,6 +404,25 @@ def test_a_zs2_that_is_cut_off_or_something_else_is_refused(tmp_path):
     assert "need a whole .zs2" in refusal(file(tmp_path, cut, name="a.zs2"))
     for other in (b"", b"text", gzip.compress(b"text")):
         assert refusal(file(tmp_path, other, name="a.zs2")) == "need a .zs2 of ZwickRoell testXpert, got something else"
+
+
+@pytest.mark.parametrize("mark", [b"\xaf\xbe\xad\xde", b""])
+def test_a_zs2_that_unpacks_to_a_gigabyte_is_refused_without_holding_it(tmp_path, mark):
+    packed = io.BytesIO()
+    with gzip.open(packed, "wb", compresslevel=1) as stream:
+        stream.write(mark)
+        for _ in range(1024):
+            stream.write(bytes(2**20))
+    path = file(tmp_path, packed.getvalue(), name="a.zs2")
+    tracemalloc.start()
+    try:
+        message = refusal(path)
+        most = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    expected = "need a .zs2 of at most 256 MiB unpacked, got more"
+    assert message == (expected if mark else "need a .zs2 of ZwickRoell testXpert, got something else")
+    assert most < (2**29 if mark else 2**26)
 
 
 def test_a_zs2_without_its_library_says_what_to_install(tmp_path, monkeypatch):

@@ -149,6 +149,22 @@ def test_a_frame_that_is_no_folded_state_is_refused_with_its_number_and_key(tmp_
     assert "\n" not in str(refusal.value)
 
 
+def test_a_chain_of_frames_may_be_as_long_as_a_film(tmp_path):
+    states = {"frame_classes": ["foldedForm"], "frame_inherit": True}
+    frames = [states | {"frame_title": str(number), "frame_parent": number + 2} for number in range(3000)]
+    frames[-1]["frame_parent"] = 0
+    read = read_folded_frames(written(tmp_path / "square.fold", {"file_frames": frames}))
+    assert [title for title, _, _ in read] == [str(number) for number in range(3000)]
+    assert all(coords.shape == (4, 3) for _, coords, _ in read)
+
+
+def test_a_chain_of_frames_that_closes_is_refused(tmp_path):
+    states = {"frame_classes": ["foldedForm"], "frame_inherit": True}
+    frames = [states | {"frame_parent": number % 3000 + 1} for number in range(1, 3001)]
+    with pytest.raises(InputError, match=r"file_frames\[0\]: frame_parent: need a parent that does not inherit from"):
+        read_folded_frames(written(tmp_path / "square.fold", {"file_frames": frames}))
+
+
 def test_frames_that_are_no_objects_are_refused(tmp_path):
     with pytest.raises(InputError, match=r"square\.fold: file_frames\[0\]: need a JSON object with FOLD keys, got int"):
         states(tmp_path, 7)
@@ -238,6 +254,23 @@ def test_a_join_is_flat_and_null_is_no_fold_angle(tmp_path):
         ({"edges_assignment": ["B"]}, "edges_assignment: need one letter for each of the 5 edges, got 1"),
         ({"edges_assignment": [[], 1, 2, 3, 4]}, r"edges_assignment\[0\]: need one of"),
         ({"edges_foldAngle": ["x", 0, 0, 0, 0]}, r"edges_foldAngle\[0\]: need a number, got 'x'"),
+        (
+            {"edges_assignment": list("BBBBM"), "edges_foldAngle": [None] * 4 + [1]},
+            r"edges_foldAngle\[4\]: need <= 0 on a",
+        ),
+        (
+            {"edges_assignment": list("BBBBV"), "edges_foldAngle": [None] * 4 + [-1]},
+            r"edges_foldAngle\[4\]: need >= 0 on",
+        ),
+        ({"edges_foldAngle": [None] * 4 + [1e9]}, r"edges_foldAngle\[4\]: need -180 to 180 deg, got 1e\+09"),
+        (
+            {"faces_vertices": [[0, 1, 2], [0, 2, 3], [2, 0, 1]]},
+            r"faces_vertices\[2\]: need every face once, got 0 again",
+        ),
+        ({"faces_vertices": [[0, 1, 2], [2, 1, 0]]}, r"faces_vertices\[1\]: need every face once, got 0 again"),
+        ({"faces_vertices": [[0, 1, 2, 1]]}, r"faces_vertices\[0\]: need every vertex once, got 1 twice"),
+        ({"file_spec": 99}, "file_spec: need a version from 1 to below 2 of the FOLD format, got 99"),
+        ({"file_spec": "1.2"}, "file_spec: need a version"),
         ({"faces_vertices": [[0, 1, 8]]}, r"faces_vertices\[0\]: vertex 8 does not exist"),
         ({"faces_vertices": [[0, 1, 3]]}, r"faces_vertices\[0\]: need an edge along every side, got none from"),
     ],

@@ -1,6 +1,7 @@
 """What is told of a study while it runs: runs done, their rate, the time left, and what became of them."""
 
 import io
+from time import sleep
 
 import pytest
 from rich.console import Console
@@ -79,3 +80,22 @@ def test_a_narrow_terminal_keeps_every_count(screen, clock):
             told(number, 12345, row)
     for count in ("1 folded", "1 stuck", "1 diverged"):
         assert count in " ".join(sent.getvalue().split())
+
+
+def test_what_takes_long_is_said_and_what_does_not_is_not(monkeypatch, capsys):
+    monkeypatch.setattr(progress, "_PATIENCE", 0.05)
+    with progress.waiting("working out a number"):
+        sleep(0.2)
+    with progress.waiting("something else") as stop:
+        stop()
+        sleep(0.1)
+    assert capsys.readouterr().err == "working out a number ...\n"
+
+
+def test_wings_of_a_map_and_designs_are_counted_now_and_then(monkeypatch, capsys):
+    clock = iter([0.0, 1.0, 6.0, 6.0, 7.0])
+    monkeypatch.setattr(progress, "monotonic", lambda: next(clock))
+    line = progress.map_progress()
+    for done in (256, 512, 768):
+        line(done, 100_000)
+    assert capsys.readouterr().err == "512 of 100000 wings of the map\n"

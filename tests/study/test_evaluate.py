@@ -1,7 +1,19 @@
 """Torques that are tried one after another until one opens leave the same rows as all of them at once."""
 
+import json
+import math
+import subprocess
+import sys
+
+import mujoco
+import pytest
+from hypothesis import assume, example, given, settings
+from hypothesis import strategies as st
+
 import forficula as ff
 from forficula.design import with_values
+from forficula.dynamics import compile_wing
+from forficula.errors import InputError
 from forficula.study.evaluate import evaluate, outcome_row, row_key
 
 
@@ -31,3 +43,126 @@ def test_tendons_with_and_without_branches_and_yield_are_evaluated_side_by_side(
     rows = {row["key"]: row for row in evaluate(designs)}
     for design in designs:
         assert rows[row_key(design)] == {"key": row_key(design)} | outcome_row(ff.measure(ff.run(design)))
+
+
+STAGE = {"until": "time", "hold": 0.0, "time_limit": 0.005}
+SHORT = with_values(
+    ff.load_design("binder2025"),
+    {
+        "protocol.stages": [
+            STAGE | {"name": "settle", "drive": "none"},
+            STAGE | {"name": "fold", "drive": "fold", "until": "folded"},
+            STAGE | {"name": "unfold", "drive": "unfold", "until": "opened"},
+        ]
+    },
+)
+KEYS = (
+    *("pattern.proximal_length", "pattern.distal_length", "pattern.hub_radius", "vein.diameter", "vein.density"),
+    *("membrane.youngs_modulus", "membrane.thickness", "membrane.damping", "membrane.margin", "hinge.damping"),
+    *("hinge.armature", "tendon.stiffness", "tendon.rest_length", "tendon.damping", "tendon.proximal_attachment"),
+    *("protocol.sample_interval", "protocol.fold_torque", "protocol.unfold_torque", "protocol.rest_speed"),
+    *("protocol.window", "protocol.gravity", "protocol.stages.1.hold"),
+)
+
+
+@settings(max_examples=150)
+@given(st.dictionaries(st.sampled_from(KEYS), st.floats(-300, 300).map(lambda power: 10.0**power), max_size=2))
+@example({"pattern.distal_length": 378.25949135728735})  # blows up in its first step
+@example({"protocol.unfold_torque": 1e300})
+@example({"protocol.window": 1e308})
+@example({"membrane.youngs_modulus": 1e300, "vein.density": 1e-300})
+def test_any_number_that_a_design_may_have_gives_one_row_of_plain_numbers(values):
+    try:
+        design = with_values(SHORT, values)
+    except InputError:
+        assume(False)
+    (row,) = evaluate([design])
+    assert row["key"] == row_key(design)
+    assert row["status"]
+    assert json.loads(json.dumps(row, allow_nan=False)) == row
+
+
+def test_a_torque_beyond_numbers_is_a_row_and_touches_no_other():
+    designs = [SHORT, with_values(SHORT, {"protocol.fold_torque": 1e308})]
+    small = [with_values(design, {"vein.density": 1e-3}) for design in designs]
+    rows = {row["key"]: row for row in evaluate(small)}
+    assert rows[row_key(small[0])]["status"] != ""
+    assert "protocol.fold_torque: need a finite number" in rows[row_key(small[1])]["status"]
+
+
+EVALUATION = "forficula.study.evaluate"
+
+
+def test_the_first_wings_run_before_the_last_are_built(monkeypatch):
+    built = []
+    monkeypatch.setattr(f"{EVALUATION}._FIRST_SECONDS", 0.0)
+    monkeypatch.setattr(f"{EVALUATION}.compile_wing", lambda design: built.append(design) or compile_wing(design))
+    designs = [with_values(SHORT, {"tendon.stiffness": 1000.0 + number}) for number in range(5)]
+    rows = evaluate(designs)
+    next(rows)
+    assert len(built) == 1
+    assert len(list(rows)) == 4
+    assert len(built) == 5
+
+
+def test_wings_that_memory_does_not_hold_side_by_side_run_in_halves_and_one_that_it_cannot_hold_is_a_row(monkeypatch):
+    heavy = with_values(SHORT, {"tendon.stiffness": 1003.0})
+    designs = [*(with_values(SHORT, {"tendon.stiffness": 1000.0 + number}) for number in range(3)), heavy]
+    whole = {row["key"]: row for row in evaluate(designs)}
+    stepping = sys.modules["forficula.dynamics.simulate"]
+    stepper = stepping.Stepper
+
+    class Full:
+        def __init__(self, wings, *_):
+            if len(wings) > 1 or wings[0].design == heavy:
+                raise mujoco.FatalError("Could not allocate memory")
+            self.inner = stepper(wings, *_)
+
+        def __getattr__(self, name):
+            return getattr(self.inner, name)
+
+    monkeypatch.setattr(stepping, "Stepper", Full)
+    rows = {row["key"]: row for row in evaluate(designs)}
+    assert rows.keys() == whole.keys()
+    assert {key: row for key, row in rows.items() if key != row_key(heavy)} == {
+        key: row for key, row in whole.items() if key != row_key(heavy)
+    }
+    assert rows[row_key(heavy)]["status"] == (
+        "cannot be built: binder2025: no memory left to simulate: Could not allocate memory"
+    )
+
+
+# 100 units in so many bytes more than the program itself takes
+LIMITED = """
+import resource, sys
+import scipy.optimize, xarray
+import forficula as ff
+from forficula.dynamics import compile_wing, simulate
+stage = {"name": "s", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "1 ms"}
+design = ff.load_design("binder2025", {"pattern.units": 100, "pattern.sector_angle": "1.7 deg", "vein.diameter":
+    "0.01 mm", "membrane.margin": "0.01 mm", "protocol.timestep": "0.1 ms", "protocol.stages": [stage]})
+compile_wing(ff.load_design("binder2025"))
+used = next(int(line.split()[1]) for line in open("/proc/self/status") if line.startswith("VmSize"))
+resource.setrlimit(resource.RLIMIT_AS, (1024 * used + int(sys.argv[1]),) * 2)
+try:
+    simulate([compile_wing(design)], threads=1)
+except ff.InputError as error:
+    print(error)
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="a limit on memory that holds is Linux's")
+@pytest.mark.parametrize(
+    ("left", "message"), [(12_000_000, "MuJoCo cannot build the wing: "), (60_000_000, "no memory left to simulate: ")]
+)
+def test_a_wing_that_memory_does_not_hold_is_one_line(left, message):
+    done = subprocess.run([sys.executable, "-c", LIMITED, str(left)], capture_output=True, text=True, check=False)
+    assert done.stderr == ""
+    assert done.stdout.startswith(f"binder2025: {message}")
+    assert done.stdout.count("\n") == 1
+
+
+def test_more_units_than_anyone_simulates_are_refused():
+    closed = {"pattern.sector_angle": math.radians(0.3), "vein.diameter": 1e-6, "membrane.margin": 1e-6}
+    with pytest.raises(InputError, match=r"pattern\.units: need at most 500 to simulate a wing, got 501"):
+        compile_wing(with_values(SHORT, {"pattern.units": 501, "protocol.sample_interval": 1.0} | closed))

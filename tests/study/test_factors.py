@@ -237,3 +237,9 @@ def test_a_distribution_that_is_none_is_refused_with_its_parameter(given, messag
     with pytest.raises(InputError) as caught:
         read_factor("tendon.rest_length", given)
     assert str(caught.value).startswith(f"tendon.rest_length{message}")
+
+
+def test_numbers_that_no_axis_can_have_are_refused():
+    for number in (math.nan, math.inf):
+        with pytest.raises(InputError, match=r"^guard\.stretch: need finite numbers, got "):
+            read_factor("guard.stretch", [1.1, number])

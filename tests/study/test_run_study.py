@@ -16,6 +16,7 @@ from forficula.show.maps import draw_torque_maps
 from forficula.study import collect, estimate, load_study, run_study, table_csv
 from forficula.study.evaluate import evaluate
 from forficula.study.run_study import _designs
+from forficula.study.search import point_design
 from tests.show.test_maps import legend
 
 TENDONS = '"tendon.stiffness" = "10..30 N/cm step 10"\n"tendon.rest_length" = ["5 cm", "9 cm"]'
@@ -106,6 +107,23 @@ def test_what_a_search_needs_never_shrinks_and_is_done_in_the_end(tmp_path, stud
     # some wings open before the largest torque: what they do without is done without being run
     assert any(row["opened"] for row in rows)
     assert len(rows) < done[-1]
+
+
+def test_the_first_points_run_before_the_last_designs_are_built(tmp_path, study_file, monkeypatch):
+    module = sys.modules["forficula.study.run_study"]
+    built, seen = [], []
+    monkeypatch.setattr(module, "_WINDOW", 2)
+    monkeypatch.setattr(module, "point_design", lambda *each: built.append(each) or point_design(*each))
+    study = load_study(study_file(TENDONS))
+    table = run_study(study, tmp_path, progress=lambda *each: seen.append((len(built), *each[:2])))
+    assert seen == [(2, 1, 6), (2, 2, 6), (4, 3, 6), (4, 4, 6), (6, 5, 6), (6, 6, 6)]
+    assert table.identical(run_study(study, tmp_path))
+
+
+def test_designs_that_do_not_run_here_are_counted_while_they_are_built(tmp_path, study_file):
+    study, seen = load_study(study_file(TENDONS)), []
+    run_study(study, tmp_path, shard=(1, 2), building=lambda *each: seen.append(each))
+    assert seen == [(2, 6), (4, 6), (6, 6)]
 
 
 def test_progress_of_a_study_that_goes_on_starts_where_it_stood(tmp_path, study_file):

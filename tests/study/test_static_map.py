@@ -146,3 +146,21 @@ def test_the_names_of_a_range_meet_those_of_a_study():
     study = load_study("binder2025-search")
     over = {"tendon.stiffness": "10..60 N/cm step 10", "tendon.rest_length": "0..9 cm step 1"}
     assert map_study(load_design("binder2025"), over).points == study.points
+
+
+def test_a_map_of_a_million_wings_is_refused_before_it_begins():
+    over = {"tendon.rest_length": "0..9 cm step 0.01", "tendon.stiffness": "10..60 N/cm step 0.05"}
+    with pytest.raises(InputError) as caught:
+        map_study(load_design("binder2025"), over)
+    message = "tendon.rest_length, tendon.stiffness: need at most 100000 points of a static map, got 901901"
+    assert str(caught.value) == message
+
+
+def test_a_map_says_how_far_it_is_and_is_the_same_in_parts(monkeypatch):
+    study, seen = map_study(load_design("binder2025"), {"tendon.rest_length": "0..8 cm step 4"}), []
+    whole = static_map(study)
+    monkeypatch.setattr("forficula.study.static_map._SIDE_BY_SIDE", 2)
+    parts = static_map(study, lambda *each: seen.append(each))
+    assert seen == [(2, 3), (3, 3)]
+    xarray.testing.assert_allclose(parts.drop_vars("status"), whole.drop_vars("status"), rtol=1e-9)
+    assert (parts["status"] == whole["status"]).all()

@@ -136,6 +136,19 @@ def test_sampled_studies_have_as_many_points_as_were_asked_and_the_same_for_the_
         (f'design = "binder2025"\nname = "a/b"\n[factors]\n{LISTED}', "name: need a name that a folder can have"),
         (f'design = "binder2025"\nname = ""\n[factors]\n{LISTED}', "name: need a name that a folder can have"),
         (f'design = "binder2025"\nname = ".."\n[factors]\n{LISTED}', "name: need a name that a folder can have"),
+        (f'design = "binder2025"\nname = "a\\u001b[2J"\n[factors]\n{LISTED}', "name: need a name that a folder can"),
+        (f'design = "binder2025"\nname = "a\\nb"\n[factors]\n{LISTED}', "name: need a name that a folder can"),
+        (f"x = 1{'0' * 5000}\n[factors]\n{LISTED}", "not TOML: a whole number has too many digits"),
+        (f"design = 'a'\ndesign = 'b'\n[factors]\n{LISTED}", "not TOML: Cannot overwrite a value (at line 2, "),
+        (
+            'design = "binder2025"\n[factors]\n"tendon.rest_length" = ["1 cm"]\ntendon.rest_length = ["2 cm"]',
+            "factors.tendon.rest_length: is given twice",
+        ),
+        (
+            'design = "binder2025"\nsettings.tendon.rest_length = "1 cm"\n'
+            f'settings."tendon.rest_length" = "2 cm"\n[factors]\n{LISTED}',
+            "settings.tendon.rest_length: is given twice",
+        ),
         (f'design = "binder2025"\nname = 3\n[factors]\n{LISTED}', "name: need a name that a folder can have"),
         (f'design = "binder2025"\nask = "best"\n[factors]\n{LISTED}', 'ask: need "run" or "least-torques"'),
         (f'design = "binder2025"\n[factors]\n{LISTED}\n{DRAWN}', "factors: need either all of them as distributions"),
@@ -179,6 +192,13 @@ def test_sampling_needs_a_count_and_a_seed(study_file, sampling, message):
     assert message in str(caught.value)
 
 
+@pytest.mark.parametrize("numbers", ["low = nan, high = 0.4", "low = 0.1, high = inf", "low = -1e308, high = 1e308"])
+def test_a_distribution_has_finite_ends(study_file, numbers):
+    share = f'"membrane.proximal_rows.0" = {{distribution = "uniform", {numbers}}}'
+    with pytest.raises(InputError, match=r"membrane\.proximal_rows\.0\.(low|high): need a finite "):
+        load_study(study_file(share, tail="[sampling]\ncount = 3"))
+
+
 def test_sampling_that_is_no_table_is_refused(study_file):
     with pytest.raises(InputError, match="sampling: need a table, got 3"):
         load_study(study_file(DRAWN, head="sampling = 3"))
@@ -193,6 +213,8 @@ def test_whole_numbers_and_words_are_not_drawn(study_file):
 @pytest.mark.parametrize(
     ("search", "message"),
     [
+        ('fold_torques = "0..1000 N cm step 1"', "search.fold_torques: need at most 1000 torques, got 1001"),
+        ('unfold_torques = "0..999999 N cm step 1"', "search.unfold_torques: need at most 1000 torques, got 1000000"),
         ('fold_torques = ["20 N cm", "10 N cm"]', "search.fold_torques: need rising torques >= 0"),
         ('fold_torques = ["10 N cm", "10 N cm"]', "search.fold_torques: need rising torques >= 0"),
         ('unfold_torques = "-10..10 N cm step 10"', "search.unfold_torques: need rising torques >= 0"),

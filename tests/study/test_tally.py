@@ -42,3 +42,16 @@ def test_a_run_that_two_points_share_counts_once():
     tally.plan([["a10", "a20"], ["a10", "a20"]])
     tally.count(row("a10", opened=True))
     assert numbers(tally) == (2, 2)
+
+
+def test_points_that_come_later_are_needed_from_the_start_and_done_with_their_runs():
+    tally = Tally(done=0, later=5)
+    assert numbers(tally) == (0, 5)
+    tally.reach(3, done=1)
+    # of three points one is done, one is no wing, and one has a run
+    tally.plan([["a"]])
+    assert numbers(tally) == (2, 5)
+    tally.count(row("a"))
+    tally.reach(2, done=0)
+    tally.plan([["b10", "b20"], ["c10", "c20"]])
+    assert numbers(tally) == (3, 7)

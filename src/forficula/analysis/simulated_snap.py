@@ -81,7 +81,8 @@ def finely_sampled(design: Design) -> Design:
     interval = design.protocol.sample_interval
     if predicted is None or predicted / _ROWS >= interval:
         return design
-    return with_values(design, {"protocol.sample_interval": predicted / _ROWS})
+    wanted = max(predicted / _ROWS, min(design.shortest_sample_interval, interval))
+    return with_values(design, {"protocol.sample_interval": wanted})
 
 
 def simulated_snap(record: Record, vein: int = SECOND, fold_start: float = FOLD_START) -> SimulatedSnap | None:

@@ -11,10 +11,14 @@ import numpy as np
 from forficula.design import Design
 from forficula.design.places import tendon_ends
 from forficula.errors import InputError
-from forficula.material.characterisation import known_length
+from forficula.material.characterisation import LENGTH, known_length
 from forficula.material.material_law import MaterialLaw, area_for, known_moduli
 from forficula.material.softening import spring_stress
 from forficula.pattern import hub_points, ring_vertices, tips
+from forficula.quantities import show_quantity
+
+# as a design's, m
+_SHORTEST, _LONGEST = 1e-12, 1e12
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -78,6 +82,10 @@ def size_tendons(
     lengths = list(_lengths(design, law, length))
     if not lengths:
         raise InputError("length: is missing: the design's tendon.rest_length is 0, and strain is extension by length")
+    for each, why in lengths:
+        if not _SHORTEST <= each <= _LONGEST:
+            shown = [show_quantity(bound, LENGTH) for bound in (_SHORTEST, _LONGEST, each)]
+            raise InputError(f"length: need >= {shown[0]} and <= {shown[1]}, got {shown[2]}, {why}")
     return tuple(_sizes(design, law, stiffnesses, each, why) for each, why in lengths)
 
 

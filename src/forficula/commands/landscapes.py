@@ -60,13 +60,14 @@ def landscape(
     if not over:
         verdict = _survey(chosen, folder, simulation)
     else:
+        from forficula.show.progress import map_progress
         from forficula.show.static_map_folder import print_static_map, read_simulated, write_static_map
         from forficula.study.static_map import map_study, static_map
 
         study = map_study(chosen, read_settings(over, "--over", 'tendon.rest_length="0..9 cm step 1"'))
         beside = None if simulated is None else read_simulated(simulated, chosen)
         verdict = _survey(chosen, folder, simulation)
-        table = static_map(study)
+        table = static_map(study, map_progress())
         write_static_map(study, table, folder, beside)
         print_static_map(table, beside)
     print(f"\nwritten to {folder}")
@@ -81,16 +82,18 @@ def _survey(design: Design, folder: Path, simulation: bool) -> Verdict | None:
     from forficula.dynamics import timestep_warnings
     from forficula.show.landscape_folder import write_landscape
     from forficula.show.landscape_table import print_landscape
-    from forficula.show.progress import run_progress
+    from forficula.show.progress import run_progress, waiting
     from forficula.study.survey import survey
 
     tell_replaced(folder, "landscape")
     for warning in design_warnings(design):
         print(f"warning: {warning}", file=sys.stderr)
     if simulation:
-        for warning in timestep_warnings(design):
+        with waiting("working out the timestep that the wing allows"):
+            warnings = timestep_warnings(design)
+        for warning in warnings:
             print(f"warning: {warning}", file=sys.stderr)
-    with run_progress() as progress:
+    with run_progress("building the wing" if simulation else "surveying its energy") as progress:
         landscape, record = survey(design, simulation=simulation, progress=progress)
     write_landscape(landscape, folder, record)
     print_landscape(landscape, record)

@@ -10,6 +10,7 @@ from cyclopts import Parameter
 
 from forficula.errors import InputError
 from forficula.options import (
+    WHOLE_NUMBER,
     DesignName,
     Out,
     OutIfGiven,
@@ -35,7 +36,9 @@ def run(
     settings: Settings = None,
     out: Annotated[OutIfGiven, Parameter(help="Folder for the results; out/<name of the design> if not given.")] = None,
     cycles: Annotated[
-        int | None, Parameter(help="Fold and open again with the tendons as they are up to this cycle, as in 100.")
+        int | None,
+        WHOLE_NUMBER,
+        Parameter(help="Fold and open again with the tendons as they are up to this cycle, as in 100."),
     ] = None,
     tolerate: Tolerate = False,
 ) -> int:
@@ -54,10 +57,13 @@ def run(
     from forficula.analysis import measure, run_warnings
     from forficula.dynamics import timestep_warnings
     from forficula.show import print_outcome, run_progress, write_run
+    from forficula.show.progress import waiting
     from forficula.study.runs import run as run_design
 
     tell_replaced(folder, "run")
-    for warning in design_warnings(chosen) + timestep_warnings(chosen):
+    with waiting("working out the timestep that the wing allows"):
+        warnings = design_warnings(chosen) + timestep_warnings(chosen)
+    for warning in warnings:
         print(f"warning: {warning}", file=sys.stderr)
     with run_progress() as progress:
         record = run_design(chosen, progress)
@@ -130,7 +136,9 @@ def film(
     size: Annotated[
         str | None, Parameter(help="Pixels across and upwards; 1280x720, or 800x450 for .gif, if not given.")
     ] = None,
-    fps: Annotated[int | None, Parameter(help="Pictures a second; 30, or 15 for .gif, if not given.")] = None,
+    fps: Annotated[
+        int | None, WHOLE_NUMBER, Parameter(help="Pictures a second; 30, or 15 for .gif, if not given.")
+    ] = None,
     slower: Annotated[
         float | None, Parameter(help="How many times; each move takes about 3.5 s of the film if not given.")
     ] = None,

@@ -11,6 +11,7 @@ from cyclopts import Parameter
 
 from forficula.errors import InputError
 from forficula.options import (
+    WHOLE_NUMBER,
     DesignName,
     OutIfGiven,
     Settings,
@@ -37,16 +38,20 @@ def study(
     dry_run: Annotated[bool, Parameter(help="Only say how many runs there are and how long they take.")] = False,
     shard: Annotated[str, Parameter(help="Run a part of the points, as in 2/8; then collect.")] = "1/1",
     collect: Annotated[bool, Parameter(help="Build the table from the rows of all shards.")] = False,
-    slurm: Annotated[int | None, Parameter(help="Write a SLURM job array of so many shards instead.")] = None,
+    slurm: Annotated[
+        int | None, WHOLE_NUMBER, Parameter(help="Write a SLURM job array of so many shards instead.")
+    ] = None,
     dask: Annotated[
         str | None, Parameter(help="Run on the Dask cluster with this scheduler, as in tcp://scheduler:8786.")
     ] = None,
     keep: Annotated[
         int | None,
+        WHOLE_NUMBER,
         Parameter(help="Keep runs of so many points at most, to be played in its page; 100 if not given, 0 for none."),
     ] = None,
 ) -> None:
     """Run a study, or go on with it where it stopped: a table, maps, and a page on which they open their runs."""
+    from forficula.show.progress import building_progress
     from forficula.study import collect as collect_study
     from forficula.study import load_study
 
@@ -64,7 +69,7 @@ def study(
     if dry_run:
         _print_estimate(chosen, folder)
         return
-    table = collect_study(chosen, folder) if collect else _run(chosen, folder, shard, dask)
+    table = collect_study(chosen, folder, building_progress()) if collect else _run(chosen, folder, shard, dask)
     if table is None:
         print(f"shard {shard} is done; when all are: forficula study {study} --out {folder} --collect")
         return
@@ -91,19 +96,28 @@ def _write_job(study: str, folder: Path, shards: int) -> None:
 
 def _print_estimate(study: Study, folder: Path) -> None:
     """Print how many runs a study takes, and how long the rest of them."""
+    from forficula.show.progress import building_progress
     from forficula.study import estimate
 
-    most, left, seconds = estimate(study, folder)
+    most, left, seconds = estimate(study, folder, building_progress())
     print(f"{study.name}: {len(study.points)} points, at most {most} runs; {left} to do, about {seconds:.0f} s")
 
 
 def _run(study: Study, folder: Path, shard: str, dask: str | None) -> Dataset | None:
     """Run a study or a shard of it, here or on a Dask cluster; None where others of its shards are not done."""
     from forficula.show import study_progress
+    from forficula.show.progress import building_progress
     from forficula.study import dask_cluster, run_study
 
     with nullcontext() if dask is None else dask_cluster(dask) as cluster, study_progress() as progress:
-        return run_study(study, folder, shard=read_shard(shard), cluster=cluster, progress=progress)
+        return run_study(
+            study,
+            folder,
+            shard=read_shard(shard),
+            cluster=cluster,
+            progress=progress,
+            building=building_progress(),
+        )
 
 
 def _report(study: Study, table: Dataset, keep: int | None, folder: Path) -> None:

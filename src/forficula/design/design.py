@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-import re
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -30,9 +29,18 @@ from forficula.design.part import (
     Part,
     quantity,
 )
+from forficula.design.start import largest_start, start_stretch
 from forficula.errors import InputError
+from forficula.names import folder_name, shown_name
 from forficula.pattern import EarwigFan, ring_vertices, vein_gaps
 from forficula.quantities import as_written, show_quantity
+
+# beyond atoms and worlds, m: within, every power that a unit has of a length is a float
+_SMALLEST, _LARGEST = 1e-12, 1e12
+_MOST_STEPS = 1e9
+# rows of a record times veins: some 5 GB in memory
+_MOST_ROWS = 1e7
+_MOST_VEINS = 1001
 
 
 class Pattern(Part):
@@ -47,6 +55,20 @@ class Pattern(Part):
     tangent: Annotated[
         Literal["left", "right"], Field(description="side of the hub on which the proximal veins pass, seen outwards")
     ]
+
+    @model_validator(mode="after")
+    def _of_a_size(self) -> Pattern:
+        for key, length, least in (
+            ("proximal_length", self.proximal_length, _SMALLEST),
+            ("distal_length", self.distal_length, _SMALLEST),
+            ("hub_radius", self.hub_radius, 0.0),
+        ):
+            if not least <= length <= _LARGEST:
+                raise InputError(
+                    f"pattern.{key}: need >= {show_quantity(least, LENGTH)} and <= {show_quantity(_LARGEST, LENGTH)},"
+                    f" got {show_quantity(length, LENGTH)}"
+                )
+        return self
 
 
 class Vein(Part):
@@ -147,6 +169,11 @@ class Stage(Part):
     hold: float = quantity(TIME, "how long the goal must hold before the stage ends", at_least=0)
     time_limit: float = quantity(TIME, "longest duration", above=0)
 
+    @field_validator("name")
+    @classmethod
+    def _on_one_line(cls, name: str) -> str:
+        return shown_name(name)
+
 
 class Protocol(Part):
     """What is done to the wing, and what counts as done."""
@@ -229,9 +256,7 @@ class Design(Part):
     @field_validator("name")
     @classmethod
     def _names_a_folder(cls, name: str) -> str:
-        if re.search(r"[/\\\x00-\x1f\x7f]", name) or not name.strip(" ."):
-            raise InputError(f"need a name that a folder can have, without slashes, got {as_written(name)}")
-        return name
+        return folder_name(name)
 
     @model_validator(mode="after")
     def _fits_together(self) -> Design:
@@ -256,13 +281,63 @@ class Design(Part):
         for key, rows in (("proximal_rows", self.membrane.proximal_rows), ("distal_rows", self.membrane.distal_rows)):
             if list(rows) != sorted({row for row in rows if 0 < row < 1}):
                 raise InputError(f"membrane.{key}: need rising shares between 0 and 1, got {list(rows)}")
-        if not -self.hinge.fold_limit <= self.protocol.initial_overbend <= self.hinge.overbend:
-            raise InputError(
-                f"protocol.initial_overbend: need >= {show_quantity(-self.hinge.fold_limit, ANGLE)} (-hinge.fold_limit)"
-                f" and <= {show_quantity(self.hinge.overbend, ANGLE)} (hinge.overbend),"
-                f" got {show_quantity(self.protocol.initial_overbend, ANGLE)}"
-            )
+        self._goals_within_stops()
+        self._start_within_guards()
+        self._not_too_long()
         return self
+
+    def _goals_within_stops(self) -> None:
+        """Refuse a start or a goal that the stops of the distal hinges keep a wing from."""
+        folds, bends, protocol = self.hinge.fold_limit, self.hinge.overbend, self.protocol
+        for key, angle, least, most, stop in (
+            ("initial_overbend", protocol.initial_overbend, -folds, bends, "overbend"),
+            ("folded_angle", protocol.folded_angle, 0.0, folds, "fold_limit"),
+            ("opened_angle", protocol.opened_angle, -folds, bends, "overbend"),
+        ):
+            if not least <= angle <= most:
+                above = f">= {show_quantity(least, ANGLE)} (-hinge.fold_limit) and " if least else ""
+                raise InputError(
+                    f"protocol.{key}: need {above}<= {show_quantity(most, ANGLE)} (hinge.{stop}),"
+                    f" got {show_quantity(angle, ANGLE)}"
+                )
+
+    def _start_within_guards(self) -> None:
+        """Refuse a start that guard tendons are too short for: they would throw the wing, harder at a shorter step."""
+        start, allowed = self.protocol.initial_overbend, self.guard.stretch
+        stretch = start_stretch(self.fan, start)
+        if stretch > allowed:
+            most = show_quantity(largest_start(self.fan, allowed), ANGLE)
+            raise InputError(
+                f"protocol.initial_overbend: neighbouring tips would start {stretch:.4g} times as far apart as in the"
+                f" flat wing, and guard.stretch allows {allowed:.4g}: need <= {most} or a larger guard.stretch,"
+                f" got {show_quantity(start, ANGLE)}"
+            )
+
+    def _not_too_long(self) -> None:
+        """Refuse a run of more steps than anyone waits for, and a record of more rows than memory holds."""
+        protocol, longest = self.protocol, sum(stage.time_limit for stage in self.protocol.stages)
+        timestep = 0.0 if protocol.timestep == "auto" else protocol.timestep
+        least = longest / _MOST_STEPS
+        if timestep and not least <= timestep <= longest:
+            raise InputError(
+                f"protocol.timestep: need >= {show_quantity(least, SHORT_TIME)} and <= {show_quantity(longest, TIME)},"
+                f" so that all stages together, {show_quantity(longest, TIME)} at most, take 1 to {_MOST_STEPS:g}"
+                f" steps, got {show_quantity(timestep, SHORT_TIME)}"
+            )
+        shortest = self.shortest_sample_interval
+        if max(timestep, protocol.sample_interval) < shortest:
+            raise InputError(
+                f"protocol.sample_interval: need >= {show_quantity(shortest, SHORT_TIME)}, so that the record of"
+                f" {self.fan.vein_count} veins over {show_quantity(longest, TIME)} at most fits into memory,"
+                f" got {show_quantity(protocol.sample_interval, SHORT_TIME)}"
+            )
+
+    @property
+    def shortest_sample_interval(self) -> float:
+        """The least time between two rows, s, at which the longest record that there can be fits into memory."""
+        # wings of more are drawn, but not run
+        veins = min(self.fan.vein_count, _MOST_VEINS)
+        return sum(stage.time_limit for stage in self.protocol.stages) * veins / _MOST_ROWS
 
     @property
     def fan(self) -> EarwigFan:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, TypeVar
 
 from forficula.design.design import Design
 from forficula.design.design_file import with_values
 from forficula.design.part import Part, field_quantity
 from forficula.errors import InputError
-from forficula.quantities import dimension
+from forficula.quantities import dimension, show_quantity
 
 _Part = TypeVar("_Part", bound=Part)
 
@@ -27,8 +28,11 @@ def in_units(design: Design, *, length: float, mass: float, time: float) -> Desi
 
     Returns:
         The same design, its numbers in the new units. It is not checked again: the bounds are SI.
+
+    Raises:
+        InputError: a number in these units is beyond those that can be computed with.
     """
-    return _rescaled(design, length, mass, time)
+    return _rescaled(design, length, mass, time, f"{design.name}: ")
 
 
 def scale_design(design: Design, factor: float) -> Design:
@@ -54,17 +58,23 @@ def scale_design(design: Design, factor: float) -> Design:
     return with_values(scaled, {"name": f"{design.name}-x{factor:g}"})
 
 
-def _rescaled(part: _Part, length: float, mass: float, time: float) -> _Part:
+def _rescaled(part: _Part, length: float, mass: float, time: float, prefix: str = "") -> _Part:
+    """The part in other units; raise InputError where a number is none in these."""
     changes: dict[str, Any] = {}
     for name, field in type(part).model_fields.items():
         value, quantity = getattr(part, name), field_quantity(field)
         if isinstance(value, Part):
-            changes[name] = _rescaled(value, length, mass, time)
+            changes[name] = _rescaled(value, length, mass, time, f"{prefix}{name}.")
         elif isinstance(value, tuple):
             changes[name] = tuple(
-                _rescaled(item, length, mass, time) if isinstance(item, Part) else item for item in value
+                _rescaled(item, length, mass, time, f"{prefix}{name}.{place}.") if isinstance(item, Part) else item
+                for place, item in enumerate(value)
             )
         elif quantity is not None and isinstance(value, float):
             by_length, by_mass, by_time = dimension(quantity.unit)
-            changes[name] = value / (length**by_length * mass**by_mass * time**by_time)
+            unit = length**by_length * mass**by_mass * time**by_time
+            changes[name] = value / unit if unit else math.inf
+            if not math.isfinite(changes[name]):
+                got = show_quantity(value, quantity.unit)
+                raise InputError(f"{prefix}{name}: need a finite number in the units of a wing of this size, got {got}")
     return part.model_copy(update=changes)

@@ -16,6 +16,8 @@ Steps = NDArray[np.int64]
 
 # relaxation times after which a Maxwell branch has lost 95 % of its force
 _RELAXED = 3
+# steps, more than any run takes
+NEVER = 10**15
 _GOALS = ("time", "rest", "folded", "opened")
 _AT_ONCE = 1e-9  # steps
 _FAR = np.radians(10.0)  # beyond a stop
@@ -53,7 +55,7 @@ class Fleet:
         self._goal = np.array([[_GOALS.index(stage.until) for stage in row] for row in stages])
         self._hold = self._in_steps([[stage.hold for stage in row] for row in stages])
         self._limit = self._in_steps([[stage.time_limit for stage in row] for row in stages])
-        self._window = np.rint([_longest_rest(wing) for wing in wings] / self._timestep).astype(np.int64)
+        self._window = self._in_steps([[_longest_rest(wing)] for wing in wings])[:, 0]
         self._is_state = np.array([[stage.until in ("folded", "opened") for stage in row] for row in stages])
         self._may_stick = np.array(
             [[stage.drive != "none" and stage.until in ("folded", "opened") for stage in row] for row in stages]
@@ -160,7 +162,9 @@ class Fleet:
         return stages[0].name, passed, start + sum(stage.time_limit for stage in stages)
 
     def _in_steps(self, times: list[list[float]]) -> Steps:
-        return np.asarray(np.rint(np.array(times) / self._timestep[:, None]), dtype=np.int64)
+        # a time that is never over would overflow as a number of steps
+        longest = NEVER * self._timestep[:, None]
+        return np.asarray(np.rint(np.minimum(times, longest) / self._timestep[:, None]), dtype=np.int64)
 
     def _reached(self, rows: Steps, position: Array, resting: NDArray[np.bool_]) -> NDArray[np.bool_]:
         """Whether the goal of each wing's stage holds after each step, (row, step)."""

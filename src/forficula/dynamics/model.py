@@ -18,6 +18,9 @@ from forficula.dynamics.veins import Vein, add_vein, fan_veins
 from forficula.errors import InputError
 from forficula.material.tendon_law import TendonLaw
 
+# a step of more takes tens of milliseconds and gigabytes
+_MOST_VEINS = 1001
+
 
 @dataclass(frozen=True, kw_only=True)
 class WingModel:
@@ -89,6 +92,9 @@ def compile_wing(design: Design) -> WingModel:
 
 def compile_veins(design: Design, veins: tuple[Vein, ...], units: ModelUnits) -> WingModel:
     """Compile veins of any layout, neighbours joined by panels and guards, with the design's properties."""
+    if len(veins) > _MOST_VEINS:
+        most, got = _MOST_VEINS // 2, design.pattern.units
+        raise InputError(f"{design.name}: pattern.units: need at most {most} to simulate a wing, got {got}")
     in_units = design_in_model_units(design, units)
     membrane = panel_membrane(veins, in_units)
     spec = _empty_spec(in_units)
@@ -109,7 +115,7 @@ def compile_veins(design: Design, veins: tuple[Vein, ...], units: ModelUnits) ->
             # said of a membrane without damping, although its elasticity is there
             warnings.filterwarnings("ignore", message=".*has no.*passive forces")
             engine = spec.compile()
-    except ValueError as error:
+    except (ValueError, MemoryError, mujoco.FatalError) as error:
         raise InputError(f"{design.name}: MuJoCo cannot build the wing: {' '.join(str(error).split())}") from None
     tendons = _indices(engine, mujoco.mjtObj.mjOBJ_TENDON, ("tendon",), len(veins))[:, 0]
     plastic = engine.tendon_plasticadr[tendons]

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.dynamics.energy import state_energies, state_series
+from forficula.dynamics.fleet import NEVER
 from forficula.dynamics.model import WingModel
 from forficula.dynamics.record import Record, StageEnd
 from forficula.dynamics.stepper import State, Steps
@@ -58,8 +59,9 @@ class Recorder:
         self._sparse = sparse
         protocol = wing.design.protocol
         self._timestep = float(protocol.timestep)  # s
-        self._window = round(protocol.window / self._timestep)
-        self.interval = max(1, round(protocol.sample_interval / self._timestep))  # steps
+        longest = NEVER * self._timestep
+        self._window = round(min(protocol.window, longest) / self._timestep)
+        self.interval = max(1, round(min(protocol.sample_interval, longest) / self._timestep))  # steps
         # the rows of each stage so far, from its first on, in parts
         self._stages: list[list[_Part]] = []
 

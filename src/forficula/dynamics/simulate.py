@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 
+import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
@@ -15,6 +16,7 @@ from forficula.dynamics.record import Record
 from forficula.dynamics.recorder import Chunk, Recorder, keep
 from forficula.dynamics.sharing import followers, successors
 from forficula.dynamics.stepper import Pending, Stepper, Steps
+from forficula.errors import InputError
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float, float], None]
@@ -62,14 +64,22 @@ def simulate_each(
         progress: called now and then with a stage's name, the time so far and the longest it can take, s.
         enough: wings that only their unfold torques tell apart then run one after another, in their order, until this
             is true of a record; the rest of them never run. All run if not given.
+
+    Raises:
+        InputError: memory does not hold them.
     """
     if not wings:
         return
-    stepper = Stepper(wings, threads, sparse, _CHUNK)
     try:
-        yield from _records(wings, stepper, sparse, progress, enough)
-    finally:
-        stepper.close()
+        stepper = Stepper(wings, threads, sparse, _CHUNK)
+        try:
+            yield from _records(wings, stepper, sparse, progress, enough)
+        finally:
+            stepper.close()
+    except (MemoryError, mujoco.FatalError) as error:
+        # the engine says so of its memory, and of nothing else that a wing can bring about
+        named = wings[0].design.name if len(wings) == 1 else f"{len(wings)} wings side by side"
+        raise InputError(f"{named}: no memory left to simulate: {' '.join(str(error).split())}") from None
 
 
 def _records(

@@ -61,7 +61,8 @@ def stable_timestep(design: Design) -> float:
     harder than it needs to be can ask for less: see `with_timestep`.
     """
     # the linearised wing does not depend on the step it is compiled with
-    wing = compile_wing(with_values(design, {"protocol.timestep": _LONGEST}))
+    any_step = {"protocol": design.protocol.model_copy(update={"timestep": _LONGEST})}
+    wing = compile_wing(design.model_copy(update=any_step))
     flat = _flat(wing)
     try:
         return min(_FOLDING * _limit(wing, flat), _limit(wing, _at_largest_lever(wing, flat)))

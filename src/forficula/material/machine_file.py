@@ -18,6 +18,8 @@ from forficula.material.tensile_test import TensileTest, falling
 from forficula.material.zs2_file import parse_zs2
 from forficula.quantities import as_written
 
+_LARGEST, _PIECE = 2**29, 2**20  # bytes of a file: a hundred hours of ten columns
+
 
 def read_tensile_test(
     path: str | os.PathLike[str], *, length: float | None = None, area: float | None = None
@@ -75,17 +77,23 @@ def read_tensile_tests(
 
 def _recordings(path: Path) -> tuple[Recording, ...]:
     """What a file holds, one entry a specimen."""
+    content = bytearray()
     try:
-        content = path.read_bytes()
+        with path.open("rb") as file:
+            # piece by piece: a device or a pipe may never end
+            while len(content) <= _LARGEST and (piece := file.read(_PIECE)):
+                content += piece
     except FileNotFoundError as error:
         raise InputError("no such file") from error
     except OSError as error:
         raise InputError(f"cannot be read: {error.strerror}") from error
     except ValueError as error:  # a null byte in its name
         raise InputError(f"cannot be read: {error}") from error
+    if len(content) > _LARGEST:
+        raise InputError(f"need a file of at most {_LARGEST // 2**20} MiB, got a larger one")
     if path.suffix.lower() == ".zs2":
-        return parse_zs2(content, path.stem)
-    return parse_recordings(content, path.stem)
+        return parse_zs2(bytes(content), path.stem)
+    return parse_recordings(bytes(content), path.stem)
 
 
 def _tensile_test(recording: Recording, length: float | None, area: float | None) -> TensileTest:

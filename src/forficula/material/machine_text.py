@@ -27,6 +27,9 @@ _EITHER_SIGN = re.compile(r"[+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d+)?")
 _VALUE_AND_UNIT = re.compile(rf"({_EITHER_SIGN.pattern})\s*(.*)")
 _SAMPLE = 100  # lines that vote on the delimiter
 _LONGEST_HEADER = 2000  # lines
+_LONGEST_LINE = 100_000  # characters; the csv module takes no cell much longer
+# of a number such as 1,234 nobody can tell whether its comma stands for decimals or thousands
+_EITHER_COMMA = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}")
 _KNOWN = (
     "known are ZwickRoell testXpert .TXT, .TRA and .CSV, Instron Bluehill .csv, tables with units in their names, each "
     "with tab, semicolon or comma between its columns, and .zs2"
@@ -51,6 +54,9 @@ def parse_recordings(content: bytes, name: str) -> tuple[Recording, ...]:
     text = _decoded(content)
     if not text.strip():
         raise InputError("need a tensile test, got an empty file")
+    long = next((number for number, line in enumerate(text.splitlines(), 1) if len(line) > _LONGEST_LINE), None)
+    if long is not None:
+        raise InputError(at_line(long, f"need at most {_LONGEST_LINE} characters on a line, got more"))
     delimiter = _delimiter(text)
     rows, lines = _rows(text, delimiter)
     header = _names_row(rows)
@@ -227,7 +233,15 @@ def _decimal_sign(cells: dict[str, list[str]], lines: Sequence[int]) -> str:
             if any(odd in cell for cell in column)
         )
         raise InputError(at_line(lines[row], f"decimal points and commas are mixed, got {as_written(cell)}"))
-    return "," if counts[","] else "."
+    if not counts[","]:
+        return "."
+    if all(_EITHER_COMMA.fullmatch(cell.strip()) for column in cells.values() for cell in column if "," in cell):
+        row, role = min((n, role) for role, column in cells.items() for n, cell in enumerate(column) if "," in cell)
+        cell = cells[role][row].strip()
+        readings = f"{cell.replace(',', '.')} or {cell.replace(',', '')}"
+        remedy = "export without commas between thousands, or with another number of decimals"
+        raise InputError(at_line(lines[row], f"{role}: {as_written(cell)} may be {readings}; {remedy}"))
+    return ","
 
 
 def _numbers(cells: list[str], decimal: str, lines: Sequence[int]) -> NDArray[np.float64]:

@@ -8,6 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
+from forficula.quantities import show_value
+
+# no rubber stretches as far; a length in the wrong unit does
+_MOST_STRAIN = 20
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -52,6 +56,12 @@ class TensileTest:
         for key, size, unit in (("length", self.length, "m"), ("area", self.area, "m^2")):
             if not 0 < size < np.inf:
                 raise InputError(f"{self.name}: {key}: need > 0, got {size:g} {unit}")
+        furthest = float(self.extension[np.argmax(np.abs(self.extension))])
+        if not -self.length < furthest <= _MOST_STRAIN * self.length:
+            raise InputError(
+                f"{self.name}: extension: need more than -1 and at most {_MOST_STRAIN} times the specimen's length,"
+                f" {show_value(self.length, 'm')}, got {show_value(furthest, 'm')}; is the unit of one of them wrong?"
+            )
 
     @property
     def strain(self) -> NDArray[np.float64]:

@@ -25,6 +25,7 @@ _DATA = ("SeriesElements", "Elem0", "RealTimeCapture", "Trs", "SingleGroupDataBl
 # borisgerretzen/zs2decode (mm, N), weltidom/zs2fast (mm, N, s) and a reader of its channels 40400, 40402 and 40403.
 _UNITS = {"UT_Time": "s", "UT_Force": "N", "UT_Displacement": "mm", "UT_Stress": "MPa", "UT_Ratio": "%"}
 _MARK = b"\xaf\xbe\xad\xde"
+_LARGEST, _PIECE = 2**28, 2**20  # bytes, unpacked
 _ARRAY = "DataArray"
 _WANTED = frozenset({_ARRAY, "TrsChannelId", "ID", "Text", "UnitTableName"})
 _SECTION, _NO_LIST = b"\xdd", b"\xee" + bytes(6)
@@ -67,17 +68,25 @@ def parse_zs2(content: bytes, name: str) -> tuple[Recording, ...]:
 
 
 def _stream(content: bytes) -> bytearray:
-    """The unpacked file; zs2decode takes a path only, so this one step is done here."""
+    """The unpacked file; zs2decode takes a path only, so this one step is done here.
+
+    It is unpacked piece by piece: a few kilobytes may hold more than any memory.
+    """
+    stream = bytearray()
     try:
         with gzip.open(io.BytesIO(content)) as packed:
-            stream = packed.read()
+            stream += packed.read(len(_MARK))
+            while stream.startswith(_MARK) and (piece := packed.read(_PIECE)):
+                stream += piece
+                if len(stream) > _LARGEST:
+                    raise InputError(f"need a .zs2 of at most {_LARGEST // 2**20} MiB unpacked, got more")
     except EOFError:
         raise InputError("need a whole .zs2, got one that is cut off") from None
     except (OSError, zlib.error):
         raise InputError("need a .zs2 of ZwickRoell testXpert, got something else") from None
     if not stream.startswith(_MARK):
         raise InputError("need a .zs2 of ZwickRoell testXpert, got something else")
-    return bytearray(stream)
+    return stream
 
 
 def _values(stream: bytearray) -> dict[Place, object]:

@@ -139,15 +139,22 @@ def _check_letters(letters: Sequence[str], edge_count: int) -> None:
 def _checked_faces(
     faces: Sequence[Sequence[int]], vertex_count: int, edges: NDArray[np.int64]
 ) -> tuple[tuple[int, ...], ...]:
-    """Copy the faces: existing vertices, every side an edge."""
+    """Copy the faces: existing vertices, every side an edge, nothing twice."""
     if len(faces) == 0:
         raise InputError("faces_vertices: need at least one face, got none")
     known = {frozenset(pair) for pair in edges.tolist()}
+    seen: dict[frozenset[frozenset[int]], int] = {}
     for number, face in enumerate(faces):
         if len(face) < 3:
             raise InputError(f"faces_vertices[{number}]: need at least 3 vertices, got {len(face)}")
         for vertex in face:
             check_vertex(f"faces_vertices[{number}]", vertex, vertex_count)
+        if len(set(face)) < len(face):
+            twice = next(vertex for place, vertex in enumerate(face) if vertex in face[:place])
+            raise InputError(f"faces_vertices[{number}]: need every vertex once, got {twice} twice")
+        first = seen.setdefault(frozenset(map(frozenset, face_sides(face))), number)
+        if first != number:
+            raise InputError(f"faces_vertices[{number}]: need every face once, got {first} again")
         for tail, head in face_sides(face):
             if frozenset((tail, head)) not in known:
                 raise InputError(

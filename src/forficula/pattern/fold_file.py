@@ -15,11 +15,13 @@ from numpy.typing import NDArray
 from forficula.errors import InputError
 from forficula.files import write_text
 from forficula.pattern.crease_pattern import CreasePattern, check_edges, check_vertex, face_sides
+from forficula.quantities import as_written
 
 Frame = tuple[str, NDArray[np.float64], NDArray[np.float64]]
 
 _METRES = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "nm": 1e-9, "in": 0.0254, "pt": 0.0254 / 72}
 _ROLES = "forficula:edges_role"
+_FOLDED_FLAT = 180 * (1 + 1e-9)  # deg; more is only rounding
 
 
 def write_fold(pattern: CreasePattern, path: str | os.PathLike[str], *, frames: Sequence[Frame] = ()) -> None:
@@ -132,9 +134,10 @@ def read_folded_frames(path: str | os.PathLike[str]) -> list[Frame]:
     frames: list[Frame] = []
     try:
         document = _document(file)
-        for number in range(len(_frames(document))):
+        others, known = _frames(document), {0: document}
+        for number in range(len(others)):
             try:
-                frame = _inherited(document, number + 1)
+                frame = _inherited(others, number + 1, known)
                 if "frame_classes" in frame and "foldedForm" in _list(frame, "frame_classes"):
                     frames.append(_folded_state({"frame_unit": document.get("frame_unit")} | frame))
             except InputError as error:
@@ -149,26 +152,39 @@ def _frames(document: dict[str, object]) -> list[object]:
     return _list(document, "file_frames") if "file_frames" in document else []
 
 
-def _inherited(document: dict[str, object], number: int, children: tuple[int, ...] = ()) -> dict[str, object]:
-    """A frame with what it inherits; number 0 is the key frame."""
-    if number == 0:
-        return document
-    frame = _frames(document)[number - 1]
-    if not isinstance(frame, dict):
-        raise InputError(f"need a JSON object with FOLD keys, got {type(frame).__name__}")
-    if frame.get("frame_inherit", False) is not True:
-        return frame
-    parent, count = frame.get("frame_parent"), len(_frames(document))
+def _inherited(frames: Sequence[object], number: int, known: dict[int, dict[str, object]]) -> dict[str, object]:
+    """A frame with what it inherits; of those that are known already, number 0 is the key frame.
+
+    Parents are looked up one by one and not by recursion: a chain of them may be as long as a film.
+    """
+    below: dict[int, dict[str, object]] = {}
+    while number not in known:
+        frame = frames[number - 1]
+        if not isinstance(frame, dict):
+            raise InputError(f"need a JSON object with FOLD keys, got {type(frame).__name__}")
+        if frame.get("frame_inherit", False) is not True:
+            known[number] = frame
+            break
+        below[number] = frame
+        number = _parent(frame, len(frames))
+        if number in below:
+            raise InputError(f"frame_parent: need a parent that does not inherit from the frame itself, got {number}")
+    above = known[number]
+    for number, frame in reversed(below.items()):
+        if "vertices_coords" in frame and "edges_vertices" not in frame:
+            own, others = (len(_list(each, "vertices_coords")) for each in (frame, above))
+            if own != others:
+                raise InputError(f"vertices_coords: need {others} positions, as many as in the parent, got {own}")
+        above = known[number] = above | frame
+    return above
+
+
+def _parent(frame: dict[str, object], count: int) -> int:
+    """The number of a frame's parent."""
+    parent = frame.get("frame_parent")
     if isinstance(parent, bool) or not isinstance(parent, int) or not 0 <= parent <= count:
-        raise InputError(f"frame_parent: need the number of a frame, 0 to {count}, got {parent!r}")
-    if parent in (*children, number):
-        raise InputError(f"frame_parent: need a parent that does not inherit from the frame itself, got {parent}")
-    above = _inherited(document, parent, (*children, number))
-    if "vertices_coords" in frame and "edges_vertices" not in frame:
-        own, others = (len(_list(each, "vertices_coords")) for each in (frame, above))
-        if own != others:
-            raise InputError(f"vertices_coords: need {others} positions, as many as in the parent, got {own}")
-    return above | frame
+        raise InputError(f"frame_parent: need the number of a frame, 0 to {count}, got {as_written(parent)}")
+    return parent
 
 
 def _folded_state(frame: dict[str, object]) -> Frame:
@@ -193,6 +209,9 @@ def _document(file: Path) -> dict[str, object]:
         raise InputError(f"need JSON, as FOLD files are, got {type(error).__name__} ({error})") from error
     if not isinstance(document, dict):
         raise InputError(f"need a JSON object with FOLD keys, got {type(document).__name__}")
+    spec = document.get("file_spec", 1)
+    if isinstance(spec, bool) or not isinstance(spec, int | float) or not 1 <= spec < 2:
+        raise InputError(f"file_spec: need a version from 1 to below 2 of the FOLD format, got {as_written(spec)}")
     return document
 
 
@@ -221,7 +240,7 @@ def _pattern_of(document: dict[str, object]) -> CreasePattern:
         vertices_coords=coords,
         edges_vertices=edges,
         edges_assignment=tuple("F" if letter == "J" else str(letter) for letter in letters),
-        edges_fold_angle=_fold_angles(document, len(edges)),
+        edges_fold_angle=_fold_angles(document, len(edges), letters),
         faces_vertices=tuple(tuple(face) for face in faces),
         edges_role=tuple(str(role) for role in roles),
         title=str(document.get("frame_title", document.get("file_title", ""))),
@@ -290,14 +309,23 @@ def _vertex_lists(document: dict[str, object], key: str, vertex_count: int) -> l
     return lists
 
 
-def _fold_angles(document: dict[str, object], edge_count: int) -> NDArray[np.float64]:
-    """Fold angles, rad, nan where the file has none."""
+def _fold_angles(document: dict[str, object], edge_count: int, letters: Sequence[object] = ()) -> NDArray[np.float64]:
+    """Fold angles, rad, nan where the file has none; raise InputError where one contradicts its edge's letter."""
     if "edges_foldAngle" not in document:
         return np.full(edge_count, np.nan)
     values = _list(document, "edges_foldAngle")
     degrees = [
         math.nan if value is None else _number(value, f"edges_foldAngle[{edge}]") for edge, value in enumerate(values)
     ]
+    for edge, angle in enumerate(degrees):
+        letter = letters[edge] if edge < len(letters) else ""
+        for wrong, rule in (
+            (abs(angle) > _FOLDED_FLAT, "-180 to 180 deg"),
+            (letter == "M" and angle > 0, "<= 0 on a mountain"),
+            (letter == "V" and angle < 0, ">= 0 on a valley"),
+        ):
+            if wrong:
+                raise InputError(f"edges_foldAngle[{edge}]: need {rule}, got {angle:.6g}")
     return np.radians(np.array(degrees, dtype=np.float64))
 
 

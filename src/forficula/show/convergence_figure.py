@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import math
 from pathlib import Path
@@ -17,6 +15,7 @@ from numpy.typing import NDArray
 from rich.console import Console
 from rich.table import Table
 
+from forficula.csv_text import csv_text
 from forficula.dynamics import versions
 from forficula.files import replacing_all, write_text
 from forficula.show.style import (
@@ -201,11 +200,8 @@ def write_convergence(convergence: Convergence, folder: Path) -> None:
 
 def _write_files(convergence: Convergence, folder: Path) -> None:
     rows = convergence_rows(convergence)
-    text = io.StringIO()
-    writer = csv.DictWriter(text, fieldnames=list(rows[0]), lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(rows)
-    write_text(folder / "convergence.csv", text.getvalue())
+    cells = [["" if value is None else value for value in row.values()] for row in rows]
+    write_text(folder / "convergence.csv", csv_text([list(rows[0]), *cells]))
     content = {
         "design": convergence.design.name,
         "design_hash": convergence.design.hash,

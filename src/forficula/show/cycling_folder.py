@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 from pathlib import Path
 from typing import Any
 
 from rich.console import Console
 
+from forficula.csv_text import csv_text
 from forficula.design import load_design
 from forficula.dynamics import versions
 from forficula.errors import InputError
@@ -68,11 +67,7 @@ def cycling_rows(cycling: Cycling) -> list[dict[str, Any]]:
 def cycling_csv(cycling: Cycling) -> str:
     """The rows as text, empty where there is no number."""
     rows = cycling_rows(cycling)
-    text = io.StringIO()
-    writer = csv.DictWriter(text, list(rows[0]), lineterminator="\n")
-    writer.writeheader()
-    writer.writerows({key: "" if value is None else value for key, value in row.items()} for row in rows)
-    return text.getvalue()
+    return csv_text([list(rows[0]), *(["" if value is None else value for value in row.values()] for row in rows)])
 
 
 def cycling_summary(cycling: Cycling) -> dict[str, Any]:

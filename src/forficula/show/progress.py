@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import sys
 from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from threading import Timer
 from time import monotonic
 from typing import Any
 
@@ -12,24 +14,40 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn
 from rich.table import Column
 
+_PATIENCE = 3  # s
+
 
 @contextmanager
-def run_progress() -> Iterator[Callable[[str, float, float], None]]:
-    """Show how far a run is: a bar on a terminal, a line a stage elsewhere."""
+def run_progress(first: str = "building the wing") -> Iterator[Callable[[str, float, float], None]]:
+    """Show how far a run is, and what comes first of all: a bar on a terminal, a line a stage elsewhere."""
     console = Console(stderr=True, highlight=False)
     if not console.is_terminal:
         stages = [""]
+        with waiting(first) as stop_waiting:
 
-        def line(stage: str, time: float, longest: float) -> None:
-            if stage != stages[-1]:
-                stages.append(stage)
-                console.print(f"{stage}: {time:.3g} s of at most {longest:.3g} s simulated")
+            def line(stage: str, time: float, longest: float) -> None:
+                stop_waiting()
+                if stage != stages[-1]:
+                    stages.append(stage)
+                    console.print(f"{stage}: {time:.3g} s of at most {longest:.3g} s simulated", markup=False)
 
-        yield line
+            yield line
         return
     with Progress(console=console, transient=True) as bar:
-        task = bar.add_task("start")
+        task = bar.add_task(first)
         yield lambda stage, time, longest: bar.update(task, description=stage, completed=time, total=longest)
+
+
+@contextmanager
+def waiting(what: str) -> Iterator[Callable[[], None]]:
+    """Say what takes so long, if it takes longer than a few seconds; what is handed out ends the waiting."""
+    timer = Timer(_PATIENCE, lambda: print(f"{what} ...", file=sys.stderr, flush=True))
+    timer.daemon = True
+    timer.start()
+    try:
+        yield timer.cancel
+    finally:
+        timer.cancel()
 
 
 @contextmanager
@@ -85,6 +103,27 @@ def film_progress() -> Iterator[Callable[[int, int], None]]:
     with Progress(console=console, transient=True) as bar:
         task = bar.add_task("film")
         yield lambda done, all_of_them: bar.update(task, completed=done, total=all_of_them)
+
+
+def building_progress() -> Callable[[int, int], None]:
+    """Say how many designs are built: a line every 5 s, on a terminal, too, where a bar may stand below it."""
+    return _lines("designs built", 5)
+
+
+def map_progress() -> Callable[[int, int], None]:
+    """Say how many wings of a static map are done: a line every 5 s."""
+    return _lines("wings of the map", 5)
+
+
+def _lines(what: str, seconds: float) -> Callable[[int, int], None]:
+    console, last = Console(stderr=True, highlight=False), [monotonic()]
+
+    def line(done: int, all_of_them: int) -> None:
+        if monotonic() - last[-1] > seconds:
+            last[-1] = monotonic()
+            console.print(f"{done} of {all_of_them} {what}", soft_wrap=True)
+
+    return line
 
 
 def _end(row: dict[str, Any]) -> str:

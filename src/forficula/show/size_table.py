@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import math
 from collections.abc import Iterator, Sequence
 
@@ -11,6 +9,7 @@ from rich.console import Console, Group, RenderableType
 from rich.text import Text
 
 from forficula.analysis.sizing import TendonSizes
+from forficula.csv_text import csv_text
 from forficula.design.part import STIFFNESS
 from forficula.material.characterisation import AREA, LENGTH
 from forficula.material.law_keys import show_value
@@ -42,16 +41,14 @@ def size_table(law: MaterialLaw, sizes: Sequence[TendonSizes]) -> RenderableType
 
 def sizes_csv(sizes: Sequence[TendonSizes]) -> str:
     """The sizes as comma-separated values in SI, one row a tendon; what is absent is empty."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(_COLUMNS)
+    rows: list[Sequence[object]] = [_COLUMNS]
     for each in sizes:
         beyond = "" if each.beyond is None else str(each.beyond).lower()
         for size in each.sizes:
             mean = "" if size.mean_area is None else repr(size.mean_area)
             row = (each.length, size.stiffness, size.area, size.diameter)
-            writer.writerow([*map(repr, row), mean, repr(each.flat_strain), beyond])
-    return text.getvalue()
+            rows.append([*map(repr, row), mean, repr(each.flat_strain), beyond])
+    return csv_text(rows)
 
 
 def _table(law: MaterialLaw, sizes: TendonSizes) -> RenderableType:

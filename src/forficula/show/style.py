@@ -61,6 +61,8 @@ def figure_style() -> Iterator[None]:
             "axes.spines.top": False,
             "axes.spines.right": False,
             "legend.frameon": False,
+            # a name that a user gave may hold a dollar sign; we write no formulas
+            "text.parse_math": False,
         }
     ):
         yield
@@ -115,7 +117,9 @@ def save_figure(figure: Figure, path: Path) -> None:
     # Not by figure.savefig, which draws everything twice. TrueType, because journals refuse Type 3. Outlines in SVG,
     # because few readers have the font, and with another one words run into one another. A salt and no dates, because
     # otherwise the same figure is another file each time.
-    with rc_context({"pdf.fonttype": 42, "svg.fonttype": "path", "svg.hashsalt": "forficula"}):
+    with rc_context(
+        {"pdf.fonttype": 42, "svg.fonttype": "path", "svg.hashsalt": "forficula", "text.parse_math": False}
+    ):
         match path.suffix:
             case ".png":
                 told |= {"Description": text, "Software": "forficula"}

@@ -170,6 +170,8 @@ def _check_values(key: str, values: Sequence[object]) -> None:
         if quantity is None:
             if not isinstance(value, str | int | float | list):
                 raise InputError(f"{key}: need numbers or words, got {as_written(value)}")
+            if isinstance(value, float) and not math.isfinite(value):
+                raise InputError(f"{key}: need finite numbers, got {as_written(value)}")
             continue
         if value in quantity.words:
             continue
@@ -177,6 +179,19 @@ def _check_values(key: str, values: Sequence[object]) -> None:
             quantity.parse(value)
         except InputError as error:
             raise InputError(f"{key}: {error}") from None
+
+
+def _finite(value: object) -> float:
+    """A finite number as it is; raise InputError for anything else."""
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise InputError(f"need a number, got {as_written(value)}")
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
+    if not math.isfinite(number):
+        raise InputError(f"need a finite number, got {as_written(value)}")
+    return number
 
 
 def _written(key: str, value: float) -> object:
@@ -198,15 +213,15 @@ def _distribution(key: str, given: Mapping[str, object], has_unit: bool) -> Dist
         try:
             if has_unit and quantity is not None:
                 numbers.append(parse_quantity(value, quantity.unit))
-            elif isinstance(value, bool) or not isinstance(value, int | float):
-                raise InputError(f"need a number, got {value!r}")
             else:
-                numbers.append(float(value))
+                numbers.append(_finite(value))
         except InputError as error:
             raise InputError(f"{key}.{parameter}: {error}") from None
     first, second = numbers
     if name == "normal" and second <= 0:
         raise InputError(f"{key}.deviation: need > 0, got {given['deviation']}")
+    if not math.isfinite(second - first):
+        raise InputError(f"{key}.high: need a finite distance from low, {given['low']}, got {given['high']}")
     if name != "normal" and second <= first:
         raise InputError(f"{key}.high: need > low, {given['low']}, got {given['high']}")
     if name == "log-uniform" and first <= 0:

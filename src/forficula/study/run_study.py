@@ -24,6 +24,10 @@ Progress = Callable[[int, int, Row], None]
 # rows of designs, as `evaluate` makes them on this machine; the second argument is its `until_opened`
 Evaluate = Callable[[Sequence[Design], bool], Iterator[Row]]
 
+Building = Callable[[int, int], None]
+
+# Points whose designs are built before the first of them runs: a few seconds.
+_WINDOW = 1024
 # Runs side by side in one batch: enough that a few slow ones do not leave a core idle for long.
 _BATCH = 1024
 
@@ -37,6 +41,7 @@ def run_study(
     batch: int = _BATCH,
     cluster: Evaluate | None = None,
     progress: Progress | None = None,
+    building: Building | None = None,
 ) -> xarray.Dataset | None:
     """Run what a study lacks and build its table.
 
@@ -49,6 +54,7 @@ def run_study(
         cluster: what makes rows of designs, from `dask_cluster`; the cores of this machine do, if not given.
         progress: called after every run with the runs done, the runs known to be needed, and the row; a run that a
             search turns out to do without counts as done, and what is needed never shrinks.
+        building: called now and then while designs are built that do not run here, with how many are and of how many.
 
     Returns:
         The table, or None where points of other shards are missing.
@@ -63,20 +69,26 @@ def run_study(
             raise InputError(f"{name}: need a whole number >= {least}, got {as_written(value)}")
     folder = Path(out)
     rows = read_rows(folder, study.base)
-    designs = _designs(study)
-    mine = {number: design for number, design in designs.items() if number % shard[1] == shard[0] - 1}
-    tally = Tally(len(_known(study, mine, rows)))
+    mine = range(shard[0] - 1, len(study.points), shard[1])
+    designs: dict[int, Design | str] = {}
+    tally = Tally(0, len(mine))
     with open_journal(folder, study.base, shard) as journal:
-        while points := _missing_by_point(study, mine, rows):
-            tally.plan([list(point) for point in points])
-            todo = list(_joined(points).values())
-            searches = study.search is not None
-            for row in _in_batches(todo, threads, batch, searches) if cluster is None else cluster(todo, searches):
-                journal.append(row)
-                rows[row["key"]] = row
-                tally.count(row)
-                if progress is not None:
-                    progress(tally.done, tally.needed, row)
+        # the first of many points run before the last of them are built
+        for first in range(0, len(mine), _WINDOW):
+            window = {number: _design(study, number) for number in mine[first : first + _WINDOW]}
+            designs |= window
+            tally.reach(len(window), len(_known(study, window, rows)))
+            while points := _missing_by_point(study, window, rows):
+                tally.plan([list(point) for point in points])
+                todo = list(_joined(points).values())
+                searches = study.search is not None
+                for row in _in_batches(todo, threads, batch, searches) if cluster is None else cluster(todo, searches):
+                    journal.append(row)
+                    rows[row["key"]] = row
+                    tally.count(row)
+                    if progress is not None:
+                        progress(tally.done, tally.needed, row)
+    designs = _designs(study, building, designs)
     if _missing_by_point(study, designs, rows):
         return None
     return build_table(study, designs, rows)
@@ -87,14 +99,19 @@ def _in_batches(designs: Sequence[Design], threads: int, batch: int, until_opene
         yield from evaluate(designs[first : first + batch], threads, until_opened=until_opened)
 
 
-def collect(study: Study, out: str | Path) -> xarray.Dataset:
+def collect(study: Study, out: str | Path, building: Building | None = None) -> xarray.Dataset:
     """Build the table from the rows of all shards.
+
+    Args:
+        study: what was run.
+        out: folder with the rows.
+        building: as of `run_study`.
 
     Raises:
         InputError: rows are missing, and how many; or the folder holds another study's rows.
     """
     folder = Path(out)
-    rows, designs = read_rows(folder, study.base), _designs(study)
+    rows, designs = read_rows(folder, study.base), _designs(study, building)
     if points := _missing_by_point(study, designs, rows):
         raise InputError(
             f"{folder}: {len(_joined(points))} runs are missing; run the shards that are not done, then collect"
@@ -102,13 +119,18 @@ def collect(study: Study, out: str | Path) -> xarray.Dataset:
     return build_table(study, designs, rows)
 
 
-def estimate(study: Study, out: str | Path) -> tuple[int, int, float]:
+def estimate(study: Study, out: str | Path, building: Building | None = None) -> tuple[int, int, float]:
     """Say how many runs a study takes at most, how many points are not done, and guess how long these take, s.
 
     How many runs a search takes depends on what they find. The guess is the time that the middle point takes, measured
     now, times the points that are left.
+
+    Args:
+        study: to run.
+        out: folder with the rows, if there are any.
+        building: as of `run_study`.
     """
-    rows, designs = read_rows(Path(out), study.base), _designs(study)
+    rows, designs = read_rows(Path(out), study.base), _designs(study, building)
     most = len(study.points) * (1 if study.search is None else most_runs(study.search))
     left = len(_missing_by_point(study, designs, rows))
     if not left:
@@ -121,15 +143,24 @@ def estimate(study: Study, out: str | Path) -> tuple[int, int, float]:
     return most, left, (time.perf_counter() - start) * left
 
 
-def _designs(study: Study) -> dict[int, Design | str]:
-    """The design at every point, or why there is none."""
+def _designs(
+    study: Study, building: Building | None = None, built: Mapping[int, Design | str] | None = None
+) -> dict[int, Design | str]:
+    """The design at every point in their order, or why there is none; some are built already."""
     designs: dict[int, Design | str] = {}
-    for number, point in enumerate(study.points):
-        try:
-            designs[number] = point_design(study.base, point)
-        except InputError as error:
-            designs[number] = str(error)
+    for number in range(len(study.points)):
+        designs[number] = (built or {}).get(number) or _design(study, number)
+        if building is not None and number not in (built or {}):
+            building(number + 1, len(study.points))
     return designs
+
+
+def _design(study: Study, number: int) -> Design | str:
+    """The design at a point, or why there is none."""
+    try:
+        return point_design(study.base, study.points[number])
+    except InputError as error:
+        return str(error)
 
 
 def _wanted(study: Study, design: Design, rows: Mapping[str, Row]) -> list[Design]:

@@ -16,8 +16,10 @@ from forficula.quantities import show_value
 
 # By how much of themselves times may differ between two timesteps of which the finer one is taken.
 _TIME_TOLERANCE = 0.02
+# How many timesteps, one after the other, must agree.
+_AGREEING = 3
 # How often a timestep is halved before it is given up.
-_HALVINGS = 7
+_HALVINGS = 8
 # What is missing of the energy falls with the timestep between in proportion and with its square.
 _RESIDUAL_ORDER = 1.3
 # How long wings are built before the first of them run, s; twice as long each time, for many side by side are faster.
@@ -27,27 +29,28 @@ _CHANGES = "its outcome still changes with the timestep"
 
 @dataclass(frozen=True, kw_only=True)
 class _Attempt:
-    """A design at a timestep, and what it came to at the one before.
+    """A design at a timestep, and what it came to at longer ones.
 
     Attributes:
         number: of the design.
         design: with the timestep, s, but for "auto" before the first attempt.
         halvings: by which it is shorter than the first one; None where the design gives it.
-        before: outcome at the timestep before, or None.
+        before: outcomes at the timesteps before, the last two at most.
     """
 
     number: int
     design: Design
     halvings: int | None
-    before: Outcome | None = None
+    before: tuple[Outcome, ...] = ()
 
 
 def run(design: Design, progress: Progress | None = None) -> Record:
     """Take one wing through its protocol.
 
-    A timestep "auto" is found by halving, from half of what the stiffest mode allows on, until three things hold:
-    the energy balance misses no more than `protocol.residual_limit`, and between the last two timesteps the verdict is
-    the same and no transition's time moves by more than 2 %. The record is that of the last one, and its design has it.
+    A timestep "auto" is found by halving, from what the stiffest mode allows on, until at three of them, one after the
+    other, the energy balance misses no more than `protocol.residual_limit`, the verdict is the same, and no
+    transition's time is off that of the last by more than 2 %. The record is that of the last one, and its design has
+    it. (Two that agree are not enough: of random designs, every sixth that folds went on to another time.)
 
     Args:
         design: what to build and what to do with it.
@@ -118,7 +121,7 @@ def run_each(
             if following is not None:
                 left[attempt.number] = following
                 continue
-            changes = attempt.before is not None and outcome.verdict.tells and not _same_ending(attempt.before, outcome)
+            changes = outcome.verdict.tells and not all(_same_ending(each, outcome) for each in attempt.before)
             yield attempt.number, replace(result, doubt=_CHANGES) if changes else result
             if until_opened and outcome.opened and not changes:
                 chain = _but_unfold_torque(designs[attempt.number])
@@ -147,11 +150,12 @@ def _results(
     built: list[tuple[_Attempt, WingModel]] = []
     seconds, start = _FIRST_SECONDS, time.perf_counter()
     for alike in by_engine.values():
-        try:
-            wing = _compile(alike[0].design)
-            built += [_with_protocol(wing, attempt) for attempt in alike]
-        except InputError as error:
-            yield from ((attempt, error) for attempt in alike)
+        wing = _compile(alike[0].design)
+        for attempt in alike:
+            try:
+                built.append(_with_protocol(wing, attempt))
+            except InputError as error:
+                yield attempt, error
         if time.perf_counter() - start > seconds:
             yield from _simulated(built, threads, sparse, until_opened, progress)
             seconds, start, built = 2 * seconds, time.perf_counter(), []
@@ -194,11 +198,16 @@ def _following(attempt: _Attempt, outcome: Outcome) -> _Attempt | None:
     residual, limit = outcome.ending.residual, attempt.design.protocol.residual_limit
     if outcome.verdict is Verdict.UNTRUSTED and residual is not None and math.isfinite(residual):
         halvings = max(1, round(math.log2(residual / limit) / _RESIDUAL_ORDER))
-    elif outcome.verdict.tells and attempt.before is not None and _agree(attempt.before, outcome):
+    elif len(attempt.before) == _AGREEING - 1 and all(_agree(each, outcome) for each in attempt.before):
         return None
     total = min(attempt.halvings + halvings, _HALVINGS)
     timestep = float(attempt.design.protocol.timestep) / 2 ** (total - attempt.halvings)
-    return _Attempt(number=attempt.number, design=_with_step(attempt.design, timestep), halvings=total, before=outcome)
+    return _Attempt(
+        number=attempt.number,
+        design=_with_step(attempt.design, timestep),
+        halvings=total,
+        before=(*attempt.before, outcome)[1 - _AGREEING :],
+    )
 
 
 def _with_step(design: Design, timestep: float) -> Design:
@@ -207,11 +216,11 @@ def _with_step(design: Design, timestep: float) -> Design:
 
 
 def _agree(before: Outcome, after: Outcome) -> bool:
-    """Whether a run came to the same at two timesteps, at about the same times."""
+    """Whether a run that is to be trusted came to the same at two timesteps, at about the same times."""
     pairs = ((before.fold, after.fold), (before.unfold, after.unfold))
     times = [(a.time, b.time) for a, b in pairs if a is not None and b is not None]
     near = all(a is b or (a and b and abs(a - b) <= _TIME_TOLERANCE * b) for a, b in times)
-    return _same_ending(before, after) and near
+    return after.verdict.tells and _same_ending(before, after) and near
 
 
 def _same_ending(before: Outcome, after: Outcome) -> bool:
@@ -233,14 +242,22 @@ def _engine_key(design: Design) -> str:
     return design.model_copy(update={"protocol": design.protocol.model_copy(update=parting)}).hash
 
 
-def _compile(design: Design) -> WingModel:
-    """A wing; with twice the estimated timestep where that is left open, so that the second attempt can do."""
+def _compile(design: Design) -> WingModel | InputError:
+    """A wing; with four times the estimated timestep where that is left open, so that the third attempt can do."""
     guessed = with_timestep(design)
-    return compile_wing(design if guessed is design else _with_step(guessed, 2 * float(guessed.protocol.timestep)))
+    return compile_wing(
+        design if guessed is design else _with_step(guessed, 2 ** (_AGREEING - 1) * float(guessed.protocol.timestep))
+    )
 
 
-def _with_protocol(wing: WingModel, attempt: _Attempt) -> tuple[_Attempt, WingModel]:
-    """An attempt at the timestep of a wing, and that wing with its protocol, the engine model shared."""
+def _with_protocol(wing: WingModel | InputError, attempt: _Attempt) -> tuple[_Attempt, WingModel]:
+    """An attempt at the timestep of a wing, and that wing with its protocol, the engine model shared.
+
+    Raises:
+        InputError: there is no wing, or its protocol is too large or small for it.
+    """
+    if isinstance(wing, InputError):
+        raise wing
     design = _with_step(attempt.design, float(wing.design.protocol.timestep))
     return replace(attempt, design=design), replace(
         wing, design=design, in_units=design_in_model_units(design, wing.units)

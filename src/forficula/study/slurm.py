@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 import shlex
 
 from forficula.errors import InputError
+from forficula.quantities import as_written
 
 _MOST_SHARDS = 10_000
 
@@ -22,8 +24,11 @@ def slurm_script(study: str, out: str, shards: int) -> str:
     """
     if not 1 <= shards <= _MOST_SHARDS:
         raise InputError(f"--slurm: need a number of jobs from 1 to {_MOST_SHARDS}, got {shards}")
-    if any(sign in text for text in (study, out) for sign in "\r\n"):
-        raise InputError("--slurm: need names on one line, got a line break in the name of the study or of its folder")
+    for text in (study, out):
+        if any(sign in text for sign in "\r\n"):
+            raise InputError("--slurm: need names on one line, got a line break in the name of the study or its folder")
+        if re.search("[\ud800-\udfff]", text):
+            raise InputError(f"--slurm: need names in UTF-8, got {as_written(text)}")
     command = f"forficula study {shlex.quote(study)} --out {shlex.quote(out)}"
     return f"""#!/bin/bash
 #SBATCH --job-name=forficula

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -20,6 +20,11 @@ from forficula.study.table import table_axes
 
 if TYPE_CHECKING:
     import xarray
+
+# some 50 ms each
+_MOST_POINTS = 100_000
+# more are hardly faster, and say nothing for longer
+_SIDE_BY_SIDE = 256
 
 # name: (unit, what it is)
 _NUMBERS = {
@@ -42,6 +47,9 @@ def map_study(design: Design, over: Mapping[str, object], search: Search | None 
         InputError: an unknown key, values that are not allowed, or a distribution.
     """
     factors = tuple(read_factor(key, values) for key, values in over.items())
+    count = math.prod(len(factor.values) for factor in factors)
+    if count > _MOST_POINTS:
+        raise InputError(f"{', '.join(over)}: need at most {_MOST_POINTS} points of a static map, got {count}")
     for factor in factors:
         if not factor.key.startswith(("tendon.", *SHARED)):
             raise InputError(
@@ -61,11 +69,15 @@ def map_study(design: Design, over: Mapping[str, object], search: Search | None 
     )
 
 
-def static_map(study: Study) -> xarray.Dataset:
+def static_map(study: Study, progress: Callable[[int, int], None] | None = None) -> xarray.Dataset:
     """Let the torques grow step by step on every wing of a study: the least that fold from flat and open from folded.
 
     Every torque of the study's search above 0 is tried, with all inertia left out. Wings that differ in their tendons
     only go side by side.
+
+    Args:
+        study: a grid with a search for the least torques.
+        progress: called now and then with the wings that are done, and all of them.
 
     Returns:
         Dimensions are the factors; variables as in the table of a search for the least torques.
@@ -87,10 +99,16 @@ def static_map(study: Study) -> xarray.Dataset:
             results[number] = {"status": ending_text(ending), "outcome": ending_word(ending)}
         else:
             groups.setdefault(repr([key_value(design, key) for key in SHARED]), []).append((number, design))
+    done = 0
     for group in groups.values():
-        rows = _rows([design for _, design in group], study.search)
-        for (number, _), row in zip(group, rows, strict=True):
-            results[number] = row
+        for first in range(0, len(group), _SIDE_BY_SIDE):
+            part = group[first : first + _SIDE_BY_SIDE]
+            rows = _rows([design for _, design in part], study.search)
+            for (number, _), row in zip(part, rows, strict=True):
+                results[number] = row
+            done += len(part)
+            if progress is not None:
+                progress(done, len(study.points))
     coordinates, dimensions, shape = table_axes(study)
     variables: dict[str, Any] = {
         name: (dimensions, _column(results, name).reshape(shape), {"units": unit, "long_name": meaning})

@@ -5,7 +5,6 @@ from __future__ import annotations
 import difflib
 import itertools
 import math
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib import resources
@@ -14,11 +13,14 @@ from typing import Any
 
 from forficula.design import TORQUE, Design, key_quantity, key_value, law_from_folder, load_design
 from forficula.errors import InputError
+from forficula.names import folder_name
 from forficula.quantities import as_written, parse_quantity
 from forficula.study.choices import one_at_a_time, with_own_word
 from forficula.study.factors import MOST_VALUES, Factor, drawn_values, range_values, read_factor
+from forficula.toml_text import parse_toml
 
 _KEYS = ("name", "source", "design", "ask", "vary", "settings", "factors", "grid", "sampling", "search")
+_MOST_TORQUES = 1000  # every one of them is a run of every point
 _TORQUE_KEY = "protocol.fold_torque"
 
 
@@ -78,13 +80,8 @@ def load_study(name_or_path: str | Path) -> Study:
     """
     text, where, folder = _read(str(name_or_path))
     try:
-        tables = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"{where}: not TOML: {error}") from None
-    except RecursionError:
-        raise InputError(f"{where}: not TOML for a study: nested too deeply") from None
-    tables.setdefault("name", Path(where).stem)
-    try:
+        tables = parse_toml(text, "a study")
+        tables.setdefault("name", Path(where).stem)
         return _study(tables, folder)
     except InputError as error:
         raise InputError(f"{where}: {error}") from None
@@ -132,14 +129,18 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
     for key in ("settings", "sampling", "search"):
         if not isinstance(tables.get(key, {}), dict):
             raise InputError(f"{key}: need a table, got {as_written(tables[key])}")
-    title, name = tables["name"], tables.get("design")
-    if not isinstance(title, str) or not title.strip(" .") or any(sign in title for sign in "/\\\0"):
-        raise InputError(f"name: need a name that a folder can have, without slashes, got {as_written(title)}")
+    name = tables.get("design")
+    try:
+        title = folder_name(tables["name"])
+    except InputError as error:
+        raise InputError(f"name: {error}") from None
     if name is None:
         raise InputError('design: is missing; give the name or path of a design, such as "binder2025"')
     if not isinstance(name, str):
         raise InputError(f'design: need the name or path of a design, such as "binder2025", got {as_written(name)}')
-    settings = {key: law_from_folder(key, value, folder) for key, value in _flat(tables.get("settings", {})).items()}
+    settings = {
+        key: law_from_folder(key, value, folder) for key, value in _flat(tables.get("settings", {}), "settings").items()
+    }
     base = load_design(str(folder / name) if name.endswith(".toml") else name, settings)
     for factor in (*factors, *grid):
         now = key_value(base, factor.key)
@@ -185,7 +186,7 @@ def _factors(tables: Mapping[str, Any], name: str, folder: Path) -> tuple[Factor
     given = tables.get(name)
     if not isinstance(given, dict) or not given:
         raise InputError(f'{name}: need a table with at least one, such as "tendon.stiffness" = "10..60 N/cm step 10"')
-    return tuple(read_factor(key, law_from_folder(key, value, folder)) for key, value in _flat(given).items())
+    return tuple(read_factor(key, law_from_folder(key, value, folder)) for key, value in _flat(given, name).items())
 
 
 def _repeated_grid(
@@ -212,14 +213,15 @@ def _known(table: Mapping[str, object], keys: tuple[str, ...], prefix: str) -> N
             raise InputError(f"{prefix}{key}: unknown key; {hint}")
 
 
-def _flat(table: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
+def _flat(table: Mapping[str, Any], header: str, prefix: str = "") -> dict[str, Any]:
     """Dotted keys of nested tables; a table with a distribution is a value, and a law with what it is based on."""
     flat: dict[str, Any] = {}
     for key, value in table.items():
-        if isinstance(value, dict) and not {"distribution", "based_on"} & value.keys():
-            flat |= _flat(value, f"{prefix}{key}.")
-        else:
-            flat[f"{prefix}{key}"] = value
+        nested = isinstance(value, dict) and not {"distribution", "based_on"} & value.keys()
+        more = _flat(value, header, f"{prefix}{key}.") if nested else {f"{prefix}{key}": value}
+        if twice := flat.keys() & more.keys():
+            raise InputError(f"{header}.{min(twice)}: is given twice, once with dots in its name and once in a table")
+        flat |= more
     return flat
 
 
@@ -275,6 +277,8 @@ def _torques(key: str, given: object, *, none: bool = False) -> tuple[float, ...
     values = range_values(_TORQUE_KEY, given) if isinstance(given, str) else given
     if not isinstance(values, list | tuple) or not (values or none):
         raise InputError(f'search.{key}: need torques such as "0..50 N cm step 10", got {given!r}')
+    if len(values) > _MOST_TORQUES:
+        raise InputError(f"search.{key}: need at most {_MOST_TORQUES} torques, got {len(values)}")
     try:
         torques = tuple(parse_quantity(value, TORQUE) for value in values)
     except InputError as error:

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from forficula.analysis import Ending, Verdict, ending_word
+from forficula.csv_text import csv_text
 from forficula.design import TORQUE, Design
 from forficula.quantities import as_written, parse_quantity
 from forficula.study.choices import CHOICE, choice_label, own_value
@@ -112,9 +111,9 @@ def table_csv(study: Study, table: xarray.Dataset) -> str:
     factors = [_column(factor) for factor in varied]
     names = [name for name in _COLUMNS if name in table]
     units = {name: _suffix(table[name].attrs["units"]) for name in names if table[name].attrs.get("units")}
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow([*(name for name, _ in factors), *(f"{name}{units.get(name, '')}" for name in names)])
+    rows: list[Sequence[object]] = [
+        [*(name for name, _ in factors), *(f"{name}{units.get(name, '')}" for name in names)]
+    ]
     columns = [table[name].values.ravel() for name in names]
     for number, point in enumerate(study.points):
         values = [_point_value(study, factor, point) for factor in varied]
@@ -122,8 +121,8 @@ def table_csv(study: Study, table: xarray.Dataset) -> str:
             factor * value if isinstance(value, float) else value
             for value, (_, factor) in zip(values, factors, strict=True)
         ]
-        writer.writerow([*cells, *(_cell(column[number]) for column in columns)])
-    return text.getvalue()
+        rows.append([*cells, *(_cell(column[number]) for column in columns)])
+    return csv_text(rows)
 
 
 def _result(study: Study, design: Design | str, rows: Mapping[str, Row]) -> dict[str, Any]:

@@ -17,20 +17,29 @@ class Tally:
         needed: runs, those done among them.
     """
 
-    def __init__(self, done: int) -> None:
-        self.needed = done
+    def __init__(self, done: int, later: int = 0) -> None:
+        """Start with runs that are done, and points that come later, of which each counts as a run for now."""
+        self.needed = done + later
+        self._later, self._spare = later, 0
         self._open: set[str] = set()
         self._points: dict[str, Sequence[str]] = {}
 
     @property
     def done(self) -> int:
         """Runs done, or not needed any more."""
-        return self.needed - len(self._open)
+        return self.needed - len(self._open) - self._later
+
+    def reach(self, points: int, done: int) -> None:
+        """Take note of points that came later until now, and of their runs that are done already."""
+        self._later -= points
+        self._spare = max(points - done, 0)
+        self.needed += max(done - points, 0)
 
     def plan(self, points: Collection[Sequence[str]]) -> None:
         """Take note of the keys of missing runs, by point and in the order in which they are tried."""
         self._points = {key: keys for keys in points for key in keys}
-        self.needed += len(self._points.keys() - self._open)
+        self.needed += max(len(self._points.keys() - self._open) - self._spare, 0)
+        self._spare = 0
         self._open = set(self._points)
 
     def count(self, row: Row) -> None:

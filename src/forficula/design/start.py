@@ -1,0 +1,41 @@
+"""Where a wing starts, and whether its guard tendons let it."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from forficula.pattern import EarwigFan, ring_vertices, tips
+
+
+def start_stretch(fan: EarwigFan, overbend: float) -> float:
+    """How far apart neighbouring tips are where every distal hinge is bent past straight, by their flat distance.
+
+    Neighbouring veins bend to opposite sides of the sheet.
+
+    Args:
+        fan: the crease pattern.
+        overbend: of every distal hinge, rad.
+
+    Returns:
+        The largest share of all pairs.
+    """
+    ring, flat = ring_vertices(fan, continued=True), tips(fan)
+    creases = np.diff(ring, axis=0)
+    axes = creases / np.linalg.norm(creases, axis=1)[:, None]
+    # odd veins are valleys, as `earwig_pattern` has them
+    senses = (-1.0) ** (np.arange(len(axes)) + 1)
+    bent = ring[:-1] + Rotation.from_rotvec(overbend * senses[:, None] * axes).apply(flat - ring[:-1])
+    distances = (np.linalg.norm(np.diff(points, axis=0), axis=1) for points in (bent, flat))
+    return float(np.max(next(distances) / next(distances)))
+
+
+def largest_start(fan: EarwigFan, stretch: float) -> float:
+    """The largest bend past straight, rad, at which no tips are further apart than so many times as when flat."""
+    low, high = 0.0, math.pi / 2
+    for _ in range(40):
+        middle = (low + high) / 2
+        low, high = (middle, high) if start_stretch(fan, middle) <= stretch else (low, middle)
+    return low

@@ -1,0 +1,75 @@
+"""What the command line writes to, whatever it can write: letters that it lacks spelled, warnings on one line."""
+
+from __future__ import annotations
+
+import codecs
+import io
+import os
+import sys
+import unicodedata
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from typing import TextIO
+
+# letters of ours, and units above all, that must not turn into another one
+_SPELLED = {
+    **{"µ": "u", "μ": "u", "°": " deg", "·": "*", "×": "x", "²": "^2", "³": "^3", "⁴": "^4", "±": "+-", "∞": "inf"},
+    **{"−": "-", "–": "-", "—": "-", "…": "...", "≤": "<=", "≥": ">=", "≈": "~", "→": "->", "“": '"', "”": '"'},
+    **{"‘": "'", "’": "'", "█": "#", "━": "-", "╸": "-", "╺": "-"},
+}
+_HANDLER = "forficula-spelled"
+
+
+@contextmanager
+def plain_terminal() -> Iterator[None]:
+    """Write letters that an output's encoding lacks as others, and warnings of libraries as one line each."""
+    codecs.register_error(_HANDLER, _spelled)
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors=_HANDLER)
+    told: set[tuple[type[Warning], str]] = set()
+
+    def on_one_line(
+        message: Warning | str,
+        category: type[Warning],
+        filename: str,  # noqa: ARG001
+        lineno: int,  # noqa: ARG001
+        file: TextIO | None = None,  # noqa: ARG001
+        line: str | None = None,  # noqa: ARG001
+    ) -> None:
+        text = " ".join(str(message).split())
+        # a library may say the same of every letter or number
+        if (category, text.partition(" ")[0]) not in told:
+            told.add((category, text.partition(" ")[0]))
+            print(f"warning: {text}", file=sys.stderr)
+
+    with warnings.catch_warnings():
+        warnings.showwarning = on_one_line
+        yield
+
+
+def flush_output() -> None:
+    """Write what is left of the output; raise OSError where it has no room, and nothing more of it later on."""
+    if sys.stdout is not None and not sys.stdout.closed:
+        sys.stdout.flush()
+
+
+def drop_output() -> None:
+    """Leave what cannot be written, of which Python would complain once more when it closes the output."""
+    with suppress(OSError, ValueError, AttributeError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _spelled(error: UnicodeError) -> tuple[str, int]:
+    """Spell the letters that an encoding lacks."""
+    if not isinstance(error, UnicodeEncodeError):
+        raise error
+    return "".join(_letter(letter) for letter in error.object[error.start : error.end]), error.end
+
+
+def _letter(letter: str) -> str:
+    if letter in _SPELLED:
+        return _SPELLED[letter]
+    plain = unicodedata.normalize("NFKD", letter).encode("ascii", "ignore").decode()
+    return plain or "?"

@@ -1,0 +1,46 @@
+"""TOML text read, with errors that name the line and the key."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from typing import Any
+
+from forficula.errors import InputError
+
+_LINE = re.compile(r"\(at line (\d+), ")
+_KEY = re.compile(r"\s*((?:[\w-]+|\"[^\"]*\"|'[^']*')(?:\s*\.\s*(?:[\w-]+|\"[^\"]*\"|'[^']*'))*)\s*=")
+_TABLE_TWICE = re.compile(r"Cannot declare \((.*?),?\) twice")
+
+
+def parse_toml(text: str, what: str) -> dict[str, Any]:
+    """Read the tables of a TOML text.
+
+    Args:
+        text: to read.
+        what: it should describe, such as "a design".
+
+    Raises:
+        InputError: it is not TOML; the caller knows the file.
+    """
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(f"not TOML: {error}{_given_twice(text, str(error))}") from None
+    except ValueError:  # of Python's own, which reads no number of thousands of digits
+        raise InputError("not TOML: a whole number has too many digits") from None
+    except RecursionError:
+        raise InputError(f"not TOML for {what}: nested too deeply") from None
+
+
+def _given_twice(text: str, reason: str) -> str:
+    """Name the key or the table that stands twice, where that is what is wrong."""
+    if table := _TABLE_TWICE.search(reason):
+        return f"; the table [{table[1].replace(', ', '.').replace(chr(39), '')}] stands twice"
+    line = _LINE.search(reason)
+    if line is None or not reason.startswith("Cannot overwrite a value"):
+        return ""
+    # the place is the end of the value, which may have begun on a line above
+    above = reversed(text.splitlines()[: int(line[1])])
+    key = next((match[1] for each in above if (match := _KEY.match(each))), None)
+    return f"; the key {key} stands twice" if key else ""

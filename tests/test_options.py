@@ -1,0 +1,77 @@
+import re
+
+import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+from forficula.cli import main
+from forficula.errors import InputError
+from forficula.options import read_settings, read_shard, read_size
+
+
+@pytest.fixture
+def refusal(tmp_path, monkeypatch, capsys):
+    """Call the command line in an empty folder and return its one line."""
+    monkeypatch.chdir(tmp_path)
+
+    def call(*arguments):
+        with pytest.raises(SystemExit) as caught:
+            main(arguments)
+        output = capsys.readouterr()
+        assert (caught.value.code, output.out) == (1, "")
+        assert output.err.count("\n") == 1
+        return output.err.removeprefix("forficula: ").removesuffix("\n")
+
+    return call
+
+
+@pytest.mark.parametrize(
+    ("command", "option"),
+    [
+        (["study", "binder2025-search"], "--slurm"),
+        (["study", "binder2025-search"], "--keep"),
+        (["run", "binder2025"], "--cycles"),
+        (["film", "there", "--out", "a.gif"], "--fps"),
+    ],
+)
+@pytest.mark.parametrize("number", ["2.5", "12.9", "1e1", "²", "٣", "0x10", "nan", "one", "9" * 5000])
+def test_what_is_no_whole_number_is_refused_with_its_option(refusal, command, option, number):
+    message = refusal(*command, option, number)
+    assert message.startswith(f"Invalid value for {option}: need a whole number, got ")
+    assert len(message) < 200
+
+
+@given(st.text(st.characters(categories=["N"], include_characters="/+-_ "), max_size=8))
+@example("²/3")
+@example("٣/٣")
+@example(f"1/{'9' * 5000}")
+def test_a_shard_is_two_whole_numbers_or_one_error(text):
+    if re.fullmatch(r"0*[1-9]\d{0,5}/0*[1-9]\d{0,5}", text, re.ASCII):
+        number, _, count = text.partition("/")
+        if int(number) <= int(count):
+            assert read_shard(text) == (int(number), int(count))
+            return
+    with pytest.raises(InputError, match=r"^--shard: need a number and a count such as 2/8, got .{0,70}$"):
+        read_shard(text)
+
+
+@pytest.mark.parametrize("size", ["²x4", f"{'8' * 5000}x2", "٣٢٠x١٨٠"])
+def test_a_size_is_of_plain_digits(size):
+    with pytest.raises(InputError, match=r"^--size: need two even numbers"):
+        read_size("--size", size, 64, 4096)
+
+
+@pytest.mark.parametrize("option", ["--set", "--over"])
+def test_a_key_that_is_set_twice_is_refused(option):
+    with pytest.raises(InputError) as caught:
+        read_settings(["tendon.stiffness=10 N/cm", " tendon.stiffness = 20 N/cm"], option)
+    assert str(caught.value) == f"{option}: tendon.stiffness is given twice"
+
+
+def test_bytes_that_are_no_text_are_refused():
+    with pytest.raises(InputError, match=r"^--set: need text in UTF-8, got "):
+        read_settings(["source=\udcff"])
+
+
+def test_keys_that_are_set_once_are_values():
+    assert read_settings(["a.b=1", "c = 2 cm"]) == {"a.b": 1, "c": "2 cm"}

@@ -1,0 +1,76 @@
+"""What the command line writes, whatever it writes to."""
+
+import os
+import subprocess
+import sys
+import warnings
+
+import pytest
+
+from forficula.cli import main
+
+LAW = "name = 'Ĝummi µ'\nsource = ''\n[modulus]\nlinear = '4.8 MPa'\n"
+
+
+def forficula(*arguments, **variables):
+    """Run the command line in a process of its own, as a user does; what it writes is bytes."""
+    return subprocess.run(
+        [sys.executable, "-m", "forficula", *arguments], capture_output=True, check=False, env=os.environ | variables
+    )
+
+
+@pytest.mark.parametrize(
+    ("encoding", "length", "name"),
+    [("ascii", b"50 um", b"Gummi u"), ("cp1252", "50 µm".encode("cp1252"), "Gummi µ".encode("cp1252"))],
+)
+def test_letters_that_the_output_lacks_are_spelled(tmp_path, encoding, length, name):
+    (tmp_path / "law.toml").write_text(LAW, "utf-8")
+    small = ["--material", str(tmp_path / "law.toml"), "--length", "50 µm"]
+    done = forficula("size", "binder2025", *small, "--stiffness", "10 N/cm", PYTHONIOENCODING=encoding)
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert name in done.stdout
+    refused = forficula("run", "binder2025", "--set", "tendon.rest_length=5 µJ", PYTHONIOENCODING=encoding)
+    assert refused.returncode == 1
+    assert refused.stderr.count(b"\n") == 1
+    assert length[-2:-1] + b"J" in refused.stderr
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="there is no full device here")  # noqa: PTH110
+@pytest.mark.parametrize("arguments", [["--help"], ["--version"], ["designs"], ["study", "--help"]])
+def test_a_full_device_is_told_in_one_line(arguments):
+    with open("/dev/full", "w") as full:  # noqa: PTH123
+        done = subprocess.run(
+            [sys.executable, "-m", "forficula", *arguments], stdout=full, stderr=subprocess.PIPE, check=False, text=True
+        )
+    assert done.returncode == 1
+    assert done.stderr == "forficula: the output cannot be written: No space left on device\n"
+
+
+def test_a_warning_of_a_library_is_one_line_without_its_place(monkeypatch, capsys):
+    def warn():
+        warnings.warn("Glyph 25240 missing\nfrom font(s) X.", UserWarning, stacklevel=1)
+        warnings.warn("Glyph 12426 missing from font(s) X.", UserWarning, stacklevel=1)
+        warnings.warn("overflow encountered in exp", RuntimeWarning, stacklevel=1)
+        return {}
+
+    monkeypatch.setattr("forficula.design.named_designs", warn)
+    with warnings.catch_warnings():
+        warnings.simplefilter("default")
+        with pytest.raises(SystemExit):
+            main(["designs"])
+    assert capsys.readouterr().err == (
+        "warning: Glyph 25240 missing from font(s) X.\nwarning: overflow encountered in exp\n"
+    )
+
+
+def test_no_memory_left_is_told_in_one_line(monkeypatch, capsys):
+    def fill():
+        raise MemoryError
+
+    monkeypatch.setattr("forficula.design.named_designs", fill)
+    with pytest.raises(SystemExit) as caught:
+        main(["designs"])
+    assert caught.value.code == 1
+    output = capsys.readouterr()
+    assert output.err.startswith("forficula: no memory left")
+    assert output.err.count("\n") == 1

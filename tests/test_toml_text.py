@@ -1,0 +1,27 @@
+import pytest
+
+from forficula.errors import InputError
+from forficula.toml_text import parse_toml
+
+
+@pytest.mark.parametrize(
+    ("text", "end"),
+    [
+        ("a = 1\nb = 2\na = 3\n", "(at line 3, column 6); the key a stands twice"),
+        ('"x.y" = 1\n"x.y" = [\n1,\n]\n', '(at line 4, column 2); the key "x.y" stands twice'),
+        ("[t]\na.b = 1\na.b = 2\n", "(at line 3, column 8); the key a.b stands twice"),
+        ("[t.u]\na = 1\n[t.u]\n", "(at line 3, column 5); the table [t.u] stands twice"),
+        ("a = {b = 1, b = 2}\n", "Duplicate inline table key 'b' (at line 1, column 18)"),
+    ],
+)
+def test_a_key_that_stands_twice_is_named_with_its_line(text, end):
+    with pytest.raises(InputError) as caught:
+        parse_toml(text, "a design")
+    assert str(caught.value).startswith("not TOML: ")
+    assert str(caught.value).endswith(end)
+
+
+def test_a_whole_number_of_thousands_of_digits_is_refused():
+    with pytest.raises(InputError) as caught:
+        parse_toml(f"a = 1{'0' * 5000}", "a study")
+    assert str(caught.value) == "not TOML: a whole number has too many digits"
