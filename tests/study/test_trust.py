@@ -16,6 +16,8 @@ from tests.show.test_maps import legend, panels
 
 # softer ones than 2 MPa fold; the membrane of 20 MPa is too stiff for 0.2 ms, that of 60 MPa blows up
 FACTORS = '"membrane.youngs_modulus" = ["1 MPa", "2 MPa", "20 MPa", "60 MPa"]\n"tendon.rest_length" = ["7 cm", "9 cm"]'
+# what the short protocol allows itself
+COARSE = 'protocol.timestep = "0.4 ms"\nprotocol.least_hold = 0.0\nprotocol.residual_limit = 0.02'
 SEARCH = '[search]\nfold_torques = ["20 N cm", "50 N cm"]\nunfold_torques = ["100 N cm"]'
 NUMBERS = ("fold_time", "unfold_time", "fold_work", "unfold_work", "flat_energy", "folded_energy", "opened_energy")
 SILENT = ["untrusted", "diverged"]
@@ -23,7 +25,7 @@ SILENT = ["untrusted", "diverged"]
 
 def written(folder, write_study_file, head="", tail=""):
     path = write_study_file(folder / "stiff.toml", FACTORS, head, tail)
-    path.write_text(path.read_text("utf-8").replace('timestep = "0.4 ms"', 'timestep = "0.2 ms"'), "utf-8")
+    path.write_text(path.read_text("utf-8").replace(COARSE, 'protocol.timestep = "0.2 ms"'), "utf-8")
     study = load_study(path)
     return study, run_study(study, folder / "out"), folder / "out"
 
@@ -117,7 +119,7 @@ def test_each_torque_of_a_search_says_what_became_of_it(searched):
 
 def test_auto_finds_steps_at_which_the_same_wings_are_to_be_trusted(tmp_path, write_study_file):
     path = write_study_file(tmp_path / "auto.toml", '"membrane.youngs_modulus" = ["20 MPa"]')
-    path.write_text(path.read_text("utf-8").replace('timestep = "0.4 ms"', 'timestep = "auto"'), "utf-8")
+    path.write_text(path.read_text("utf-8").replace(COARSE, 'protocol.timestep = "auto"'), "utf-8")
     table = run_study(load_study(path), tmp_path / "out")
     assert table["verdict"].values[0] not in SILENT
     assert np.isfinite(table["fold_time"].values[0])
