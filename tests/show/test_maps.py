@@ -273,6 +273,13 @@ def test_what_is_not_to_be_trusted_is_drawn_as_such_in_every_map_and_never_as_a_
     assert set(legend(figure)) == {"diverged", "not to be trusted", "still folding", "did not fold"}
 
 
+def test_a_sample_that_is_not_to_be_trusted_is_not_a_dot_as_values_are():
+    axes = panels(draw_torque_maps(sampled(doubtful())))["least fold torque"]
+    markers = [line.get_marker() for line in axes.lines]
+    assert len(set(markers)) == len(markers) == 4
+    assert not {"o", "8", "."} & set(markers)
+
+
 def test_torques_that_are_not_to_be_trusted_stand_beside_others_that_are():
     table = planted(TWO)
     table["fold_time_by_torque"][0, 1, 2] = table["fold_time_by_torque"][0, 2, 1] = np.nan

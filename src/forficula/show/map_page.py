@@ -75,7 +75,7 @@ _LOOKS = {
     STILL_OPENING: Look(face="#F3DDA6", hatch=r"\\\\\\", marker="<"),
     NOT_STAYED_OPEN: Look(face="#F3DDA6", hatch="|||||", marker="2"),
     DIVERGED: Look(face="0.75", hatch="++++", marker="P"),
-    UNTRUSTED: Look(face="0.75", hatch="OO", marker="8"),
+    UNTRUSTED: Look(face="0.75", hatch="OO", marker="d"),
     NOT_BUILT: Look(face="0.6", hatch="", marker="X"),
     NOT_TRIED: Look(face="0.86", hatch="", marker="_"),
     BOTH: Look(face=BLUE, hatch="", marker="o"),
