@@ -9,7 +9,8 @@ import pytest
 from forficula.analysis import measure, summary
 from forficula.analysis.run_warnings import highest_strain_rate, run_warnings
 from forficula.design import load_design, with_values
-from forficula.dynamics import Record, run
+from forficula.dynamics import Record
+from forficula.study.runs import run
 
 LENGTH = 0.06
 
