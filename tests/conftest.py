@@ -123,9 +123,11 @@ def one_hinge(reference):
     return build
 
 
-# a protocol that takes 0.5 s at most, and in which some tendons fold, some stick and some open again
+# a coarse protocol that takes 0.5 s at most, and in which some tendons fold, some stick and some open again
 SHORT_PROTOCOL = """
 protocol.timestep = "0.4 ms"
+protocol.least_hold = 0.0
+protocol.residual_limit = 0.02
 protocol.window = "10 ms"
 protocol.stages.0.time_limit = "20 ms"
 protocol.stages.1.time_limit = "0.1 s"

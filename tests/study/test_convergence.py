@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.special import ellipk, ellipkinc
 
+from forficula.analysis import Verdict
 from forficula.cli import main
 from forficula.design import load_design, with_values
 from forficula.dynamics import compile_wing
@@ -125,7 +126,7 @@ def test_the_own_value_is_run_and_timesteps_go_from_coarse_to_fine(short):
 def test_progress_counts_the_runs_whatever_meshes_they_have(short):
     seen = []
     converge(short, MESH, [1, 2], progress=lambda *each: seen.append(each))
-    assert seen == [(number, 2, {"status": "folded", "folded": True}) for number in (1, 2)]
+    assert seen == [(number, 2, {"verdict": Verdict.REACHED, "folded": True}) for number in (1, 2)]
 
 
 def test_a_timestep_that_diverges_is_too_long(short):

@@ -22,7 +22,7 @@ FADING = Drift(kind="logarithm", rate=-0.3, interval=(-0.32, -0.28), cycles=0.0,
 NO_DRIFT = Drift(kind="none", rate=0.0, interval=(0.0, 0.0), cycles=0.0, relative=True, seen=(2, 5))
 LONGER = Drift(kind="plateau", rate=0.02, interval=(0.01, 0.03), cycles=1.5, relative=False, seen=(2, 5))
 SETTLE = {"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.05}
-FOLD = {"name": "fold", "drive": "fold", "until": "folded", "hold": 0.0, "time_limit": 0.1}
+FOLD = {"name": "fold", "drive": "fold", "until": "folded", "hold": 0.0, "time_limit": 0.5}
 
 
 def folding(law: MaterialLaw | None, **values):

@@ -108,6 +108,7 @@ def simulated(statics, folds, opens):
             "least_unfold_torque": (statics["status"].dims, np.reshape(opens, shape)),
             "flat_energy": statics["flat_energy"],
             "status": statics["status"],
+            "outcome": statics["outcome"],
         },
         statics.coords,
     )

@@ -5,6 +5,7 @@ W_unfold > E_opened; 20 N cm fold with tendons of 10 N/cm; none of the stiff and
 are not targets: the paper's geometry is lost. Membrane: elasticity of a strip; a force is the slope of an energy.
 """
 
+import math
 import subprocess
 import sys
 
@@ -147,7 +148,9 @@ def test_the_timestep_that_is_chosen_does_not_diverge(values):
     assert ff.run(design).diverged_at is None
 
 
-def test_a_wing_stays_sound_just_below_the_longest_timestep_and_diverges_well_above_it(reference):
+def test_a_wing_stays_sound_just_below_the_longest_timestep_and_diverges_well_above_it(reference, monkeypatch):
+    # of numbers that grow without end: how far a hinge runs into its stop is another matter, and of accuracy
+    monkeypatch.setattr("forficula.dynamics.fleet._FAR", math.inf)
     longest = stable_timestep(reference)
     # the limit is an estimate along the fold: the reference diverged, while opening, from nine tenths of it on
     designs = [with_values(reference, {"protocol.timestep": longest * factor}) for factor in (0.8, 3)]

@@ -82,7 +82,8 @@ def ending_text(ending: Ending) -> str:
         case Verdict.UNTRUSTED if ending.why:
             return f"not to be trusted: {ending.why}"
         case Verdict.UNTRUSTED if ending.residual is not None:
-            return f"not to be trusted: the energy balance misses {100 * ending.residual:.2g} %"
+            share = f"{100 * ending.residual:.2g} %" if ending.residual < 1 else "more than was exchanged"
+            return f"not to be trusted: the energy balance misses {share}"
         case Verdict.NOT_BUILT:
             return f"cannot be built: {ending.why}"
         case Verdict.STUCK if _on_the_way(ending) and ending.angle is not None:

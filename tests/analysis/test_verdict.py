@@ -1,0 +1,276 @@
+"""Every verdict: from planted records, from real runs, and as it is told."""
+
+import json
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import forficula as ff
+from forficula.analysis import Ending, Verdict, ending_text, ending_word, measure, summary
+from forficula.analysis.verdict import ending_advice
+from forficula.design import with_values
+from forficula.show import print_outcome
+from forficula.show.page.run_page import run_page
+from forficula.show.run_folder import run_drawings
+from tests.analysis.test_outcome import ENDS, FOLDS_AND_OPENS, REFERENCE, planted
+
+DEG = math.radians(1)
+SETTLE, FOLD = REFERENCE.protocol.stages[:2]
+# that much is enough for a verdict on folding
+SHORT = [SETTLE.model_copy(update={"time_limit": 0.02}), FOLD.model_copy(update={"time_limit": 0.1})]
+
+
+def short(**values):
+    given = {key.replace("__", "."): value for key, value in values.items()}
+    return with_values(REFERENCE, {"protocol.stages": [stage.model_dump() for stage in SHORT], **given})
+
+
+def moving(record):
+    """As if the time limits had ended its stages."""
+    return replace(record, stages=tuple(replace(end, at_rest=False) for end in record.stages))
+
+
+def missing(record, joule):
+    """With so much energy that nobody accounts for."""
+    lost = record.series["stop_work"].copy()
+    lost[-1] -= joule
+    return replace(record, series={**record.series, "stop_work": lost})
+
+
+STUCK = planted((0.2, 0.3, 0.4), (0, -34, -34), ends=ENDS[:2], goals=(None, None))
+SHUT = planted((0.3, 0.4), (0, -170), ends=ENDS[:4], goals=(None, 0.4, 0.7, None))
+WORKED = planted(**FOLDS_AND_OPENS, proximal_work=((0.3, 0.4), (0, 2)), hinge_damping_work=((0.3, 0.4), (0, -2)))
+
+
+@pytest.mark.parametrize(
+    ("record", "verdict", "goal", "text", "word", "advice"),
+    [
+        (planted(**FOLDS_AND_OPENS), "reached", "unfold", "folded and opened", "folded and opened", ""),
+        (planted(**FOLDS_AND_OPENS, ends=ENDS[:3]), "reached", "fold", "folded", "folded", ""),
+        (planted(ends=ENDS[:1]), "reached", "none", "settled", "settled", ""),
+        (
+            moving(STUCK),
+            "moving",
+            "fold",
+            "still moving at -34.0 deg when its time to fold was over",
+            "still folding",
+            'It is still on its way: raise the time_limit, 1 s, of the stage "fold".',
+        ),
+        (
+            moving(SHUT),
+            "moving",
+            "unfold",
+            "still moving when its time to open was over",
+            "still opening",
+            'It is still on its way: raise the time_limit, 1 s, of the stage "unfold".',
+        ),
+        (STUCK, "stuck", "fold", "stuck at -34.0 deg", "stuck on the way", "Raise protocol.fold_torque"),
+        (SHUT, "stuck", "unfold", "did not open", "did not open", "Raise protocol.unfold_torque"),
+        (
+            planted((0.3, 0.4), (0, -4), ends=ENDS[:2], goals=(None, None)),
+            "stuck",
+            "fold",
+            "did not fold",
+            "did not fold",
+            "Raise protocol.fold_torque, or lower the barrier",
+        ),
+        (
+            planted((0.3, 0.4, 0.5), (0, -170, 3), ends=ENDS[:3]),
+            "not held",
+            "fold",
+            "did not stay folded",
+            "did not stay folded",
+            "It folded under torque and opened again when released",
+        ),
+        (
+            planted((0.3, 0.4, 0.7, 0.8, 0.9, 1.0), (0, -170, -170, 3, 3, -170)),
+            "not held",
+            "unfold",
+            "did not stay open",
+            "did not stay open",
+            "It opened under torque and folded again when released",
+        ),
+        (
+            planted(**FOLDS_AND_OPENS, diverged_at=1.2),
+            "diverged",
+            "unfold",
+            "diverged at t = 1.2 s",
+            "diverged",
+            "Take a shorter timestep",
+        ),
+        (
+            missing(WORKED, 0.05),
+            "untrusted",
+            "unfold",
+            "not to be trusted: the energy balance misses 2.5 %",
+            "not to be trusted",
+            "Take a timestep of about 40 µs instead of 0.2 ms: 0.5 % are allowed (protocol.residual_limit)",
+        ),
+        (
+            missing(WORKED, 3.0),
+            "untrusted",
+            "unfold",
+            "not to be trusted: the energy balance misses more than was exchanged",
+            "not to be trusted",
+            "Take a shorter timestep",
+        ),
+        (
+            replace(WORKED, doubt="its outcome still changes with the timestep"),
+            "untrusted",
+            "unfold",
+            "not to be trusted: its outcome still changes with the timestep",
+            "not to be trusted",
+            "It stands on an edge",
+        ),
+    ],
+)
+def test_what_a_run_came_to_its_sentence_its_word_and_the_advice(record, verdict, goal, text, word, advice):
+    outcome = measure(record)
+    ending = outcome.ending
+    assert outcome.verdict is ending.verdict is Verdict(verdict)
+    assert "unfold" in (ending.goal, goal) or ending.goal == goal
+    assert (outcome.status, ending_word(ending)) == (text, word)
+    assert outcome.advice.startswith(advice)
+    assert bool(outcome.advice) == bool(advice) == (verdict != "reached")
+    assert outcome.verdict.tells == (outcome.folded is not None) == (outcome.opened is not None)
+    plain = json.loads(json.dumps(summary(record, outcome, {}), allow_nan=False))
+    assert (plain["verdict"], plain["status"]) == (verdict, text)
+    assert (plain["folded"], plain["opened"]) == (outcome.folded, outcome.opened)
+    assert (plain["residual"] is None) == (verdict == "diverged")
+
+
+def test_a_wing_that_cannot_be_built_says_why_and_has_no_advice():
+    ending = Ending(verdict=Verdict.NOT_BUILT, why="vein.diameter: need < 3 mm")
+    assert ending_text(ending) == "cannot be built: vein.diameter: need < 3 mm"
+    assert (ending_word(ending), ending_advice(ending, REFERENCE)) == ("cannot be built", "")
+
+
+def test_the_limit_of_what_may_be_missing_is_a_setting_and_holds_to_the_number():
+    for share, limit, trusted in ((0.0049, 0.005, True), (0.0051, 0.005, False), (0.0051, 0.01, True)):
+        design = with_values(REFERENCE, {"protocol.residual_limit": limit})
+        outcome = measure(missing(replace(WORKED, design=design), share * 2))
+        assert outcome.ending.residual == pytest.approx(share, rel=1e-9)
+        assert outcome.verdict.tells is trusted
+
+
+def test_a_balance_of_no_number_is_not_to_be_trusted():
+    assert measure(missing(WORKED, math.nan)).verdict is Verdict.UNTRUSTED
+
+
+def test_the_advised_timestep_falls_with_what_is_missing():
+    assert "about 0.1 ms instead of 0.2 ms" in measure(missing(WORKED, 0.02)).advice
+    assert "about 20 µs instead of 0.2 ms" in measure(missing(WORKED, 0.1)).advice
+
+
+# ---- real runs
+
+
+def test_a_wing_whose_time_is_over_before_it_folds_is_still_on_its_way():
+    # the reference folds in 58.8 ms
+    outcome = measure(ff.run(short(protocol__stages__1__time_limit="30 ms")))
+    assert outcome.verdict is Verdict.MOVING
+    assert outcome.status.startswith("still moving at -")
+    assert outcome.advice == 'It is still on its way: raise the time_limit, 0.03 s, of the stage "fold".'
+    assert outcome.folded is False
+    longer = measure(ff.run(short()))
+    assert (longer.verdict, longer.fold.time) == (Verdict.REACHED, pytest.approx(0.0588, abs=5e-4))
+
+
+def test_a_wing_that_rests_at_its_stop_is_stuck():
+    resting = [
+        SETTLE.model_dump() | {"time_limit": 0.02},
+        FOLD.model_dump() | {"time_limit": 1.0},
+    ]
+    stiff = with_values(REFERENCE, {"tendon.rest_length": "0 cm", "tendon.stiffness": "60 N/cm"})
+    outcome = measure(ff.run(with_values(stiff, {"protocol.stages": resting})))
+    assert (outcome.verdict, outcome.status) == (Verdict.STUCK, "did not fold")
+
+
+@pytest.mark.parametrize("modulus", ["20 MPa", "30 MPa"])
+def test_a_membrane_too_stiff_for_the_timestep_is_told_to_take_a_shorter_one_and_not_more_torque(modulus):
+    outcome = measure(ff.run(short(membrane__youngs_modulus=modulus)))
+    assert outcome.verdict in (Verdict.UNTRUSTED, Verdict.DIVERGED)
+    assert outcome.advice.startswith(("Take a shorter timestep", "Take a timestep of about "))
+    assert 'protocol.timestep = "auto" chooses one' in outcome.advice
+    assert "torque" not in outcome.advice
+    assert (outcome.folded, outcome.opened) == (None, None)
+
+
+@pytest.mark.parametrize("timestep", ["1 ms", "5 ms", "20 ms", "1 s"])
+def test_a_timestep_far_too_long_diverges_and_never_folds(timestep):
+    record = ff.run(with_values(REFERENCE, {"protocol.timestep": timestep}))
+    outcome = measure(record)
+    assert outcome.verdict is Verdict.DIVERGED
+    assert outcome.status.startswith("diverged at t = ")
+    assert "folded" not in json.dumps(summary(record, outcome, {})["status"])
+    # what is kept of it is still a wing: no hinge is 10 deg beyond its stop
+    hinge = REFERENCE.hinge
+    angles = record.series["distal_angle"]
+    assert angles.min() >= -hinge.fold_limit - 10 * DEG
+    assert angles.max() <= hinge.overbend + 10 * DEG
+    assert np.abs(record.series["turn_angle"]).max() <= hinge.turn_limit + 10 * DEG
+
+
+@pytest.fixture(scope="module")
+def bent():
+    """A wing whose hinges are at -79 deg after its first stage."""
+    stages = [SETTLE.model_dump() | {"time_limit": 0.002}, FOLD.model_dump() | {"time_limit": 0.002}]
+    values = {"protocol.initial_overbend": "-79 deg", "protocol.stages": stages, "protocol.timestep": "20 µs"}
+    record = ff.run(with_values(REFERENCE, values))
+    return record, measure(record)
+
+
+@pytest.fixture(scope="module")
+def doubtful():
+    """A run whose membrane is too stiff for its timestep."""
+    record = ff.run(short(membrane__youngs_modulus="20 MPa"))
+    return record, measure(record)
+
+
+def texts(figure):
+    found = [text.get_text() for axes in figure.axes for text in (*axes.texts, axes.title)]
+    found += [text.get_text() for item in figure.legends for text in item.get_texts()]
+    return " ".join(found)
+
+
+def test_a_state_with_a_hinge_at_79_deg_is_not_called_flat_anywhere(bent, capsys):
+    record, outcome = bent
+    assert np.degrees(outcome.flat.distal_angle).max() < -70
+    assert outcome.flat_name == "not flat"
+    print_outcome("bent", outcome)
+    page, told = run_page(record, outcome), capsys.readouterr().out
+    for text in (told, texts(run_drawings(record, outcome)["folding"](7.0))):
+        assert text.count("flat") == text.count("not flat") > 0
+    assert '"not flat"' in page
+    assert '"flat"' not in page.partition('id="data"')[2].partition('"design')[0].replace('"not flat"', "")
+
+
+def test_a_run_not_to_be_trusted_says_so_wherever_it_is_shown(doubtful, capsys):
+    record, outcome = doubtful
+    assert outcome.verdict is Verdict.UNTRUSTED
+    said = "ot to be trusted: the energy balance misses"
+    plain = summary(record, outcome, {})
+    assert (plain["verdict"], plain["folded"], plain["opened"]) == ("untrusted", None, None)
+    assert plain["fold"]["succeeded"] is False
+    assert plain["residual"] > 0.005
+    print_outcome("doubtful", outcome)
+    told = capsys.readouterr().out
+    assert said in told
+    assert "Take a timestep of about 80 µs" in told.replace("\n", " ")
+    page = run_page(record, outcome)
+    assert said in page
+    assert "Take a timestep of about 80 µs" in page
+    for name, drawing in run_drawings(record, outcome).items():
+        # the pattern is what it is
+        assert (said in drawing(7.0).get_suptitle()) == (name != "pattern")
+
+
+def test_a_run_that_diverged_says_so_on_its_figures(capsys):
+    record = ff.run(with_values(REFERENCE, {"protocol.timestep": "5 ms"}))
+    outcome = measure(record)
+    for name, drawing in run_drawings(record, outcome).items():
+        assert ("Diverged at t = " in drawing(7.0).get_suptitle()) == (name != "pattern")
+    print_outcome("wild", outcome)
+    assert "diverged at t = " in capsys.readouterr().out

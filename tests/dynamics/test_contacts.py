@@ -1,0 +1,96 @@
+"""Bars that touch: MuJoCo 4.0.0 factorises their sparse Hessian wrongly, and 4.0.1 does not."""
+
+import mujoco
+import numpy as np
+import pytest
+
+import forficula as ff
+from forficula.dynamics import compile_wing
+
+STATE = mujoco.mjtState.mjSTATE_INTEGRATION
+STEPS = 220
+
+
+@pytest.fixture(scope="module")
+def wing():
+    """Seven units with contact: 60 degrees of freedom, from which on MuJoCo by itself goes sparse."""
+    values = {
+        "pattern.units": 7,
+        "pattern.sector_angle": "10 deg",
+        "protocol.contact": True,
+        "protocol.timestep": "0.1 ms",
+    }
+    return compile_wing(ff.load_design("binder2025", values))
+
+
+def solved(engine, state):
+    """Accelerations in a state, what is left of the forces, by the largest, and how often it was tried."""
+    data = mujoco.MjData(engine)
+    mujoco.mj_setState(engine, data, state, STATE)
+    mujoco.mj_forward(engine, data)
+    pull = np.zeros(engine.nv)
+    mujoco.mj_mulM(engine, data, pull, data.qacc)
+    # Newton's law; the constraint forces are functions of the acceleration, too
+    left = np.abs(pull - data.qfrc_smooth - data.qfrc_constraint).max() / np.abs(pull).max()
+    return data.qacc.copy(), left, int(data.solver_niter[0])
+
+
+@pytest.fixture(scope="module")
+def states(wing):
+    """States in which bars touch, as the fan folds."""
+    engine, data, found = wing.engine, mujoco.MjData(wing.engine), []
+    data.qpos[wing.joints[:, 3]] = wing.senses * wing.in_units.protocol.initial_overbend
+    data.ctrl[wing.motors[:, 0]] = wing.in_units.protocol.fold_torque
+    for _ in range(STEPS):
+        mujoco.mj_step(engine, data)
+        if data.ncon:
+            state = np.empty(mujoco.mj_stateSize(engine, STATE))
+            mujoco.mj_getState(engine, data, state, STATE)
+            found.append(state)
+    assert len(found) > 20
+    return found
+
+
+def test_where_bars_touch_newton_finds_the_accelerations_in_a_few_steps(wing, states):
+    assert not mujoco.mj_isSparse(wing.engine)
+    for state in states:
+        _, left, tries = solved(wing.engine, state)
+        assert left < 1e-8
+        assert tries < 20
+
+
+@pytest.mark.skipif(
+    tuple(map(int, mujoco.__version__.split(".")[:3])) > (4, 0, 0), reason="this MuJoCo factorises rightly"
+)
+def test_the_sparse_factorisation_of_mujoco_4_0_0_is_wrong_there(wing, states):
+    spec = wing.spec.copy()
+    spec.option.jacobian = mujoco.mjtJacobian.mjJAC_SPARSE
+    sparse = spec.compile()
+    assert mujoco.mj_isSparse(sparse)
+    wrong = 0
+    for state in states:
+        right, _, _ = solved(wing.engine, state)
+        other, left, tries = solved(sparse, state)
+        if np.abs(other - right).max() > 0.1 * np.abs(right).max():
+            wrong += 1
+            # it gives up, and what it found is no solution
+            assert tries == sparse.opt.iterations
+            assert left > 1e-6
+    assert wrong > 0
+
+
+def test_a_fan_of_seven_units_whose_bars_touch_closes_its_balance():
+    stages = [
+        {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "1 ms"},
+        {"name": "fold", "drive": "fold", "until": "time", "hold": "0 s", "time_limit": "24 ms"},
+    ]
+    values = {
+        "pattern.units": 7,
+        "pattern.sector_angle": "10 deg",
+        "protocol.contact": True,
+        "protocol.timestep": "20 µs",
+        "protocol.stages": stages,
+    }
+    record = ff.run(ff.load_design("binder2025", values))
+    assert record.diverged_at is None
+    assert ff.measure(record).energy_balance.residual < 0.005

@@ -1,0 +1,164 @@
+"""Torques that rise, goals that must hold, and what is far beyond a stop."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import forficula as ff
+from forficula.design import Stage, with_values
+from forficula.dynamics import compile_wing, energy_balance, simulate
+from forficula.dynamics.fleet import Fleet, stage_torques
+from forficula.dynamics.units import design_in_model_units
+
+OPEN = Stage(name="open", drive="unfold", until="time", hold="0 s", time_limit="1 s")
+FOLD = Stage(name="fold", drive="fold", until="folded", hold="0 s", time_limit="0.15 s")
+TORQUE = 0.02  # N m
+
+
+def through(hinge, stage, **protocol):
+    """A hinge that goes through one stage only, as no design file can ask for."""
+    changed = hinge.wing.design.protocol.model_copy(update={"stages": (stage,), **protocol})
+    design = hinge.wing.design.model_copy(update={"protocol": changed})
+    wing = replace(hinge.wing, design=design, in_units=design_in_model_units(design, hinge.wing.units))
+    return replace(hinge, wing=wing)
+
+
+def pushed(one_hinge, rise, duration):
+    """A hinge with a slack tendon, folded by 60 deg, that a torque opens."""
+    # as long as the tendon ever gets
+    hinge = one_hinge(0.11, start=math.radians(60), timestep=1e-4)
+    return through(hinge, OPEN.model_copy(update={"time_limit": duration}), rise=rise, unfold_torque=TORQUE)
+
+
+@pytest.mark.parametrize("share", [0.25, 0.5, 1.0, 1.5])
+def test_a_torque_that_rises_has_the_impulse_and_the_way_of_its_ramp(one_hinge, share):
+    """I w = T t^2 / (2 rise) up to the end of the ramp and T (t - rise / 2) after it, with w = 0 at the start."""
+    rise = 0.04
+    time = share * rise
+    hinge = pushed(one_hinge, rise, time)
+    angles, record = hinge.run()
+    impulse = TORQUE * (time**2 / (2 * rise) if share <= 1 else time - rise / 2)
+    speed = impulse / hinge.inertia
+    # every step has the torque of its middle: the sum over a ramp is exact
+    assert record.series["kinetic_energy"][-1] == pytest.approx(hinge.inertia * speed**2 / 2, rel=1e-9)
+    # a half of the rise, a half of the torque
+    torque = TORQUE * min(share, 1.0)
+    assert record.series["distal_power"][-1] == pytest.approx(torque * speed, rel=1e-9)
+    way = (min(time, rise) ** 3 / (6 * rise) + max(time - rise, 0) * time / 2) * TORQUE / hinge.inertia
+    # the way is of first order in the step
+    assert angles[0] - angles[-1] == pytest.approx(way, rel=0.02)
+
+
+def test_the_work_of_a_torque_that_rises_is_the_energy_of_what_it_moves(one_hinge):
+    _, record = pushed(one_hinge, 0.04, 0.05).run()
+    balance = energy_balance(record)
+    assert balance.work > 0
+    assert balance.kinetic == pytest.approx(balance.work, rel=1e-9)
+    assert balance.residual < 1e-9
+
+
+@pytest.fixture(scope="module")
+def short(reference):
+    stages = [stage.model_dump() for stage in reference.protocol.stages[:2]]
+    stages[0]["time_limit"] = 0.02
+    stages[1]["time_limit"] = 0.3
+    return with_values(reference, {"protocol.stages": stages})
+
+
+def test_the_balance_of_a_wing_closes_when_its_torques_rise(short):
+    at_once, slowly = (ff.measure(ff.run(with_values(short, {"protocol.rise": rise}))) for rise in ("0 s", "0.1 s"))
+    assert slowly.folded
+    assert slowly.ending.residual < 0.005
+    assert at_once.fold.time < slowly.fold.time
+    assert 0 < slowly.fold.work < at_once.fold.work
+
+
+def test_without_a_rise_every_step_has_the_torque_of_its_stage_to_the_bit(short):
+    wing = compile_wing(with_values(short, {"protocol.fold_torque": 0.3, "protocol.rise": 0.0}))
+    fleet = Fleet([wing])
+    fleet.stage[:] = 1
+    torques = fleet.torques(np.array([0]), 7)
+    assert torques.tolist() == [[list(stage_torques(wing, short.protocol.stages[1]))] * 7]
+
+
+def test_a_rise_begins_anew_with_every_stage(short):
+    wing = compile_wing(with_values(short, {"protocol.rise": "10 ms", "protocol.timestep": "1 ms"}))
+    fleet = Fleet([wing])
+    fleet.stage[:], fleet.stage_start[:], fleet.steps[:] = 1, 30, 34
+    fold, _ = stage_torques(wing, short.protocol.stages[1])
+    shares = fleet.torques(np.array([0]), 8)[0, :, 0] / fold
+    assert shares == pytest.approx([0.45, 0.55, 0.65, 0.75, 0.85, 0.95, 1, 1], rel=1e-12)
+
+
+def held_since(angles, timestep, folded, least_hold):
+    """When the hinge came to stay folded for that share of the time it took, s, and when that was seen; or None."""
+    since = None
+    for number, angle in enumerate(angles):
+        if angle < folded:
+            since = None
+            continue
+        since = number if since is None else since
+        if number - since >= least_hold * since:
+            return since * timestep, number * timestep
+    return None
+
+
+@pytest.mark.parametrize("least_hold", [0.0, 0.05, 0.25, 1.0, 3.0])
+def test_a_goal_that_is_met_for_an_instant_only_does_not_end_a_stage(one_hinge, least_hold):
+    """A hinge without damping snaps past 150 deg and bounces off its stop back over it."""
+    timestep = 1e-4
+
+    hinge = one_hinge(0.03, timestep=timestep, start=math.radians(10))
+    angles, _ = through(hinge, FOLD.model_copy(update={"until": "time"})).run()
+    _, record = through(hinge, FOLD, least_hold=least_hold).run()
+    (end,) = record.stages
+    expected = held_since(angles, timestep, record.design.protocol.folded_angle, least_hold)
+    if expected is None:
+        assert (end.goal_time, end.end) == (None, pytest.approx(0.15))
+    else:
+        assert (end.goal_time, end.end) == pytest.approx(expected, abs=1e-9)
+
+
+def test_bounces_are_what_the_least_hold_is_for(one_hinge):
+    """The instant at which the hinge first passes 150 deg is a goal for no hold, and none for a long one."""
+    ends = []
+    for hold in (0.0, 3.0):
+        _, record = through(one_hinge(0.03, timestep=1e-4, start=math.radians(10)), FOLD, least_hold=hold).run()
+        ends.append(record.stages[0].goal_time)
+    assert ends[0] is not None
+    assert ends[1] is None or ends[1] > ends[0]
+
+
+def test_a_hold_scales_with_the_wing_and_not_with_a_stage_that_waits(short):
+    """What ends by rest or by time waits for no share of it."""
+    settling = [short.protocol.stages[0].model_dump() | {"until": "rest", "hold": 0.01, "time_limit": 1.0}]
+    runs = [
+        ff.run(with_values(short, {"protocol.stages": settling, "protocol.least_hold": hold})) for hold in (0.0, 10.0)
+    ]
+    assert runs[0].stages[0].end == runs[1].stages[0].end < 1.0
+
+
+@pytest.mark.parametrize(("beyond", "diverged"), [(9.9, False), (10.1, True)])
+def test_a_hinge_more_than_10_deg_beyond_its_stop_is_a_divergence(short, beyond, diverged):
+    wing = compile_wing(short)
+    fleet, count = Fleet([wing]), 3
+    position = np.zeros((1, count, wing.engine.nv))
+    fold = wing.joints[1, 3]
+    # the overbend's stop, in the vein's own sense
+    position[0, 1, fold] = wing.senses[1] * (short.hinge.overbend + math.radians(beyond))
+    timestep = float(wing.in_units.protocol.timestep)
+    time = timestep * np.arange(1, count + 1)[None]
+    taken = fleet.follow(np.array([0]), np.zeros(1), time, position, np.zeros_like(position))
+    assert taken.tolist() == [1 if diverged else count]
+    assert (fleet.diverged_at[0] is not None) == diverged
+    if diverged:
+        assert fleet.diverged_at[0] == pytest.approx(2 * float(short.protocol.timestep))
+
+
+def test_wings_that_share_their_first_stages_rise_alike(short):
+    rising = with_values(short, {"protocol.rise": "50 ms"})
+    one, other = simulate([compile_wing(rising), compile_wing(rising)])
+    for name, values in one.series.items():
+        assert values.tobytes() == other.series[name].tobytes()

@@ -1,0 +1,118 @@
+"""Timesteps that are left open are found by halving, and what is found depends on the design alone."""
+
+import dataclasses
+import itertools
+
+import pytest
+
+import forficula as ff
+from forficula.analysis import Verdict, measure
+from forficula.cli import main
+from forficula.design import load_design, with_values
+from forficula.dynamics import with_timestep
+from forficula.study import runs
+from forficula.study.evaluate import evaluate
+from forficula.study.runs import run, run_each
+
+SETTLE = {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "10 ms"}
+FOLD = {"name": "fold", "drive": "fold", "until": "folded", "hold": "0 s", "time_limit": "0.1 s"}
+
+
+def auto(**values):
+    given = {key.replace("__", "."): value for key, value in values.items()}
+    return load_design("binder2025", {"protocol.timestep": "auto", "protocol.stages": [SETTLE, FOLD], **given})
+
+
+DESIGNS = [
+    auto(),
+    auto(tendon__rest_length="7 cm"),
+    auto(membrane__youngs_modulus="5 MPa"),
+    auto(protocol__fold_torque="60 N cm"),
+    auto(protocol__timestep="0.2 ms"),
+]
+
+
+def test_rows_do_not_depend_on_order_company_or_threads():
+    together = {row["key"]: row for row in evaluate(DESIGNS)}
+    assert {row["key"]: row for row in evaluate(DESIGNS[::-1], threads=1)} == together
+    for design in DESIGNS:
+        (alone,) = evaluate([design], threads=2)
+        assert together[alone["key"]] == alone
+    assert len(together) == len(DESIGNS)
+
+
+def test_a_design_that_is_given_its_timestep_takes_it():
+    assert run(DESIGNS[4]).design == DESIGNS[4]
+
+
+def test_the_record_of_a_run_has_the_step_that_was_found_and_running_that_again_gives_its_bits():
+    record = run(DESIGNS[0])
+    timestep = record.design.protocol.timestep
+    assert isinstance(timestep, float)
+    again = run(with_values(DESIGNS[0], {"protocol.timestep": timestep}))
+    assert again.design == record.design
+    for name, values in again.series.items():
+        assert values.tobytes() == record.series[name].tobytes()
+
+
+def test_the_design_file_of_a_run_holds_the_step_that_auto_chose(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    limit = {"protocol.stages.0.time_limit": "10 ms", "protocol.stages.1.time_limit": "20 ms"}
+    settings = [f"--set={key}={value}" for key, value in (limit | {"protocol.timestep": "auto"}).items()]
+    with pytest.raises(SystemExit) as ended:
+        main(["run", "binder2025", *settings, "--out", "there"])
+    # on its way still when its time is over
+    assert ended.value.code == 2
+    assert "still moving" in capsys.readouterr().out
+    kept = ff.load_design(tmp_path / "there" / "design.toml")
+    assert kept.protocol.timestep == ff.load_record(tmp_path / "there" / "record.nc").design.protocol.timestep
+    assert isinstance(kept.protocol.timestep, float)
+
+
+def test_a_design_whose_first_step_diverges_ends_to_be_trusted(monkeypatch):
+    tried, design = [], auto(membrane__youngs_modulus="30 MPa", protocol__fold_torque="200 N cm")
+    # as where the estimate is far too long
+    estimate = float(with_timestep(design).protocol.timestep)
+    longer = with_values(design, {"protocol.timestep": 16 * estimate})
+    monkeypatch.setattr(runs, "with_timestep", lambda _: longer)
+    monkeypatch.setattr(runs, "measure", lambda record: tried.append(measure(record)) or tried[-1])
+    outcome = measure(run(design))
+    assert tried[0].verdict is Verdict.DIVERGED
+    assert outcome.verdict.tells
+    assert outcome.ending.residual <= 0.005
+
+
+def test_a_step_is_taken_where_the_outcome_has_come_to_stay(monkeypatch):
+    tried = []
+    monkeypatch.setattr(runs, "measure", lambda record: tried.append((record, measure(record))) or tried[-1][1])
+    record = run(DESIGNS[0])
+    steps = [float(each.design.protocol.timestep) for each, _ in tried]
+    assert len(steps) >= 3
+    assert all(later <= earlier / 2 for earlier, later in itertools.pairwise(steps))
+    assert float(record.design.protocol.timestep) == steps[-1]
+    last = tried[-1][1]
+    for _, outcome in tried[-3:-1]:
+        assert outcome.verdict is last.verdict
+        assert outcome.fold.time == pytest.approx(last.fold.time, rel=0.02)
+
+
+def test_where_the_outcome_never_comes_to_stay_the_run_says_that_it_is_not_to_be_trusted(monkeypatch):
+    """A wing that folds at every second timestep, as if it stood on an edge."""
+    number = [0]
+
+    def flips(record):
+        number[0] += 1
+        outcome = measure(record)
+        if number[0] % 2 or record.doubt:
+            return outcome
+        return dataclasses.replace(outcome, ending=dataclasses.replace(outcome.ending, verdict=Verdict.STUCK))
+
+    monkeypatch.setattr(runs, "measure", flips)
+    # with few and long steps it is quick
+    monkeypatch.setattr(runs, "_HALVINGS", 3)
+    ((_, record),) = run_each([DESIGNS[0]])
+    outcome = measure(record)
+    assert record.doubt
+    assert outcome.verdict is Verdict.UNTRUSTED
+    assert outcome.folded is None
+    assert outcome.status == f"not to be trusted: {record.doubt}"
