@@ -97,12 +97,13 @@ def test_one_hinge_converges_with_order_one_to_its_closed_form(one_hinge):
 
 
 def test_a_timestep_that_is_too_long_says_which_would_do(one_hinge):
-    steps = [4e-4, 2e-4, 1e-4, 5e-5]
-    found = compare_wings(hinges(one_hinge, steps, 4e-3), TIMESTEP, steps, 4e-4, tolerance=1e-3)
+    # at 0.4 ms the hinge runs further than 10 deg into its stop
+    steps = [2e-4, 1e-4, 5e-5, 2.5e-5]
+    found = compare_wings(hinges(one_hinge, steps, 4e-3), TIMESTEP, steps, 2e-4, tolerance=5e-3)
     assert found.fine is False
     advised = float(found.verdict.split("; ")[1].split(" ms")[0]) * 1e-3
     law = found.fold_order
-    assert abs(law.time(np.array(advised)) / law.limit - 1) <= 1e-3 < abs(law.time(np.array(4e-4)) / law.limit - 1)
+    assert abs(law.time(np.array(advised)) / law.limit - 1) <= 5e-3 < abs(law.time(np.array(2e-4)) / law.limit - 1)
 
 
 def test_the_fold_time_is_that_of_the_angle_between_two_steps(short):
@@ -257,9 +258,7 @@ def test_another_key_is_refused(reference):
 
 def test_the_command_leaves_a_table_its_numbers_and_two_figures(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
-    with pytest.raises(SystemExit) as caught:
-        main(["converge", "binder2025", "--timesteps", "0.4 0.2 ms"])
-    assert caught.value.code in (0, None)
+    main(["converge", "binder2025", "--timesteps", "0.4 0.2 ms"])
     printed = capsys.readouterr().out
     folder = tmp_path / "out" / "binder2025-converge"
     assert printed.splitlines()[-1] == "written to out/binder2025-converge"

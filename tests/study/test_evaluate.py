@@ -22,7 +22,7 @@ def test_torques_above_the_least_that_opens_do_not_run_and_the_others_keep_their
     settings = {
         "tendon.rest_length": "7 cm",
         "protocol.fold_torque": "500 N cm",
-        "protocol.timestep": "0.4 ms",
+        "protocol.timestep": "0.2 ms",
     }
     base = with_values(ff.load_design("binder2025"), settings)
     designs = [with_values(base, {"protocol.unfold_torque": torque}) for torque in torques]
@@ -91,7 +91,7 @@ def test_a_torque_beyond_numbers_is_a_row_and_touches_no_other():
     assert "protocol.fold_torque: need a finite number" in rows[row_key(small[1])]["status"]
 
 
-EVALUATION = "forficula.study.evaluate"
+EVALUATION = "forficula.study.runs"
 
 
 def test_the_first_wings_run_before_the_last_are_built(monkeypatch):
@@ -141,7 +141,8 @@ import forficula as ff
 from forficula.dynamics import compile_wing, simulate
 stage = {"name": "s", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "1 ms"}
 design = ff.load_design("binder2025", {"pattern.units": 100, "pattern.sector_angle": "1.7 deg", "vein.diameter":
-    "0.01 mm", "membrane.margin": "0.01 mm", "protocol.timestep": "0.1 ms", "protocol.stages": [stage]})
+    "0.01 mm", "guard.stretch": 2.0,
+    "membrane.margin": "0.01 mm", "protocol.timestep": "0.1 ms", "protocol.stages": [stage]})
 compile_wing(ff.load_design("binder2025"))
 used = next(int(line.split()[1]) for line in open("/proc/self/status") if line.startswith("VmSize"))
 resource.setrlimit(resource.RLIMIT_AS, (1024 * used + int(sys.argv[1]),) * 2)
@@ -164,6 +165,11 @@ def test_a_wing_that_memory_does_not_hold_is_one_line(left, message):
 
 
 def test_more_units_than_anyone_simulates_are_refused():
-    closed = {"pattern.sector_angle": math.radians(0.3), "vein.diameter": 1e-6, "membrane.margin": 1e-6}
+    closed = {
+        "guard.stretch": 10.0,
+        "pattern.sector_angle": math.radians(0.3),
+        "vein.diameter": 1e-6,
+        "membrane.margin": 1e-6,
+    }
     with pytest.raises(InputError, match=r"pattern\.units: need at most 500 to simulate a wing, got 501"):
         compile_wing(with_values(SHORT, {"pattern.units": 501, "protocol.sample_interval": 1.0} | closed))

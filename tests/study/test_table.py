@@ -8,7 +8,6 @@ import xarray as xr
 
 import forficula as ff
 from forficula.design import with_values
-from forficula.dynamics import with_timestep
 from forficula.show.maps import map_drawings
 from forficula.study import load_study, run_study, table_csv
 
@@ -26,7 +25,9 @@ COLUMNS = [
     "opened_energy_J",
     "status",
 ]
-SEARCH = '[search]\nfold_torques = ["10 N cm", "50 N cm"]\nunfold_torques = ["20 N cm", "90 N cm"]'
+SEARCH = (
+    '[search]\nfold_with = "50 N cm"\nfold_torques = ["10 N cm", "50 N cm"]\nunfold_torques = ["20 N cm", "90 N cm"]'
+)
 
 
 def lines(text):
@@ -159,8 +160,9 @@ def test_a_timestep_of_its_own_choice_stands_beside_given_ones(tmp_path, study_f
     rows = lines(table_csv(study, table))
     assert [row["protocol_timestep"] for row in rows] == ["0.4 ms", "auto", "0.25 ms"]
     assert len({row["fold_work_J"] for row in rows}) == 3
-    chosen = with_timestep(with_values(study.base, {"protocol.timestep": "auto"})).protocol.timestep
-    alone = ff.measure(ff.run(with_values(study.base, {"protocol.timestep": chosen})))
+    found = ff.run(with_values(study.base, {"protocol.timestep": "auto"})).design
+    assert isinstance(found.protocol.timestep, float)
+    alone = ff.measure(ff.run(found))
     assert table["fold_work"].values[1] == alone.fold.work
     assert table.to_netcdf(engine="h5netcdf")
     assert map_drawings(table)

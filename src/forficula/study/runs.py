@@ -243,11 +243,17 @@ def _engine_key(design: Design) -> str:
 
 
 def _compile(design: Design) -> WingModel | InputError:
-    """A wing; with four times the estimated timestep where that is left open, so that the third attempt can do."""
-    guessed = with_timestep(design)
-    return compile_wing(
-        design if guessed is design else _with_step(guessed, 2 ** (_AGREEING - 1) * float(guessed.protocol.timestep))
-    )
+    """A wing, or why there is none.
+
+    With four times the estimated timestep where that is left open, so that the third attempt can do.
+    """
+    try:
+        guessed = with_timestep(design)
+        if guessed is not design:
+            guessed = _with_step(guessed, 2 ** (_AGREEING - 1) * float(guessed.protocol.timestep))
+        return compile_wing(guessed)
+    except InputError as error:
+        return error
 
 
 def _with_protocol(wing: WingModel | InputError, attempt: _Attempt) -> tuple[_Attempt, WingModel]:
