@@ -67,8 +67,9 @@ def exit_status(verdicts: Iterable[Verdict], *, tolerate: bool) -> int:
     Returns:
         0 where every goal was reached, 2 where one was missed, 3 where one run says nothing of its wing.
     """
-    told = [verdict for verdict in verdicts if verdict.tells or not tolerate]
-    if not all(verdict.tells for verdict in told):
+    silent = ("diverged", "untrusted")
+    told = [verdict for verdict in verdicts if not (tolerate and verdict in silent)]
+    if any(verdict in silent for verdict in told):
         return 3
     return 0 if all(verdict == "reached" for verdict in told) else 2
 

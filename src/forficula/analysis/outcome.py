@@ -13,6 +13,7 @@ from forficula.dynamics import EnergyBalance, Record, StageEnd, energy_balance
 Array = NDArray[np.float64]
 
 _STIR = np.radians(0.1)
+_TOO_SHORT = "at its goal for too short a time when its stage was over"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -130,35 +131,31 @@ def measure(record: Record) -> Outcome:
     opened_state = _state(record, after_unfolding)
     protocol, balance = record.design.protocol, energy_balance(record)
     # A slack tendon lets its hinge rest anywhere on the folded side; one that is back beyond half way has opened again.
-    folded: bool | None = bool(
-        folding
-        and folding.goal_time is not None
-        and folded_state
-        and np.all(folded_state.distal_angle <= -protocol.folded_angle / 2)
-    )
-    opened: bool | None = bool(
-        unfolding
-        and unfolding.goal_time is not None
-        and opened_state
-        and np.all(opened_state.distal_angle >= protocol.opened_angle)
-    )
+    folded: bool | None = False
+    if folding and folded_state:
+        # a stage that was not to end with the wing folded does not say whether it was, but what it left does
+        beyond = protocol.folded_angle / (2 if folding.stage.until == "folded" else 1)
+        folded = _is_reached(folding, "folded") and bool(np.all(folded_state.distal_angle <= -beyond))
+    opened: bool | None = False
+    if unfolding and opened_state:
+        opened = _is_reached(unfolding, "opened") and bool(np.all(opened_state.distal_angle >= protocol.opened_angle))
     if record.diverged_at is not None:
         verdict = Verdict.DIVERGED
     elif record.doubt or not balance.residual <= protocol.residual_limit:
         verdict = Verdict.UNTRUSTED
     else:
-        verdict = _verdict(folding, unfolding, folded=folded, opened=opened)
+        verdict = _verdict(record, folding, unfolding, folded=folded, opened=opened)
     if not verdict.tells:
         folded = opened = None
-    goal = unfolding if folded and unfolding else folding
-    state = opened_state if folded and unfolding else folded_state
+    missed = _missed(record, folding, unfolding, folded=folded, opened=opened) or unfolding or folding
+    state = opened_state if missed is unfolding else folded_state
     ending = Ending(
         verdict=verdict,
-        goal="none" if goal is None else goal.stage.drive,
+        goal="none" if missed is None else _goal(missed),
         angle=float(np.max(state.distal_angle)) if verdict.tells and state else None,
         time=record.diverged_at,
         residual=balance.residual if record.diverged_at is None else None,
-        why=record.doubt,
+        why=record.doubt or (_TOO_SHORT if verdict is Verdict.MOVING and missed and missed.at_goal else ""),
     )
     return Outcome(
         ending=ending,
@@ -175,16 +172,38 @@ def measure(record: Record) -> Outcome:
     )
 
 
+def _is_reached(end: StageEnd, goal: str) -> bool:
+    """Whether a stage reached its goal, or has another one."""
+    return end.goal_time is not None or end.stage.until != goal
+
+
+def _missed(
+    record: Record, folding: StageEnd | None, unfolding: StageEnd | None, *, folded: bool | None, opened: bool | None
+) -> StageEnd | None:
+    """The stage whose goal was missed, or lost when released; None where there is none."""
+    if folding and not folded:
+        return folding
+    if unfolding and not opened:
+        return unfolding
+    last = record.stages[-1]
+    return last if last.goal_time is None and last.stage.until in ("folded", "opened") else None
+
+
+def _goal(end: StageEnd) -> str:
+    """Which goal a stage has: that of its drive, or that which ends it."""
+    return end.stage.drive if end.stage.drive != "none" else {"folded": "fold", "opened": "unfold"}[end.stage.until]
+
+
 def _verdict(
-    folding: StageEnd | None, unfolding: StageEnd | None, *, folded: bool | None, opened: bool | None
+    record: Record, folding: StageEnd | None, unfolding: StageEnd | None, *, folded: bool | None, opened: bool | None
 ) -> Verdict:
     """What a run that is to be trusted came to."""
-    missed = folding if folding and not folded else unfolding if unfolding and not opened else None
+    missed = _missed(record, folding, unfolding, folded=folded, opened=opened)
     if missed is None:
         return Verdict.REACHED
     if missed.goal_time is not None:
         return Verdict.NOT_HELD
-    return Verdict.STUCK if missed.at_rest else Verdict.MOVING
+    return Verdict.STUCK if missed.at_rest and not missed.at_goal else Verdict.MOVING
 
 
 def _name(reached: bool | None, state: str, move: str) -> str:

@@ -61,9 +61,10 @@ class Ending:
             was missed; "none" of a protocol that drives nothing.
         angle: of the distal hinge that is furthest from folded, at the end of that goal's stages, rad; None where there
             is none, or where nothing is to be trusted.
-        time: when the numbers blew up, s, or None.
+        time: when it diverged, s, or None.
         residual: of the energy balance; None where nothing ran, or the run diverged.
-        why: there is no wing, or it is not to be trusted whatever the residual; mostly empty.
+        why: there is no wing, it is not to be trusted whatever the residual, or it did not rest at its goal; mostly
+            empty.
     """
 
     verdict: Verdict
@@ -88,6 +89,8 @@ def ending_text(ending: Ending) -> str:
             return f"cannot be built: {ending.why}"
         case Verdict.STUCK if _on_the_way(ending) and ending.angle is not None:
             return f"stuck at {math.degrees(ending.angle):.1f} deg"
+        case Verdict.MOVING if ending.why:
+            return ending.why
         case Verdict.MOVING if ending.goal == "fold" and ending.angle is not None:
             return f"still moving at {math.degrees(ending.angle):.1f} deg when its time to fold was over"
         case Verdict.MOVING:
@@ -123,7 +126,8 @@ def _advice(ending: Ending, design: Design) -> str:
         case Verdict.UNTRUSTED, _:
             return _shorter_step(ending, design)
         case Verdict.MOVING, goal:
-            stage = next(stage for stage in design.protocol.stages if stage.drive == goal)
+            until = {"fold": "folded", "unfold": "opened"}[goal]
+            stage = next(each for each in design.protocol.stages if each.drive == goal or each.until == until)
             return (
                 f'It is still on its way: raise the time_limit, {stage.time_limit:.4g} s, of the stage "{stage.name}".'
             )

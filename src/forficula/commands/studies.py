@@ -172,7 +172,4 @@ def converge(
     print_convergence(convergence)
     write_convergence(convergence, folder)
     print(f"\nwritten to {folder}")
-    own = convergence.own_verdict
-    if not own.tells:
-        return exit_status([own], tolerate=tolerate)
-    return 2 if convergence.fine is False else 0
+    return exit_status([convergence.own_verdict], tolerate=tolerate) or 2 * (convergence.fine is False)

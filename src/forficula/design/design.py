@@ -306,10 +306,10 @@ class Design(Part):
         start, allowed = self.protocol.initial_overbend, self.guard.stretch
         stretch = start_stretch(self.fan, start)
         if stretch > allowed:
-            most = show_quantity(largest_start(self.fan, allowed), ANGLE)
+            most = f"{'<=' if start > 0 else '>='} {show_quantity(largest_start(self.fan, allowed, start), ANGLE)}"
             raise InputError(
                 f"protocol.initial_overbend: neighbouring tips would start {stretch:.4g} times as far apart as in the"
-                f" flat wing, and guard.stretch allows {allowed:.4g}: need <= {most} or a larger guard.stretch,"
+                f" flat wing, and guard.stretch allows {allowed:.4g}: need {most} or a larger guard.stretch,"
                 f" got {show_quantity(start, ANGLE)}"
             )
 

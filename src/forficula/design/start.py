@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
+from scipy.optimize import brentq
 from scipy.spatial.transform import Rotation
 
 from forficula.pattern import EarwigFan, ring_vertices, tips
@@ -32,10 +31,7 @@ def start_stretch(fan: EarwigFan, overbend: float) -> float:
     return float(np.max(next(distances) / next(distances)))
 
 
-def largest_start(fan: EarwigFan, stretch: float) -> float:
-    """The largest bend past straight, rad, at which no tips are further apart than so many times as when flat."""
-    low, high = 0.0, math.pi / 2
-    for _ in range(40):
-        middle = (low + high) / 2
-        low, high = (middle, high) if start_stretch(fan, middle) <= stretch else (low, middle)
-    return low
+def largest_start(fan: EarwigFan, stretch: float, bend: float) -> float:
+    """How far one may bend towards a bend, rad, at which tips are further apart than so many times as when flat."""
+    share = brentq(lambda share: start_stretch(fan, share * bend) - stretch, 0.0, 1.0, xtol=1e-6)
+    return float(share * bend)

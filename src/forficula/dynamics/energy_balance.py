@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 from forficula.dynamics.record import Record
 
+_ROUNDING = 1e-9
+
 
 @dataclass(frozen=True, kw_only=True)
 class EnergyBalance:
@@ -25,6 +27,7 @@ class EnergyBalance:
         yielding: that the tendons' yielding took; None where they never yield.
         letting_go: minus what their branches stored without work, where the tendon gave way and did not push; None
             where it never does.
+        at_hand: what tendons stretched by their levers would hold; a billionth of it is rounding.
     """
 
     work: float
@@ -39,6 +42,7 @@ class EnergyBalance:
     branch_damping: float | None = None
     yielding: float | None = None
     letting_go: float | None = None
+    at_hand: float = 0.0
 
     @property
     def missing(self) -> float:
@@ -55,8 +59,9 @@ class EnergyBalance:
 
     @property
     def residual(self) -> float:
-        """What is missing, as a share of the energy that was exchanged."""
-        return abs(self.missing) / self.exchanged if self.exchanged else 0.0
+        """What is missing, as a share of the energy that was exchanged; where nothing was, all is rounding."""
+        scale = max(self.exchanged, _ROUNDING * self.at_hand)
+        return abs(self.missing) / scale if scale else 0.0
 
 
 def energy_balance(record: Record) -> EnergyBalance:
@@ -66,6 +71,7 @@ def energy_balance(record: Record) -> EnergyBalance:
         for name, values in record.series.items()
         if name.endswith(("_energy", "_work"))
     }
+    tendon = record.design.tendon
     return EnergyBalance(
         work=change["proximal_work"] + change["distal_work"],
         tendon=change["tendon_energy"],
@@ -79,6 +85,7 @@ def energy_balance(record: Record) -> EnergyBalance:
         branch_damping=_taken(change, "branch_damping_work"),
         yielding=_taken(change, "yield_work"),
         letting_go=_taken(change, "letting_go_work"),
+        at_hand=tendon.stiffness * tendon.proximal_attachment * tendon.distal_attachment,
     )
 
 

@@ -32,7 +32,7 @@ class Fleet:
         stage: number of the stage that each wing is in, (wing,).
         stage_start: step at which it began, (wing,).
         ends: the stages that each wing has been through.
-        diverged_at: when each wing's numbers blew up, s, or None.
+        diverged_at: when each wing diverged, s, or None.
     """
 
     def __init__(self, wings: Sequence[WingModel]) -> None:
@@ -138,12 +138,13 @@ class Fleet:
             if sound[place] < min(end[place], count):
                 row = int(rows[place])
                 self.diverged_at[row] = float((self.steps[row] + 1) * self._timestep[row])
-                self._end_stage(row, None, at_rest=False)
+                self._end_stage(row, None, at_rest=False, at_goal=False)
                 self.ended[row] = self._stopped[row] = True
             elif end[place] <= count:
                 last = end[place] - 1
                 goal_step = int(goal_since[place, last]) if held[place, last] else None
-                self._end_stage(int(rows[place]), goal_step, at_rest=bool(resting[place, last]))
+                at_rest, at_goal = bool(resting[place, last]), bool(reached[place, last])
+                self._end_stage(int(rows[place]), goal_step, at_rest=at_rest, at_goal=at_goal)
         return np.asarray(taken)
 
     def follow_leader(self, row: int, leader: int) -> None:
@@ -176,7 +177,7 @@ class Fleet:
             [goal == _GOALS.index(name) for name in ("rest", "folded", "opened")], [resting, folded, opened], False
         )
 
-    def _end_stage(self, row: int, goal_step: int | None, *, at_rest: bool) -> None:
+    def _end_stage(self, row: int, goal_step: int | None, *, at_rest: bool, at_goal: bool) -> None:
         stage = self._wings[row].design.protocol.stages[self.stage[row]]
         timestep = float(self._timestep[row])
         self.ends[row].append(
@@ -186,6 +187,7 @@ class Fleet:
                 end=int(self.steps[row]) * timestep,
                 goal_time=None if goal_step is None else goal_step * timestep,
                 at_rest=at_rest,
+                at_goal=at_goal,
             )
         )
         self._stopped[row] = goal_step is None and stage.until in ("folded", "opened")

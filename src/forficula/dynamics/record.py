@@ -76,6 +76,7 @@ class StageEnd:
         end: s.
         goal_time: when the goal was reached, s; None where it was not, or where the goal was the time.
         at_rest: whether every hinge was slower at its end than what counts as rest.
+        at_goal: whether the goal held at its end, for however short a time.
     """
 
     stage: Stage
@@ -83,6 +84,7 @@ class StageEnd:
     end: float
     goal_time: float | None
     at_rest: bool
+    at_goal: bool = False
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -96,7 +98,7 @@ class Record:
             every name of `BRANCH_VARIABLES` or `YIELD_VARIABLES`.
         stages: the stages that took place, in order.
         triangles: the membrane's mesh, (triangle, 3), indices of nodes.
-        diverged_at: when the numbers blew up, s, or None.
+        diverged_at: when it diverged, s, or None.
         doubt: why it is not to be trusted, beside what its energy balance says; mostly empty.
     """
 
@@ -143,6 +145,7 @@ def save_record(record: Record, path: str | os.PathLike[str]) -> None:
             [nothing if end.goal_time is None else end.goal_time for end in record.stages],
             {"units": "s", "long_name": "when the stage's goal was reached, nan where it was not"},
         ),
+        stage_at_goal=("stage", np.array([end.at_goal for end in record.stages], dtype=np.int8)),
         stage_at_rest=("stage", np.array([end.at_rest for end in record.stages], dtype=np.int8)),
     )
     data.attrs = {
@@ -216,7 +219,7 @@ def load_record(path: str | os.PathLike[str]) -> Record:
         # by h5py, ten times as fast as by xarray: a study reads a hundred of them
         with h5py.File(io.BytesIO(whole)) as file:
             design = design_from_text(file.attrs["design"])
-            ends = [file[f"stage_{name}"][()] for name in ("start", "end", "goal_time", "at_rest")]
+            ends = [file[f"stage_{name}"][()] for name in ("start", "end", "goal_time", "at_rest", "at_goal")]
             time, triangles = file["time"][()], file["triangle"][()].astype(np.int64)
             series = {name: file[name][()] for name in (*VARIABLES, *(name for name in _MAYBE if name in file))}
             diverged_at, doubt = float(np.squeeze(file.attrs["diverged_at"])), str(file.attrs["doubt"])
@@ -227,8 +230,9 @@ def load_record(path: str | os.PathLike[str]) -> Record:
                 end=float(end),
                 goal_time=None if np.isnan(goal) else float(goal),
                 at_rest=bool(at_rest),
+                at_goal=bool(at_goal),
             )
-            for stage, start, end, goal, at_rest in zip(design.protocol.stages, *ends, strict=False)
+            for stage, start, end, goal, at_rest, at_goal in zip(design.protocol.stages, *ends, strict=False)
         )
         return Record(
             design=design,

@@ -104,7 +104,7 @@ class Recorder:
             end: what it ended in.
             account: the work since the start, J, and the powers in the last state, W.
             stages: that took place.
-            diverged_at: when its numbers blew up, s, or None.
+            diverged_at: when it diverged, s, or None.
         """
         recorded = self._stages[-1][0][0].derived
         last = _Rows(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from forficula.show.factor_text import value_text
-from forficula.study.choice_groups import choice_groups, count_folded, count_opened
+from forficula.study.choice_groups import choice_groups, count_folded, count_opened, count_unknown
 from forficula.study.choices import CHOICE
 
 if TYPE_CHECKING:
@@ -23,12 +23,14 @@ def choice_rows(table: Dataset) -> tuple[list[str], list[list[str]]]:
     """
     if CHOICE not in table.dims or table["status"].ndim == 1:
         return [], []
-    folded, opened = count_folded(table), count_opened(table)
+    folded, opened, unknown = count_folded(table), count_opened(table), count_unknown(table)
     rows = []
     for group in choice_groups(table):
         for place in group.places:
             own = "" if place else f", as in {table.attrs['design']}"
             counts = [str(each[place]) for each in (folded, opened) if each is not None]
+            if unsure := sum(int(numbers[place]) for numbers in unknown.values()):
+                counts[0] += f" to {folded[place] + unsure}"
             rows.append([value_text(table[group.factor], place) + own, *counts])
     wings = table["status"].size // table.sizes[CHOICE]
     return ["choice", f"fold, of {wings}", *(["open again"] if opened is not None else [])], rows

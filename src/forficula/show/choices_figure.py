@@ -13,15 +13,13 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.transforms import blended_transform_factory
-from numpy.typing import NDArray
 
-from forficula.analysis import Verdict
 from forficula.quantities import reading_unit
 from forficula.show.factor_text import display_values, factor_label, number_text
 from forficula.show.map_page import look_of, map_style
 from forficula.show.maps import missing_reasons
 from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, SKY, VERMILION, describe, is_narrow
-from forficula.study.choice_groups import choice_groups, count_folded, count_opened, wings_that_fold
+from forficula.study.choice_groups import choice_groups, count_folded, count_opened, count_unknown
 from forficula.study.choices import CHOICE
 from forficula.study.tendon_search import PAPER_FOLDS
 
@@ -40,7 +38,6 @@ _OPENED: dict[str, Any] = {"ls": "", "marker": "D", "ms": 3, "color": "white", "
 # the study whose counts stand beside the paper's
 _PAPERS_CHOICES = "binder2025-choices"
 # verdicts on the wing; a wing that still moves has not folded in its time
-_KNOWN = [verdict for verdict in Verdict if verdict.tells]
 # of single wings, at most three of them
 _NUMBERS = {
     "least_fold_torque": "least fold torque",
@@ -117,7 +114,7 @@ def _value_texts(values: Sequence[object]) -> list[str]:
 
 def _draw_counts(axes: Axes, table: Dataset, rows: Sequence[_Row]) -> None:
     """A bar a choice, as long as wings fold, and behind it those of which that is not known."""
-    folded, opened, unknown = count_folded(table), count_opened(table), _unknown(table)
+    folded, opened, unknown = count_folded(table), count_opened(table), count_unknown(table)
     wings = table["status"].size // table.sizes[CHOICE]
     for row in rows:
         if row.place is None:
@@ -188,14 +185,6 @@ def _name_rows(grid: Sequence[Axes], rows: Sequence[_Row]) -> None:
 
 def _colour(place: int) -> str:
     return SKY if place else BLUE
-
-
-def _unknown(table: Dataset) -> dict[str, NDArray[np.int_]]:
-    """Of how many wings of the grid it is not known whether they fold, shape (choices,), by what became of them."""
-    shape = (table.sizes[CHOICE], -1)
-    verdicts, words = (table[name].values.astype(str).reshape(shape) for name in ("verdict", "outcome"))
-    unknown = ~wings_that_fold(table).values.reshape(shape) & ~np.isin(verdicts, _KNOWN)
-    return {str(word): np.sum(unknown & (words == word), axis=1) for word in sorted(set(words[unknown]))}
 
 
 def _tell(table: Dataset, rows: Sequence[_Row]) -> str:

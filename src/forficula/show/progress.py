@@ -11,6 +11,7 @@ from time import monotonic
 from typing import Any
 
 from rich.console import Console
+from rich.markup import escape
 from rich.progress import BarColumn, Progress, TextColumn
 from rich.table import Column
 
@@ -35,7 +36,7 @@ def run_progress(first: str = "building the wing") -> Iterator[Callable[[str, fl
         return
     with Progress(console=console, transient=True) as bar:
         task = bar.add_task(first)
-        yield lambda stage, time, longest: bar.update(task, description=stage, completed=time, total=longest)
+        yield lambda stage, time, longest: bar.update(task, description=escape(stage), completed=time, total=longest)
 
 
 @contextmanager

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.analysis import Verdict
 from forficula.study.choices import CHOICE
 
 if TYPE_CHECKING:
@@ -70,3 +71,12 @@ def _count(wings: DataArray) -> NDArray[np.int_]:
 def _same(value: object, other: object) -> bool:
     """Whether two values are one, or neither is a number."""
     return bool(value == other) or (value != value and other != other)
+
+
+def count_unknown(table: Dataset) -> dict[str, NDArray[np.int_]]:
+    """Of how many wings of the grid it is not known whether they fold, (choice,), by what became of them."""
+    shape = (table.sizes[CHOICE], -1)
+    verdicts, words = (table[name].values.astype(str).reshape(shape) for name in ("verdict", "outcome"))
+    known = [verdict for verdict in Verdict if verdict.tells]
+    unknown = ~wings_that_fold(table).values.reshape(shape) & ~np.isin(verdicts, known)
+    return {str(word): np.sum(unknown & (words == word), axis=1) for word in sorted(set(words[unknown]))}

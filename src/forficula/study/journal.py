@@ -63,7 +63,7 @@ def read_rows(folder: Path, base: Design) -> dict[str, Row]:
 
 def _entries(path: Path) -> Iterator[dict[str, Any]]:
     """The lines of a journal: rows, and who wrote those that follow; empty where a line is neither."""
-    if not path.is_file():
+    if path.is_symlink() or not path.is_file():
         raise InputError(f"{path}: cannot be read: need a file")
     try:
         lines = path.read_bytes().split(b"\n")

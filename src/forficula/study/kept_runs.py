@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from forficula.analysis import Outcome, measure, summary
+from forficula.analysis import Outcome, Verdict, measure, summary
 from forficula.analysis.thinning import thin_record
 from forficula.design import Design, save_design
 from forficula.dynamics import Record, load_record, save_record, versions
@@ -197,15 +197,19 @@ def _parts(study: Study, table: Dataset, point: int, design: Design) -> Iterator
         yield "run", design
         return
     fold = float(table["least_fold_torque"].values.ravel()[point])
+    # of a run that says nothing there is nothing to see
+    tells = Verdict(str(table["verdict"].values.ravel()[point])).tells
     if math.isnan(fold):
-        yield "folding", fold_design(design, search.fold_torques[-1])
+        if tells:
+            yield "folding", fold_design(design, search.fold_torques[-1])
         return
     yield "folding", release_design(design, fold)
     if not search.unfold_torques:
         return
     unfold = float(table["least_unfold_torque"].values.ravel()[point])
-    torque = search.unfold_torques[-1] if math.isnan(unfold) else unfold
-    yield "opening", unfold_design(design, search.fold_with, torque)
+    if tells or not math.isnan(unfold):
+        torque = search.unfold_torques[-1] if math.isnan(unfold) else unfold
+        yield "opening", unfold_design(design, search.fold_with, torque)
 
 
 def _run(runs: Sequence[RunToKeep], threads: int) -> Iterator[tuple[RunToKeep, Record]]:

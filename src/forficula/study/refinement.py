@@ -11,7 +11,6 @@ import numpy as np
 
 from forficula.design import Design, with_values
 from forficula.design.part import MODULUS, SHORT_TIME
-from forficula.dynamics import with_timestep
 from forficula.errors import InputError
 from forficula.quantities import as_written, parse_quantity, show_quantity
 
@@ -106,7 +105,7 @@ def own_value(design: Design, key: str) -> float:
     """The value that a design has itself: s, Pa, or 1 for its own mesh."""
     match key:
         case "protocol.timestep":
-            return float(with_timestep(design).protocol.timestep)
+            return float(design.protocol.timestep)
         case "membrane.youngs_modulus":
             return design.membrane.youngs_modulus
         case _:

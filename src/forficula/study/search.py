@@ -64,6 +64,8 @@ def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
     }
     if least_fold is not None:
         folding = rows[row_key(release_design(design, least_fold))]
+        if not Verdict(folding["verdict"]).tells:
+            least_fold, opens = None, {}
     least_unfold, opening = _decided(opens, "opened")
     residuals = [
         row["residual"] for row in (*folds.values(), folding, *opens.values()) if row.get("residual") is not None

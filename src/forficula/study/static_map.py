@@ -223,8 +223,15 @@ def simulated_values(statics: xarray.Dataset, simulated: xarray.Dataset, name: s
 
 
 def _tried(simulated: xarray.Dataset, name: str) -> xarray.DataArray:
-    """1 where a simulation tried for this torque: opening is tried where some torque folds."""
-    energy, folds = simulated["flat_energy"], simulated["least_fold_torque"]
+    """1 where a simulation tells of this torque: opening is tried where some torque folds."""
+    folds, fold_outcome = simulated["least_fold_torque"], simulated["fold_outcome"]
     if name == "least_fold_torque":
-        return energy.copy(data=np.ones(energy.shape))
-    return folds.copy(data=np.isfinite(folds.values).astype(np.float64))
+        return folds.copy(data=_tells(fold_outcome).astype(np.float64))
+    tells = np.isfinite(folds.values) & _tells(simulated["outcome"])
+    return folds.copy(data=tells.astype(np.float64))
+
+
+def _tells(outcomes: xarray.DataArray) -> np.ndarray:
+    """Where outcomes say something of the wing."""
+    silent = [ending_word(Ending(verdict=verdict)) for verdict in Verdict if not verdict.tells]
+    return np.asarray(~np.isin(outcomes.values.astype(str), silent))

@@ -21,6 +21,7 @@ class Kind(NamedTuple):
     folded: bool
     opened: bool
     diverged: bool
+    untrusted: bool
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -60,7 +61,12 @@ def timed_run(record: Record) -> TimedRun:
     return TimedRun(
         status=outcome.status,
         verdict=outcome.verdict,
-        outcome=Kind(bool(outcome.folded), bool(outcome.opened), record.diverged_at is not None),
+        outcome=Kind(
+            bool(outcome.folded),
+            bool(outcome.opened),
+            record.diverged_at is not None,
+            outcome.verdict is Verdict.UNTRUSTED,
+        ),
         fold_time=_crossing(record, starts.get("fold"), to_fold) if outcome.folded else math.nan,
         unfold_time=_crossing(record, starts.get("unfold"), to_open) if outcome.opened else math.nan,
         fold_start=starts["fold"].start if "fold" in starts else math.nan,

@@ -40,7 +40,11 @@ def outcome_sentence(name: str, outcome: Outcome) -> str:
 def outcome_remarks(record: Record, outcome: Outcome) -> list[str]:
     """What to know of an outcome, and what to try, one sentence or two each."""
     remarks = [f"{outcome.status[:1].upper()}{outcome.status[1:]}. {outcome.advice}"] if outcome.advice else []
-    states = ((outcome.flat_name, outcome.flat), ("folded", outcome.folded_state), ("opened", outcome.opened_state))
+    states = (
+        (outcome.flat_name, outcome.flat),
+        (outcome.folded_name, outcome.folded_state),
+        (outcome.opened_name, outcome.opened_state),
+    )
     swinging = [name for name, state in states if state is not None and state.swings]
     if swinging:
         remarks.append(
