@@ -155,7 +155,7 @@ except ff.InputError as error:
 
 @pytest.mark.skipif(sys.platform != "linux", reason="a limit on memory that holds is Linux's")
 @pytest.mark.parametrize(
-    ("left", "message"), [(12_000_000, "MuJoCo cannot build the wing: "), (60_000_000, "no memory left to simulate: ")]
+    ("left", "message"), [(12_000_000, "MuJoCo cannot build the wing: "), (120_000_000, "no memory left to simulate: ")]
 )
 def test_a_wing_that_memory_does_not_hold_is_one_line(left, message):
     done = subprocess.run([sys.executable, "-c", LIMITED, str(left)], capture_output=True, text=True, check=False)
