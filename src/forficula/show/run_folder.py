@@ -56,5 +56,11 @@ def run_drawings(record: Record, outcome: Outcome) -> dict[str, Drawing]:
 def _marked(figure: Figure, outcome: Outcome) -> Figure:
     """Say on a figure where what it shows is not what a wing would do."""
     if not outcome.verdict.tells:
-        figure.suptitle(f"{outcome.status[:1].upper()}{outcome.status[1:]}", color=VERMILION, fontweight="bold")
+        figure.suptitle(
+            f"{outcome.status[:1].upper()}{outcome.status[1:]}",
+            color=VERMILION,
+            fontweight="bold",
+            fontsize="medium",
+            wrap=True,
+        )
     return figure

@@ -45,6 +45,8 @@ _COLUMNS = (
     "unfold_time",
     "verdict",
     "residual",
+    "folded",
+    "opened",
 )
 
 
@@ -115,13 +117,14 @@ def table_csv(study: Study, table: xarray.Dataset) -> str:
         [*(name for name, _ in factors), *(f"{name}{units.get(name, '')}" for name in names)]
     ]
     columns = [table[name].values.ravel() for name in names]
+    tells = [Verdict(str(verdict)).tells for verdict in table["verdict"].values.ravel()]
     for number, point in enumerate(study.points):
         values = [_point_value(study, factor, point) for factor in varied]
         cells = [
             factor * value if isinstance(value, float) else value
             for value, (_, factor) in zip(values, factors, strict=True)
         ]
-        rows.append([*cells, *(_cell(column[number]) for column in columns)])
+        rows.append([*cells, *(_cell(column[number], tells=tells[number]) for column in columns)])
     return csv_text(rows)
 
 
@@ -195,5 +198,8 @@ def _nan(value: object) -> float:
     return math.nan if value is None else float(str(value))
 
 
-def _cell(value: object) -> object:
+def _cell(value: object, *, tells: bool) -> object:
+    """A value as text has it; nothing for what there is not, or for yes or no of a run that does not tell."""
+    if isinstance(value, bool | np.bool_):
+        return str(value).lower() if tells else ""
     return "" if isinstance(value, float) and math.isnan(value) else value
