@@ -93,6 +93,8 @@ def one_hinge(reference):
             reference,
             {
                 "hinge.damping": 0.0,
+                # one bar has no neighbour
+                "guard.stretch": 1e3,
                 "tendon.damping": 0.0,
                 "tendon.rest_length": rest_length,
                 "tendon.proximal_attachment": proximal,
