@@ -131,8 +131,12 @@ def test_a_tendon_that_folds_with_little_and_sticks_with_the_large_torque_is_a_r
 )
 def test_a_wing_whose_release_at_the_least_torque_fails_is_a_row_that_says_so(released, opens, large, after):
     result, _ = found(GRID, lambda torque: torque >= 0.2, opens, large, released)
-    assert result["least_fold_torque"] == 0.2
-    assert result["status"] == f"{released}; with 500 N cm: {after}"
+    if released.startswith("diverged"):
+        # it is not known what a lesser torque would have come to when released
+        assert (result["least_fold_torque"], result["least_unfold_torque"], result["status"]) == (None, None, released)
+    else:
+        assert result["least_fold_torque"] == 0.2
+        assert result["status"] == f"{released}; with 500 N cm: {after}"
     assert (result["fold_outcome"], result["fold_time"]) == (released.partition(" at ")[0], None)
 
 

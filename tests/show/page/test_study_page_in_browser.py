@@ -115,7 +115,7 @@ def test_a_click_on_a_cell_shows_that_run_and_its_numbers(opened, small):
         if row["fold_work_J"]:
             assert float(numbers.removesuffix(" J")) == pytest.approx(float(row["fold_work_J"]), rel=5e-3)
         else:
-            assert numbers == "did not fold"
+            assert numbers == small.table["fold_outcome"].values.ravel()[point]
         assert cell(page, point).get_attribute("aria-selected") == "true"
         assert page.locator(".grid [aria-selected=true]").count() == 1
 
@@ -124,7 +124,7 @@ def test_a_click_on_a_cell_shows_that_run_and_its_numbers(opened, small):
 def test_a_click_on_a_cell_plays_the_run_that_was_kept_of_it(opened, small, part):
     page = opened.page
     choose(page, "show", "work of unfolding" if part == "opening" else "work of folding")
-    for point in {point for point, _ in small.kept}:
+    for point in {point for point, each in small.kept if each == part}:
         cell(page, point).click()
         record = small.kept[point, part].record
         assert page.evaluate("forficula.panel.playing.run.folder") == small.kept[point, part].folder
@@ -192,7 +192,8 @@ def test_cells_have_their_values_and_where_there_is_none_a_sign_and_a_reason(ope
             assert label.endswith(f"least fold torque {float(text):g} N cm")
             colours[float(text)] = cell(page, point).evaluate("cell => getComputedStyle(cell).backgroundColor")
         else:
-            assert (text, label.endswith("did not fold")) == ("×", True)
+            word = small.table["fold_outcome"].values.ravel()[point]
+            assert (text, label.endswith(word)) == ({"did not fold": "×", "still folding": "▷"}[word], True)
             assert "gradient" in cell(page, point).evaluate("cell => getComputedStyle(cell).backgroundImage")
     # lightness rises with the value: the order survives grey print
     lightness = [
@@ -204,15 +205,15 @@ def test_cells_have_their_values_and_where_there_is_none_a_sign_and_a_reason(ope
     assert "known of" in page.locator(".map > .note").inner_text()
 
 
-def test_the_table_is_filtered_by_status(opened, small):
+def test_the_table_is_filtered_by_outcome(opened, small):
     page = opened.page
-    statuses = [row["status"] for row in small.rows]
-    wanted = statuses[0]
+    outcomes = small.table["outcome"].values.ravel().tolist()
+    wanted = outcomes[0]
     for box in page.locator(".filter label").all():
         if not box.inner_text().split("\n")[-1].strip().startswith(f"{wanted} ("):
             box.locator("input").uncheck()
-    assert shown_points(page) == [point + 1 for point, status in enumerate(statuses) if status == wanted]
-    assert page.get_by_text(f"{statuses.count(wanted)} of 6 points shown.").count() == 1
+    assert shown_points(page) == [point + 1 for point, outcome in enumerate(outcomes) if outcome == wanted]
+    assert page.get_by_text(f"{outcomes.count(wanted)} of 6 points shown.").count() == 1
     for box in page.locator(".filter input:checked").all():
         box.uncheck()
     assert shown_points(page) == []
