@@ -137,7 +137,7 @@ def test_a_wing_whose_release_at_the_least_torque_fails_is_a_row_that_says_so(re
     else:
         assert result["least_fold_torque"] == 0.2
         assert result["status"] == f"{released}; with 500 N cm: {after}"
-    assert (result["fold_outcome"], result["fold_time"]) == (released.partition(" at ")[0], None)
+    assert (result["fold_outcome"], result.get("fold_time")) == (released.partition(" at ")[0], None)
 
 
 NUMBERS = (

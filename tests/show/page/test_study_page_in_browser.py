@@ -31,7 +31,10 @@ class StudyPage:
 def small(tmp_path_factory, write_study_file):
     """A search of six tendons; the runs of three that fold are kept."""
     folder = tmp_path_factory.mktemp("study")
-    study = load_study(write_study_file(folder / "small.toml", FACTORS, 'ask = "least-torques"', SEARCH))
+    path = write_study_file(folder / "small.toml", FACTORS, 'ask = "least-torques"', SEARCH)
+    # with 500 N cm a longer step blows up
+    path.write_text(path.read_text("utf-8").replace('timestep = "0.4 ms"', 'timestep = "0.1 ms"'), "utf-8")
+    study = load_study(path)
     table = run_study(study, folder)
     runs = runs_to_keep(study, table, 3)
     kept = list(kept_runs(runs, folder))
@@ -149,7 +152,7 @@ def test_scrubbed_to_folded_a_kept_run_has_the_angles_of_its_outcome(opened, sma
     opened.settle()
     angles = np.degrees(kept.outcome.folded_state.distal_angle)
     shown = page.locator(".readout tr", has_text="distal angle").locator("td").all_inner_texts()
-    assert np.allclose([float(text.replace("−", "-")) for text in shown], angles, atol=2)
+    assert np.allclose([float(text.replace("−", "-").partition(" ")[0]) for text in shown], angles, atol=2)
 
 
 def test_a_run_that_was_not_kept_says_so_and_has_its_numbers(opened, small):
