@@ -66,5 +66,4 @@ def main(arguments: Sequence[str] | None = None) -> None:
     except KeyboardInterrupt:
         print("forficula: stopped", file=sys.stderr)
         sys.exit(130)
-    if status:
-        sys.exit(status)
+    sys.exit(status or 0)

@@ -77,6 +77,7 @@ def designs(draw):
             "tendon.distal_attachment": draw(share) * distal,
             "protocol.timestep": draw(st.one_of(st.floats(1e-8, 6), st.just("auto"))),
             "protocol.initial_overbend": draw(st.floats(-1, overbend)),
+            "guard.stretch": 1e9,  # which allows any start
             "protocol.gravity": draw(st.floats(-100, 100)),
             "protocol.contact": draw(st.booleans()),
             "protocol.stages.3.hold": draw(st.floats(0, 10)),

@@ -103,7 +103,7 @@ def test_a_cambered_wing_is_pressed_on_its_overbend_and_climbs_to_flat(hub, sect
         ({"hinge.overbend": 0.0, "protocol.initial_overbend": 0.0}, None),
         ({"tendon.rest_length": 0.2}, None),
         ({"tendon.stiffness": 0.0}, None),
-        ({"hinge.fold_limit": 2.0}, None),
+        ({"hinge.fold_limit": 2.0, "protocol.folded_angle": 1.5}, None),
     ],
 )
 def test_what_a_path_lacks_is_said_and_nothing_is_nan(changes, sentence):

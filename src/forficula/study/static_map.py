@@ -227,10 +227,10 @@ def simulated_values(statics: xarray.Dataset, simulated: xarray.Dataset, name: s
 
 def _tried(simulated: xarray.Dataset, name: str) -> xarray.DataArray:
     """1 where a simulation tells of this torque: opening is tried where some torque folds."""
-    folds, fold_outcome = simulated["least_fold_torque"], simulated["fold_outcome"]
+    folds, outcome = simulated["least_fold_torque"], simulated["outcome"]
     if name == "least_fold_torque":
-        return folds.copy(data=_tells(fold_outcome).astype(np.float64))
-    tells = np.isfinite(folds.values) & _tells(simulated["outcome"])
+        return folds.copy(data=_tells(simulated.get("fold_outcome", outcome)).astype(np.float64))
+    tells = np.isfinite(folds.values) & _tells(outcome)
     return folds.copy(data=tells.astype(np.float64))
 
 

@@ -117,7 +117,9 @@ def table_csv(study: Study, table: xarray.Dataset) -> str:
         [*(name for name, _ in factors), *(f"{name}{units.get(name, '')}" for name in names)]
     ]
     columns = [table[name].values.ravel() for name in names]
-    tells = [Verdict(str(verdict)).tells for verdict in table["verdict"].values.ravel()]
+    silent = [verdict for verdict in Verdict if not verdict.tells]
+    told = table["verdict" if "verdict" in table else "outcome"].values
+    tells = (~np.isin(told.astype(str).ravel(), silent)).tolist()
     for number, point in enumerate(study.points):
         values = [_point_value(study, factor, point) for factor in varied]
         cells = [

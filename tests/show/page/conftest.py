@@ -20,7 +20,6 @@ RELEASE = {"drive": "none", "until": "rest", "hold": "10 ms", "time_limit": "0.1
 SHORT = {
     "protocol.timestep": "0.4 ms",
     "protocol.window": "10 ms",
-    "protocol.least_hold": 0.0,
     "protocol.stages.0.time_limit": "20 ms",
     "protocol.stages.1.time_limit": "0.1 s",
     "protocol.stages.2": RELEASE | {"name": "release folded"},
