@@ -51,7 +51,7 @@ ENDS = {
     "diverged": ("diverged", "diverged"),
     "not to be trusted": ("not to be trusted", "untrusted"),
     "cannot be built": ("cannot be built", "not built"),
-    NOT_RUN: (NOT_RUN, ""),
+    NOT_RUN: (NOT_RUN, "not built"),
 }
 
 

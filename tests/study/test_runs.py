@@ -75,6 +75,8 @@ def test_a_design_whose_first_step_diverges_ends_to_be_trusted(monkeypatch):
     estimate = float(with_timestep(design).protocol.timestep)
     longer = with_values(design, {"protocol.timestep": 16 * estimate})
     monkeypatch.setattr(runs, "with_timestep", lambda each: longer if each.protocol.timestep == "auto" else each)
+    # so much longer, so many more halvings
+    monkeypatch.setattr(runs, "_HALVINGS", runs._HALVINGS + 4)
     monkeypatch.setattr(runs, "measure", lambda record: tried.append(measure(record)) or tried[-1])
     outcome = measure(run(design))
     assert tried[0].verdict is Verdict.DIVERGED

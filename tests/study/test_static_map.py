@@ -109,6 +109,7 @@ def simulated(statics, folds, opens):
             "flat_energy": statics["flat_energy"],
             "status": statics["status"],
             "outcome": statics["outcome"],
+            "fold_outcome": statics["outcome"],
         },
         statics.coords,
     )

@@ -122,8 +122,9 @@ def state_energies(wing: WingModel, derived: Mapping[str, Array]) -> dict[str, A
         derived: of the states, by MuJoCo's names, in the model's units: energy, flexvert_xpos, xipos.
     """
     units, height = wing.units, np.sum(wing.engine.body_mass * derived["xipos"][..., 2], axis=-1)
-    return {
-        "membrane_energy": units.energy * membrane_energy(derived["flexvert_xpos"], wing.membrane, wing.in_units),
-        "kinetic_energy": units.energy * derived["energy"][:, 1],
-        "gravitational_energy": units.energy * wing.in_units.protocol.gravity * height,
-    }
+    with np.errstate(over="ignore", invalid="ignore"):  # of a wing that blows up
+        return {
+            "membrane_energy": units.energy * membrane_energy(derived["flexvert_xpos"], wing.membrane, wing.in_units),
+            "kinetic_energy": units.energy * derived["energy"][:, 1],
+            "gravitational_energy": units.energy * wing.in_units.protocol.gravity * height,
+        }

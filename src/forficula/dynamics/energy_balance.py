@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from forficula.dynamics.record import Record
 
 _ROUNDING = 1e-9
@@ -66,11 +68,12 @@ class EnergyBalance:
 
 def energy_balance(record: Record) -> EnergyBalance:
     """Account for a run's energy from its start to its end."""
-    change = {
-        name: float(values[-1].sum() - values[0].sum())
-        for name, values in record.series.items()
-        if name.endswith(("_energy", "_work"))
-    }
+    with np.errstate(over="ignore", invalid="ignore"):  # of a wing that blew up
+        change = {
+            name: float(values[-1].sum() - values[0].sum())
+            for name, values in record.series.items()
+            if name.endswith(("_energy", "_work"))
+        }
     tendon = record.design.tendon
     return EnergyBalance(
         work=change["proximal_work"] + change["distal_work"],

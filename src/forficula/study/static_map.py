@@ -95,8 +95,7 @@ def static_map(study: Study, progress: Callable[[int, int], None] | None = None)
         try:
             design = point_design(study.base, point)
         except InputError as error:
-            ending = Ending(verdict=Verdict.NOT_BUILT, why=str(error))
-            results[number] = {"status": ending_text(ending), "outcome": ending_word(ending)}
+            results[number] = {**_told(Ending(verdict=Verdict.NOT_BUILT, why=str(error)))}
         else:
             groups.setdefault(repr([key_value(design, key) for key in SHARED]), []).append((number, design))
     done = 0
@@ -114,7 +113,7 @@ def static_map(study: Study, progress: Callable[[int, int], None] | None = None)
         name: (dimensions, _column(results, name).reshape(shape), {"units": unit, "long_name": meaning})
         for name, (unit, meaning) in _NUMBERS.items()
     }
-    for name in ("status", "outcome"):
+    for name in ("status", "verdict", "outcome"):
         words = np.array([result[name] for result in results], dtype=object).reshape(shape)
         variables[name] = (dimensions, words)
     return xarray.Dataset(
@@ -136,7 +135,7 @@ def _rows(designs: Sequence[Design], search: Search) -> list[dict[str, float | s
             "least_unfold_torque": float(unfold[case]),
             "flat_energy": _tendon_energy(wings, case, flat),
             "folded_energy": _tendon_energy(wings, case, folded),
-            **dict.fromkeys(("status", "outcome"), _word(folds=fold[case], opens=unfold[case])),
+            **_told(_ending(folds=fold[case], opens=unfold[case])),
         }
         for case in range(len(designs))
     ]
@@ -147,11 +146,15 @@ def _tendon_energy(wings: Section, case: int, position: np.ndarray) -> float:
     return float(sum(hinge.energy(angle) for hinge, angle in zip(wings.hinges[case], angles, strict=True)))
 
 
-def _word(*, folds: float, opens: float) -> str:
+def _told(ending: Ending) -> dict[str, str]:
+    return {"status": ending_text(ending), "verdict": ending.verdict.value, "outcome": ending_word(ending)}
+
+
+def _ending(*, folds: float, opens: float) -> Ending:
     """What a wing comes to for which these torques, nan where there is none, are the least that fold and open."""
     reached = np.isfinite([folds, opens])
     goal = "unfold" if reached[0] else "fold"
-    return ending_word(Ending(verdict=Verdict.REACHED if reached.all() else Verdict.STUCK, goal=goal))
+    return Ending(verdict=Verdict.REACHED if reached.all() else Verdict.STUCK, goal=goal)
 
 
 def _column(results: Sequence[Mapping[str, float | str]], name: str) -> np.ndarray:
