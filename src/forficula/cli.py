@@ -66,4 +66,5 @@ def main(arguments: Sequence[str] | None = None) -> None:
     except KeyboardInterrupt:
         print("forficula: stopped", file=sys.stderr)
         sys.exit(130)
-    sys.exit(status or 0)
+    if status:
+        sys.exit(status)

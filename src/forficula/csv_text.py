@@ -15,9 +15,14 @@ _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 
 def csv_text(rows: Iterable[Sequence[object]]) -> str:
     """Write rows of cells; a text that a spreadsheet would run as a formula gets an apostrophe before it."""
-    text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerows([_cell(cell) for cell in row] for row in rows)
-    return text.getvalue()
+    return "".join(f"{_line(row)}\n" for row in rows)
+
+
+def _line(row: Sequence[object]) -> str:
+    text, end = io.StringIO(), "\r\n"
+    # a cell is quoted for the signs of the line's end that are in it: with both of them every break is
+    csv.writer(text, lineterminator=end).writerow([_cell(cell) for cell in row])
+    return text.getvalue().removesuffix(end)
 
 
 def _cell(cell: object) -> object:
