@@ -49,7 +49,7 @@ def run(design: Design, progress: Progress | None = None) -> Record:
     A timestep "auto" is found by halving, from what the stiffest mode allows on, until at three of them, one after the
     other, the energy balance misses no more than `protocol.residual_limit`, the verdict is the same, and no
     transition's time is off that of the last by more than 2 %. The record is that of the last one, and its design has
-    it. (Two that agree are not enough: of random designs, every sixth that folds went on to another time.)
+    it.
 
     Args:
         design: what to build and what to do with it.
