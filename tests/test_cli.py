@@ -462,6 +462,7 @@ def test_a_study_that_cannot_be_is_answered_in_one_line(refusal, study_file, arg
     assert refusal("study", *arguments) == message
 
 
+@pytest.mark.skipif(signal.getsignal(signal.SIGINT) == signal.SIG_IGN, reason="a job in the background ignores it")
 def test_ctrl_c_stops_a_run_with_one_line_and_leaves_nothing(tmp_path):
     slow = [sys.executable, "-m", "forficula", "run", "binder2025", "--set", 'protocol.timestep="0.002 ms"']
     process = subprocess.Popen(slow, cwd=tmp_path, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True)

@@ -350,6 +350,7 @@ def test_a_study_killed_at_any_moment_goes_on_and_ends_with_the_same_bytes(tmp_p
 
 
 @pytest.mark.skipif(os.name != "posix", reason="signals are POSIX's")
+@pytest.mark.skipif(signal.getsignal(signal.SIGINT) == signal.SIG_IGN, reason="a job in the background ignores it")
 def test_ctrl_c_stops_a_study_with_one_line_and_the_same_command_goes_on(tmp_path, study_file, whole):
     path = study_file(MANY, LEAST_TORQUES, FEW_TORQUES)
     command = Command(path, tmp_path / "out")
