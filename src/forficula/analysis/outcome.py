@@ -139,15 +139,18 @@ def measure(record: Record) -> Outcome:
     opened: bool | None = False
     if unfolding and opened_state:
         opened = _is_reached(unfolding, "opened") and bool(np.all(opened_state.distal_angle >= protocol.opened_angle))
+    missed = _missed(record, folding, unfolding, folded=folded, opened=opened)
     if record.diverged_at is not None:
         verdict = Verdict.DIVERGED
     elif record.doubt or not balance.residual <= protocol.residual_limit:
         verdict = Verdict.UNTRUSTED
     else:
-        verdict = _verdict(record, folding, unfolding, folded=folded, opened=opened)
+        verdict = _verdict(missed)
     if not verdict.tells:
         folded = opened = None
-    missed = _missed(record, folding, unfolding, folded=folded, opened=opened) or unfolding or folding
+    if not verdict.tells:
+        missed = folding
+    missed = missed or unfolding or folding
     state = opened_state if missed is unfolding else folded_state
     ending = Ending(
         verdict=verdict,
@@ -194,11 +197,8 @@ def _goal(end: StageEnd) -> str:
     return end.stage.drive if end.stage.drive != "none" else {"folded": "fold", "opened": "unfold"}[end.stage.until]
 
 
-def _verdict(
-    record: Record, folding: StageEnd | None, unfolding: StageEnd | None, *, folded: bool | None, opened: bool | None
-) -> Verdict:
-    """What a run that is to be trusted came to."""
-    missed = _missed(record, folding, unfolding, folded=folded, opened=opened)
+def _verdict(missed: StageEnd | None) -> Verdict:
+    """What a run that is to be trusted came to, by the stage whose goal it missed."""
     if missed is None:
         return Verdict.REACHED
     if missed.goal_time is not None:
