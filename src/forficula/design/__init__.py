@@ -9,7 +9,7 @@ from forficula.design.design_file import (
     write_new_design,
 )
 from forficula.design.design_warnings import design_warnings
-from forficula.design.keys import key_quantity, key_value
+from forficula.design.keys import key_quantity, key_value, put
 from forficula.design.law_tables import law_from_folder, with_law_read
 from forficula.design.part import LENGTH, TORQUE
 from forficula.design.similarity import in_units, scale_design
@@ -31,6 +31,7 @@ __all__ = [
     "law_from_folder",
     "load_design",
     "named_designs",
+    "put",
     "save_design",
     "scale_design",
     "tendon_law",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterator, Sequence
 from types import UnionType
-from typing import Any, get_args, get_origin
+from typing import Any, TypeVar, get_args, get_origin
 
 from pydantic import BaseModel
 
@@ -13,6 +13,8 @@ from forficula.design.design import Design
 from forficula.design.part import Part, Quantity, field_quantity
 from forficula.errors import InputError
 from forficula.quantities import as_written
+
+_PartOf = TypeVar("_PartOf", bound=Part)
 
 # sections of a law file that a design has as single keys
 _OF_LAW_FILES = {
@@ -73,6 +75,19 @@ def key_value(design: Design, key: str) -> Any:
         value = value[entry_index(key, part, value)] if isinstance(value, tuple) else getattr(value, part)
         within = f"{within}.{part}" if within else part
     return value
+
+
+def put(part: _PartOf, key: str, value: object) -> _PartOf:
+    """Put a value, SI, at a key that the part has, without another look at what was checked when it was read."""
+    name, _, rest = key.partition(".")
+    inner = getattr(part, name)
+    if not rest:
+        return part.model_copy(update={name: value})
+    if isinstance(inner, tuple):
+        number, _, rest = rest.partition(".")
+        changed = put(inner[int(number)], rest, value)
+        return part.model_copy(update={name: (*inner[: int(number)], changed, *inner[int(number) + 1 :])})
+    return part.model_copy(update={name: put(inner, rest, value)})
 
 
 def entry_index(key: str, text: str, entries: Sequence[Any]) -> int:
