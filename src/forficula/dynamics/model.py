@@ -16,7 +16,7 @@ from forficula.dynamics.tendons import add_branches, add_guard, add_tendon
 from forficula.dynamics.units import ModelUnits, design_in_model_units, model_units
 from forficula.dynamics.veins import Vein, add_vein, fan_veins
 from forficula.errors import InputError
-from forficula.material.tendon_law import TendonLaw
+from forficula.material.law.tendon_law import TendonLaw
 
 # a step of more takes tens of milliseconds and gigabytes
 _MOST_VEINS = 1001

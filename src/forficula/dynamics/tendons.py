@@ -10,7 +10,7 @@ import numpy as np
 
 from forficula.design import Design, tendon_law
 from forficula.dynamics.veins import Vein, stop_reference
-from forficula.material.tendon_law import TendonLaw
+from forficula.material.law.tendon_law import TendonLaw
 
 # MuJoCo lets a limit harden over 0.001 of its length unit, which would be another share of every wing; the other
 # numbers are its defaults.
