@@ -20,10 +20,10 @@ if TYPE_CHECKING:
     from forficula.errors import InputError
     from forficula.material import TensileTest, find_cycles, moduli_by_strain, read_tensile_test, read_tensile_tests
     from forficula.material.characterisation import Characterisation, characterise
-    from forficula.material.fit import LawFit, fit_law
-    from forficula.material.law_file import load_law, named_laws, save_law
-    from forficula.material.material_law import MaterialLaw, area_for
-    from forficula.material.strain_history import StrainHistory
+    from forficula.material.fit.fit import LawFit, fit_law
+    from forficula.material.law.law_file import load_law, named_laws, save_law
+    from forficula.material.law.material_law import MaterialLaw, area_for
+    from forficula.material.tensile.strain_history import StrainHistory
     from forficula.pattern import CreasePattern, EarwigFan, earwig_pattern, read_fold, read_folded_frames, write_fold
     from forficula.statics import EnergyLandscape, StableState, barrier, energy_landscape, stable_states
     from forficula.study import Study, load_study, run_study
@@ -46,10 +46,10 @@ _HOMES = {
         "read_tensile_tests",
     ),
     "forficula.material.characterisation": ("Characterisation", "characterise"),
-    "forficula.material.fit": ("LawFit", "fit_law"),
-    "forficula.material.law_file": ("load_law", "named_laws", "save_law"),
-    "forficula.material.material_law": ("MaterialLaw", "area_for"),
-    "forficula.material.strain_history": ("StrainHistory",),
+    "forficula.material.fit.fit": ("LawFit", "fit_law"),
+    "forficula.material.law.law_file": ("load_law", "named_laws", "save_law"),
+    "forficula.material.law.material_law": ("MaterialLaw", "area_for"),
+    "forficula.material.tensile.strain_history": ("StrainHistory",),
     "forficula.statics": ("EnergyLandscape", "StableState", "barrier", "energy_landscape", "stable_states"),
     "forficula.study": ("Study", "load_study", "run_study"),
     "forficula.study.cycling": ("Cycling", "run_cycles"),

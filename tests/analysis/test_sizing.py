@@ -5,8 +5,8 @@ import pytest
 from forficula.analysis.sizing import size_tendons
 from forficula.design import load_design
 from forficula.errors import InputError
-from forficula.material.law_file import load_law
-from forficula.material.material_law import MaterialLaw, chosen
+from forficula.material.law.law_file import load_law
+from forficula.material.law.material_law import MaterialLaw, chosen
 
 STIFFNESSES = [1000.0 * number for number in range(1, 7)]  # N/m
 

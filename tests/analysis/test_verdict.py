@@ -12,8 +12,8 @@ from forficula.analysis import Ending, Verdict, ending_text, ending_word, measur
 from forficula.analysis.verdict import ending_advice
 from forficula.design import with_values
 from forficula.show import print_outcome
+from forficula.show.folder.run_folder import run_drawings
 from forficula.show.page.run_page import run_page
-from forficula.show.run_folder import run_drawings
 from tests.analysis.test_outcome import ENDS, FOLDS_AND_OPENS, REFERENCE, planted
 
 DEG = math.radians(1)

@@ -22,7 +22,7 @@ from forficula.design import (
 )
 from forficula.design.keys import known_keys
 from forficula.errors import InputError
-from forficula.material.law_file import load_law
+from forficula.material.law.law_file import load_law
 
 BASED = 'based_on = "binder2025"\n'
 AREA = {"tendon.area": "12.5 mm^2"}

@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from forficula.material.tensile_test import TensileTest
+from forficula.material.tensile.tensile_test import TensileTest
 
 LENGTH, AREA = 0.06, 5e-6  # m and m2, the paper's tendon
 SPEED = 0.01 / 60  # m/s, the paper's 10 mm/min

@@ -8,9 +8,9 @@ import pytest
 from forficula.errors import InputError
 from forficula.material import characterisation
 from forficula.material.characterisation import characterise, known_length, strain_history
-from forficula.material.law_family import FAMILIES, family_forms
-from forficula.material.law_file import load_law, save_law
-from forficula.material.law_form import all_forms
+from forficula.material.law.law_family import FAMILIES, family_forms
+from forficula.material.law.law_file import load_law, save_law
+from forficula.material.law.law_form import all_forms
 from forficula.material.material_summary import material_summary
 from tests.material.synthetic import AREA, LENGTH, SPEED, cyclic_test, few_rows, tpu
 

@@ -7,7 +7,7 @@ import pytest
 
 from forficula.design import load_design, scale_design
 from forficula.material.characterisation import characterise
-from forficula.material.law_family import family_forms
+from forficula.material.law.law_family import family_forms
 from forficula.statics import EnergyLandscape, energy_landscape
 from tests.material.synthetic import cyclic_test, tpu
 

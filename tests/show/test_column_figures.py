@@ -9,22 +9,22 @@ from matplotlib.text import Text
 from matplotlib.transforms import Affine2D
 
 from forficula.design import with_values
-from forficula.show.convergence_figure import convergence_drawings
-from forficula.show.cycling_folder import cycling_drawings
-from forficula.show.landscape_folder import landscape_drawings
-from forficula.show.maps import map_drawings
-from forficula.show.material_folder import material_drawings
-from forficula.show.run_folder import run_drawings
-from forficula.show.static_map_folder import static_map_drawings
+from forficula.show.folder.cycling_folder import cycling_drawings
+from forficula.show.folder.landscape_folder import landscape_drawings
+from forficula.show.folder.material_folder import material_drawings
+from forficula.show.folder.run_folder import run_drawings
+from forficula.show.folder.static_map_folder import static_map_drawings
+from forficula.show.study.convergence_figure import convergence_drawings
+from forficula.show.study.maps import map_drawings
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, description
 from forficula.study.convergence import converge
 from forficula.study.cycling import Cycling
 from forficula.study.refinement import TIMESTEP
 from forficula.study.static_map import map_study, static_map
-from tests.show.test_convergence_figure import STAGES
-from tests.show.test_cycling_folder import STUCK
-from tests.show.test_cycling_folder import run as cycle
-from tests.show.test_maps import TWO, many_ends, planted
+from tests.show.folder.test_cycling_folder import STUCK
+from tests.show.folder.test_cycling_folder import run as cycle
+from tests.show.study.test_convergence_figure import STAGES
+from tests.show.study.test_maps import TWO, many_ends, planted
 
 _FINE = 3
 SMALLEST = 6.0  # pt, below which journals refuse

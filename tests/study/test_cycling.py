@@ -8,11 +8,11 @@ import pytest
 from forficula.design import design_from_text, design_text, flat_strain, load_design, with_values
 from forficula.errors import InputError
 from forficula.material.characterisation import characterise
-from forficula.material.drift import Drift
-from forficula.material.law_family import family_forms
-from forficula.material.law_file import load_law, save_law
-from forficula.material.material_law import MaterialLaw, MaxwellBranch
-from forficula.material.softening import OgdenRoxburgh
+from forficula.material.law.drift import Drift
+from forficula.material.law.law_family import family_forms
+from forficula.material.law.law_file import load_law, save_law
+from forficula.material.law.material_law import MaterialLaw, MaxwellBranch
+from forficula.material.law.softening import OgdenRoxburgh
 from forficula.study.cycling import cycle_counts, design_at_cycle, run_cycles, why_unchanged
 from forficula.study.evaluate import evaluate
 from tests.material.synthetic import cyclic_test

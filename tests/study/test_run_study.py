@@ -13,12 +13,12 @@ import pytest
 import xarray as xr
 
 from forficula.errors import InputError
-from forficula.show.maps import draw_torque_maps
+from forficula.show.study.maps import draw_torque_maps
 from forficula.study import collect, estimate, load_study, run_study, table_csv
 from forficula.study.evaluate import evaluate
 from forficula.study.run_study import _designs
 from forficula.study.search import point_design
-from tests.show.test_maps import legend
+from tests.show.study.test_maps import legend
 
 TENDONS = '"tendon.stiffness" = "10..30 N/cm step 10"\n"tendon.rest_length" = ["5 cm", "9 cm"]'
 LEAST_TORQUES = 'ask = "least-torques"'

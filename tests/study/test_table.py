@@ -8,7 +8,7 @@ import xarray as xr
 
 import forficula as ff
 from forficula.design import with_values
-from forficula.show.maps import map_drawings
+from forficula.show.study.maps import map_drawings
 from forficula.study import load_study, run_study, table_csv
 
 # the issue that asked for the table: these first, and in this order

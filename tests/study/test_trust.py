@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from matplotlib.collections import QuadMesh
 
-from forficula.show.maps import draw_fold_times, draw_work_maps, missing_reasons
+from forficula.show.folder.study_folder import study_drawings
 from forficula.show.page.study_data import study_data
-from forficula.show.study_folder import study_drawings
+from forficula.show.study.maps import draw_fold_times, draw_work_maps, missing_reasons
 from forficula.study import load_study, run_study, table_csv
-from tests.show.test_maps import legend, panels
+from tests.show.study.test_maps import legend, panels
 
 # softer ones than 2 MPa fold; the membrane of 20 MPa is too stiff for 0.2 ms, that of 60 MPa blows up
 FACTORS = '"membrane.youngs_modulus" = ["1 MPa", "2 MPa", "20 MPa", "60 MPa"]\n"tendon.rest_length" = ["7 cm", "9 cm"]'

@@ -8,12 +8,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from forficula.material.fit import fit_law
-from forficula.material.law_family import family_forms
-from forficula.material.law_file import law_values
-from forficula.material.law_form import LawForm
-from forficula.material.material_law import MaterialLaw, MaxwellBranch
-from forficula.material.strain_history import StrainHistory
+from forficula.material.fit.fit import fit_law
+from forficula.material.law.law_family import family_forms
+from forficula.material.law.law_file import law_values
+from forficula.material.law.law_form import LawForm
+from forficula.material.law.material_law import MaterialLaw, MaxwellBranch
+from forficula.material.tensile.strain_history import StrainHistory
 from tests.material.synthetic import loading_program, sampled, viscoelastic_stress
 
 # four rates over two decades, three holds, and slack after fast unloading

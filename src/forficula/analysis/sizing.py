@@ -12,8 +12,8 @@ from forficula.design import Design
 from forficula.design.places import tendon_ends
 from forficula.errors import InputError
 from forficula.material.characterisation import LENGTH, known_length
-from forficula.material.material_law import MaterialLaw, area_for, known_moduli
-from forficula.material.softening import spring_stress
+from forficula.material.law.material_law import MaterialLaw, area_for, known_moduli
+from forficula.material.law.softening import spring_stress
 from forficula.pattern import hub_points, ring_vertices, tips
 from forficula.quantities import show_quantity
 

@@ -60,8 +60,8 @@ def landscape(
     if not over:
         verdict = _survey(chosen, folder, simulation)
     else:
+        from forficula.show.folder.static_map_folder import print_static_map, read_simulated, write_static_map
         from forficula.show.progress import map_progress
-        from forficula.show.static_map_folder import print_static_map, read_simulated, write_static_map
         from forficula.study.static_map import map_study, static_map
 
         study = map_study(chosen, read_settings(over, "--over", 'tendon.rest_length="0..9 cm step 1"'))
@@ -79,8 +79,8 @@ def _survey(design: Design, folder: Path, simulation: bool) -> Verdict | None:
     from forficula.analysis import measure
     from forficula.design import design_warnings
     from forficula.dynamics import timestep_warnings
-    from forficula.show.landscape_folder import write_landscape
-    from forficula.show.landscape_table import print_landscape
+    from forficula.show.folder.landscape_folder import write_landscape
+    from forficula.show.landscape.landscape_table import print_landscape
     from forficula.show.progress import run_progress, waiting
     from forficula.study.survey import survey
 

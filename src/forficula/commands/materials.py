@@ -47,8 +47,8 @@ def material(
 ) -> None:
     """Turn tensile tests into a material: cycles, moduli, drift, and a law that a tendon can have."""
     from forficula.material.characterisation import AREA, BAND_SHARE, LENGTH, characterise
-    from forficula.material.law_family import family_forms
-    from forficula.material.specimen_files import read_specimens
+    from forficula.material.law.law_family import family_forms
+    from forficula.material.machine.specimen_files import read_specimens
 
     check_folder(out)
     forms = None if law is None else read_option("--law", lambda: family_forms(law))
@@ -63,8 +63,8 @@ def material(
         read.tests, name=out.resolve().name, source=read.source, drop_first=not keep_first, band=share, forms=forms
     )
 
-    from forficula.show.material_folder import write_material
-    from forficula.show.material_table import print_material
+    from forficula.show.folder.material_folder import write_material
+    from forficula.show.material.material_table import print_material
 
     write_material(found, out)
     print_material(found)
@@ -73,7 +73,7 @@ def material(
 
 def materials() -> None:
     """List the named materials, each with its source."""
-    from forficula.material.law_file import named_laws
+    from forficula.material.law.law_file import named_laws
 
     for name, source in named_laws().items():
         print(f"{name}\n    {source}")
@@ -99,10 +99,10 @@ def size(
     from forficula.design import load_design
     from forficula.files import write_text
     from forficula.material.characterisation import LENGTH
-    from forficula.material.law_file import load_law
-    from forficula.material.law_keys import law_unit
-    from forficula.material.material_law import chosen, known_moduli
-    from forficula.show.size_table import print_sizes, sizes_csv
+    from forficula.material.law.law_file import load_law
+    from forficula.material.law.law_keys import law_unit
+    from forficula.material.law.material_law import chosen, known_moduli
+    from forficula.show.material.size_table import print_sizes, sizes_csv
 
     if out is not None and out.suffix != ".csv":
         raise InputError(f"--out: need a file that ends with .csv, got {out}")

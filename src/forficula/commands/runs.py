@@ -79,7 +79,7 @@ def run(
 
 def _cycle(design: Design, cycles: int | None, folder: Path) -> list[Verdict]:
     """Write and print what becomes of a run's wing over cycles, where that is wanted and the tendons change."""
-    from forficula.show.cycling_folder import print_cycling, write_cycling
+    from forficula.show.folder.cycling_folder import print_cycling, write_cycling
 
     if cycles is None:
         return []
@@ -121,7 +121,7 @@ def figure(
     ] = None,
 ) -> None:
     """Draw one figure of some results again, for a paper."""
-    from forficula.show.figure_kinds import write_figure
+    from forficula.show.folder.figure_kinds import write_figure
     from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
 
     write_figure(results, kind, out, None if width is None else {"column": COLUMN_WIDTH, "page": PAGE_WIDTH}[width])
@@ -144,9 +144,9 @@ def film(
     ] = None,
 ) -> None:
     """Film a run: the wing, its tendons coloured by their energy, held in every state and slowed down between them."""
-    from forficula.show.film import LARGEST, SMALLEST, check_film, write_film
+    from forficula.show.film.film import LARGEST, SMALLEST, check_film, write_film
     from forficula.show.progress import film_progress
-    from forficula.show.run_reader import read_run
+    from forficula.show.run.run_reader import read_run
 
     read_option("--out", lambda: check_film(out))
     pixels = None if size is None else read_size("--size", size, SMALLEST, LARGEST)

@@ -123,7 +123,7 @@ def _run(study: Study, folder: Path, shard: str, dask: str | None) -> Dataset | 
 def _report(study: Study, table: Dataset, keep: int | None, folder: Path) -> None:
     """Write a study's page, and keep the runs that it plays."""
     from forficula.show import study_progress
-    from forficula.show.study_folder import write_study_report
+    from forficula.show.folder.study_folder import write_study_report
     from forficula.study.kept_runs import MOST_POINTS, kept_runs, runs_to_keep
 
     runs = runs_to_keep(study, table, MOST_POINTS if keep is None else keep)
@@ -155,7 +155,7 @@ def converge(
     check_folder(folder)
 
     from forficula.show import study_progress
-    from forficula.show.convergence_figure import print_convergence, write_convergence
+    from forficula.show.study.convergence_figure import print_convergence, write_convergence
     from forficula.study.convergence import converge as converge_design
     from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, read_values
 

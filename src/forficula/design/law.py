@@ -8,11 +8,11 @@ from pydantic import Field, model_validator
 
 from forficula.design.part import Part, quantity
 from forficula.errors import InputError
-from forficula.material.drift import Drift
-from forficula.material.law_cycle import drifts_of
-from forficula.material.law_keys import law_unit, show_value
-from forficula.material.material_law import MaterialLaw, MaxwellBranch, check_rates
-from forficula.material.softening import OgdenRoxburgh, pulls
+from forficula.material.law.drift import Drift
+from forficula.material.law.law_cycle import drifts_of
+from forficula.material.law.law_keys import law_unit, show_value
+from forficula.material.law.material_law import MaterialLaw, MaxwellBranch, check_rates
+from forficula.material.law.softening import OgdenRoxburgh, pulls
 from forficula.quantities import Unit
 
 AREA = Unit(display="mm^2", si="m^2", example="12.5 mm^2")

@@ -14,9 +14,9 @@ from forficula.design.law import Law, law_fields
 from forficula.design.part import as_tables, field_quantity
 from forficula.design.tables import RejectedError, WholeTable, overlaid
 from forficula.errors import InputError
-from forficula.material.law_file import load_law
-from forficula.material.law_keys import show_range
-from forficula.material.material_law import MaterialLaw, chosen, require, scaled
+from forficula.material.law.law_file import load_law
+from forficula.material.law.law_keys import show_range
+from forficula.material.law.material_law import MaterialLaw, chosen, require, scaled
 from forficula.quantities import format_quantity, show_quantity
 
 # by key of the tendon, what to set instead

@@ -6,8 +6,8 @@ import numpy as np
 
 from forficula.design.design import Design
 from forficula.design.places import tendon_ends
-from forficula.material.material_law import scaled
-from forficula.material.tendon_law import TendonLaw
+from forficula.material.law.material_law import scaled
+from forficula.material.law.tendon_law import TendonLaw
 from forficula.pattern import hub_points, ring_vertices, tips
 
 

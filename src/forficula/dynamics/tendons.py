@@ -9,7 +9,7 @@ import mujoco
 import numpy as np
 
 from forficula.dynamics.bodies import stop_reference
-from forficula.material.tendon_law import TendonLaw
+from forficula.material.law.tendon_law import TendonLaw
 from forficula.structure import LengthLimit, Structure, Tendon
 
 # MuJoCo lets a limit harden over 0.001 of its length unit, which would be another share of every wing; the other

@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 from forficula.design import Design, with_values
 from forficula.dynamics.model import Model, compile_model
 from forficula.errors import InputError
-from forficula.material.tendon_law import TendonBranch
+from forficula.material.law.tendon_law import TendonBranch
 from forficula.structure import tendon_arms
 
 Array = NDArray[np.float64]

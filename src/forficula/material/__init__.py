@@ -1,13 +1,10 @@
-from forficula.material.cycle_drift import CycleDrift, CycleMedians, cycle_drift, cycle_medians
-from forficula.material.cycles import Branch, Cycle, find_cycles
-from forficula.material.drift import Drift, fit_drift
-from forficula.material.fit import Candidate, LawFit, Residual, fit_law
-from forficula.material.law_cycle import change_at_cycle, drifts_of, law_at_cycle, stretched_before
-from forficula.material.law_file import law_text, law_values, load_law, named_laws, save_law
-from forficula.material.law_form import LawForm, all_forms
-from forficula.material.law_keys import law_unit
-from forficula.material.machine_file import read_tensile_test, read_tensile_tests
-from forficula.material.material_law import (
+from forficula.material.fit.fit import Candidate, LawFit, Residual, fit_law
+from forficula.material.law.drift import Drift, fit_drift
+from forficula.material.law.law_cycle import change_at_cycle, drifts_of, law_at_cycle, stretched_before
+from forficula.material.law.law_file import law_text, law_values, load_law, named_laws, save_law
+from forficula.material.law.law_form import LawForm, all_forms
+from forficula.material.law.law_keys import law_unit
+from forficula.material.law.material_law import (
     Bounds,
     Fact,
     MaterialLaw,
@@ -18,12 +15,15 @@ from forficula.material.material_law import (
     require,
     scaled,
 )
-from forficula.material.modulus import ModulusClass, Quartiles, moduli_by_strain
-from forficula.material.softening import OgdenRoxburgh
-from forficula.material.strain_history import StrainHistory
-from forficula.material.stress import StressHistory, loss_modulus, loss_per_cycle, storage_modulus, stress_of
-from forficula.material.tendon_law import ElasticLaw, TendonBranch, TendonLaw
-from forficula.material.tensile_test import TensileTest
+from forficula.material.law.softening import OgdenRoxburgh
+from forficula.material.law.stress import StressHistory, loss_modulus, loss_per_cycle, storage_modulus, stress_of
+from forficula.material.law.tendon_law import ElasticLaw, TendonBranch, TendonLaw
+from forficula.material.machine.machine_file import read_tensile_test, read_tensile_tests
+from forficula.material.tensile.cycle_drift import CycleDrift, CycleMedians, cycle_drift, cycle_medians
+from forficula.material.tensile.cycles import Branch, Cycle, find_cycles
+from forficula.material.tensile.modulus import ModulusClass, Quartiles, moduli_by_strain
+from forficula.material.tensile.strain_history import StrainHistory
+from forficula.material.tensile.tensile_test import TensileTest
 
 __all__ = [
     "Bounds",

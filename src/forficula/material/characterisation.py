@@ -9,15 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
-from forficula.material.cycle_drift import CycleDrift, CycleMedians, cycle_drift, cycle_medians
-from forficula.material.cycles import BAND, Cycle, find_cycles
-from forficula.material.drift import Drift, fit_drift
-from forficula.material.fit import LawFit, fit_law
-from forficula.material.law_form import LawForm
-from forficula.material.material_law import Fact, MaterialLaw, scaled
-from forficula.material.modulus import ModulusClass, moduli_by_strain
-from forficula.material.strain_history import StrainHistory
-from forficula.material.tensile_test import TensileTest
+from forficula.material.fit.fit import LawFit, fit_law
+from forficula.material.law.drift import Drift, fit_drift
+from forficula.material.law.law_form import LawForm
+from forficula.material.law.material_law import Fact, MaterialLaw, scaled
+from forficula.material.tensile.cycle_drift import CycleDrift, CycleMedians, cycle_drift, cycle_medians
+from forficula.material.tensile.cycles import BAND, Cycle, find_cycles
+from forficula.material.tensile.modulus import ModulusClass, moduli_by_strain
+from forficula.material.tensile.strain_history import StrainHistory
+from forficula.material.tensile.tensile_test import TensileTest
 from forficula.quantities import Unit, parse_quantity
 
 SPECIMEN_LENGTH, SPECIMEN_AREA = "length of the specimens", "area of the specimens"

@@ -7,14 +7,14 @@ from importlib import metadata
 from typing import Any
 
 from forficula.material.characterisation import SIMULATED_STIFFNESSES, Characterisation, Specimen
-from forficula.material.cycles import Cycle
-from forficula.material.drift import Drift
-from forficula.material.fit import Candidate, LawFit
-from forficula.material.law_cycle import drifts_of
-from forficula.material.law_file import law_values
-from forficula.material.law_keys import law_unit
-from forficula.material.material_law import MaterialLaw
-from forficula.material.modulus import ModulusClass, Quartiles
+from forficula.material.fit.fit import Candidate, LawFit
+from forficula.material.law.drift import Drift
+from forficula.material.law.law_cycle import drifts_of
+from forficula.material.law.law_file import law_values
+from forficula.material.law.law_keys import law_unit
+from forficula.material.law.material_law import MaterialLaw
+from forficula.material.tensile.cycles import Cycle
+from forficula.material.tensile.modulus import ModulusClass, Quartiles
 
 _CYCLE_KEYS = {
     "secant_modulus": "secant_modulus_Pa",

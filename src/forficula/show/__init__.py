@@ -1,12 +1,12 @@
-from forficula.show.folding_figure import draw_folding
-from forficula.show.pattern_figure import draw_pattern
+from forficula.show.folder.run_folder import write_run
+from forficula.show.folder.study_folder import write_study
 from forficula.show.progress import run_progress, study_progress
-from forficula.show.run_folder import write_run
-from forficula.show.study_folder import write_study
-from forficula.show.study_table import print_study
+from forficula.show.run.folding_figure import draw_folding
+from forficula.show.run.outcome_table import outcome_table, print_outcome
+from forficula.show.run.time_figures import draw_angles, draw_energies
+from forficula.show.structure.pattern_figure import draw_pattern
+from forficula.show.study.study_table import print_study
 from forficula.show.style import save_figure
-from forficula.show.table import outcome_table, print_outcome
-from forficula.show.time_figures import draw_angles, draw_energies
 
 __all__ = [
     "draw_angles",

@@ -13,7 +13,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.material.tendon_law import TendonLaw
+from forficula.material.law.tendon_law import TendonLaw
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]

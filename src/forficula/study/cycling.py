@@ -10,8 +10,8 @@ import numpy as np
 
 from forficula.design import Design, flat_strain, with_values
 from forficula.errors import InputError
-from forficula.material.law_cycle import change_at_cycle, drifts_of, law_at_cycle, stretched_before
-from forficula.material.material_law import MaterialLaw
+from forficula.material.law.law_cycle import change_at_cycle, drifts_of, law_at_cycle, stretched_before
+from forficula.material.law.material_law import MaterialLaw
 from forficula.study.evaluate import evaluate, row_key
 from forficula.study.journal import Row
 from forficula.study.slow_margin import least_slow_torques, margin

@@ -6,10 +6,10 @@ import math
 import numpy as np
 import pytest
 
-from forficula.show.maps import missing_reasons
 from forficula.show.page.study_data import study_data
+from forficula.show.study.maps import missing_reasons
 from forficula.study import load_study
-from tests.show.test_maps import TORQUES, TWO, as_run, doubtful, many_ends, planted, sampled
+from tests.show.study.test_maps import TORQUES, TWO, as_run, doubtful, many_ends, planted, sampled
 
 GRID = '"tendon.stiffness" = ["10 N/cm", "20 N/cm", "30 N/cm"]\n"tendon.rest_length" = ["0 cm", "3 cm", "6 cm", "9 cm"]'
 DRAWN = """

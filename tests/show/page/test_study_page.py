@@ -14,8 +14,8 @@ from forficula.show.page.study_page import places, study_page, study_sentence
 from forficula.study import load_study, table_csv
 from forficula.study.comparison import compare_with_paper
 from forficula.study.kept_runs import KeptRun
-from tests.show.test_choices_figure import planted as choices_table
-from tests.show.test_maps import TWO, as_run, many_ends, planted, sampled
+from tests.show.study.test_choices_figure import planted as choices_table
+from tests.show.study.test_maps import TWO, as_run, many_ends, planted, sampled
 
 GRID = '"tendon.stiffness" = ["10 N/cm", "20 N/cm", "30 N/cm"]\n"tendon.rest_length" = ["0 cm", "3 cm", "6 cm", "9 cm"]'
 

@@ -11,7 +11,7 @@ from forficula.show.page.study_page import write_study_page
 from forficula.study import load_study, run_study, table_csv
 from forficula.study.kept_runs import kept_runs, runs_to_keep
 from tests.show.page.appearance import check_look
-from tests.show.test_maps import many_ends, planted, sampled
+from tests.show.study.test_maps import many_ends, planted, sampled
 
 FACTORS = '"tendon.stiffness" = ["10 N/cm", "60 N/cm"]\n"tendon.rest_length" = ["0 cm", "5 cm", "8 cm"]'
 SEARCH = '[search]\nfold_torques = "0..50 N cm step 25"\nunfold_torques = "50..100 N cm step 25"'

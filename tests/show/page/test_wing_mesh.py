@@ -4,7 +4,7 @@ import pytest
 from forficula.design import load_design
 from forficula.pattern import earwig_pattern
 from forficula.show.page.wing_mesh import DISTAL, PROXIMAL, moving_points, vertex_positions, wing_mesh
-from forficula.show.wing_surface import wing_surface
+from forficula.show.structure.wing_surface import wing_surface
 
 
 @pytest.fixture(params=["three veins", "eleven veins"])

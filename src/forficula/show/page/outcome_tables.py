@@ -5,15 +5,15 @@ from __future__ import annotations
 import math
 
 from forficula.analysis import Outcome, State, Verdict
-from forficula.show.outcome_rows import (
+from forficula.show.page.html import paragraph, table
+from forficula.show.page.words import readable
+from forficula.show.run.outcome_rows import (
     TRANSITION_HEADINGS,
     balance_rows,
     state_rows,
     states_reached,
     transition_rows,
 )
-from forficula.show.page.html import paragraph, table
-from forficula.show.page.words import readable
 
 
 def outcome_tables(outcome: Outcome) -> list[str]:

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from forficula.analysis import FOLDED, OPENED, Verdict
 from forficula.quantities import reading_unit
-from forficula.show.factor_text import display_values, number_text, plain_name, value_with_unit
-from forficula.show.map_page import (
+from forficula.show.study.factor_text import display_values, number_text, plain_name, value_with_unit
+from forficula.show.study.map_page import (
     DIVERGED,
     NOT_BUILT,
     NOT_FOLDED,
@@ -27,7 +27,7 @@ from forficula.show.map_page import (
     STUCK,
     UNTRUSTED,
 )
-from forficula.show.maps import missing_reasons
+from forficula.show.study.maps import missing_reasons
 from forficula.study import Study
 from forficula.study.choices import CHOICE
 

@@ -13,7 +13,6 @@ from forficula.design import TORQUE
 from forficula.dynamics import versions
 from forficula.files import write_text
 from forficula.quantities import show_quantity
-from forficula.show.choice_rows import choice_rows
 from forficula.show.page.html import Cell, escaped, paragraph, section, table
 from forficula.show.page.outcome_tables import outcome_tables
 from forficula.show.page.page import page_html
@@ -21,6 +20,7 @@ from forficula.show.page.playback import BUDGET, make_clip
 from forficula.show.page.run_page import playback_data
 from forficula.show.page.study_data import study_data
 from forficula.show.page.words import outcome_sentence, readable
+from forficula.show.study.choice_rows import choice_rows
 from forficula.study import Study, named_studies, table_csv
 from forficula.study.claims import Comparison
 from forficula.study.factors import Factor

@@ -1,0 +1,287 @@
+"""A material's law by unit length and area: engineering stress against strain, its rate and its past."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+from forficula.errors import InputError
+from forficula.material.law.drift import Drift
+from forficula.material.law.law_keys import law_unit, show_range
+from forficula.material.law.softening import OgdenRoxburgh, Triple, pulls
+from forficula.material.law.tendon_law import TendonBranch, TendonLaw
+from forficula.quantities import Unit, show_quantity
+
+_LENGTH = Unit(display="cm", si="m", example="6 cm")
+_AREA = Unit(display="mm^2", si="m^2", example="5 mm^2")
+
+
+@dataclass(frozen=True, kw_only=True)
+class MaxwellBranch:
+    """A spring and a damper in series: the stress that it takes up fades with a relaxation time.
+
+    Attributes:
+        modulus: Pa, > 0.
+        time: relaxation time, s, > 0.
+
+    Raises:
+        InputError: a number that is not > 0 and finite.
+    """
+
+    modulus: float
+    time: float
+
+    def __post_init__(self) -> None:
+        for name, unit in (("modulus", "Pa"), ("time", "s")):
+            value = getattr(self, name)
+            if not (math.isfinite(value) and value > 0):
+                raise InputError(f"branches.{name}: need a finite number > 0, got {value:g} {unit}")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Bounds:
+    """Between what a value lies.
+
+    Attributes:
+        key: of the value, as in a law file, such as "modulus.linear" or "branches.0.time".
+        low: in SI.
+        high: in SI.
+    """
+
+    key: str
+    low: float
+    high: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Unknown:
+    """What no source gives, and what is known instead."""
+
+    key: str
+    why: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Fact:
+    """What a source says of a material beside its law, as text with units."""
+
+    what: str
+    value: str
+    source: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class MaterialLaw:
+    """Engineering stress (force by initial area) against strain (extension by resting length).
+
+    A spring E1 x + E2 x^2 + E3 x^3 while x > 0, none when slack, where x is the strain less the set; a damper
+    eta1 e' + eta2 e'|e'| + eta3 e'^3 (Kelvin and Voigt, for the nonlinear form see MuJoCo 4's tendon damping); and
+    Maxwell branches (generalised Maxwell or Zener model), damper and branches at any strain. The set is the residual
+    strain, and creeps so that x never passes the yield strain (ideal plasticity). What is None is absent: `require`
+    says why.
+
+    Attributes:
+        name: of the material.
+        source: where its numbers come from.
+        moduli: E1, E2, E3, Pa; the spring must pull at every strain.
+        viscosity: eta1 in Pa s, eta2 in Pa s^2, eta3 in Pa s^3, each >= 0.
+        branches: of Maxwell; none is an empty tuple.
+        yield_strain: of the spring, > 0; None where it never yields.
+        residual_strain: the set that it begins with, >= 0.
+        softening: after the largest strain seen; None where none was found.
+        largest_strain: up to which it was measured.
+        lowest_strain_rate: from which on it was measured, 1/s.
+        highest_strain_rate: up to which it was measured, 1/s.
+        stiffness_drift: of every stress over the cycles, relative; None where nothing tells whether there is one.
+        residual_strain_drift: likewise, a difference.
+        ranges: where a source gives no value but a range.
+        intervals: 95 % confidence intervals of fitted values.
+        unknown: what is absent, and why.
+        facts: what else the sources say.
+        no_tendon: why no tendon can be made of it; empty where one can.
+
+    Raises:
+        InputError: a number out of these bounds or not finite.
+    """
+
+    name: str
+    source: str = ""
+    moduli: Triple | None = None
+    viscosity: Triple | None = None
+    branches: tuple[MaxwellBranch, ...] = ()
+    yield_strain: float | None = None
+    residual_strain: float = 0.0
+    softening: OgdenRoxburgh | None = None
+    largest_strain: float | None = None
+    lowest_strain_rate: float | None = None
+    highest_strain_rate: float | None = None
+    stiffness_drift: Drift | None = None
+    residual_strain_drift: Drift | None = None
+    ranges: tuple[Bounds, ...] = ()
+    intervals: tuple[Bounds, ...] = ()
+    unknown: tuple[Unknown, ...] = ()
+    facts: tuple[Fact, ...] = ()
+    no_tendon: str = ""
+
+    def __post_init__(self) -> None:
+        for section, values in (("modulus", self.moduli), ("viscosity", self.viscosity)):
+            for term, value in zip(("linear", "quadratic", "cubic"), values or (), strict=False):
+                may_be_negative = (section, term) == ("modulus", "quadratic")
+                if not (math.isfinite(value) and (value >= 0 or may_be_negative)):
+                    raise InputError(f"{section}.{term}: {_rule(not may_be_negative)}, got {value:g}")
+        if self.moduli is not None and not pulls(*self.moduli):
+            raise InputError(
+                "modulus.quadratic: need >= 0 or > -2 sqrt(linear cubic), or the material would push at some strain,"
+                f" got {show_quantity(self.moduli[1], law_unit('modulus.quadratic'))}"
+            )
+        for name in ("yield_strain", "largest_strain", "lowest_strain_rate", "highest_strain_rate"):
+            value = getattr(self, name)
+            if value is not None and not (math.isfinite(value) and value > 0):
+                kind = "strain" if name.endswith("strain") else "rate"
+                raise InputError(f"{name}: need a finite {kind} > 0, got {value:g}")
+        check_rates(self.lowest_strain_rate, self.highest_strain_rate)
+        if not (math.isfinite(self.residual_strain) and self.residual_strain >= 0):
+            raise InputError(f"residual_strain: need a finite strain >= 0, got {self.residual_strain:g}")
+        if self.stiffness_drift is not None and not self.stiffness_drift.relative:
+            raise InputError("drift.stiffness: need a drift that is relative")
+        if self.residual_strain_drift is not None and self.residual_strain_drift.relative:
+            raise InputError("drift.residual_strain: need a drift that is a difference")
+
+
+def check_rates(lowest: float | None, highest: float | None) -> None:
+    """Refuse a range of strain rates, 1/s, that ends below its start; either end may be unknown.
+
+    Raises:
+        InputError: it does.
+    """
+    if lowest is not None and highest is not None and lowest > highest:
+        raise InputError(f"lowest_strain_rate: need <= highest_strain_rate, {highest:g} 1/s, got {lowest:g} 1/s")
+
+
+def _rule(bounded: bool) -> str:
+    return "need a finite number >= 0" if bounded else "need a finite number"
+
+
+def require(law: MaterialLaw, section: str) -> None:
+    """Ask for a part of a law.
+
+    Args:
+        law: of a material.
+        section: "modulus", "viscosity", "branches", "yield_strain", "softening" or "largest_strain".
+
+    Raises:
+        InputError: it is absent; the message names the range where one is known, or why it is unknown.
+    """
+    given = {
+        "modulus": law.moduli,
+        "viscosity": law.viscosity,
+        "branches": law.branches,
+        "yield_strain": law.yield_strain,
+        "softening": law.softening,
+        "largest_strain": law.largest_strain,
+    }
+    if section not in given:
+        raise InputError(f"{section}: is no part of a material law; need {', '.join(given)}")
+    for bounds in law.ranges:
+        if given[section] is None and (bounds.key == section or bounds.key.startswith(f"{section}.")):
+            raise InputError(
+                f"{law.name}: {bounds.key}: known only as a range, {show_range(bounds.key, bounds.low, bounds.high)};"
+                " choose a value in it"
+            )
+    for entry in law.unknown:
+        if not given[section] and entry.key == section:
+            raise InputError(f"{law.name}: {section}: is unknown: {entry.why}")
+    if given[section] is None:
+        raise InputError(f"{law.name}: {section}: is not given by its source, {law.source or 'which is not named'}")
+
+
+def known_moduli(law: MaterialLaw) -> Triple:
+    """The moduli of a law, Pa.
+
+    Raises:
+        InputError: they are absent; see `require`.
+    """
+    require(law, "modulus")
+    return law.moduli or (0.0, 0.0, 0.0)
+
+
+def chosen(law: MaterialLaw, linear_modulus: float) -> MaterialLaw:
+    """Choose the modulus of a material that has a range of it.
+
+    Args:
+        law: whose linear modulus is known only as a range.
+        linear_modulus: Pa, in the range.
+
+    Returns:
+        The law, linear, with that modulus.
+
+    Raises:
+        InputError: the law has no such range, or the value is not in it.
+    """
+    key = "modulus.linear"
+    bounds = next((entry for entry in law.ranges if entry.key == key), None)
+    if bounds is None:
+        raise InputError(f"{law.name}: {key}: has no range to choose from")
+    if not bounds.low <= linear_modulus <= bounds.high:
+        got = show_quantity(linear_modulus, law_unit(key))
+        raise InputError(f"{law.name}: {key}: need a value in {show_range(key, bounds.low, bounds.high)}, got {got}")
+    return replace(law, moduli=(linear_modulus, 0.0, 0.0))
+
+
+def scaled(law: MaterialLaw, *, length: float, area: float) -> TendonLaw:
+    """A tendon of a material: k = E A / L, and with each power of the strain or its rate another 1 / L.
+
+    Args:
+        law: of the material.
+        length: of the unstretched patch, m, > 0.
+        area: of its cross-section, m^2, > 0.
+
+    Returns:
+        The tendon. Its resting length is longer than the patch by the residual strain; it has no damping where the
+        material's viscosity is absent.
+
+    Raises:
+        InputError: a length or area that is not > 0, an absent modulus, or a material that is not for tendons.
+    """
+    if law.no_tendon:
+        raise InputError(f"{law.name}: no tendon can be made of it: {law.no_tendon}")
+    if not (math.isfinite(length) and length > 0):
+        raise InputError(
+            "length: a material needs a resting length > 0, its strain being extension by resting length,"
+            f" got {show_quantity(length, _LENGTH)}"
+        )
+    if not (math.isfinite(area) and area > 0):
+        raise InputError(f"area: need a cross-section > 0, got {show_quantity(area, _AREA)}")
+    return TendonLaw(
+        rest_length=length * (1 + law.residual_strain),
+        stiffness=_by_length(known_moduli(law), length, area),
+        damping=None if law.viscosity is None else _by_length(law.viscosity, length, area),
+        branches=tuple(
+            TendonBranch(stiffness=branch.modulus * area / length, time=branch.time) for branch in law.branches
+        ),
+        yield_extension=None if law.yield_strain is None else law.yield_strain * length,
+    )
+
+
+def area_for(law: MaterialLaw, *, length: float, stiffness: float) -> float:
+    """The cross-section whose tendon has a stiffness at small extension, A = k L / E1, m^2.
+
+    Args:
+        law: of the material.
+        length: of the unstretched patch, m, > 0.
+        stiffness: N/m, > 0.
+
+    Raises:
+        InputError: as `scaled`, a stiffness that is not > 0, or a law without a linear term.
+    """
+    unit_area = scaled(law, length=length, area=1.0)
+    if not (math.isfinite(stiffness) and stiffness > 0):
+        raise InputError(f"stiffness: need > 0, got {stiffness:g} N/m")
+    if unit_area.stiffness[0] == 0:
+        raise InputError(f"{law.name}: modulus.linear: need > 0 to size a tendon by its stiffness, got 0")
+    return stiffness / unit_area.stiffness[0]
+
+
+def _by_length(terms: Triple, length: float, area: float) -> Triple:
+    first, second, third = terms
+    return first * area / length, second * area / length**2, third * area / length**3

@@ -1,0 +1,110 @@
+"""What machines call what they measure, in their users' languages."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Sequence
+from functools import cache
+
+from forficula.errors import InputError
+from forficula.material.machine.machine_units import is_unit
+from forficula.quantities import as_written
+
+# Each role's names, the better choice first: a travel counted from the specimen's length before a strain, that may come
+# from another gauge length, and both before a position of the crosshead.
+ROLES: dict[str, tuple[str, ...]] = {
+    "time": (
+        *("Prüfzeit", "Test time", "Time", "Zeit", "Elapsed time", "Running time", "Total time", "Versuchszeit"),
+        *("Temps", "Temps de test", "System time sensor", "Systemzeit", "Time measurement", "t"),
+    ),
+    "travel": (
+        *("Standardweg", "Standard travel", "Course standard", "Extension", "Tensile extension", "Verfahrweg"),
+        *("Zugverlängerung", "Verlängerung", "Ausdehnung", "Displacement", "Tensile displacement", "Weg", "Travel"),
+        *("Elongation", "Längenänderung", "Verformung", "Deformation", "Allongement", "Déplacement", "Stroke"),
+        *("Standard extensometer", "Traversenweg", "Crosshead travel", "Crosshead displacement", "Crosshead"),
+        *("Dehnung", "Strain", "Tensile strain", "Tensile strain (Extension)", "Nominelle Dehnung", "Nominal strain"),
+        *("Zugdehnung", "Zugdehnung (Verlängerung)", "Strain / Deformation", "Engineering strain", "Déformation"),
+    ),
+    "position": (
+        *("Traversenweg absolut", "Absolute crosshead travel", "Crosshead absolute", "Crosshead position"),
+        *("Traverse absolue", "Course traverse absolue", "Traverse abs", "Position"),
+    ),
+    "force": (
+        *("Standardkraft", "Standard force", "Kraft", "Force", "Load", "Last", "Prüfkraft", "Test force", "Zugkraft"),
+        *("Tensile force", "Standard load cell", "Force standard", "Charge", "F", "Spannung", "Zugspannung", "Stress"),
+        *("Primary load measurement", "Tensile stress", "Engineering stress", "Contrainte"),
+    ),
+}
+_ORDINARY = {"time": "Time or Prüfzeit", "travel": "Extension or Standardweg", "force": "Load or Standardkraft"}
+_BRACKETED = re.compile(r"(.*?)[\s,_]*(?:\[([^\]]*)\]|\(([^)]*)\)|<([^>]*)>)\s*")
+_APPENDED = re.compile(r"(.*?\S)(?:\s+in\s+|\s*/\s*|\s*,\s*|_|\s+)([^\s_,/]+(?:/[^\s_,/]+)?)\s*")
+
+
+def name_key(name: str) -> str:
+    """A name as it is compared: without case, punctuation or the many ways to write an umlaut."""
+    text = re.sub(r"[^\x00-\x7f]+|[aou]e|\?+", "\N{INVERTED QUESTION MARK}", name.lower())
+    return " ".join(re.sub(r"[^\w\N{INVERTED QUESTION MARK}]+|_+", " ", text).split())
+
+
+def all_keys(name: str) -> tuple[str, str]:
+    """A known name's keys: as it is, and by someone who left the dots off its umlauts."""
+    stripped = "".join(letter for letter in unicodedata.normalize("NFKD", name) if not unicodedata.combining(letter))
+    return name_key(name), name_key(stripped)
+
+
+@cache
+def _rank(role: str) -> dict[str, int]:
+    """A role's known keys and how good a choice each is, 0 the best."""
+    return {key: place for place, name in reversed([*enumerate(ROLES[role])]) for key in all_keys(name)}
+
+
+def choose_columns(names: Sequence[str]) -> dict[str, int]:
+    """Find the columns that a tensile test needs.
+
+    Args:
+        names: of the columns, without their units.
+
+    Returns:
+        The number of the best column for each of "time", "travel" or else "position", and "force".
+
+    Raises:
+        InputError: there is none, or its name stands twice.
+    """
+    keys, found = [name_key(name) for name in names], {}
+    for role in ROLES:
+        known = [(_rank(role)[key], column) for column, key in enumerate(keys) if key in _rank(role)]
+        if known and not (role == "position" and "travel" in found):
+            column = min(known)[1]
+            if keys.count(keys[column]) > 1:
+                raise InputError(f"two columns are named {as_written(names[column])}; leave one of them out")
+            found[role] = column
+    for role, examples in _ORDINARY.items():
+        if role not in found and not (role == "travel" and "position" in found):
+            shown = ", ".join(as_written(name) for name in names if name) or "none"
+            raise InputError(f"need a column of {role}, such as {examples}, got {shown}")
+    return found
+
+
+def split_unit(text: str) -> tuple[str, str]:
+    """Take the unit off a name: "Kraft [kN]", "Force (N)", "force_N", "Weg in mm", "F / N".
+
+    Returns:
+        The name and the unit, empty where there is none. What stands in brackets and is no unit belongs to the name, as
+        in "Tensile strain (Extension)", except in square ones: these hold units only.
+    """
+    if bracketed := _BRACKETED.fullmatch(text):
+        square = bracketed[2] is not None
+        unit = next(group for group in bracketed.groups()[1:] if group is not None).strip()
+        if square or is_unit(unit):
+            return bracketed[1].strip(), unit
+    else:
+        appended = _APPENDED.fullmatch(text)
+        if appended and not is_role(text) and appended[2] not in ("1", "-") and is_unit(appended[2]):
+            return appended[1].strip(), appended[2]
+    return text.strip(), ""
+
+
+def is_role(name: str) -> bool:
+    """Whether a name is known."""
+    return any(name_key(name) in _rank(role) for role in ROLES)

@@ -1,0 +1,78 @@
+"""Which files hold the tensile tests of a material."""
+
+from __future__ import annotations
+
+import glob
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from forficula.errors import InputError
+from forficula.material.machine.machine_file import read_tensile_tests
+from forficula.material.tensile.tensile_test import TensileTest
+from forficula.quantities import as_written
+
+_MOST_NAMED = 6
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SpecimenFiles:
+    """The tensile tests of some files.
+
+    Attributes:
+        files: as given, patterns expanded.
+        tests: in their order, each with a name of its own.
+    """
+
+    files: tuple[str, ...]
+    tests: tuple[TensileTest, ...]
+
+    @property
+    def source(self) -> str:
+        """Where a law that is fitted to them comes from, in a line."""
+        count, named = len(self.files), [Path(file).name for file in self.files[:_MOST_NAMED]]
+        rest = f" and {count - _MOST_NAMED} more" if count > _MOST_NAMED else ""
+        return f"fitted by forficula to the tensile tests in {', '.join(named)}{rest}"
+
+
+def read_specimens(patterns: Sequence[str], *, length: float | None = None, area: float | None = None) -> SpecimenFiles:
+    """Read the specimens of a material.
+
+    Args:
+        patterns: files, or patterns such as "tpu-*.csv" where the shell leaves these to the program.
+        length: of every specimen, m; needed where a file does not give it.
+        area: of every specimen's cross-section, m2; likewise.
+
+    Raises:
+        InputError: no file, a folder, a file given twice, or one that cannot be read; the message names it.
+    """
+    if not patterns:
+        raise InputError("need at least one file of a tensile test, got none")
+    files = [file for pattern in patterns for file in _expanded(pattern)]
+    seen: dict[Path, str] = {}
+    for file in files:
+        if Path(file).is_dir():
+            raise InputError(f"{file}: need a file of a tensile test, got a folder; name its files, as in {file}/*.csv")
+        first = seen.setdefault(Path(file).resolve(), file)
+        if first is not file:
+            raise InputError(f"{file}: is given twice; each file counts as specimens of its own")
+    tests = [(file, test) for file in files for test in read_tensile_tests([file], length=length, area=area)]
+    times = Counter(test.name for _, test in tests)
+    named = [test if times[test.name] == 1 else _named_by_folder(file, test) for file, test in tests]
+    return SpecimenFiles(files=tuple(files), tests=tuple(named))
+
+
+def _named_by_folder(file: str, test: TensileTest) -> TensileTest:
+    folder = Path(file).parent.as_posix()
+    return test if folder == "." else replace(test, name=f"{folder}/{test.name}")
+
+
+def _expanded(pattern: str) -> list[str]:
+    """The files of a pattern, in order; a file that is there is no pattern."""
+    if not glob.has_magic(pattern) or Path(pattern).exists():
+        return [pattern]
+    files = sorted(glob.glob(pattern))  # noqa: PTH207, Path.glob takes no pattern with a drive or a root
+    if not files:
+        raise InputError(f"{as_written(pattern)}: no file has such a name")
+    return files

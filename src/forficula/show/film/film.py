@@ -1,0 +1,162 @@
+"""A film of a run, drawn without a screen: an .mp4 through ffmpeg, or an animated .gif."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Callable, Iterable, Iterator
+from itertools import pairwise
+from pathlib import Path
+from typing import IO, TYPE_CHECKING
+
+import numpy as np
+
+from forficula.analysis import measure
+from forficula.dynamics import Record
+from forficula.errors import InputError
+from forficula.files import replacing
+from forficula.show.film.film_clock import Cut, film_cuts, moment
+from forficula.show.film.film_frame import FilmFrame, Picture
+
+if TYPE_CHECKING:
+    from PIL import Image
+
+SMALLEST, LARGEST = 160, 4096  # pixels
+_DEFAULTS = {".mp4": ((1280, 720), 30), ".gif": ((800, 450), 15)}
+_PALETTE, _WHITE = 255, (255, 255, 255)  # colours of a .gif, and one more
+
+
+def check_film(path: Path) -> None:
+    """Refuse a film that cannot be written here.
+
+    Raises:
+        InputError: the file's ending is neither .mp4 nor .gif, or there is no ffmpeg for .mp4.
+    """
+    if path.suffix not in _DEFAULTS:
+        raise InputError(f"need a file that ends with .mp4 or .gif, got {path}")
+    if path.suffix == ".mp4":
+        _ffmpeg()
+
+
+def write_film(
+    record: Record,
+    path: Path,
+    *,
+    size: tuple[int, int] | None = None,
+    rate: int | None = None,
+    slowed: float | None = None,
+    progress: Callable[[int, int], None] | None = None,
+) -> None:
+    """Write a film of a run.
+
+    Args:
+        record: the run.
+        path: .mp4 or .gif.
+        size: pixels across and upwards, both even; 1280 x 720, or 800 x 450 for .gif.
+        rate: pictures a second; 30, or 15 for .gif.
+        slowed: how many times slower than the run its moves are; each takes about 3.5 s if not given.
+        progress: called with the number of pictures drawn and of all.
+
+    Raises:
+        InputError: another ending, no ffmpeg for .mp4, or it cannot be written.
+    """
+    check_film(path)
+    usual_size, usual_rate = _DEFAULTS[path.suffix]
+    size, rate = size or usual_size, rate or usual_rate
+    cuts = film_cuts(record, measure(record), slowed)
+    pictures = _pictures(record, cuts, size, rate, progress)
+    with replacing(path) as temporary:
+        if path.suffix == ".mp4":
+            _write_mp4(pictures, temporary, size, rate, f"The wing {record.design.name} folds and opens")
+        else:
+            _write_gif(pictures, temporary, rate)
+
+
+def frame_times(cuts: tuple[Cut, ...], rate: int) -> list[float]:
+    """When the pictures of a film are shown, s from its start."""
+    return [number / rate for number in range(max(1, round(rate * sum(cut.length for cut in cuts))))]
+
+
+def _pictures(
+    record: Record,
+    cuts: tuple[Cut, ...],
+    size: tuple[int, int],
+    rate: int,
+    progress: Callable[[int, int], None] | None,
+) -> Iterator[Picture]:
+    frame, times = FilmFrame(record, cuts, size), frame_times(cuts, rate)
+    for number, time in enumerate(times, start=1):
+        yield frame.draw(*moment(cuts, time))
+        if progress is not None:
+            progress(number, len(times))
+
+
+def _ffmpeg() -> str:
+    """Path of ffmpeg: the system's, or that of imageio-ffmpeg."""
+    if found := shutil.which("ffmpeg"):
+        return found
+    try:
+        import imageio_ffmpeg
+    except ImportError:
+        raise InputError(
+            'no ffmpeg for .mp4 here: install ffmpeg, or pip install "forficula[film]"; a .gif needs neither'
+        ) from None
+    return str(imageio_ffmpeg.get_ffmpeg_exe())
+
+
+def _write_mp4(pictures: Iterable[Picture], path: Path, size: tuple[int, int], rate: int, title: str) -> None:
+    """Pass the pictures to ffmpeg: H.264 in 4:2:0, which all players know, ready to play while it loads."""
+    command = [_ffmpeg(), "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24"]
+    command += ["-s", f"{size[0]}x{size[1]}", "-r", str(rate), "-i", "-", "-metadata", f"title={title}"]
+    command += ["-c:v", "libx264", "-crf", "18", "-preset", "fast", "-pix_fmt", "yuv420p", "-movflags", "+faststart"]
+    with tempfile.TemporaryFile() as said:
+        with subprocess.Popen([*command, str(path)], stdin=subprocess.PIPE, stderr=said) as encoder:
+            try:
+                assert encoder.stdin is not None
+                _feed(encoder.stdin, pictures)
+            except BaseException:
+                encoder.kill()
+                raise
+        if encoder.returncode:
+            said.seek(0)
+            reason = " ".join(said.read().decode(errors="replace").split())
+            raise InputError(f"ffmpeg could not write the film: {reason or f'it ended with {encoder.returncode}'}")
+
+
+def _feed(pipe: IO[bytes], pictures: Iterable[Picture]) -> None:
+    try:
+        for picture in pictures:
+            pipe.write(np.ascontiguousarray(picture).data)
+        pipe.close()
+    except BrokenPipeError:
+        pass  # it has ended, and says why
+
+
+def _write_gif(pictures: Iterable[Picture], path: Path, rate: int) -> None:
+    """One palette for all pictures, so that what stays is the same in all of them and costs nothing."""
+    from PIL import Image
+
+    drawn = [Image.fromarray(picture) for picture in pictures]
+    some = drawn[:: max(1, len(drawn) // 12)]
+    sheet = Image.new("RGB", (some[0].width, sum(each.height for each in some)))
+    for place, each in enumerate(some):
+        sheet.paste(each, (0, place * each.height))
+    palette = sheet.quantize(_PALETTE, method=Image.Quantize.MEDIANCUT)
+    palette.putpalette([*(palette.getpalette() or [])[: 3 * _PALETTE], *_WHITE])
+    first, *others = (_with_palette(each, palette) for each in drawn)
+    # a .gif counts in hundredths of a second
+    ends = [round(100 * number / rate) for number in range(len(drawn) + 1)]
+    lengths = [10 * (end - start) for start, end in pairwise(ends)]
+    first.save(path, save_all=True, append_images=others, duration=lengths, loop=0, optimize=False)
+
+
+def _with_palette(picture: Image.Image, palette: Image.Image) -> Image.Image:
+    """The nearest colours of a palette, and white where it is white: Pillow's nearest would tint the background."""
+    from PIL import Image
+
+    indices = np.array(picture.quantize(palette=palette, dither=Image.Dither.NONE))
+    indices[(np.asarray(picture) == _WHITE).all(axis=2)] = _PALETTE
+    chosen = Image.fromarray(indices, mode="P")
+    chosen.putpalette(palette.getpalette() or [])
+    return chosen

@@ -1,0 +1,134 @@
+"""What a wing over cycles leaves: a table, the same as JSON, a figure, and a few sentences."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from rich.console import Console
+
+from forficula.csv_text import csv_text
+from forficula.design import load_design
+from forficula.dynamics import versions
+from forficula.errors import InputError
+from forficula.files import replacing_all, write_text
+from forficula.show.run.cycling_figure import draw_cycling
+from forficula.show.style import Drawing, figure_files, save_figures
+from forficula.study.cycling import CycleRun, Cycling
+
+CYCLING_FILES = ("cycles.csv", "cycles.json", *figure_files("cycles"))
+_STIFFNESS = ("stiffness_by_first", "stiffness_by_first_low_95", "stiffness_by_first_high_95")
+_OUTCOME = ("status", "folded", "opened")
+_NUMBERS = (
+    *("flat_energy_J", "folded_energy_J", "opened_energy_J"),
+    *("fold_time_s", "fold_work_J", "unfold_time_s", "unfold_work_J"),
+)
+
+
+def write_cycling(cycling: Cycling, folder: Path) -> None:
+    """Write cycles.csv, cycles.json and the figure; all of them, or none.
+
+    Args:
+        cycling: what to write.
+        folder: of the run; what an earlier one left there is replaced.
+
+    Raises:
+        InputError: the folder cannot be written.
+    """
+    with replacing_all(folder) as unfinished:
+        write_text(unfinished / "cycles.csv", cycling_csv(cycling))
+        text = json.dumps(cycling_summary(cycling), indent=2, ensure_ascii=False, allow_nan=False)
+        write_text(unfinished / "cycles.json", text + "\n")
+        save_figures(cycling_drawings(cycling), unfinished)
+
+
+def cycling_drawings(cycling: Cycling) -> dict[str, Drawing]:
+    """What draws a wing over cycles, by the stem of its file."""
+    return {"cycles": lambda width: draw_cycling(cycling, width)}
+
+
+def cycling_rows(cycling: Cycling) -> list[dict[str, Any]]:
+    """A row for every cycle as plain data with units in its keys; None where there is no number."""
+    return [
+        {
+            "cycle": run.cycle,
+            "measured": run.measured,
+            **dict(zip(_STIFFNESS, run.stiffness, strict=True)),
+            "residual_strain": run.residual_strain,
+            **{name: run.row.get(name) for name in (*_OUTCOME, *_NUMBERS)},
+            "fold_margin": run.fold_margin,
+            "unfold_margin": run.unfold_margin,
+        }
+        for run in cycling.runs
+    ]
+
+
+def cycling_csv(cycling: Cycling) -> str:
+    """The rows as text, empty where there is no number."""
+    rows = cycling_rows(cycling)
+    return csv_text([list(rows[0]), *(["" if value is None else value for value in row.values()] for row in rows)])
+
+
+def cycling_summary(cycling: Cycling) -> dict[str, Any]:
+    """All of it as plain data with units in its keys."""
+    return {
+        "design": cycling.design.name,
+        "design_hash": cycling.design.hash,
+        "verdict": cycling.verdict,
+        "remarks": list(cycling.remarks),
+        "seen_cycles": None if cycling.seen is None else list(cycling.seen),
+        "first_failure": cycling.first_failure,
+        "fold_torque_N_m": cycling.design.protocol.fold_torque,
+        "unfold_torque_N_m": cycling.design.protocol.unfold_torque,
+        "cycles": cycling_rows(cycling),
+        "versions": versions(),
+    }
+
+
+def read_cycling(folder: Path) -> Cycling:
+    """Read what `write_cycling` wrote into the folder of a run.
+
+    Raises:
+        InputError: it cannot be read, or is of another design than the run.
+    """
+    path = folder / "cycles.json"
+    design = load_design(str(folder / "design.toml"))
+    try:
+        content = json.loads(path.read_text("utf-8"))
+        runs = tuple(_cycle_run(row) for row in content["cycles"])
+        same = content["design_hash"] == design.hash
+        seen = None if content["seen_cycles"] is None else tuple(content["seen_cycles"])
+        verdict, remarks = content["verdict"], tuple(content["remarks"])
+    except (OSError, LookupError, ValueError, TypeError) as error:
+        raise InputError(f"{path}: not cycles of forficula: {' '.join(str(error).split())}") from None
+    if not same:
+        raise InputError(f"{path}: of another design than {folder / 'design.toml'}")
+    opens = any(stage.drive == "unfold" for stage in design.protocol.stages)
+    return Cycling(design=design, runs=runs, seen=seen, opens=opens, verdict=verdict, remarks=remarks)
+
+
+def _cycle_run(row: dict[str, Any]) -> CycleRun:
+    return CycleRun(
+        cycle=row["cycle"],
+        measured=row["measured"],
+        stiffness=tuple(row[name] for name in _STIFFNESS),
+        residual_strain=row["residual_strain"],
+        row={name: row[name] for name in (*_OUTCOME, *_NUMBERS)},
+        fold_margin=row["fold_margin"],
+        unfold_margin=row["unfold_margin"],
+    )
+
+
+def print_cycling(cycling: Cycling) -> None:
+    """Print what becomes of the wing, and what a person should know."""
+    console = Console(width=110, highlight=False)
+    console.print(f"\nCycles: {cycling.verdict}", markup=False)
+    runs = cycling.runs
+    for name in ("fold", "unfold") if cycling.opens else ("fold",):
+        first, last = (getattr(run, f"{name}_margin") for run in (runs[0], runs[-1]))
+        if first is not None and last is not None:
+            text = f"{first:.3g} at cycle 1, {last:.3g} at cycle {runs[-1].cycle}"
+            console.print(f"  margin of the {name} torque over the least slow one: {text}")
+    for remark in cycling.remarks:
+        console.print(f"  {remark}", markup=False, soft_wrap=True)

@@ -1,0 +1,163 @@
+"""The figures that a folder of results has, drawn again from what it holds."""
+
+from __future__ import annotations
+
+import difflib
+import json
+from collections.abc import Callable, Iterable
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from forficula.analysis import measure
+from forficula.design import load_design
+from forficula.errors import InputError
+from forficula.files import clear_leftovers, write_bytes
+from forficula.show.folder.cycling_folder import cycling_drawings, read_cycling
+from forficula.show.folder.landscape_folder import landscape_drawings
+from forficula.show.folder.run_folder import run_drawings
+from forficula.show.folder.static_map_folder import SIMULATED, static_map_drawings
+from forficula.show.folder.study_folder import study_drawings
+from forficula.show.run.run_reader import read_run
+from forficula.show.study.convergence_figure import CONVERGENCE_FILE, convergence_drawings
+from forficula.show.style import COLUMN_WIDTH, COPIES, ENDINGS, PAGE_WIDTH, Drawing, save_figure
+from forficula.study.convergence_file import load_convergence
+from forficula.study.survey import survey
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+    from xarray import Dataset
+
+_MATERIAL = "material.json"
+
+
+def write_figure(folder: Path, kind: str, path: Path, width: float | None = None) -> None:
+    """Write one figure of a folder of results.
+
+    Args:
+        folder: that forficula wrote.
+        kind: which figure; the name that its picture has in the folder.
+        path: ends with .png, .svg or .pdf.
+        width: inch; that of a column if not given.
+
+    Raises:
+        InputError: the folder is none of forficula's or has no such figure, another ending, or it cannot be written.
+    """
+    if path.suffix not in ENDINGS:
+        raise InputError(f"--out: need a file that ends with .png, .svg or .pdf, got {path}")
+    clear_leftovers(folder)  # a run that was killed may have set files aside
+    if (folder / _MATERIAL).is_file():
+        _copy(folder, kind, path, width)
+        return
+    drawings = folder_drawings(folder)
+    save_figure(drawings[_known(kind, drawings, folder)](width or COLUMN_WIDTH), path)
+
+
+def folder_drawings(folder: Path) -> dict[str, Drawing]:
+    """What draws every figure of a folder, by kind.
+
+    Raises:
+        InputError: the folder is none of forficula's, or holds a file that cannot be read.
+    """
+    if not folder.is_dir():
+        what = "a file" if folder.exists() else "no such folder"
+        raise InputError(f"{folder}: need a folder that forficula wrote, got {what}")
+    drawings: dict[str, Drawing] = {}
+    for name, read in _READERS.items():
+        if (folder / name).is_file():
+            drawings |= read(folder)
+    if not drawings:
+        names = ", ".join([*_READERS, _MATERIAL])
+        raise InputError(f"{folder}: need a folder that forficula wrote, with one of {names} in it")
+    return drawings
+
+
+def _run(folder: Path) -> dict[str, Drawing]:
+    record = read_run(folder)
+    return run_drawings(record, measure(record))
+
+
+def _cycling(folder: Path) -> dict[str, Drawing]:
+    return cycling_drawings(read_cycling(folder))
+
+
+def _study(folder: Path) -> dict[str, Drawing]:
+    return study_drawings(_table(folder / "table.nc"))
+
+
+def _static_map(folder: Path) -> dict[str, Drawing]:
+    simulated = folder / SIMULATED
+    return static_map_drawings(_table(folder / "map.nc"), _table(simulated) if simulated.is_file() else None)
+
+
+def _convergence(folder: Path) -> dict[str, Drawing]:
+    return convergence_drawings(load_convergence(folder / CONVERGENCE_FILE))
+
+
+def _landscape(folder: Path) -> dict[str, Drawing]:
+    """The landscape is surveyed again when a figure is drawn: that takes a second, and all of it in a file many MB."""
+    design = load_design(str(folder / "design.toml"))
+    try:
+        simulated = json.loads((folder / "landscape.json").read_text("utf-8"))["simulation"] is not None
+    except (OSError, LookupError, ValueError, TypeError) as error:
+        raise InputError(f"{folder / 'landscape.json'}: not a landscape of forficula: {error}") from None
+
+    @cache
+    def again(simulation: bool) -> dict[str, Drawing]:
+        return landscape_drawings(*survey(design, simulation=simulation))
+
+    def drawing(kind: str) -> Drawing:
+        # only the tendon's figure has the run beside it
+        def draw(width: float) -> Figure:
+            return again(simulated and kind == "tendon")[kind](width)
+
+        return draw
+
+    return {kind: drawing(kind) for kind in ("tendon", "wing", "levels")}
+
+
+_READERS: dict[str, Callable[[Path], dict[str, Drawing]]] = {
+    "record.nc": _run,
+    "cycles.json": _cycling,
+    "table.nc": _study,
+    "landscape.json": _landscape,
+    "map.nc": _static_map,
+    CONVERGENCE_FILE: _convergence,
+}
+
+
+def _table(path: Path) -> Dataset:
+    import xarray
+
+    try:
+        return xarray.load_dataset(path, engine="h5netcdf")
+    except (OSError, ValueError) as error:
+        raise InputError(f"{path}: cannot be read: {' '.join(str(error).split())}") from None
+
+
+def _copy(folder: Path, kind: str, path: Path, width: float | None) -> None:
+    """Hand out a figure as it was written: a material does not hold the tests that its figures show."""
+    kept = {file.stem for file in (folder / COPIES).glob("*.svg")}
+    name = _known(kind, kept, folder)
+    own = PAGE_WIDTH if path.suffix == ".png" else COLUMN_WIDTH
+    if width is not None and width != own:
+        there = "page" if path.suffix == ".png" else "column"
+        raise InputError(
+            f"--width: the figures of a material cannot be drawn again without its tests: its {path.suffix} is as wide"
+            f" as a {there}"
+        )
+    source = folder / f"{name}.png" if path.suffix == ".png" else folder / COPIES / f"{name}{path.suffix}"
+    try:
+        content = source.read_bytes()
+    except OSError as error:
+        raise InputError(f"{source}: cannot be read: {error.strerror}") from None
+    write_bytes(path, content)
+
+
+def _known(kind: str, kinds: Iterable[str], folder: Path) -> str:
+    names = sorted(kinds)
+    if kind in names:
+        return kind
+    near = difflib.get_close_matches(kind.lower(), names, n=1)
+    hint = f"; did you mean {near[0]}?" if near else ""
+    raise InputError(f'--kind: need one of {", ".join(names)} for {folder}, got "{kind}"{hint}')

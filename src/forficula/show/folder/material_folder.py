@@ -1,0 +1,54 @@
+"""The files that a characterised material leaves."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from forficula.files import replacing_all, write_text
+from forficula.material.characterisation import Characterisation
+from forficula.material.law.law_file import save_law
+from forficula.material.material_summary import material_summary
+from forficula.show.material.cycles_figure import draw_cycles
+from forficula.show.material.drift_figure import draw_drift
+from forficula.show.material.law_figure import draw_fit
+from forficula.show.material.modulus_figure import draw_moduli
+from forficula.show.style import Drawing, figure_files, save_figures
+
+LAW_FILE = "tendon_law.toml"
+
+
+def write_material(material: Characterisation, folder: Path) -> None:
+    """Write summary, law and figures; all of them, or none.
+
+    Args:
+        material: what to write.
+        folder: made where it is missing; what an earlier material left there is replaced, its law and the figure of
+            its fit removed where this one has none.
+
+    Raises:
+        InputError: the folder cannot be written.
+    """
+    with replacing_all(folder, remove=(LAW_FILE, *figure_files("fit"))) as unfinished:
+        _write_files(material, unfinished)
+
+
+def _write_files(material: Characterisation, folder: Path) -> None:
+    # what does not exist is null; not every reader of JSON knows NaN
+    text = json.dumps(material_summary(material), indent=2, ensure_ascii=False, allow_nan=False)
+    write_text(folder / "material.json", text + "\n")
+    if material.law is not None:
+        save_law(material.law, folder / LAW_FILE)
+    save_figures(material_drawings(material), folder)
+
+
+def material_drawings(material: Characterisation) -> dict[str, Drawing]:
+    """What draws a material, by the stem of its file."""
+    drawings: dict[str, Drawing] = {
+        "cycles": lambda width: draw_cycles(material, width),
+        "modulus": lambda width: draw_moduli(material, width),
+        "drift": lambda width: draw_drift(material, width),
+    }
+    if material.law is not None:
+        drawings["fit"] = lambda width: draw_fit(material, width)
+    return drawings

@@ -1,0 +1,66 @@
+"""The files that a run leaves."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from matplotlib.figure import Figure
+
+from forficula.analysis import Outcome, summary
+from forficula.design import save_design
+from forficula.dynamics import Record, compile_wing, save_record, versions
+from forficula.files import replacing_all, write_text
+from forficula.show.folder.cycling_folder import CYCLING_FILES
+from forficula.show.page import write_run_page
+from forficula.show.run.folding_figure import draw_folding
+from forficula.show.run.time_figures import draw_angles, draw_energies
+from forficula.show.structure.pattern_figure import draw_pattern
+from forficula.show.style import VERMILION, Drawing, save_figures
+
+
+def write_run(record: Record, outcome: Outcome, folder: Path) -> None:
+    """Write design, model, record, summary, figures and page; all of them, or none.
+
+    Args:
+        record: what happened.
+        outcome: what it means.
+        folder: made where it is missing; what an earlier run left there is replaced, its cycles removed.
+
+    Raises:
+        InputError: the folder cannot be written.
+    """
+    with replacing_all(folder, remove=CYCLING_FILES) as unfinished:
+        _write_files(record, outcome, unfinished)
+
+
+def _write_files(record: Record, outcome: Outcome, folder: Path) -> None:
+    save_design(record.design, folder / "design.toml")
+    write_text(folder / "model.xml", compile_wing(record.design).xml)
+    save_record(record, folder / "record.nc")
+    write_text(folder / "summary.json", json.dumps(summary(record, outcome, versions()), indent=2) + "\n")
+    save_figures(run_drawings(record, outcome), folder)
+    write_run_page(record, outcome, folder / "report.html")
+
+
+def run_drawings(record: Record, outcome: Outcome) -> dict[str, Drawing]:
+    """What draws a run, by the stem of its file."""
+    return {
+        "pattern": lambda width: draw_pattern(record.design, width),
+        "angles": lambda width: _marked(draw_angles(record, outcome, width), outcome),
+        "energy": lambda width: _marked(draw_energies(record, width), outcome),
+        "folding": lambda width: _marked(draw_folding(record, outcome, width), outcome),
+    }
+
+
+def _marked(figure: Figure, outcome: Outcome) -> Figure:
+    """Say on a figure where what it shows is not what a wing would do."""
+    if not outcome.verdict.tells:
+        figure.suptitle(
+            f"{outcome.status[:1].upper()}{outcome.status[1:]}",
+            color=VERMILION,
+            fontweight="bold",
+            fontsize="medium",
+            wrap=True,
+        )
+    return figure

@@ -1,0 +1,86 @@
+"""The files and lines of a static map."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from forficula.design import Design
+from forficula.errors import InputError
+from forficula.files import replacing_all, write_bytes, write_text
+from forficula.show.study.static_maps import draw_static_maps
+from forficula.show.style import PAGE_WIDTH, Drawing, save_figures
+from forficula.study import Study, table_csv
+from forficula.study.static_map import compare_maps
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+# the table that the map was compared with, so that the figure can be drawn again
+SIMULATED = "simulated.nc"
+_VERBS = {"least_fold_torque": "fold", "least_unfold_torque": "open"}
+
+
+def read_simulated(folder: Path, design: Design) -> Dataset:
+    """Read the table of a study of a design.
+
+    Raises:
+        InputError: there is none, or it is of another design.
+    """
+    import xarray
+
+    path = folder / "table.nc"
+    try:
+        table = xarray.load_dataset(path, engine="h5netcdf")
+    except FileNotFoundError:
+        raise InputError(f"--simulated: {path}: no such file; need the folder of a study that is done") from None
+    except (OSError, ValueError) as error:
+        raise InputError(f"--simulated: {path}: cannot be read: {error}") from None
+    if table.attrs.get("design_hash") != design.hash:
+        theirs = table.attrs.get("design", "no design")
+        raise InputError(
+            f"--simulated: {path}: need a study of the design {design.name} with the same values,"
+            f" got one of {theirs} with others"
+        )
+    return table
+
+
+def write_static_map(study: Study, table: Dataset, folder: Path, simulated: Dataset | None = None) -> None:
+    """Write the map as a table and as a figure; all of it, or nothing.
+
+    Args:
+        study: the grid.
+        table: from `static_map`.
+        folder: of the landscape; what an earlier map left there is replaced.
+        simulated: table of a simulated study with the same factors, drawn beside.
+
+    Raises:
+        InputError: a file cannot be written, or the two have different factors.
+    """
+    drawings = static_map_drawings(table, simulated)
+    drawings["map"](PAGE_WIDTH)  # before anything is written: the two may not fit
+    with replacing_all(folder, remove=(SIMULATED,)) as unfinished:
+        write_text(unfinished / "map.csv", table_csv(study, table))
+        write_bytes(unfinished / "map.nc", table.to_netcdf(engine="h5netcdf"))
+        if simulated is not None:
+            write_bytes(unfinished / SIMULATED, simulated.to_netcdf(engine="h5netcdf"))
+        save_figures(drawings, unfinished)
+
+
+def static_map_drawings(table: Dataset, simulated: Dataset | None = None) -> dict[str, Drawing]:
+    """What draws a static map, by the stem of its file."""
+    return {"map": lambda width: draw_static_maps(table, simulated, width)}
+
+
+def print_static_map(table: Dataset, simulated: Dataset | None = None) -> None:
+    """Say how many wings fold and open slowly, and where a simulation differs."""
+    count = table["outcome"].size
+    print()
+    for name, verb in _VERBS.items():
+        print(f"{int(np.isfinite(table[name]).sum())} of {count} wings {verb} under slowly growing torques")
+        if simulated is not None:
+            words, numbers = np.unique(compare_maps(table, simulated, name).values.astype(str), return_counts=True)
+            parts = [f"{number} {word}" for word, number in zip(words.tolist(), numbers.tolist(), strict=True)]
+            print(f"    beside the simulation: {', '.join(parts)}")

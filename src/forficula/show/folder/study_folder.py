@@ -1,0 +1,79 @@
+"""The files that a study leaves beside its rows."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from forficula.files import replacing_all, write_bytes, write_text
+from forficula.show.page.study_page import write_study_page
+from forficula.show.study.choices_figure import draw_choices
+from forficula.show.study.maps import map_drawings
+from forficula.show.style import Drawing, save_figures
+from forficula.study import Study, table_csv
+from forficula.study.choices import CHOICE
+from forficula.study.comparison import compare_with_paper, comparison_json, comparison_markdown
+from forficula.study.kept_runs import KeptRun
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+# the study whose results the paper reports
+_PAPERS_SEARCH = "binder2025-search"
+
+
+def study_drawings(table: Dataset) -> dict[str, Drawing]:
+    """Find every figure that a study's table has the numbers for.
+
+    Returns:
+        What draws them, by the stem of their file.
+    """
+    if CHOICE not in table.dims:
+        return map_drawings(table)
+    side_by_side: dict[str, Drawing] = {"choices": lambda width: draw_choices(table, width=width)}
+    # without a grid there is nothing to draw a map over
+    return side_by_side | (map_drawings(table) if table["status"].ndim > 1 else {})
+
+
+def write_study(study: Study, table: Dataset, folder: Path) -> None:
+    """Write the table, the maps, and, for the paper's own search, the paper's numbers; all of them, or none.
+
+    Args:
+        study: what was asked.
+        table: what came out.
+        folder: of the study; what an earlier table left there is replaced.
+
+    Raises:
+        InputError: a file cannot be written.
+    """
+    with replacing_all(folder) as unfinished:
+        _write_files(study, table, unfinished)
+
+
+def _write_files(study: Study, table: Dataset, folder: Path) -> None:
+    write_text(folder / "table.csv", table_csv(study, table))
+    write_bytes(folder / "table.nc", table.to_netcdf(engine="h5netcdf"))
+    save_figures(study_drawings(table), folder)
+    if study.name == _PAPERS_SEARCH:
+        rows = compare_with_paper(table)
+        write_text(folder / "comparison.md", comparison_markdown(rows))
+        write_text(folder / "comparison.json", json.dumps(comparison_json(rows), indent=2) + "\n")
+
+
+def write_study_report(study: Study, table: Dataset, kept: Iterable[KeptRun], count: int, folder: Path) -> None:
+    """Write the study as one page, `report.html`.
+
+    Args:
+        study: what was asked.
+        table: what came out.
+        kept: the runs that can be played, taken one after another.
+        count: how many these are.
+        folder: of the study.
+
+    Raises:
+        InputError: it cannot be written.
+    """
+    compared = compare_with_paper(table) if study.name == _PAPERS_SEARCH else ()
+    write_study_page(study, table, folder / "report.html", kept, count, compared)

@@ -1,0 +1,247 @@
+"""Energy and moment of the wing along its fold."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from forficula.quantities import reading_unit
+from forficula.show.landscape.landscape_marks import (
+    mark_barrier,
+    mark_state,
+    rounding_torque,
+    show_angle,
+    state_handles,
+    write_note,
+)
+from forficula.show.style import (
+    BLACK,
+    BLUE,
+    ORANGE,
+    PAGE_WIDTH,
+    VERMILION,
+    describe,
+    figure_style,
+    in_column,
+    is_narrow,
+)
+from forficula.statics import EnergyLandscape, StableState, stable_states
+
+Array = NDArray[np.float64]
+
+_RING_TICKS = (0, 2, 5, 10, 20, 40, 60, 90, 120, 150, 180)  # deg
+_TICK_GAP = 0.06  # between two of them, as a share of the axis
+# free places within the axes: left, low, width, height, in shares of them
+_LOWER_LEFT, _UPPER_LEFT, _UPPER_RIGHT = (0.09, 0.20, 0.34, 0.50), (0.09, 0.50, 0.34, 0.44), (0.66, 0.50, 0.32, 0.44)
+_LABELS = 0.15  # room that ticks and labels take below and beside such a place, alike
+_INWARDS = 0.1  # in a column, where the names of axes need a larger share
+_BESIDE = math.radians(15)  # before a state, where the curve is low where it came down early
+
+
+def draw_wing(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
+    """Draw energy and moment of a wing over its pleat angle, from camber through flat to folded; the width in inch."""
+    wing = landscape.wing
+    pleat, moment, sheet_energy = np.degrees(wing.pleat_angle), wing.moment, wing.sheet_energy
+    rounding = rounding_torque(landscape)
+    if float(np.abs(moment).max()) <= rounding:
+        moment, sheet_energy = np.zeros_like(moment), np.zeros_like(sheet_energy)
+    states = stable_states(landscape)
+    energy_unit, energy = reading_unit("J", float(wing.energy.max()))
+    sheet_unit, sheet = reading_unit("J", float(sheet_energy.max()))
+    torque_unit, torque = reading_unit("N m", float(np.abs(moment).max()))
+    with figure_style():
+        figure = Figure(figsize=(width, 5.4), layout="constrained")
+        top, middle, bottom = figure.subplots(3, 1, sharex=True, height_ratios=[2.0, 0.75, 1.15])
+        top.plot(pleat, energy * wing.energy, color=BLACK, lw=2.2, alpha=0.35, label="total")
+        top.plot(pleat, energy * wing.tendon_energy, "--", color=BLUE, label="tendons")
+        middle.plot(pleat, sheet * sheet_energy, color=ORANGE, label="membrane and guards")
+        bottom.plot(pleat, torque * moment, color=BLACK, lw=1.0)
+        for state in states:
+            _mark(top, landscape, state, energy)
+        saddles = [state for state in wing.states if not state.stable]
+        places = np.degrees([saddle.coordinate for saddle in saddles])
+        heights = [energy * saddle.energy for saddle in saddles]
+        if saddles:
+            top.plot(
+                places,
+                heights,
+                "^",
+                color="white",
+                mec=VERMILION,
+                ms=6,
+                ls="none",
+                zorder=6,
+                clip_on=False,
+                label="saddle",
+            )
+        _close_up(top, landscape)
+        _mark_climbs(bottom, landscape, torque, rounding)
+        _ring_axis(top, landscape)
+        for axes in (top, middle, bottom):
+            axes.axvline(0, color="0.6", lw=0.5, ls=":", zorder=0)
+        span = pleat[-1] - pleat[0]
+        top.set_xlim(pleat[0] - 0.02 * span, pleat[-1] + 0.02 * span)
+        top.set_xticks([tick for tick in range(-180, 181, 30) if pleat[0] <= tick <= pleat[-1]])
+        top.set_ylim(0, 1.12 * energy * float(wing.energy.max()))
+        middle.set_ylim(0, 1.15 * sheet * float(sheet_energy.max()) or 1)
+        bottom.axhline(0, color="0.6", lw=0.5, zorder=0)
+        low, high = torque * float(moment.min()), torque * float(moment.max())
+        room = (high - low) or 1.0
+        bottom.set_ylim(min(low, 0) - 0.3 * room, high + 0.2 * room)
+        for axes, curve in ((top, wing.energy), (middle, sheet_energy), (bottom, moment)):
+            if not np.any(curve):
+                axes.set_yticks([0])
+        top.set_ylabel(f"stored energy ({energy_unit})")
+        middle.set_ylabel(f"membrane,\nguards ({sheet_unit})")
+        bottom.set_ylabel(f"moment about the\npleats ({torque_unit})")
+        bottom.set_xlabel("pleat angle (deg): camber < 0, flat 0, folding > 0")
+        handles = [handle for axes in (top, middle) for handle in axes.get_legend_handles_labels()[0]]
+        handles += state_handles({state.kind for state in states})
+        figure.legend(handles=handles, loc="outside upper center", ncols=2 if is_narrow(width) else 4)
+        return describe(figure, _tell(landscape))
+
+
+def _mark(axes: Axes, landscape: EnergyLandscape, state: StableState, factor: float) -> None:
+    """Mark a stable state, with its name and energy."""
+    wing, place = landscape.wing, math.degrees(state.pleat_angle)
+    band = (wing.pleat_angle >= state.pleat_angle) & (wing.pleat_angle <= state.far_pleat_angle)
+    ends = np.degrees(wing.pleat_angle[band]), factor * wing.energy[band]
+    mark_state(axes, state.kind, place, factor * state.energy, *ends)
+    words = f"{state.name}, {reading(state.energy)}"
+    last_words = words.replace(", ", ",\n") if in_column(axes) else words
+    height = factor * state.energy
+    offsets: dict[str, Any] = {"textcoords": "offset points", "va": "center", "fontsize": 7}
+    largest = factor * float(wing.energy.max())
+    if state.name == "flat":
+        axes.annotate(words, (place, height), xytext=(7, -12 if height > 0.2 * largest else 12), ha="left", **offsets)
+        return
+    before = float(np.interp(state.far_pleat_angle - _BESIDE, wing.pleat_angle, factor * wing.energy))
+    corner = (math.degrees(state.far_pleat_angle), height)
+    if before < 0.1 * largest:  # the curve has come down before: room above the mark
+        axes.annotate(last_words, corner, xytext=(0, 24), ha="right", **offsets)
+    else:
+        axes.annotate(last_words, corner, xytext=(-10, 6), ha="right", **offsets)
+
+
+def reading(energy: float) -> str:
+    """Write an energy (J) in the unit in which it reads well."""
+    unit, factor = reading_unit("J", abs(energy))
+    return f"{factor * energy:.3g} {unit}"
+
+
+def _close_up(axes: Axes, landscape: EnergyLandscape) -> None:
+    """The saddle after the first stable state, by energy above that state; a sentence where there is none."""
+    wing = landscape.wing
+    left, low, width, height = _free_place(landscape)
+    if in_column(axes) and left == _LOWER_LEFT[0]:
+        left += _INWARDS
+    start = next((state for state in wing.states if state.stable), None)
+    saddle = next(
+        (state for state in wing.states if not state.stable and start and state.coordinate > start.coordinate), None
+    )
+    if start is None or saddle is None:
+        write_note(axes, (left + width / 2, low + height / 2), _why_no_saddle(landscape))
+        return
+    near = axes.inset_axes((left, low, width, height))
+    climb = saddle.energy - start.energy
+    unit, factor = reading_unit("J", climb)
+    reach = saddle.coordinate - start.coordinate
+    places = (wing.pleat_angle >= start.coordinate) & (wing.pleat_angle <= saddle.coordinate + 1.6 * reach)
+    near.plot(np.degrees(wing.pleat_angle[places]), factor * (wing.energy[places] - start.energy), color=BLACK)
+    near.set_ylim(-0.75 * factor * climb, 1.25 * factor * climb)
+    near.set_xlim(math.degrees(start.coordinate - 0.12 * reach), math.degrees(saddle.coordinate + 1.6 * reach))
+    words = f"barrier {factor * climb:.4g} {unit}"
+    mark_barrier(near, math.degrees(saddle.coordinate), factor * climb, words)
+    near.set_ylabel(f"above {'flat' if start.coordinate <= 0 else 'it'} ({unit})", fontsize=7, labelpad=2)
+    near.set_xlabel("pleat angle (deg)", fontsize=7, labelpad=1)
+    near.tick_params(labelsize=6)
+
+
+def _free_place(landscape: EnergyLandscape) -> tuple[float, float, float, float]:
+    """The first place that the curve leaves free, or the one that it crosses least."""
+    wing = landscape.wing
+    share = (wing.pleat_angle - wing.pleat_angle[0]) / (wing.pleat_angle[-1] - wing.pleat_angle[0])
+    height = wing.energy / (1.12 * float(wing.energy.max()))
+    rooms = {}
+    for place in (_LOWER_LEFT, _UPPER_RIGHT, _UPPER_LEFT):
+        left, low, width, tall = place
+        beside = height[(share > left - _LABELS / 2) & (share < left + width)]
+        above, below = low - _LABELS - float(beside.max()), float(beside.min()) - (low + tall)
+        rooms[place] = min(max(above, below), 0.0)
+    return max(rooms, key=lambda place: rooms[place])
+
+
+def _why_no_saddle(landscape: EnergyLandscape) -> str:
+    wing, tendon = landscape.wing, landscape.tendons[0]
+    if not np.any(wing.ring_angle):
+        return wing.remarks[0]
+    if tendon.barrier is None:
+        return tendon.remarks[0]
+    return "no saddle: along the fold the energy nowhere rises and then falls"
+
+
+def _mark_climbs(axes: Axes, landscape: EnergyLandscape, factor: float, rounding: float) -> None:
+    """Where the moment most resists folding and opening, and the torques that this takes."""
+    wing = landscape.wing
+    places = [(int(np.argmin(wing.moment)), "folding", wing.fold_torque, "vein", -9)]
+    if wing.unfold_torque is not None:
+        moves = wing.fold_slope > 0
+        by_ring = np.where(moves, wing.moment, 0.0) / np.where(moves, wing.fold_slope, 1.0)
+        place = int(np.argmax(by_ring))
+        places.append((place, "opening", wing.unfold_torque, "distal hinge", 5))
+    middle = (wing.pleat_angle[0] + wing.pleat_angle[-1]) / 2
+    for place, name, torque, where, up in places:
+        angle = wing.pleat_angle[place]
+        free = any(
+            state.kind == "neutral" and state.coordinate <= angle <= state.far_coordinate for state in wing.states
+        )
+        if free or torque <= rounding:
+            continue
+        side, across = ("left", 9) if angle < middle else ("right", -9)
+        unit, reads = reading_unit("N m", torque)
+        at = math.degrees(angle), factor * wing.moment[place]
+        axes.plot(*at, "o", color=VERMILION, ms=4)
+        words = f"{name} takes {reads * torque:.3g} {unit}{chr(10) if in_column(axes) else ' '}on every {where}"
+        axes.annotate(words, at, xytext=(across, up), textcoords="offset points", ha=side, va="center", fontsize=7)
+
+
+def _ring_axis(axes: Axes, landscape: EnergyLandscape) -> None:
+    """The angle of the ring creases along the top, where it changes."""
+    wing = landscape.wing
+    if not np.any(wing.ring_angle):
+        return
+    pleats, rings = np.degrees(wing.pleat_angle), np.degrees(wing.ring_angle)
+    ends = [(float(pleats[0]), float(rings[0])), (float(pleats[-1]), float(rings[-1]))]
+    gap = _TICK_GAP * (ends[1][0] - ends[0][0])
+    for tick in _RING_TICKS:
+        place = float(np.interp(tick, rings, pleats))
+        if place - ends[-2][0] >= gap and ends[-1][0] - place >= gap:
+            ends.insert(-1, (place, tick))
+    above = axes.twiny()
+    above.spines["top"].set_visible(True)
+    above.set_xlim(axes.get_xlim())
+    axes.callbacks.connect("xlim_changed", lambda changed: above.set_xlim(changed.get_xlim()))
+    above.set_xticks([place for place, _ in ends], [f"{round(ring, 2) + 0.0:g}".replace("-", "−") for _, ring in ends])
+    above.set_xlabel("fold angle of the ring creases (deg)")
+
+
+def _tell(landscape: EnergyLandscape) -> str:
+    """The wing along its fold in words."""
+    states = [
+        f"{state.name} at a pleat angle of {show_angle(state.pleat_angle)} with {reading(state.energy)}"
+        for state in stable_states(landscape)
+    ]
+    saddles = [
+        f"{reading(state.energy)} at {show_angle(state.coordinate)}"
+        for state in landscape.wing.states
+        if not state.stable
+    ]
+    return (
+        f"Energy of the wing {landscape.design.name} along its fold, with that of its membrane and the moment about the"
+        f" pleats beneath. Stable states: {'; '.join(states) or 'none'}. Saddles: {'; '.join(saddles) or 'none'}."
+    )

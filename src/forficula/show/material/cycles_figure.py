@@ -1,0 +1,122 @@
+"""Stress over strain, cycle by cycle."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from numpy.typing import NDArray
+
+from forficula.material.characterisation import Characterisation
+from forficula.material.tensile.cycles import Branch, Cycle
+from forficula.show.material.material_units import stress_unit
+from forficula.show.style import BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, in_column, is_narrow
+
+Array = NDArray[np.float64]
+
+WAYS = {"loading": (BLUE, "-"), "unloading": (VERMILION, "--")}
+_SLACK: dict[str, Any] = {"ls": "none", "marker": "o", "color": "white", "mec": VERMILION, "ms": 4.5}
+_LEAST_SLACK = 2.0  # %
+_MOST_CYCLES = 6
+_POINTS = 201
+
+
+def draw_cycles(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
+    """Draw stress over strain, a panel a cycle: every specimen thin, the median over specimens thick; width in inch."""
+    left_out = {cycle.number for each in material.specimens for cycle in each.left_out}
+    by_number: dict[int, list[Cycle]] = {}
+    for each in material.specimens:
+        for cycle in (*each.left_out, *each.cycles):
+            by_number.setdefault(cycle.number, []).append(cycle)
+    numbers = _shown(sorted(by_number))
+    peak = max(float(cycle.loading.stress.max()) for number in numbers for cycle in by_number[number])
+    unit, factor = stress_unit(peak)
+    most = 2 if is_narrow(width) else 3
+    columns = min(len(numbers), most)
+    rows = math.ceil(len(numbers) / columns)
+    with figure_style():
+        size = (width * max(columns, 2) / most, 2.1 * rows + 0.35)
+        figure = Figure(figsize=size, layout="constrained")
+        grid = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False).ravel()
+        for place, (axes, number) in enumerate(zip(grid, numbers, strict=False)):
+            _draw_cycle(axes, by_number[number], factor)
+            axes.set_title(f"cycle {number}{', left out' if number in left_out else ''}", loc="left", fontweight="bold")
+            if place % columns == 0:
+                axes.set_ylabel(f"engineering stress ({unit})")
+            if place + columns >= len(numbers):
+                axes.set_xlabel("engineering strain (%)")
+                axes.tick_params(labelbottom=True)
+        spare = list(grid[len(numbers) :])
+        _legend(figure, spare[:1], many=len(material.specimens) > 1)
+        for axes in spare:
+            axes.set_axis_off()
+        return describe(figure, _tell(material, numbers))
+
+
+def _shown(numbers: Sequence[int]) -> list[int]:
+    """All cycles, or as many as a page holds, the first two and the last among them."""
+    if len(numbers) <= _MOST_CYCLES:
+        return list(numbers)
+    places = np.unique(np.geomspace(2, len(numbers), _MOST_CYCLES - 1).round().astype(int)) - 1
+    return [numbers[0], *(numbers[place] for place in places)]
+
+
+def _draw_cycle(axes: Axes, cycles: Sequence[Cycle], factor: float) -> None:
+    for way, (colour, style) in WAYS.items():
+        branches: list[Branch] = [getattr(cycle, way) for cycle in cycles]
+        if len(branches) > 1:
+            for branch in branches:
+                axes.plot(100 * branch.strain, branch.stress / factor, color=colour, lw=0.5, alpha=0.35)
+        strain, stress = _median_curve(branches)
+        axes.plot(100 * strain, stress / factor, color=colour, ls=style, lw=1.6)
+    axes.axhline(0, color="0.6", lw=0.5, zorder=0)
+    slack = [cycle.slack_strain for cycle in cycles if math.isfinite(cycle.slack_strain)]
+    place = 100 * float(np.median(slack)) if slack else 0.0
+    # one that never hangs slack has the strain at 1 % of its peak stress there
+    if place > _LEAST_SLACK:
+        axes.plot(place, 0, **_SLACK, zorder=5, clip_on=False)
+        words = f"no force below {place:.0f} %"
+        if in_column(axes):  # the title has no room for it
+            axes.text(0.04, 0.96, words, transform=axes.transAxes, va="top", fontsize=7)
+        else:
+            axes.set_title(words, loc="right", fontsize=7)
+
+
+def _median_curve(branches: Sequence[Branch]) -> tuple[Array, Array]:
+    """The median over specimens at each strain that all of them pass, shape (points,)."""
+    low = max(float(branch.strain.min()) for branch in branches)
+    high = min(float(branch.strain.max()) for branch in branches)
+    strain = np.linspace(low, high, _POINTS)
+    curves = []
+    for branch in branches:
+        order = np.argsort(branch.strain, kind="stable")
+        curves.append(np.interp(strain, branch.strain[order], branch.stress[order]))
+    return strain, np.median(curves, axis=0)
+
+
+def _legend(figure: Figure, spare: Sequence[Axes], *, many: bool) -> None:
+    """What the lines are: in a place that no cycle needs, or below."""
+    what = ", median of the specimens" if many else ""
+    handles = [
+        Line2D([], [], color=colour, ls=style, lw=1.6, label=way + what) for way, (colour, style) in WAYS.items()
+    ]
+    if many:
+        handles.append(Line2D([], [], color="0.5", lw=0.6, label="each specimen"))
+    handles.append(Line2D([], [], label="unloading carries no force below", **_SLACK))
+    if spare:
+        spare[0].legend(handles=handles, loc="center left", borderaxespad=0)
+    else:
+        figure.legend(handles=handles, loc="outside lower center", ncols=1 if is_narrow(figure.get_figwidth()) else 2)
+
+
+def _tell(material: Characterisation, numbers: Sequence[int]) -> str:
+    """The cycles in words."""
+    count = len(material.specimens)
+    specimens = f"{count} specimens" if count > 1 else "one specimen"
+    cycles = ", ".join(str(number) for number in numbers)
+    return f"Stress over strain of {specimens} of {material.name}, cycle by cycle. Cycles shown: {cycles}."

@@ -1,0 +1,112 @@
+"""How a material changes from cycle to cycle."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.ticker import MaxNLocator
+from numpy.typing import NDArray
+
+from forficula.material.characterisation import DRIFTING, Characterisation, common_cycles, cycle_table
+from forficula.material.law.drift import Drift
+from forficula.show.material.material_units import energy_unit, stress_unit
+from forficula.show.style import BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, is_narrow
+
+Array = NDArray[np.float64]
+
+
+def draw_drift(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
+    """Draw peak stress, loss and residual strain over the cycles, and the drift that was fitted; width in inch."""
+    with figure_style():
+        narrow, count = is_narrow(width), len(DRIFTING)
+        figure = Figure(figsize=(width, 5.6 if narrow else 2.6), layout="constrained")
+        grid = figure.subplots(count, 1) if narrow else figure.subplots(1, count, sharex=True)
+        for axes, key in zip(grid, DRIFTING, strict=True):
+            _draw_value(axes, material, key)
+            axes.set_xlabel("cycle N")
+            axes.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1))
+        left_out = any(each.left_out for each in material.specimens)
+        _legend(figure, many=len(material.specimens) > 1, left_out=left_out)
+        return describe(figure, _tell(material))
+
+
+def _draw_value(axes: Axes, material: Characterisation, key: str) -> None:
+    value, _ = DRIFTING[key]
+    kept = [each.cycles for each in material.specimens]
+    numbers, table = common_cycles(kept), cycle_table(kept, value)
+    first = np.array([[value(cycle) for cycle in each.left_out] for each in material.specimens])
+    every = np.concatenate([table.ravel(), first.ravel()])
+    finite = every[np.isfinite(every)]
+    label, factor = _reading(key, float(finite.max(initial=0.0)))
+    for row in table / factor:
+        axes.plot(numbers, row, "-", marker=".", color=BLUE, lw=0.6, ms=3.5, alpha=0.55, mew=0)
+    if first.size:
+        number = material.specimens[0].left_out[0].number
+        axes.plot([number] * len(first), first[:, 0] / factor, "o", color="white", mec=BLUE, ms=3.5, mew=0.7)
+    drift = material.drifts[key]
+    title = "drift cannot be told"
+    if drift is not None:
+        title = _words(drift)
+        _draw_drift(axes, drift, numbers, table, factor)
+    axes.set_title(title, loc="left", fontsize=7)
+    axes.set_ylabel(label)
+    low, high = (float(finite.min()), float(finite.max())) if len(finite) else (0.0, 1.0)
+    room = max(high - low, 0.1 * abs(high), 1e-12)
+    axes.set_ylim((low - 0.25 * room) / factor, (high + 0.25 * room) / factor)
+
+
+def _reading(key: str, largest: float) -> tuple[str, float]:
+    """The axis' name and the size of its unit in SI."""
+    if key == "peak_stress":
+        unit, factor = stress_unit(largest)
+        return f"peak stress ({unit})", factor
+    if key == "loss":
+        unit, factor = energy_unit(largest)
+        return f"loss per cycle ({unit})", factor
+    return "residual strain (%)", 0.01
+
+
+def _draw_drift(axes: Axes, drift: Drift, numbers: Sequence[int], table: Array, factor: float) -> None:
+    """The fitted course over the cycles seen with its 95 % interval, at the level of the median specimen."""
+    changes = np.array([drift.change(number) for number in numbers]).T
+    if drift.relative:
+        start = np.exp(np.median(np.mean(np.log(table / changes[0]), axis=1)))
+        curves = start * changes
+    else:
+        curves = np.median(np.mean(table - changes[0], axis=1)) + changes
+    middle, low, high = curves / factor
+    axes.fill_between(numbers, low, high, color=VERMILION, alpha=0.2, lw=0)
+    axes.plot(numbers, middle, "--", color=VERMILION, lw=1.4)
+
+
+def _words(drift: Drift) -> str:
+    if drift.kind == "none":
+        return "no drift in the data"
+    middle, low, high = drift.change(drift.seen[1])
+    change, half = (100 * (middle - 1) if drift.relative else 100 * middle), 100 * (high - low) / 2
+    unit = "%" if drift.relative else "percentage points"
+    course = "ln N" if drift.kind == "logarithm" else "to a plateau"
+    return f"{change:+.3g} ± {half:.1g} {unit}, {course}".replace("-", "−")
+
+
+def _legend(figure: Figure, *, many: bool, left_out: bool) -> None:
+    handles = [
+        Line2D([], [], color=BLUE, marker=".", lw=0.6, ms=5, mew=0, label="each specimen" if many else "specimen")
+    ]
+    if left_out:
+        handles.append(Line2D([], [], ls="none", marker="o", color="white", mec=BLUE, ms=3.5, label="left out"))
+    handles.append(Line2D([], [], ls="--", color=VERMILION, label="drift that was fitted, and its 95 % interval"))
+    figure.legend(handles=handles, loc="outside lower center", ncols=2 if is_narrow(figure.get_figwidth()) else 3)
+
+
+def _tell(material: Characterisation) -> str:
+    """The drift of every value in words."""
+    told = [
+        f"{key.replace('_', ' ')}: {'drift cannot be told' if drift is None else _words(drift)}"
+        for key, drift in material.drifts.items()
+    ]
+    return f"Peak stress, loss and residual strain of {material.name} over the cycles. {'; '.join(told)}."

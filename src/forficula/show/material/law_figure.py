@@ -1,0 +1,116 @@
+"""Measured stress beside that of the fitted law, and what is left."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from forficula.errors import InputError
+from forficula.material.characterisation import Characterisation
+from forficula.material.fit.fit import LawFit, Residual
+from forficula.quantities import reading_unit
+from forficula.show.material.material_units import stress_unit
+from forficula.show.style import BLACK, PAGE_WIDTH, SKY, VERMILION, describe, figure_style, is_narrow
+
+_MINUTE, _HOUR = 60.0, 3600.0
+_SOME_ROWS = 1.5  # more than one
+
+
+def draw_fit(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
+    """Draw data and law over strain and over time, and the residual under both.
+
+    Offset and drift of the force's zero, which the fit found beside the law, are taken off the data. The law is drawn
+    with the amplitude of the specimen along which it runs.
+
+    Args:
+        material: whose law and data are drawn.
+        width: of the figure, inch.
+
+    Raises:
+        InputError: there is no law.
+    """
+    fit = material.fit
+    if fit is None:
+        raise InputError(f"{material.name}: there is no law to draw")
+    shown = _typical(fit)
+    unit, factor = stress_unit(max(float(each.stress.max()) for each in fit.residuals))
+    longest = max(float(each.time[-1]) for each in fit.residuals)
+    time_unit, time = _time_unit(longest)
+    with figure_style():
+        figure = Figure(figsize=(width, 4.3), layout="constrained")
+        panels = figure.subplots(2, 2, sharex="col", sharey="row", height_ratios=[2.2, 1])
+        middles = {each.test.name: (each.test.time[0] + each.test.time[-1]) / 2 for each in material.specimens}
+        for each in fit.residuals:
+            _draw_data(panels, each, factor, time, middles[each.name])
+        stress = _without_zero(shown, shown.fitted, middles[shown.name]) / factor
+        panels[0, 0].plot(100 * shown.strain, stress, color=VERMILION, lw=1.0)
+        panels[0, 1].plot(shown.time / time, stress, color=VERMILION, lw=1.0)
+        for axes in panels.ravel():
+            axes.axhline(0, color="0.6", lw=0.5, zorder=0)
+        for axes in panels[1]:
+            for side in (-1, 1):
+                axes.axhline(side * fit.misfit / factor, color=BLACK, lw=0.7, ls=":")
+        panels[0, 0].set_ylabel(f"engineering stress ({unit})")
+        panels[1, 0].set_ylabel(f"law less\ndata ({unit})")
+        panels[1, 0].set_xlabel("engineering strain (%)")
+        panels[1, 1].set_xlabel(f"time ({time_unit})")
+        end = ":\n" if is_narrow(width) else ": "
+        off = f"off by {100 * fit.relative_misfit:.2g} % of the largest stress"
+        figure.suptitle(f"{fit.form.name}{end}{off}", fontsize=8)
+        _legend(figure, material, fit, f"{fit.misfit / factor:.2g} {unit}", shown)
+        return describe(figure, _tell(material.name, fit))
+
+
+def _typical(fit: LawFit) -> Residual:
+    """The specimen whose misfit is the median one."""
+    ranked = sorted(fit.residuals, key=lambda each: float(np.mean((each.fitted - each.stress) ** 2)))
+    return ranked[len(ranked) // 2]
+
+
+def _time_unit(longest: float) -> tuple[str, float]:
+    if longest >= 2 * _HOUR:
+        return "h", _HOUR
+    if longest >= 3 * _MINUTE:
+        return "min", _MINUTE
+    unit, factor = reading_unit("s", longest)
+    return unit, 1 / factor
+
+
+def _without_zero(residual: Residual, stress: Any, middle: float) -> Any:
+    """A stress less the offset and drift of the force's zero, Pa, shape (points,)."""
+    return stress - residual.offset - residual.drift * (residual.time - middle)
+
+
+def _draw_data(panels: Any, residual: Residual, factor: float, time: float, middle: float) -> None:
+    """One specimen over strain and over time, and its residual under both; the middle of its test in s."""
+    stress = _without_zero(residual, residual.stress, middle) / factor
+    left = (residual.fitted - residual.stress) / factor
+    look: dict[str, Any] = {"color": SKY, "lw": 1.2, "alpha": 0.6}
+    for column, across in enumerate((100 * residual.strain, residual.time / time)):
+        panels[0, column].plot(across, stress, **look)
+        panels[1, column].plot(across, left, color=SKY, lw=0.7, alpha=0.9)
+
+
+def _legend(figure: Figure, material: Characterisation, fit: LawFit, misfit: str, shown: Residual) -> None:
+    many = len(fit.residuals) > 1
+    along = f"law × {shown.amplitude:.3g} along {shown.name}"
+    data = f"data of {len(fit.residuals)} specimens" if many else "data"
+    cycles = [cycle for each in material.specimens for cycle in each.cycles]
+    rows = sum(len(cycle.loading.time) + len(cycle.unloading.time) for cycle in cycles) / fit.points
+    means = f", means of {rows:.0f} rows" if rows >= _SOME_ROWS else ""
+    handles = [
+        Line2D([], [], color=SKY, lw=1.6, label=f"{data}, zero of the force corrected{means}"),
+        Line2D([], [], color=VERMILION, label=along if many else "law"),
+        Line2D([], [], color=BLACK, lw=0.7, ls=":", label=f"root mean square, {misfit}"),
+    ]
+    columns, size = (1, 6) if is_narrow(figure.get_figwidth()) else (3, 7)
+    figure.legend(handles=handles, loc="outside lower center", ncols=columns, fontsize=size)
+
+
+def _tell(name: str, fit: LawFit) -> str:
+    """The fit in words."""
+    off = f"off by {100 * fit.relative_misfit:.2g} % of the largest stress"
+    return f"Measured stress of {name} over strain and time beside that of the fitted law. {fit.form.name}, {off}."

@@ -1,0 +1,203 @@
+"""A characterised material as text that a person understands."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from rich.console import Console, Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from forficula.material.characterisation import AREA, LENGTH, Characterisation
+from forficula.material.fit.fit import Candidate, LawFit
+from forficula.material.law.drift import Drift
+from forficula.material.law.law_keys import show_range, show_value
+from forficula.material.law.material_law import MaterialLaw
+from forficula.material.material_summary import law_rows
+from forficula.material.tensile.modulus import ModulusClass, Quartiles
+from forficula.quantities import show_quantity
+from forficula.show.material.material_units import energy_unit, stress_unit
+
+_NONE = "none"
+_MOST_LAWS = 6
+_DRIFT_NAMES = {"peak_stress": "peak stress", "loss": "loss", "residual_strain": "residual strain"}
+
+
+def print_material(material: Characterisation) -> None:
+    """Print what the tests say of a material."""
+    Console(width=110, highlight=False).print(material_table(material))
+
+
+def material_table(material: Characterisation) -> RenderableType:
+    """Lay out cycles, moduli, drift and law, and the remarks as sentences."""
+    parts: list[RenderableType] = [Text(_heading(material), style="bold"), Text()]
+    parts += [*_cycles(material), Text(), *_moduli(material), Text(), *_drifts(material)]
+    if material.law is not None and material.fit is not None:
+        parts += [Text(), *_law(material.law, material.fit), Text(), *_candidates(material.fit)]
+    if material.remarks:
+        parts += [Text(), *(Text(sentence(remark)) for remark in material.remarks)]
+    return Group(*parts)
+
+
+def sentence(remark: str) -> str:
+    """A remark with a capital, unless it begins with a key, and a full stop."""
+    first, _, rest = remark.partition(" ")
+    start = first if "." in first or ":" in first else first[0].upper() + first[1:]
+    return f"{start} {rest.rstrip('.')}."
+
+
+def plain_table(*headings: str) -> Table:
+    """A table without lines whose first column is text."""
+    table = Table(box=None, padding=(0, 2, 0, 0))
+    for number, heading in enumerate(headings):
+        table.add_column(heading, justify="right" if number else "left")
+    return table
+
+
+def _heading(material: Characterisation) -> str:
+    tests = [each.test for each in material.specimens]
+    lengths = _spread([show_quantity(each.length, LENGTH) for each in tests])
+    areas = _spread([show_quantity(each.area, AREA).replace("^2", "²") for each in tests])
+    count = "1 specimen" if len(tests) == 1 else f"{len(tests)} specimens"
+    cycles = [each.number for each in material.cycles]
+    which = f"cycle {cycles[0]}" if len(cycles) == 1 else f"cycles {cycles[0]} to {cycles[-1]}"
+    return f"{material.name}: {count}, length {lengths}, area {areas}, {which}"
+
+
+def _spread(texts: list[str]) -> str:
+    return texts[0] if len(set(texts)) == 1 else f"from {texts[0]} on, not all alike"
+
+
+def _cycles(material: Characterisation) -> list[RenderableType]:
+    stress, modulus = stress_unit(max(each.secant_modulus for each in material.cycles))
+    energy, loss = energy_unit(max(abs(each.loss) for each in material.cycles))
+    table = plain_table(
+        *("cycle", "specimens", f"secant modulus\n({stress})", f"loss\n({energy})", "residual\nstrain (%)"),
+        *("no force on\nunloading below (%)", "largest\nstrain (%)"),
+    )
+    for each in material.cycles:
+        table.add_row(
+            str(each.number),
+            str(each.specimens),
+            _number(each.secant_modulus / modulus),
+            _number(each.loss / loss),
+            _number(100 * each.residual_strain),
+            _number(100 * each.slack_strain),
+            _number(100 * each.largest_strain),
+        )
+    change = material.change
+    if change.specimens:
+        table.add_row(
+            "change a cycle",
+            str(change.specimens),
+            _signed(change.secant_modulus / modulus),
+            _signed(change.loss / loss),
+            _signed(100 * change.residual_strain),
+            _signed(100 * change.slack_strain),
+            "",
+        )
+    return [Text("Cycles, medians over specimens", style="italic"), table]
+
+
+def _moduli(material: Characterisation) -> list[RenderableType]:
+    unit, factor = stress_unit(max(each.secant_modulus.upper for each in material.pooled))
+    table = plain_table("strain (%)", "loading:\nsecant", "local", "unloading:\nsecant", "local")
+    classes: dict[tuple[float, float], dict[str, ModulusClass]] = {}
+    for each in material.pooled:
+        classes.setdefault((each.from_strain, each.to_strain), {})[each.way] = each
+    for (low, high), ways in sorted(classes.items()):
+        cells = [
+            _quartiles(getattr(ways[way], kind), factor) if way in ways else _NONE
+            for way in ("loading", "unloading")
+            for kind in ("secant_modulus", "local_modulus")
+        ]
+        table.add_row(f"{100 * low:g} to {100 * high:g}", *cells)
+    title = f"Moduli by class of strain ({unit}): median [quartiles] over specimens and cycles"
+    return [Text(title, style="italic"), table]
+
+
+def _drifts(material: Characterisation) -> list[RenderableType]:
+    table = plain_table("", "first cycle to last", "95 % interval", "by the course")
+    for key, drift in material.drifts.items():
+        table.add_row(_DRIFT_NAMES[key], *(["cannot be told", "", ""] if drift is None else _drift(drift)))
+    return [Text("Drift over the cycles", style="italic"), table]
+
+
+def _drift(drift: Drift) -> list[str]:
+    if drift.kind == "none":
+        return ["none in the data", "", ""]
+    values = [100 * (each - 1) if drift.relative else 100 * each for each in drift.change(drift.seen[1])]
+    middle, low, high = (_signed(value) for value in values)
+    unit = "%" if drift.relative else "percentage points"
+    course = "ln N" if drift.kind == "logarithm" else f"plateau after {drift.cycles:.2g} cycles"
+    return [f"{middle} {unit}", f"{low} to {high}", course]
+
+
+def _law(law: MaterialLaw, fit: LawFit) -> list[RenderableType]:
+    table = plain_table("", "value", "95 % interval")
+    for key, value, bounds in law_rows(law):
+        table.add_row(
+            key, _minus(show_value(key, value)), _NONE if bounds is None else _minus(show_range(key, *bounds))
+        )
+    left = f"{_stress(fit.misfit)}, {100 * fit.relative_misfit:.2g} % of the largest stress"
+    return [Text(f"Law: {fit.form.name}; residual {left}", style="italic"), table, *_amplitudes(fit)]
+
+
+def _amplitudes(fit: LawFit) -> Iterator[Text]:
+    """By how much specimens differ, where there are several."""
+    if fit.scatter is None:
+        return
+    least, *_, most = sorted(fit.residuals, key=lambda each: each.amplitude)
+    shown = [f"{_signed(100 * (each.amplitude - 1))} % ({each.name})" for each in (least, most)]
+    yield Text(
+        f"The specimens' amplitudes differ from the law's by {shown[0]} to {shown[1]}, standard deviation"
+        f" {_number(100 * fit.scatter)} %; the intervals hold for the material, not for these specimens alone."
+    )
+
+
+def _candidates(fit: LawFit) -> list[RenderableType]:
+    tried = [each for each in fit.candidates if math.isfinite(each.bic)]
+    table = plain_table("", "values", "criterion above\nthe chosen", "residual")
+    for each in _telling(tried)[:_MOST_LAWS]:
+        above = "chosen" if each is tried[0] else _minus(f"{each.bic - tried[0].bic:+.3g}")
+        table.add_row(each.form.name, str(len(each.form.keys)), above, _stress(each.misfit))
+    refused = len(fit.candidates) - len(tried)
+    title = f"Best laws of each kind by the Bayesian information criterion; {len(tried)} compared, {refused} refused"
+    return [Text(title, style="italic"), table]
+
+
+def _telling(tried: list[Candidate]) -> list[Candidate]:
+    """The best of each kind: order of the spring and way to lose energy."""
+    best: dict[tuple[object, ...], Candidate] = {}
+    for each in tried:
+        best.setdefault((each.form.damper, each.form.branches, each.form.softening), each)
+    return list(best.values())
+
+
+def _stress(value: float) -> str:
+    unit, factor = stress_unit(value)
+    return f"{value / factor:.3g} {unit}"
+
+
+def _quartiles(entry: Quartiles, factor: float) -> str:
+    middle, low, high = (_number(value / factor, 2) for value in (entry.median, entry.lower, entry.upper))
+    return f"{middle} [{low}; {high}]"
+
+
+def _number(value: float, decimals: int = 3) -> str:
+    """Three digits, and no more than some decimals, so that noise about 0 reads as such."""
+    if not math.isfinite(value):
+        return _NONE
+    digits = 2 - math.floor(math.log10(abs(value))) if value else 0
+    text = f"{value:.{min(max(digits, 0), decimals)}f}"
+    return _minus(text) if float(text) else "0"
+
+
+def _minus(text: str) -> str:
+    return text.replace("-", "−")
+
+
+def _signed(value: float) -> str:
+    text = _number(value)
+    return text if text in (_NONE, "0") or text.startswith("−") else f"+{text}"

@@ -1,0 +1,168 @@
+"""Moduli by class of strain as box plots (Binder et al. 2025, Figure 9)."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from typing import Any, Literal
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+from matplotlib.ticker import FuncFormatter
+
+from forficula.material.characterisation import AREA, LENGTH, Characterisation
+from forficula.material.tensile.modulus import ModulusClass
+from forficula.quantities import show_quantity
+from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, in_column, is_narrow
+
+Kind = Literal["secant_modulus", "local_modulus"]
+
+_LOOKS = {"loading": ("#BBDDF2", BLUE, ""), "unloading": ("#FBE3D3", VERMILION, "/////")}
+_BAND = "#DDF1EA"
+_BAND_INK = "#00604A"
+_NAMES: dict[Kind, str] = {
+    "secant_modulus": "secant modulus,\nstress / strain (MPa)",
+    "local_modulus": "local modulus,\nd stress / d strain (MPa)",
+}
+_MPA = 1e6
+_COLUMN_LINE = 54  # letters of a line in a column
+_GAP = 0.2  # between the two boxes of a class and its middle, in classes
+
+
+def draw_moduli(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
+    """Draw secant and local moduli by class of strain, loading beside unloading, with the moduli that folding needs.
+
+    Args:
+        material: whose moduli are drawn.
+        width: of the figure, inch.
+    """
+    with figure_style():
+        figure = Figure(figsize=(width, 5.2), layout="constrained")
+        panels = figure.subplots(2, 1, sharex=True, sharey=True)
+        kinds: tuple[Kind, Kind] = ("secant_modulus", "local_modulus")
+        for axes, kind in zip(panels, kinds, strict=True):
+            _draw_band(axes, material)
+            for way in _LOOKS:
+                _draw_boxes(axes, material, way, kind)
+            axes.set_ylabel(_NAMES[kind])
+            axes.axhline(0, color="0.6", lw=0.5, zorder=1)
+        _scale(panels[0], material)
+        _classes(panels[1], material)
+        panels[0].tick_params(axis="x", length=0)
+        panels[1].set_xlabel("engineering strain, in classes (%)")
+        _legend(figure, material)
+        return describe(figure, _tell(material))
+
+
+def _place(low: float, high: float) -> float:
+    """Where a class stands: one apart, whatever the width."""
+    return (low + high) / 2 / (high - low)
+
+
+def _draw_band(axes: Axes, material: Characterisation) -> None:
+    low, high = (modulus / _MPA for modulus in material.simulated_moduli)
+    axes.axhspan(low, high, color=_BAND, zorder=0, lw=0)
+
+
+def _draw_boxes(axes: Axes, material: Characterisation, way: str, kind: Kind) -> None:
+    """One box a class: quartiles and median over specimens and cycles, whiskers to the extremes."""
+    face, edge, hatch = _LOOKS[way]
+    side = -_GAP if way == "loading" else _GAP
+    boxes, places = [], []
+    for entry in (each for each in material.pooled if each.way == way):
+        values = _single_values(material, entry, kind)
+        quartiles = getattr(entry, kind)
+        boxes.append(
+            {
+                "q1": quartiles.lower / _MPA,
+                "med": quartiles.median / _MPA,
+                "q3": quartiles.upper / _MPA,
+                "whislo": float(values.min()) / _MPA,
+                "whishi": float(values.max()) / _MPA,
+            }
+        )
+        places.append(_place(entry.from_strain, entry.to_strain) + side)
+    thin: dict[str, Any] = {"color": edge, "lw": 0.8}
+    axes.bxp(
+        boxes,
+        positions=places,
+        widths=0.32,
+        showfliers=False,
+        patch_artist=True,
+        manage_ticks=False,
+        boxprops={"facecolor": face, "edgecolor": edge, "lw": 0.8, "hatch": hatch},
+        medianprops={"color": BLACK, "lw": 1.1},
+        whiskerprops=thin,
+        capprops=thin,
+    )
+
+
+def _single_values(material: Characterisation, entry: ModulusClass, kind: Kind) -> Any:
+    """The values behind an entry, Pa, shape (value,)."""
+    same = [each for each in material.single if (each.way, each.from_strain) == (entry.way, entry.from_strain)]
+    return np.array([getattr(each, kind).median for each in same])
+
+
+def _straight(material: Characterisation) -> float:
+    """The decade below the largest secant modulus, MPa: the scale is linear below it."""
+    largest = max(each.secant_modulus.upper for each in material.pooled) / _MPA
+    return float(10.0 ** math.floor(math.log10(largest / 2)))
+
+
+def _scale(axes: Axes, material: Characterisation) -> None:
+    """Logarithmic over the decades of the moduli, straight about 0, where a slack specimen has them."""
+    values = [getattr(each, kind).median / _MPA for each in material.single for kind in _NAMES]
+    low, high = min(values), max(*values, material.simulated_moduli[1] / _MPA)
+    straight = _straight(material)
+    axes.set_yscale("symlog", linthresh=straight, linscale=0.8, subs=range(2, 10))
+    axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}".replace("-", "−")))
+    axes.set_ylim(min(1.15 * low, -0.15 * straight), 1.6 * high)
+
+
+def _classes(axes: Axes, material: Characterisation) -> None:
+    """Name the classes and part them."""
+    classes = sorted({(each.from_strain, each.to_strain) for each in material.pooled})
+    places = [_place(low, high) for low, high in classes]
+    axes.set_xticks(places, [f"{100 * low:g}–{100 * high:g}" for low, high in classes])
+    if in_column(axes):
+        axes.tick_params(axis="x", rotation=90)
+    axes.set_xlim(places[0] - 0.5, places[-1] + 0.5)
+    for each in axes.figure.axes:
+        for place in places[1:]:
+            each.axvline(place - 0.5, color="0.88", lw=0.6, zorder=0.5)
+
+
+def _legend(figure: Figure, material: Characterisation) -> None:
+    sizes = [(each.test.length, each.test.area) for each in material.specimens]
+    length, area = (float(np.median(values)) for values in zip(*sizes, strict=True))
+    low, high = (modulus / _MPA for modulus in material.simulated_moduli)
+    size = f"{show_quantity(length, LENGTH)} and {show_quantity(area, AREA).replace('^2', '²')}"
+    handles = [
+        Patch(facecolor=face, edgecolor=edge, hatch=hatch, lw=0.8, label=way)
+        for way, (face, edge, hatch) in _LOOKS.items()
+    ]
+    band = f"{low:.3g} to {high:.3g} MPa, that 10 to 60 N/cm need at {size}"
+    handles.append(Patch(facecolor=_BAND, edgecolor=_BAND_INK, lw=0.4, label=band))
+    count = max(each.values for each in material.pooled)
+    what = f"box: quartiles, line: median, whiskers: extremes of up to {count} values, one a specimen and cycle"
+    note = f"{what}; linear scale below {_straight(material):g} MPa"
+    narrow = is_narrow(figure.get_figwidth())
+    if narrow:
+        note = textwrap.fill(note, _COLUMN_LINE)
+    columns = 1 if narrow else 3
+    figure.legend(handles=handles, loc="outside upper center", ncols=columns, title=note, title_fontsize=7)
+
+
+def _tell(material: Characterisation) -> str:
+    """The secant moduli in words."""
+    told = []
+    for way in _LOOKS:
+        medians = [each.secant_modulus.median / _MPA for each in material.pooled if each.way == way]
+        told.append(f"when {way} {min(medians):.3g} to {max(medians):.3g} MPa")
+    low, high = (modulus / _MPA for modulus in material.simulated_moduli)
+    return (
+        f"Moduli of {material.name} by class of strain. Median secant moduli {' and '.join(told)};"
+        f" tendons of 10 to 60 N/cm need {low:.3g} to {high:.3g} MPa."
+    )

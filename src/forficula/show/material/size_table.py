@@ -1,0 +1,97 @@
+"""Sizes of tendons as text and as a table for other programs."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from rich.console import Console, Group, RenderableType
+from rich.text import Text
+
+from forficula.analysis.sizing import TendonSizes
+from forficula.csv_text import csv_text
+from forficula.design.part import STIFFNESS
+from forficula.material.characterisation import AREA, LENGTH
+from forficula.material.law.law_keys import show_value
+from forficula.material.law.material_law import MaterialLaw
+from forficula.quantities import show_quantity
+from forficula.show.material.material_table import plain_table, sentence
+
+_COLUMNS = (
+    *("length_m", "stiffness_N_per_m", "area_m2", "diameter_m", "area_by_mean_stiffness_to_flat_m2"),
+    *("flat_strain", "flat_strain_beyond_measured"),
+)
+
+
+def print_sizes(law: MaterialLaw, sizes: Sequence[TendonSizes]) -> None:
+    """Print the sizes of tendons of a material."""
+    Console(width=110, highlight=False).print(size_table(law, sizes))
+
+
+def size_table(law: MaterialLaw, sizes: Sequence[TendonSizes]) -> RenderableType:
+    """Lay out a table for each length, and what it means for the flat wing."""
+    parts: list[RenderableType] = []
+    for each in sizes:
+        heading = f"{law.name}, length {show_quantity(each.length, LENGTH)}, {each.why}"
+        blank = [Text()] if parts else []
+        parts += [*blank, Text(heading, style="bold"), _table(law, each), Text(_flat(each, law))]
+    remarks = [Text(sentence(remark)) for remark in _remarks(law)]
+    return Group(*parts, *([Text(), *remarks] if remarks else []))
+
+
+def sizes_csv(sizes: Sequence[TendonSizes]) -> str:
+    """The sizes as comma-separated values in SI, one row a tendon; what is absent is empty."""
+    rows: list[Sequence[object]] = [_COLUMNS]
+    for each in sizes:
+        beyond = "" if each.beyond is None else str(each.beyond).lower()
+        for size in each.sizes:
+            mean = "" if size.mean_area is None else repr(size.mean_area)
+            row = (each.length, size.stiffness, size.area, size.diameter)
+            rows.append([*map(repr, row), mean, repr(each.flat_strain), beyond])
+    return csv_text(rows)
+
+
+def _table(law: MaterialLaw, sizes: TendonSizes) -> RenderableType:
+    linear = _is_linear(law)
+    headings = ["stiffness", "area", "diameter\nif round"]
+    if not linear:
+        headings[1:] = [
+            "area, stiffness at\nsmall extension",
+            "diameter\nif round",
+            "area, mean stiffness\nto the flat wing",
+        ]
+    table = plain_table(*headings)
+    for size in sizes.sizes:
+        cells = [show_quantity(size.stiffness, STIFFNESS), _area(size.area), show_quantity(size.diameter, LENGTH)]
+        if not linear:
+            cells.append("slack" if size.mean_area is None else _area(size.mean_area))
+        table.add_row(*cells)
+    return table
+
+
+def _is_linear(law: MaterialLaw) -> bool:
+    return law.moduli is not None and law.moduli[1:] == (0.0, 0.0) and law.yield_strain is None
+
+
+def _flat(sizes: TendonSizes, law: MaterialLaw) -> str:
+    if sizes.flat_strain <= law.residual_strain:
+        return "The flat wing leaves it slack."
+    strain = f"The flat wing stretches it by {100 * sizes.flat_strain:.3g} %"
+    if sizes.beyond is None:
+        return f"{strain}; the law does not say up to which strain it holds."
+    shown = show_value("largest_strain", law.largest_strain or math.nan)
+    return f"{strain}, {'beyond' if sizes.beyond else 'within'} the {shown} up to which {law.name} was measured."
+
+
+def _remarks(law: MaterialLaw) -> Iterator[str]:
+    if law.residual_strain:
+        shown = show_value("residual_strain", law.residual_strain)
+        yield f"the material has grown by {shown} for good: the length is that before, and it pulls only beyond that"
+    if law.branches:
+        yield "the stiffness is that of a slow pull; fast ones find the Maxwell branches, too"
+    if law.softening is not None:
+        yield "the stiffness is that of a first pull; below the largest strain that it has seen the material is softer"
+
+
+def _area(area: float) -> str:
+    return show_quantity(area, AREA).replace("^2", "²")

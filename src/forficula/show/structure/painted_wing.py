@@ -1,0 +1,178 @@
+"""A wing as flat polygons from back to front: what a picture without a depth buffer needs."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.colors import to_rgb, to_rgba_array
+from numpy.typing import ArrayLike, NDArray
+
+from forficula.design import Design
+from forficula.pattern import tips
+from forficula.show.structure.wing_surface import WingSurface
+
+Array = NDArray[np.float64]
+
+PROXIMAL, DISTAL, VEIN = "#E3D2AC", "#93BBDA", "#3A3A3A"
+_CREASE, _CASING = "#6E6E6E", "#FFFFFF"
+_LIGHT = np.array([0.35, -0.25, 0.9])
+# the eye's height, and how far from the middle of the flat fan it looks
+_ELEVATION, _ASIDE = np.radians(47.0), np.radians(80.0)
+# strips of a tube: from where to where beside its axis, in radii, and how light they are
+_STRIPS = ((-1.0, -0.35, 0.75), (-0.35, 0.35, 1.5), (0.35, 1.0, 0.6))
+# half widths in radii of a vein
+_TENDON, _CASED, _THIN = 0.62, 0.95, 0.14
+
+
+@dataclass(frozen=True, kw_only=True)
+class View:
+    """From where a wing is looked at, in parallel projection.
+
+    Attributes:
+        right: across the picture, a unit vector, (axis,).
+        up: upwards on it, likewise.
+        towards: to the eye, likewise.
+    """
+
+    right: Array
+    up: Array
+    towards: Array
+
+    def project(self, points: Array) -> Array:
+        """Place points on the picture, m, (..., 3) -> (..., 2)."""
+        return np.stack([points @ self.right, points @ self.up], axis=-1)
+
+
+@dataclass(frozen=True, kw_only=True)
+class PaintedWing:
+    """What to paint, the farthest first.
+
+    Attributes:
+        polygons: m on the picture, (polygon, 4, 2).
+        colours: red, green, blue, opacity, (polygon, 4).
+    """
+
+    polygons: Array
+    colours: Array
+
+
+def wing_view(design: Design) -> View:
+    """Look at a wing from above and from the side to which it folds."""
+    x, y, _ = tips(design.fan).mean(axis=0)
+    azimuth = math.atan2(y, x) + _ASIDE
+    right = np.array([-math.sin(azimuth), math.cos(azimuth), 0.0])
+    level = np.array([math.cos(azimuth), math.sin(azimuth), 0.0])
+    towards = math.cos(_ELEVATION) * level + np.array([0.0, 0.0, math.sin(_ELEVATION)])
+    return View(right=right, up=np.cross(towards, right), towards=towards)
+
+
+def paint_wing(
+    surface: WingSurface, design: Design, view: View, tendon_colours: Sequence[str] | ArrayLike, *, cells: int = 40
+) -> PaintedWing:
+    """Cut a wing into small polygons, shade them and sort them by their distance.
+
+    Args:
+        surface: the wing in space.
+        design: how thick and how long its veins are.
+        view: from where it is seen.
+        tendon_colours: one a vein.
+        cells: to the length of a vein; the more, the better is seen what hides what.
+    """
+    radius = design.vein.diameter / 2
+    cell = (design.pattern.proximal_length + design.pattern.distal_length) / cells
+    # what lies on the membrane is in front of the cells beside it, whose middles may be nearer to the eye
+    above = radius + cell / 2
+    bars = np.concatenate([surface.veins[:, :2], surface.veins[:, 1:]])
+    parts = [_membrane(surface, view, cell), _ribbons(_creases(surface), view, cell, _CREASE, _THIN * radius, cell / 2)]
+    for low, high, lustre in _STRIPS:
+        shade = to_rgba_array(VEIN) * [lustre, lustre, lustre, 1]
+        # the bright strip last, so that the ends of the others do not lie on it
+        nearer = above + cell / 2 if lustre > 1 else above
+        parts.append(_ribbons(bars, view, cell, shade, (low * radius, high * radius), nearer))
+    # the casing shows on both sides of what lies on it
+    for half, colours, nearer in ((_CASED, _CASING, 2 * radius), (_TENDON, tendon_colours, 2 * radius + cell / 2)):
+        parts.append(_ribbons(surface.tendons, view, cell, colours, half * radius, above + nearer))
+    depths, polygons, shades = (np.concatenate(each) for each in zip(*parts, strict=True))
+    order = np.argsort(depths, kind="stable")
+    return PaintedWing(polygons=polygons[order], colours=np.clip(shades[order], 0, 1))
+
+
+def _membrane(surface: WingSurface, view: View, cell: float) -> tuple[Array, Array, Array]:
+    """Depths, polygons and colours of the membrane's cells."""
+    quads, tints = [], []
+    for quad, distal in zip(surface.quads, surface.distal, strict=True):
+        small = _cut(quad, cell)
+        quads.append(small)
+        tints.append(np.tile(to_rgb(DISTAL if distal else PROXIMAL), (len(small), 1)))
+    every = np.concatenate(quads)
+    shades = np.column_stack([np.concatenate(tints) * _facing(every)[:, np.newaxis], np.ones(len(every))])
+    return every.mean(axis=1) @ view.towards, view.project(every), shades
+
+
+def _cut(quad: Array, cell: float) -> Array:
+    """Cells of a surface between four corners, straight from side to side, (cell, 4, axis)."""
+    first, second, third, fourth = quad
+    u = np.linspace(0, 1, _pieces(max(_length(second - first), _length(third - fourth)), cell) + 1)
+    v = np.linspace(0, 1, _pieces(max(_length(fourth - first), _length(third - second)), cell) + 1)
+    u, v = u[:, np.newaxis, np.newaxis], v[:, np.newaxis]
+    grid = (1 - v) * ((1 - u) * first + u * second) + v * ((1 - u) * fourth + u * third)
+    return np.stack([grid[:-1, :-1], grid[1:, :-1], grid[1:, 1:], grid[:-1, 1:]], axis=2).reshape(-1, 4, 3)
+
+
+def _length(vector: Array) -> float:
+    return float(np.linalg.norm(vector))
+
+
+def _pieces(length: float, cell: float) -> int:
+    return max(1, math.ceil(length / cell))
+
+
+def _facing(quads: Array) -> Array:
+    """Lambert shading of both sides alike, (quad,)."""
+    normals = np.cross(quads[:, 2] - quads[:, 0], quads[:, 3] - quads[:, 1])
+    lengths = np.maximum(np.linalg.norm(normals, axis=1), 1e-300)
+    return np.asarray(0.55 + 0.45 * np.abs(normals @ _LIGHT) / lengths / np.linalg.norm(_LIGHT))
+
+
+def _creases(surface: WingSurface) -> Array:
+    """Edges of the membrane that no vein covers: base, ring fold and tips, m, (edge, end, axis)."""
+    panels = len(surface.veins) - 1
+    quads = surface.quads.reshape(panels, -1, 2, 4, 3)  # panel, row, beside the vein or beyond its margin
+    ring = int(np.argmax(surface.distal[: quads.shape[1] * 2 : 2]))
+    edges = [quads[:, row][:, :, ends] for row, ends in ((0, (0, 3)), (ring, (0, 3)), (-1, (1, 2)))]
+    return np.concatenate(edges).reshape(-1, 2, 3)
+
+
+def _ribbons(
+    lines: Array,
+    view: View,
+    cell: float,
+    colours: str | Sequence[str] | ArrayLike,
+    width: float | tuple[float, float],
+    above: float,
+) -> tuple[Array, Array, Array]:
+    """Depths, polygons and colours of lines, as bands that face the eye.
+
+    Args:
+        lines: m, (line, end, axis).
+        view: from where they are seen.
+        cell: length of a polygon, m.
+        colours: one, or one a line.
+        width: half of the band's, or from where to where it lies beside the line, m.
+        above: how much nearer than the line it is painted, m.
+    """
+    pieces = _pieces(max(_length(end - start) for start, end in lines), cell)
+    shares = np.linspace(0, 1, pieces + 1)[:, np.newaxis]
+    points = lines[:, :1] + shares * (lines[:, 1:] - lines[:, :1])
+    flat = view.project(points)
+    across = (flat[:, -1] - flat[:, 0])[:, ::-1] * [-1, 1]
+    across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-300)
+    low, high = width if isinstance(width, tuple) else (-width, width)
+    left, right = (flat + side * across[:, np.newaxis] for side in (low, high))
+    bands = np.stack([left[:, :-1], left[:, 1:], right[:, 1:], right[:, :-1]], axis=2)
+    depths = ((points[:, :-1] + points[:, 1:]) / 2) @ view.towards + above
+    shades = np.repeat(np.broadcast_to(to_rgba_array(colours), (len(lines), 4)), pieces, axis=0)
+    return depths.ravel(), bands.reshape(-1, 4, 2), shades

@@ -1,0 +1,36 @@
+"""What folds and opens at each choice of a study, as rows of words."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from forficula.show.study.factor_text import value_text
+from forficula.study.choice_groups import choice_groups, count_folded, count_opened, count_unknown
+from forficula.study.choices import CHOICE
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+
+def choice_rows(table: Dataset) -> tuple[list[str], list[list[str]]]:
+    """Count the wings of the grid that fold and open again at each choice, factor by factor.
+
+    Args:
+        table: of a study.
+
+    Returns:
+        Headings, and a row a choice; no rows where nothing is repeated at choices.
+    """
+    if CHOICE not in table.dims or table["status"].ndim == 1:
+        return [], []
+    folded, opened, unknown = count_folded(table), count_opened(table), count_unknown(table)
+    rows = []
+    for group in choice_groups(table):
+        for place in group.places:
+            own = "" if place else f", as in {table.attrs['design']}"
+            counts = [str(each[place]) for each in (folded, opened) if each is not None]
+            if unsure := sum(int(numbers[place]) for numbers in unknown.values()):
+                counts[0] += f" to {folded[place] + unsure}"
+            rows.append([value_text(table[group.factor], place) + own, *counts])
+    wings = table["status"].size // table.sizes[CHOICE]
+    return ["choice", f"fold, of {wings}", *(["open again"] if opened is not None else [])], rows

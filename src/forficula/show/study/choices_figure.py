@@ -1,0 +1,202 @@
+"""A study that varies its factors one at a time: what comes of every choice, side by side."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.transforms import blended_transform_factory
+
+from forficula.quantities import reading_unit
+from forficula.show.study.factor_text import display_values, factor_label, number_text
+from forficula.show.study.map_page import look_of, map_style
+from forficula.show.study.maps import missing_reasons
+from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, SKY, VERMILION, describe, is_narrow
+from forficula.study.choice_groups import choice_groups, count_folded, count_opened, count_unknown
+from forficula.study.choices import CHOICE
+from forficula.study.tendon_search import PAPER_FOLDS
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+# inch, of a row
+_ROW = 0.155
+# of a row
+_BAR, _GAP = 0.72, 0.35
+_INK = "0.35"
+# keeps the paper's line out of words
+_BEHIND_TEXT: dict[str, Any] = {"fc": "white", "ec": "none", "pad": 0.6}
+_NAME: dict[str, Any] = {"va": "center", "fontweight": "bold", "fontsize": 7, "bbox": _BEHIND_TEXT}
+_OPENED: dict[str, Any] = {"ls": "", "marker": "D", "ms": 3, "color": "white", "mec": BLACK, "mew": 0.8}
+# the study whose counts stand beside the paper's
+_PAPERS_CHOICES = "binder2025-choices"
+# verdicts on the wing; a wing that still moves has not folded in its time
+# of single wings, at most three of them
+_NUMBERS = {
+    "least_fold_torque": "least fold torque",
+    "least_unfold_torque": "least unfold torque",
+    "fold_time": "fold time",
+    "fold_work": "work of folding",
+    "unfold_work": "work of unfolding",
+}
+_MOST_PANELS = 3
+_SMALL = 1e-3
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Row:
+    """A line of the figure: the name of a factor, or one of its choices.
+
+    Attributes:
+        height: of its middle, in rows, downwards from 0.
+        text: the name, or the value.
+        place: number of the choice; None for a name.
+    """
+
+    height: float
+    text: str
+    place: int | None
+
+
+def draw_choices(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
+    """Draw, factor by factor, how many wings of the grid fold at each choice; of single wings, their numbers.
+
+    Args:
+        table: of a study that varies its factors one at a time.
+        width: of the figure, inch.
+    """
+    rows = list(_rows(table))
+    with map_style():
+        figure = Figure(figsize=(width, _ROW * (rows[-1].height + 1) + 0.85), layout="constrained")
+        if table["status"].dims == (CHOICE,):
+            names = [name for name in _NUMBERS if name in table and bool(np.isfinite(table[name]).any())]
+            shown = (names or list(_NUMBERS)[2:3])[: 1 if is_narrow(width) else _MOST_PANELS]
+            grid = figure.subplots(1, len(shown), sharey=True, squeeze=False)[0]
+            for axes, name in zip(grid, shown, strict=True):
+                _draw_numbers(axes, table, name, rows)
+        else:
+            grid = [figure.subplots()]
+            _draw_counts(grid[0], table, rows)
+        _name_rows(grid, rows)
+        return describe(figure, _tell(table, rows))
+
+
+def _rows(table: Dataset) -> Iterator[_Row]:
+    height = 0.0
+    for group in choice_groups(table):
+        factor = table[group.factor]
+        texts = _value_texts([display_values(factor)[0][place].item() for place in group.places])
+        yield _Row(height=height, text=factor_label(factor), place=None)
+        for place, text in zip(group.places, texts, strict=True):
+            height += 1
+            yield _Row(height=height, text=text, place=place)
+        height += 1 + _GAP
+
+
+def _value_texts(values: Sequence[object]) -> list[str]:
+    """Values without their unit, all as powers of ten where one is small."""
+    texts = ["none" if value != value else number_text(value) for value in values]
+    if not any(isinstance(value, float) and 0 < abs(value) < _SMALL for value in values):
+        return texts
+    numbers = [f"{value:.3e}".split("e") if isinstance(value, float) and value else None for value in values]
+    return [
+        text if parts is None else f"{float(parts[0]):g}e{int(parts[1])}"
+        for text, parts in zip(texts, numbers, strict=True)
+    ]
+
+
+def _draw_counts(axes: Axes, table: Dataset, rows: Sequence[_Row]) -> None:
+    """A bar a choice, as long as wings fold, and behind it those of which that is not known."""
+    folded, opened, unknown = count_folded(table), count_opened(table), count_unknown(table)
+    wings = table["status"].size // table.sizes[CHOICE]
+    for row in rows:
+        if row.place is None:
+            continue
+        least = end = int(folded[row.place])
+        axes.barh(row.height, end, _BAR, color=_colour(row.place))
+        for word, numbers in unknown.items():
+            if number := int(numbers[row.place]):
+                look = look_of(word)
+                axes.barh(row.height, number, _BAR, left=end, fc=look.face, hatch=look.hatch, ec=_INK, lw=0.4)
+                end += number
+        text = str(least) if end == least else f"{least} to {end}"
+        axes.text(end + 0.01 * wings, row.height, text, va="center", fontsize=7, bbox=_BEHIND_TEXT, zorder=3)
+        if opened is not None:
+            axes.plot(opened[row.place], row.height, zorder=3, **_OPENED)
+    handles: list[Artist] = [
+        Patch(color=BLUE, label=f"{table.attrs['design']}"),
+        Patch(color=SKY, label="with one value changed"),
+        *(Patch(fc=look_of(word).face, hatch=look_of(word).hatch, ec=_INK, lw=0.4, label=word) for word in unknown),
+    ]
+    if opened is not None:
+        handles.append(Line2D([], [], label="open again", **_OPENED))
+    if table.attrs["name"] == _PAPERS_CHOICES:
+        line = axes.axvline(PAPER_FOLDS, color=VERMILION, ls="--", lw=1, zorder=2, label=f"the paper: {PAPER_FOLDS}")
+        handles.append(line)
+    # room for the numbers behind full bars
+    axes.set(xlim=(0, (1.12 if unknown else 1.06) * wings), xlabel=f"wings that fold, of {wings}")
+    axes.set_xticks(np.unique(np.linspace(0, wings, 7).round()))
+    figure = axes.get_figure(root=True)
+    if isinstance(figure, Figure):
+        columns = 2 if is_narrow(figure.get_figwidth()) else 5
+        figure.legend(handles=handles, loc="outside lower center", ncols=min(columns, len(handles)))
+
+
+def _draw_numbers(axes: Axes, table: Dataset, name: str, rows: Sequence[_Row]) -> None:
+    """A dot a choice, or why there is none."""
+    values = table[name].values.astype(float)
+    unit, factor = reading_unit(table[name].attrs["units"], float(np.nanmax(np.abs(values), initial=0.0)))
+    reasons = missing_reasons(table, name).values
+    axes.axvline(factor * values[0], color=BLUE, lw=0.6, zorder=0)
+    foot = blended_transform_factory(axes.transAxes, axes.transData)
+    for row in rows:
+        if row.place is None:
+            continue
+        if np.isfinite(values[row.place]):
+            axes.plot(factor * values[row.place], row.height, "o", ms=4, color=_colour(row.place), mec=BLUE, mew=0.6)
+        else:
+            axes.text(0.02, row.height, str(reasons[row.place]), transform=foot, va="center", fontsize=6, color=_INK)
+    axes.set_xlim(0, 1.08 * factor * float(np.nanmax(values, initial=0.0)) or 1)
+    axes.set_xlabel(f"{_NUMBERS[name]} ({unit})")
+
+
+def _name_rows(grid: Sequence[Axes], rows: Sequence[_Row]) -> None:
+    """Values beside the rows, those of the base bold, and each factor's name above its own."""
+    named = [row for row in rows if row.place is not None]
+    first = grid[0]  # the others share its rows
+    first.set_ylim(rows[-1].height + 0.7, -0.6)
+    first.set_yticks([row.height for row in named], [row.text for row in named])
+    for label, row in zip(first.get_yticklabels(), named, strict=True):
+        label.set_fontweight("bold" if row.place == 0 else "normal")
+    for axes in grid:
+        axes.tick_params(axis="y", length=0)
+    beside = blended_transform_factory(first.transAxes, first.transData)
+    for row in rows:
+        if row.place is None:
+            first.text(0.012, row.height, row.text, transform=beside, zorder=3, **_NAME)
+
+
+def _colour(place: int) -> str:
+    return SKY if place else BLUE
+
+
+def _tell(table: Dataset, rows: Sequence[_Row]) -> str:
+    """What the figure shows, in words."""
+    singles = table["status"].dims == (CHOICE,)
+    folded, wings = count_folded(table), table["status"].size // table.sizes[CHOICE]
+    what = "Numbers of a wing" if singles else f"How many of {wings} wings fold"
+    told, name = [], ""
+    for row in rows:
+        if row.place is None:
+            name = row.text
+        else:
+            came = table["status"].values[row.place] if singles else folded[row.place]
+            told.append(f"{name} {row.text}: {came}")
+    return f"{what} with values of {table.attrs['design']} varied one at a time. {'; '.join(told)}."

@@ -1,0 +1,306 @@
+"""What a convergence study shows: the third distal angle over time, the times, a table, and its files."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+from rich.console import Console
+from rich.table import Table
+
+from forficula.csv_text import csv_text
+from forficula.dynamics import versions
+from forficula.files import replacing_all, write_text
+from forficula.show.run.time_figures import stacked_axes
+from forficula.show.style import (
+    BLUE,
+    LINE_STYLES,
+    PAGE_WIDTH,
+    VERMILION,
+    Drawing,
+    describe,
+    figure_style,
+    is_narrow,
+    save_figures,
+)
+from forficula.study.convergence import Convergence
+from forficula.study.convergence_file import save_convergence
+from forficula.study.observed_order import OrderFit
+from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, value_text
+
+Array = NDArray[np.float64]
+
+CONVERGENCE_FILE = "convergence.nc"
+
+_AXIS = {
+    TIMESTEP: ("timestep (ms)", 1e3),
+    YOUNGS_MODULUS: ("Young's modulus (MPa)", 1e-6),
+    MESH: ("rows of the mesh", 1),
+}
+# what is shown of a transition, by the longest time that any run took for it
+_BEFORE, _AFTER = 0.15, 1.6
+
+
+def draw_convergence_angles(convergence: Convergence, width: float = PAGE_WIDTH) -> Figure:
+    """Draw the third distal angle over time for every value: the whole run, and folding and unfolding close up.
+
+    The figure of the paper's timestep study, 6C. Unfolding begins when the folded wing rests, which is later in some
+    runs than in others: the close-ups count the time from their stage's start.
+
+    Args:
+        convergence: what to draw.
+        width: of the figure, inch.
+    """
+    spans = [
+        (name, starts, times)
+        for name, starts, times in (
+            ("folding", convergence.fold_starts, convergence.fold_times),
+            ("unfolding", convergence.unfold_starts, convergence.unfold_times),
+        )
+        if np.isfinite(times).any()
+    ]
+    with figure_style():
+        narrow = is_narrow(width)
+        figure = Figure(figsize=(width, 4.2 if narrow else 2.7), layout="constrained")
+        if narrow:
+            whole, *close = stacked_axes(figure, 1, len(spans))[0]
+        else:
+            ratios = [1.5] + [1.0] * len(spans)
+            whole, *close = figure.subplots(1, len(ratios), sharey=True, squeeze=False, width_ratios=ratios)[0]
+        _plot_angles(whole, convergence, np.zeros(len(convergence.values)), 1.0)
+        whole.set_xlim(0, max(float(times[-1]) for times in convergence.times))
+        whole.set_xlabel("time (s)")
+        whole.set_title("whole run")
+        whole.set_ylabel("third distal angle (deg)")
+        whole.set_ylim(-200, max(25, 1.2 * math.degrees(convergence.design.hinge.overbend)))
+        whole.set_yticks(np.arange(-180, 1, 45))
+        for axes, (name, starts, times) in zip(close, spans, strict=True):
+            _plot_angles(axes, convergence, starts, 1e3)
+            axes.set_xlim(*(1e3 * np.nanmax(times) * np.array([-_BEFORE, _AFTER])))
+            axes.set_xlabel("since its start (ms)" if narrow else "time since its start (ms)")
+            axes.set_title(name)
+        lines = whole.get_legend_handles_labels()
+        if narrow:
+            figure.legend(*lines, loc="outside upper center", ncols=3)
+        else:
+            figure.legend(*lines, loc="outside right upper")
+        what = f"Third distal angle over time in {len(convergence.values)} runs of {convergence.design.name}"
+        return describe(figure, f"{what}. {_tell(convergence)}")
+
+
+def draw_convergence_times(convergence: Convergence, width: float = PAGE_WIDTH) -> Figure:
+    """Draw fold and opening times over the values, with the law towards h -> 0 where there is one; width in inch."""
+    with figure_style():
+        narrow = is_narrow(width)
+        figure = Figure(figsize=(width, 4.2 if narrow else 2.5), layout="constrained")
+        label, factor = _AXIS[convergence.key]
+        places = factor * _positions(convergence)
+        for axes, name, times, fit in zip(
+            figure.subplots(2, 1) if narrow else figure.subplots(1, 2),
+            ("fold time", "opening time"),
+            (convergence.fold_times, convergence.unfold_times),
+            (convergence.fold_order, convergence.unfold_order),
+            strict=True,
+        ):
+            style = "o" if fit is not None else "o-"
+            axes.plot(places, 1e3 * times, style, color=BLUE, ms=5, lw=0.8, label="simulated", zorder=3)
+            own = (convergence.values == convergence.own) & np.isfinite(times)
+            axes.plot(
+                places[own], 1e3 * times[own], "o", mfc="none", mec="black", ms=10, ls="none", label="the design's own"
+            )
+            if fit is not None:
+                _plot_law(axes, fit, convergence, factor)
+            if not np.isfinite(times).any():
+                axes.text(0.5, 0.5, "none", ha="center", va="center", transform=axes.transAxes)
+            axes.set_xlabel(label)
+            axes.set_ylabel(f"{name} (ms)")
+            if convergence.key == YOUNGS_MODULUS:
+                axes.set_xscale("log")
+                axes.set_xticks(places, [f"{place:.3g}" for place in places])
+                axes.minorticks_off()
+            elif convergence.key == MESH:
+                axes.set_xticks(places)
+            axes.legend(loc="best")
+        what = f"Fold and opening times of {convergence.design.name} over the {label.partition(' (')[0]}"
+        return describe(figure, f"{what}. {_tell(convergence)}")
+
+
+def convergence_rows(convergence: Convergence) -> list[dict[str, Any]]:
+    """A row for every value as plain data with units in its keys; None where there is no time."""
+    key = {TIMESTEP: "timestep_s", YOUNGS_MODULUS: "youngs_modulus_Pa", MESH: "mesh_refinement"}[convergence.key]
+    return [
+        {
+            key: float(value),
+            "membrane_rows": rows,
+            "status": status,
+            "fold_time_s": _number(fold),
+            "unfold_time_s": _number(unfold),
+        }
+        for value, rows, status, fold, unfold in zip(
+            convergence.values,
+            convergence.rows,
+            convergence.statuses,
+            convergence.fold_times,
+            convergence.unfold_times,
+            strict=True,
+        )
+    ]
+
+
+def print_convergence(convergence: Convergence) -> None:
+    """Print the table and the verdict."""
+    table = Table(box=None, padding=(0, 2, 0, 0))
+    for heading in (
+        {TIMESTEP: "timestep", YOUNGS_MODULUS: "Young's modulus", MESH: "rows"}[convergence.key],
+        "fold time",
+        "opening time",
+    ):
+        table.add_column(heading, justify="right")
+    table.add_column("status")
+    for value, rows, fold, unfold, status in zip(
+        convergence.values,
+        convergence.rows,
+        convergence.fold_times,
+        convergence.unfold_times,
+        convergence.statuses,
+        strict=True,
+    ):
+        name = str(rows) if convergence.key == MESH else value_text(convergence.key, float(value))
+        own = " (the design's own)" if value == convergence.own else ""
+        times = (f"{1e3 * time:.5g} ms" if math.isfinite(time) else "" for time in (fold, unfold))
+        table.add_row(name, *times, status + own)
+    console = Console(width=110, highlight=False)
+    console.print(table)
+    for name, fit in (("fold time", convergence.fold_order), ("opening time", convergence.unfold_order)):
+        if fit is not None:
+            console.print(f"limit of the {name}: {1e3 * fit.limit:.5g} ms, {_order(fit)}")
+    console.print(f"\n{convergence.design.name}: {convergence.verdict}")
+
+
+def write_convergence(convergence: Convergence, folder: Path) -> None:
+    """Write convergence.json, convergence.csv, convergence.nc and the figures; all of them, or none.
+
+    Args:
+        convergence: what to write.
+        folder: made where it is missing; what an earlier study left there is replaced.
+
+    Raises:
+        InputError: the folder cannot be written.
+    """
+    with replacing_all(folder) as unfinished:
+        _write_files(convergence, unfinished)
+
+
+def _write_files(convergence: Convergence, folder: Path) -> None:
+    rows = convergence_rows(convergence)
+    cells = [["" if value is None else value for value in row.values()] for row in rows]
+    write_text(folder / "convergence.csv", csv_text([list(rows[0]), *cells]))
+    content = {
+        "design": convergence.design.name,
+        "design_hash": convergence.design.hash,
+        "key": convergence.key,
+        "verdict": convergence.verdict,
+        "fine": convergence.fine,
+        "tolerance": convergence.tolerance,
+        "own": rows[int(np.argmax(convergence.values == convergence.own))],
+        "runs": rows,
+        "fold_time": _law(convergence.fold_order),
+        "unfold_time": _law(convergence.unfold_order),
+        "versions": versions(),
+    }
+    write_text(folder / "convergence.json", json.dumps(content, indent=2, ensure_ascii=False) + "\n")
+    save_convergence(convergence, folder / CONVERGENCE_FILE)
+    save_figures(convergence_drawings(convergence), folder)
+
+
+def convergence_drawings(convergence: Convergence) -> dict[str, Drawing]:
+    """What draws a convergence study, by the stem of its file."""
+    return {
+        "angles": lambda width: draw_convergence_angles(convergence, width),
+        "times": lambda width: draw_convergence_times(convergence, width),
+    }
+
+
+def _tell(convergence: Convergence) -> str:
+    """The times and the verdict in words."""
+    rows = [
+        f"{_name(convergence, index)}: fold {_time(fold)}, opening {_time(unfold)}"
+        for index, (fold, unfold) in enumerate(zip(convergence.fold_times, convergence.unfold_times, strict=True))
+    ]
+    return f"{'; '.join(rows)}. {convergence.verdict}"
+
+
+def _time(time: float) -> str:
+    return f"{1e3 * time:.4g} ms" if math.isfinite(time) else "none"
+
+
+def _name(convergence: Convergence, index: int) -> str:
+    """A run's value for people."""
+    if convergence.key == MESH:
+        return f"{convergence.rows[index]} rows"
+    return value_text(convergence.key, float(convergence.values[index]))
+
+
+def _law(fit: OrderFit | None) -> dict[str, Any] | None:
+    if fit is None:
+        return None
+    return {
+        "limit_s": fit.limit,
+        "observed_order": fit.order if fit.observed else None,
+        "assumed_order": None if fit.observed else fit.order,
+        "why_not_observed": fit.reason,
+        "scatter_s": fit.scatter,
+    }
+
+
+def _number(time: float) -> float | None:
+    return float(time) if math.isfinite(time) else None
+
+
+def _positions(convergence: Convergence) -> Array:
+    """Where each run stands on the axis, in SI."""
+    return np.array(convergence.rows, dtype=float) if convergence.key == MESH else convergence.values
+
+
+def _plot_angles(axes: Axes, convergence: Convergence, starts: Array, scale: float) -> None:
+    """A line for every value, the first one wide and light, the last one thin and dark, so that none is hidden."""
+    count = len(convergence.values)
+    shades = colormaps["viridis"](np.linspace(0.9, 0, count))
+    for index in range(count):
+        axes.plot(
+            scale * (convergence.times[index] - starts[index]),
+            np.degrees(convergence.angles[index]),
+            LINE_STYLES[index % len(LINE_STYLES)],
+            color=shades[index],
+            lw=np.linspace(2.6, 0.9, count)[index],
+            label=_name(convergence, index),
+        )
+    axes.axhline(0, color="0.6", lw=0.5, zorder=0)
+
+
+def _plot_law(axes: Axes, fit: OrderFit, convergence: Convergence, factor: float) -> None:
+    """The law from its limit on, and the band that is allowed about the limit."""
+    steps = np.linspace(0, 1.05 * float(convergence.values.max()), 100)
+    axes.plot(factor * steps, 1e3 * fit.time(steps), "--", color=VERMILION, label=_order(fit))
+    limit, tolerance = 1e3 * fit.limit, convergence.tolerance
+    axes.axhspan(
+        limit * (1 - tolerance),
+        limit * (1 + tolerance),
+        facecolor="0.92",
+        edgecolor="0.6",
+        lw=0.5,
+        zorder=-1,
+        label=f"within {100 * tolerance:g} % of the limit",
+    )
+    axes.set_xlim(left=0)
+
+
+def _order(fit: OrderFit) -> str:
+    return f"order {fit.order:.2f}, fitted" if fit.observed else f"order {fit.order:g}, assumed"

@@ -1,0 +1,399 @@
+"""A page of maps: cells over two factors, samples over two, or points over one, and why a value is missing."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import matplotlib
+import numpy as np
+from matplotlib import rc_context
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import ListedColormap, Normalize
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from numpy.typing import NDArray
+
+from forficula.analysis import FOLDED, OPENED, Ending, Verdict, ending_word
+from forficula.show.study.factor_text import display_values, factor_label, number_text, plain_name
+from forficula.show.study.map_text import maps_text
+from forficula.show.style import BLUE, ORANGE, PAGE_WIDTH, PURPLE, SKY, describe, figure_style, is_narrow
+from forficula.study.static_map import BOTH, BOTH_LESS, BOTH_MORE, NEITHER, ONLY_SIMULATED, ONLY_STATIC
+
+if TYPE_CHECKING:
+    from xarray import DataArray, Dataset
+
+Array = NDArray[np.float64]
+
+# lightness rises with the value, so that grey print and every kind of colour vision keep the order
+_COLOURS = matplotlib.colormaps["cividis"]
+# beyond this many values a factor's cells are too small for numbers, and its ticks are thinned out
+_MOST_NUMBERS = 12
+# inch: beside the cells, and what a cell needs to hold a number
+_BESIDE, _TWO_DIGITS, _THREE_DIGITS = 0.9, 0.19, 0.23
+_SHAPE = {"handleheight": 1.4, "handlelength": 2.2, "fontsize": 7}
+_INK = "0.35"
+
+NOT_FOLDED = ending_word(Ending(verdict=Verdict.STUCK, goal="fold"))
+NOT_OPENED = ending_word(Ending(verdict=Verdict.STUCK, goal="unfold"))
+STUCK = ending_word(Ending(verdict=Verdict.STUCK, goal="fold", angle=-math.pi / 2))
+STILL_FOLDING = ending_word(Ending(verdict=Verdict.MOVING, goal="fold"))
+STILL_OPENING = ending_word(Ending(verdict=Verdict.MOVING, goal="unfold"))
+NOT_STAYED = ending_word(Ending(verdict=Verdict.NOT_HELD, goal="fold"))
+NOT_STAYED_OPEN = ending_word(Ending(verdict=Verdict.NOT_HELD, goal="unfold"))
+DIVERGED, UNTRUSTED, NOT_BUILT = (
+    ending_word(Ending(verdict=verdict)) for verdict in (Verdict.DIVERGED, Verdict.UNTRUSTED, Verdict.NOT_BUILT)
+)
+NOT_TRIED = "not tried: did not fold"
+NOT_RUN = "not run"
+OTHER = "no value"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Look:
+    """How what happened is drawn: the cell's face and hatch, and the marker where there are no cells."""
+
+    face: str
+    hatch: str
+    marker: str
+
+
+_LOOKS = {
+    OPENED: Look(face=BLUE, hatch="", marker="o"),
+    FOLDED: Look(face=SKY, hatch="", marker="D"),
+    NOT_OPENED: Look(face="#F3DDA6", hatch="....", marker="s"),
+    NOT_FOLDED: Look(face="1.0", hatch="/////", marker="x"),
+    STUCK: Look(face="0.93", hatch="xxxx", marker="*"),
+    NOT_STAYED: Look(face="1.0", hatch="|||||", marker="1"),
+    STILL_FOLDING: Look(face="0.93", hatch=r"\\\\\\", marker=">"),
+    STILL_OPENING: Look(face="#F3DDA6", hatch=r"\\\\\\", marker="<"),
+    NOT_STAYED_OPEN: Look(face="#F3DDA6", hatch="|||||", marker="2"),
+    DIVERGED: Look(face="0.75", hatch="++++", marker="P"),
+    UNTRUSTED: Look(face="0.75", hatch="OO", marker="d"),
+    NOT_BUILT: Look(face="0.6", hatch="", marker="X"),
+    NOT_TRIED: Look(face="0.86", hatch="", marker="_"),
+    BOTH: Look(face=BLUE, hatch="", marker="o"),
+    BOTH_LESS: Look(face=SKY, hatch="", marker="p"),
+    BOTH_MORE: Look(face=SKY, hatch="/////", marker="H"),
+    ONLY_SIMULATED: Look(face=ORANGE, hatch="", marker="^"),
+    ONLY_STATIC: Look(face=PURPLE, hatch="", marker="v"),
+    NEITHER: Look(face="0.93", hatch="", marker="x"),
+    NOT_RUN: Look(face="1.0", hatch="", marker="."),
+    OTHER: Look(face="0.97", hatch="---", marker="+"),
+}
+
+# failed when folded for the unfolding, with a torque that its word names
+_BEFORE_OPENING = Look(face="0.93", hatch="oo", marker="h")
+
+# for a variable's kind of quantity: units in which it reads well, and their factors from SI
+_READABLE = {
+    "N m": (("N cm", 1e2), ("N mm", 1e3), ("µN m", 1e6), ("nN m", 1e9)),
+    "J": (("J", 1.0), ("mJ", 1e3), ("µJ", 1e6), ("nJ", 1e9)),
+    "s": (("s", 1.0), ("ms", 1e3), ("µs", 1e6)),
+}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Panel:
+    """What one pair of axes shows.
+
+    Attributes:
+        title: what it is.
+        values: in SI, nan where there is none.
+        reasons: why there is none, of the same shape; read only there.
+        unit: SI; empty where there are verdicts only.
+    """
+
+    title: str
+    values: DataArray
+    reasons: DataArray
+    unit: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class View:
+    """Where things are drawn: over which factors, and what of the table.
+
+    Attributes:
+        table: the slice that is drawn.
+        x: factor across.
+        y: factor upwards, or None where a quantity is.
+        note: which slice it is, or nothing.
+        sampled: whether the rows are samples rather than a grid.
+    """
+
+    table: Dataset
+    x: str
+    y: str | None
+    note: str
+    sampled: bool
+
+
+@contextmanager
+def map_style() -> Iterator[None]:
+    """Draw as all figures are drawn, with fine hatches."""
+    with figure_style(), rc_context({"hatch.linewidth": 0.5}):
+        yield
+
+
+# ---- a page of panels
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Scale:
+    """How a quantity is written and coloured: the unit that reads well, its factor from SI, and the colours' ends."""
+
+    unit: str
+    factor: float
+    norm: Normalize
+    empty: bool
+
+
+def draw_page(
+    view: View,
+    panels: Sequence[Panel],
+    *,
+    one_scale: bool = False,
+    quantity: str = "",
+    note: str = "",
+    width: float = PAGE_WIDTH,
+) -> Figure:
+    """All panels with their colour bars, a legend of what happened where there is no value, and the slice's name.
+
+    Args:
+        view: where they are drawn.
+        panels: to draw.
+        one_scale: whether their colours mean the same.
+        quantity: that they show.
+        note: written above them, after the view's.
+        width: of the figure at most, inch.
+    """
+    cells = not view.sampled and (view.y is not None or not panels[0].unit)
+    columns = _columns(len(panels), width)
+    width = width if columns > 1 else min(width, 0.6 * PAGE_WIDTH)
+    figure, grid = _empty_page(view, len(panels), columns, width, cells)
+    scales = [_scale(panels)] * len(panels) if one_scale else [_scale([panel]) for panel in panels]
+    digits = _digits(view, (width - _BESIDE) / columns)
+    for index, (axes, panel, scale) in enumerate(zip(grid, panels, scales, strict=True)):
+        axes.set_title(_wrapped(panel.title, width / columns))
+        if cells:
+            _draw_cells(axes, view, panel, scale, digits)
+        else:
+            _draw_points(axes, view, panel, scale)
+        if index + columns >= len(panels):
+            axes.set_xlabel(factor_label(view.table[view.x]))
+        if view.y and index % columns == 0:
+            axes.set_ylabel(factor_label(view.table[view.y]))
+        elif view.y:
+            axes.tick_params(labelleft=False)
+        if (cells or view.y) and not one_scale and not scale.empty:
+            _colour_bar(figure, [axes], f"{quantity} ({scale.unit})", scale)
+    if (cells or view.y) and one_scale and not scales[0].empty:
+        _colour_bar(figure, grid, f"{quantity} ({scales[0].unit})", scales[0])
+    if text := ", ".join(part for part in (view.note, note) if part):
+        figure.suptitle(text, fontsize=8)
+    _legend(figure, panels, cells=cells)
+    factors = [plain_name(view.table[name]) for name in (view.y, view.x) if name]
+    return describe(figure, maps_text(quantity, factors, panels, [(scale.unit, scale.factor) for scale in scales]))
+
+
+def _empty_page(view: View, count: int, columns: int, width: float, cells: bool) -> tuple[Figure, list[Axes]]:
+    """A figure with axes for so many panels, as high as their cells need."""
+    rows = math.ceil(count / columns)
+    upwards = _across_and_upwards(view)[1]
+    height = float(np.clip((0.27 if rows == 1 else 0.21) * upwards, 0.9 if rows == 1 else 1.2, 3.2)) if cells else 1.7
+    figure = Figure(figsize=(width, rows * (height + 0.5) + 0.75), layout="constrained")
+    grid = figure.subplots(rows, columns, squeeze=False).ravel()
+    for axes in grid[count:]:
+        axes.remove()
+    return figure, list(grid[:count])
+
+
+def _digits(view: View, width: float) -> int:
+    """How many digits of its number a cell has room for in a panel so wide, inch; 0 where it has none."""
+    across, upwards = _across_and_upwards(view)
+    room = width / across
+    if max(across, upwards) > _MOST_NUMBERS or room < _TWO_DIGITS:
+        return 0
+    return 3 if room >= _THREE_DIGITS else 2
+
+
+def _across_and_upwards(view: View) -> tuple[int, int]:
+    """Numbers of cells."""
+    return view.table[view.x].size, view.table[view.y].size if view.y else 1
+
+
+def _wrapped(title: str, width: float) -> str:
+    """A title in lines that fit a width, inch."""
+    return textwrap.fill(title, max(12, int(13 * width)))
+
+
+def _columns(panels: int, width: float) -> int:
+    if is_narrow(width):
+        return 1 if panels <= 3 else 2
+    return {1: 1, 2: 2, 4: 2}.get(panels, 3)
+
+
+def _scale(panels: Sequence[Panel]) -> _Scale:
+    """One scale for all values of some panels."""
+    values = np.concatenate([panel.values.values.astype(float).ravel() for panel in panels])
+    finite = values[np.isfinite(values)]
+    empty, units = not len(finite), _READABLE.get(panels[0].unit, ((panels[0].unit, 1.0),))
+    low, high = (0.0, 0.0) if empty else (float(finite.min()), float(finite.max()))
+    largest = max(abs(low), abs(high))
+    unit, factor = next((pair for pair in units if largest * pair[1] >= 0.999), units[-1] if largest else units[0])
+    if low == high:
+        low, high = low - 0.1 * largest - (not largest), high + 0.1 * largest + (not largest)
+    return _Scale(unit=unit, factor=factor, norm=Normalize(low * factor, high * factor), empty=empty)
+
+
+def _colour_bar(figure: Figure, axes: list[Axes], label: str, scale: _Scale) -> None:
+    mappable = ScalarMappable(scale.norm, _COLOURS)
+    # beneath two narrow columns, which need all of the width
+    beneath = is_narrow(figure.get_figwidth()) and len(axes) > 3
+    bar = figure.colorbar(
+        mappable, ax=axes, label=label, pad=0.015, aspect=25, fraction=0.06, location="bottom" if beneath else "right"
+    )
+    bar.outline.set_visible(False)
+
+
+def _missing(panel: Panel) -> dict[str, NDArray[np.bool_]]:
+    """Where there is no value, by reason, in the panel's own order of dimensions."""
+    absent = ~np.isfinite(panel.values.values.astype(float))
+    words = panel.reasons.transpose(*panel.values.dims).values.astype(str)
+    order = [*_LOOKS, *sorted(set(words[absent].tolist()) - set(_LOOKS))]
+    return {word: where for word in order if (where := absent & (words == word)).any()}
+
+
+def look_of(word: str) -> Look:
+    """How a wing is drawn that came to this."""
+    return _LOOKS.get(word) or (_BEFORE_OPENING if " with " in word else _LOOKS[OTHER])
+
+
+def _legend(figure: Figure, panels: Sequence[Panel], *, cells: bool) -> None:
+    """Every reason that a panel shows, once."""
+    words = list(dict.fromkeys(word for panel in panels for word in _missing(panel)))
+    handles: list[Patch | Line2D] = []
+    for word in words:
+        look = look_of(word)
+        if cells:
+            handles.append(Patch(facecolor=look.face, hatch=look.hatch, edgecolor=_INK, lw=0.4, label=word))
+        else:
+            handles.append(Line2D([], [], ls="", marker=look.marker, color=_ink(look), ms=5, label=word))
+    if handles:
+        narrow = is_narrow(figure.get_figwidth())
+        columns = min(len(handles), 4 if figure.get_figwidth() >= PAGE_WIDTH else 2)
+        shape = {"handleheight": 1.3, "handlelength": 1.6, "fontsize": 6} if narrow and len(handles) > 4 else _SHAPE
+        figure.legend(handles=handles, loc="outside lower center", ncols=columns, **shape)
+
+
+def _ink(look: Look) -> str:
+    """A marker's colour: the face where that shows on white."""
+    return look.face if look.face in (BLUE, SKY) else _INK
+
+
+def _draw_cells(axes: Axes, view: View, panel: Panel, scale: _Scale, digits: int) -> None:
+    """A cell for each pair of values, evenly spaced whatever the values are."""
+    order = [name for name in (view.y, view.x) if name]
+    panel = Panel(
+        title=panel.title,
+        values=panel.values.transpose(*order),
+        reasons=panel.reasons.transpose(*order),
+        unit=panel.unit,
+    )
+    values = np.atleast_2d(panel.values.values.astype(float) * scale.factor)
+    edges = [np.arange(count + 1) - 0.5 for count in reversed(values.shape)]
+    if np.isfinite(values).any():
+        shown = np.ma.masked_invalid(values)
+        axes.pcolormesh(*edges, shown, cmap=_COLOURS, norm=scale.norm, edgecolors="white", linewidth=0.4)
+    for word, where in _missing(panel).items():
+        look = look_of(word)
+        axes.pcolor(
+            *edges,
+            np.ma.masked_array(np.zeros(values.shape), ~np.atleast_2d(where)),
+            cmap=ListedColormap([look.face]),
+            hatch=look.hatch,
+            edgecolor="white" if look.face == "0.86" else _INK,
+            linewidth=0.25,
+        )
+    if digits:
+        _write_numbers(axes, values, scale, digits)
+    axes.set(xlim=edges[0][[0, -1]], ylim=edges[1][[0, -1]])
+    axes.tick_params(length=0)
+    for name, axis in ((view.x, axes.xaxis), (view.y, axes.yaxis)):
+        shown_values = display_values(view.table[name])[0] if name else np.array([])
+        step = math.ceil(len(shown_values) / _MOST_NUMBERS) or 1
+        places = range(0, len(shown_values), step)
+        axis.set_ticks(list(places), [number_text(shown_values[place].item()) for place in places])
+
+
+def _write_numbers(axes: Axes, values: Array, scale: _Scale, digits: int) -> None:
+    """Every value in its cell, with the digits that the largest one allows, in the ink that shows on its colour."""
+    largest = float(np.nanmax(np.abs(values), initial=0.0))
+    decimals = 3 - math.floor(math.log10(largest)) if largest else 0
+    for (row, column), value in np.ndenumerate(values):
+        if np.isfinite(value):
+            red, green, blue, _ = _COLOURS(scale.norm(value))
+            light = 0.299 * red + 0.587 * green + 0.114 * blue > 0.5
+            text = _short(round(value, decimals) + 0.0, digits)
+            axes.text(column, row, text, ha="center", va="center", fontsize=6, color="black" if light else "white")
+
+
+def _short(value: float, digits: int) -> str:
+    """So many digits, or one less where a cell has no room for them; whole numbers whole."""
+    text = f"{value:.{digits}g}" if abs(value) < 10**digits else f"{value:.0f}"
+    return text if len(text) <= 4 else f"{value:.{digits - 1}g}"
+
+
+def _draw_points(axes: Axes, view: View, panel: Panel, scale: _Scale) -> None:
+    """Samples over two factors, coloured by value; over one, the value upwards and the failures along the bottom."""
+    values = panel.values.values.astype(float) * scale.factor
+    across = _positions(axes, view, "x")
+    missing = _missing(panel)
+    if view.y:
+        upwards = _positions(axes, view, "y")
+        found = np.isfinite(values)
+        if found.any():
+            axes.scatter(
+                across[found], upwards[found], c=values[found], cmap=_COLOURS, norm=scale.norm, s=16, ec=_INK, lw=0.3
+            )
+        foot = axes.transData
+    else:
+        upwards = np.full(len(values), 0.05 if panel.unit else 0.5)
+        foot = axes.get_xaxis_transform()
+        margin = 0.05 * float(np.ptp(across)) or 0.5
+        axes.set_xlim(across.min() - margin, across.max() + margin)
+        if panel.unit:
+            axes.plot(across, values, "o" if view.sampled else "o-", color=BLUE, ms=3.5)
+            axes.set_ylabel(f"{panel.title} ({scale.unit})")
+            # room for the failures under the least value
+            low, high = (
+                (0.0, 1.0)
+                if not np.isfinite(values).any()
+                else (min(0.0, float(np.nanmin(values))), float(np.nanmax(values)))
+            )
+            axes.set_ylim(low - 0.12 * ((high - low) or 1), high + 0.08 * ((high - low) or 1))
+        else:
+            axes.set_yticks([])
+    for word, where in missing.items():
+        look = look_of(word)
+        axes.plot(
+            across[where], upwards[where], ls="", marker=look.marker, color=_ink(look), ms=4, mew=0.8, transform=foot
+        )
+
+
+def _positions(axes: Axes, view: View, which: str) -> Array:
+    """Where a factor's values lie on an axis: at their size, or words one after another."""
+    values, _ = display_values(view.table[view.x if which == "x" else str(view.y)])
+    if values.dtype.kind in "iuf":
+        return values.astype(float)
+    words, places = np.unique(values.astype(str), return_inverse=True)
+    axis = axes.xaxis if which == "x" else axes.yaxis
+    axis.set_ticks(list(range(len(words))), list(words))
+    return places.astype(float)

@@ -1,0 +1,49 @@
+"""A study's result in a few lines of text."""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import TYPE_CHECKING
+
+import numpy as np
+from rich.console import Console
+from rich.table import Table
+
+from forficula.design import TORQUE
+from forficula.quantities import show_quantity
+from forficula.show.study.choice_rows import choice_rows
+from forficula.study import Study
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+
+def print_study(study: Study, table: Dataset) -> None:
+    """Print how many points came to what, how many fold at each choice, and the least torques searched for."""
+    print(f"{study.name}: {len(study.points)} points")
+    lines = Table(box=None, padding=(0, 2, 0, 0))
+    lines.add_column("outcome")
+    lines.add_column("points", justify="right")
+    for outcome, count in Counter(map(str, table["outcome"].values.ravel())).most_common():
+        lines.add_row(outcome, str(count))
+    Console(width=110, highlight=False).print(lines)
+    headings, rows = choice_rows(table)
+    if rows:
+        by_choice = Table(box=None, padding=(0, 2, 0, 0))
+        for heading in headings:
+            by_choice.add_column(heading, justify="left" if heading == headings[0] else "right")
+        for row in rows:
+            by_choice.add_row(*row)
+        Console(width=110, highlight=False).print(by_choice)
+    if study.search is None:
+        return
+    for name, what in (("least_fold_torque", "fold"), ("least_unfold_torque", "open again")):
+        if name not in table:  # a search may leave opening out
+            continue
+        torques = table[name].values[np.isfinite(table[name].values)]
+        if len(torques):
+            low, high = (show_quantity(float(each), TORQUE) for each in (torques.min(), torques.max()))
+            between = low if low == high else f"{low} to {high}"
+            print(f"{len(torques)} of {len(study.points)} {what}, with {between}")
+        else:
+            print(f"none of {len(study.points)} {what}")

@@ -1,0 +1,106 @@
+import csv
+import json
+from dataclasses import replace
+
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+import forficula as ff
+from forficula.show.folder.cycling_folder import CYCLING_FILES, print_cycling, write_cycling
+from forficula.show.folder.run_folder import write_run
+from forficula.show.run.cycling_figure import draw_cycling
+from forficula.study.cycling import CycleRun, Cycling
+
+
+def run(cycle, **row):
+    works = {"status": "folded and opened", "folded": True, "opened": True, "flat_energy_J": 0.5 / cycle}
+    works |= {"folded_energy_J": 0.0, "opened_energy_J": 0.5 / cycle, "fold_time_s": 0.05 * cycle}
+    return CycleRun(
+        cycle=cycle,
+        measured=2 <= cycle <= 4,
+        stiffness=(1 / cycle, 0.9 / cycle, 1.1 / cycle),
+        residual_strain=0.01,
+        row=works | {"fold_work_J": 1.0, "unfold_time_s": 0.01, "unfold_work_J": 2.0} | row,
+        fold_margin=70.0 * cycle,
+        unfold_margin=4.0 * cycle,
+    )
+
+
+def files_in(folder):
+    return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file())
+
+
+STUCK = {"status": "stuck at -80.0 deg", "folded": False, "opened": False, "fold_time_s": None}
+
+
+@pytest.fixture
+def cycling(reference):
+    """Six cycles that the tests saw in part, the last two of which fail."""
+    runs = (*(run(cycle) for cycle in range(1, 5)), *(run(cycle, **STUCK) for cycle in (5, 6)))
+    return Cycling(
+        design=reference, runs=runs, seen=(2, 4), opens=True, verdict="up to cycle 4", remarks=("[2] to 4 seen",)
+    )
+
+
+def test_the_figure_shows_what_was_not_seen_and_where_the_wing_stops(cycling):
+    figure = draw_cycling(cycling)
+    FigureCanvasAgg(figure).draw()
+    assert [axes.get_ylabel() for axes in figure.axes] == [
+        "energy of the tendons (J)",
+        "fold time (s)",
+        "margin: torque over the least slow one",
+    ]
+    assert {axes.get_xlabel() for axes in figure.axes} == {"cycle N"}
+    labels = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert labels == [
+        *("flat", "folded", "opened", "not seen in the tests"),
+        *("first failure, cycle 5", "did not fold and open"),
+    ]
+    shaded = [
+        patch.get_extents().transformed(axes.transData.inverted()) for axes in figure.axes for patch in axes.patches
+    ]
+    assert all(box.x1 <= 2.001 or box.x0 >= 3.999 for box in shaded)
+    assert len(shaded) == 6
+
+
+@pytest.mark.parametrize("count", [1, 2, 4])
+def test_few_cycles_without_a_failure_can_be_drawn(cycling, count):
+    for seen in ((2, 4), (1, 4), None):
+        few = replace(
+            cycling, runs=tuple(replace(each, measured=seen is not None) for each in cycling.runs[:count]), seen=seen
+        )
+        FigureCanvasAgg(draw_cycling(few)).draw()
+    nothing = replace(cycling, runs=tuple(run(n, **STUCK) for n in (1, 2)), opens=False)
+    FigureCanvasAgg(draw_cycling(nothing)).draw()
+
+
+def test_all_cycles_are_in_the_table_and_in_json(cycling, tmp_path):
+    write_cycling(cycling, tmp_path / "run")
+    assert files_in(tmp_path / "run") == sorted(CYCLING_FILES)
+    with (tmp_path / "run" / "cycles.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert [row["cycle"] for row in rows] == ["1", "2", "3", "4", "5", "6"]
+    assert [row["fold_time_s"] for row in rows[3:]] == ["0.2", "", ""]
+    content = json.loads((tmp_path / "run" / "cycles.json").read_text("utf-8"))
+    assert content["first_failure"] == 5
+    assert [row["fold_time_s"] for row in content["cycles"][3:]] == [0.2, None, None]
+    assert {key: str(value) if value is not None else "" for key, value in content["cycles"][5].items()} == rows[5]
+
+
+def test_the_cycles_of_an_earlier_run_go_when_another_run_takes_its_place(cycling, tmp_path, reference_run):
+    write_cycling(cycling, tmp_path / "run")
+    write_run(reference_run, ff.measure(reference_run), tmp_path / "run")
+    assert not set(CYCLING_FILES) & set(files_in(tmp_path / "run"))
+    assert "record.nc" in files_in(tmp_path / "run")
+
+
+def test_the_verdict_and_the_remarks_are_printed(cycling, capsys):
+    print_cycling(cycling)
+    lines = capsys.readouterr().out.splitlines()
+    assert lines == [
+        "",
+        "Cycles: up to cycle 4",
+        "  margin of the fold torque over the least slow one: 70 at cycle 1, 420 at cycle 6",
+        "  margin of the unfold torque over the least slow one: 4 at cycle 1, 24 at cycle 6",
+        "  [2] to 4 seen",
+    ]

@@ -1,0 +1,121 @@
+import math
+
+import numpy as np
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.lines import Line2D
+
+from forficula.show.landscape.landscape_figure import draw_wing
+from forficula.show.landscape.levels_figure import draw_levels
+from forficula.show.landscape.tendon_figure import draw_tendon
+
+NAMES = (
+    "reference",
+    "small",
+    "without rest length",
+    "without hub",
+    "without overbend",
+    "slack",
+    "without stiffness",
+)
+
+
+def pixels(figure):
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    return np.asarray(canvas.buffer_rgba())[..., :3]
+
+
+def texts(figure):
+    return " ".join(text.get_text().replace("\n", " ") for axes in all_axes(figure) for text in axes.texts)
+
+
+def all_axes(figure):
+    return [each for axes in figure.axes for each in (axes, *axes.child_axes)]
+
+
+def labelled(figure, start) -> Line2D:
+    return next(line for axes in figure.axes for line in axes.lines if str(line.get_label()).startswith(start))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_landscape_can_be_drawn_with_units_on_its_axes(surveyed, name):
+    units = ("(J)", "(mJ)", "(µJ)", "(nJ)", "(deg)", "N cm)")
+    for figure in (draw_tendon(surveyed(name)), draw_wing(surveyed(name)), draw_levels(surveyed(name))):
+        assert len(np.unique(pixels(figure) @ [1, 256, 65536])) > 10  # not blank
+        for axes in all_axes(figure):
+            assert not axes.get_ylabel() or axes.get_ylabel().endswith(units)
+            assert not axes.get_xlabel() or "deg" in axes.get_xlabel() or "hinges" in axes.get_xlabel()
+            bounds = [*axes.get_xlim(), *axes.get_ylim()]
+            assert np.all(np.isfinite(bounds))
+
+
+def test_the_energy_drawn_is_the_integral_of_the_moment_drawn_under_it(surveyed):
+    figure = draw_tendon(surveyed("reference"))
+    top, bottom = figure.axes
+    energy, moment = (
+        next(line for line in axes.lines if len(line.get_xdata()) > 60 and line.get_linestyle() == "-")
+        for axes in (top, bottom)
+    )
+    assert (top.get_ylabel(), "(N cm)" in bottom.get_ylabel()) == ("tendon energy (J)", True)
+    angle = np.radians(energy.get_xdata())
+    fall = np.trapezoid(moment.get_ydata() / 100, angle)  # the moment is in N cm
+    # the moment is - d energy / d angle; trapezoids of 3 deg err by about (3 deg)^2 / 12
+    assert energy.get_ydata()[0] - energy.get_ydata()[-1] == pytest.approx(fall, rel=3e-3)
+
+
+def test_the_simulated_tendon_lies_on_the_closed_form_folding_and_opening(surveyed, reference_run):
+    figure = draw_tendon(surveyed("reference"), reference_run)
+    hinge = surveyed("reference").tendons[1].hinge
+    for name in ("simulated, folding", "simulated, opening"):
+        points = labelled(figure, name)
+        angle = np.radians(points.get_xdata())
+        inside = (angle > -math.pi) & (angle < math.pi)
+        # the engine's tendon is the same spring; rounding is all that tells them apart
+        assert points.get_ydata()[inside] == pytest.approx(hinge.energy(angle[inside]), abs=1e-9)
+        assert np.ptp(points.get_xdata()) > 120
+
+
+def test_a_simulation_that_is_not_there_is_not_in_the_legend(surveyed):
+    legend = draw_tendon(surveyed("reference")).legends[0]
+    assert not [text.get_text() for text in legend.get_texts() if "simulated" in text.get_text()]
+
+
+def test_what_is_not_there_is_said_in_a_sentence_in_its_place(surveyed):
+    assert "slack at every angle" in texts(draw_tendon(surveyed("slack")))
+    assert "slack at every angle" in texts(draw_wing(surveyed("slack")))
+    assert "no stiffness" in texts(draw_tendon(surveyed("without stiffness")))
+    assert "overbend is 0 deg" in texts(draw_tendon(surveyed("without overbend")))
+    assert "hub_radius is 0" in texts(draw_wing(surveyed("without hub")))
+
+
+def test_the_barrier_close_up_has_its_height(surveyed):
+    landscape = surveyed("reference")
+    assert f"barrier {1e3 * landscape.tendons[1].barrier:.4g} mJ" in texts(draw_tendon(landscape))
+    assert f"barrier {1e3 * landscape.fold_barrier:.4g} mJ" in texts(draw_wing(landscape))
+
+
+def test_the_ring_axis_stands_where_the_ring_creases_have_that_angle(surveyed):
+    figure = draw_wing(surveyed("reference"))
+    above = next(axes for axes in figure.axes if "ring" in axes.get_xlabel())
+    fan = surveyed("reference").design.fan
+    ratio = math.sin(fan.epsilon) / math.cos(fan.sector_angle / 2)
+    for place, text in zip(above.get_xticks(), above.get_xticklabels(), strict=True):
+        ring = math.radians(float(text.get_text().replace("−", "-")))
+        if ring < math.radians(179):
+            # tan(ring / 2) = m tan(pleat / 2) (theory.md, section 2); the axis is interpolated between its places
+            assert math.tan(ring / 2) == pytest.approx(ratio * math.tan(math.radians(place) / 2), rel=0.02, abs=1e-9)
+
+
+def test_every_partly_folded_state_has_a_bar_that_ends_at_its_energy(surveyed):
+    landscape = surveyed("without rest length")
+    top, bottom = draw_levels(landscape).axes
+    tops = [bar.get_y() + bar.get_height() for bar in top.patches[1::2]]
+    assert tops == pytest.approx([fold.energy for fold in landscape.partial_folds])
+    dark = [line for line in bottom.lines if line.get_color() == "0.15"]
+    # every vein is folded in half of the eight states
+    assert sum(len(line.get_xdata()) for line in dark) == 12
+
+
+def test_a_small_wing_is_drawn_in_small_units(surveyed):
+    assert draw_tendon(surveyed("small")).axes[0].get_ylabel() == "tendon energy (µJ)"

@@ -1,0 +1,83 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+from forficula.design import with_values
+from forficula.errors import InputError
+from forficula.show.study.convergence_figure import (
+    convergence_rows,
+    draw_convergence_angles,
+    draw_convergence_times,
+    write_convergence,
+)
+from forficula.study.convergence import converge
+from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS
+
+STAGES = [
+    {"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.1},
+    {"name": "fold", "drive": "fold", "until": "folded", "hold": 0.0, "time_limit": 0.2},
+]
+VALUES = {TIMESTEP: [5e-3, 4e-4, 3e-4, 2e-4], YOUNGS_MODULUS: [5e5, 1e6], MESH: [1, 2]}
+
+
+@pytest.fixture(scope="module")
+def studies(reference):
+    """A study by key, one with a diverged run among them, and one in which nothing folds."""
+    folding = with_values(reference, {"protocol.stages": STAGES})
+    settling = with_values(reference, {"protocol.stages": STAGES[:1]})
+    nothing = {"nothing": converge(settling, TIMESTEP, [4e-4, 2e-4])}
+    return {key: converge(folding, key, values) for key, values in VALUES.items()} | nothing
+
+
+@pytest.mark.parametrize("name", [*VALUES, "nothing"])
+def test_every_study_can_be_drawn_and_every_axis_has_its_unit(studies, name):
+    angles, times = draw_convergence_angles(studies[name]), draw_convergence_times(studies[name])
+    for figure in (angles, times):
+        FigureCanvasAgg(figure).draw()
+    assert angles.axes[0].get_ylabel() == "third distal angle (deg)"
+    assert all(axes.get_xlabel().endswith(("(s)", "(ms)")) for axes in angles.axes)
+    assert [axes.get_ylabel() for axes in times.axes] == ["fold time (ms)", "opening time (ms)"]
+    assert all(axes.get_xlabel().endswith(("(ms)", "(MPa)", "rows of the mesh")) for axes in times.axes)
+
+
+def test_all_timesteps_are_in_one_figure_told_apart_without_colour(studies):
+    lines = [line for line in draw_convergence_angles(studies[TIMESTEP]).axes[0].lines if line.get_label()[0] != "_"]
+    assert [line.get_label() for line in lines] == ["5 ms", "0.4 ms", "0.3 ms", "0.2 ms"]
+    # luminance of sRGB, Rec. 709
+    shades = [np.dot(line.get_color()[:3], [0.2126, 0.7152, 0.0722]) for line in lines]
+    assert np.all(np.diff(shades) < -0.05)
+    assert len({(line.get_linestyle(), line.get_linewidth()) for line in lines}) == len(lines)
+
+
+def test_the_drawn_angle_is_the_simulated_one_at_the_time_since_the_stage_began(studies):
+    study = studies[TIMESTEP]
+    line = draw_convergence_angles(study).axes[1].lines[3]
+    assert line.get_xdata() == pytest.approx(1e3 * (study.times[3] - study.fold_starts[3]))
+    assert line.get_ydata() == pytest.approx(np.degrees(study.angles[3]))
+
+
+def test_the_law_is_drawn_through_its_limit(studies):
+    study = studies[TIMESTEP]
+    law = next(line for line in draw_convergence_times(study).axes[0].lines if "order" in line.get_label())
+    assert (law.get_xdata()[0], law.get_ydata()[0]) == (0, pytest.approx(1e3 * study.fold_order.limit))
+
+
+def test_a_time_that_is_not_there_is_none_and_not_a_number(studies):
+    rows = convergence_rows(studies[TIMESTEP])
+    assert rows[0]["fold_time_s"] is None
+    assert rows[0]["status"].startswith("diverged")
+    assert all(row["unfold_time_s"] is None for row in rows)
+
+
+def test_a_study_leaves_all_files_or_none(studies, tmp_path):
+    study = studies[TIMESTEP]
+    blocked = tmp_path / "blocked"
+    (blocked / "times.png").mkdir(parents=True)
+    with pytest.raises(InputError, match=r"times\.png"):
+        write_convergence(study, blocked)
+    assert [path.name for path in blocked.iterdir()] == ["times.png"]
+    with pytest.raises(ValueError, match="zip"):  # a study that cannot be drawn, halfway through the files
+        write_convergence(replace(study, statuses=()), tmp_path / "broken")
+    assert [path.name for path in tmp_path.iterdir()] == ["blocked"]

@@ -1,0 +1,42 @@
+"""Maps of slowly growing torques, alone and beside a simulation's."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from forficula.show.study.static_maps import draw_static_maps
+from forficula.study.static_map import map_study, static_map
+
+
+@pytest.fixture(scope="module")
+def statics(reference):
+    over = {"tendon.stiffness": ["10 N/cm", "60 N/cm"], "tendon.rest_length": ["0 cm", "9 cm"]}
+    return static_map(map_study(reference, over))
+
+
+def titles(figure):
+    return [axes.get_title() for axes in figure.axes if axes.get_title()]
+
+
+def legend(figure):
+    return {text.get_text() for each in figure.legends for text in each.get_texts()}
+
+
+def test_a_map_alone_has_a_panel_for_folding_and_one_for_opening(statics):
+    figure = draw_static_maps(statics)
+    assert titles(figure) == ["folds under a slow torque", "opens under a slow torque"]
+    assert legend(figure) == {"did not fold", "did not open"}
+
+
+def test_beside_a_simulation_the_cells_that_differ_are_drawn(statics):
+    simulated = statics.copy(deep=True)
+    simulated["least_fold_torque"].values[:] = [[0.3, 0.1], [np.nan, 0.3]]
+    figure = draw_static_maps(statics, simulated)
+    assert len(titles(figure)) == 6
+    assert {"in both, at the same torque", "in the simulation only: inertia", "in neither"} <= legend(figure)
+
+
+def test_over_one_factor_points_are_drawn(reference):
+    table = static_map(map_study(reference, {"tendon.rest_length": ["8 cm", "9 cm"]}))
+    assert len(titles(draw_static_maps(table, table))) == 6
