@@ -16,15 +16,11 @@ from forficula.dynamics.membrane import Mesh, add_membranes, joined_mesh
 from forficula.dynamics.tendons import add_branches, add_distance, add_limit, add_tendon
 from forficula.dynamics.units import ModelUnits, design_in_model_units, model_units
 from forficula.errors import InputError
-<<<<<<< HEAD
 from forficula.material.law.tendon_law import ElasticLaw, stacked_laws
 from forficula.structure import Structure, structure_of
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
-=======
-from forficula.material.law.tendon_law import TendonLaw
->>>>>>> folders
 
 # a step of more takes tens of milliseconds and gigabytes
 _MOST_BODIES = 2002
