@@ -10,6 +10,7 @@ from typing import Any, TypeVar, get_args, get_origin
 from pydantic import BaseModel
 
 from forficula.design.design import Design
+from forficula.design.fan import FanDesign
 from forficula.design.part import Part, Quantity, field_quantity
 from forficula.errors import InputError
 from forficula.quantities import as_written
@@ -38,7 +39,7 @@ def key_quantity(key: str) -> Quantity | None:
     if key == "tendon.law":
         return None
     parts = key.split(".")
-    place: Any = Design
+    place: Any = FanDesign
     quantity = None
     for depth, part in enumerate(parts):
         if _is_part(place):
@@ -109,7 +110,7 @@ def entry_index(key: str, text: str, entries: Sequence[Any]) -> int:
     raise InputError(f"{key}: {rule}, got {as_written(text)}")
 
 
-def known_keys(model: type[BaseModel] = Design, prefix: str = "") -> Iterator[str]:
+def known_keys(model: type[BaseModel] = FanDesign, prefix: str = "") -> Iterator[str]:
     """All keys of a design; entries of a list of tables stand as number 0."""
     for name, field in model.model_fields.items():
         yield f"{prefix}{name}"

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.design import Stage
+from forficula.design import Stage, stage_drives
 from forficula.dynamics.model import Model
 from forficula.dynamics.record import StageEnd
 from forficula.structure import Goal, drive_of, goal_of
@@ -225,12 +225,6 @@ def _far_beyond(model: Model) -> tuple[Array, Array]:
 def _first(holds: NDArray[np.bool_], count: int) -> Steps:
     """By structure, the first step at which something holds; so many where it does at none."""
     return np.where(holds.any(axis=1), holds.argmax(axis=1), count)
-
-
-def stage_drives(stage: Stage) -> tuple[str, ...]:
-    """Names of the drives of a stage."""
-    names = (stage.drive,) if isinstance(stage.drive, str) else stage.drive
-    return tuple(name for name in names if name != "none")
 
 
 def stage_torques(model: Model, stage: Stage) -> tuple[tuple[float, ...], float]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from forficula.design import Design
+from forficula.design import Design, FanDesign
+from forficula.errors import InputError
 from forficula.structure import veins
 from forficula.structure.structure import Structure
 
@@ -13,14 +14,24 @@ def structure_of(design: Design) -> Structure:
     Raises:
         InputError: it cannot be built.
     """
-    return veins.vein_structure(design)
+    if isinstance(design, FanDesign):
+        return veins.vein_structure(design)
+    raise _no_way(design)
 
 
 def with_protocol(structure: Structure, design: Design) -> Structure:
     """A structure with the drives, goals, states and transitions of a design that differs in its protocol at most."""
-    return veins.with_protocol(structure, design)
+    if isinstance(design, FanDesign):
+        return veins.with_protocol(structure, design)
+    raise _no_way(design)
 
 
 def drive_keys(design: Design) -> tuple[str, ...]:
     """Keys of the values that say how strong a design's drives are."""
-    return veins.drive_keys(design)
+    if isinstance(design, FanDesign):
+        return veins.drive_keys(design)
+    raise _no_way(design)
+
+
+def _no_way(design: Design) -> InputError:
+    return InputError(f"{design.name}: there is no way to build it")

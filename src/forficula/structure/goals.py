@@ -3,34 +3,15 @@
 from __future__ import annotations
 
 import difflib
-import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from forficula.design.part import ANGLE, LENGTH
+from forficula.design.protocol import GoalText, read_goal
 from forficula.errors import InputError
 from forficula.quantities import as_written, parse_quantity
 from forficula.structure.structure import Drive, Goal, Measure, RestState, Structure, Transition
-
-_WRITTEN = re.compile(r"\s*(?P<name>.+?)\s*(?P<relation>[<>])=?\s*(?P<value>[^<>=]+?)\s*")
-ALLOWED = 'time, rest, or a measure or role with a bound such as "ring < -150 deg"'
-
-
-@dataclass(frozen=True, kw_only=True)
-class GoalText:
-    """A goal as it is written.
-
-    Attributes:
-        name: of a measure or of the role of hinges.
-        relation: "<" or ">".
-        value: a quantity with its unit.
-    """
-
-    name: str
-    relation: str
-    value: str
 
 
 def drive_of(structure: Structure, name: str) -> Drive:
@@ -95,12 +76,6 @@ def goal_of(structure: Structure, text: str) -> Goal:
             f' "{next(iter(known), "ring")} < -150 deg"'
         )
     return bounds_on(structure, measure, text, written)
-
-
-def read_goal(text: str) -> GoalText | None:
-    """Take a written bound apart; None where it is none."""
-    found = _WRITTEN.fullmatch(text)
-    return None if found is None else GoalText(**found.groupdict())
 
 
 def bounds_on(structure: Structure, measure: Measure, name: str, written: GoalText) -> Goal:

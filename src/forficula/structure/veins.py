@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.design import Design, tendon_law
+from forficula.design import FanDesign, tendon_law
 from forficula.design.places import mesh_rows
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, earwig_pattern, ring_vertices
@@ -77,7 +77,7 @@ class Vein:
         return np.asarray(self.frame.T @ (point - self.ring_vertex))
 
 
-def vein_structure(design: Design) -> Structure:
+def vein_structure(design: FanDesign) -> Structure:
     """Build bars, hinges, tendons and membranes on the creases of a fan, in the units of its design."""
     pattern = earwig_pattern(design.fan)
     # the last vein takes the ring crease of the pattern continued
@@ -116,7 +116,7 @@ def veins_on(pattern: CreasePattern, beyond: Array) -> tuple[Vein, ...]:
     )
 
 
-def structure_of_veins(design: Design, veins: Sequence[Vein]) -> Structure:
+def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
     """Build on veins of any layout, neighbours joined by panels and guards, with the design's properties."""
     bodies: list[Body] = []
     points: list[Point] = []
@@ -181,7 +181,7 @@ def structure_of_veins(design: Design, veins: Sequence[Vein]) -> Structure:
     return with_protocol(built, design)
 
 
-def with_protocol(structure: Structure, design: Design) -> Structure:
+def with_protocol(structure: Structure, design: FanDesign) -> Structure:
     """A fan with the drives, goals, states and transitions of a design's protocol."""
     protocol, count = design.protocol, len(structure.hinges)
     turns, folds = (_of_role(structure.hinges, role) for role in ("turn", "ring"))
@@ -239,7 +239,7 @@ def with_protocol(structure: Structure, design: Design) -> Structure:
     )
 
 
-def drive_keys(design: Design) -> tuple[str, ...]:  # noqa: ARG001
+def drive_keys(design: FanDesign) -> tuple[str, ...]:  # noqa: ARG001
     """Keys of the values that say how strong the drives are."""
     return ("protocol.fold_torque", "protocol.unfold_torque")
 
@@ -248,7 +248,7 @@ def _of_role(hinges: Sequence[Hinge], role: str) -> tuple[int, ...]:
     return tuple(number for number, hinge in enumerate(hinges) if hinge.role == role)
 
 
-def _hinges(design: Design, index: int, vein: Vein) -> list[Hinge]:
+def _hinges(design: FanDesign, index: int, vein: Vein) -> list[Hinge]:
     """The hinges of a vein: of its proximal bar, unless that is held, and of its distal one."""
     choice = design.hinge
     aims = [
@@ -281,7 +281,7 @@ def _hinges(design: Design, index: int, vein: Vein) -> list[Hinge]:
     return [*aims, ring]
 
 
-def _panels(design: Design, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
+def _panels(design: FanDesign, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
     """Lay the membrane: panel k from the edge of its margin on vein k to the axis of vein k + 1.
 
     The margin is glued to vein k and turns with it; about vein k + 1 the panel may turn. A row of nodes lies at every
@@ -330,7 +330,7 @@ def _panels(design: Design, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
     return tuple(panels)
 
 
-def _guards(design: Design, veins: Sequence[Vein]) -> tuple[LengthLimit, ...]:
+def _guards(design: FanDesign, veins: Sequence[Vein]) -> tuple[LengthLimit, ...]:
     """Guard tendons between neighbouring tips."""
     limits = []
     for index in range(len(veins) - 1):
@@ -342,7 +342,7 @@ def _guards(design: Design, veins: Sequence[Vein]) -> tuple[LengthLimit, ...]:
     return tuple(limits)
 
 
-def _bar_mass(design: Design) -> float:
+def _bar_mass(design: FanDesign) -> float:
     """Mass of a vein of the whole length, kg."""
     span = design.pattern.proximal_length + design.pattern.distal_length
     mass = design.vein.density * span * math.pi / 4 * design.vein.diameter**2
