@@ -245,6 +245,7 @@ class Design(Part):
 
     name: Annotated[str, Field(min_length=1, description="what outputs call it")]
     source: Annotated[str, Field(description="where its values come from")]
+    reproduces: Annotated[str | None, Field(description="the paper that its figures are set beside")] = None
     pattern: Pattern
     vein: Vein
     membrane: Membrane
@@ -355,7 +356,7 @@ class Design(Part):
     @property
     def hash(self) -> str:
         """Sixteen hexadecimal digits that name the values, whatever the design or its material is called."""
-        nameless: Any = {"name": True, "source": True, "tendon": {"law": {"name"}}}
+        nameless: Any = {"name": True, "source": True, "reproduces": True, "tendon": {"law": {"name"}}}
         values = self.model_dump(mode="json", exclude=nameless, exclude_none=True)
         return hashlib.sha256(json.dumps(values, sort_keys=True).encode()).hexdigest()[:16]
 

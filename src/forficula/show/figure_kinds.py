@@ -13,6 +13,7 @@ from forficula.analysis import measure
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.files import clear_leftovers, write_bytes
+from forficula.reproduction import shown_tendon
 from forficula.show.convergence_figure import CONVERGENCE_FILE, convergence_drawings
 from forficula.show.cycling_folder import cycling_drawings, read_cycling
 from forficula.show.landscape_folder import landscape_drawings
@@ -104,7 +105,7 @@ def _landscape(folder: Path) -> dict[str, Drawing]:
 
     @cache
     def again(simulation: bool) -> dict[str, Drawing]:
-        return landscape_drawings(*survey(design, simulation=simulation))
+        return landscape_drawings(*survey(design, simulation=simulation), shown_tendon(design))
 
     def drawing(kind: str) -> Drawing:
         # only the tendon's figure has the run beside it
