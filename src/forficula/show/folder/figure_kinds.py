@@ -13,6 +13,7 @@ from forficula.analysis import measure
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.files import clear_leftovers, write_bytes
+from forficula.reproduction import shown_tendon
 from forficula.show.folder.cycling_folder import cycling_drawings, read_cycling
 from forficula.show.folder.landscape_folder import landscape_drawings
 from forficula.show.folder.run_folder import run_drawings
@@ -104,7 +105,7 @@ def _landscape(folder: Path) -> dict[str, Drawing]:
 
     @cache
     def again(simulation: bool) -> dict[str, Drawing]:
-        return landscape_drawings(*survey(design, simulation=simulation))
+        return landscape_drawings(*survey(design, simulation=simulation), shown_tendon(design))
 
     def drawing(kind: str) -> Drawing:
         # only the tendon's figure has the run beside it
