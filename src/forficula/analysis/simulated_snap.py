@@ -103,7 +103,7 @@ def simulated_snap(record: Record, vein: int = INNER_VEIN, fold_start: float = F
         return None
     opening = [end.start for end in record.stages if end.stage.drive == "unfold"]
     before = record.time <= min(opening, default=math.inf)
-    time, fold = record.time[before], -record.series["distal_angle"][before, vein]
+    time, fold = record.time[before], -record.measured("distal_angle")[before, vein]
     arrivals = [
         _snap_time(time, fold, fold_start, end)
         for end in (record.design.protocol.folded_angle, record.design.hinge.fold_limit)
