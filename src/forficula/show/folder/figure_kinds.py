@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from forficula.analysis import measure
+from forficula.analysis.run_files import read_run
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.files import clear_leftovers, write_bytes
@@ -18,7 +19,6 @@ from forficula.show.folder.landscape_folder import landscape_drawings
 from forficula.show.folder.run_folder import run_drawings
 from forficula.show.folder.static_map_folder import SIMULATED, static_map_drawings
 from forficula.show.folder.study_folder import study_drawings
-from forficula.show.run.run_reader import read_run
 from forficula.show.study.convergence_figure import CONVERGENCE_FILE, convergence_drawings
 from forficula.show.style import COLUMN_WIDTH, COPIES, ENDINGS, PAGE_WIDTH, Drawing, save_figure
 from forficula.study.convergence_file import load_convergence
