@@ -155,7 +155,8 @@ def converge(
     check_folder(folder)
 
     from forficula.show import study_progress
-    from forficula.show.study.convergence_figure import print_convergence, write_convergence
+    from forficula.show.folder.convergence_folder import write_convergence
+    from forficula.show.study.convergence_table import print_convergence
     from forficula.study.convergence import converge as converge_design
     from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, read_values
 
