@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
+from forficula.dynamics.veins import Vein
 from hypothesis import settings
 
 import forficula as ff
@@ -13,7 +14,6 @@ from forficula.design import Design, with_values
 from forficula.dynamics import Record, simulate
 from forficula.dynamics.model import WingModel, compile_veins
 from forficula.dynamics.units import model_units
-from forficula.dynamics.veins import Vein
 
 # how long an example takes says more of the machine than of the code
 settings.register_profile("forficula", deadline=None)

@@ -246,7 +246,7 @@ def test_an_empty_key_is_unknown_like_any_other():
             load_design("binder2025", {key: "1"})
 
 
-SECTIONS = "based_on, name, source, pattern, vein, membrane, hinge, tendon, guard, protocol"
+SECTIONS = "based_on, name, source, reproduces, pattern, vein, membrane, hinge, tendon, guard, protocol"
 OF_TENDON = "stiffness, rest_length, damping, proximal_attachment, distal_attachment, area, law"
 
 

@@ -5,11 +5,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from forficula.dynamics.fleet import Fleet, stage_torques
 
 import forficula as ff
 from forficula.design import Stage, with_values
 from forficula.dynamics import compile_wing, energy_balance, simulate
-from forficula.dynamics.fleet import Fleet, stage_torques
 from forficula.dynamics.units import design_in_model_units
 
 OPEN = Stage(name="open", drive="unfold", until="time", hold="0 s", time_limit="1 s")

@@ -8,12 +8,12 @@ from unittest import mock
 import mujoco
 import numpy as np
 import pytest
+from forficula.dynamics.fleet import Fleet
 
 import forficula as ff
 from forficula.analysis.summary import summary
 from forficula.design import with_values
 from forficula.dynamics import compile_wing, load_record, save_record, simulate, versions
-from forficula.dynamics.fleet import Fleet
 from forficula.dynamics.units import design_in_model_units
 
 MODULE = importlib.import_module("forficula.dynamics.simulate")

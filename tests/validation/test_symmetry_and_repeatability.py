@@ -8,13 +8,13 @@ import dataclasses
 
 import numpy as np
 import pytest
+from forficula.dynamics.veins import fan_veins
 
 import forficula as ff
 from forficula.design import with_values
 from forficula.dynamics import compile_wing, simulate
 from forficula.dynamics.model import compile_veins
 from forficula.dynamics.units import design_in_model_units, model_units
-from forficula.dynamics.veins import fan_veins
 
 
 def assert_same_bits(record, other):

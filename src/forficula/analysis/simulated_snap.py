@@ -12,12 +12,13 @@ from numpy.typing import NDArray
 from forficula.analysis.outcome import measure
 from forficula.design import Design, with_values
 from forficula.dynamics import Record
+from forficula.names import ordinal
 from forficula.statics import TendonHinge, fold_time, ideal_hinge, wing_hinges
 from forficula.statics.snap import FOLD_START, final_speed
 
 Array = NDArray[np.float64]
 
-SECOND = 1  # vein whose tendon the paper's figures show
+INNER_VEIN = 1  # the first with a panel on either side
 _ROWS = 200  # that a fold should have in a record
 
 
@@ -85,7 +86,7 @@ def finely_sampled(design: Design) -> Design:
     return with_values(design, {"protocol.sample_interval": wanted})
 
 
-def simulated_snap(record: Record, vein: int = SECOND, fold_start: float = FOLD_START) -> SimulatedSnap | None:
+def simulated_snap(record: Record, vein: int = INNER_VEIN, fold_start: float = FOLD_START) -> SimulatedSnap | None:
     """Time the fold of a hinge, from where it last passes `fold_start` to where it first arrives.
 
     Looks at all before the unfolding stage; between rows the angle is taken as straight.
@@ -137,15 +138,15 @@ def _passes(time: Array, fold: Array, angle: float) -> Array:
     return np.asarray(time[rows] + share * (time[rows + 1] - time[rows]))
 
 
-def simulation_summary(record: Record) -> dict[str, Any]:
-    """What a run says of the second hinge's snap, beside its prediction, as plain data with units in its keys."""
-    design, outcome, snap = record.design, measure(record), simulated_snap(record)
+def simulation_summary(record: Record, vein: int = INNER_VEIN) -> dict[str, Any]:
+    """What a run says of the snap of one vein's hinge, beside its prediction, as plain data with units in its keys."""
+    design, outcome, snap = record.design, measure(record), simulated_snap(record, vein)
     folded_angle = design.protocol.folded_angle
-    hinges = {"ideal_hinge": ideal_hinge(design), "second_hinge": wing_hinges(design)[SECOND]}
+    hinges = {"ideal_hinge": ideal_hinge(design), f"{ordinal(vein)}_hinge": wing_hinges(design)[vein]}
     return {
         "status": outcome.status,
         "advice": outcome.advice,
-        "vein": SECOND,
+        "vein": vein,
         "fold_start_deg": math.degrees(FOLD_START),
         "folded_angle_deg": math.degrees(folded_angle),
         "folded_time_s": None if snap is None else snap.folded_time,

@@ -79,11 +79,13 @@ def _survey(design: Design, folder: Path, simulation: bool) -> Verdict | None:
     from forficula.analysis import measure
     from forficula.design import design_warnings
     from forficula.dynamics import timestep_warnings
+    from forficula.reproduction import shown_tendon
     from forficula.show.folder.landscape_folder import write_landscape
     from forficula.show.landscape.landscape_table import print_landscape
     from forficula.show.progress import run_progress, waiting
     from forficula.study.survey import survey
 
+    vein = shown_tendon(design)
     tell_replaced(folder, "landscape")
     for warning in design_warnings(design):
         print(f"warning: {warning}", file=sys.stderr)
@@ -94,6 +96,6 @@ def _survey(design: Design, folder: Path, simulation: bool) -> Verdict | None:
             print(f"warning: {warning}", file=sys.stderr)
     with run_progress("building the wing" if simulation else "surveying its energy") as progress:
         landscape, record = survey(design, simulation=simulation, progress=progress)
-    write_landscape(landscape, folder, record)
-    print_landscape(landscape, record)
+    write_landscape(landscape, folder, record, vein)
+    print_landscape(landscape, record, vein)
     return None if record is None else measure(record).verdict

@@ -51,6 +51,7 @@ def study(
     ] = None,
 ) -> None:
     """Run a study, or go on with it where it stopped: a table, maps, and a page on which they open their runs."""
+    from forficula.reproduction import check_reproduction
     from forficula.show.progress import building_progress
     from forficula.study import collect as collect_study
     from forficula.study import load_study
@@ -58,6 +59,7 @@ def study(
     chosen = load_study(study)
     folder = out or Path("out") / chosen.name
     check_folder(folder)
+    check_reproduction(chosen)
     if keep is not None:
         from forficula.study.kept_runs import check_most
 
@@ -154,6 +156,7 @@ def converge(
     folder = out or Path("out") / f"{chosen.name}-converge"
     check_folder(folder)
 
+    from forficula.reproduction import shown_hinge
     from forficula.show import study_progress
     from forficula.show.folder.convergence_folder import write_convergence
     from forficula.show.study.convergence_table import print_convergence
@@ -167,9 +170,10 @@ def converge(
         raise InputError(f"converge: need one of {', '.join(options)}, got {named}")
     ((option, key, text),) = given
     values = read_option(option, lambda: read_values(key, text))
+    hinge = shown_hinge(chosen)
     tell_replaced(folder, "convergence study")
     with study_progress() as progress:
-        convergence = converge_design(chosen, key, values, progress=progress)
+        convergence = converge_design(chosen, key, values, hinge=hinge, progress=progress)
     print_convergence(convergence)
     write_convergence(convergence, folder)
     print(f"\nwritten to {folder}")

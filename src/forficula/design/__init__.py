@@ -1,4 +1,4 @@
-from forficula.design.design import Design, Protocol, Stage
+from forficula.design.design import Design, shortest_sample_interval
 from forficula.design.design_file import (
     design_from_text,
     design_text,
@@ -9,9 +9,11 @@ from forficula.design.design_file import (
     write_new_design,
 )
 from forficula.design.design_warnings import design_warnings
-from forficula.design.keys import key_quantity, key_value
+from forficula.design.fan import FanDesign
+from forficula.design.keys import key_quantity, key_value, put
 from forficula.design.law_tables import law_from_folder, with_law_read
 from forficula.design.part import LENGTH, TORQUE
+from forficula.design.protocol import Protocol, Stage, stage_drives
 from forficula.design.similarity import in_units, scale_design
 from forficula.design.tendon import flat_strain, tendon_law
 
@@ -19,6 +21,7 @@ __all__ = [
     "LENGTH",
     "TORQUE",
     "Design",
+    "FanDesign",
     "Protocol",
     "Stage",
     "design_from_text",
@@ -31,8 +34,11 @@ __all__ = [
     "law_from_folder",
     "load_design",
     "named_designs",
+    "put",
     "save_design",
     "scale_design",
+    "shortest_sample_interval",
+    "stage_drives",
     "tendon_law",
     "with_law_read",
     "with_values",

@@ -17,6 +17,7 @@ from pydantic.fields import FieldInfo
 
 from forficula.design.design import Design
 from forficula.design.keys import entry_index, hint, known_keys, siblings
+from forficula.design.kinds import design_class
 from forficula.design.law_tables import law_taken_off, names_law, with_following, with_law_read, without_following
 from forficula.design.part import Part, as_tables, field_quantity
 from forficula.design.tables import RejectedError, merged, overlaid
@@ -82,7 +83,8 @@ def save_design(design: Design, path: str | os.PathLike[str]) -> None:
 
 def design_text(design: Design) -> str:
     """Every value of a design as TOML."""
-    return tomli_w.dumps(as_tables(design))
+    tables = as_tables(design)
+    return tomli_w.dumps({name: tables[name] for name in _sections(design) if name in tables})
 
 
 def design_from_text(text: str) -> Design:
@@ -203,7 +205,7 @@ def _dotted(tables: Mapping[str, object], prefix: str = "") -> Iterator[str]:
 
 def _validate(tables: dict[str, Any], *, si: bool = False) -> Design:
     try:
-        return Design.model_validate(with_following(tables, si=si), context={"si": si})
+        return design_class(tables).model_validate(with_following(tables, si=si), context={"si": si})
     except ValidationError as error:
         # A wrong value hides what depends on it, so one error is enough; a misspelt key may be the missing one.
         errors = error.errors(include_url=False)
@@ -299,9 +301,14 @@ def _nearest(word: str, words: list[str]) -> str | None:
     return f'did you mean "{near[0]}"?' if near else None
 
 
+def _sections(design: Design) -> list[str]:
+    """Names and sections in the order of a file: what is built, then what is done to it."""
+    return sorted(type(design).model_fields, key=lambda name: name == "protocol")
+
+
 def _commented(design: Design) -> Iterator[str]:
     """The sections of a design, every key with its meaning."""
-    for section in Design.model_fields:
+    for section in _sections(design):
         part = getattr(design, section)
         if not isinstance(part, Part):
             continue

@@ -5,14 +5,17 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterator, Sequence
 from types import UnionType
-from typing import Any, get_args, get_origin
+from typing import Any, TypeVar, get_args, get_origin
 
 from pydantic import BaseModel
 
 from forficula.design.design import Design
+from forficula.design.fan import FanDesign
 from forficula.design.part import Part, Quantity, field_quantity
 from forficula.errors import InputError
 from forficula.quantities import as_written
+
+_PartOf = TypeVar("_PartOf", bound=Part)
 
 # sections of a law file that a design has as single keys
 _OF_LAW_FILES = {
@@ -36,7 +39,7 @@ def key_quantity(key: str) -> Quantity | None:
     if key == "tendon.law":
         return None
     parts = key.split(".")
-    place: Any = Design
+    place: Any = FanDesign
     quantity = None
     for depth, part in enumerate(parts):
         if _is_part(place):
@@ -75,6 +78,19 @@ def key_value(design: Design, key: str) -> Any:
     return value
 
 
+def put(part: _PartOf, key: str, value: object) -> _PartOf:
+    """Put a value, SI, at a key that the part has, without another look at what was checked when it was read."""
+    name, _, rest = key.partition(".")
+    inner = getattr(part, name)
+    if not rest:
+        return part.model_copy(update={name: value})
+    if isinstance(inner, tuple):
+        number, _, rest = rest.partition(".")
+        changed = put(inner[int(number)], rest, value)
+        return part.model_copy(update={name: (*inner[: int(number)], changed, *inner[int(number) + 1 :])})
+    return part.model_copy(update={name: put(inner, rest, value)})
+
+
 def entry_index(key: str, text: str, entries: Sequence[Any]) -> int:
     """Read the number of an entry of a list.
 
@@ -94,7 +110,7 @@ def entry_index(key: str, text: str, entries: Sequence[Any]) -> int:
     raise InputError(f"{key}: {rule}, got {as_written(text)}")
 
 
-def known_keys(model: type[BaseModel] = Design, prefix: str = "") -> Iterator[str]:
+def known_keys(model: type[BaseModel] = FanDesign, prefix: str = "") -> Iterator[str]:
     """All keys of a design; entries of a list of tables stand as number 0."""
     for name, field in model.model_fields.items():
         yield f"{prefix}{name}"

@@ -9,7 +9,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from forficula.design.design import Tendon
+from forficula.design.fan import Tendon
 from forficula.design.law import Law, law_fields
 from forficula.design.part import as_tables, field_quantity
 from forficula.design.tables import RejectedError, WholeTable, overlaid

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.design.design import Design
+from forficula.design.fan import FanDesign
 
 Points = NDArray[np.float64]
 
 
-def tendon_ends(hub: Points, ring: Points, tip: Points, design: Design) -> tuple[Points, Points]:
+def tendon_ends(hub: Points, ring: Points, tip: Points, design: FanDesign) -> tuple[Points, Points]:
     """Place the two ends of a vein's tendon on its bars.
 
     Args:
@@ -28,7 +28,7 @@ def tendon_ends(hub: Points, ring: Points, tip: Points, design: Design) -> tuple
     return before, beyond
 
 
-def mesh_rows(hub: Points, ring: Points, tip: Points, design: Design) -> Points:
+def mesh_rows(hub: Points, ring: Points, tip: Points, design: FanDesign) -> Points:
     """Place the rows of the membrane's mesh on a vein.
 
     Args:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from forficula.design.design import Design
+from forficula.design.fan import FanDesign
 from forficula.design.places import tendon_ends
 from forficula.material.law.material_law import scaled
 from forficula.material.law.tendon_law import TendonLaw
 from forficula.pattern import hub_points, ring_vertices, tips
 
 
-def tendon_law(design: Design) -> TendonLaw:
+def tendon_law(design: FanDesign) -> TendonLaw:
     """The law of a design's tendons, in the design's units, whatever they are.
 
     Linear, with linear damping, where the design names no material.
@@ -24,7 +24,7 @@ def tendon_law(design: Design) -> TendonLaw:
     )
 
 
-def flat_strain(design: Design) -> float:
+def flat_strain(design: FanDesign) -> float:
     """The strain of the tendon that the flat wing stretches most; infinite without a resting length."""
     before, beyond = tendon_ends(hub_points(design.fan), ring_vertices(design.fan), tips(design.fan), design)
     longest = float(np.linalg.norm(beyond - before, axis=-1).max())

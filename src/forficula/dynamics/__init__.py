@@ -1,5 +1,5 @@
 from forficula.dynamics.energy_balance import EnergyBalance, energy_balance
-from forficula.dynamics.model import WingModel, compile_wing
+from forficula.dynamics.model import Model, compile_model, compile_structure
 from forficula.dynamics.record import Record, StageEnd, load_record, save_record, versions
 from forficula.dynamics.simulate import simulate, simulate_each
 from forficula.dynamics.timestep import stable_timestep, timestep_warnings, with_timestep
@@ -7,10 +7,11 @@ from forficula.dynamics.units import design_in_model_units
 
 __all__ = [
     "EnergyBalance",
+    "Model",
     "Record",
     "StageEnd",
-    "WingModel",
-    "compile_wing",
+    "compile_model",
+    "compile_structure",
     "design_in_model_units",
     "energy_balance",
     "load_record",

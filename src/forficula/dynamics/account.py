@@ -1,4 +1,4 @@
-"""Work of torques, dampers and stops on many wings, added up step by step."""
+"""Work of torques, dampers and stops on many structures, added up step by step."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.dynamics.energy import branch_losses, letting_go_work
-from forficula.dynamics.model import WingModel
+from forficula.dynamics.model import Model
 from forficula.dynamics.stepper import Steps
 
 Array = NDArray[np.float64]
@@ -16,22 +16,22 @@ Indices = NDArray[np.int64]
 
 
 class Account:
-    """What was done on each of many wings of one topology since its start."""
+    """What was done on each of many structures of one topology since its start."""
 
-    def __init__(self, wings: Sequence[WingModel]) -> None:
+    def __init__(self, models: Sequence[Model]) -> None:
         """Start with nothing done."""
-        self._wings = wings
-        self._timestep = np.array([float(wing.in_units.protocol.timestep) for wing in wings])
-        self._unit = np.array([wing.units.energy for wing in wings])
+        self._models = models
+        self._timestep = np.array([model.timestep for model in models])
+        self._unit = np.array([model.units.energy for model in models])
         self._damping = np.array(
-            [np.array(wing.engine.dof_damping).reshape(wing.engine.nv, -1)[:, 0] for wing in wings]
+            [np.array(model.engine.dof_damping).reshape(model.engine.nv, -1)[:, 0] for model in models]
         )
-        self._senses = np.array([wing.senses for wing in wings])
-        self._turns, self._folds = wings[0].joints[:, 2], wings[0].joints[:, 3]
+        self._senses = np.array([model.senses for model in models])
+        self._motors = [np.array(motor.hinges, dtype=np.int64) for motor in models[0].structure.motors]
         self._done: dict[str, Array] = {}
 
     def add(self, rows: Indices, steps: Steps, torques: Array, taken: Indices) -> dict[str, Array]:
-        """Add what some steps of some wings do, J.
+        """Add what some steps of some structures do, J.
 
         The engine changes the kinetic energy in a step by force times timestep times the mean of the velocities before
         and after it, exactly where the inertia is constant: every work here is a force times that travel. (With the
@@ -39,78 +39,90 @@ class Account:
         timestep.)
 
         Args:
-            rows: which wings.
-            steps: of these wings, in their models' units.
-            torques: on every proximal turn axis and on every distal hinge during each step, in the veins' own senses
-                and the models' units, (row, step, 2).
+            rows: which structures.
+            steps: of these, in their models' units.
+            torques: of every motor during each step, in the hinges' own senses and the models' units,
+                (row, step, motor).
             taken: how many of the steps count, (row,).
 
         Returns:
-            By name the work since the start before each step, J, and the powers of the torques in it, W, (row, step).
+            By name the work since the start before each step, J, and the powers of the motors in it, W, (row, step);
+            those of motors by `motor_work_name` and `motor_power_name`.
         """
         velocity = np.concatenate([steps.velocity_before[:, None], steps.velocity], axis=1)
-        with np.errstate(over="ignore", invalid="ignore"):  # of a wing that blows up, whose later steps do not count
+        with np.errstate(over="ignore", invalid="ignore"):  # of what blows up, whose later steps do not count
             travel = (velocity[:, :-1] + velocity[:, 1:]) / 2 * self._timestep[rows, None, None]
             damping = self._damping[rows, None]
             work = {
-                "proximal_work": torques[:, :, 0] * self._along(rows, travel, self._turns),
-                "distal_work": torques[:, :, 1] * self._along(rows, travel, self._folds),
-                # the engine takes hinge damping implicitly, at the velocity after the step
-                "hinge_damping_work": np.sum(-damping * velocity[:, 1:] * travel, axis=2),
-                "elastic_damping_work": np.sum(
-                    (steps.derived["qfrc_damper"] + damping * velocity[:, :-1]) * travel, axis=2
-                ),
-                "stop_work": np.sum(steps.derived["qfrc_constraint"] * travel, axis=2),
+                motor_work_name(motor): torques[:, :, motor] * self._along(rows, travel, hinges)
+                for motor, hinges in enumerate(self._motors)
             }
+            # the engine takes hinge damping implicitly, at the velocity after the step
+            work["hinge_damping_work"] = np.sum(-damping * velocity[:, 1:] * travel, axis=2)
+            work["elastic_damping_work"] = np.sum(
+                (steps.derived["qfrc_damper"] + damping * velocity[:, :-1]) * travel, axis=2
+            )
+            work["stop_work"] = np.sum(steps.derived["qfrc_constraint"] * travel, axis=2)
             for place, row in enumerate(rows.tolist()):
-                self._add_branches(work, place, self._wings[row], steps, travel)
-            seconds = [float(self._wings[row].design.protocol.timestep) for row in rows]
+                self._add_branches(work, place, self._models[row], steps, travel)
+            seconds = [float(self._models[row].design.protocol.timestep) for row in rows]
             before = {
                 name: self._added_up(name, rows, self._unit[rows, None] * done, taken) for name, done in work.items()
             }
-            for name in ("proximal", "distal"):
-                before[f"{name}_power"] = self._unit[rows, None] * work[f"{name}_work"] / np.array(seconds)[:, None]
+            for motor in range(len(self._motors)):
+                done = work[motor_work_name(motor)]
+                before[motor_power_name(motor)] = self._unit[rows, None] * done / np.array(seconds)[:, None]
         return before
 
     def total(self, row: int) -> dict[str, float]:
-        """The work on a wing since its start, J."""
+        """The work on a structure since its start, J."""
         return {name: float(done[row]) for name, done in self._done.items()}
 
     def power(self, row: int, torques: Array, velocity: Array) -> dict[str, float]:
-        """Powers of torques (2,) on a wing at a velocity (dof,), W."""
-        speeds = [
-            self._along(np.array([row]), velocity[None, None], joints)[0, 0] for joints in (self._turns, self._folds)
-        ]
-        unit = self._wings[row].units.power
-        names = ("proximal_power", "distal_power")
-        return {name: float(unit * torque * speed) for name, torque, speed in zip(names, torques, speeds, strict=True)}
+        """Powers of the motors' torques (motor,) on a structure at a velocity (dof,), W."""
+        unit = self._models[row].units.power
+        return {
+            motor_power_name(motor): float(
+                unit * torques[motor] * self._along(np.array([row]), velocity[None, None], hinges)[0, 0]
+            )
+            for motor, hinges in enumerate(self._motors)
+        }
 
     def follow_leader(self, row: int, leader: int) -> None:
-        """Put a wing where another one is, which has gone the same way so far."""
+        """Put a structure where another one is, which has gone the same way so far."""
         for done in self._done.values():
             done[row] = done[leader]
 
-    def _along(self, rows: Indices, travel: Array, joints: Indices) -> Array:
-        """Sum over veins of a joint's travel in the veins' own senses, (row, step); a fixed base has no joint, -1."""
-        there = joints >= 0
-        return np.asarray(np.sum(self._senses[rows][:, None, there] * travel[:, :, joints[there]], axis=2))
+    def _along(self, rows: Indices, travel: Array, hinges: Indices) -> Array:
+        """Sum of the travel of hinges in their own senses, (row, step)."""
+        return np.asarray(np.sum(self._senses[rows][:, None, hinges] * travel[:, :, hinges], axis=2))
 
-    def _add_branches(self, work: dict[str, Array], place: int, wing: WingModel, steps: Steps, travel: Array) -> None:
-        """Add what the Maxwell branches of a wing's tendons take, and what keeps tendons that let go from pushing."""
+    def _add_branches(self, work: dict[str, Array], place: int, model: Model, steps: Steps, travel: Array) -> None:
+        """Add what the Maxwell branches of tendons take, and what keeps tendons that let go from pushing."""
         activations = steps.activation(place, travel.shape[1])
-        if wing.branches.size:
+        if model.branch_tendons.size:
             lost = work.setdefault("branch_damping_work", np.zeros(travel.shape[:2]))
-            lost[place] = -branch_losses(wing, activations).sum(axis=(1, 2))
-        if wing.tendon_law.lets_go:
+            lost[place] = -branch_losses(model, activations).sum(axis=1)
+        if model.lets_go.any():
             forces = {name: values[place] for name, values in steps.derived.items()}
-            damper, spared = letting_go_work(wing, travel[place], forces, activations)
+            damper, spared = letting_go_work(model, travel[place], forces, activations)
             work["elastic_damping_work"][place] += damper
             work.setdefault("letting_go_work", np.zeros(travel.shape[:2]))[place] = spared
 
     def _added_up(self, name: str, rows: Indices, each: Array, taken: Indices) -> Array:
         """Add steps to what was done, and say what that was before each of them, (row, step)."""
-        done = self._done.setdefault(name, np.zeros(len(self._wings)))
+        done = self._done.setdefault(name, np.zeros(len(self._models)))
         # one sum from the start on: it does not depend on where chunks end
         total = np.cumsum(np.concatenate([done[rows, None], each], axis=1), axis=1)
         done[rows] = total[np.arange(len(rows)), taken]
         return np.asarray(total[:, :-1])
+
+
+def motor_work_name(motor: int) -> str:
+    """What the work of a motor, by number, is called in an account."""
+    return f"motor{motor}_work"
+
+
+def motor_power_name(motor: int) -> str:
+    """What the power of a motor, by number, is called in an account."""
+    return f"motor{motor}_power"

@@ -29,6 +29,7 @@ class EnergyBalance:
         yielding: that the tendons' yielding took; None where they never yield.
         letting_go: minus what their branches stored without work, where the tendon gave way and did not push; None
             where it never does.
+        hinges: change of the energy of the hinges' springs; None where they have none.
         at_hand: what tendons stretched by their levers would hold; a billionth of it is rounding.
     """
 
@@ -44,19 +45,21 @@ class EnergyBalance:
     branch_damping: float | None = None
     yielding: float | None = None
     letting_go: float | None = None
+    hinges: float | None = None
     at_hand: float = 0.0
 
     @property
     def missing(self) -> float:
         """Work that the account does not find, J: the error of the integration."""
         stored = self.tendon + self.membrane + self.kinetic + self.gravitational
-        of_law = sum(term or 0.0 for term in (self.branches, self.branch_damping, self.yielding, self.letting_go))
-        return self.work - stored - self.hinge_damping - self.elastic_damping - self.stops - of_law
+        of_law = (self.branches, self.branch_damping, self.yielding, self.letting_go, self.hinges)
+        others = sum(term or 0.0 for term in of_law)
+        return self.work - stored - self.hinge_damping - self.elastic_damping - self.stops - others
 
     @property
     def exchanged(self) -> float:
         """Energy that torques, springs and weight gave or took, J."""
-        springs = (self.tendon, self.membrane, self.branches or 0.0)
+        springs = (self.tendon, self.membrane, self.branches or 0.0, self.hinges or 0.0)
         return sum(abs(term) for term in (self.work, *springs, self.gravitational))
 
     @property
@@ -68,15 +71,14 @@ class EnergyBalance:
 
 def energy_balance(record: Record) -> EnergyBalance:
     """Account for a run's energy from its start to its end."""
-    with np.errstate(over="ignore", invalid="ignore"):  # of a wing that blew up
+    with np.errstate(over="ignore", invalid="ignore"):  # of what blew up
         change = {
             name: float(values[-1].sum() - values[0].sum())
             for name, values in record.series.items()
             if name.endswith(("_energy", "_work"))
         }
-    tendon = record.design.tendon
     return EnergyBalance(
-        work=change["proximal_work"] + change["distal_work"],
+        work=sum((float(last - first) for first, last in record.series["motor_work"][[0, -1]].T), 0.0),
         tendon=change["tendon_energy"],
         membrane=change["membrane_energy"],
         kinetic=change["kinetic_energy"],
@@ -88,7 +90,11 @@ def energy_balance(record: Record) -> EnergyBalance:
         branch_damping=_taken(change, "branch_damping_work"),
         yielding=_taken(change, "yield_work"),
         letting_go=_taken(change, "letting_go_work"),
-        at_hand=tendon.stiffness * tendon.proximal_attachment * tendon.distal_attachment,
+        hinges=change.get("hinge_energy"),
+        # levers no longer than half the tendon
+        at_hand=max(
+            (each.law.elastic.linear * (each.longest / 2) ** 2 for each in record.structure.tendons), default=0.0
+        ),
     )
 
 

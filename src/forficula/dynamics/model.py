@@ -1,4 +1,4 @@
-"""Design -> compiled model, where its parts are, and its scale."""
+"""Structure -> compiled model, where its parts are, and its scale."""
 
 from __future__ import annotations
 
@@ -10,60 +10,75 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.design import Design, tendon_law
-from forficula.dynamics.membrane import Membrane, add_membrane, panel_membrane
-from forficula.dynamics.tendons import add_branches, add_guard, add_tendon
+from forficula.design import Design
+from forficula.dynamics.bodies import add_bodies, engine_sites
+from forficula.dynamics.membrane import Mesh, add_membranes, joined_mesh
+from forficula.dynamics.tendons import add_branches, add_distance, add_limit, add_tendon
 from forficula.dynamics.units import ModelUnits, design_in_model_units, model_units
-from forficula.dynamics.veins import Vein, add_vein, fan_veins
 from forficula.errors import InputError
-from forficula.material.law.tendon_law import TendonLaw
+from forficula.material.law.tendon_law import ElasticLaw, stacked_laws
+from forficula.structure import Structure, structure_of
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
 
 # a step of more takes tens of milliseconds and gigabytes
-_MOST_VEINS = 1001
+_MOST_BODIES = 2002
 
 
 @dataclass(frozen=True, kw_only=True)
-class WingModel:
-    """A compiled wing and where its parts are.
+class Model:
+    """A compiled structure and where its parts are.
+
+    A hinge's number is its place in the engine's positions and velocities.
 
     Attributes:
         design: the design, SI.
+        structure: what was built of it, SI.
         units: of the compiled model.
-        in_units: the design in the model's units.
+        in_units: the structure in the model's units.
+        timestep: in the model's units.
         engine: the compiled model; copy it before changing anything.
         spec: the source that compiles to it.
-        membrane: its mesh, in the model's units.
-        senses: +1 or -1 by vein, (vein,).
-        tendons: index of the tendon by vein, (vein,).
-        branches: index into activations of the tendons' Maxwell branches, (vein, branch).
-        creep: index into plastic states of the tendons' resting lengths, (vein,), or (0,) where they do not yield.
-        joints: index into positions and velocities of sweep, lift, turn and fold by vein, (vein, 4); -1 for none.
-        motors: index of the motor of turn and fold by vein, and of its control, (vein, 2); -1 for none.
-        bodies: index of the proximal and the distal bar by vein, (vein, 2).
-        tips: index of the site at the tip by vein, (vein,).
+        mesh: its membranes, in the model's units.
+        senses: +1 or -1 by hinge, (hinge,).
+        tendons: index of each tendon, (tendon,).
+        distances: index of the tendon that measures each distance that is watched, (distance,).
+        branch_tendons: number of the tendon of each activation, which is a Maxwell branch's force, (branch,).
+        creep: index into plastic states of the tendons' resting lengths, (tendon,); -1 for those that do not yield.
+        motors: number of the structure's motor that each control follows, (control,); -1 for none.
+        sites: index of the site of each point, (point,); -1 where it is the origin of its body.
+        carriers: index of the body of each point, (point,).
     """
 
     design: Design
+    structure: Structure
     units: ModelUnits
-    in_units: Design
+    in_units: Structure
+    timestep: float
     engine: mujoco.MjModel
     spec: mujoco.MjSpec
-    membrane: Membrane
-    senses: NDArray[np.int64]
-    tendons: NDArray[np.int64]
-    branches: NDArray[np.int64]
-    creep: NDArray[np.int64]
-    joints: NDArray[np.int64]
-    motors: NDArray[np.int64]
-    bodies: NDArray[np.int64]
-    tips: NDArray[np.int64]
+    mesh: Mesh
+    senses: Indices
+    tendons: Indices
+    distances: Indices
+    branch_tendons: Indices
+    creep: Indices
+    motors: Indices
+    sites: Indices
+    carriers: Indices
 
     @cached_property
-    def tendon_law(self) -> TendonLaw:
-        """The law of the tendons, in the model's units."""
-        return tendon_law(self.in_units)
+    def elastic(self) -> ElasticLaw:
+        """The springs of the tendons, as one law of arrays (tendon,), in the model's units."""
+        return stacked_laws([tendon.law.elastic for tendon in self.in_units.tendons])
 
-    def levers(self, tendon: int) -> tuple[slice, NDArray[np.int64]]:
+    @cached_property
+    def lets_go(self) -> NDArray[np.bool_]:
+        """Whether each tendon lets go where its branches would push, (tendon,)."""
+        return np.array([tendon.law.lets_go for tendon in self.in_units.tendons], dtype=bool)
+
+    def levers(self, tendon: int) -> tuple[slice, Indices]:
         """Where in the engine's ten_J the change of a tendon's length by joint is, and the joints."""
         first = int(self.engine.ten_J_rowadr[tendon])
         entries = slice(first, first + int(self.engine.ten_J_rownnz[tendon]))
@@ -77,36 +92,54 @@ class WingModel:
             return str(self.spec.to_xml())
 
 
-def compile_wing(design: Design) -> WingModel:
+def compile_model(design: Design) -> Model:
     """Compile a design.
 
     Args:
         design: with a timestep in seconds; see `with_timestep` for "auto".
 
     Raises:
-        InputError: MuJoCo refuses the model, and why.
+        InputError: it cannot be built, or MuJoCo refuses the model, and why.
     """
-    units = model_units(design)
-    return compile_veins(design, fan_veins(design_in_model_units(design, units).fan), units)
+    structure = structure_of(design)
+    units = model_units(structure)
+    return compile_structure(design, structure, structure_of(design_in_model_units(design, units)), units)
 
 
-def compile_veins(design: Design, veins: tuple[Vein, ...], units: ModelUnits) -> WingModel:
-    """Compile veins of any layout, neighbours joined by panels and guards, with the design's properties."""
-    if len(veins) > _MOST_VEINS:
-        most, got = _MOST_VEINS // 2, design.pattern.units
-        raise InputError(f"{design.name}: pattern.units: need at most {most} to simulate a wing, got {got}")
-    in_units = design_in_model_units(design, units)
-    membrane = panel_membrane(veins, in_units)
-    spec = _empty_spec(in_units)
-    for index, vein in enumerate(veins):
-        add_vein(spec, index, vein, in_units)
-        add_tendon(spec, index, in_units)
+def compile_structure(design: Design, structure: Structure, in_units: Structure, units: ModelUnits) -> Model:
+    """Compile a structure.
+
+    Args:
+        design: of which the timestep is taken.
+        structure: SI.
+        in_units: the same in the model's units. Built of the design in these units rather than rescaled, for that keeps
+            all digits.
+        units: of the model.
+
+    Raises:
+        InputError: as of `compile_model`.
+    """
+    if len(in_units.bodies) > _MOST_BODIES:
+        raise InputError(
+            f"{design.name}: need at most {_MOST_BODIES} bodies to simulate it (two for every vein),"
+            f" got {len(in_units.bodies)}"
+        )
+    timestep = float(design.protocol.timestep) / units.time
+    mesh = joined_mesh(in_units.membranes)
+    distances = [measure for measure in in_units.measures if measure.points is not None]
+    spec = _empty_spec(in_units, timestep)
+    add_bodies(spec, in_units, timestep)
+    for tendon in in_units.tendons:
+        add_tendon(spec, tendon, in_units)
     # after all motors, so that a motor and its control have the same index: branches have no control
-    for index in range(len(veins)):
-        add_branches(spec, index, in_units)
-    for index in range(len(veins) - 1):
-        add_guard(spec, index, veins, in_units)
-    add_membrane(spec, membrane, veins, in_units)
+    for tendon in in_units.tendons:
+        add_branches(spec, tendon)
+    for limit in in_units.limits:
+        add_limit(spec, limit, in_units, timestep)
+    for measure in distances:
+        if measure.points is not None:
+            add_distance(spec, f"distance_{measure.name}", measure.points, in_units)
+    add_membranes(spec, mesh, in_units)
     spec.add_text(
         name="units", data=f"length {units.length:g} m, mass {units.mass:g} kg, time {units.time:g} s, angle rad"
     )
@@ -116,48 +149,67 @@ def compile_veins(design: Design, veins: tuple[Vein, ...], units: ModelUnits) ->
             warnings.filterwarnings("ignore", message=".*has no.*passive forces")
             engine = spec.compile()
     except (ValueError, MemoryError, mujoco.FatalError) as error:
-        raise InputError(f"{design.name}: MuJoCo cannot build the wing: {' '.join(str(error).split())}") from None
-    tendons = _indices(engine, mujoco.mjtObj.mjOBJ_TENDON, ("tendon",), len(veins))[:, 0]
+        raise InputError(f"{design.name}: MuJoCo cannot build it: {' '.join(str(error).split())}") from None
+    kinds = mujoco.mjtObj
+    tendons = _indices(engine, kinds.mjOBJ_TENDON, [tendon.name for tendon in in_units.tendons])
     plastic = engine.tendon_plasticadr[tendons]
-    return WingModel(
+    sites = [-1] * len(in_units.points)
+    for number in engine_sites(in_units):
+        sites[number] = int(_indices(engine, kinds.mjOBJ_SITE, [in_units.points[number].name])[0])
+    bodies = _indices(engine, kinds.mjOBJ_BODY, [body.name for body in in_units.bodies])
+    return Model(
         design=design,
+        structure=structure,
         units=units,
         in_units=in_units,
+        timestep=timestep,
         engine=engine,
         spec=spec,
-        membrane=membrane,
-        senses=np.array([vein.sense for vein in veins]),
+        mesh=mesh,
+        senses=np.array([hinge.sense for hinge in in_units.hinges], dtype=np.int64),
         tendons=tendons,
-        branches=np.arange(engine.na).reshape(len(veins), -1),
+        distances=_indices(engine, kinds.mjOBJ_TENDON, [f"distance_{measure.name}" for measure in distances]),
+        branch_tendons=np.repeat(
+            np.arange(len(in_units.tendons)), [len(tendon.law.branches) for tendon in in_units.tendons]
+        ),
         # of the two numbers of a tendon the dead band's upper end
-        creep=plastic[plastic >= 0] + 1,
-        joints=_indices(engine, mujoco.mjtObj.mjOBJ_JOINT, ("sweep", "lift", "turn", "fold"), len(veins)),
-        motors=_indices(engine, mujoco.mjtObj.mjOBJ_ACTUATOR, ("turn", "fold"), len(veins)),
-        bodies=_indices(engine, mujoco.mjtObj.mjOBJ_BODY, ("proximal", "distal"), len(veins)),
-        tips=_indices(engine, mujoco.mjtObj.mjOBJ_SITE, ("tip",), len(veins))[:, 0],
+        creep=np.where(plastic >= 0, plastic + 1, -1),
+        motors=_followed(engine, in_units),
+        sites=np.array(sites, dtype=np.int64),
+        # 0 is the ground
+        carriers=np.array([0 if point.body < 0 else bodies[point.body] for point in in_units.points], dtype=np.int64),
     )
 
 
-def _empty_spec(design: Design) -> mujoco.MjSpec:
+def _empty_spec(structure: Structure, timestep: float) -> mujoco.MjSpec:
     spec = mujoco.MjSpec()
-    spec.modelname = design.name
+    spec.modelname = structure.name
     spec.compiler.degree = False
     option = spec.option
-    option.timestep = float(design.protocol.timestep)
-    option.gravity = [0, 0, -design.protocol.gravity]
+    option.timestep = timestep
+    option.gravity = [0, 0, -structure.gravity]
     option.integrator = mujoco.mjtIntegrator.mjINT_EULER
     # the default, 1e-8, would end the solver at a place that depends on the model's units
     option.tolerance = 1e-12
     # the sparse Cholesky factorisation of 4.0.0 is wrong where bars touch, and no faster for fewer than fifteen veins
     option.jacobian = mujoco.mjtJacobian.mjJAC_DENSE
     option.enableflags |= mujoco.mjtEnableBit.mjENBL_ENERGY
-    # a diverged wing must stay diverged, not start again
+    # what has diverged must stay so, not start again
     option.disableflags |= mujoco.mjtDisableBit.mjDSBL_AUTORESET
-    if not design.protocol.contact:
+    if not structure.contact:
         option.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT
     return spec
 
 
-def _indices(engine: mujoco.MjModel, kind: mujoco.mjtObj, names: tuple[str, ...], count: int) -> NDArray[np.int64]:
-    """Ids by vein and name, (vein, name); every joint is a hinge, so a joint's id is its place in the state."""
-    return np.array([[mujoco.mj_name2id(engine, kind, f"{name}{vein}") for name in names] for vein in range(count)])
+def _followed(engine: mujoco.MjModel, structure: Structure) -> Indices:
+    """Number of the motor that each control of the engine follows, (control,), or -1."""
+    follows = np.full(engine.nu, -1, dtype=np.int64)
+    for number, motor in enumerate(structure.motors):
+        names = [structure.hinges[hinge].name for hinge in motor.hinges]
+        follows[_indices(engine, mujoco.mjtObj.mjOBJ_ACTUATOR, names)] = number
+    return follows
+
+
+def _indices(engine: mujoco.MjModel, kind: mujoco.mjtObj, names: list[str]) -> Indices:
+    """Ids of parts by their names."""
+    return np.array([mujoco.mj_name2id(engine, kind, name) for name in names], dtype=np.int64)

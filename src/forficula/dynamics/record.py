@@ -10,14 +10,16 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 from importlib import metadata
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from forficula.design import Design, Stage, design_from_text, design_text
+from forficula.dynamics.membrane import joined_mesh
 from forficula.errors import InputError
 from forficula.files import write_bytes
+from forficula.structure import Structure, distances_of, hinges_of, measure_of, structure_of
 
 if TYPE_CHECKING:
     import xarray
@@ -26,38 +28,33 @@ Array = NDArray[np.float64]
 
 # name: (dimensions after time, unit, what it is)
 VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
-    "sweep_angle": (("vein",), "rad", "turn of the vein in the flat wing's plane"),
-    "lift_angle": (("vein",), "rad", "turn of the vein out of the flat wing's plane"),
-    "turn_angle": (("vein",), "rad", "turn of the vein about its own axis, folding positive in its own sense"),
-    "distal_angle": (("vein",), "rad", "angle of the distal hinge, folding negative in the vein's own sense"),
-    "tendon_length": (("vein",), "m", "length of the tendon"),
-    "tendon_energy": (("vein",), "J", "energy of the tendon's spring"),
+    "hinge_angle": (("hinge",), "rad", "angle of the hinge in its own sense, 0 as built"),
+    "tendon_length": (("tendon",), "m", "length of the tendon"),
+    "tendon_energy": (("tendon",), "J", "energy of the tendon's spring"),
     "membrane_energy": ((), "J", "stretch energy of the membrane"),
-    "kinetic_energy": ((), "J", "kinetic energy of the bars and hinges"),
-    "gravitational_energy": ((), "J", "weight of the bars by their height"),
-    "proximal_power": ((), "W", "power of the torques on the proximal turn axes"),
-    "distal_power": ((), "W", "power of the torques on the distal hinges"),
-    "proximal_work": ((), "J", "work of the torques on the proximal turn axes since the start"),
-    "distal_work": ((), "J", "work of the torques on the distal hinges since the start"),
+    "kinetic_energy": ((), "J", "kinetic energy of bodies and hinges"),
+    "gravitational_energy": ((), "J", "weight of the bodies by their height"),
+    "motor_power": (("motor",), "W", "power of the motor"),
+    "motor_work": (("motor",), "J", "work of the motor since the start"),
     "hinge_damping_work": ((), "J", "work of the hinges' damping since the start"),
     "elastic_damping_work": ((), "J", "work of the tendons' and the membrane's damping since the start"),
-    "stop_work": ((), "J", "work of the hinges' stops, guard tendons and contacts since the start"),
-    "vein_position": (("vein", "point", "axis"), "m", "hub end, ring vertex and tip of the vein"),
+    "stop_work": ((), "J", "work of the hinges' stops, length limits and contacts since the start"),
+    "point_position": (("point", "axis"), "m", "named points on bodies"),
     "membrane_position": (("node", "axis"), "m", "nodes of the membrane"),
 }
-# what is there only with Maxwell branches, and only with tendons that yield
-BRANCH_VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
-    "branch_energy": (("vein",), "J", "energy of the tendon's Maxwell branches"),
+# what is there only with springs in hinges, with distances that are watched, with Maxwell branches, with tendons that
+# yield, and with tendons that let go
+SOMETIMES: dict[str, tuple[tuple[str, ...], str, str]] = {
+    "hinge_energy": (("hinge",), "J", "energy of the hinge's spring"),
+    "distance": (("distance",), "m", "distance that is watched"),
+    "branch_energy": (("tendon",), "J", "energy of the tendon's Maxwell branches"),
     "branch_damping_work": ((), "J", "work of the dampers in the tendons' Maxwell branches since the start"),
-}
-YIELD_VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
-    "tendon_rest_length": (("vein",), "m", "resting length of the tendon, which grows where it yields"),
+    "tendon_rest_length": (("tendon",), "m", "resting length of the tendon, which grows where it yields"),
     "yield_work": ((), "J", "work of the tendons' yielding since the start"),
-}
-LETTING_GO_VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "letting_go_work": ((), "J", "work that tendons which let go are spared, where their branches would push"),
 }
-_MAYBE = BRANCH_VARIABLES | YIELD_VARIABLES | LETTING_GO_VARIABLES
+# of the file; others are refused
+_FORMAT = 2
 
 
 # how netCDF names the scale of a dimension without coordinates
@@ -93,38 +90,81 @@ class Record:
 
     Attributes:
         design: what ran.
+        structure: what was built of it, SI.
         time: s, (time,): at the sample interval and at the end of every stage.
-        series: an array for every name of `VARIABLES`, SI, (time, ...), and with a law that has branches or yields, for
-            every name of `BRANCH_VARIABLES` or `YIELD_VARIABLES`.
+        series: an array for every name of `VARIABLES`, SI, (time, ...), and for those of `SOMETIMES` that it has.
         stages: the stages that took place, in order.
-        triangles: the membrane's mesh, (triangle, 3), indices of nodes.
         diverged_at: when it diverged, s, or None.
         doubt: why it is not to be trusted, beside what its energy balance says; mostly empty.
     """
 
     design: Design
+    structure: Structure
     time: Array
     series: Mapping[str, Array]
     stages: tuple[StageEnd, ...]
-    triangles: NDArray[np.int64]
     diverged_at: float | None
     doubt: str = ""
+
+    def angles(self, role: str) -> Array:
+        """Angles of the hinges of a role, in their own senses, rad, (time, hinge)."""
+        return self.series["hinge_angle"][:, list(hinges_of(self.structure, role))]
+
+    def measured(self, name: str) -> Array:
+        """What a measure reads: angles of its hinges, rad, (time, hinge), or a distance, m, (time, 1).
+
+        Raises:
+            InputError: there is no such measure, nor hinges of a role of that name.
+        """
+        measure = measure_of(self.structure, name)
+        if measure is None:
+            known = ", ".join(each.name for each in self.structure.measures)
+            raise InputError(f"{self.design.name}: measure: need one of {known}, got {name}")
+        if measure.points is not None:
+            place = [each.name for each in distances_of(self.structure)].index(name)
+            return self.series["distance"][:, place : place + 1]
+        return np.array(measure.signs) * self.series["hinge_angle"][:, list(measure.hinges)]
+
+    def motor_work(self, name: str) -> Array:
+        """Work of a motor since the start, J, (time,)."""
+        return self.series["motor_work"][:, [motor.name for motor in self.structure.motors].index(name)]
+
+    @property
+    def work(self) -> Array:
+        """Work of all motors since the start, J, (time,)."""
+        motors = self.series["motor_work"]
+        # one after another, as the account adds them up
+        return sum((motors[:, motor] for motor in range(motors.shape[1])), np.zeros(len(self.time)))
+
+    @cached_property
+    def triangles(self) -> NDArray[np.int64]:
+        """The mesh of all membranes, (triangle, 3), indices of nodes."""
+        return joined_mesh(self.structure.membranes).triangles
 
     @cached_property
     def data(self) -> xarray.Dataset:
         """The series with their dimensions, coordinates and units."""
         import xarray
 
-        known = VARIABLES | {name: meaning for name, meaning in _MAYBE.items() if name in self.series}
+        built = self.structure
+        known = {name: meaning for name, meaning in (VARIABLES | SOMETIMES).items() if name in self.series}
         variables = {
             name: (("time", *dimensions), self.series[name], {"units": unit, "long_name": meaning})
             for name, (dimensions, unit, meaning) in known.items()
         }
-        coordinates = {
+        coordinates: dict[str, Any] = {
             "time": ("time", self.time, {"units": "s", "long_name": "time"}),
-            "point": ["hub", "ring", "tip"],
+            "hinge": [hinge.name for hinge in built.hinges],
+            "hinge_role": ("hinge", [hinge.role for hinge in built.hinges]),
+            "tendon": [tendon.name for tendon in built.tendons],
+            "tendon_role": ("tendon", [tendon.role for tendon in built.tendons]),
+            "motor": [motor.name for motor in built.motors],
+            "point": [point.name for point in built.points],
+            "point_role": ("point", [point.role for point in built.points]),
             "axis": ["x", "y", "z"],
         }
+        if "distance" in self.series:
+            coordinates["distance"] = [measure.name for measure in distances_of(built)]
         return xarray.Dataset(variables, coordinates)
 
 
@@ -149,6 +189,7 @@ def save_record(record: Record, path: str | os.PathLike[str]) -> None:
         stage_at_rest=("stage", np.array([end.at_rest for end in record.stages], dtype=np.int8)),
     )
     data.attrs = {
+        "format": _FORMAT,
         "title": f"forficula run of {record.design.name}",
         "design": design_text(record.design),
         "design_hash": record.design.hash,
@@ -218,10 +259,15 @@ def load_record(path: str | os.PathLike[str]) -> Record:
     try:
         # by h5py, ten times as fast as by xarray: a study reads a hundred of them
         with h5py.File(io.BytesIO(whole)) as file:
+            if int(np.squeeze(file.attrs.get("format", 1))) != _FORMAT:
+                version = file.attrs.get("version_forficula", "another version")
+                raise InputError(
+                    f"{path}: a record of forficula {version}, which keeps other series; run its design again"
+                )
             design = design_from_text(file.attrs["design"])
             ends = [file[f"stage_{name}"][()] for name in ("start", "end", "goal_time", "at_rest", "at_goal")]
-            time, triangles = file["time"][()], file["triangle"][()].astype(np.int64)
-            series = {name: file[name][()] for name in (*VARIABLES, *(name for name in _MAYBE if name in file))}
+            time = file["time"][()]
+            series = {name: file[name][()] for name in (*VARIABLES, *(name for name in SOMETIMES if name in file))}
             diverged_at, doubt = float(np.squeeze(file.attrs["diverged_at"])), str(file.attrs["doubt"])
         stages = tuple(
             StageEnd(
@@ -236,10 +282,10 @@ def load_record(path: str | os.PathLike[str]) -> Record:
         )
         return Record(
             design=design,
+            structure=structure_of(design),
             time=time,
             series=series,
             stages=stages,
-            triangles=triangles,
             diverged_at=None if np.isnan(diverged_at) else diverged_at,
             doubt=doubt,
         )

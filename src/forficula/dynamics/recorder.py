@@ -8,10 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.dynamics.account import motor_power_name, motor_work_name
 from forficula.dynamics.energy import state_energies, state_series
-from forficula.dynamics.fleet import NEVER
-from forficula.dynamics.model import WingModel
+from forficula.dynamics.model import Model
 from forficula.dynamics.record import Record, StageEnd
+from forficula.dynamics.stages import NEVER
 from forficula.dynamics.stepper import State, Steps
 
 Array = NDArray[np.float64]
@@ -53,11 +54,11 @@ _Part = tuple[_Rows, slice]
 class Recorder:
     """Keeps what a record needs of one wing's way."""
 
-    def __init__(self, wing: WingModel, sparse: bool) -> None:
+    def __init__(self, model: Model, sparse: bool) -> None:
         """Start with nothing kept; sparse, only what the states at the ends of stages need will be."""
-        self.wing = wing
+        self.model = model
         self._sparse = sparse
-        protocol = wing.design.protocol
+        protocol = model.design.protocol
         self._timestep = float(protocol.timestep)  # s
         longest = NEVER * self._timestep
         self._window = round(min(protocol.window, longest) / self._timestep)
@@ -65,9 +66,9 @@ class Recorder:
         # the rows of each stage so far, from its first on, in parts
         self._stages: list[list[_Part]] = []
 
-    def fork(self, wing: WingModel) -> Recorder:
+    def fork(self, model: Model) -> Recorder:
         """A recorder of another wing that has gone the same way so far."""
-        other = Recorder(wing, self._sparse)
+        other = Recorder(model, self._sparse)
         other._stages = [[*parts] for parts in self._stages]
         return other
 
@@ -116,24 +117,33 @@ class Recorder:
         self._stages[-1].append((last, slice(None)))
         self._close_stage()
         rows, _ = _joined([part for parts in self._stages for part in parts])
-        series = {**state_series(self.wing, rows.position, rows.derived), **rows.account}
+        series = {**state_series(self.model, rows.position, rows.derived), **self._works(rows.account)}
         if self._sparse:
             series |= self._energies_at_ends(start, end, len(rows.number))
         return Record(
-            design=self.wing.design,
+            design=self.model.design,
+            structure=self.model.structure,
             time=np.asarray(rows.number * self._timestep),
             series=series,
             stages=stages,
-            triangles=self.wing.membrane.triangles,
             diverged_at=diverged_at,
         )
+
+    def _works(self, account: Mapping[str, Array]) -> dict[str, Array]:
+        """The account, with the works and powers of all motors as one array each, (row, motor)."""
+        series = dict(account)
+        motors = range(len(self.model.structure.motors))
+        for name, of_motor in (("motor_work", motor_work_name), ("motor_power", motor_power_name)):
+            columns = [series.pop(of_motor(motor)) for motor in motors]
+            series[name] = np.stack(columns, axis=1) if columns else np.zeros((len(series["stop_work"]), 0))
+        return series
 
     def _energies_at_ends(self, start: State, end: State, count: int) -> dict[str, Array]:
         """The energies that sparse rows lack, J, (row,): there at the start and at the end, nan between."""
         energies: dict[str, Array] = {}
         for place, state in ((0, start), (-1, end)):
             derived = {name: values[None] for name, values in state.derived.items()}
-            for name, values in state_energies(self.wing, derived).items():
+            for name, values in state_energies(self.model, derived).items():
                 energies.setdefault(name, np.full(count, np.nan))[place] = values[0]
         return energies
 

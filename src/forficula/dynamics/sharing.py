@@ -1,34 +1,34 @@
-"""Which wings go through their first stages together, and which wait for another's result."""
+"""Which structures go through their first stages together, and which wait for another's result."""
 
 from __future__ import annotations
 
 from collections.abc import Container, Sequence
 
-from forficula.design import Stage
-from forficula.dynamics.fleet import stage_torques
-from forficula.dynamics.model import WingModel
+from forficula.design import Design, Stage, put
+from forficula.dynamics.model import Model
+from forficula.dynamics.stages import stage_torques
+from forficula.structure import Structure, drive_of
 
 
-def successors(wings: Sequence[WingModel]) -> dict[int, int]:
-    """By wing, the next one that only its unfold torque tells apart."""
+def successors(models: Sequence[Model]) -> dict[int, int]:
+    """By structure, the next one that only the strength of its last transition's drive tells apart."""
     following: dict[int, int] = {}
     last: dict[tuple[int, str], int] = {}
-    for row, wing in enumerate(wings):
-        protocol = wing.design.protocol.model_copy(update={"unfold_torque": 0.0})
-        key = id(wing.engine), protocol.model_dump_json()
+    for row, model in enumerate(models):
+        key = id(model.engine), but_last_drive(model.design, model.structure)
         if key in last:
             following[last[key]] = row
         last[key] = row
     return following
 
 
-def followers(wings: Sequence[WingModel], held: Container[int] = ()) -> dict[int, tuple[int, int]]:
-    """By wing, an earlier one that goes through the same first stages and is not held back, and how many stages."""
+def followers(models: Sequence[Model], held: Container[int] = ()) -> dict[int, tuple[int, int]]:
+    """By structure, an earlier one, not held back, that goes through the same first stages, and how many of them."""
     leaders: dict[int, tuple[int, int]] = {}
     alike: dict[tuple[int, str], list[int]] = {}
-    ways = [_way(wing) for wing in wings]
-    for row, wing in enumerate(wings):
-        earlier = alike.setdefault((id(wing.engine), _all_but_stages(wing)), [])
+    ways = [_way(model) for model in models]
+    for row, model in enumerate(models):
+        earlier = alike.setdefault((id(model.engine), _all_but_stages(model)), [])
         shared = [(_shared_stages(ways[leader], ways[row]), -leader) for leader in earlier]
         stages, leader = max(shared, default=(0, 0))
         if stages:
@@ -38,15 +38,24 @@ def followers(wings: Sequence[WingModel], held: Container[int] = ()) -> dict[int
     return leaders
 
 
-def _all_but_stages(wing: WingModel) -> str:
-    """What names a protocol but for its stages and their torques."""
-    parting = {"fold_torque": 0.0, "unfold_torque": 0.0, "stages": ()}
-    return wing.design.protocol.model_copy(update=parting).model_dump_json()
+def but_last_drive(design: Design, structure: Structure) -> str:
+    """What names a design but for the strength of the drive of its last transition."""
+    for transition in structure.transitions[-1:]:
+        design = put(design, drive_of(structure, transition.drive).key, 0.0)
+    return design.hash
 
 
-def _way(wing: WingModel) -> list[tuple[Stage, tuple[float, float]]]:
-    """The stages of a wing, each with what drives it."""
-    return [(stage, stage_torques(wing, stage)) for stage in wing.design.protocol.stages]
+def _all_but_stages(model: Model) -> str:
+    """What names a design but for its stages and the strengths of their drives."""
+    design = put(model.design, "protocol.stages", ())
+    for drive in model.structure.drives:
+        design = put(design, drive.key, 0.0)
+    return design.hash
+
+
+def _way(model: Model) -> list[tuple[Stage, tuple[tuple[float, ...], float]]]:
+    """The stages of a structure, each with what drives it."""
+    return [(stage, stage_torques(model, stage)) for stage in model.design.protocol.stages]
 
 
 def _shared_stages(one: Sequence[object], other: Sequence[object]) -> int:

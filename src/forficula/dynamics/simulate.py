@@ -1,4 +1,4 @@
-"""The only place where time advances: any number of wings through their protocols, in the engine, on all cores."""
+"""The only place where time advances: any number of structures through their protocols, in the engine, on all cores."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.dynamics.account import Account
-from forficula.dynamics.fleet import Fleet
-from forficula.dynamics.model import WingModel
+from forficula.dynamics.model import Model
 from forficula.dynamics.record import Record
 from forficula.dynamics.recorder import Chunk, Recorder, keep
 from forficula.dynamics.sharing import followers, successors
+from forficula.dynamics.stages import StageTracker
 from forficula.dynamics.stepper import Pending, Stepper, Steps
 from forficula.errors import InputError
 
@@ -24,103 +24,104 @@ Progress = Callable[[str, float, float], None]
 # Steps between two looks at the goals. Every step is looked at and the overshoot is taken back, so that no number
 # depends on it.
 _CHUNK = 100
-# Wings a thread below which all are stepped at once.
+# Structures a thread below which all are stepped at once.
 _FEW = 2
 
 
-def simulate(wings: Sequence[WingModel], threads: int = 0, sparse: bool = False) -> list[Record]:
-    """Take wings of one topology through their protocols, side by side.
+def simulate(models: Sequence[Model], threads: int = 0, sparse: bool = False) -> list[Record]:
+    """Take structures of one topology through their protocols, side by side.
 
     Args:
-        wings: compiled models with the same numbers of veins and membrane nodes.
+        models: compiled, with the same numbers of hinges, tendons and membrane nodes.
         threads: 0 for one a core; the numbers do not depend on it.
         sparse: keep only what states, transitions and the energy balance need: no rows but those at the ends of
             stages, no places, and energies but the tendons' at the start and at the end only. What is kept has the same
-            bits, and many wings take half the time.
+            bits, and many structures take half the time.
 
     Returns:
-        A record for every wing, in their order.
+        A record for every one, in their order.
     """
-    records = dict(simulate_each(wings, threads, sparse))
-    return [records[row] for row in range(len(wings))]
+    records = dict(simulate_each(models, threads, sparse))
+    return [records[row] for row in range(len(models))]
 
 
 def simulate_each(
-    wings: Sequence[WingModel],
+    models: Sequence[Model],
     threads: int = 0,
     sparse: bool = False,
     progress: Progress | None = None,
     enough: Callable[[Record], bool] | None = None,
 ) -> Iterator[tuple[int, Record]]:
-    """Do as `simulate` does, and hand on every wing's number and record as soon as it is done.
+    """Do as `simulate` does, and hand on every structure's number and record as soon as it is done.
 
-    Wings with the same engine model and the same first stages go through those together: that is one wing, until their
-    torques part.
+    Structures with the same engine model and the same first stages go through those together: that is one of them,
+    until their torques part.
 
     Args:
-        wings: as in `simulate`.
+        models: as in `simulate`.
         threads: as in `simulate`.
         sparse: as in `simulate`.
         progress: called now and then with a stage's name, the time so far and the longest it can take, s.
-        enough: wings that only their unfold torques tell apart then run one after another, in their order, until this
-            is true of a record; the rest of them never run. All run if not given.
+        enough: structures that only the strength of their last transition's drive tells apart then run one after
+            another, in their order, until this is true of a record; the rest of them never run. All run if not given.
 
     Raises:
         InputError: memory does not hold them.
     """
-    if not wings:
+    if not models:
         return
     try:
-        stepper = Stepper(wings, threads, sparse, _CHUNK)
+        stepper = Stepper(models, threads, sparse, _CHUNK)
         try:
-            yield from _records(wings, stepper, sparse, progress, enough)
+            yield from _records(models, stepper, sparse, progress, enough)
         finally:
             stepper.close()
     except (MemoryError, mujoco.FatalError) as error:
         # the engine says so of its memory, and of nothing else that a wing can bring about
-        named = wings[0].design.name if len(wings) == 1 else f"{len(wings)} wings side by side"
+        named = models[0].design.name if len(models) == 1 else f"{len(models)} structures side by side"
         raise InputError(f"{named}: no memory left to simulate: {' '.join(str(error).split())}") from None
 
 
 def _records(
-    wings: Sequence[WingModel],
+    models: Sequence[Model],
     stepper: Stepper,
     sparse: bool,
     progress: Progress | None,
     enough: Callable[[Record], bool] | None,
 ) -> Iterator[tuple[int, Record]]:
     """Do as `simulate_each` does."""
-    fleet, account, recorders = Fleet(wings), Account(wings), [Recorder(wing, sparse) for wing in wings]
-    starts = [stepper.state(row) for row in range(len(wings))]
-    following = {} if enough is None else successors(wings)
+    tracker, account = StageTracker(models), Account(models)
+    recorders = [Recorder(model, sparse) for model in models]
+    starts = [stepper.state(row) for row in range(len(models))]
+    following = {} if enough is None else successors(models)
     held = set(following.values())
-    waiting = followers(wings, held)
-    moving = np.array([row not in waiting and row not in held for row in range(len(wings))])
+    waiting = followers(models, held)
+    moving = np.array([row not in waiting and row not in held for row in range(len(models))])
     under_way: deque[tuple[NDArray[np.int64], Array, Pending]] = deque()
     while moving.any():
-        while len(rows := _next_rows(moving & ~fleet.ended, [rows for rows, *_ in under_way], stepper.threads)):
-            torques = fleet.torques(rows, _CHUNK)
-            under_way.append((rows, torques, stepper.start(rows, fleet.controls(rows, torques))))
+        while len(rows := _next_rows(moving & ~tracker.ended, [rows for rows, *_ in under_way], stepper.threads)):
+            torques = tracker.torques(rows, _CHUNK)
+            under_way.append((rows, torques, stepper.start(rows, tracker.controls(torques))))
         if under_way:
             rows, torques, steps = under_way.popleft()
-            _advance(stepper, fleet, account, recorders, rows, torques, steps.result())
+            _advance(stepper, tracker, account, recorders, rows, torques, steps.result())
         for row, (leader, stages) in list(waiting.items()):
-            if moving[leader] and (fleet.stage[leader] >= stages or fleet.ended[leader]):
+            if moving[leader] and (tracker.stage[leader] >= stages or tracker.ended[leader]):
                 stepper.follow_leader(row, leader)
-                fleet.follow_leader(row, leader)
+                tracker.follow_leader(row, leader)
                 account.follow_leader(row, leader)
-                recorders[row] = recorders[leader].fork(wings[row])
+                recorders[row] = recorders[leader].fork(models[row])
                 moving[row] = row not in held
                 del waiting[row]
-        if progress is not None and len(rows) and not fleet.ended[rows[0]]:
-            progress(*fleet.progress(rows[0]))
-        done = np.flatnonzero(moving & fleet.ended)
+        if progress is not None and len(rows) and not tracker.ended[rows[0]]:
+            progress(*tracker.progress(rows[0]))
+        done = np.flatnonzero(moving & tracker.ended)
         moving[done] = False
         for row in done.tolist():
             end = stepper.state(row)
-            totals = account.total(row) | account.power(row, fleet.last_torques(row), end.velocity)
+            totals = account.total(row) | account.power(row, tracker.last_torques(row), end.velocity)
             record = recorders[row].record(
-                fleet.steps[row], starts[row], end, totals, tuple(fleet.ends[row]), fleet.diverged_at[row]
+                tracker.steps[row], starts[row], end, totals, tuple(tracker.ends[row]), tracker.diverged_at[row]
             )
             yield row, record
             if enough is not None and row in following and not enough(record):
@@ -129,9 +130,9 @@ def _records(
 
 
 def _next_rows(moving: NDArray[np.bool_], under_way: Sequence[NDArray[np.int64]], threads: int) -> NDArray[np.int64]:
-    """Which of the moving wings to step next: half of them, so that Python can look at the others meanwhile.
+    """Which of the moving structures to step next: half of them, so that Python can look at the others meanwhile.
 
-    Few wings go all together, or some threads would have none.
+    Few go all together, or some threads would have none.
     """
     free = moving.copy()
     for rows in under_way:
@@ -144,17 +145,19 @@ def _next_rows(moving: NDArray[np.bool_], under_way: Sequence[NDArray[np.int64]]
 
 def _advance(
     stepper: Stepper,
-    fleet: Fleet,
+    tracker: StageTracker,
     account: Account,
     recorders: Sequence[Recorder],
     rows: NDArray[np.int64],
     torques: Array,
     steps: Steps,
 ) -> None:
-    """Take note of a chunk of steps of some wings, of none beyond the end of its stage."""
-    first = fleet.steps[rows]
-    begins = first == fleet.stage_start[rows]
-    taken = fleet.follow(rows, steps.before[:, 0], steps.time, steps.position, steps.velocity)
+    """Take note of a chunk of steps of some structures, of none beyond the end of its stage."""
+    first = tracker.steps[rows]
+    begins = first == tracker.stage_start[rows]
+    taken = tracker.follow(
+        rows, steps.before[:, 0], steps.time, steps.position, steps.velocity, steps.derived["ten_length"]
+    )
     stepper.take_back(rows, steps, taken)
     chunk = Chunk(
         steps=steps,

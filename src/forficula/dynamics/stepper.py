@@ -1,4 +1,4 @@
-"""Wings side by side in the engine: torques go in, steps come out."""
+"""Structures side by side in the engine: torques go in, steps come out."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ import numpy as np
 from mujoco.batch import Batch
 from numpy.typing import NDArray
 
-from forficula.dynamics.model import WingModel
+from forficula.dynamics.model import Model
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -34,15 +34,15 @@ _OF_LETTING_GO = ("ten_velocity", "ten_J")
 
 @dataclass(frozen=True, kw_only=True)
 class Steps:
-    """Steps of some wings, in their models' units; the stepper's next ones overwrite them.
+    """Steps of some structures, in their models' units; the stepper's next ones overwrite them.
 
     Attributes:
         dof: number of joints.
         inner: where in what a step changes the forces of Maxwell branches ("act") and the resting lengths of tendons
             that yield ("plastic") are, if there are any, by MuJoCo's names.
-        before: what a step changes, before the first step, (wing, number): time, positions, velocities, and more.
-        after: likewise, after each step, (wing, step, number).
-        derived: MuJoCo's fields of the state before each step, (wing, step, ...).
+        before: what a step changes, before the first step, (structure, number): time, positions, velocities, and more.
+        after: likewise, after each step, (structure, step, number).
+        derived: MuJoCo's fields of the state before each step, (structure, step, ...).
         kept: names of those that the states of a record are read from.
     """
 
@@ -55,22 +55,22 @@ class Steps:
 
     @property
     def time(self) -> Array:
-        """After each step, (wing, step)."""
+        """After each step, (structure, step)."""
         return self.after[:, :, 0]
 
     @property
     def position(self) -> Array:
-        """After each step, (wing, step, dof)."""
+        """After each step, (structure, step, dof)."""
         return self.after[:, :, 1 : 1 + self.dof]
 
     @property
     def velocity(self) -> Array:
-        """After each step, (wing, step, dof)."""
+        """After each step, (structure, step, dof)."""
         return self.after[:, :, 1 + self.dof : 1 + 2 * self.dof]
 
     @property
     def velocity_before(self) -> Array:
-        """Before the first step, (wing, dof)."""
+        """Before the first step, (structure, dof)."""
         return self.before[:, 1 + self.dof : 1 + 2 * self.dof]
 
     def activation(self, wing: int, taken: int) -> Array:
@@ -120,29 +120,29 @@ class Stepper:
     Every worker has an engine of one thread: none waits for another, as the threads of one engine do after each part.
     """
 
-    def __init__(self, wings: Sequence[WingModel], threads: int, sparse: bool, chunk: int) -> None:
-        """Put the wings where they start.
+    def __init__(self, models: Sequence[Model], threads: int, sparse: bool, chunk: int) -> None:
+        """Put the structures where they start.
 
         Args:
-            wings: compiled models with the same numbers of veins and membrane nodes.
+            models: compiled, with the same numbers of hinges, tendons and membrane nodes.
             threads: 0 for one a core.
             sparse: of the derived fields that states are read from, leave out all but the tendons' lengths.
             chunk: steps to take at a time.
         """
-        self._wings, self._chunk = wings, chunk
-        self._models = _without_energy(wings) if sparse else [wing.engine for wing in wings]
-        model = wings[0].engine
-        self._state = _start_states(wings)
+        self._structures, self._chunk = models, chunk
+        self._models = _without_energy(models) if sparse else [model.engine for model in models]
+        model = models[0].engine
+        self._state = _start_states(models)
         self._moving, self._control = _columns(model, _MOVING), _columns(model, _CONTROL)
         self._inner = _inner(model)
         self._kept = _OF_SPARSE if sparse else _OF_STATES
-        self._names = (*self._kept, *_OF_ACCOUNT, *(_OF_LETTING_GO if wings[0].tendon_law.lets_go else ()))
+        self._names = (*self._kept, *_OF_ACCOUNT, *(_OF_LETTING_GO if models[0].lets_go.any() else ()))
         # the same memory again and again: fresh memory costs as much time as looking at it
-        self._memory = deque([_memory(wings, self._names, chunk, len(self._moving)) for _ in range(2)])
-        self.threads = int(Batch(model, len(wings), threads).nthread)
+        self._memory = deque([_memory(models, self._names, chunk, len(self._moving)) for _ in range(2)])
+        self.threads = int(Batch(model, len(models), threads).nthread)
         self._engines: SimpleQueue[Batch] = SimpleQueue()
         for _ in range(self.threads):
-            self._engines.put(Batch(model, -(-len(wings) // self.threads), 1))
+            self._engines.put(Batch(model, -(-len(models) // self.threads), 1))
         self._workers = ThreadPoolExecutor(max_workers=self.threads)
         self._data = mujoco.MjData(model)
 
@@ -158,7 +158,7 @@ class Stepper:
         bounds = np.linspace(0, len(rows), min(len(rows), self.threads) + 1).astype(int).tolist()
         parts = [slice(*pair) for pair in itertools.pairwise(bounds)]
         steps = Steps(
-            dof=self._wings[0].engine.nv,
+            dof=self._structures[0].engine.nv,
             inner=self._inner,
             before=self._state[np.ix_(rows, self._moving)],
             after=mine[_MOVING],
@@ -186,7 +186,7 @@ class Stepper:
     def state(self, row: int) -> State:
         """What a wing is in."""
         # wings of one topology have data of one size: making it anew takes as long as many steps
-        engine, data = self._wings[row].engine, self._data
+        engine, data = self._structures[row].engine, self._data
         mujoco.mj_resetData(engine, data)
         mujoco.mj_setState(engine, data, self._state[row], _STATE)
         with _quiet:
@@ -219,11 +219,11 @@ class Stepper:
             self._engines.put(engine)
 
 
-def _memory(wings: Sequence[WingModel], names: Sequence[str], chunk: int, moving: int) -> dict[str | int, Array]:
+def _memory(models: Sequence[Model], names: Sequence[str], chunk: int, moving: int) -> dict[str | int, Array]:
     """Room for a chunk of steps of all wings, by what is recorded."""
-    data = mujoco.MjData(wings[0].engine)
+    data = mujoco.MjData(models[0].engine)
     shapes = {_MOVING: (moving,), **{name: getattr(data, name).shape for name in names}}
-    return {name: np.empty((len(wings), chunk, *shape)) for name, shape in shapes.items()}
+    return {name: np.empty((len(models), chunk, *shape)) for name, shape in shapes.items()}
 
 
 def _columns(engine: mujoco.MjModel, part: int) -> Indices:
@@ -243,40 +243,39 @@ def _inner(engine: mujoco.MjModel) -> dict[str, slice]:
     return {name: place for name, place in places.items() if place.start < place.stop}
 
 
-def _without_energy(wings: Sequence[WingModel]) -> list[mujoco.MjModel]:
+def _without_energy(models: Sequence[Model]) -> list[mujoco.MjModel]:
     """Engine models that leave out the energy of every step; nothing else depends on it."""
-    models = {id(wing.engine): copy.copy(wing.engine) for wing in wings}
-    for model in models.values():
-        model.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_ENERGY)
-    return [models[id(wing.engine)] for wing in wings]
+    bare = {id(model.engine): copy.copy(model.engine) for model in models}
+    for engine in bare.values():
+        engine.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_ENERGY)
+    return [bare[id(model.engine)] for model in models]
 
 
-def _start_states(wings: Sequence[WingModel]) -> Array:
-    """What the wings start in, (wing, number)."""
-    batch = Batch(wings[0].engine, len(wings), 1)
-    batch.set_models([wing.engine for wing in wings])
-    batch.bind("qpos")[:] = [_start_position(wing) for wing in wings]
+def _start_states(models: Sequence[Model]) -> Array:
+    """What the structures start in, (structure, number)."""
+    batch = Batch(models[0].engine, len(models), 1)
+    batch.set_models([model.engine for model in models])
+    batch.bind("qpos")[:] = [_start_position(model) for model in models]
     if batch.model.nplastic:
-        batch.bind("plastic")[:] = [_start_creep(wing) for wing in wings]
+        batch.bind("plastic")[:] = [_start_creep(model) for model in models]
     return np.array(batch.state)
 
 
-def _start_position(wing: WingModel) -> Array:
-    """Joint angles at the start: flat, the distal hinges bent into the overbend."""
-    position = np.zeros(wing.engine.nq)
-    position[wing.joints[:, 3]] = wing.senses * wing.design.protocol.initial_overbend
-    return position
+def _start_position(model: Model) -> Array:
+    """Joint angles at the start."""
+    return np.array([hinge.sense * hinge.start + 0.0 for hinge in model.structure.hinges])  # -0 would be another bit
 
 
-def _start_creep(wing: WingModel) -> Array:
-    """Plastic state at the start: a tendon that the flat wing stretches too far has yielded when it was put there."""
-    engine, law = wing.engine, wing.tendon_law
+def _start_creep(model: Model) -> Array:
+    """Plastic state at the start: a tendon that the start stretches too far has yielded when it was put there."""
+    engine = model.engine
     data = mujoco.MjData(engine)
-    data.qpos[:] = _start_position(wing)
+    data.qpos[:] = _start_position(model)
     mujoco.mj_forward(engine, data)
     plastic = np.asarray(data.plastic.copy())
-    if law.yield_extension is not None:
-        plastic[wing.creep] = np.maximum(law.rest_length, data.ten_length[wing.tendons] - law.yield_extension)
+    for tendon, place, creep in zip(model.in_units.tendons, model.tendons, model.creep, strict=True):
+        if tendon.law.yield_extension is not None:
+            plastic[creep] = max(tendon.law.rest_length, data.ten_length[place] - tendon.law.yield_extension)
     return plastic
 
 

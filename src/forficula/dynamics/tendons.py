@@ -1,4 +1,4 @@
-"""Tendons across the distal hinges, and guard tendons between neighbouring tips."""
+"""Tendons and length limits in the engine."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from collections.abc import Iterator
 import mujoco
 import numpy as np
 
-from forficula.design import Design, tendon_law
-from forficula.dynamics.veins import Vein, stop_reference
+from forficula.dynamics.bodies import stop_reference
 from forficula.material.law.tendon_law import TendonLaw
+from forficula.structure import LengthLimit, Structure, Tendon
 
 # MuJoCo lets a limit harden over 0.001 of its length unit, which would be another share of every wing; the other
 # numbers are its defaults.
@@ -21,51 +21,50 @@ _CUBIC_MISS = 1e-4  # of the largest force: how far a cubic spring of muscles ma
 _SLOW = 1e9  # lengths by unit of time: a muscle feels velocities as shares of that
 
 
-def add_tendon(spec: mujoco.MjSpec, index: int, design: Design) -> None:
-    """Add the tendon of a vein: its spring pulls beyond its resting length and never pushes.
+def add_tendon(spec: mujoco.MjSpec, tendon: Tendon, structure: Structure) -> None:
+    """Add a tendon: its spring pulls beyond its resting length and never pushes.
 
     Its damper, like every tendon damper of MuJoCo, works at any length, slack or taut. Where it would stretch further
     than it yields, its resting length grows at the end of the step. A tendon that lets go has neither spring nor damper
     here: they are actuators, see `add_branches`, since it is the sum of these that MuJoCo can clamp.
     """
-    law = tendon_law(design)
-    tendon = spec.add_tendon(name=f"tendon{index}")
+    law = tendon.law
+    spring = spec.add_tendon(name=tendon.name)
     if law.lets_go:
-        tendon.actfrclimited = mujoco.mjtLimited.mjLIMITED_TRUE
-        tendon.actfrcrange = [-1e30, 0]
+        spring.actfrclimited = mujoco.mjtLimited.mjLIMITED_TRUE
+        spring.actfrcrange = [-1e30, 0]
     else:
-        tendon.stiffness = law.stiffness
-        tendon.damping = law.damping or (0.0, 0.0, 0.0)
-        tendon.springlength = [0, law.rest_length]
-        tendon.springyield = law.yield_extension or 0.0
-    tendon.wrap_site(f"proximal_attachment{index}")
-    tendon.wrap_site(f"distal_attachment{index}")
+        spring.stiffness = law.stiffness
+        spring.damping = law.damping or (0.0, 0.0, 0.0)
+        spring.springlength = [0, law.rest_length]
+        spring.springyield = law.yield_extension or 0.0
+    for point in tendon.points:
+        spring.wrap_site(structure.points[point].name)
 
 
-def add_branches(spec: mujoco.MjSpec, index: int, design: Design) -> None:
-    """Add the Maxwell branches of a vein's tendon, which start relaxed; of one that lets go its spring and damper, too.
+def add_branches(spec: mujoco.MjSpec, tendon: Tendon) -> None:
+    """Add the Maxwell branches of a tendon, which start relaxed; of one that lets go its spring and damper, too.
 
     Each branch is a DC motor without input (MuJoCo manual, actuator/dcmotor): its current, the branch's force where it
     pushes, obeys L di/dt = -R i - K dl/dt. With K = 1, R = 1 / (stiffness time) and L / R = time that is Maxwell's
     branch; the engine steps it exactly at the velocity before the step, and takes the force after it. Without
     inductance the motor is a damper.
     """
-    law = tendon_law(design)
+    law, name = tendon.law, tendon.name
     for number, branch in enumerate(law.branches):
-        _add_motor(spec, f"branch{index}_{number}", index, 1 / (branch.stiffness * branch.time), branch.time)
+        _add_motor(spec, f"{name}_branch{number}", name, 1 / (branch.stiffness * branch.time), branch.time)
     if not law.lets_go:
         return
-    longest = design.tendon.proximal_attachment + design.tendon.distal_attachment
-    for part, (begins, width, stiffer) in enumerate(_stiffening(law, longest)):
-        _add_muscle(spec, f"spring{index}_{part}", index, begins, width, stiffer)
+    for part, (begins, width, stiffer) in enumerate(_stiffening(law, tendon.longest)):
+        _add_muscle(spec, f"{name}_spring{part}", name, begins, width, stiffer)
     if law.stiffness[1] < 0:
-        _add_softening(spec, index, law, longest)
+        _add_softening(spec, name, law, tendon.longest)
     if law.damping and law.damping[0]:
-        _add_motor(spec, f"damper{index}", index, 1 / law.damping[0], 0.0)
+        _add_motor(spec, f"{name}_damper", name, 1 / law.damping[0], 0.0)
 
 
-def _add_motor(spec: mujoco.MjSpec, name: str, index: int, resistance: float, time: float) -> None:
-    motor = spec.add_actuator(name=name, target=f"tendon{index}", trntype=mujoco.mjtTrn.mjTRN_TENDON)
+def _add_motor(spec: mujoco.MjSpec, name: str, tendon: str, resistance: float, time: float) -> None:
+    motor = spec.add_actuator(name=name, target=tendon, trntype=mujoco.mjtTrn.mjTRN_TENDON)
     motor.set_to_dcmotor(
         motorconst=[1, 0],
         resistance=resistance,
@@ -101,12 +100,12 @@ def _stiffening(law: TendonLaw, longest: float) -> Iterator[tuple[float, float, 
     return (part for part in parts if part[2])
 
 
-def _add_muscle(spec: mujoco.MjSpec, name: str, index: int, begins: float, width: float, stiffness: float) -> None:
+def _add_muscle(spec: mujoco.MjSpec, name: str, tendon: str, begins: float, width: float, stiffness: float) -> None:
     """Add what a muscle does when it is passive and stretched, and nothing else of it (MuJoCo's mju_muscleBias).
 
     None up to a length; from there on a stiffness that grows evenly over a width to the one given, which stays.
     """
-    muscle = spec.add_actuator(name=name, target=f"tendon{index}", trntype=mujoco.mjtTrn.mjTRN_TENDON)
+    muscle = spec.add_actuator(name=name, target=tendon, trntype=mujoco.mjtTrn.mjTRN_TENDON)
     muscle.gaintype, muscle.biastype = mujoco.mjtGain.mjGAIN_FIXED, mujoco.mjtBias.mjBIAS_MUSCLE
     muscle.gainprm = np.zeros(10)
     # the muscle's own length has the width for its unit, and is 1 where it begins
@@ -115,7 +114,7 @@ def _add_muscle(spec: mujoco.MjSpec, name: str, index: int, begins: float, width
     muscle.biasprm = [*own, stiffness * width, 1, 0, 3, 1, 1, 1, 0]
 
 
-def _add_softening(spec: mujoco.MjSpec, index: int, law: TendonLaw, longest: float) -> None:
+def _add_softening(spec: mujoco.MjSpec, tendon: str, law: TendonLaw, longest: float) -> None:
     """Add the quadratic term b x^2 of a spring, b < 0, by which it grows softer; passive muscles only grow stiffer.
 
     An active muscle, whose control is held at 1, pulls F - |b| x^2 as far as F > |b| x^2 / 2 (mju_muscleGain; so slow a
@@ -125,27 +124,33 @@ def _add_softening(spec: mujoco.MjSpec, index: int, law: TendonLaw, longest: flo
     bend, rest = -law.stiffness[1], law.rest_length
     furthest = 1.1 * max(rest, longest - rest)
     force = 2 * bend * furthest**2
-    arc = spec.add_actuator(name=f"softening{index}", target=f"tendon{index}", trntype=mujoco.mjtTrn.mjTRN_TENDON)
+    arc = spec.add_actuator(name=f"{tendon}_softening", target=tendon, trntype=mujoco.mjtTrn.mjTRN_TENDON)
     arc.gaintype, arc.biastype = mujoco.mjtGain.mjGAIN_MUSCLE, mujoco.mjtBias.mjBIAS_NONE
     # the muscle's own length is 1 at the resting length, and 0 and 2 as far from it as the tendon comes
     arc.lengthrange = [rest - furthest, rest]
     # range, force, scale, lmin, lmax, vmax, fpmax, fvmax
     arc.gainprm = [0, 1, force, 1, -1, 3, _SLOW, 1, 1, 0]
     arc.ctrllimited, arc.ctrlrange = mujoco.mjtLimited.mjLIMITED_TRUE, [1, 2]
-    line = spec.add_actuator(name=f"line{index}", target=f"tendon{index}", trntype=mujoco.mjtTrn.mjTRN_TENDON)
+    line = spec.add_actuator(name=f"{tendon}_line", target=tendon, trntype=mujoco.mjtTrn.mjTRN_TENDON)
     line.gaintype, line.biastype = mujoco.mjtGain.mjGAIN_FIXED, mujoco.mjtBias.mjBIAS_AFFINE
     line.gainprm, line.biasprm = np.zeros(10), [force - bend * rest**2, 2 * bend * rest, *np.zeros(8)]
 
 
-def add_guard(spec: mujoco.MjSpec, index: int, veins: tuple[Vein, ...], design: Design) -> None:
-    """Add the guard tendon between tips `index` and `index` + 1: a limit on their distance, nothing else."""
-    flat_distance = float(np.linalg.norm(veins[index + 1].tip - veins[index].tip))
+def add_limit(spec: mujoco.MjSpec, limit: LengthLimit, structure: Structure, timestep: float) -> None:
+    """Add a limit on the distance of two points, nothing else."""
     guard = spec.add_tendon(
-        name=f"guard{index}",
+        name=limit.name,
         limited=True,
-        range=[0, design.guard.stretch * flat_distance],
-        solref_limit=stop_reference(design),
-        solimp_limit=[0.9, 0.95, _SOFT_SHARE * flat_distance, 0.5, 2],
+        range=[0, limit.most],
+        solref_limit=stop_reference(timestep),
+        solimp_limit=[0.9, 0.95, _SOFT_SHARE * limit.built_length, 0.5, 2],
     )
-    guard.wrap_site(f"tip{index}")
-    guard.wrap_site(f"tip{index + 1}")
+    for point in limit.points:
+        guard.wrap_site(structure.points[point].name)
+
+
+def add_distance(spec: mujoco.MjSpec, name: str, points: tuple[int, int], structure: Structure) -> None:
+    """Add what only measures the distance of two points."""
+    line = spec.add_tendon(name=name)
+    for point in points:
+        line.wrap_site(structure.points[point].name)

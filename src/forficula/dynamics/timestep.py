@@ -1,4 +1,4 @@
-"""The timestep that a wing's stiffest mode allows."""
+"""The timestep that the stiffest mode of a structure allows."""
 
 from __future__ import annotations
 
@@ -11,9 +11,10 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from forficula.design import Design, with_values
-from forficula.dynamics.model import WingModel, compile_wing
+from forficula.dynamics.model import Model, compile_model
 from forficula.errors import InputError
 from forficula.material.law.tendon_law import TendonBranch
+from forficula.structure import tendon_arms
 
 Array = NDArray[np.float64]
 
@@ -44,37 +45,37 @@ def timestep_warnings(design: Design) -> list[str]:
     if chosen == "auto" or chosen <= (longest := stable_timestep(design)):
         return []
     return [
-        f"a timestep of {1e3 * chosen:.3g} ms is too long: the wing's stiffest mode allows"
+        f"a timestep of {1e3 * chosen:.3g} ms is too long: its stiffest mode allows"
         f' {1e3 * longest:.3g} ms; take protocol.timestep = "auto", or a softer or thinner membrane'
     ]
 
 
 def stable_timestep(design: Design) -> float:
-    """Estimate the longest timestep, s, at which no mode of the wing blows up while it folds.
+    """Estimate the longest timestep, s, at which no mode blows up while the structure folds.
 
-    The flat wing is linearised at rest, and one step of semi-implicit Euler with implicit joint damping is a linear map
+    As built, at rest, it is linearised, and one step of semi-implicit Euler with implicit joint damping is a linear map
     of positions, velocities and the forces of Maxwell branches. Above a limit an eigenvalue of it passes -1: the mode
     flips its sign at every step and grows (for one undamped mode of angular frequency w this is the textbook limit
-    h = 2 / w). Growth without a flip is the snap itself, not an error. Half of that limit is taken, because the folding
-    wing is stiffer than the flat one; the share was measured. Tendons have no lever where the wing is flat, so the
-    limit with tendons at their largest lever, where their law is stiffest, is another bound. A wing that is driven
+    h = 2 / w). Growth without a flip is the snap itself, not an error. Half of that limit is taken, because a folding
+    wing is stiffer than a flat one; the share was measured. Tendons have no lever where a wing is flat, so the
+    limit with tendons at their largest lever, where their law is stiffest, is another bound. What is driven
     harder than it needs to be can ask for less: see `with_timestep`.
     """
-    # the linearised wing does not depend on the step it is compiled with
+    # what is linearised does not depend on the step it is compiled with
     any_step = {"protocol": design.protocol.model_copy(update={"timestep": _LONGEST})}
-    wing = compile_wing(design.model_copy(update=any_step))
-    flat = _flat(wing)
+    model = compile_model(design.model_copy(update=any_step))
+    built = _as_built(model)
     try:
-        return min(_FOLDING * _limit(wing, flat), _limit(wing, _at_largest_lever(wing, flat)))
+        return min(_FOLDING * _limit(model, built), _limit(model, _at_largest_lever(model, built)))
     except np.linalg.LinAlgError:
         raise InputError(f"{design.name}: a value is too large or too small to compute with") from None
 
 
 @dataclass(frozen=True, kw_only=True)
 class _Linear:
-    """A wing near a state, in the model's units: inertia, stiffness, all damping and its implicit part, (dof, dof).
+    """Near a state, in the model's units: inertia, stiffness, all damping and its implicit part, (dof, dof).
 
-    `stretch` is by how much each tendon lengthens, (vein, dof).
+    `stretch` is by how much each tendon lengthens, (tendon, dof).
     """
 
     inertia: Array
@@ -84,34 +85,36 @@ class _Linear:
     stretch: Array
 
 
-def _limit(wing: WingModel, linear: _Linear) -> float:
+def _limit(model: Model, linear: _Linear) -> float:
     """The longest timestep, s, without a mode that flips and grows."""
     shortest, longest = np.log10(_SHORTEST), np.log10(_LONGEST)
+    branches = [(tendon, branch) for tendon, each in enumerate(model.in_units.tendons) for branch in each.law.branches]
 
     def sign(power: float) -> float:
-        return -1.0 if _flips(linear, wing.tendon_law.branches, timestep=10.0**power / wing.units.time) else 1.0
+        return -1.0 if _flips(linear, branches, timestep=10.0**power / model.units.time) else 1.0
 
     if sign(longest) > 0:
         return _LONGEST
     if sign(shortest) < 0:
-        raise InputError(f"{wing.design.name}: no timestep is short enough: a part is too stiff or too light")
+        raise InputError(f"{model.design.name}: no timestep is short enough: a part is too stiff or too light")
     return float(10.0 ** brentq(sign, shortest, longest, xtol=1e-4))
 
 
-def _flat(wing: WingModel) -> _Linear:
-    engine = wing.engine
+def _as_built(model: Model) -> _Linear:
+    engine = model.engine
     data = mujoco.MjData(engine)
     mujoco.mj_forward(engine, data)
     inertia = np.zeros((engine.nv, engine.nv))
     mujoco.mj_fullM(engine, data, inertia)
     stiffness = -_slope(engine, data, data.qpos, "qfrc_passive")
     damping = -_slope(engine, data, data.qvel, "qfrc_passive")
-    stretch = _slope(engine, data, data.qpos, "ten_length")[wing.tendons]
-    law = wing.tendon_law
-    if law.lets_go:
+    stretch = _slope(engine, data, data.qpos, "ten_length")[model.tendons]
+    if model.lets_go.any():
         # springs and dampers that are actuators; at rest nothing else is in their forces, at speed branches are, too
         stiffness -= _slope(engine, data, data.qpos, "qfrc_actuator")
-        damping += (law.damping or (0.0,))[0] * stretch.T @ stretch
+        for tendon in np.flatnonzero(model.lets_go):
+            viscous = (model.in_units.tendons[tendon].law.damping or (0.0,))[0]
+            damping += viscous * stretch[tendon : tendon + 1].T @ stretch[tendon : tendon + 1]
     return _Linear(
         inertia=inertia,
         stiffness=stiffness,
@@ -121,34 +124,39 @@ def _flat(wing: WingModel) -> _Linear:
     )
 
 
-def _at_largest_lever(wing: WingModel, flat: _Linear) -> _Linear:
-    """The flat wing with tendons that pull at the shorter of their arms, as stiff as their law is anywhere."""
-    law, tendon, protocol = wing.tendon_law, wing.in_units.tendon, wing.in_units.protocol
-    arm, folds = min(tendon.proximal_attachment, tendon.distal_attachment), wing.joints[:, 3]
-    stretch = np.zeros_like(flat.stretch)
-    stretch[np.arange(len(folds)), folds] = arm
-    longest = wing.engine.tendon_length0[wing.tendons].max()
-    if law.yield_extension is not None:
-        longest = min(longest, law.rest_length + law.yield_extension)
-    # a cubic's slope is largest at an end of its range
-    ends = law.elastic.stiffness([min(law.rest_length, longest), longest])
-    torque = protocol.fold_torque + protocol.unfold_torque
-    linear, quadratic, cubic = law.damping or (0.0, 0.0, 0.0)
-    # a hinge is no faster than the energy of its tendon and the work of the torques on it allow, and about no faster
-    # than where its tendon's damper holds their forces
-    energy = law.elastic.energy(longest) + torque * np.pi
-    fastest = arm * np.sqrt(2 * energy / np.diag(flat.inertia)[folds].min())
-    holding = float(law.elastic.force(longest)) + torque / arm
-    held = np.roots(np.array([cubic, quadratic, linear, -holding]))
-    fastest = min([fastest, *(root.real for root in held if root.real > 0 and abs(root.imag) < 1e-9 * root.real)])
-    viscous = linear + 2 * quadratic * fastest + 3 * cubic * fastest**2
-    square = stretch.T @ stretch
-    return replace(
-        flat,
-        stiffness=flat.stiffness + ends.max() * square,
-        damping=flat.damping + viscous * square,
-        stretch=stretch,
-    )
+def _at_largest_lever(model: Model, built: _Linear) -> _Linear:
+    """A structure with tendons that pull at the largest levers that they can have, as stiff as their law is anywhere.
+
+    The lever of a tendon about a hinge that it crosses is no longer than the nearer of its ends is away from it.
+    """
+    structure = model.in_units
+    stretch, stiffness, damping = np.zeros_like(built.stretch), built.stiffness, built.damping
+    for number, tendon in enumerate(structure.tendons):
+        for hinge, arm in tendon_arms(structure, tendon):
+            stretch[number, hinge] = arm
+        levers = stretch[number]
+        if not levers.any():
+            continue
+        law, driven = tendon.law, np.flatnonzero(levers)
+        longest = float(model.engine.tendon_length0[model.tendons[number]])
+        if law.yield_extension is not None:
+            longest = min(longest, law.rest_length + law.yield_extension)
+        # a cubic's slope is largest at an end of its range
+        ends = law.elastic.stiffness([min(law.rest_length, longest), longest])
+        torque = sum(abs(drive.torque) for drive in structure.drives)
+        linear, quadratic, cubic = law.damping or (0.0, 0.0, 0.0)
+        # a hinge is no faster than the energy of its tendon and the work of the torques on it allow, and about no
+        # faster than where its tendon's damper holds their forces
+        arm = float(levers.max())
+        energy = law.elastic.energy(longest) + torque * np.pi
+        fastest = arm * np.sqrt(2 * energy / np.diag(built.inertia)[driven].min())
+        holding = float(law.elastic.force(longest)) + torque / arm
+        held = np.roots(np.array([cubic, quadratic, linear, -holding]))
+        fastest = min([fastest, *(root.real for root in held if root.real > 0 and abs(root.imag) < 1e-9 * root.real)])
+        viscous = linear + 2 * quadratic * fastest + 3 * cubic * fastest**2
+        square = np.outer(levers, levers)
+        stiffness, damping = stiffness + ends.max() * square, damping + viscous * square
+    return replace(built, stiffness=stiffness, damping=damping, stretch=stretch)
 
 
 def _slope(engine: mujoco.MjModel, data: mujoco.MjData, state: Array, name: str) -> Array:
@@ -165,33 +173,26 @@ def _slope(engine: mujoco.MjModel, data: mujoco.MjData, state: Array, name: str)
     return np.column_stack(columns)
 
 
-def _flips(linear: _Linear, branches: Sequence[TendonBranch], timestep: float) -> bool:
-    """Whether a mode flips its sign and grows from one step to the next."""
-    dofs, tendons = len(linear.inertia), len(linear.stretch)
+def _flips(linear: _Linear, branches: Sequence[tuple[int, TendonBranch]], timestep: float) -> bool:
+    """Whether a mode flips its sign and grows from one step to the next; each branch comes with its tendon's number."""
+    dofs = len(linear.inertia)
     step = np.linalg.inv(linear.inertia + timestep * linear.implicit) * timestep
     # each branch's force after the step, by position, velocity and the forces of all before it; it takes the velocity
     # from before, and the velocity after takes the force
-    kept = [np.exp(-timestep / branch.time) for branch in branches for _ in range(tendons)]
+    kept = [np.exp(-timestep / branch.time) for _, branch in branches]
+    stretch = linear.stretch[[tendon for tendon, _ in branches]].reshape(-1, dofs)
+    gained = [-branch.stiffness * branch.time * np.expm1(-timestep / branch.time) for _, branch in branches]
     to_force = np.hstack(
         [
             np.zeros((len(kept), dofs)),
-            np.vstack(
-                [
-                    np.zeros((0, dofs)),
-                    *(
-                        -branch.stiffness * branch.time * np.expm1(-timestep / branch.time) * linear.stretch
-                        for branch in branches
-                    ),
-                ]
-            ),
+            np.array(gained).reshape(-1, 1) * stretch,
             np.diag(kept) if kept else np.zeros((0, 0)),
         ]
     )
-    pull = np.vstack([np.zeros((0, dofs)), *(linear.stretch for _ in branches)]).T
     to_velocity = np.hstack(
         [-step @ linear.stiffness, np.eye(dofs) - step @ linear.damping, np.zeros((dofs, len(kept)))]
     )
-    to_velocity -= step @ pull @ to_force
+    to_velocity -= step @ stretch.T @ to_force
     to_position = np.hstack([np.eye(dofs), np.zeros((dofs, dofs + len(kept)))]) + timestep * to_velocity
     modes = np.linalg.eigvals(np.vstack([to_position, to_velocity, to_force]))
     return bool(np.any((np.abs(modes) > 1 + 1e-9) & (modes.real < 0)))

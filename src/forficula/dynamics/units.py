@@ -1,4 +1,4 @@
-"""The units that a model is built in, so that a wing of any size compiles."""
+"""The units that a model is built in, so that a structure of any size compiles."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ import math
 from dataclasses import dataclass
 
 from forficula.design import Design, in_units
-from forficula.errors import InputError
+from forficula.structure import Structure
 
 
 @dataclass(frozen=True, kw_only=True)
 class ModelUnits:
-    """Powers of ten that bring a wing to the size of 1; speeds stay m/s.
+    """Powers of ten that bring a structure to the size of 1; speeds stay m/s.
 
     MuJoCo refuses masses and inertias below 1e-15 in its own units, which an insect's veins have in SI.
 
@@ -36,17 +36,10 @@ class ModelUnits:
         return self.energy / self.time
 
 
-def model_units(design: Design) -> ModelUnits:
-    """Choose the units of a design: the decades of its span and of a vein's mass, and a unit of speed of 1 m/s."""
-    span = design.pattern.proximal_length + design.pattern.distal_length
-    mass = design.vein.density * span * math.pi / 4 * design.vein.diameter**2
-    if not 0 < mass < math.inf:
-        raise InputError(
-            f"vein.diameter and vein.density: need a vein with a mass > 0 and finite, got {mass:g} kg, from"
-            f" {design.vein.diameter:g} m and {design.vein.density:g} kg/m^3"
-        )
-    length = _decade(span)
-    return ModelUnits(length=length, mass=_decade(mass), time=length)
+def model_units(structure: Structure) -> ModelUnits:
+    """Choose the units of a structure: the decades of its size and mass, and a unit of speed of 1 m/s."""
+    length = _decade(structure.span)
+    return ModelUnits(length=length, mass=_decade(structure.mass), time=length)
 
 
 def design_in_model_units(design: Design, units: ModelUnits) -> Design:

@@ -55,7 +55,8 @@ class Convergence:
             fold, (run,).
         unfold_times: likewise until the last hinge has opened for good, s, (run,).
         times: of the rows of each run, s, (row,).
-        angles: of the third distal hinge, folding negative, rad, (row,).
+        hinge: number of the distal hinge that is shown, from 0.
+        angles: of that hinge in each run, folding negative, rad, (row,).
         fold_starts: when folding began, s, nan where it did not, (run,).
         unfold_starts: when unfolding began, s, nan where it did not, (run,).
         fold_order: how the fold time goes with the timestep; None for another key, or without two times to compare.
@@ -75,6 +76,7 @@ class Convergence:
     fold_times: Array
     unfold_times: Array
     times: tuple[Array, ...]
+    hinge: int
     angles: tuple[Array, ...]
     fold_starts: Array
     unfold_starts: Array
@@ -91,7 +93,13 @@ class Convergence:
 
 
 def converge(
-    design: Design, key: str, values: Sequence[float], *, tolerance: float = 0.02, progress: Progress | None = None
+    design: Design,
+    key: str,
+    values: Sequence[float],
+    *,
+    tolerance: float = 0.02,
+    hinge: int | None = None,
+    progress: Progress | None = None,
 ) -> Convergence:
     """Run a design at several timesteps, membrane moduli or meshes and say what that changes.
 
@@ -102,6 +110,7 @@ def converge(
         key: `TIMESTEP`, `YOUNGS_MODULUS`, or `MESH`.
         values: two at least, in any order: s, Pa, or whole numbers by which the spacing of the mesh's rows is divided.
         tolerance: by how much of its limit a time may be off at a timestep that is fine.
+        hinge: number of the distal hinge to show, from 0; the last if not given, or where there are fewer.
         progress: called with the runs done, all runs, and the status of the last and whether it folded, as a row.
 
     Raises:
@@ -115,7 +124,8 @@ def converge(
     # a timestep goes from coarse to fine, the others from soft or coarse on
     ordered = sorted([own, *(value for value in values if not same(value, own))], reverse=key == TIMESTEP)
     wings = [compile_wing(_with_dense_record(resolved(with_value(design, key, value)))) for value in ordered]
-    return replace(compare_wings(wings, key, ordered, own, tolerance=tolerance, progress=progress), design=design)
+    compared = compare_wings(wings, key, ordered, own, tolerance=tolerance, hinge=hinge, progress=progress)
+    return replace(compared, design=design)
 
 
 def compare_wings(
@@ -125,10 +135,11 @@ def compare_wings(
     own: float,
     *,
     tolerance: float = 0.02,
+    hinge: int | None = None,
     progress: Progress | None = None,
 ) -> Convergence:
     """Do as `converge` does with compiled wings, one for each value, in the order of the values."""
-    runs, rows = _run_all(wings, progress), tuple(row_count(wing.design) for wing in wings)
+    runs, rows = _run_all(wings, hinge, progress), tuple(row_count(wing.design) for wing in wings)
     here = list(values).index(own)
     fold_times, unfold_times, fold_starts, unfold_starts = (
         np.array([getattr(run, name) for run in runs])
@@ -154,6 +165,7 @@ def compare_wings(
         fold_times=fold_times,
         unfold_times=unfold_times,
         times=tuple(run.times for run in runs),
+        hinge=runs[here].hinge,
         angles=tuple(run.angle for run in runs),
         fold_starts=fold_starts,
         unfold_starts=unfold_starts,
@@ -172,7 +184,7 @@ def _with_dense_record(design: Design) -> Design:
     return with_values(design, {"protocol.sample_interval": timestep * max(1, math.ceil(steps / _MOST_ROWS))})
 
 
-def _run_all(wings: Sequence[WingModel], progress: Progress | None) -> list[TimedRun]:
+def _run_all(wings: Sequence[WingModel], hinge: int | None, progress: Progress | None) -> list[TimedRun]:
     """Run all wings, those of one topology side by side, and keep of each record only what is needed."""
     topologies: dict[int, list[int]] = {}
     for index, wing in enumerate(wings):
@@ -180,7 +192,7 @@ def _run_all(wings: Sequence[WingModel], progress: Progress | None) -> list[Time
     runs: dict[int, TimedRun] = {}
     for members in topologies.values():
         for row, record in simulate_each([wings[index] for index in members]):
-            run = runs[members[row]] = timed_run(record)
+            run = runs[members[row]] = timed_run(record, hinge)
             if progress is not None:
                 progress(len(runs), len(wings), {"verdict": run.verdict, "folded": run.outcome.folded})
     return [runs[index] for index in range(len(wings))]

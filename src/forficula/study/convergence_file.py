@@ -15,6 +15,7 @@ from forficula.analysis import Verdict
 from forficula.design import design_from_text, design_text
 from forficula.errors import InputError
 from forficula.files import write_bytes
+from forficula.names import ordinal
 from forficula.study.convergence import Convergence
 from forficula.study.observed_order import OrderFit
 
@@ -27,7 +28,9 @@ _BY_RUN = {
     "fold_start": ("fold_starts", "s"),
     "unfold_start": ("unfold_starts", "s"),
 }
-_CURVES = {"time": ("times", "s"), "angle": ("angles", "of the third distal hinge, rad")}
+# the hinge of files from before they said which
+_HINGE = 2
+_CURVES = {"time": ("times", "s"), "angle": ("angles", "of the {hinge} distal hinge, rad")}
 
 
 def save_convergence(convergence: Convergence, path: Path) -> None:
@@ -41,8 +44,9 @@ def save_convergence(convergence: Convergence, path: Path) -> None:
     variables = {
         name: ("run", getattr(convergence, field), {"long_name": say}) for name, (field, say) in _BY_RUN.items()
     }
+    hinge = ordinal(convergence.hinge)
     curves = {
-        name: (("run", "row"), _even(getattr(convergence, field)), {"long_name": say})
+        name: (("run", "row"), _even(getattr(convergence, field)), {"long_name": say.format(hinge=hinge)})
         for name, (field, say) in _CURVES.items()
     }
     words = {
@@ -56,6 +60,7 @@ def save_convergence(convergence: Convergence, path: Path) -> None:
         "design": design_text(convergence.design),
         "key": convergence.key,
         "own": convergence.own,
+        "hinge": convergence.hinge,
         "tolerance": convergence.tolerance,
         "fine": json.dumps(convergence.fine),
         "verdict": convergence.verdict,
@@ -93,6 +98,7 @@ def load_convergence(path: Path) -> Convergence:
             fold_starts=data["fold_start"].values,
             unfold_starts=data["unfold_start"].values,
             times=_uneven(data["time"].values, lengths),
+            hinge=int(kept.get("hinge", _HINGE)),
             angles=_uneven(data["angle"].values, lengths),
             fold_order=_fit(kept["fold_order"]),
             unfold_order=_fit(kept["unfold_order"]),

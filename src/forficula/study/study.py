@@ -19,7 +19,19 @@ from forficula.study.choices import one_at_a_time, with_own_word
 from forficula.study.factors import MOST_VALUES, Factor, drawn_values, range_values, read_factor
 from forficula.toml_text import parse_toml
 
-_KEYS = ("name", "source", "design", "ask", "vary", "settings", "factors", "grid", "sampling", "search")
+_KEYS = (
+    "name",
+    "source",
+    "reproduces",
+    "design",
+    "ask",
+    "vary",
+    "settings",
+    "factors",
+    "grid",
+    "sampling",
+    "search",
+)
 _MOST_TORQUES = 1000  # every one of them is a run of every point
 _TORQUE_KEY = "protocol.fold_torque"
 
@@ -56,6 +68,7 @@ class Study:
         choices: where factors are varied one at a time, the value of one of them each, by key; the first is empty, the
             base. Otherwise none.
         grid: the factors whose whole grid is repeated at every choice, the last fastest.
+        reproduces: name of the paper that its results are set beside; None for none.
     """
 
     name: str
@@ -67,6 +80,7 @@ class Study:
     search: Search | None
     choices: tuple[Mapping[str, object], ...] = ()
     grid: tuple[Factor, ...] = ()
+    reproduces: str | None = None
 
 
 def load_study(name_or_path: str | Path) -> Study:
@@ -134,6 +148,9 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
         title = folder_name(tables["name"])
     except InputError as error:
         raise InputError(f"name: {error}") from None
+    reproduces = tables.get("reproduces")
+    if not isinstance(reproduces, str | None):
+        raise InputError(f"reproduces: need the name of a paper, in quotes, got {as_written(reproduces)}")
     if name is None:
         raise InputError('design: is missing; give the name or path of a design, such as "binder2025"')
     if not isinstance(name, str):
@@ -178,6 +195,7 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
         search=read_torque_search(tables.get("search", {})) if ask == "least-torques" else None,
         choices=choices,
         grid=grid,
+        reproduces=reproduces,
     )
 
 
@@ -256,7 +274,7 @@ def _drawn(factors: tuple[Factor, ...], sampling: Mapping[str, Any]) -> list[dic
 
 
 def read_torque_search(given: Mapping[str, Any]) -> Search:
-    """Read the table `search` of a study file; what it does not give is the paper's.
+    """Read the table `search` of a study file; what it does not give has a default.
 
     Raises:
         InputError: an unknown key, or a value that is not allowed.

@@ -104,6 +104,8 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         "ask": "run" if study.search is None else "least-torques",
         "veins": study.base.fan.vein_count,
     }
+    if study.reproduces is not None:
+        attributes["reproduces"] = study.reproduces
     return xarray.Dataset(variables, coordinates, attributes)
 
 

@@ -37,7 +37,8 @@ class TimedRun:
         fold_start: when folding began, s; nan where it did not.
         unfold_start: when unfolding began, s; nan where it did not.
         times: of the rows, s, (row,).
-        angle: of the third distal hinge, or the last of fewer, folding negative, rad, (row,).
+        hinge: number of the distal hinge that is followed, from 0.
+        angle: of that hinge, folding negative, rad, (row,).
     """
 
     status: str
@@ -48,15 +49,23 @@ class TimedRun:
     fold_start: float
     unfold_start: float
     times: Array
+    hinge: int
     angle: Array
 
 
-def timed_run(record: Record) -> TimedRun:
-    """Time a run's transitions; its record must have every step, or nearly so."""
+def timed_run(record: Record, hinge: int | None = None) -> TimedRun:
+    """Time a run's transitions.
+
+    Args:
+        record: with every step, or nearly so.
+        hinge: number of the distal hinge to follow, from 0; the last if not given, or where there are fewer.
+    """
     outcome, protocol = measure(record), record.design.protocol
     angle = record.series["distal_angle"]
     # both fall through 0 when the goal is reached
     to_fold, to_open = angle.max(axis=1) + protocol.folded_angle, protocol.opened_angle - angle.min(axis=1)
+    last = angle.shape[1] - 1
+    followed = last if hinge is None else min(hinge, last)
     starts = {end.stage.drive: end for end in record.stages}
     return TimedRun(
         status=outcome.status,
@@ -72,7 +81,8 @@ def timed_run(record: Record) -> TimedRun:
         fold_start=starts["fold"].start if "fold" in starts else math.nan,
         unfold_start=starts["unfold"].start if "unfold" in starts else math.nan,
         times=record.time,
-        angle=angle[:, min(2, angle.shape[1] - 1)].copy(),
+        hinge=followed,
+        angle=angle[:, followed].copy(),
     )
 
 

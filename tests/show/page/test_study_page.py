@@ -10,9 +10,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from forficula.reproduction import compare
 from forficula.show.page.study_page import places, study_page, study_sentence
 from forficula.study import load_study, table_csv
-from forficula.study.comparison import compare_with_paper
 from forficula.study.kept_runs import KeptRun
 from tests.show.study.test_choices_figure import planted as choices_table
 from tests.show.study.test_maps import TWO, as_run, many_ends, planted, sampled
@@ -127,9 +127,11 @@ def test_the_last_factor_runs_fastest_and_drawn_points_have_values_of_their_own(
 def test_the_papers_claims_stand_on_the_page_where_they_are_given(study):
     table = many_ends()
     assert "Beside the paper" not in study_page(study, table, (), 0)
-    page = study_page(study, table, (), 0, compare_with_paper(table))
+    compared = compare(replace(study, reproduces="binder2025"), table)
+    page = study_page(study, table, (), 0, compared)
     assert "Beside the paper" in page
-    for claim in compare_with_paper(table):
+    assert "claims of Binder, Costi, Izzo, Seidl (Biomimetics 11(1):9, 2025, doi 10.3390/biomimetics11010009)" in page
+    for claim in compared.claims:
         assert html.escape(claim.claim) in page
 
 

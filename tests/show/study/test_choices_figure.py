@@ -126,9 +126,9 @@ def test_wings_that_open_again_are_marked_where_opening_was_asked_for():
     assert marks == [2, 2, 0, 2, 2, 2]
 
 
-def test_the_papers_count_is_a_line_in_the_study_of_its_lost_values_only():
-    assert "the paper: 32" in legend(drawn(draw_choices(planted("binder2025-choices"))))
-    assert "the paper: 32" not in legend(drawn(draw_choices(planted())))
+def test_the_papers_count_is_a_line_where_the_study_names_the_paper_whatever_it_is_called():
+    assert "the paper: 32" in legend(drawn(draw_choices(planted().assign_attrs(reproduces="binder2025"))))
+    assert "the paper: 32" not in legend(drawn(draw_choices(planted("binder2025-choices"))))
 
 
 def test_single_wings_have_their_numbers_or_why_there_are_none():

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -89,6 +91,12 @@ class ElasticLaw:
         quadratic = self.quadratic * (x**2 - d * (x - d / 3))
         cubic = self.cubic * (x**3 - d * (1.5 * x**2 - d * (x - d / 4)))
         return np.asarray(d * (linear + quadratic + cubic))
+
+
+def stacked_laws(laws: Sequence[ElasticLaw]) -> ElasticLaw:
+    """Many laws as one, whose numbers are arrays, (law,), that go with the lengths (..., law)."""
+    numbers: Any = {field.name: np.array([getattr(law, field.name) for law in laws]) for field in fields(ElasticLaw)}
+    return ElasticLaw(**numbers)
 
 
 @dataclass(frozen=True, kw_only=True)

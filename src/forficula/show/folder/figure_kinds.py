@@ -14,6 +14,7 @@ from forficula.analysis.run_files import read_run
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.files import clear_leftovers, write_bytes
+from forficula.reproduction import shown_tendon
 from forficula.show.folder.convergence_folder import CONVERGENCE_FILE, convergence_drawings
 from forficula.show.folder.cycling_folder import cycling_drawings, read_cycling
 from forficula.show.folder.landscape_folder import landscape_drawings
@@ -104,7 +105,7 @@ def _landscape(folder: Path) -> dict[str, Drawing]:
 
     @cache
     def again(simulation: bool) -> dict[str, Drawing]:
-        return landscape_drawings(*survey(design, simulation=simulation))
+        return landscape_drawings(*survey(design, simulation=simulation), shown_tendon(design))
 
     def drawing(kind: str) -> Drawing:
         # only the tendon's figure has the run beside it

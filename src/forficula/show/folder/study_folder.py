@@ -8,20 +8,18 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from forficula.files import replacing_all, write_bytes, write_text
+from forficula.reproduction import compare
+from forficula.reproduction.comparison import comparison_json, comparison_markdown
 from forficula.show.page.study_page import write_study_page
 from forficula.show.study.choices_figure import draw_choices
 from forficula.show.study.maps import map_drawings
 from forficula.show.style import Drawing, save_figures
 from forficula.study import Study, table_csv
 from forficula.study.choices import CHOICE
-from forficula.study.comparison import compare_with_paper, comparison_json, comparison_markdown
 from forficula.study.kept_runs import KeptRun
 
 if TYPE_CHECKING:
     from xarray import Dataset
-
-# the study whose results the paper reports
-_PAPERS_SEARCH = "binder2025-search"
 
 
 def study_drawings(table: Dataset) -> dict[str, Drawing]:
@@ -38,7 +36,7 @@ def study_drawings(table: Dataset) -> dict[str, Drawing]:
 
 
 def write_study(study: Study, table: Dataset, folder: Path) -> None:
-    """Write the table, the maps, and, for the paper's own search, the paper's numbers; all of them, or none.
+    """Write the table, the maps, and, where the study names a paper, its claims beside; all of them, or none.
 
     Args:
         study: what was asked.
@@ -56,10 +54,10 @@ def _write_files(study: Study, table: Dataset, folder: Path) -> None:
     write_text(folder / "table.csv", table_csv(study, table))
     write_bytes(folder / "table.nc", table.to_netcdf(engine="h5netcdf"))
     save_figures(study_drawings(table), folder)
-    if study.name == _PAPERS_SEARCH:
-        rows = compare_with_paper(table)
-        write_text(folder / "comparison.md", comparison_markdown(rows))
-        write_text(folder / "comparison.json", json.dumps(comparison_json(rows), indent=2) + "\n")
+    compared = compare(study, table)
+    if compared is not None:
+        write_text(folder / "comparison.md", comparison_markdown(compared))
+        write_text(folder / "comparison.json", json.dumps(comparison_json(compared), indent=2) + "\n")
 
 
 def write_study_report(study: Study, table: Dataset, kept: Iterable[KeptRun], count: int, folder: Path) -> None:
@@ -75,5 +73,4 @@ def write_study_report(study: Study, table: Dataset, kept: Iterable[KeptRun], co
     Raises:
         InputError: it cannot be written.
     """
-    compared = compare_with_paper(table) if study.name == _PAPERS_SEARCH else ()
-    write_study_page(study, table, folder / "report.html", kept, count, compared)
+    write_study_page(study, table, folder / "report.html", kept, count, compare(study, table))

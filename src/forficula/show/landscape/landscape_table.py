@@ -9,8 +9,9 @@ from rich.table import Table
 from rich.text import Text
 
 from forficula.analysis import measure
-from forficula.analysis.simulated_snap import SECOND, SimulatedSnap, predicted_snap, simulated_snap
+from forficula.analysis.simulated_snap import INNER_VEIN, SimulatedSnap, predicted_snap, simulated_snap
 from forficula.dynamics import Record
+from forficula.names import ordinal
 from forficula.quantities import reading_unit
 from forficula.show.landscape.landscape_marks import rounding_torque, show_angle
 from forficula.statics import EnergyLandscape, stable_states
@@ -19,18 +20,24 @@ _KINDS = {"stop": "on its stop", "minimum": "minimum", "neutral": "range without
 _NONE = "none"
 
 
-def print_landscape(landscape: EnergyLandscape, record: Record | None = None) -> None:
-    """Print a landscape, and a run of the same design beside its prediction."""
-    Console(width=110, highlight=False).print(landscape_table(landscape, record))
+def print_landscape(landscape: EnergyLandscape, record: Record | None = None, vein: int = INNER_VEIN) -> None:
+    """Print a landscape, and a run of the same design beside its prediction; args are those of `landscape_table`."""
+    Console(width=110, highlight=False).print(landscape_table(landscape, record, vein))
 
 
-def landscape_table(landscape: EnergyLandscape, record: Record | None = None) -> RenderableType:
-    """Lay out stable states, barriers, torques, stiffness and snap, and the remarks as sentences."""
+def landscape_table(landscape: EnergyLandscape, record: Record | None = None, vein: int = INNER_VEIN) -> RenderableType:
+    """Lay out stable states, barriers, torques, stiffness and snap, and the remarks as sentences.
+
+    Args:
+        landscape: what to show.
+        record: a run of its design.
+        vein: number of the one, from 0, whose hinge stands for those of the wing.
+    """
     parts: list[RenderableType] = [Text(_verdict(landscape), style="bold"), Text()]
-    for table in (_states(landscape), _barriers(landscape), _torques(landscape), _tips(landscape)):
+    for table in (_states(landscape, vein), _barriers(landscape, vein), _torques(landscape), _tips(landscape)):
         parts += [table, Text()]
-    parts.append(_snap(landscape, record))
-    remarks = [*_simulation_remarks(record), *landscape.remarks]
+    parts.append(_snap(landscape, record, vein))
+    remarks = [*_simulation_remarks(record, vein), *landscape.remarks]
     if remarks:
         parts += [Text(), *(Text(_sentence(remark)) for remark in remarks)]
     return Group(*parts)
@@ -44,9 +51,9 @@ def _verdict(landscape: EnergyLandscape) -> str:
     return f"{landscape.design.name}: {along}; {stable} of {len(folds)} states with some hinges folded stay"
 
 
-def _states(landscape: EnergyLandscape) -> Table:
+def _states(landscape: EnergyLandscape, vein: int) -> Table:
     table = _table("Stable states", "", "", "at", "energy", "held by")
-    hinges = (("ideal hinge", landscape.hinge), ("second hinge of the wing", landscape.tendons[SECOND]))
+    hinges = (("ideal hinge", landscape.hinge), (f"{ordinal(vein)} hinge of the wing", landscape.tendons[vein]))
     for name, hinge in hinges:
         for state in hinge.states:
             held = _torque(state.holding_torque) if state.kind == "stop" else ""
@@ -59,11 +66,11 @@ def _states(landscape: EnergyLandscape) -> Table:
     return table
 
 
-def _barriers(landscape: EnergyLandscape) -> Table:
+def _barriers(landscape: EnergyLandscape, vein: int) -> Table:
     table = _table("Barriers", "", "energy")
     for name, value in (
         ("ideal hinge, overbend to straight", landscape.hinge.barrier),
-        ("second hinge of the wing, overbend to straight", landscape.tendons[SECOND].barrier),
+        (f"{ordinal(vein)} hinge of the wing, overbend to straight", landscape.tendons[vein].barrier),
         ("wing, flat until its easiest hinge folds alone", float(landscape.hinge_barriers.min())),
         ("wing, flat to folded, all hinges together", landscape.fold_barrier),
         ("wing, folded to flat, all hinges together", landscape.unfold_barrier),
@@ -98,13 +105,13 @@ def _tips(landscape: EnergyLandscape) -> Table:
     return table
 
 
-def _snap(landscape: EnergyLandscape, record: Record | None) -> Table:
+def _snap(landscape: EnergyLandscape, record: Record | None, vein: int) -> Table:
     design = landscape.design
     folded, limit = design.protocol.folded_angle, design.hinge.fold_limit
-    snap = None if record is None else simulated_snap(record)
-    hinges = (landscape.hinge, landscape.tendons[SECOND])
+    snap = None if record is None else simulated_snap(record, vein)
+    hinges = (landscape.hinge, landscape.tendons[vein])
     predicted = [predicted_snap(each.hinge, folded) for each in hinges]
-    headings = ["", "ideal hinge", "second hinge"] + (["in the simulated wing"] if snap else [])
+    headings = ["", "ideal hinge", f"{ordinal(vein)} hinge"] + (["in the simulated wing"] if snap else [])
     table = _table("Snap of one hinge alone, without damping", *headings)
     start = show_angle(landscape.hinge.fold_start)
     table.add_row("time scale t*", *(_time(each.time_scale) for each in hinges))
@@ -127,16 +134,16 @@ def _simulated_time(snap: SimulatedSnap, time: float | None) -> str:
     return f"folds to {show_angle(snap.largest_fold)} only" if time is None else _time(time)
 
 
-def _simulation_remarks(record: Record | None) -> Iterator[str]:
+def _simulation_remarks(record: Record | None, vein: int) -> Iterator[str]:
     """What became of the simulation, and how finely it was sampled."""
     if record is None:
         return
-    outcome, snap = measure(record), simulated_snap(record)
+    outcome, snap = measure(record), simulated_snap(record, vein)
     yield f"the simulated wing: {outcome.status}. {outcome.advice}".strip()
     if snap is not None:
         yield (
-            f"its second hinge is sampled every {_time(snap.sample_interval)}; it is driven by the fold torque, damped,"
-            " and tied to the membrane, which the prediction is not"
+            f"its {ordinal(vein)} hinge is sampled every {_time(snap.sample_interval)}; it is driven by the fold"
+            " torque, damped, and tied to the membrane, which the prediction is not"
         )
 
 

@@ -1,4 +1,4 @@
-"""Energy and moment of one tendon over its distal angle, as in the paper's Figure 5."""
+"""Energy and moment of one tendon over its distal angle, as in Binder et al. 2025, Figure 5."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
-from forficula.analysis.simulated_snap import SECOND
+from forficula.analysis.simulated_snap import INNER_VEIN
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit, show_value
 from forficula.show.landscape.landscape_marks import mark_barrier, mark_state, show_angle, state_handles, write_note
@@ -41,15 +41,18 @@ _INSET = (0.62, 0.58, 0.34, 0.40)
 _WIDE_BOWL = 50.0  # of a moment, beside or within which there is room for words, deg
 
 
-def draw_tendon(landscape: EnergyLandscape, record: Record | None = None, width: float = PAGE_WIDTH) -> Figure:
+def draw_tendon(
+    landscape: EnergyLandscape, record: Record | None = None, width: float = PAGE_WIDTH, vein: int = INNER_VEIN
+) -> Figure:
     """Draw energy and moment of one tendon over its distal angle.
 
     Args:
         landscape: of a design.
-        record: a run of it, whose second tendon is drawn on top; it must not have diverged.
+        record: a run of it, whose tendon is drawn on top; it must not have diverged.
         width: of the figure, inch.
+        vein: number of the one, from 0, whose tendon it is.
     """
-    wing = landscape.tendons[SECOND]
+    wing = landscape.tendons[vein]
     energy_unit, energy_factor = reading_unit("J", float(landscape.hinge.energy.max()))
     torque_unit, torque_factor = reading_unit("N m", float(np.abs(landscape.hinge.moment).max()))
     with figure_style():
@@ -64,9 +67,9 @@ def draw_tendon(landscape: EnergyLandscape, record: Record | None = None, width:
             ends = np.degrees(wing.angle[band]), energy_factor * wing.energy[band]
             mark_state(top, state.kind, math.degrees(state.angle), energy_factor * state.energy, *ends)
         if record is not None:
-            _plot_simulation(top, record, energy_factor)
+            _plot_simulation(top, record, vein, energy_factor)
         _mark_moments(bottom, wing, torque_unit, torque_factor)
-        _close_up(top, landscape)
+        _close_up(top, landscape, vein)
         _shade_stops(wing, top, bottom)
         top.set_ylabel(f"tendon energy ({energy_unit})")
         bottom.set_ylabel(f"moment about the hinge,\npositive opens ({torque_unit})")
@@ -78,7 +81,7 @@ def draw_tendon(landscape: EnergyLandscape, record: Record | None = None, width:
         stops = Patch(color=_STOP, label="beyond the stops")
         handles = [*curves, stops, *simulated, *state_handles({state.kind for state in wing.states})]
         figure.legend(handles=handles, loc="outside upper center", ncols=1 if is_narrow(width) else 3)
-        return describe(figure, _tell(landscape))
+        return describe(figure, _tell(landscape, vein))
 
 
 def _curves(landscape: EnergyLandscape) -> Iterator[tuple[HingeLandscape, str, dict[str, Any]]]:
@@ -105,11 +108,11 @@ def _between(hinge: HingeLandscape, start: float, end: float) -> NDArray[np.bool
     return np.asarray((hinge.angle >= low - 1e-12) & (hinge.angle <= high + 1e-12))
 
 
-def _plot_simulation(axes: Axes, record: Record, factor: float) -> None:
-    """Points of the simulated second tendon, evenly spaced over its angle, folding and opening apart."""
+def _plot_simulation(axes: Axes, record: Record, vein: int, factor: float) -> None:
+    """Points of a vein's simulated tendon, evenly spaced over its angle, folding and opening apart."""
     opening = min((end.start for end in record.stages if end.stage.drive == "unfold"), default=math.inf)
-    angle = np.degrees(record.series["distal_angle"][:, SECOND])
-    energy = factor * record.series["tendon_energy"][:, SECOND]
+    angle = np.degrees(record.series["distal_angle"][:, vein])
+    energy = factor * record.series["tendon_energy"][:, vein]
     for part, marker, colour, name, shift in (
         (record.time <= opening, "v", VERMILION, "simulated, folding", 0.0),
         (record.time > opening, "^", PURPLE, "simulated, opening", 0.5),
@@ -167,9 +170,9 @@ def _mark_moments(axes: Axes, hinge: HingeLandscape, unit: str, factor: float) -
         axes.annotate(f"slack beyond {show_angle(slack)}", (math.degrees(slack), 0), xytext=(4, 9), **beside)
 
 
-def _close_up(axes: Axes, landscape: EnergyLandscape) -> None:
+def _close_up(axes: Axes, landscape: EnergyLandscape, vein: int) -> None:
     """The few degrees about straight, by energy above the overbend stop; a sentence where there is no barrier."""
-    wing = landscape.tendons[SECOND]
+    wing = landscape.tendons[vein]
     left, low, width, height = _INSET
     if wing.barrier is None:
         write_note(axes, (left + width / 2, low + height / 2), wing.remarks[0])
@@ -204,9 +207,9 @@ def _shade_stops(hinge: HingeLandscape, *rows: Axes) -> None:
         rows[0].set(ylim=(0, 1), yticks=[0])
 
 
-def _tell(landscape: EnergyLandscape) -> str:
+def _tell(landscape: EnergyLandscape, vein: int) -> str:
     """One tendon in words."""
-    hinge = landscape.tendons[SECOND]
+    hinge = landscape.tendons[vein]
     told = [f"up to {show_value(float(hinge.energy.max()), 'J')} are stored"]
     if hinge.barrier is not None:
         told.append(f"the barrier from the overbend stop to straight is {show_value(hinge.barrier, 'J')}")

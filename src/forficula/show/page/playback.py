@@ -30,7 +30,7 @@ class Mark:
     """A state on the time line.
 
     Attributes:
-        letter: a, b or c, as the paper calls the states.
+        letter: a, b or c, as Binder et al. 2025 call the states.
         name: what it is, such as "folded", or "after folding" where the wing is not.
         state: means over the last part of its stage, which ends at the mark.
     """

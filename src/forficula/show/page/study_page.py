@@ -13,6 +13,7 @@ from forficula.design import TORQUE
 from forficula.dynamics import versions
 from forficula.files import write_text
 from forficula.quantities import show_quantity
+from forficula.reproduction import Comparison
 from forficula.show.page.html import Cell, escaped, paragraph, section, table
 from forficula.show.page.outcome_tables import outcome_tables
 from forficula.show.page.page import page_html
@@ -22,7 +23,6 @@ from forficula.show.page.study_data import study_data
 from forficula.show.page.words import outcome_sentence, readable
 from forficula.show.study.choice_rows import choice_rows
 from forficula.study import Study, named_studies, table_csv
-from forficula.study.claims import Comparison
 from forficula.study.factors import Factor
 from forficula.study.kept_runs import KeptRun
 
@@ -39,7 +39,7 @@ _AGREES = {True: "yes", False: "no", None: "cannot tell"}
 
 
 def write_study_page(
-    study: Study, results: Dataset, path: Path, kept: Iterable[KeptRun], count: int, compared: Sequence[Comparison] = ()
+    study: Study, results: Dataset, path: Path, kept: Iterable[KeptRun], count: int, compared: Comparison | None = None
 ) -> None:
     """Write a study as one HTML file that needs no network.
 
@@ -52,7 +52,7 @@ def write_study_page(
 
 
 def study_page(
-    study: Study, results: Dataset, kept: Iterable[KeptRun], count: int, compared: Sequence[Comparison] = ()
+    study: Study, results: Dataset, kept: Iterable[KeptRun], count: int, compared: Comparison | None = None
 ) -> str:
     """A study as one page: maps, the runs behind their cells, all points, and what a paper says of them.
 
@@ -173,9 +173,10 @@ def _choices(results: Dataset) -> str:
     return table("One value is changed at a time", headings, rows) if rows else ""
 
 
-def _comparison(rows: Sequence[Comparison]) -> str:
-    if not rows:
+def _comparison(compared: Comparison | None) -> str:
+    if compared is None:
         return ""
+    paper, rows = compared.paper, compared.claims
     told = [row.agrees for row in rows if row.agrees is not None]
     cells: list[list[str | Cell]] = [
         [
@@ -186,10 +187,9 @@ def _comparison(rows: Sequence[Comparison]) -> str:
         ]
         for row in rows
     ]
-    return paragraph(
-        f"{sum(told)} of {len(told)} claims of Binder, Costi, Izzo, Seidl (Biomimetics 11(1):9, 2025, doi"
-        " 10.3390/biomimetics11010009) agree."
-    ) + table("Claims", ("claim", "paper", "here", "agrees"), cells, numbers=False)
+    return paragraph(f"{sum(told)} of {len(told)} claims of {paper.authors} ({paper.published}) agree.") + table(
+        "Claims", ("claim", "paper", "here", "agrees"), cells, numbers=False
+    )
 
 
 def _about(study: Study) -> list[str]:

@@ -15,13 +15,13 @@ from matplotlib.patches import Patch
 from matplotlib.transforms import blended_transform_factory
 
 from forficula.quantities import reading_unit
+from forficula.reproduction import named_reproduction
 from forficula.show.study.factor_text import display_values, factor_label, number_text
 from forficula.show.study.map_page import look_of, map_style
 from forficula.show.study.maps import missing_reasons
 from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, SKY, VERMILION, describe, is_narrow
 from forficula.study.choice_groups import choice_groups, count_folded, count_opened, count_unknown
 from forficula.study.choices import CHOICE
-from forficula.study.tendon_search import PAPER_FOLDS
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -35,8 +35,6 @@ _INK = "0.35"
 _BEHIND_TEXT: dict[str, Any] = {"fc": "white", "ec": "none", "pad": 0.6}
 _NAME: dict[str, Any] = {"va": "center", "fontweight": "bold", "fontsize": 7, "bbox": _BEHIND_TEXT}
 _OPENED: dict[str, Any] = {"ls": "", "marker": "D", "ms": 3, "color": "white", "mec": BLACK, "mew": 0.8}
-# the study whose counts stand beside the paper's
-_PAPERS_CHOICES = "binder2025-choices"
 # verdicts on the wing; a wing that still moves has not folded in its time
 # of single wings, at most three of them
 _NUMBERS = {
@@ -137,8 +135,9 @@ def _draw_counts(axes: Axes, table: Dataset, rows: Sequence[_Row]) -> None:
     ]
     if opened is not None:
         handles.append(Line2D([], [], label="open again", **_OPENED))
-    if table.attrs["name"] == _PAPERS_CHOICES:
-        line = axes.axvline(PAPER_FOLDS, color=VERMILION, ls="--", lw=1, zorder=2, label=f"the paper: {PAPER_FOLDS}")
+    paper = named_reproduction(table.attrs.get("reproduces"))
+    if paper is not None and (count := paper.fold_count) is not None:
+        line = axes.axvline(count, color=VERMILION, ls="--", lw=1, zorder=2, label=f"the paper: {count}")
         handles.append(line)
     # room for the numbers behind full bars
     axes.set(xlim=(0, (1.12 if unknown else 1.06) * wings), xlabel=f"wings that fold, of {wings}")

@@ -1,4 +1,4 @@
-"""What a convergence study shows: the third distal angle over time, and the times over what was varied."""
+"""What a convergence study shows: a distal angle over time, and the times over what was varied."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from forficula.names import ordinal
 from forficula.show.run.time_figures import stacked_axes
 from forficula.show.study.convergence_table import order_text
 from forficula.show.style import (
@@ -37,9 +38,9 @@ _BEFORE, _AFTER = 0.15, 1.6
 
 
 def draw_convergence_angles(convergence: Convergence, width: float = PAGE_WIDTH) -> Figure:
-    """Draw the third distal angle over time for every value: the whole run, and folding and unfolding close up.
+    """Draw a distal angle over time for every value: the whole run, and folding and unfolding close up.
 
-    The figure of the paper's timestep study, 6C. Unfolding begins when the folded wing rests, which is later in some
+    As Binder et al. 2025 do in Figure 6C. Unfolding begins when the folded wing rests, which is later in some
     runs than in others: the close-ups count the time from their stage's start.
 
     Args:
@@ -54,6 +55,7 @@ def draw_convergence_angles(convergence: Convergence, width: float = PAGE_WIDTH)
         )
         if np.isfinite(times).any()
     ]
+    which = ordinal(convergence.hinge)
     with figure_style():
         narrow = is_narrow(width)
         figure = Figure(figsize=(width, 4.2 if narrow else 2.7), layout="constrained")
@@ -66,7 +68,7 @@ def draw_convergence_angles(convergence: Convergence, width: float = PAGE_WIDTH)
         whole.set_xlim(0, max(float(times[-1]) for times in convergence.times))
         whole.set_xlabel("time (s)")
         whole.set_title("whole run")
-        whole.set_ylabel("third distal angle (deg)")
+        whole.set_ylabel(f"{which} distal angle (deg)")
         whole.set_ylim(-200, max(25, 1.2 * math.degrees(convergence.design.hinge.overbend)))
         whole.set_yticks(np.arange(-180, 1, 45))
         for axes, (name, starts, times) in zip(close, spans, strict=True):
@@ -79,8 +81,8 @@ def draw_convergence_angles(convergence: Convergence, width: float = PAGE_WIDTH)
             figure.legend(*lines, loc="outside upper center", ncols=3)
         else:
             figure.legend(*lines, loc="outside right upper")
-        what = f"Third distal angle over time in {len(convergence.values)} runs of {convergence.design.name}"
-        return describe(figure, f"{what}. {_tell(convergence)}")
+        runs = f"in {len(convergence.values)} runs of {convergence.design.name}"
+        return describe(figure, f"{which.capitalize()} distal angle over time {runs}. {_tell(convergence)}")
 
 
 def draw_convergence_times(convergence: Convergence, width: float = PAGE_WIDTH) -> Figure:

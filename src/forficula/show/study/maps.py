@@ -116,7 +116,9 @@ def draw_status_map(table: Dataset, x: str | None = None, y: str | None = None, 
 def draw_fold_times(
     table: Dataset, panels: str | None = None, y: str | None = None, *, width: float = PAGE_WIDTH
 ) -> Figure:
-    """Draw the time that folding takes over the fold torque and a factor, for values of another (the paper's Figure 7).
+    """Draw the time that folding takes over the fold torque and a factor, for values of another.
+
+    As in Binder et al. 2025, Figure 7.
 
     Args:
         table: of a search for the least torques over a grid.

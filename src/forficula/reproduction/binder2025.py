@@ -1,18 +1,36 @@
-"""What Binder et al. 2025 say of their tendons, claim by claim, beside what a search finds."""
+"""Binder et al. 2025: what they say of their 60 tendons, claim by claim, beside what a search finds.
+
+The paper's lengths, masses and times are lost, so its counts, orderings and the shape of its maps are compared, never
+its times or energies.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from forficula.analysis import FOLDED, Ending, Verdict, ending_word
-from forficula.study.tendon_search import AS_MANY, FOLD_TORQUE, PAPER_FOLDS, PAPER_OPENS, Array, Mask, TendonSearch
+from forficula.errors import InputError
+from forficula.reproduction.claim import Claim
+from forficula.reproduction.reproduction import Reproduction
+from forficula.reproduction.tendon_search import AS_MANY, FACTORS, Array, Mask, TendonSearch, read_search
+from forficula.study import Study
 
-_TORQUE_STEP = 0.1  # of the paper's search, N m
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+# the paper's largest torques, and the step of its search, N m
+_FOLD_TORQUE, _UNFOLD_TORQUE, _TORQUE_STEP = 0.5, 1.0, 0.1
+# how many of the paper's 60 tendons fold with at most these, and how many of them open again
+_FOLDS, _OPENS = 32, 13
+# the paper's tendons, in N/m and m
+_STIFFNESSES = tuple(1e3 * each for each in range(1, 7))
+_REST_LENGTHS = tuple(1e-2 * each for each in range(10))
 # of the flat energy: what is less is no more than what has not yet come to rest
 _EQUAL = 1e-3
 # "much less", as the paper has it, is taken for less than half
@@ -26,32 +44,52 @@ _SAYS_NOTHING = [ending_word(Ending(verdict=verdict)) for verdict in Verdict if 
 _NONE_OPENS = "No tendon of the study folds and opens again."
 
 
-@dataclass(frozen=True, kw_only=True)
-class Comparison:
-    """One claim of the paper beside what a study finds.
+def check(study: Study) -> None:
+    """Refuse a study other than a search for both least torques over tendon stiffness and resting length.
 
-    Attributes:
-        claim: what is compared.
-        paper: what the paper reports.
-        ours: what the study's table says.
-        agrees: None where the table does not have what it takes to tell.
-        why: a sentence on the difference, empty where there is none or it is not known.
-        mark: where the paper's value comes from: "paper", or "derived" from what it says.
+    Raises:
+        InputError: the study asks for something else, or has other factors.
     """
-
-    claim: str
-    paper: str
-    ours: str
-    agrees: bool | None
-    why: str
-    mark: str
+    dims = ["sample"] if study.sampled else [factor.dimension for factor in study.factors]
+    _check(
+        dims, searched=study.search is not None, opens=study.search is not None and bool(study.search.unfold_torques)
+    )
 
 
-def claims(search: TendonSearch) -> list[Comparison]:
+def _check(dims: Iterable[str], *, searched: bool, opens: bool) -> None:
+    if set(dims) != set(FACTORS) or not searched:
+        given = ", ".join(sorted(dim.replace("_", ".", 1) for dim in dims))
+        raise InputError(
+            f"the paper searched for the least torques over tendon.stiffness and tendon.rest_length, got a study over"
+            f" {given or 'nothing'}"
+        )
+    if not opens:
+        raise InputError("the paper searched for the least torques that open, too, got a search without unfold torques")
+
+
+def claims(table: Dataset) -> list[Claim]:
     """All claims, in the paper's order: one tendon, folding, unfolding, energies and works.
 
     What the runs of some tendons do not say is not known of all of them.
+
+    Args:
+        table: of the search for the least torques over tendon stiffness and resting length.
+
+    Raises:
+        InputError: the table is of a study that asks for something else, or has other factors.
     """
+    _check(
+        [str(dim) for dim in table["outcome"].dims],
+        searched="least_fold_torque" in table,
+        opens="least_unfold_torque" in table,
+    )
+    search = read_search(
+        table,
+        stiffnesses=_STIFFNESSES,
+        rest_lengths=_REST_LENGTHS,
+        fold_torque=_FOLD_TORQUE,
+        unfold_torque=_UNFOLD_TORQUE,
+    )
     unknown = np.isin(search.values("outcome").astype(str), _SAYS_NOTHING)
     rows = [
         _tendon_energy(search, 60, 0, "more than 35 J", lambda energy: energy > 35),
@@ -78,15 +116,15 @@ def claims(search: TendonSearch) -> list[Comparison]:
 
 def _row(
     claim: str, paper: str, ours: str, agrees: bool | np.bool_ | None, why: str = "", mark: str = "paper"
-) -> Comparison:
+) -> Claim:
     """A row; the reason is kept where the two differ only."""
     verdict = None if agrees is None else bool(agrees)
-    return Comparison(claim=claim, paper=paper, ours=ours, agrees=verdict, why="" if verdict else why, mark=mark)
+    return Claim(claim=claim, paper=paper, ours=ours, agrees=verdict, why="" if verdict else why, mark=mark)
 
 
 def _tendon_energy(
     search: TendonSearch, stiffness: float, rest_length: float, paper: str, rule: Callable[[float], bool]
-) -> Comparison:
+) -> Claim:
     """The energy of one tendon when flat: the wing's by its number of tendons, which are alike."""
     claim = f"energy of one tendon when flat, k = {stiffness:g} N/cm, l0 = {rest_length:g} cm"
     place, veins = search.at(stiffness, rest_length), search.table.attrs.get("veins")
@@ -98,15 +136,15 @@ def _tendon_energy(
     return _row(claim, paper, f"{energy:.3g} J", rule(energy))
 
 
-def _count_that_fold(search: TendonSearch) -> Comparison:
+def _count_that_fold(search: TendonSearch) -> Claim:
     count = int(search.folds.sum())
-    ours, agrees, why = _count(search, count, PAPER_FOLDS, _GEOMETRY, "fold_outcome")
-    return _row("tendons that fold with at most 50 N cm", f"{PAPER_FOLDS} of 60", ours, agrees, why)
+    ours, agrees, why = _count(search, count, _FOLDS, _GEOMETRY, "fold_outcome")
+    return _row("tendons that fold with at most 50 N cm", f"{_FOLDS} of 60", ours, agrees, why)
 
 
-def _count_that_open(search: TendonSearch) -> Comparison:
-    ours, agrees, why = _count(search, int(search.opens.sum()), PAPER_OPENS, _LOST, "outcome")
-    return _row("those of them that open again with at most 100 N cm", f"{PAPER_OPENS} of 60", ours, agrees, why)
+def _count_that_open(search: TendonSearch) -> Claim:
+    ours, agrees, why = _count(search, int(search.opens.sum()), _OPENS, _LOST, "outcome")
+    return _row("those of them that open again with at most 100 N cm", f"{_OPENS} of 60", ours, agrees, why)
 
 
 def _count(search: TendonSearch, count: int, paper: int, why: str, outcome: str) -> tuple[str, bool | None, str]:
@@ -118,14 +156,14 @@ def _count(search: TendonSearch, count: int, paper: int, why: str, outcome: str)
     return (ours, count == paper, why) if search.whole else (ours, None, _OTHER_TENDONS)
 
 
-def _long_tendons(search: TendonSearch) -> Comparison:
+def _long_tendons(search: TendonSearch) -> Claim:
     claim, paper = "l0 = 9 cm with k <= 30 N/cm: those that fold", "none"
     places = [place for stiffness in (10, 20, 30) if (place := search.at(stiffness, 9)) is not None]
     if len(places) < 3:
         return _row(claim, paper, "not in the study", None, _ABSENT)
     folds = [place for place in places if search.folds[place]]
     ours = "; ".join(search.name(place) for place in folds) or "none"
-    # tests/study/test_comparison.py holds this reason against the model
+    # tests/reproduction/test_binder2025.py holds this reason against the model
     why = (
         "A tendon of 9 cm is slack beyond about 70 deg, and there inertia carries the hinges on; with ten times the"
         " hinge damping chosen here, the wing of 10 N/cm is still there after its second under 50 N cm."
@@ -133,7 +171,7 @@ def _long_tendons(search: TendonSearch) -> Comparison:
     return _row(claim, paper, ours, not folds, why)
 
 
-def _least_torque(search: TendonSearch) -> Comparison:
+def _least_torque(search: TendonSearch) -> Claim:
     claim, paper = "least folding torque of all", "20 N cm, at k = 10 N/cm"
     torque = np.where(search.folds, search.values("least_fold_torque"), np.inf)
     least = float(torque.min())
@@ -149,10 +187,10 @@ def _least_torque(search: TendonSearch) -> Comparison:
     return _row(claim, paper, f"{100 * least:.4g} N cm, at {search.names(there)}", agrees, _GEOMETRY)
 
 
-def _fastest(search: TendonSearch) -> Comparison:
+def _fastest(search: TendonSearch) -> Claim:
     claim, paper = "fastest folding", "k = 10 N/cm, l0 = 0 cm, 50 N cm"
     torques = np.asarray(search.table["fold_torque"].values, dtype=float)
-    times = np.where(torques <= FOLD_TORQUE * (1 + 1e-9), search.values("fold_time_by_torque"), np.nan)
+    times = np.where(torques <= _FOLD_TORQUE * (1 + 1e-9), search.values("fold_time_by_torque"), np.nan)
     if not np.isfinite(times).any():
         return _row(claim, paper, "none folds", False)
     fastest = np.argwhere(np.isclose(times, np.nanmin(times), rtol=1e-9))
@@ -160,12 +198,12 @@ def _fastest(search: TendonSearch) -> Comparison:
     if not search.covers:
         return _row(claim, paper, ours, None, _OTHER_TENDONS)
     agrees = any(
-        tuple(place[:2]) == search.at(10, 0) and np.isclose(torques[place[2]], FOLD_TORQUE) for place in fastest
+        tuple(place[:2]) == search.at(10, 0) and np.isclose(torques[place[2]], _FOLD_TORQUE) for place in fastest
     )
     return _row(claim, paper, ours, agrees)
 
 
-def _least_work(search: TendonSearch) -> Comparison:
+def _least_work(search: TendonSearch) -> Claim:
     claim, paper = "least work of folding", "k = 10 N/cm, l0 = 7 to 8 cm"
     work = np.where(search.folds, search.values("fold_work"), np.nan)
     if not np.isfinite(work).any():
@@ -184,7 +222,7 @@ def _least_work(search: TendonSearch) -> Comparison:
     return _row(claim, paper, ours, place in papers, why if same_torque else "")
 
 
-def _large_torque(search: TendonSearch) -> Comparison:
+def _large_torque(search: TendonSearch) -> Claim:
     claim, paper = "tendons that fold with 500 N cm", "all but one"
     outcome, large, tried, unknown = _folded_at_large_torque(search)
     failed = tried & (outcome != FOLDED)
@@ -199,7 +237,7 @@ def _large_torque(search: TendonSearch) -> Comparison:
     return _row(claim, paper, ours, failed.sum() == 1, why, mark="derived")
 
 
-def _outlier(search: TendonSearch) -> Comparison:
+def _outlier(search: TendonSearch) -> Claim:
     claim, paper = "tendons that fold with at most 50 N cm but stick with 500 N cm", "one"
     outcome, large, tried, unknown = _folded_at_large_torque(search)
     stuck = search.folds & tried & (outcome != FOLDED)
@@ -227,7 +265,7 @@ def _folded_at_large_torque(search: TendonSearch) -> tuple[NDArray[np.str_], boo
     return outcome, bool(np.isclose(torque, 5.0)), tried, unknown
 
 
-def _first_to_open(search: TendonSearch) -> Comparison:
+def _first_to_open(search: TendonSearch) -> Claim:
     """Of those that fold: whoever opens, so do all that are longer at its stiffness and all softer ones as long."""
     claim, paper = "those that open first", "long l0 and small k"
     if not search.opens.any():
@@ -248,7 +286,7 @@ def _holds_from_first(holds: Mask, counts: Mask) -> bool:
     return all(row[can][np.argmax(row[can]) :].all() for row, can in zip(holds, counts, strict=True) if row[can].any())
 
 
-def _flat_above_opened(search: TendonSearch) -> Comparison:
+def _flat_above_opened(search: TendonSearch) -> Claim:
     flat, opened = search.values("flat_energy"), search.values("opened_energy")
     found = np.isfinite(flat) & np.isfinite(opened)
     claim, paper = "tendons' energy, flat and opened", "E_flat > E_opened"
@@ -262,17 +300,17 @@ def _flat_above_opened(search: TendonSearch) -> Comparison:
     return _row(claim, paper, ours, higher == count, why)
 
 
-def _opened_above_folded(search: TendonSearch) -> Comparison:
+def _opened_above_folded(search: TendonSearch) -> Claim:
     opened, folded = search.values("opened_energy"), search.values("folded_energy")
     return _ordering("tendons' energy, opened and folded", "E_opened > E_folded", opened, folded)
 
 
-def _unfold_work(search: TendonSearch) -> Comparison:
+def _unfold_work(search: TendonSearch) -> Claim:
     work, opened = search.values("unfold_work"), search.values("opened_energy")
     return _ordering("work of unfolding and tendons' energy when opened", "W_unfold > E_opened", work, opened)
 
 
-def _ordering(claim: str, paper: str, larger: Array, smaller: Array) -> Comparison:
+def _ordering(claim: str, paper: str, larger: Array, smaller: Array) -> Claim:
     """Whether one is larger wherever both are known."""
     found = np.isfinite(larger) & np.isfinite(smaller)
     if not found.any():
@@ -281,7 +319,7 @@ def _ordering(claim: str, paper: str, larger: Array, smaller: Array) -> Comparis
     return _row(claim, paper, f"{paper} in {holds} of {count}", holds == count)
 
 
-def _residual_energy(search: TendonSearch) -> Comparison:
+def _residual_energy(search: TendonSearch) -> Claim:
     claim, paper = "tendons' energy left when folded", "some, where l0 is short"
     flat, folded = search.values("flat_energy"), search.values("folded_energy")
     found = np.isfinite(flat) & np.isfinite(folded)
@@ -293,7 +331,7 @@ def _residual_energy(search: TendonSearch) -> Comparison:
     return _row(claim, paper, ours, left.any() and _holds_from_first(left[:, ::-1], found[:, ::-1]))
 
 
-def _works(search: TendonSearch) -> Comparison:
+def _works(search: TendonSearch) -> Claim:
     claim, paper = "work of folding and of unfolding", "W_fold << W_unfold"
     fold, unfold = search.values("fold_work"), search.values("unfold_work")
     found = np.isfinite(fold) & np.isfinite(unfold)
@@ -302,3 +340,17 @@ def _works(search: TendonSearch) -> Comparison:
     share = fold[found] / unfold[found]
     ours = f"W_fold is {share.min():.2g} to {share.max():.2g} of W_unfold in {int(found.sum())}"
     return _row(claim, paper, ours, share.max() < _MUCH_LESS)
+
+
+BINDER2025 = Reproduction(
+    name="binder2025",
+    short="Binder et al. 2025",
+    authors="Binder, Costi, Izzo, Seidl",
+    published="Biomimetics 11(1):9, 2025, doi 10.3390/biomimetics11010009",
+    # Figures 5 and 6C
+    tendon=1,
+    hinge=2,
+    fold_count=_FOLDS,
+    check=check,
+    claims=claims,
+)

@@ -1,4 +1,4 @@
-"""Where each of many wings is in its protocol: what drives it, and when its stage ends."""
+"""Where each of many structures is in its protocol: what drives it, and when its stage ends."""
 
 from __future__ import annotations
 
@@ -7,9 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.design import Stage
-from forficula.dynamics.model import WingModel
+from forficula.design import Stage, stage_drives
+from forficula.dynamics.model import Model
 from forficula.dynamics.record import StageEnd
+from forficula.structure import Goal, drive_of, goal_of
 
 Array = NDArray[np.float64]
 Steps = NDArray[np.int64]
@@ -18,95 +19,101 @@ Steps = NDArray[np.int64]
 _RELAXED = 3
 # steps, more than any run takes
 NEVER = 10**15
-_GOALS = ("time", "rest", "folded", "opened")
 _AT_ONCE = 1e-9  # steps
 _FAR = np.radians(10.0)  # beyond a stop
 
 
-class Fleet:
-    """Wings of one topology on their ways through their protocols.
+class StageTracker:
+    """Structures of one topology on their ways through their protocols.
 
     Attributes:
-        ended: whether each wing is done, (wing,).
-        steps: that each wing has taken, (wing,).
-        stage: number of the stage that each wing is in, (wing,).
-        stage_start: step at which it began, (wing,).
-        ends: the stages that each wing has been through.
-        diverged_at: when each wing diverged, s, or None.
+        ended: whether each structure is done, (structure,).
+        steps: that each structure has taken, (structure,).
+        stage: number of the stage that each structure is in, (structure,).
+        stage_start: step at which it began, (structure,).
+        ends: the stages that each structure has been through.
+        diverged_at: when each structure diverged, s, or None.
     """
 
-    def __init__(self, wings: Sequence[WingModel]) -> None:
-        self._wings = wings
-        self._timestep = np.array([float(wing.design.protocol.timestep) for wing in wings])
-        self._senses = np.array([wing.senses for wing in wings])
-        self._folds = wings[0].joints[:, 3]
-        protocols = [wing.design.protocol for wing in wings]
-        self._folded_angle = np.array([protocol.folded_angle for protocol in protocols])
-        self._opened_angle = np.array([protocol.opened_angle for protocol in protocols])
+    def __init__(self, models: Sequence[Model]) -> None:
+        self._models = models
+        self._timestep = np.array([float(model.design.protocol.timestep) for model in models])
+        self._senses = np.array([model.senses for model in models])
+        self._distances = models[0].distances
+        protocols = [model.design.protocol for model in models]
         self._least_hold = np.array([protocol.least_hold for protocol in protocols])
-        self._lowest, self._highest = (np.array(each) for each in zip(*map(_far_beyond, wings), strict=True))
-        self._rest_speed = np.array([wing.in_units.protocol.rest_speed for wing in wings])
+        self._lowest, self._highest = (np.array(each) for each in zip(*map(_far_beyond, models), strict=True))
+        # speeds by unit of time
+        self._rest_speed = np.array([model.design.protocol.rest_speed / (1 / model.units.time) for model in models])
         self._last = np.array([len(protocol.stages) for protocol in protocols]) - 1
-        # every row as long as the longest and one more, where a wing is when it has ended
+        # every row as long as the longest and one more, where a structure is when it has ended
         length = int(self._last.max()) + 2
         stages = [
             [*protocol.stages, *[protocol.stages[-1]] * (length - len(protocol.stages))] for protocol in protocols
         ]
-        self._goal = np.array([[_GOALS.index(stage.until) for stage in row] for row in stages])
+        goals = [[stage_goal(model, stage) for stage in row] for model, row in zip(models, stages, strict=True)]
+        least, most = (np.array([[getattr(goal, end) for goal in row] for row in goals]) for end in ("least", "most"))
+        # only what some goal bounds is looked at
+        self._watched = np.flatnonzero(np.isfinite(least).any(axis=(0, 1)) | np.isfinite(most).any(axis=(0, 1)))
+        self._least, self._most = least[:, :, self._watched], most[:, :, self._watched]
+        self._ends_at_rest = np.array([[goal.kind == "rest" for goal in row] for row in goals])
+        self._has_bounds = np.array([[goal.kind == "bounds" for goal in row] for row in goals])
         self._hold = self._in_steps([[stage.hold for stage in row] for row in stages])
         self._limit = self._in_steps([[stage.time_limit for stage in row] for row in stages])
-        self._window = self._in_steps([[_longest_rest(wing)] for wing in wings])[:, 0]
-        self._is_state = np.array([[stage.until in ("folded", "opened") for stage in row] for row in stages])
-        self._may_stick = np.array(
-            [[stage.drive != "none" and stage.until in ("folded", "opened") for stage in row] for row in stages]
-        )
-        self._torques = np.array(
-            [[stage_torques(wing, stage) for stage in row] for wing, row in zip(wings, stages, strict=True)]
-        )
-        self._rise = np.array([protocol.rise for protocol in protocols]) / self._timestep
-        self._motors = np.array([_motors(wing) for wing in wings])
-        count = len(wings)
+        self._window = self._in_steps([[_longest_rest(model)] for model in models])[:, 0]
+        driven = np.array([[bool(stage_drives(stage)) for stage in row] for row in stages])
+        self._may_stick = driven & self._has_bounds
+        efforts = [[stage_torques(model, stage) for stage in row] for model, row in zip(models, stages, strict=True)]
+        self._torques = np.array([[torques for torques, _ in row] for row in efforts])
+        self._rise = np.array([[rise for _, rise in row] for row in efforts]) / self._timestep[:, None]
+        self._followed = models[0].motors
+        count = len(models)
         self.ended = np.zeros(count, dtype=bool)
         self.steps: Steps = np.zeros(count, dtype=np.int64)
         self.stage: Steps = np.zeros(count, dtype=np.int64)
         self.stage_start: Steps = np.zeros(count, dtype=np.int64)
-        self.ends: list[list[StageEnd]] = [[] for _ in wings]
+        self.ends: list[list[StageEnd]] = [[] for _ in models]
         self.diverged_at: list[float | None] = [None] * count
-        # the step since which the stage's goal has held and the wing has rested, or -1
+        # the step since which the stage's goal has held and it has rested, or -1
         self._goal_since: Steps = np.full(count, -1, dtype=np.int64)
         self._rest_since: Steps = np.full(count, -1, dtype=np.int64)
-        # whether the wing missed a goal or blew up, so that the rest of its protocol makes no sense
+        # whether it missed a goal or blew up, so that the rest of its protocol makes no sense
         self._stopped = np.zeros(count, dtype=bool)
 
     def torques(self, rows: Steps, count: int) -> Array:
-        """Torques in the next steps of these wings, (row, step, 2), in their models' units.
+        """Torques of the motors in the next steps of these structures, (row, step, motor), in their models' units.
 
-        On every proximal turn axis and on every distal hinge, in the veins' own senses; each that of the step's middle.
+        In the hinges' own senses; each that of the step's middle.
         """
         passed = (self.steps - self.stage_start)[rows, None] + np.arange(count) + 0.5
-        share = np.minimum(passed / np.maximum(self._rise[rows, None], _AT_ONCE), 1.0)
+        share = np.minimum(passed / np.maximum(self._rise[rows, self.stage[rows]][:, None], _AT_ONCE), 1.0)
         return np.asarray(share[:, :, None] * self._torques[rows, self.stage[rows]][:, None])
 
     def last_torques(self, row: int) -> Array:
-        """Torques at the end of the last stage that a wing was in, (2,), as of `torques`."""
+        """Torques at the end of the last stage that a structure was in, (motor,), as of `torques`."""
         end = self.ends[row][-1]
-        rise = self._wings[row].design.protocol.rise
+        torques, rise = stage_torques(self._models[row], end.stage)
         share = min((end.end - end.start) / rise, 1.0) if rise else 1.0
-        return share * np.array(stage_torques(self._wings[row], end.stage))
+        return share * np.array(torques)
 
-    def controls(self, rows: Steps, torques: Array) -> Array:
-        """What the motors of these wings are told in each step for these torques, (row, step, motor)."""
-        return np.asarray(torques @ self._motors[rows])
+    def controls(self, torques: Array) -> Array:
+        """What the engine's controls are in each step for these torques, (row, step, control)."""
+        none = np.zeros((*torques.shape[:2], 1))
+        # a control that follows no motor has index -1 and reads the 0 at the end
+        return np.concatenate([torques, none], axis=2)[:, :, self._followed]
 
-    def follow(self, rows: Steps, before: Array, time: Array, position: Array, velocity: Array) -> Steps:
-        """Take note of some steps of these wings, up to the end of the stage of each.
+    def follow(
+        self, rows: Steps, before: Array, time: Array, position: Array, velocity: Array, lengths: Array
+    ) -> Steps:
+        """Take note of some steps of these structures, up to the end of the stage of each.
 
         Args:
-            rows: which wings.
+            rows: which structures.
             before: time before the first step, (row,).
             time: after each step, (row, step).
             position: likewise, (row, step, dof).
             velocity: likewise, (row, step, dof).
+            lengths: of the engine's tendons, before each step, (row, step, tendon).
 
         Returns:
             How many of the steps count, (row,); the others belong to another stage, with other torques.
@@ -118,14 +125,14 @@ class Fleet:
         stage = self.stage[rows]
         number = self.steps[rows, None] + np.arange(1, count + 1)
         resting = np.all(np.abs(velocity) <= self._rest_speed[rows, None, None], axis=2)
-        reached = self._reached(rows, position, resting)
+        reached = self._reached(rows, position, lengths, resting)
         goal_since = _since(reached, number, self._goal_since[rows])
         rest_since = _since(resting, number, self._rest_since[rows])
         # what is met for an instant only may be a bounce
-        taken_to_goal = (goal_since - self.stage_start[rows, None]) * self._is_state[rows, stage][:, None]
+        taken_to_goal = (goal_since - self.stage_start[rows, None]) * self._has_bounds[rows, stage][:, None]
         hold = np.maximum(self._hold[rows, stage][:, None], self._least_hold[rows, None] * taken_to_goal)
         held = reached & (number - goal_since >= hold)
-        # a wing that rests short of its goal, torques and all, stays there
+        # a structure that rests short of its goal, torques and all, stays there
         short = ~reached & self._may_stick[rows, stage][:, None]
         stuck = resting & short & (number - rest_since >= self._window[rows, None])
         over = held | stuck | (number - self.stage_start[rows, None] >= self._limit[rows, stage][:, None])
@@ -148,7 +155,7 @@ class Fleet:
         return np.asarray(taken)
 
     def follow_leader(self, row: int, leader: int) -> None:
-        """Put a wing where another one is, which has gone the same way so far."""
+        """Put a structure where another one is, which has gone the same way so far."""
         for values in (self.steps, self.stage, self.stage_start, self._goal_since, self._rest_since, self._stopped):
             values[row] = values[leader]
         self.ends[row] = list(self.ends[leader])
@@ -156,8 +163,8 @@ class Fleet:
         self.ended[row] = self._stopped[row] or self.stage[row] > self._last[row]
 
     def progress(self, row: int) -> tuple[str, float, float]:
-        """Name of a wing's stage, the time so far and the longest its protocol can take, s."""
-        stages = self._wings[row].design.protocol.stages[self.stage[row] :]
+        """Name of a structure's stage, the time so far and the longest its protocol can take, s."""
+        stages = self._models[row].design.protocol.stages[self.stage[row] :]
         start = float(self.stage_start[row] * self._timestep[row])
         passed = float(self.steps[row] * self._timestep[row])
         return stages[0].name, passed, start + sum(stage.time_limit for stage in stages)
@@ -167,18 +174,23 @@ class Fleet:
         longest = NEVER * self._timestep[:, None]
         return np.asarray(np.rint(np.minimum(times, longest) / self._timestep[:, None]), dtype=np.int64)
 
-    def _reached(self, rows: Steps, position: Array, resting: NDArray[np.bool_]) -> NDArray[np.bool_]:
-        """Whether the goal of each wing's stage holds after each step, (row, step)."""
-        distal = self._senses[rows, None] * position[:, :, self._folds]
-        goal = self._goal[rows, self.stage[rows]][:, None]
-        folded = np.all(distal <= -self._folded_angle[rows, None, None], axis=2)
-        opened = np.all(distal >= self._opened_angle[rows, None, None], axis=2)
-        return np.select(
-            [goal == _GOALS.index(name) for name in ("rest", "folded", "opened")], [resting, folded, opened], False
-        )
+    def _reached(self, rows: Steps, position: Array, lengths: Array, resting: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """Whether the goal of each structure's stage holds after each step, (row, step)."""
+        stage, hinges = self.stage[rows], position.shape[2]
+        angles = self._watched[self._watched < hinges]
+        watched = self._senses[rows][:, None, angles] * position[:, :, angles]
+        if len(angles) < len(self._watched):
+            # lengths are those before the step: a distance counts one step late
+            apart = lengths[:, :, self._distances[self._watched[len(angles) :] - hinges]]
+            watched = np.concatenate([watched, apart], axis=2)
+        least, most = self._least[rows, stage][:, None], self._most[rows, stage][:, None]
+        within = np.all((watched >= least) & (watched <= most), axis=2)
+        bounded, at_rest = (each[rows, stage][:, None] for each in (self._has_bounds, self._ends_at_rest))
+        return np.where(bounded, within, at_rest & resting)
 
     def _end_stage(self, row: int, goal_step: int | None, *, at_rest: bool, at_goal: bool) -> None:
-        stage = self._wings[row].design.protocol.stages[self.stage[row]]
+        stage = self._models[row].design.protocol.stages[self.stage[row]]
+        goes_on = not self._has_bounds[row, self.stage[row]]
         timestep = float(self._timestep[row])
         self.ends[row].append(
             StageEnd(
@@ -190,48 +202,42 @@ class Fleet:
                 at_goal=at_goal,
             )
         )
-        self._stopped[row] = goal_step is None and stage.until in ("folded", "opened")
+        self._stopped[row] = goal_step is None and not goes_on
         self.ended[row] = self._stopped[row] or self.stage[row] == self._last[row]
         self.stage[row] += 1
         self.stage_start[row] = self.steps[row]
         self._goal_since[row] = self._rest_since[row] = -1
 
 
-def _longest_rest(wing: WingModel) -> float:
-    """How long a wing may rest short of its goal before it is stuck, s: until its branches have relaxed, too."""
-    law = wing.design.tendon.law
-    times = [branch.time for branch in law.branches] if law else []
-    return max(wing.design.protocol.window, _RELAXED * max(times, default=0.0))
+def _longest_rest(model: Model) -> float:
+    """How long a structure may rest short of its goal before it is stuck, s: until its branches have relaxed, too."""
+    times = [branch.time for tendon in model.structure.tendons for branch in tendon.law.branches]
+    return max(model.design.protocol.window, _RELAXED * max(times, default=0.0))
 
 
-def _far_beyond(wing: WingModel) -> tuple[Array, Array]:
-    """Positions far beyond the stops of a wing's hinges, (dof,) each, which no sound run comes to."""
-    limited = np.array(wing.engine.jnt_limited, dtype=bool)
-    low, high = np.where(limited[:, None], wing.engine.jnt_range, (-np.inf, np.inf)).T
+def _far_beyond(model: Model) -> tuple[Array, Array]:
+    """Positions far beyond the stops of hinges, (dof,) each, which no sound run comes to."""
+    limited = np.array(model.engine.jnt_limited, dtype=bool)
+    low, high = np.where(limited[:, None], model.engine.jnt_range, (-np.inf, np.inf)).T
     return low - _FAR, high + _FAR
 
 
 def _first(holds: NDArray[np.bool_], count: int) -> Steps:
-    """By wing, the first step at which something holds; so many where it does at none."""
+    """By structure, the first step at which something holds; so many where it does at none."""
     return np.where(holds.any(axis=1), holds.argmax(axis=1), count)
 
 
-def _motors(wing: WingModel) -> Array:
-    """Which motors follow the torque on proximal axes and which that on distal ones, as 0 and 1, (2, motor)."""
-    follows = np.zeros((2, wing.engine.nu))
-    for torque, motors in zip(follows, wing.motors.T, strict=True):
-        torque[motors[motors >= 0]] = 1.0
-    return follows
+def stage_torques(model: Model, stage: Stage) -> tuple[tuple[float, ...], float]:
+    """Torques of a stage's drives on every motor, in own senses and the model's units, and their rise, s."""
+    names = stage_drives(stage)
+    drives = [drive_of(model.in_units, name) for name in names]
+    torques = tuple(sum((drive.torques[motor] for drive in drives), 0.0) for motor in range(len(model.in_units.motors)))
+    return torques, max((drive_of(model.structure, name).rise for name in names), default=0.0)
 
 
-def stage_torques(wing: WingModel, stage: Stage) -> tuple[float, float]:
-    """Torque of a stage on proximal and on distal axes, in the veins' own senses and the model's units."""
-    protocol = wing.in_units.protocol
-    return {
-        "none": (0.0, 0.0),
-        "fold": (protocol.fold_torque, 0.0),
-        "unfold": (-protocol.unfold_torque, protocol.unfold_torque),
-    }[stage.drive]
+def stage_goal(model: Model, stage: Stage) -> Goal:
+    """The goal of a stage, in the model's units."""
+    return goal_of(model.in_units, stage.until)
 
 
 def _since(holds: NDArray[np.bool_], number: Steps, carried: Steps) -> Steps:
@@ -248,7 +254,7 @@ def _since(holds: NDArray[np.bool_], number: Steps, carried: Steps) -> Steps:
 
 
 def _sound_steps(before: Array, time: Array, position: Array, velocity: Array) -> Steps:
-    """How many steps each wing took before its numbers blew up, (row,); the engine then stops its clock.
+    """How many steps each structure took before its numbers blew up, (row,); the engine then stops its clock.
 
     Args:
         before: time before the first step, (row,).

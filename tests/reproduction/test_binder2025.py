@@ -3,6 +3,7 @@
 import json
 import math
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,8 +11,10 @@ import xarray as xr
 
 import forficula as ff
 from forficula.errors import InputError
-from forficula.study.comparison import compare_with_paper, comparison_json, comparison_markdown
+from forficula.reproduction import Comparison, check_reproduction, compare, named_reproduction
+from forficula.reproduction.comparison import comparison_json, comparison_markdown
 
+PAPER = named_reproduction("binder2025")
 STIFFNESS = 1000.0 * np.arange(1, 7)  # N/m
 REST_LENGTH = 0.01 * np.arange(10)  # m
 TORQUE = 0.1 * np.arange(1, 6)  # N m
@@ -91,19 +94,19 @@ def test_what_is_not_to_be_trusted_counts_neither_as_folding_nor_as_sticking(tab
 
 
 def row(table, words):
-    (found,) = (row for row in compare_with_paper(table) if re.search(words, row.claim))
+    (found,) = (row for row in PAPER.claims(table) if re.search(words, row.claim))
     return found
 
 
 def test_a_table_with_the_papers_numbers_agrees_in_every_row(table):
-    rows = compare_with_paper(table)
+    rows = PAPER.claims(table)
     assert {row.claim: row.agrees for row in rows} == {row.claim: True for row in rows}
     assert {row.why for row in rows} == {""}
 
 
 def test_the_papers_orders_of_dimensions_do_not_matter(table):
-    assert compare_with_paper(table.transpose("fold_torque", "tendon_rest_length", "tendon_stiffness")) == (
-        compare_with_paper(table)
+    assert PAPER.claims(table.transpose("fold_torque", "tendon_rest_length", "tendon_stiffness")) == (
+        PAPER.claims(table)
     )
 
 
@@ -192,7 +195,7 @@ def test_equal_works_of_equal_torques_are_explained_and_others_are_not(table):
 
 
 def test_other_tendons_than_the_papers_leave_counts_and_extremes_open(table):
-    rows = {row.claim: row for row in compare_with_paper(table.isel(tendon_rest_length=slice(3, 9)))}
+    rows = {row.claim: row for row in PAPER.claims(table.isel(tendon_rest_length=slice(3, 9)))}
     open_claims = {claim for claim, row in rows.items() if row.agrees is None}
     assert len(open_claims) == 10
     assert all(rows[claim].why for claim in open_claims)
@@ -217,7 +220,7 @@ def test_a_study_in_which_nothing_folds_is_compared_too(table):
             table[name] = table[name] * math.nan
     for name in ("outcome", "fold_outcome"):
         table[name] = table[name].copy(data=np.full((6, 10), "did not fold", dtype=object))
-    rows = compare_with_paper(table)
+    rows = PAPER.claims(table)
     assert row(table, "fold with at most 50 N cm$").ours == "0 of 60"
     assert [row.claim for row in rows if row.agrees] == [
         "energy of one tendon when flat, k = 60 N/cm, l0 = 0 cm",
@@ -230,25 +233,58 @@ def test_a_study_in_which_nothing_folds_is_compared_too(table):
 
 def test_a_study_over_other_factors_is_refused_by_name(table):
     with pytest.raises(InputError, match=r"tendon\.stiffness and tendon\.rest_length, got a study over hub\.radius"):
-        compare_with_paper(table.isel(tendon_stiffness=0).rename(tendon_rest_length="hub_radius"))
+        PAPER.claims(table.isel(tendon_stiffness=0).rename(tendon_rest_length="hub_radius"))
     with pytest.raises(InputError, match="least torques"):
-        compare_with_paper(table.drop_vars("least_fold_torque"))
+        PAPER.claims(table.drop_vars("least_fold_torque"))
     with pytest.raises(InputError, match="got a search without unfold torques"):
-        compare_with_paper(table.drop_vars("least_unfold_torque"))
+        PAPER.claims(table.drop_vars("least_unfold_torque"))
 
 
 def test_markdown_and_json_hold_every_row(table):
     table["least_fold_torque"][1, 2] = np.nan
-    rows = compare_with_paper(table)
-    text = comparison_markdown(rows)
+    rows = PAPER.claims(table)
+    compared = Comparison(paper=PAPER, claims=tuple(rows))
+    text = comparison_markdown(compared)
     told = [line for line in text.splitlines() if line.startswith("| ")][1:]
     assert len(told) == len(rows)
     assert all(line.count("|") == 6 for line in told)
     assert "15 of 16 claims agree" in text
     assert "all but one [derived]" in text
-    plain = json.loads(json.dumps(comparison_json(rows)))
+    plain = json.loads(json.dumps(comparison_json(compared)))
     assert [entry["claim"] for entry in plain] == [row.claim for row in rows]
     assert {entry["mark"] for entry in plain} == {"paper", "derived"}
+
+
+def test_the_named_search_is_compared_and_the_choices_are_not(table):
+    search, choices = (ff.load_study(f"binder2025-{what}") for what in ("search", "choices"))
+    for study in (search, choices):
+        check_reproduction(study)
+    assert compare(search, table) == Comparison(paper=PAPER, claims=tuple(PAPER.claims(table)))
+    assert compare(choices, table) is None
+    # by the key, not by the name
+    assert compare(replace(search, reproduces=None), table) is None
+    assert compare(replace(search, name="mine"), table) is not None
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"search": None}, "searched for the least torques over"),
+        ({"factors": 1}, r"got a study over tendon\.stiffness$"),
+        ({"sampled": True}, "got a study over sample"),
+        ({"unfold_torques": ()}, "got a search without unfold torques"),
+        ({"reproduces": "bender2025"}, 'reproduces: need one of binder2025, got "bender2025"'),
+    ],
+)
+def test_a_study_that_cannot_be_set_beside_the_paper_is_refused_before_it_runs(changes, message):
+    study = ff.load_study("binder2025-search")
+    if "factors" in changes:
+        changes = {"factors": study.factors[:1]}
+    if "unfold_torques" in changes:
+        changes = {"search": replace(study.search, **changes)}
+    with pytest.raises(InputError, match=message):
+        check_reproduction(replace(study, **changes))
+    check_reproduction(replace(study, reproduces=None, **({} if "reproduces" in changes else changes)))
 
 
 @pytest.mark.parametrize("torque", ["20 N cm", "50 N cm"])

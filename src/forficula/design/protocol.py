@@ -1,0 +1,143 @@
+"""Protocol: what is done to a structure, stage by stage, and what counts as done."""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Annotated, Literal
+
+from pydantic import Field, field_validator
+
+from forficula.design.part import ACCELERATION, ANGULAR_SPEED, SHORT_TIME, TIME, Part, quantity
+from forficula.errors import InputError
+from forficula.names import shown_name
+from forficula.quantities import Unit, as_written, parse_quantity
+
+_WRITTEN = re.compile(r"\s*(?P<name>.+?)\s*(?P<relation>[<>])=?\s*(?P<value>[^<>=]+?)\s*")
+
+
+class Stage(Part):
+    """A part of the protocol: what drives the structure, and when it ends."""
+
+    name: Annotated[str, Field(min_length=1, description="what figures and tables call it")]
+    drive: Annotated[str | tuple[str, ...], Field(description="what acts: a drive by name, a list of them, or none")]
+    until: Annotated[
+        str, Field(description='goal that ends it: time, rest, one by name, or a bound such as "ring < -150 deg"')
+    ]
+    state: Annotated[str | None, Field(description="what to call the state at its end", examples=["folded"])] = None
+    hold: float = quantity(TIME, "how long the goal must hold before the stage ends", at_least=0)
+    time_limit: float = quantity(TIME, "longest duration", above=0)
+
+    @field_validator("name")
+    @classmethod
+    def _on_one_line(cls, name: str) -> str:
+        return shown_name(name)
+
+
+class Protocol(Part):
+    """What is done to a structure, and what counts as done."""
+
+    timestep: float | Literal["auto"] = quantity(
+        SHORT_TIME,
+        'step of the integrator, or "auto": halved until verdict and times stay, and the energy balance closes',
+        above=0,
+        words=("auto",),
+    )
+    sample_interval: float = quantity(SHORT_TIME, "time between two rows of the record", above=0)
+    rise: float = quantity(TIME, "time over which torques rise evenly from 0; 0: at once", default=0.0, at_least=0)
+    rest_speed: float = quantity(ANGULAR_SPEED, "at rest means that every hinge is slower", above=0)
+    window: float = quantity(
+        TIME,
+        "over which a state is averaged; what rests so long short of its goal, and three times as long as its"
+        " tendons' Maxwell branches take to relax, is stuck",
+        above=0,
+    )
+    least_hold: Annotated[
+        float,
+        Field(
+            strict=True,
+            ge=0,
+            description="how long folded or opened must hold at least, by the time that it took; less is a bounce",
+        ),
+    ] = 0.25
+    residual_limit: Annotated[
+        float,
+        Field(
+            strict=True,
+            gt=0,
+            le=1,
+            description="largest share of the energy that was exchanged that may be missing in a run to be trusted",
+        ),
+    ] = 0.005
+    gravity: float = quantity(ACCELERATION, "gravity across the wing, downwards where it lies flat; 0 switches it off")
+    contact: Annotated[bool, Field(strict=True, description="whether bars touch each other")]
+    stages: Annotated[tuple[Stage, ...], Field(min_length=1, description="what happens, in order")]
+
+
+@dataclass(frozen=True, kw_only=True)
+class GoalText:
+    """A bound as it is written.
+
+    Attributes:
+        name: of a measure or of the role of hinges.
+        relation: "<" or ">".
+        value: a quantity with its unit.
+    """
+
+    name: str
+    relation: str
+    value: str
+
+
+def read_goal(text: str) -> GoalText | None:
+    """Take a written bound apart; None where it is none."""
+    found = _WRITTEN.fullmatch(text)
+    return None if found is None else GoalText(**found.groupdict())
+
+
+def stage_drives(stage: Stage) -> tuple[str, ...]:
+    """Names of the drives of a stage."""
+    names = (stage.drive,) if isinstance(stage.drive, str) else stage.drive
+    return tuple(name for name in names if name != "none")
+
+
+def check_stages(protocol: Protocol, drives: Sequence[str], goals: Sequence[str], measures: dict[str, Unit]) -> None:
+    """Refuse stages that name no drive or no goal.
+
+    Args:
+        protocol: with the stages.
+        drives: names that a stage may give, but for "none".
+        goals: names that it may give, but for "time" and "rest".
+        measures: what it may bound, and in which unit.
+
+    Raises:
+        InputError: a name that is not known, or a bound that cannot be read.
+    """
+    for number, stage in enumerate(protocol.stages):
+        for name in stage_drives(stage):
+            if name not in drives:
+                raise InputError(f"protocol.stages.{number}.drive: need {_one_of(['none', *drives], name)}")
+        if stage.until in ("time", "rest", *goals):
+            continue
+        key, written = f"protocol.stages.{number}.until", read_goal(stage.until)
+        if written is None:
+            example = f"{next(iter(measures))} < -150 deg"
+            rule = f"{_one_of(['time', 'rest', *goals], stage.until)}"
+            raise InputError(f'{key}: need {rule}, or a bound such as "{example}"')
+        if written.name not in measures:
+            raise InputError(f"{key}: need a bound on {_one_of(measures, written.name)}")
+        try:
+            parse_quantity(written.value, measures[written.name])
+        except InputError as error:
+            raise InputError(f"{key}: {error}") from None
+
+
+def _one_of(names: Sequence[str] | dict[str, Unit], got: str) -> str:
+    names = list(names)
+    quoted = [f'"{name}"' for name in names]
+    listed = f"{', '.join(quoted[:-1])} or {quoted[-1]}" if len(quoted) > 1 else quoted[0]
+    near = difflib.get_close_matches(got, names, n=1)
+    meant = f'; did you mean "{near[0]}"?' if near else ""
+    return f"{listed}, got {as_written(got)}{meant}"

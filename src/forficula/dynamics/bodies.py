@@ -1,0 +1,94 @@
+"""Bodies in the engine: bars and plates, their hinges and motors, and the points that they carry."""
+
+from __future__ import annotations
+
+import math
+
+import mujoco
+import numpy as np
+
+from forficula.structure import GROUND, Bar, Hinge, Structure
+
+# bits by which MuJoCo selects who touches whom
+_OVERLAPPING, _OTHERS = 1, 2
+# MuJoCo hardens a contact over 0.001 of its length unit, which would be another share of every wing; the other numbers
+# are its defaults.
+_SOFT_SHARE = 0.02
+
+
+def add_bodies(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> None:
+    """Add the bodies of a structure in a model's units, with hinges and motors.
+
+    Args:
+        spec: what they are added to.
+        structure: in the model's units.
+        timestep: alike.
+    """
+    bodies: list[mujoco.MjsBody] = []
+    for body in structure.bodies:
+        frame = np.zeros(4)
+        mujoco.mju_mat2Quat(frame, body.frame.ravel())
+        parent = spec.worldbody if body.parent == GROUND else bodies[body.parent]
+        bodies.append(parent.add_body(name=body.name, pos=body.position, quat=frame))
+    for bar in structure.bars:
+        _add_bar(bodies[bar.body], bar, structure, timestep)
+    for number in engine_sites(structure):
+        point = structure.points[number]
+        body = spec.worldbody if point.body == GROUND else bodies[point.body]
+        body.add_site(name=point.name, pos=point.place)
+    driven = {number for motor in structure.motors for number in motor.hinges}
+    for number, hinge in enumerate(structure.hinges):
+        _add_hinge(bodies[hinge.body], hinge, timestep)
+        if number in driven:
+            _add_motor(spec, hinge)
+
+
+def engine_sites(structure: Structure) -> list[int]:
+    """Numbers of the points that the engine must place: those off the origins of their bodies, and ends of tendons."""
+    pairs = [*(tendon.points for tendon in structure.tendons), *(limit.points for limit in structure.limits)]
+    pairs += [measure.points for measure in structure.measures if measure.points is not None]
+    ends = {number for pair in pairs for number in pair}
+    return [number for number, point in enumerate(structure.points) if point.place.any() or number in ends]
+
+
+def stop_reference(timestep: float) -> list[float]:
+    """Time constant and damping ratio of joint limits: as stiff as the timestep allows without rebound."""
+    return [2 * timestep, 1.0]
+
+
+def _add_bar(body: mujoco.MjsBody, bar: Bar, structure: Structure, timestep: float) -> None:
+    """Add a cylinder for the mass and, where bars touch, a capsule without mass, whose contacts are closed forms."""
+    place = {"size": [bar.diameter / 2, 0, 0], "fromto": [0, 0, 0, *bar.end]}
+    body.add_geom(type=mujoco.mjtGeom.mjGEOM_CYLINDER, density=bar.density, contype=0, conaffinity=0, **place)
+    if structure.contact:
+        body.add_geom(
+            type=mujoco.mjtGeom.mjGEOM_CAPSULE,
+            density=0,
+            contype=_OVERLAPPING if bar.overlaps else _OTHERS,
+            conaffinity=_OTHERS if bar.overlaps else _OVERLAPPING | _OTHERS,
+            solref=stop_reference(timestep),
+            solimp=[0.9, 0.95, _SOFT_SHARE * bar.diameter, 0.5, 2],
+            **place,
+        )
+
+
+def _add_hinge(body: mujoco.MjsBody, hinge: Hinge, timestep: float) -> None:
+    limited = math.isfinite(hinge.lower) or math.isfinite(hinge.upper)
+    low, high = hinge.lower, hinge.upper
+    body.add_joint(
+        name=hinge.name,
+        type=mujoco.mjtJoint.mjJNT_HINGE,
+        axis=hinge.axis,
+        damping=[hinge.damping, 0, 0],
+        armature=hinge.armature,
+        limited=limited,
+        range=[0, 0] if not limited else [low, high] if hinge.sense > 0 else [-high, -low],
+        solref_limit=stop_reference(timestep),
+    )
+
+
+def _add_motor(spec: mujoco.MjSpec, hinge: Hinge) -> None:
+    motor = spec.add_actuator(
+        name=hinge.name, target=hinge.name, trntype=mujoco.mjtTrn.mjTRN_JOINT, gear=[hinge.sense, 0, 0, 0, 0, 0]
+    )
+    motor.set_to_motor()

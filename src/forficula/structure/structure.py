@@ -1,0 +1,394 @@
+"""What statics, dynamics and drawings share of a design: bodies, hinges, tendons, membranes, drives, measures.
+
+Frozen data in SI and radians, or in any other coherent units that a design was written in. They know no engine, and
+nothing here asks in which way a structure was built.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.material.law.tendon_law import TendonLaw
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+GROUND = -1
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Body:
+    """Something rigid that moves as one.
+
+    Attributes:
+        name: of its own.
+        role: what it is called with others of its kind.
+        parent: number of the body that it hangs on, an earlier one, or GROUND. Without hinges it is fixed there.
+        position: of its origin in the axes of its parent, m, (3,).
+        frame: rotation from its axes to those of its parent, (3, 3).
+    """
+
+    name: str
+    role: str
+    parent: int
+    position: Array
+    frame: Array
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Point:
+    """A named place on a body.
+
+    Attributes:
+        name: of its own.
+        role: what it is called with others of its kind.
+        body: number of the body that carries it, or GROUND.
+        place: in the axes of the body, from its origin, m, (3,).
+    """
+
+    name: str
+    role: str
+    body: int
+    place: Array
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Bar:
+    """A solid cylinder from the origin of a body.
+
+    Attributes:
+        body: number of the body that it is.
+        end: in the axes of the body, m, (3,).
+        diameter: m.
+        density: kg/m^3.
+        points: numbers of the points that it is drawn between.
+        overlaps: whether it overlaps others of which this is said, too, in the built shape: they never touch.
+    """
+
+    body: int
+    end: Array
+    diameter: float
+    density: float
+    points: tuple[int, int]
+    overlaps: bool = False
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Plate:
+    """A flat polygon of even thickness.
+
+    Attributes:
+        body: number of the body that it is.
+        points: numbers of its corners, points of that body, one after another.
+        thickness: m.
+        density: kg/m^3.
+    """
+
+    body: int
+    points: tuple[int, ...]
+    thickness: float
+    density: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Hinge:
+    """A hinge by which a body turns against its parent, through the body's origin.
+
+    Several hinges of one body follow each other: the first one turns the axes of the next. Angles are 0 in the built
+    shape, and count in the hinge's own sense.
+
+    Attributes:
+        name: of its own.
+        role: what it is called with others of its kind, in goals, groups and tables.
+        body: number of the body that it turns.
+        axis: unit vector in the axes of the body, (3,).
+        sense: +1 or -1: an angle in the hinge's own sense is a right-handed turn about the axis times that.
+        lower: where a stop ends its range, rad; -inf where none does.
+        upper: alike; inf where none does.
+        stiffness: of its spring, N m/rad.
+        rest_angle: where its spring rests, rad.
+        damping: N m s/rad.
+        armature: inertia added to it, kg m^2.
+        start: its angle at the start, rad.
+    """
+
+    name: str
+    role: str
+    body: int
+    axis: Array
+    sense: int = 1
+    lower: float = -math.inf
+    upper: float = math.inf
+    stiffness: float = 0.0
+    rest_angle: float = 0.0
+    damping: float = 0.0
+    armature: float = 0.0
+    start: float = 0.0
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Tendon:
+    """A spring between two points that pulls and never pushes.
+
+    Attributes:
+        name: of its own.
+        role: what it is called with others of its kind.
+        points: numbers of its ends.
+        law: force against length, rate and past, in the structure's units.
+        longest: the length beyond which it is never stretched, m.
+        hinge: number of the hinge that it lies across, the only one that its length depends on; None where it depends
+            on others, or on several.
+    """
+
+    name: str
+    role: str
+    points: tuple[int, int]
+    law: TendonLaw
+    longest: float
+    hinge: int | None = None
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LengthLimit:
+    """What keeps two points from moving further apart, and does nothing else: a guard tendon.
+
+    Attributes:
+        name: of its own.
+        points: numbers of the two.
+        built_length: their distance in the built shape, m.
+        most: their largest distance, m.
+    """
+
+    name: str
+    points: tuple[int, int]
+    built_length: float
+    most: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class MembraneLaw:
+    """Of an elastic sheet that resists stretch only.
+
+    Attributes:
+        youngs_modulus: Pa.
+        poisson_ratio: of the sheet.
+        thickness: m.
+        damping: relaxation time of its Kelvin-Voigt damping, s.
+    """
+
+    youngs_modulus: float
+    poisson_ratio: float
+    thickness: float
+    damping: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Membrane:
+    """An elastic sheet whose nodes are carried by bodies.
+
+    Attributes:
+        name: of its own.
+        bodies: number of the body that carries each node, (node,).
+        places: nodes in the axes of their bodies, m, (node, 3).
+        built: nodes in the built shape, where the sheet is unstretched, m, (node, 3).
+        triangles: three nodes each, (triangle, 3).
+        law: of the sheet.
+        margin: width of what is glued to a bar, m; how far a body reaches into the sheet.
+    """
+
+    name: str
+    bodies: Indices
+    places: Array
+    built: Array
+    triangles: Indices
+    law: MembraneLaw
+    margin: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Motor:
+    """A torque on some hinges, the same on each, in their own senses.
+
+    Attributes:
+        name: of its own, as works and powers are called by.
+        hinges: numbers of the hinges.
+    """
+
+    name: str
+    hinges: tuple[int, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Drive:
+    """Torques that a protocol switches on by name.
+
+    Attributes:
+        name: as stages call it.
+        torques: of every motor of the structure, in their order, N m.
+        rise: time over which they rise evenly from 0, s; 0: at once.
+        key: of the design's value that makes it stronger, such as "protocol.fold_torque".
+        torque: that value, N m.
+    """
+
+    name: str
+    torques: tuple[float, ...]
+    rise: float
+    key: str
+    torque: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Measure:
+    """Angles or a distance that are watched by name.
+
+    Attributes:
+        name: of its own.
+        kind: "angle" or "distance".
+        hinges: numbers of the hinges of an angle.
+        signs: by which the angles of these hinges, in their own senses, are multiplied.
+        points: numbers of the two points of a distance.
+        label: what tables and figures call it.
+    """
+
+    name: str
+    kind: Literal["angle", "distance"]
+    hinges: tuple[int, ...] = ()
+    signs: tuple[int, ...] = ()
+    points: tuple[int, int] | None = None
+    label: str = ""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Goal:
+    """What ends a stage: bounds on what is watched, rest, or neither, the time.
+
+    Attributes:
+        name: as stages call it.
+        kind: "time", "rest" or "bounds".
+        least: of every hinge's angle in its own sense, rad, and then of every distance that is measured, m,
+            (coordinate,); -inf where there is none.
+        most: alike; inf where there is none.
+    """
+
+    name: str
+    kind: Literal["time", "rest", "bounds"]
+    least: Array
+    most: Array
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class RestState:
+    """Where a protocol says that the structure rests.
+
+    Attributes:
+        name: such as "folded".
+        bounds: within which it deserves the name.
+        missed: what to call it otherwise, such as "not folded".
+        unknown: what to call it where nothing is to be trusted, such as "after folding".
+    """
+
+    name: str
+    bounds: Goal
+    missed: str
+    unknown: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Wording:
+    """How sentences speak of a transition.
+
+    Attributes:
+        doing: what goes on, as in "still folding".
+        did: what did not happen, as in "did not fold".
+        stay: what did not last, as in "did not stay folded".
+        done: what it came to, as in "folded".
+    """
+
+    doing: str
+    did: str
+    stay: str
+    done: str
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Transition:
+    """A way to a named state: a drive, the goal that it is to reach, and what must be left of it when released.
+
+    Attributes:
+        name: of its own, such as "fold".
+        drive: name of the drive.
+        goal: name of the goal.
+        state: name of the state that it leads to.
+        released: the bounds that the state must keep where a stage reached the goal; where no stage asked for it, the
+            state must keep its own.
+        measure: name of the measure that tells how far it got.
+        wording: for sentences.
+    """
+
+    name: str
+    drive: str
+    goal: str
+    state: str
+    released: Goal
+    measure: str
+    wording: Wording
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Structure:
+    """What is built: a tree of bodies on hinges, what spans it, what acts on it and what is watched.
+
+    Attributes:
+        name: of the design.
+        bodies: parents before their children.
+        points: on bodies.
+        bars: of bodies.
+        plates: of bodies.
+        hinges: in the order of their bodies, and of one body in the order in which they turn it.
+        tendons: pull-only springs.
+        limits: unstressed length limits.
+        membranes: elastic sheets, each of neighbouring bodies.
+        motors: that drives set.
+        drives: by name.
+        measures: by name.
+        goals: by name.
+        states: by name.
+        transitions: in the order in which a protocol takes them.
+        span: a length of the size of the whole, m.
+        mass: of the size of its bodies' mass, kg.
+        contact: whether bars that touch push each other apart.
+        gravity: acceleration along -z, m/s^2.
+    """
+
+    name: str
+    bodies: tuple[Body, ...]
+    points: tuple[Point, ...]
+    bars: tuple[Bar, ...] = ()
+    plates: tuple[Plate, ...] = ()
+    hinges: tuple[Hinge, ...]
+    tendons: tuple[Tendon, ...] = ()
+    limits: tuple[LengthLimit, ...] = ()
+    membranes: tuple[Membrane, ...] = ()
+    motors: tuple[Motor, ...] = ()
+    drives: tuple[Drive, ...] = ()
+    measures: tuple[Measure, ...] = ()
+    goals: tuple[Goal, ...] = ()
+    states: tuple[RestState, ...] = ()
+    transitions: tuple[Transition, ...] = ()
+    span: float
+    mass: float
+    contact: bool = False
+    gravity: float = 0.0
+
+    @property
+    def supports(self) -> tuple[int, ...]:
+        """Numbers of the bodies that are held: those on the ground without a hinge."""
+        hinged = {hinge.body for hinge in self.hinges}
+        return tuple(
+            number for number, body in enumerate(self.bodies) if body.parent == GROUND and number not in hinged
+        )

@@ -1,0 +1,59 @@
+"""The tree of bodies: what hangs on what, and where points are as built."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from forficula.structure.structure import GROUND, Array, Structure, Tendon
+
+
+def ancestry(structure: Structure, body: int) -> tuple[int, ...]:
+    """A body and what it hangs on, up to the ground, which is left out."""
+    chain = []
+    while body != GROUND:
+        chain.append(body)
+        body = structure.bodies[body].parent
+    return tuple(chain)
+
+
+def hinges_between(structure: Structure, one: int, other: int) -> tuple[int, ...]:
+    """Numbers of the hinges that lie on the way from one body to another: those that change how the two are placed."""
+    apart = set(ancestry(structure, one)) ^ set(ancestry(structure, other))
+    return tuple(number for number, hinge in enumerate(structure.hinges) if hinge.body in apart)
+
+
+def built_points(structure: Structure) -> Array:
+    """Where all points are in the built shape, m, (point, 3)."""
+    origins, frames = _built_frames(structure)
+    return np.array(
+        [
+            point.place if point.body == GROUND else origins[point.body] + frames[point.body] @ point.place
+            for point in structure.points
+        ]
+    ).reshape(-1, 3)
+
+
+def tendon_arms(structure: Structure, tendon: Tendon) -> tuple[tuple[int, float], ...]:
+    """The hinges that a tendon crosses, and the longest lever that it can have about each, m.
+
+    That is the distance of its nearer end from the hinge's body's origin: the pull is no further from there.
+    """
+    origins, _ = _built_frames(structure)
+    bodies = [structure.points[point].body for point in tendon.points]
+    places = built_points(structure)[list(tendon.points)]
+    return tuple(
+        (hinge, float(np.linalg.norm(places - origins[structure.hinges[hinge].body], axis=1).min()))
+        for hinge in hinges_between(structure, bodies[0], bodies[1])
+    )
+
+
+def _built_frames(structure: Structure) -> tuple[Array, Array]:
+    """Origins, (body, 3), and rotations from the axes of bodies to those of the ground, (body, 3, 3), as built."""
+    origins, frames = np.zeros((len(structure.bodies), 3)), np.zeros((len(structure.bodies), 3, 3))
+    for number, body in enumerate(structure.bodies):
+        if body.parent == GROUND:
+            origins[number], frames[number] = body.position, body.frame
+        else:
+            origins[number] = origins[body.parent] + frames[body.parent] @ body.position
+            frames[number] = frames[body.parent] @ body.frame
+    return origins, frames

@@ -1,0 +1,354 @@
+"""Bars on creases with membranes between them: the fan as a structure."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.design import FanDesign, tendon_law
+from forficula.design.places import mesh_rows
+from forficula.errors import InputError
+from forficula.pattern import CreasePattern, earwig_pattern, ring_vertices
+from forficula.structure.structure import (
+    GROUND,
+    Array,
+    Bar,
+    Body,
+    Drive,
+    Goal,
+    Hinge,
+    LengthLimit,
+    Measure,
+    Membrane,
+    MembraneLaw,
+    Motor,
+    Point,
+    RestState,
+    Structure,
+    Tendon,
+    Transition,
+    Wording,
+)
+
+# how far past straight, folding, a hinge has left the overbend for good
+LEFT_STRAIGHT = math.radians(5.0)
+# the hinges of a vein in this order: sweep and lift aim it, turn is about its own axis
+_AIMS = (("sweep", (0.0, 0.0, 1.0)), ("lift", (0.0, 1.0, 0.0)), ("turn", (1.0, 0.0, 0.0)))
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Vein:
+    """Where a vein lies in the flat sheet, and which way it folds.
+
+    Attributes:
+        hub_point: its proximal joint, (3,).
+        ring_vertex: its distal hinge, (3,).
+        tip: its outer end, (3,).
+        ring_direction: unit vector of the distal hinge's axis, (3,).
+        sense: +1 or -1: the sign of the turn that folds it about its own axis and about the ring crease.
+        fixed_base: whether the proximal bar is part of the ground.
+    """
+
+    hub_point: Array
+    ring_vertex: Array
+    tip: Array
+    ring_direction: Array
+    sense: int
+    fixed_base: bool = False
+
+    @cached_property
+    def frame(self) -> NDArray[np.float64]:
+        """Rotation from the bar's axes (x along the proximal bar, z across the sheet) to the sheet's, (3, 3)."""
+        along = (self.ring_vertex - self.hub_point) / np.linalg.norm(self.ring_vertex - self.hub_point)
+        across = np.array([0.0, 0.0, 1.0])
+        return np.column_stack([along, np.cross(across, along), across])
+
+    def on_proximal_bar(self, point: Array) -> Array:
+        """A point of the flat sheet in the axes of the proximal bar, (3,)."""
+        return np.asarray(self.frame.T @ (point - self.hub_point))
+
+    def on_distal_bar(self, point: Array) -> Array:
+        """A point of the flat sheet in the axes of the distal bar, which are those of the proximal one, (3,)."""
+        return np.asarray(self.frame.T @ (point - self.ring_vertex))
+
+
+def vein_structure(design: FanDesign) -> Structure:
+    """Build bars, hinges, tendons and membranes on the creases of a fan, in the units of its design."""
+    pattern = earwig_pattern(design.fan)
+    # the last vein takes the ring crease of the pattern continued
+    return structure_of_veins(design, veins_on(pattern, ring_vertices(design.fan, continued=True)[-1]))
+
+
+def veins_on(pattern: CreasePattern, beyond: Array) -> tuple[Vein, ...]:
+    """The veins on the creases of a pattern with the roles "proximal" and "distal".
+
+    Every distal hinge lies along the ring crease to the next vein. A turn of a vein by its sense folds it as a crease,
+    with the panel that hangs on it rising where the sense is -1.
+
+    Args:
+        pattern: flat.
+        beyond: where the ring fold would meet the vein after the last one, (3,).
+    """
+    place = pattern.vertices_coords
+    ends = {
+        role: [pattern.edges_vertices[edge] for edge, its in enumerate(pattern.edges_role) if its == role]
+        for role in ("proximal", "distal")
+    }
+    ring = np.concatenate([place[[vertex for _, vertex in ends["proximal"]]], beyond[None]])
+    creases = np.diff(ring, axis=0)
+    return tuple(
+        Vein(
+            hub_point=place[hub],
+            ring_vertex=place[vertex],
+            tip=place[tip],
+            ring_direction=crease / np.linalg.norm(crease),
+            # odd veins are valleys
+            sense=(-1) ** (index + 1),
+        )
+        for index, ((hub, vertex), (_, tip), crease) in enumerate(
+            zip(ends["proximal"], ends["distal"], creases, strict=True)
+        )
+    )
+
+
+def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
+    """Build on veins of any layout, neighbours joined by panels and guards, with the design's properties."""
+    bodies: list[Body] = []
+    points: list[Point] = []
+    bars: list[Bar] = []
+    hinges: list[Hinge] = []
+    tendons: list[Tendon] = []
+    for index, vein in enumerate(veins):
+        ring, tip = vein.on_proximal_bar(vein.ring_vertex), vein.on_distal_bar(vein.tip)
+        proximal, distal, first = 2 * index, 2 * index + 1, len(points)
+        bodies.append(
+            Body(name=f"proximal{index}", role="proximal", parent=GROUND, position=vein.hub_point, frame=vein.frame)
+        )
+        bodies.append(Body(name=f"distal{index}", role="distal", parent=proximal, position=ring, frame=np.eye(3)))
+        choice = design.tendon
+        towards_hub = -ring / np.linalg.norm(ring)
+        points += [
+            Point(name=f"hub{index}", role="hub", body=proximal, place=np.zeros(3)),
+            Point(name=f"ring{index}", role="ring", body=distal, place=np.zeros(3)),
+            Point(
+                name=f"proximal_attachment{index}",
+                role="attachment",
+                body=proximal,
+                place=ring + choice.proximal_attachment * towards_hub,
+            ),
+            Point(
+                name=f"distal_attachment{index}",
+                role="attachment",
+                body=distal,
+                place=choice.distal_attachment * tip / np.linalg.norm(tip),
+            ),
+            Point(name=f"tip{index}", role="tip", body=distal, place=tip),
+        ]
+        thick, dense = design.vein.diameter, design.vein.density
+        # veins overlap near the hub even where the fan lies flat
+        base = Bar(body=proximal, end=ring, diameter=thick, density=dense, points=(first, first + 1), overlaps=True)
+        bars += [base, Bar(body=distal, end=tip, diameter=thick, density=dense, points=(first + 1, first + 4))]
+        hinges += _hinges(design, index, vein)
+        tendons.append(
+            Tendon(
+                name=f"tendon{index}",
+                role="tendon",
+                points=(first + 2, first + 3),
+                law=tendon_law(design),
+                longest=choice.proximal_attachment + choice.distal_attachment,
+                hinge=len(hinges) - 1,
+            )
+        )
+    built = Structure(
+        name=design.name,
+        bodies=tuple(bodies),
+        points=tuple(points),
+        bars=tuple(bars),
+        hinges=tuple(hinges),
+        tendons=tuple(tendons),
+        limits=_guards(design, veins),
+        membranes=_panels(design, veins),
+        span=design.pattern.proximal_length + design.pattern.distal_length,
+        mass=_bar_mass(design),
+        contact=design.protocol.contact,
+        gravity=design.protocol.gravity,
+    )
+    return with_protocol(built, design)
+
+
+def with_protocol(structure: Structure, design: FanDesign) -> Structure:
+    """A fan with the drives, goals, states and transitions of a design's protocol."""
+    protocol, count = design.protocol, len(structure.hinges)
+    turns, folds = (_of_role(structure.hinges, role) for role in ("turn", "ring"))
+    fold, unfold = protocol.fold_torque, protocol.unfold_torque
+
+    def bounds(name: str, *, least: float = -math.inf, most: float = math.inf) -> Goal:
+        low, high = np.full(count, -np.inf), np.full(count, np.inf)
+        low[list(folds)], high[list(folds)] = least, most
+        return Goal(name=name, kind="bounds", least=low, most=high)
+
+    folded, opened = bounds("folded", most=-protocol.folded_angle), bounds("opened", least=protocol.opened_angle)
+    return replace(
+        structure,
+        motors=(Motor(name="proximal", hinges=turns), Motor(name="distal", hinges=folds)),
+        drives=(
+            Drive(name="fold", torques=(fold, 0.0), rise=protocol.rise, key="protocol.fold_torque", torque=fold),
+            Drive(
+                name="unfold",
+                torques=(-unfold, unfold),
+                rise=protocol.rise,
+                key="protocol.unfold_torque",
+                torque=unfold,
+            ),
+        ),
+        measures=(
+            Measure(name="distal_angle", kind="angle", hinges=folds, signs=(1,) * len(folds), label="distal angle"),
+        ),
+        goals=(folded, opened),
+        states=(
+            RestState(name="flat", bounds=bounds("flat", least=-LEFT_STRAIGHT), missed="not flat", unknown="not flat"),
+            RestState(name="folded", bounds=folded, missed="not folded", unknown="after folding"),
+            RestState(name="opened", bounds=opened, missed="not opened", unknown="after unfolding"),
+        ),
+        transitions=(
+            Transition(
+                name="fold",
+                drive="fold",
+                goal="folded",
+                state="folded",
+                # a slack tendon lets its hinge rest anywhere on the folded side; one beyond half way has opened again
+                released=bounds("still folded", most=-protocol.folded_angle / 2),
+                measure="distal_angle",
+                wording=Wording(doing="folding", did="fold", stay="folded", done="folded"),
+            ),
+            Transition(
+                name="unfold",
+                drive="unfold",
+                goal="opened",
+                state="opened",
+                released=opened,
+                measure="distal_angle",
+                wording=Wording(doing="opening", did="open", stay="open", done="folded and opened"),
+            ),
+        ),
+    )
+
+
+def drive_keys(design: FanDesign) -> tuple[str, ...]:  # noqa: ARG001
+    """Keys of the values that say how strong the drives are."""
+    return ("protocol.fold_torque", "protocol.unfold_torque")
+
+
+def _of_role(hinges: Sequence[Hinge], role: str) -> tuple[int, ...]:
+    return tuple(number for number, hinge in enumerate(hinges) if hinge.role == role)
+
+
+def _hinges(design: FanDesign, index: int, vein: Vein) -> list[Hinge]:
+    """The hinges of a vein: of its proximal bar, unless that is held, and of its distal one."""
+    choice = design.hinge
+    aims = [
+        Hinge(
+            name=f"{role}{index}",
+            role=role,
+            body=2 * index,
+            axis=np.array(axis),
+            sense=vein.sense if role == "turn" else 1,
+            lower=-choice.turn_back if role == "turn" else -math.inf,
+            upper=choice.turn_limit if role == "turn" else math.inf,
+            damping=choice.damping,
+            armature=choice.armature,
+        )
+        for role, axis in _AIMS
+        if not vein.fixed_base
+    ]
+    ring = Hinge(
+        name=f"fold{index}",
+        role="ring",
+        body=2 * index + 1,
+        axis=vein.frame.T @ vein.ring_direction,
+        lower=-choice.fold_limit,
+        upper=choice.overbend,
+        start=design.protocol.initial_overbend,
+        sense=vein.sense,
+        damping=choice.damping,
+        armature=choice.armature,
+    )
+    return [*aims, ring]
+
+
+def _panels(design: FanDesign, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
+    """Lay the membrane: panel k from the edge of its margin on vein k to the axis of vein k + 1.
+
+    The margin is glued to vein k and turns with it; about vein k + 1 the panel may turn. A row of nodes lies at every
+    share of the proximal length, at the ring fold, at every share of the distal length and at the tip; that of the ring
+    fold is on the proximal bar.
+    """
+    choice, panels = design.membrane, []
+    law = MembraneLaw(
+        youngs_modulus=choice.youngs_modulus,
+        poisson_ratio=choice.poisson_ratio,
+        thickness=choice.thickness,
+        damping=choice.damping,
+    )
+    beyond = [0] * (len(choice.proximal_rows) + 1) + [1] * (len(choice.distal_rows) + 1)
+    for panel in range(len(veins) - 1):
+        pair = veins[panel : panel + 2]
+        near, far = (mesh_rows(vein.hub_point, vein.ring_vertex, vein.tip, design) for vein in pair)
+        built: list[Array] = []
+        bodies: list[int] = []
+        places: list[Array] = []
+        for distal, here, there in zip(beyond, near, far, strict=True):
+            width = float(np.linalg.norm(there - here))
+            margin = min(choice.margin, choice.margin_limit * width)
+            for vein, number, node in zip(
+                pair, (panel, panel + 1), (here + margin / width * (there - here), there), strict=True
+            ):
+                built.append(node)
+                bodies.append(2 * number + distal)
+                places.append(vein.on_distal_bar(node) if distal else vein.on_proximal_bar(node))
+        corners = [
+            each
+            for left in range(0, len(built) - 2, 2)
+            for each in ([left, left + 2, left + 3], [left, left + 3, left + 1])
+        ]
+        panels.append(
+            Membrane(
+                name=f"panel{panel}",
+                bodies=np.array(bodies, dtype=np.int64),
+                places=np.array(places),
+                built=np.array(built),
+                triangles=np.array(corners, dtype=np.int64),
+                law=law,
+                margin=choice.margin,
+            )
+        )
+    return tuple(panels)
+
+
+def _guards(design: FanDesign, veins: Sequence[Vein]) -> tuple[LengthLimit, ...]:
+    """Guard tendons between neighbouring tips."""
+    limits = []
+    for index in range(len(veins) - 1):
+        apart = float(np.linalg.norm(veins[index + 1].tip - veins[index].tip))
+        tips = (5 * index + 4, 5 * index + 9)
+        limits.append(
+            LengthLimit(name=f"guard{index}", points=tips, built_length=apart, most=design.guard.stretch * apart)
+        )
+    return tuple(limits)
+
+
+def _bar_mass(design: FanDesign) -> float:
+    """Mass of a vein of the whole length, kg."""
+    span = design.pattern.proximal_length + design.pattern.distal_length
+    mass = design.vein.density * span * math.pi / 4 * design.vein.diameter**2
+    if not 0 < mass < math.inf:
+        raise InputError(
+            f"vein.diameter and vein.density: need a vein with a mass > 0 and finite, got {mass:g} kg, from"
+            f" {design.vein.diameter:g} m and {design.vein.density:g} kg/m^3"
+        )
+    return mass
