@@ -1,44 +1,32 @@
-"""What a convergence study shows: a distal angle over time, the times, a table, and its files."""
+"""What a convergence study shows: a distal angle over time, and the times over what was varied."""
 
 from __future__ import annotations
 
-import json
 import math
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
-from rich.console import Console
-from rich.table import Table
 
-from forficula.csv_text import csv_text
-from forficula.dynamics import versions
-from forficula.files import replacing_all, write_text
 from forficula.names import ordinal
 from forficula.show.run.time_figures import stacked_axes
+from forficula.show.study.convergence_table import order_text
 from forficula.show.style import (
     BLUE,
     LINE_STYLES,
     PAGE_WIDTH,
     VERMILION,
-    Drawing,
     describe,
     figure_style,
     is_narrow,
-    save_figures,
 )
 from forficula.study.convergence import Convergence
-from forficula.study.convergence_file import save_convergence
 from forficula.study.observed_order import OrderFit
 from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, value_text
 
 Array = NDArray[np.float64]
-
-CONVERGENCE_FILE = "convergence.nc"
 
 _AXIS = {
     TIMESTEP: ("timestep (ms)", 1e3),
@@ -134,102 +122,6 @@ def draw_convergence_times(convergence: Convergence, width: float = PAGE_WIDTH) 
         return describe(figure, f"{what}. {_tell(convergence)}")
 
 
-def convergence_rows(convergence: Convergence) -> list[dict[str, Any]]:
-    """A row for every value as plain data with units in its keys; None where there is no time."""
-    key = {TIMESTEP: "timestep_s", YOUNGS_MODULUS: "youngs_modulus_Pa", MESH: "mesh_refinement"}[convergence.key]
-    return [
-        {
-            key: float(value),
-            "membrane_rows": rows,
-            "status": status,
-            "fold_time_s": _number(fold),
-            "unfold_time_s": _number(unfold),
-        }
-        for value, rows, status, fold, unfold in zip(
-            convergence.values,
-            convergence.rows,
-            convergence.statuses,
-            convergence.fold_times,
-            convergence.unfold_times,
-            strict=True,
-        )
-    ]
-
-
-def print_convergence(convergence: Convergence) -> None:
-    """Print the table and the verdict."""
-    table = Table(box=None, padding=(0, 2, 0, 0))
-    for heading in (
-        {TIMESTEP: "timestep", YOUNGS_MODULUS: "Young's modulus", MESH: "rows"}[convergence.key],
-        "fold time",
-        "opening time",
-    ):
-        table.add_column(heading, justify="right")
-    table.add_column("status")
-    for value, rows, fold, unfold, status in zip(
-        convergence.values,
-        convergence.rows,
-        convergence.fold_times,
-        convergence.unfold_times,
-        convergence.statuses,
-        strict=True,
-    ):
-        name = str(rows) if convergence.key == MESH else value_text(convergence.key, float(value))
-        own = " (the design's own)" if value == convergence.own else ""
-        times = (f"{1e3 * time:.5g} ms" if math.isfinite(time) else "" for time in (fold, unfold))
-        table.add_row(name, *times, status + own)
-    console = Console(width=110, highlight=False)
-    console.print(table)
-    for name, fit in (("fold time", convergence.fold_order), ("opening time", convergence.unfold_order)):
-        if fit is not None:
-            console.print(f"limit of the {name}: {1e3 * fit.limit:.5g} ms, {_order(fit)}")
-    console.print(f"\n{convergence.design.name}: {convergence.verdict}")
-
-
-def write_convergence(convergence: Convergence, folder: Path) -> None:
-    """Write convergence.json, convergence.csv, convergence.nc and the figures; all of them, or none.
-
-    Args:
-        convergence: what to write.
-        folder: made where it is missing; what an earlier study left there is replaced.
-
-    Raises:
-        InputError: the folder cannot be written.
-    """
-    with replacing_all(folder) as unfinished:
-        _write_files(convergence, unfinished)
-
-
-def _write_files(convergence: Convergence, folder: Path) -> None:
-    rows = convergence_rows(convergence)
-    cells = [["" if value is None else value for value in row.values()] for row in rows]
-    write_text(folder / "convergence.csv", csv_text([list(rows[0]), *cells]))
-    content = {
-        "design": convergence.design.name,
-        "design_hash": convergence.design.hash,
-        "key": convergence.key,
-        "verdict": convergence.verdict,
-        "fine": convergence.fine,
-        "tolerance": convergence.tolerance,
-        "own": rows[int(np.argmax(convergence.values == convergence.own))],
-        "runs": rows,
-        "fold_time": _law(convergence.fold_order),
-        "unfold_time": _law(convergence.unfold_order),
-        "versions": versions(),
-    }
-    write_text(folder / "convergence.json", json.dumps(content, indent=2, ensure_ascii=False) + "\n")
-    save_convergence(convergence, folder / CONVERGENCE_FILE)
-    save_figures(convergence_drawings(convergence), folder)
-
-
-def convergence_drawings(convergence: Convergence) -> dict[str, Drawing]:
-    """What draws a convergence study, by the stem of its file."""
-    return {
-        "angles": lambda width: draw_convergence_angles(convergence, width),
-        "times": lambda width: draw_convergence_times(convergence, width),
-    }
-
-
 def _tell(convergence: Convergence) -> str:
     """The times and the verdict in words."""
     rows = [
@@ -248,22 +140,6 @@ def _name(convergence: Convergence, index: int) -> str:
     if convergence.key == MESH:
         return f"{convergence.rows[index]} rows"
     return value_text(convergence.key, float(convergence.values[index]))
-
-
-def _law(fit: OrderFit | None) -> dict[str, Any] | None:
-    if fit is None:
-        return None
-    return {
-        "limit_s": fit.limit,
-        "observed_order": fit.order if fit.observed else None,
-        "assumed_order": None if fit.observed else fit.order,
-        "why_not_observed": fit.reason,
-        "scatter_s": fit.scatter,
-    }
-
-
-def _number(time: float) -> float | None:
-    return float(time) if math.isfinite(time) else None
 
 
 def _positions(convergence: Convergence) -> Array:
@@ -290,7 +166,7 @@ def _plot_angles(axes: Axes, convergence: Convergence, starts: Array, scale: flo
 def _plot_law(axes: Axes, fit: OrderFit, convergence: Convergence, factor: float) -> None:
     """The law from its limit on, and the band that is allowed about the limit."""
     steps = np.linspace(0, 1.05 * float(convergence.values.max()), 100)
-    axes.plot(factor * steps, 1e3 * fit.time(steps), "--", color=VERMILION, label=_order(fit))
+    axes.plot(factor * steps, 1e3 * fit.time(steps), "--", color=VERMILION, label=order_text(fit))
     limit, tolerance = 1e3 * fit.limit, convergence.tolerance
     axes.axhspan(
         limit * (1 - tolerance),
@@ -302,7 +178,3 @@ def _plot_law(axes: Axes, fit: OrderFit, convergence: Convergence, factor: float
         label=f"within {100 * tolerance:g} % of the limit",
     )
     axes.set_xlim(left=0)
-
-
-def _order(fit: OrderFit) -> str:
-    return f"order {fit.order:.2f}, fitted" if fit.observed else f"order {fit.order:g}, assumed"
