@@ -80,13 +80,13 @@ def ending_text(ending: Ending) -> str:
         case Verdict.NOT_BUILT:
             return f"cannot be built: {ending.why}"
         case Verdict.STUCK if _on_the_way(ending) and ending.reading is not None:
-            return f"stuck at {math.degrees(ending.reading):.1f} deg"
+            return f"stuck at {_reading_text(ending.transition, ending.reading)}"
         case Verdict.MOVING if ending.why:
             return ending.why
         case Verdict.MOVING if ending.transition is not None:
             at = ""
             if ending.transition.begun is not None and ending.reading is not None:
-                at = f" at {math.degrees(ending.reading):.1f} deg"
+                at = f" at {_reading_text(ending.transition, ending.reading)}"
             return f"still moving{at} when its time to {ending.transition.wording.verb} was over"
         case _:
             return ending_word(ending)
@@ -134,6 +134,12 @@ def ending_advice(ending: Ending, design: Design) -> str:
             return words.if_under_way if _on_the_way(ending) else words.if_stuck
         case _:
             return ""
+
+
+def _reading_text(transition: Transition | None, reading: float) -> str:
+    if transition is not None and transition.kind == "distance":
+        return show_value(reading, "m")
+    return f"{math.degrees(reading):.1f} deg"
 
 
 def _stage_of(transition: Transition, design: Design) -> Stage:
