@@ -1,3 +1,4 @@
+from forficula.structure.appearance import Appearance
 from forficula.structure.build import drive_keys, structure_of, with_protocol
 from forficula.structure.goals import (
     distances_of,
@@ -29,10 +30,19 @@ from forficula.structure.structure import (
     Wording,
 )
 from forficula.structure.structure_warnings import structure_warnings
-from forficula.structure.tree import ancestry, built_points, drawn_points, hinges_between, tendon_arms
+from forficula.structure.tree import (
+    ancestry,
+    built_hinges,
+    built_points,
+    drawn_points,
+    hinges_between,
+    outer_ends,
+    tendon_arms,
+)
 
 __all__ = [
     "GROUND",
+    "Appearance",
     "Bar",
     "Body",
     "Drive",
@@ -51,6 +61,7 @@ __all__ = [
     "Transition",
     "Wording",
     "ancestry",
+    "built_hinges",
     "built_points",
     "distances_of",
     "drawn_points",
@@ -60,6 +71,7 @@ __all__ = [
     "hinges_between",
     "hinges_of",
     "measure_of",
+    "outer_ends",
     "state_of",
     "structure_of",
     "structure_warnings",

@@ -7,13 +7,14 @@ nothing here asks in which way a structure was built.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from forficula.material.law.tendon_law import TendonLaw
+from forficula.structure.appearance import Appearance
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -115,6 +116,7 @@ class Hinge:
         damping: N m s/rad.
         armature: inertia added to it, kg m^2.
         start: its angle at the start, rad.
+        label: what tables and figures call it; its name if empty.
     """
 
     name: str
@@ -129,6 +131,7 @@ class Hinge:
     damping: float = 0.0
     armature: float = 0.0
     start: float = 0.0
+    label: str = ""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -143,6 +146,7 @@ class Tendon:
         longest: the length beyond which it is never stretched, m.
         hinge: number of the hinge that it lies across, the only one that its length depends on; None where it depends
             on others, or on several.
+        label: what tables and figures call it; its name if empty.
     """
 
     name: str
@@ -151,6 +155,7 @@ class Tendon:
     law: TendonLaw
     longest: float
     hinge: int | None = None
+    label: str = ""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -199,6 +204,8 @@ class Membrane:
         triangles: three nodes each, (triangle, 3).
         law: of the sheet.
         margin: width of what is glued to a bar, m; how far a body reaches into the sheet.
+        roots: from where on its bar each node is held, in the axes of its body, m, (node, 3): the strip between the two
+            is glued to the bar. The node itself where it lies on the bar; None where all do, or where there are none.
     """
 
     name: str
@@ -208,6 +215,7 @@ class Membrane:
     triangles: Indices
     law: MembraneLaw
     margin: float
+    roots: Array | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -235,6 +243,7 @@ class Drive:
         torque: that value, N m.
         tries: what a search for the least value tries where it is not told, as text.
         large: alike, what it takes to see whether the next transition works, as text.
+        where: what it acts on, as sentences say it, such as "on every proximal joint".
     """
 
     name: str
@@ -244,6 +253,7 @@ class Drive:
     torque: float
     tries: str = ""
     large: str = ""
+    where: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -311,6 +321,8 @@ class Wording:
         verb: what it is to do, such as "fold" in "did not fold".
         doing: what goes on, such as "folding" in "still folding".
         stays: what is to last, such as "folded" in "did not stay folded".
+        noun: what it is called itself, such as "unfolding"; as what goes on if empty.
+        did: what it came to in a story of several, such as "opened again"; as what it came to if empty.
         time: what its time is called, such as "fold time".
         work: what its work is called, such as "work of folding".
         if_stuck: advice where it never began, in a sentence.
@@ -324,6 +336,8 @@ class Wording:
     stays: str
     time: str
     work: str
+    noun: str = ""
+    did: str = ""
     if_stuck: str = ""
     if_under_way: str = ""
     if_lost: str = ""
@@ -386,6 +400,7 @@ class Structure:
         mass: of the size of its bodies' mass, kg.
         contact: whether bars that touch push each other apart.
         gravity: acceleration along -z, m/s^2.
+        appearance: what drawings and sentences need beside all that.
     """
 
     name: str
@@ -408,6 +423,7 @@ class Structure:
     mass: float
     contact: bool = False
     gravity: float = 0.0
+    appearance: Appearance = field(default_factory=Appearance)
 
     @property
     def supports(self) -> tuple[int, ...]:

@@ -40,13 +40,22 @@ class DesignRow:
         return self.value != self.base
 
 
-def base_design(design: Design) -> Design:
-    """The named design to compare one with: the one of its name, or the reference.
+def base_design(design: Design) -> Design | None:
+    """The named design to compare one with: the one of its name, the reference, or the first of its kind.
 
     A design does not keep what it was based on, so a file of another name counts as one that came from the reference,
     as one that `forficula new` wrote does.
+
+    Returns:
+        None where no named design is of its kind.
     """
-    return load_design(design.name if design.name in named_designs() else REFERENCE)
+    named = named_designs()
+    for name in (design.name, REFERENCE, *named):
+        if name in named:
+            base = load_design(name)
+            if type(base) is type(design):
+                return base
+    return None
 
 
 def design_rows(design: Design, base: Design) -> list[DesignRow]:
@@ -54,7 +63,10 @@ def design_rows(design: Design, base: Design) -> list[DesignRow]:
     own, other = _flat(design), _flat(base)
     meanings = dict(_meanings(design)) | dict(_meanings(base))
     keys = [*own, *(key for key in other if key not in own)]
-    keys.sort(key=lambda key: list(Design.model_fields).index(key.partition(".")[0]))
+    # as in a design file: what is built, then what is done to it
+    sections = dict.fromkeys([*type(design).model_fields, *type(base).model_fields])
+    order = sorted(sections, key=lambda section: section == "protocol")
+    keys.sort(key=lambda key: order.index(key.partition(".")[0]))
     return [
         DesignRow(
             section=key.partition(".")[0],
@@ -76,14 +88,16 @@ def differing_rows(designs: Sequence[Design]) -> list[tuple[str, list[str]]]:
 
 
 def section_title(section: str, design: Design) -> str:
-    """What a part of a design is, in words."""
-    return (type(getattr(design, section)).__doc__ or section).splitlines()[0].removesuffix(".")
+    """What a part of a design is, in words; of a list of parts, what one is."""
+    part = getattr(design, section, None)
+    first = part[0] if isinstance(part, tuple) and part else part
+    return (type(first).__doc__ or section).splitlines()[0].removesuffix(".") if isinstance(first, Part) else section
 
 
 def _flat(design: Design) -> dict[str, str]:
     """Values as text by dotted key, without name and source; their last digits, where rounding shows, are left out."""
     tables = as_tables(design, partial(show_quantity, digits=DIGITS))
-    sections = {key: value for key, value in tables.items() if isinstance(value, dict)}
+    sections = {key: value for key, value in tables.items() if isinstance(value, dict) or _is_list_of_tables(value)}
     return dict(_leaves(sections))
 
 
