@@ -1,4 +1,4 @@
-"""The choices of a study's table factor by factor, and how many wings fold and open at each."""
+"""The choices of a study's table factor by factor, and how many of the grid fold and open at each."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ def _same(value: object, other: object) -> bool:
 
 
 def count_unknown(table: Dataset) -> dict[str, NDArray[np.int_]]:
-    """Of how many wings of the grid it is not known whether they fold, (choice,), by what became of them."""
+    """Of how many of the grid it is not known whether they do the first transition, (choice,), by what became of them."""
     shape = (table.sizes[CHOICE], -1)
     verdicts, words = (table[name].values.astype(str).reshape(shape) for name in ("verdict", "outcome"))
     known = [verdict for verdict in Verdict if verdict.tells]
