@@ -321,10 +321,9 @@ class Wording:
         verb: what it is to do, such as "fold" in "did not fold".
         doing: what goes on, such as "folding" in "still folding".
         stays: what is to last, such as "folded" in "did not stay folded".
-        noun: what it is called itself, such as "unfolding"; as what goes on if empty.
-        did: what it came to in a story of several, such as "opened again"; as what it came to if empty.
         time: what its time is called, such as "fold time".
-        work: what its work is called, such as "work of folding".
+        noun: what it is called itself, such as "folding" in "work of folding".
+        did: what it came to in a story of several, such as "opened again"; what it came to if empty.
         if_stuck: advice where it never began, in a sentence.
         if_under_way: advice where it stuck on the way.
         if_lost: advice where it was lost when released.
@@ -335,8 +334,7 @@ class Wording:
     doing: str
     stays: str
     time: str
-    work: str
-    noun: str = ""
+    noun: str
     did: str = ""
     if_stuck: str = ""
     if_under_way: str = ""

@@ -44,10 +44,9 @@ _FOLD = Wording(
     verb="fold",
     doing="folding",
     stays="folded",
+    time="fold time",
     noun="folding",
     did="folded",
-    time="fold time",
-    work="work of folding",
     if_stuck=(
         "Raise protocol.fold_torque, or lower the barrier: softer or longer tendons (tendon.stiffness,"
         " tendon.rest_length), less hinge.overbend."
@@ -63,10 +62,9 @@ _UNFOLD = Wording(
     verb="open",
     doing="opening",
     stays="open",
+    time="opening time",
     noun="unfolding",
     did="opened again",
-    time="opening time",
-    work="work of unfolding",
     if_stuck="Raise protocol.unfold_torque, or take softer or longer tendons (tendon.stiffness, tendon.rest_length).",
     if_lost=(
         "It opened under torque and folded again when released: hold it longer (hold of the unfolding stage), or raise"

@@ -11,7 +11,6 @@ from forficula.show.run.outcome_rows import (
     TRANSITION_HEADINGS,
     balance_rows,
     state_rows,
-    transition_noun,
     transition_rows,
 )
 from forficula.show.run.state_names import states_reached
@@ -57,7 +56,7 @@ def _membrane(state: State) -> str:
 def _transitions(outcome: Outcome, structure: Structure) -> str:
     if not structure.transitions:
         return ""
-    caption = " and ".join(transition_noun(transition) for transition in structure.transitions)
+    caption = " and ".join(transition.wording.noun for transition in structure.transitions)
     rows = transition_rows(structure, outcome)
     return table(f"{caption[:1].upper()}{caption[1:]}", TRANSITION_HEADINGS, rows)
 

@@ -9,7 +9,6 @@ from typing import Any
 from forficula.design import stage_drives
 from forficula.dynamics import StageEnd
 from forficula.show.page.playback import Clip
-from forficula.show.run.outcome_rows import transition_noun
 
 # before and after a driven stage, as a share of it; its hold, in which little happens, by the time to its goal
 _LEAD, _HOLD = 0.15, 0.6
@@ -52,7 +51,7 @@ def shared_spans(clips: Sequence[Clip]) -> list[Span]:
     Whole runs are lined up at the start of the first transition; runs of which one never gets there, at their own.
     """
     spans = []
-    nouns = {each.drive: transition_noun(each) for clip in clips for each in clip.structure.transitions}
+    nouns = {each.drive: each.wording.noun for clip in clips for each in clip.structure.transitions}
     for place, (drive, name) in enumerate(nouns.items()):
         label = f"time since the start of {name}"
         starts = [_start(clip, drive) for clip in clips]

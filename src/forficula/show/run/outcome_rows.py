@@ -20,7 +20,7 @@ from forficula.show.structure.labels import (
     shown_distances,
     title_of,
 )
-from forficula.structure import Measure, Structure, Transition
+from forficula.structure import Measure, Structure
 
 TRANSITION_HEADINGS = ("", "torque", "succeeded", "time", "work of the torques")
 
@@ -92,14 +92,9 @@ def state_rows(structure: Structure, states: Mapping[str, State]) -> StateRows:
 def transition_rows(structure: Structure, outcome: Outcome) -> list[list[str]]:
     """The transitions of a structure, under `TRANSITION_HEADINGS`."""
     return [
-        [transition_noun(transition), *_transition_cells(outcome.transitions[transition.name])]
+        [transition.wording.noun, *_transition_cells(outcome.transitions[transition.name])]
         for transition in structure.transitions
     ]
-
-
-def transition_noun(transition: Transition) -> str:
-    """What a transition is called, such as "unfolding"."""
-    return transition.wording.noun or transition.wording.doing
 
 
 def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str, str]]:
