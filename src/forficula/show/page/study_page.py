@@ -133,11 +133,11 @@ def _run_data(run: KeptRun, budget: int) -> dict[str, Any]:
         "point": run.point,
         "part": run.part,
         "title": ", ".join(torques) or outcome.status,
-        "text": outcome_sentence("This wing", outcome),
+        "text": outcome_sentence(f"This {run.record.structure.appearance.whole}", outcome, run.record.structure),
         "advice": outcome.advice,
         "folder": run.folder,
-        "numbers": "".join(outcome_tables(outcome)),
-        "play": playback_data(run.record, make_clip(run.record, outcome, budget=budget)),
+        "numbers": "".join(outcome_tables(outcome, run.record.structure)),
+        "play": playback_data(make_clip(run.record, outcome, budget=budget)),
     }
 
 
