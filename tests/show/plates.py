@@ -198,7 +198,7 @@ def plates_run(*, motors: bool = True, **parts: bool) -> tuple[Record, Outcome]:
     """A run of the plates as a simulation would leave it, their angles as they go in one."""
     structure, design = plates_structure(motors=motors, **parts), plates_design(motors=motors)
     lasts = [limit for *_, limit in STAGES[: len(design.protocol.stages)]]
-    ends = np.cumsum(lasts)
+    ends = np.round(np.cumsum(lasts), 9)
     time = np.round(np.arange(0, ends[-1] + 5e-4, 1e-3), 9)
     angles = _angles(time, ends)
     places = _places(structure, angles)
@@ -243,9 +243,7 @@ def plates_run(*, motors: bool = True, **parts: bool) -> tuple[Record, Outcome]:
         )
         for stage, start, end, last in zip(design.protocol.stages, [0.0, *ends], ends, lasts, strict=False)
     )
-    record = Record(
-        design=design, structure=structure, time=time, series=series, stages=stages, diverged_at=None
-    )
+    record = Record(design=design, structure=structure, time=time, series=series, stages=stages, diverged_at=None)
     return record, measure(record)
 
 
@@ -255,7 +253,9 @@ def _angles(time, ends):
     for start, way, swing in zip(ends[0::2], (1.0, -1.0), (-0.2, 0.05), strict=False):
         since = np.maximum(time - start, 0)
         share = np.clip(since / 0.05, 0, 1) ** 2
-        bounce = np.where(since > 0.05, swing * np.exp(-(since - 0.05) / 0.02) * np.sin(2 * np.pi * (since - 0.05) / 0.03), 0)
+        bounce = np.where(
+            since > 0.05, swing * np.exp(-(since - 0.05) / 0.02) * np.sin(2 * np.pi * (since - 0.05) / 0.03), 0
+        )
         angles += (way * share[:, np.newaxis]) * (SHUT - FLAT) + bounce[:, np.newaxis] * [1.0, 0.6]
     return angles
 
@@ -271,5 +271,7 @@ def _places(structure, angles):
         for number, point in enumerate(structure.points):
             if point.body == body:
                 x, y, _ = point.place
-                places[:, number] = origins + np.column_stack([x * np.cos(turn), np.full(len(turn), y), x * np.sin(turn)])
+                places[:, number] = origins + np.column_stack(
+                    [x * np.cos(turn), np.full(len(turn), y), x * np.sin(turn)]
+                )
     return places
