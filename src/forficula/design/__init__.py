@@ -1,3 +1,4 @@
+from forficula.design.crease_pattern import design_frames, design_pattern
 from forficula.design.design import Design, shortest_sample_interval
 from forficula.design.design_file import (
     design_from_text,
@@ -13,6 +14,7 @@ from forficula.design.fan import FanDesign
 from forficula.design.keys import key_quantity, key_value, put
 from forficula.design.law_tables import law_from_folder, with_law_read
 from forficula.design.part import LENGTH, TORQUE
+from forficula.design.plates import PlatesDesign
 from forficula.design.protocol import Protocol, Stage, stage_drives
 from forficula.design.similarity import in_units, scale_design
 from forficula.design.tendon import flat_strain, tendon_law
@@ -22,9 +24,12 @@ __all__ = [
     "TORQUE",
     "Design",
     "FanDesign",
+    "PlatesDesign",
     "Protocol",
     "Stage",
+    "design_frames",
     "design_from_text",
+    "design_pattern",
     "design_text",
     "design_warnings",
     "flat_strain",

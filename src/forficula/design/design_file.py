@@ -17,10 +17,11 @@ from pydantic.fields import FieldInfo
 
 from forficula.design.design import Design
 from forficula.design.keys import entry_index, hint, known_keys, siblings
-from forficula.design.kinds import design_class
+from forficula.design.kinds import KINDS, REFERENCES, design_class, kind_of, reference_of
 from forficula.design.law_tables import law_taken_off, names_law, with_following, with_law_read, without_following
-from forficula.design.part import Part, as_tables, field_quantity
-from forficula.design.tables import RejectedError, merged, overlaid
+from forficula.design.part import Part, as_tables, entry_part, field_quantity
+from forficula.design.sheet_tables import with_sheet_read
+from forficula.design.tables import RejectedError, WholeTable, merged, overlaid
 from forficula.errors import InputError
 from forficula.files import read_toml, write_text
 from forficula.quantities import as_written
@@ -47,8 +48,8 @@ def load_design(name_or_path: str | Path, settings: Mapping[str, object] | None 
     """
     files = _read_files(str(name_or_path))
     tables: dict[str, Any] = {}
-    for _, given in files:
-        tables, own = law_taken_off(tables, given)
+    for where, given in files:
+        tables, own = law_taken_off(tables, _of_kind(where, tables, given))
         tables = merged(without_following(tables, own), own)
     tables = _with_settings(tables, settings or {})
     try:
@@ -97,13 +98,21 @@ def design_from_text(text: str) -> Design:
     return _validate(tomllib.loads(text))
 
 
-def write_new_design(path: str | os.PathLike[str]) -> None:
+def write_new_design(path: str | os.PathLike[str], kind: str = "earwig-fan") -> None:
     """Write a commented design file to start from: the reference, every key with what it means.
 
+    Args:
+        path: of the file.
+        kind: of its pattern, such as "earwig-fan" or "pleats".
+
     Raises:
-        InputError: the file exists already, or cannot be written.
+        InputError: no such kind, or the file exists already, or cannot be written.
     """
     path = Path(path)
+    if kind not in REFERENCES:
+        hint = f"; {_nearest(kind, list(REFERENCES))}" if _nearest(kind, list(REFERENCES)) else ""
+        raise InputError(f"kind: need one of {', '.join(REFERENCES)}, got {as_written(kind)}{hint}")
+    reference = REFERENCES[kind]
     if path.suffix != ".toml":
         raise InputError(f"{path}: need a name that ends with .toml")
     try:
@@ -114,9 +123,9 @@ def write_new_design(path: str | os.PathLike[str]) -> None:
         raise InputError(f"{path}: exists already; choose another name or remove it")
     lines = [
         "# A forficula design. Every key is optional but based_on; what is left out comes from there.",
-        f'based_on = "{REFERENCE}"',
+        f'based_on = "{reference}"',
     ]
-    write_text(path, "\n".join([*lines, *_commented(load_design(REFERENCE))]) + "\n")
+    write_text(path, "\n".join([*lines, *_commented(load_design(reference))]) + "\n")
 
 
 def _named() -> list[str]:
@@ -140,6 +149,7 @@ def _read_files(name_or_path: str, above: tuple[Path, ...] = ()) -> list[_File]:
     tables.setdefault("name", path.stem)
     try:
         tables = {key: with_law_read(key, value, folder=path.parent) for key, value in tables.items()}
+        tables = with_sheet_read(tables, folder=path.parent)
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
     base = tables.pop("based_on", None)
@@ -157,7 +167,7 @@ def _read_files(name_or_path: str, above: tuple[Path, ...] = ()) -> list[_File]:
 
 def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si: bool = False) -> dict[str, Any]:
     """Put values into tables by their dotted keys, a law that is named before values of it."""
-    read = {key: with_law_read(key, value, si=si) for key, value in settings.items()}
+    read = {key: with_law_read(key, value, si=si) for key, value in with_sheet_read(settings).items()}
     tables, read = law_taken_off(tables, read, si=si)
     nested: dict[str, Any] = {}
     for key, value in read.items():
@@ -166,6 +176,19 @@ def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si
     for key, value in sorted(read.items(), key=lambda each: not names_law(each[1])):
         _set(tables, key, value)
     return tables
+
+
+def _of_kind(where: str, tables: Mapping[str, Any], given: dict[str, Any]) -> dict[str, Any]:
+    """What a file gives, its pattern whole where that is of another kind than the one that it is laid over."""
+    kind, below = kind_of(given), kind_of(tables)
+    if kind is None or below is None or kind == below:
+        return given
+    model, base = design_class(given), KINDS[below]
+    if model.model_fields.keys() != base.model_fields.keys():
+        own = reference_of(model)
+        instead = f'leave it out, or begin with based_on = "{own}"' if own else "leave it out"
+        raise InputError(f"{where}: based_on: is a design of kind {below}, which has other sections; {instead}")
+    return given | {"pattern": WholeTable(given["pattern"])}
 
 
 def _nest(tables: dict[str, Any], key: str, value: object) -> None:
@@ -204,13 +227,14 @@ def _dotted(tables: Mapping[str, object], prefix: str = "") -> Iterator[str]:
 
 
 def _validate(tables: dict[str, Any], *, si: bool = False) -> Design:
+    model = design_class(tables)
     try:
-        return design_class(tables).model_validate(with_following(tables, si=si), context={"si": si})
+        return model.model_validate(with_following(tables, si=si), context={"si": si})
     except ValidationError as error:
         # A wrong value hides what depends on it, so one error is enough; a misspelt key may be the missing one.
         errors = error.errors(include_url=False)
         worst = next((each for each in errors if each["type"] == "extra_forbidden"), errors[0])
-        raise _rejected([str(part) for part in worst["loc"]], worst) from None
+        raise _rejected([str(part) for part in worst["loc"]], worst, model) from None
 
 
 def _origin(place: Sequence[str], files: Sequence[_File], settings: Iterable[str]) -> str:
@@ -235,31 +259,33 @@ def _stands_in(tables: object, place: Sequence[str]) -> bool:
     return True
 
 
-def _rejected(place: list[str], error: Any) -> RejectedError:
+def _rejected(place: list[str], error: Any, model: type[Design]) -> RejectedError:
     """One pydantic error as one line: key, rule, value."""
     key = _written_key(place)
     kind, value, bounds = error["type"], error["input"], error.get("ctx", {})
     if kind == "value_error":
         message = str(bounds["error"])
-        if message.partition(":")[0] in known_keys():  # a check of several values, no one of them to blame
+        named = re.sub(r"\.\d+(?=\.)", ".0", message.partition(":")[0])
+        if named in known_keys(model):  # a check of several values, no one of them to blame
             return RejectedError([], message)
-        return RejectedError(place, f"{key}: {message}")
+        return RejectedError(place, f"{key}: {message}" if key else message)
     if kind == "extra_forbidden":
-        return RejectedError(place, f"{key}: unknown key; {hint(place)}")
+        return RejectedError(place, f"{key}: unknown key; {hint(place, model)}")
     if kind == "missing":
         in_list = any(part.isdigit() for part in place)
-        to_inherit = f'give it, or begin the file with based_on = "{REFERENCE}"'
+        reference = reference_of(model)
+        to_inherit = f'give it, or begin the file with based_on = "{reference}"' if reference else "give it"
         if place[:2] == ["tendon", "law"]:
             to_inherit = 'give it, or name a material as in tendon.law = "tpu-82a"'
-        remedy = f"needed here: {', '.join(siblings(place))}" if in_list else to_inherit
+        remedy = f"needed here: {', '.join(siblings(place, model))}" if in_list else to_inherit
         return RejectedError(place[:-1], f"{key}: is missing; {remedy}")
-    return RejectedError(place, f"{key}: need {_rule(place, kind, value, bounds)}, got {as_written(value)}")
+    return RejectedError(place, f"{key}: need {_rule(place, kind, value, bounds, model)}, got {as_written(value)}")
 
 
-def _rule(place: list[str], kind: str, value: object, bounds: Mapping[str, Any]) -> str:
+def _rule(place: list[str], kind: str, value: object, bounds: Mapping[str, Any], model: type[Design]) -> str:
     """What is allowed, by pydantic's name of the error."""
     header = ".".join(part for part in place if not part.isdigit())
-    is_tables = header in ("protocol.stages", "tendon.law.branches")
+    is_tables = any(key.startswith(f"{header}.0.") for key in known_keys(model))
     bare = " without quotes" if isinstance(value, str) else ""
     rules = {
         "greater_than": "> {gt:g}",
@@ -268,6 +294,7 @@ def _rule(place: list[str], kind: str, value: object, bounds: Mapping[str, Any])
         "less_than_equal": "<= {le:g}",
         "literal_error": "{expected}",
         "too_short": "at least {min_length} entry",
+        "too_long": "at most {max_length} entry",
         "string_too_short": "some text",
         "int": f"a whole number{bare}",
         "float": f"a number{bare}",
@@ -275,20 +302,16 @@ def _rule(place: list[str], kind: str, value: object, bounds: Mapping[str, Any])
         "string": "text in quotes",
         "bool": f"true or false{bare}",
         "tuple": f"a list of tables, each under [[{header}]]" if is_tables else "a list of numbers such as [0.3, 0.6]",
-        "model": _table_rule(header),
+        "model": _table_rule(header, is_list=is_tables),
     }
     rule = rules.get(kind) or next((text for name, text in rules.items() if kind.startswith(f"{name}_")), kind)
     return rule.format(**bounds).replace("'", '"')
 
 
-def _table_rule(header: str) -> str:
-    match header:
-        case "tendon.law":
-            return "the name of a material, the path of a law file, or a table under [tendon.law]"
-        case "protocol.stages" | "tendon.law.branches":
-            return f"a table under [[{header}]]"
-        case _:
-            return f"a table under [{header}]"
+def _table_rule(header: str, *, is_list: bool) -> str:
+    if header == "tendon.law":
+        return "the name of a material, the path of a law file, or a table under [tendon.law]"
+    return f"a table under [[{header}]]" if is_list else f"a table under [{header}]"
 
 
 def _written_key(place: Sequence[str]) -> str:
@@ -310,25 +333,46 @@ def _commented(design: Design) -> Iterator[str]:
     """The sections of a design, every key with its meaning."""
     for section in _sections(design):
         part = getattr(design, section)
+        if isinstance(part, tuple):
+            yield from _commented_tables(section, part, type(design).model_fields[section])
         if not isinstance(part, Part):
             continue
         yield f"\n[{section}]  # {(type(part).__doc__ or '').splitlines()[0].removesuffix('.')}"
+        values, lists = as_tables(part), []
         for key, entry in type(part).model_fields.items():
-            if key == "stages":
-                yield from _commented_stages(as_tables(part)["stages"], entry.description)
+            if entry_part(entry) is not None:
+                # a table under a header of its own ends what stands under the section's
+                lists.append((key, entry))
                 continue
-            values = as_tables(part)
             if key not in values:
                 yield f"{'# ' + _example(key, entry):<40}  # {entry.description}"
                 continue
             value = tomli_w.dumps({key: values[key]}).strip().replace("[\n    ", "[").replace(",\n]", "]")
             yield f"{value:<40}  # {entry.description}"
+        for key, entry in lists:
+            if key == "stages":
+                yield from _commented_stages(values["stages"], entry.description)
+            else:
+                yield from _commented_tables(f"{section}.{key}", getattr(part, key), entry)
 
 
 def _example(key: str, entry: FieldInfo) -> str:
     """A line for a value that is absent."""
     reader = field_quantity(entry)
     return tomli_w.dumps({key: reader.unit.example if reader else (entry.examples or [""])[0]}).strip()
+
+
+def _commented_tables(header: str, entries: Sequence[Part], field: FieldInfo) -> Iterator[str]:
+    """The entries of a list of tables, commented out, every key with its meaning; an example where there are none."""
+    yield f"\n# {field.description}; giving any replaces all of them."
+    model = entry_part(field)
+    for values in [as_tables(part) for part in entries] or [{}]:
+        yield f"# [[{header}]]"
+        for key, entry in ({} if model is None else model.model_fields).items():
+            if entries and key not in values:
+                continue
+            line = tomli_w.dumps({key: values[key]}).strip() if key in values else _example(key, entry)
+            yield f"{'# ' + line:<40}  # {entry.description}"
 
 
 def _commented_stages(stages: list[dict[str, Any]], description: str | None) -> Iterator[str]:

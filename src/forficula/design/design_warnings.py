@@ -4,19 +4,27 @@ from __future__ import annotations
 
 import numpy as np
 
+from forficula.design.crease_pattern import design_pattern
 from forficula.design.design import Design
+from forficula.design.fan import FanDesign
 from forficula.design.tendon import flat_strain, tendon_law
-from forficula.pattern import vein_gaps
+from forficula.pattern import flat_folding_faults, vein_gaps
 from forficula.quantities import reading_unit
 
 
 def design_warnings(design: Design) -> list[str]:
     """What a person should know of a design that is valid all the same, one sentence each."""
+    faults = flat_folding_faults(design_pattern(design))
+    warnings = [f"the sheet does not fold flat: {fault.removesuffix('.')}" for fault in faults]
+    return [*warnings, *_of_fan(design)] if isinstance(design, FanDesign) else warnings
+
+
+def _of_fan(design: FanDesign) -> list[str]:
     branches = [*_pushing_branches(design), *_relaxing_branches(design)]
     return [*_overlapping_veins(design), *_unmeasured_strain(design), *branches, *_softening(design)]
 
 
-def _overlapping_veins(design: Design) -> list[str]:
+def _overlapping_veins(design: FanDesign) -> list[str]:
     shares = np.linspace(0, 1, 1001)
     overlapping = shares[vein_gaps(design.fan, shares) < design.vein.diameter]
     if not len(overlapping):
@@ -28,7 +36,7 @@ def _overlapping_veins(design: Design) -> list[str]:
     ]
 
 
-def _unmeasured_strain(design: Design) -> list[str]:
+def _unmeasured_strain(design: FanDesign) -> list[str]:
     law = design.tendon.law
     if law is None or law.largest_strain is None:
         return []
@@ -41,7 +49,7 @@ def _unmeasured_strain(design: Design) -> list[str]:
     ]
 
 
-def _pushing_branches(design: Design) -> list[str]:
+def _pushing_branches(design: FanDesign) -> list[str]:
     law = tendon_law(design)
     if not law.branches or law.lets_go:
         return []
@@ -53,7 +61,7 @@ def _pushing_branches(design: Design) -> list[str]:
     ]
 
 
-def _relaxing_branches(design: Design) -> list[str]:
+def _relaxing_branches(design: FanDesign) -> list[str]:
     """Of branches that relax while the wing is folded: in a run their length is the distance of the tendon's ends."""
     drives = [stage.drive for stage in design.protocol.stages]
     if "fold" not in drives or "unfold" not in drives:
@@ -70,7 +78,7 @@ def _relaxing_branches(design: Design) -> list[str]:
     ]
 
 
-def _softening(design: Design) -> list[str]:
+def _softening(design: FanDesign) -> list[str]:
     law = design.tendon.law
     if law is None or law.softening is None or flat_strain(design) <= law.residual_strain:
         return []

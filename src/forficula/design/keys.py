@@ -25,35 +25,39 @@ _OF_LAW_FILES = {
 }
 
 
-def key_quantity(key: str) -> Quantity | None:
+def key_quantity(key: str, model: type[Design] = FanDesign) -> Quantity | None:
     """How a value of a design is read, or None where it has no unit; a law counts as one value, its name.
 
     Args:
-        key: dotted; a number picks an entry of a list, as in "protocol.stages.1.hold", whether or not a design has it.
+        key: dotted; a number picks an entry of a list, as in "protocol.stages.1.hold", or the name of an
+            entry, whether or not a design has it.
+        model: class of the design.
 
     Raises:
         InputError: there is no such key, or it holds several values.
     """
     if key == "based_on":
         raise InputError("based_on: is no value of a design; name the design to start from instead")
-    if key == "tendon.law":
+    if key == "tendon.law" and issubclass(model, FanDesign):
         return None
     parts = key.split(".")
-    place: Any = FanDesign
+    place: Any = model
     quantity = None
     for depth, part in enumerate(parts):
         if _is_part(place):
             field = place.model_fields.get(part)
             if field is None:
-                raise InputError(f"{key}: unknown key; {hint(parts)}")
+                raise InputError(f"{key}: unknown key; {hint(parts, model)}")
             place, quantity = _without_none(field.annotation), field_quantity(field)
         elif get_origin(place) is not tuple:
             raise InputError(f"{key}: unknown key; did you mean {'.'.join(parts[:depth])}?")
-        elif not part.isdecimal():
+        elif not part.isdecimal() and not _may_be_called(part, get_args(place)[0]):
             of = ".".join(parts[:depth])
             raise InputError(f"{key}: need the number of an entry of {of}, from 0 on, got {as_written(part)}")
         else:
-            place, quantity = get_args(place)[0], None
+            place = get_args(place)[0]
+    if get_origin(place) is tuple:
+        quantity = None
     inside = list(_parts(place))
     if inside:
         first = f"{key}.0" if get_origin(place) is tuple else key
@@ -85,18 +89,19 @@ def put(part: _PartOf, key: str, value: object) -> _PartOf:
     if not rest:
         return part.model_copy(update={name: value})
     if isinstance(inner, tuple):
-        number, _, rest = rest.partition(".")
-        changed = put(inner[int(number)], rest, value)
-        return part.model_copy(update={name: (*inner[: int(number)], changed, *inner[int(number) + 1 :])})
+        entry, _, rest = rest.partition(".")
+        number = entry_index(key, entry, inner)
+        changed = put(inner[number], rest, value) if rest else value
+        return part.model_copy(update={name: (*inner[:number], changed, *inner[number + 1 :])})
     return part.model_copy(update={name: put(inner, rest, value)})
 
 
 def entry_index(key: str, text: str, entries: Sequence[Any]) -> int:
-    """Read the number of an entry of a list.
+    """Find an entry of a list by its number or its name.
 
     Args:
         key: that it is a part of.
-        text: the number.
+        text: the number, or the name where the entries have names.
         entries: of the list: of a design, or of the tables of a file.
 
     Raises:
@@ -105,6 +110,8 @@ def entry_index(key: str, text: str, entries: Sequence[Any]) -> int:
     if text in (allowed := [str(index) for index in range(len(entries))]):
         return int(text)
     names = [entry.get("name") if isinstance(entry, dict) else getattr(entry, "name", None) for entry in entries]
+    if names.count(text) == 1:
+        return names.index(text)
     shown = ", ".join(f"{index} ({name})" if name else index for index, name in zip(allowed, names, strict=True))
     rule = f"need one of the numbers {shown} in it" if shown else "has no entries"
     raise InputError(f"{key}: {rule}, got {as_written(text)}")
@@ -119,35 +126,40 @@ def known_keys(model: type[BaseModel] = FanDesign, prefix: str = "") -> Iterator
             yield from known_keys(part, f"{prefix}{name}{number}.")
 
 
-def siblings(place: Sequence[str]) -> list[str]:
+def siblings(place: Sequence[str], model: type[Design] = FanDesign) -> list[str]:
     """The keys that are allowed in the section of a place."""
     section = "".join("0." if part.isdecimal() else f"{part}." for part in place[:-1])
-    inside = [key.removeprefix(section) for key in known_keys() if key.startswith(section)]
+    inside = [key.removeprefix(section) for key in known_keys(model) if key.startswith(section)]
     return [*([] if section else ["based_on"]), *(key for key in inside if "." not in key)]
 
 
-def hint(place: Sequence[str]) -> str:
+def hint(place: Sequence[str], model: type[Design] = FanDesign) -> str:
     """The nearest valid key of the same section, or of another, or all of the section."""
     if list(place[:2]) == ["tendon", "law"] and (names := _OF_LAW_FILES.get("".join(place[2:3]))):
         meant = [name for name in names if name.startswith("".join(place[3:4]))] or names
         return f"did you mean {' or '.join(f'tendon.law.{name}' for name in meant)}?"
     *section, wrong = place
-    here = siblings(place)
+    here = siblings(place, model)
     if near := difflib.get_close_matches(wrong.lower(), here, n=1):
         return f"did you mean {'.'.join([*section, *near])}?"
     elsewhere: dict[str, list[str]] = {}
-    for key in known_keys():
+    for key in known_keys(model):
         elsewhere.setdefault(key.rpartition(".")[2], []).append(key)
     if near := difflib.get_close_matches(wrong.lower(), elsewhere, n=1, cutoff=0.75):
         return f"did you mean {' or '.join(elsewhere[near[0]])}?"
     # where the section itself is unknown, it is what is wrong
-    return f"allowed here: {', '.join(here)}" if here or not section else hint(section)
+    return f"allowed here: {', '.join(here)}" if here or not section else hint(section, model)
 
 
 def _without_none(annotation: Any) -> Any:
     """What a field holds where it is not absent."""
     given = [each for each in get_args(annotation) if each is not type(None)]
     return given[0] if len(given) == 1 and get_origin(annotation) is UnionType else annotation
+
+
+def _may_be_called(text: str, entry: Any) -> bool:
+    """Whether text may be the name of an entry of a list, and is no key of it whose entry was left out."""
+    return _is_part(entry) and "name" in entry.model_fields and text not in entry.model_fields
 
 
 def _is_part(annotation: Any) -> bool:
