@@ -24,7 +24,7 @@ from forficula.design.part import (
     quantity,
 )
 from forficula.design.protocol import GoalText, check_stages, read_goal
-from forficula.design.sheet_places import crease_groups, creases_of, facet_of, fold_edges, place_on
+from forficula.design.sheet_places import crease_groups, crease_role, creases_of, facet_of, fold_edges, place_on
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, facet_tree, pleat_pattern
 from forficula.quantities import Unit, as_written, parse_quantity, show_quantity
@@ -355,7 +355,8 @@ def _check_names(design: PlatesDesign, sheet: CreasePattern) -> None:
 
 def _check_protocol(design: PlatesDesign, sheet: CreasePattern) -> None:
     """Refuse stages that name nothing there is, states twice, and goals that stops keep the creases from."""
-    measured: dict[str, Unit] = dict.fromkeys(crease_groups(sheet), ANGLE)
+    roles = (crease_role(sheet, edge) for edge in fold_edges(sheet))
+    measured: dict[str, Unit] = dict.fromkeys(("creases", *roles), ANGLE)
     for measure in design.measure:
         measured[measure.name] = LENGTH if measure.of is None else ANGLE
     check_stages(design.protocol, [drive.name for drive in design.drive], [], measured)

@@ -8,6 +8,7 @@ from forficula.structure.goals import (
     state_of,
     transition_of,
 )
+from forficula.structure.mass import mass_of
 from forficula.structure.structure import (
     GROUND,
     Bar,
@@ -57,6 +58,7 @@ __all__ = [
     "goal_of",
     "hinges_between",
     "hinges_of",
+    "mass_of",
     "measure_of",
     "state_of",
     "structure_of",
