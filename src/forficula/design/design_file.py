@@ -168,7 +168,7 @@ def _read_files(name_or_path: str, above: tuple[Path, ...] = ()) -> list[_File]:
 def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si: bool = False) -> dict[str, Any]:
     """Put values into tables by their dotted keys, a law that is named before values of it."""
     read = {key: with_law_read(key, value, si=si) for key, value in with_sheet_read(settings).items()}
-    tables, read = law_taken_off(tables, read, si=si)
+    tables, read = law_taken_off(_with_kind(tables, read.get("pattern.kind")), read, si=si)
     nested: dict[str, Any] = {}
     for key, value in read.items():
         _nest(nested, key, value)
@@ -183,12 +183,27 @@ def _of_kind(where: str, tables: Mapping[str, Any], given: dict[str, Any]) -> di
     kind, below = kind_of(given), kind_of(tables)
     if kind is None or below is None or kind == below:
         return given
-    model, base = design_class(given), KINDS[below]
-    if model.model_fields.keys() != base.model_fields.keys():
+    model = design_class(given)
+    if not _alike(model, KINDS[below]):
         own = reference_of(model)
         instead = f'leave it out, or begin with based_on = "{own}"' if own else "leave it out"
         raise InputError(f"{where}: based_on: is a design of kind {below}, which has other sections; {instead}")
     return given | {"pattern": WholeTable(given["pattern"])}
+
+
+def _with_kind(tables: dict[str, Any], kind: object) -> dict[str, Any]:
+    """Tables to set the kind of the pattern in: without a pattern of another kind."""
+    below = kind_of(tables)
+    if kind == below or kind not in KINDS or below not in KINDS:
+        return tables
+    if not _alike(KINDS[str(kind)], KINDS[str(below)]):
+        raise InputError(f"pattern.kind: designs of kind {kind} have other sections than those of kind {below}")
+    return tables | {"pattern": {}}
+
+
+def _alike(one: type[Design], other: type[Design]) -> bool:
+    """Whether two kinds of designs have the same sections."""
+    return one.model_fields.keys() == other.model_fields.keys()
 
 
 def _nest(tables: dict[str, Any], key: str, value: object) -> None:

@@ -236,12 +236,11 @@ class PlateMeasure(_MaybeJoined):
 
     @model_validator(mode="after")
     def _has_what_its_kind_needs(self) -> PlateMeasure:
-        needed = {"fold-angle": ("of",), "distance": ("from", "to")}
-        for kind, keys in needed.items():
-            for key in keys:
-                if (getattr(self, key) is None) == (kind == self.kind):
-                    fault = "is missing" if kind == self.kind else f"is of a measure of kind {kind}"
-                    raise InputError(f'{key} {fault}; kind = "{self.kind}" needs {" and ".join(needed[self.kind])}')
+        given = [key for key in ("of", "from", "to") if getattr(self, key) is not None]
+        needed = ["of"] if self.kind == "fold-angle" else ["from", "to"]
+        if given != needed:
+            got = " and ".join(given) or "neither of them"
+            raise InputError(f'kind = "{self.kind}" needs {" and ".join(needed)}, and nothing else; got {got}')
         return self
 
 
