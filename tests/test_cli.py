@@ -155,7 +155,7 @@ def test_the_named_designs_are_listed_with_their_sources(call):
     assert "an example of ours" in own
 
 
-def test_a_pattern_is_described_where_no_file_is_to_be_written(in_an_empty_folder, call):
+def test_a_pattern_is_described_where_no_file_is_to_be_written(call):
     fan = call("pattern", "binder2025").out.splitlines()
     assert fan[0] == "earwig fan, 1 unit, 3 veins: 9 vertices, 4 facets, 22.35 cm by 15.06 cm."
     assert fan[-1] == "Every vertex folds flat by itself; whether layers get into each other's way is not checked."

@@ -26,14 +26,15 @@ def design_class(tables: Mapping[str, object]) -> type[Design]:
     Raises:
         RejectedError: a kind that there is not.
     """
-    kind = kind_of(tables)
-    if kind is not None and kind not in KINDS:
+    pattern = tables.get("pattern")
+    kind = pattern.get("kind", "earwig-fan") if isinstance(pattern, Mapping) else "earwig-fan"
+    if not isinstance(kind, str) or kind not in KINDS:
         *others, last = (f'"{known}"' for known in KINDS)
-        near = difflib.get_close_matches(kind, KINDS, n=1)
+        near = difflib.get_close_matches(str(kind), KINDS, n=1)
         meant = f'; did you mean "{near[0]}"?' if near else ""
         rule = f"{', '.join(others)} or {last}"
         raise RejectedError(["pattern", "kind"], f"pattern.kind: need {rule}, got {as_written(kind)}{meant}")
-    return KINDS["earwig-fan" if kind is None else kind]
+    return KINDS[kind]
 
 
 def kind_of(tables: Mapping[str, object]) -> str | None:

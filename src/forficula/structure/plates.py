@@ -156,7 +156,7 @@ def with_protocol(structure: Structure, design: PlatesDesign) -> Structure:
                         state=state,
                         released=replace(goal, name=f"still {state}"),
                         measure=written.name,
-                        wording=Wording(doing=f"on its way to {state}", did=f"get {state}", stay=state, done=done),
+                        wording=Wording(doing=f"getting {state}", did=f"get {state}", stay=state, done=done),
                     )
                 )
         if stage.state is not None:
