@@ -194,9 +194,9 @@ def _of_kind(where: str, tables: Mapping[str, Any], given: dict[str, Any]) -> di
 def _with_kind(tables: dict[str, Any], kind: object) -> dict[str, Any]:
     """Tables to set the kind of the pattern in: without a pattern of another kind."""
     below = kind_of(tables)
-    if kind == below or kind not in KINDS or below not in KINDS:
+    if kind == below or not isinstance(kind, str) or kind not in KINDS or below not in KINDS:
         return tables
-    if not _alike(KINDS[str(kind)], KINDS[str(below)]):
+    if not _alike(KINDS[kind], KINDS[str(below)]):
         raise InputError(f"pattern.kind: designs of kind {kind} have other sections than those of kind {below}")
     return tables | {"pattern": {}}
 
