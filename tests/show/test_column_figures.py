@@ -9,12 +9,12 @@ from matplotlib.text import Text
 from matplotlib.transforms import Affine2D
 
 from forficula.design import with_values
+from forficula.show.folder.convergence_folder import convergence_drawings
 from forficula.show.folder.cycling_folder import cycling_drawings
 from forficula.show.folder.landscape_folder import landscape_drawings
 from forficula.show.folder.material_folder import material_drawings
 from forficula.show.folder.run_folder import run_drawings
 from forficula.show.folder.static_map_folder import static_map_drawings
-from forficula.show.study.convergence_figure import convergence_drawings
 from forficula.show.study.maps import map_drawings
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, description
 from forficula.study.convergence import converge

@@ -1,19 +1,20 @@
-from forficula.analysis.outcome import Outcome, State, Transition, measure
+from forficula.analysis.outcome import Outcome, Reading, StageOutcome, State, TransitionOutcome, measure
 from forficula.analysis.run_warnings import run_warnings
 from forficula.analysis.summary import summary
-from forficula.analysis.verdict import FOLDED, OPENED, Ending, Verdict, ending_text, ending_word
+from forficula.analysis.verdict import Ending, Verdict, ending_text, ending_word, verdict_word
 
 __all__ = [
-    "FOLDED",
-    "OPENED",
     "Ending",
     "Outcome",
+    "Reading",
+    "StageOutcome",
     "State",
-    "Transition",
+    "TransitionOutcome",
     "Verdict",
     "ending_text",
     "ending_word",
     "measure",
     "run_warnings",
     "summary",
+    "verdict_word",
 ]

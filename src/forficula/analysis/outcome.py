@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.analysis.verdict import LEFT_STRAIGHT, Ending, Verdict, ending_advice, ending_text
+from forficula.analysis.verdict import Ending, Verdict, ending_advice, ending_text
+from forficula.design import stage_drives
 from forficula.dynamics import EnergyBalance, Record, StageEnd, energy_balance
+from forficula.structure import Goal, RestState, Structure, Transition, drive_of, goal_of, state_of
 
 Array = NDArray[np.float64]
 
@@ -17,51 +21,86 @@ _TOO_SHORT = "at its goal for too short a time when its stage was over"
 
 
 @dataclass(frozen=True, kw_only=True)
-class State:
-    """One of the three states: the mean over the last part of a stage, and how far the wing still swings.
+class Reading:
+    """What a measure reads over a while: of each hinge of an angle, rad, or of a distance, m, (reading,).
 
     Attributes:
-        time: end of the stage, s.
-        distal_angle: by vein, folding negative in its own sense, rad, (vein,).
-        distal_angle_low: lowest over the window, rad, (vein,).
-        distal_angle_high: highest over the window, rad, (vein,).
-        tendon_length: by vein, m, (vein,).
-        tendon_energy: by vein, J, (vein,).
-        membrane_energy: J; nan in a sparse record.
+        mean: over the while.
+        low: lowest.
+        high: highest.
     """
 
-    time: float
-    distal_angle: Array
-    distal_angle_low: Array
-    distal_angle_high: Array
-    tendon_length: Array
-    tendon_energy: Array
-    membrane_energy: float
-
-    @property
-    def is_flat(self) -> bool:
-        """Whether no hinge has left straight for folding."""
-        return bool(np.all(self.distal_angle >= -LEFT_STRAIGHT))
-
-    @property
-    def swings(self) -> bool:
-        """Whether a hinge still moves by more than 0.1 deg."""
-        return bool(np.any(self.distal_angle_high - self.distal_angle_low > _STIR))
+    mean: Array
+    low: Array
+    high: Array
 
 
 @dataclass(frozen=True, kw_only=True)
-class Transition:
-    """Folding or unfolding.
+class State:
+    """A state that a protocol names: the mean over the last part of a stage, and how far it still swings.
 
     Attributes:
-        torque: on each driven axis, N m.
-        succeeded: whether the goal was reached and held after the release.
+        name: such as "folded".
+        time: end of the stage, s.
+        coordinates: means of all hinge angles in their own senses, rad, then of all distances, m, (coordinate,).
+        readings: by name of the measure.
+        tendon_length: m, (tendon,).
+        tendon_energy: J, (tendon,).
+        membrane_energy: J; nan in a sparse record.
+        within: whether it is within the bounds of its name.
+        swings: whether a hinge that is measured still moves by more than 0.1 deg.
+        furthest: of the measure of the transition that leads there, what reads furthest from its goal, rad or m; of
+            other states the largest reading of the first measure; None where nothing is measured.
+        furthest_kind: of that measure.
+    """
+
+    name: str
+    time: float
+    coordinates: Array
+    readings: Mapping[str, Reading]
+    tendon_length: Array
+    tendon_energy: Array
+    membrane_energy: float
+    within: bool
+    swings: bool
+    furthest: float | None
+    furthest_kind: Literal["angle", "distance"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class TransitionOutcome:
+    """What became of a transition, such as folding.
+
+    Attributes:
+        torque: of its drive, N m.
+        succeeded: whether the goal was reached, and the state held after the release.
         time: from the start of the stage until the goal was reached, s; None where it failed.
-        work: of the torques over the stage, J: the integral of torque over angle.
+        work: of the motors over the stage, J: the integral of torque over angle.
     """
 
     torque: float
     succeeded: bool
+    time: float | None
+    work: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class StageOutcome:
+    """How a stage of the protocol went.
+
+    Attributes:
+        name: of the stage.
+        drive: names of its drives.
+        goal: as the protocol has it.
+        reached: whether the goal was; None where it was the time, or where nothing is to be trusted.
+        time: until the goal was reached, s; how long the stage took where it had none; None where it missed it.
+        work: of the motors over the stage, J.
+    """
+
+    name: str
+    drive: tuple[str, ...]
+    goal: str
+    reached: bool | None
     time: float | None
     work: float
 
@@ -74,43 +113,24 @@ class Outcome:
         ending: what it came to.
         status: that in a few words.
         advice: what to try, in a sentence; empty where there is nothing to mend.
-        folded: whether every distal hinge folded, and stayed beyond half the folded angle when released; None where
-            the run diverged or is not to be trusted.
-        opened: whether every distal hinge opened, and stayed so when released; None likewise.
-        flat: the state after the first stage, or None where the wing diverged before.
-        folded_state: None where the protocol did not get there.
-        opened_state: None where the protocol did not get there.
-        fold: None where the protocol has no such stage or did not get there.
-        unfold: None where the protocol has no such stage or did not get there.
+        holds: by name of the state that a transition leads to, whether it was reached and held when released; None
+            where the run diverged or is not to be trusted.
+        states: by name, all of the structure; None where the protocol did not get there.
+        state_names: what to call each, for a state that was missed is called otherwise.
+        transitions: by name, all of the structure; None where the protocol has no such stage or did not get there.
+        stages: that took place, in order.
         energy_balance: over the whole run.
     """
 
     ending: Ending
     status: str
     advice: str
-    folded: bool | None
-    opened: bool | None
-    flat: State | None
-    folded_state: State | None
-    opened_state: State | None
-    fold: Transition | None
-    unfold: Transition | None
+    holds: Mapping[str, bool | None]
+    states: Mapping[str, State | None]
+    state_names: Mapping[str, str]
+    transitions: Mapping[str, TransitionOutcome | None]
+    stages: tuple[StageOutcome, ...]
     energy_balance: EnergyBalance
-
-    @property
-    def flat_name(self) -> str:
-        """What to call the state after the first stage, in which a hinge may have left straight."""
-        return "flat" if self.flat is None or self.flat.is_flat else "not flat"
-
-    @property
-    def folded_name(self) -> str:
-        """What to call the state after folding."""
-        return _name(self.folded, "folded", "folding")
-
-    @property
-    def opened_name(self) -> str:
-        """What to call the state after unfolding."""
-        return _name(self.opened, "opened", "unfolding")
 
     @property
     def verdict(self) -> Verdict:
@@ -118,28 +138,26 @@ class Outcome:
         return self.ending.verdict
 
 
+@dataclass(frozen=True, kw_only=True)
+class _Way:
+    """A transition in a run: the stage that drives it, and the state that was left of it."""
+
+    transition: Transition
+    driven: StageEnd | None
+    state: State | None
+    holds: bool
+
+
 def measure(record: Record) -> Outcome:
     """Find what a run means.
 
-    The flat state is taken at the end of the first stage; the folded and the opened one at the end of the stage that
-    follows folding and unfolding. Each is the mean over the protocol's window; where no release follows, it is the
-    moment at which the goal was reached.
+    A state is taken at the end of the stage that the protocol names it by. Where that did not take place it is taken
+    at the end of the stage that was to lead there. It is the mean over the protocol's window; at the end of a driven
+    stage that reached its goal, it is the moment at which it did.
     """
-    folding, after_folding = _driven(record, "fold")
-    unfolding, after_unfolding = _driven(record, "unfold")
-    folded_state = _state(record, after_folding)
-    opened_state = _state(record, after_unfolding)
-    protocol, balance = record.design.protocol, energy_balance(record)
-    # A slack tendon lets its hinge rest anywhere on the folded side; one that is back beyond half way has opened again.
-    folded: bool | None = False
-    if folding and folded_state:
-        # a stage that was not to end with the wing folded does not say whether it was, but what it left does
-        beyond = protocol.folded_angle / (2 if folding.stage.until == "folded" else 1)
-        folded = _is_reached(folding, "folded") and bool(np.all(folded_state.distal_angle <= -beyond))
-    opened: bool | None = False
-    if unfolding and opened_state:
-        opened = _is_reached(unfolding, "opened") and bool(np.all(opened_state.distal_angle >= protocol.opened_angle))
-    missed = _missed(record, folding, unfolding, folded=folded, opened=opened)
+    structure, protocol, balance = record.structure, record.design.protocol, energy_balance(record)
+    ways = [_way(record, transition) for transition in structure.transitions]
+    missed = _missed(record, ways)
     if record.diverged_at is not None:
         verdict = Verdict.DIVERGED
     elif record.doubt or not balance.residual <= protocol.residual_limit:
@@ -147,54 +165,71 @@ def measure(record: Record) -> Outcome:
     else:
         verdict = _verdict(missed)
     if not verdict.tells:
-        folded = opened = None
-    if not verdict.tells:
-        missed = folding
-    missed = missed or unfolding or folding
-    state = opened_state if missed is unfolding else folded_state
+        missed = next((way.driven for way in ways if way.driven is not None), None)
+    told = missed or next((way.driven for way in reversed(ways) if way.driven is not None), None)
+    way = None if told is None else _way_of(ways, told)
     ending = Ending(
         verdict=verdict,
-        goal="none" if missed is None else _goal(missed),
-        angle=float(np.max(state.distal_angle)) if verdict.tells and state else None,
+        transition=None if way is None else way.transition,
+        reading=way.state.furthest if verdict.tells and way is not None and way.state is not None else None,
         time=record.diverged_at,
         residual=balance.residual if record.diverged_at is None else None,
         why=record.doubt or (_TOO_SHORT if verdict is Verdict.MOVING and missed and missed.at_goal else ""),
     )
+    holds = {way.transition.state: way.holds if verdict.tells else None for way in ways}
+    led_to = {way.transition.state: way.state for way in ways}
+    states = {
+        state.name: led_to[state.name] if state.name in led_to else _named_state(record, state)
+        for state in structure.states
+    }
     return Outcome(
         ending=ending,
         status=ending_text(ending),
         advice=ending_advice(ending, record.design),
-        folded=folded,
-        opened=opened,
-        flat=_state(record, record.stages[0] if _sound(record, 0) else None),
-        folded_state=folded_state,
-        opened_state=opened_state,
-        fold=_transition(record, folding, protocol.fold_torque, bool(folded)),
-        unfold=_transition(record, unfolding, protocol.unfold_torque, bool(opened)),
+        holds=holds,
+        states=states,
+        state_names={state.name: _called(state, states[state.name], holds) for state in structure.states},
+        transitions={way.transition.name: _transition(record, way, holds) for way in ways},
+        stages=tuple(_stage(record, end, tells=verdict.tells) for end in record.stages),
         energy_balance=balance,
     )
 
 
-def _is_reached(end: StageEnd, goal: str) -> bool:
-    """Whether a stage reached its goal, or has another one."""
-    return end.goal_time is not None or end.stage.until != goal
+def _way(record: Record, transition: Transition) -> _Way:
+    structure, number = record.structure, transition.stage
+    if number is None or number >= len(record.stages):
+        return _Way(transition=transition, driven=None, state=None, holds=False)
+    driven = record.stages[number]
+    names = structure.stage_states
+    named = next((place for place in range(number, len(names)) if names[place] == transition.state), number)
+    end = record.stages[named] if _sound(record, named) else driven if _sound(record, number) else None
+    rest_state = state_of(structure, transition.state)
+    state = None if end is None else _state(record, end, transition.state)
+    asked = driven.stage.until == transition.goal
+    reached = driven.goal_time is not None or not asked
+    holds = False
+    if state is not None and rest_state is not None:
+        # a stage that was not to end at the goal does not say whether it was reached, but what it left does
+        holds = reached and _within(state.coordinates, transition.released if asked else rest_state.bounds)
+    return _Way(transition=transition, driven=driven, state=state, holds=holds)
 
 
-def _missed(
-    record: Record, folding: StageEnd | None, unfolding: StageEnd | None, *, folded: bool | None, opened: bool | None
-) -> StageEnd | None:
+def _way_of(ways: list[_Way], end: StageEnd) -> _Way | None:
+    """The transition that a stage drives, or whose goal ends it."""
+    drives = stage_drives(end.stage)
+    for way in ways:
+        if way.driven is end:
+            return way
+    return next((way for way in ways if way.transition.goal == end.stage.until or way.transition.drive in drives), None)
+
+
+def _missed(record: Record, ways: list[_Way]) -> StageEnd | None:
     """The stage whose goal was missed, or lost when released; None where there is none."""
-    if folding and not folded:
-        return folding
-    if unfolding and not opened:
-        return unfolding
+    for way in ways:
+        if way.driven is not None and not way.holds:
+            return way.driven
     last = record.stages[-1]
-    return last if last.goal_time is None and last.stage.until in ("folded", "opened") else None
-
-
-def _goal(end: StageEnd) -> str:
-    """Which goal a stage has: that of its drive, or that which ends it."""
-    return end.stage.drive if end.stage.drive != "none" else {"folded": "fold", "opened": "unfold"}[end.stage.until]
+    return last if last.goal_time is None and goal_of(record.structure, last.stage.until).kind == "bounds" else None
 
 
 def _verdict(missed: StageEnd | None) -> Verdict:
@@ -206,8 +241,22 @@ def _verdict(missed: StageEnd | None) -> Verdict:
     return Verdict.STUCK if missed.at_rest and not missed.at_goal else Verdict.MOVING
 
 
-def _name(reached: bool | None, state: str, move: str) -> str:
-    return f"after {move}" if reached is None else state if reached else f"not {state}"
+def _named_state(record: Record, state: RestState) -> State | None:
+    """A state that no transition leads to, at the end of the stage that is named by it."""
+    names = record.structure.stage_states
+    number = names.index(state.name) if state.name in names else len(names)
+    return _state(record, record.stages[number], state.name) if _sound(record, number) else None
+
+
+def _called(state: RestState, found: State | None, holds: Mapping[str, bool | None]) -> str:
+    if state.name in holds:
+        held = holds[state.name]
+        return state.unknown if held is None else state.name if held else state.missed
+    return state.name if found is None or found.within else state.missed
+
+
+def _within(coordinates: Array, bounds: Goal) -> bool:
+    return bool(np.all((coordinates >= bounds.least) & (coordinates <= bounds.most)))
 
 
 def _sound(record: Record, stage: int) -> bool:
@@ -215,48 +264,79 @@ def _sound(record: Record, stage: int) -> bool:
     return len(record.stages) > stage and (record.diverged_at is None or stage < len(record.stages) - 1)
 
 
-def _driven(record: Record, drive: str) -> tuple[StageEnd | None, StageEnd | None]:
-    """The stage with a drive, and the release that followed it, or itself where none did."""
-    for index, end in enumerate(record.stages):
-        if end.stage.drive == drive:
-            after = record.stages[index + 1 : index + 2]
-            released = bool(after) and after[0].stage.drive == "none" and _sound(record, index + 1)
-            last = index + released
-            return end, record.stages[last] if _sound(record, last) else None
-    return None, None
-
-
-def _state(record: Record, end: StageEnd | None) -> State | None:
-    if end is None:
-        return None
-    snapped = end.stage.drive != "none" and end.goal_time is not None
+def _state(record: Record, end: StageEnd, name: str) -> State:
+    snapped = bool(stage_drives(end.stage)) and end.goal_time is not None
     # a stage that ends in the middle of the snap is no rest to average over
     start = end.end if snapped else max(end.start, end.end - record.design.protocol.window)
     # half a step either way, for times are multiples of the timestep up to rounding
     half = float(record.design.protocol.timestep) / 2
     window = (record.time >= start - half) & (record.time <= end.end + half)
-    series = {name: record.series[name][window] for name in ("distal_angle", "tendon_length", "tendon_energy")}
-    angle = series["distal_angle"]
+    coordinates = record.series["hinge_angle"][window]
+    if "distance" in record.series:
+        coordinates = np.concatenate([coordinates, record.series["distance"][window]], axis=1)
+    readings = {}
+    for each in record.structure.measures:
+        values = record.measured(each.name)[window]
+        readings[each.name] = Reading(mean=values.mean(axis=0), low=values.min(axis=0), high=values.max(axis=0))
+    swung = [each.high - each.low for each in readings.values()]
+    mean, rest_state = coordinates.mean(axis=0), state_of(record.structure, name)
+    furthest, kind = _furthest(record.structure, name, readings)
     return State(
+        name=name,
         time=end.end,
-        distal_angle=angle.mean(axis=0),
-        distal_angle_low=angle.min(axis=0),
-        distal_angle_high=angle.max(axis=0),
-        tendon_length=series["tendon_length"].mean(axis=0),
-        tendon_energy=series["tendon_energy"].mean(axis=0),
+        coordinates=mean,
+        readings=readings,
+        tendon_length=record.series["tendon_length"][window].mean(axis=0),
+        tendon_energy=record.series["tendon_energy"][window].mean(axis=0),
         membrane_energy=float(record.series["membrane_energy"][window].mean()),
+        within=rest_state is not None and _within(mean, rest_state.bounds),
+        swings=any(bool(np.any(each > _STIR)) for each in swung),
+        furthest=furthest,
+        furthest_kind=kind,
     )
 
 
-def _transition(record: Record, end: StageEnd | None, torque: float, succeeded: bool) -> Transition | None:
+def _furthest(
+    structure: Structure, state: str, readings: Mapping[str, Reading]
+) -> tuple[float | None, Literal["angle", "distance"]]:
+    """What reads furthest from the goal of a state, and whether that is an angle."""
+    for transition in structure.transitions:
+        if transition.state == state and transition.measure in readings:
+            mean = readings[transition.measure].mean
+            return float(np.max(mean) if transition.furthest == "largest" else np.min(mean)), transition.kind
+    for measure in structure.measures:
+        return float(np.max(readings[measure.name].mean)), measure.kind
+    return None, "angle"
+
+
+def _transition(record: Record, way: _Way, holds: Mapping[str, bool | None]) -> TransitionOutcome | None:
+    end, transition = way.driven, way.transition
     if end is None:
         return None
-    work = _since(record, "proximal_work", end) + _since(record, "distal_work", end)
-    time = end.goal_time - end.start if succeeded and end.goal_time is not None else None
-    return Transition(torque=torque, succeeded=succeeded, time=time, work=work)
+    succeeded = bool(holds[transition.state])
+    return TransitionOutcome(
+        torque=drive_of(record.structure, transition.drive).torque,
+        succeeded=succeeded,
+        time=end.goal_time - end.start if succeeded and end.goal_time is not None else None,
+        work=_work(record, end),
+    )
 
 
-def _since(record: Record, name: str, end: StageEnd) -> float:
-    """Change of a series over a stage."""
+def _stage(record: Record, end: StageEnd, *, tells: bool) -> StageOutcome:
+    timed = end.stage.until == "time"
+    moment = end.end if timed else end.goal_time
+    return StageOutcome(
+        name=end.stage.name,
+        drive=stage_drives(end.stage),
+        goal=end.stage.until,
+        reached=end.goal_time is not None if tells and not timed else None,
+        time=None if moment is None else moment - end.start,
+        work=_work(record, end),
+    )
+
+
+def _work(record: Record, end: StageEnd) -> float:
+    """Work of the motors over a stage, J."""
     before, after = (int(np.argmin(np.abs(record.time - moment))) for moment in (end.start, end.end))
-    return float(record.series[name][after] - record.series[name][before])
+    work = record.series["motor_work"]
+    return sum((float(last - first) for first, last in zip(work[before], work[after], strict=True)), 0.0)

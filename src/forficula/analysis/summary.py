@@ -6,47 +6,62 @@ from typing import Any
 
 import numpy as np
 
-from forficula.analysis.outcome import Outcome, State, Transition
+from forficula.analysis.outcome import Outcome, StageOutcome, State, TransitionOutcome
 from forficula.analysis.run_warnings import run_warnings
-from forficula.design import design_warnings
 from forficula.dynamics import EnergyBalance, Record
+from forficula.structure import Structure, drive_of, structure_warnings
 
 
 def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[str, Any]:
-    """The outcome as plain data with units in its keys, as `summary.json` has it."""
-    states = {"flat": outcome.flat, "folded": outcome.folded_state, "opened": outcome.opened_state}
-    return {
+    """The outcome as plain data with units in its keys, as `summary.json` has it.
+
+    What became of a structure's states and transitions stands under their own names, beside `states` and `stages`,
+    which every structure has.
+    """
+    structure = record.structure
+    told: dict[str, Any] = {
         "design": record.design.name,
         "status": outcome.status,
         "verdict": outcome.verdict.value,
         "residual": outcome.ending.residual,
         "advice": outcome.advice,
-        "folded": outcome.folded,
-        "opened": outcome.opened,
-        "states": {name: None if state is None else _state_summary(state) for name, state in states.items()},
-        "fold": _transition_summary(outcome.fold, record.design.protocol.fold_torque),
-        "unfold": _transition_summary(outcome.unfold, record.design.protocol.unfold_torque),
+    }
+    last = {
         "energy_balance": _balance_summary(outcome.energy_balance),
         "diverged_at_s": record.diverged_at,
-        "warnings": [*design_warnings(record.design), *run_warnings(record)],
+        "warnings": [*structure_warnings(record.design, structure), *run_warnings(record)],
         "design_hash": record.design.hash,
         "versions": versions,
     }
+    states = {
+        name: None if state is None else _state_summary(structure, state) for name, state in outcome.states.items()
+    }
+    stages = {stage.name: _stage_summary(stage) for stage in outcome.stages}
+    transitions = {
+        each.name: _transition_summary(outcome.transitions[each.name], drive_of(structure, each.drive).torque)
+        for each in structure.transitions
+    }
+    own = {**outcome.holds, "states": states, **transitions, "stages": stages}
+    return {**told, **{name: value for name, value in own.items() if name not in {**told, **last}}, **last}
 
 
-def _state_summary(state: State) -> dict[str, Any]:
-    return {
-        "time_s": state.time,
-        "distal_angle_deg": np.degrees(state.distal_angle).tolist(),
-        "distal_angle_low_deg": np.degrees(state.distal_angle_low).tolist(),
-        "distal_angle_high_deg": np.degrees(state.distal_angle_high).tolist(),
+def _state_summary(structure: Structure, state: State) -> dict[str, Any]:
+    told: dict[str, Any] = {"time_s": state.time}
+    for measure in structure.measures:
+        reading = state.readings[measure.name]
+        for kind, values in (("", reading.mean), ("_low", reading.low), ("_high", reading.high)):
+            if measure.kind == "angle":
+                told[f"{measure.name}{kind}_deg"] = np.degrees(values).tolist()
+            else:
+                told[f"{measure.name}{kind}_m"] = values.tolist()
+    return told | {
         "tendon_length_m": state.tendon_length.tolist(),
         "tendon_energy_J": state.tendon_energy.tolist(),
         "membrane_energy_J": state.membrane_energy,
     }
 
 
-def _transition_summary(transition: Transition | None, torque: float) -> dict[str, Any]:
+def _transition_summary(transition: TransitionOutcome | None, torque: float) -> dict[str, Any]:
     """A transition; one that was not tried has the torque that it would have had, and nothing else."""
     if transition is None:
         return {"torque_N_m": torque, "succeeded": False, "time_s": None, "work_J": None}
@@ -58,12 +73,23 @@ def _transition_summary(transition: Transition | None, torque: float) -> dict[st
     }
 
 
+def _stage_summary(stage: StageOutcome) -> dict[str, Any]:
+    return {
+        "drive": "none" if not stage.drive else stage.drive[0] if len(stage.drive) == 1 else list(stage.drive),
+        "goal": stage.goal,
+        "reached": stage.reached,
+        "time_s": stage.time,
+        "work_J": stage.work,
+    }
+
+
 def _balance_summary(balance: EnergyBalance) -> dict[str, float]:
-    of_law = {
+    sometimes = {
         "branch_energy_change_J": balance.branches,
         "branch_damping_J": balance.branch_damping,
         "yielding_J": balance.yielding,
         "letting_go_J": balance.letting_go,
+        "hinge_energy_change_J": balance.hinges,
     }
     return {
         "residual": balance.residual,
@@ -76,5 +102,5 @@ def _balance_summary(balance: EnergyBalance) -> dict[str, float]:
         "elastic_damping_J": balance.elastic_damping,
         "stops_J": balance.stops,
         "missing_J": balance.missing,
-        **{name: value for name, value in of_law.items() if value is not None},
+        **{name: value for name, value in sometimes.items() if value is not None},
     }

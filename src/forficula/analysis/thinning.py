@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.dynamics import Record
+from forficula.structure import drawn_points
 
-# A row for every motion by this share of the wing's size, and for every so many seconds.
+# A row for every motion by this share of the size of the whole, and for every so many seconds.
 _SHARE_OF_SIZE = 0.005
 _LONGEST_GAP = 5e-3
 
@@ -18,8 +19,8 @@ def thin_record(record: Record) -> Record:
     """Leave out rows where little moves.
 
     What `measure` looks at stays, so that the outcome has the same bits: both ends of every stage and the protocol's
-    window before its end. Elsewhere a row stays for every 0.5 % of the wing's size that some point of it has moved, as
-    measured along its path, and for every 5 ms.
+    window before its end. Elsewhere a row stays for every 0.5 % of the size of the whole that some point of it has
+    moved, as measured along its path, and for every 5 ms.
 
     Args:
         record: sampled at an interval.
@@ -27,12 +28,11 @@ def thin_record(record: Record) -> Record:
     Returns:
         The same run with some of its rows.
     """
-    veins, nodes = record.series["vein_position"], record.series["membrane_position"]
-    count = len(record.time)
-    points = np.concatenate([veins.reshape(count, -1, 3), nodes], axis=1)
+    drawn, nodes = drawn_points(record.structure), record.series["membrane_position"]
+    points = np.concatenate([record.series["point_position"][:, drawn], nodes], axis=1)
     size = float(np.ptp(points[0], axis=0).max())
     kept = _needed(record)
-    with np.errstate(over="ignore", invalid="ignore"):  # of a wing that diverged
+    with np.errstate(over="ignore", invalid="ignore"):  # of what diverged
         moved = np.linalg.norm(np.diff(points, axis=0), axis=2).max(axis=1)
         ways = np.stack([np.cumsum(moved) / (_SHARE_OF_SIZE * size), (record.time[1:] - record.time[0]) / _LONGEST_GAP])
         kept[1:] |= (np.diff(np.floor(ways), prepend=0.0) > 0).any(axis=0)

@@ -144,9 +144,9 @@ def film(
     ] = None,
 ) -> None:
     """Film a run: the wing, its tendons coloured by their energy, held in every state and slowed down between them."""
+    from forficula.analysis.run_files import read_run
     from forficula.show.film.film import LARGEST, SMALLEST, check_film, write_film
     from forficula.show.progress import film_progress
-    from forficula.show.run.run_reader import read_run
 
     read_option("--out", lambda: check_film(out))
     pixels = None if size is None else read_size("--size", size, SMALLEST, LARGEST)

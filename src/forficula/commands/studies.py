@@ -158,7 +158,8 @@ def converge(
 
     from forficula.reproduction import shown_hinge
     from forficula.show import study_progress
-    from forficula.show.study.convergence_figure import print_convergence, write_convergence
+    from forficula.show.folder.convergence_folder import write_convergence
+    from forficula.show.study.convergence_table import print_convergence
     from forficula.study.convergence import converge as converge_design
     from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, read_values
 

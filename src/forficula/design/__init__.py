@@ -10,7 +10,7 @@ from forficula.design.design_file import (
     write_new_design,
 )
 from forficula.design.design_warnings import design_warnings
-from forficula.design.fan import FanDesign
+from forficula.design.fan import FanDesign, FanProtocol
 from forficula.design.keys import key_quantity, key_value, put
 from forficula.design.law_tables import law_from_folder, with_law_read
 from forficula.design.part import LENGTH, TORQUE
@@ -24,6 +24,7 @@ __all__ = [
     "TORQUE",
     "Design",
     "FanDesign",
+    "FanProtocol",
     "PlatesDesign",
     "Protocol",
     "Stage",

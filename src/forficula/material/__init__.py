@@ -16,7 +16,6 @@ from forficula.material.law.material_law import (
     scaled,
 )
 from forficula.material.law.softening import OgdenRoxburgh
-from forficula.material.law.stress import StressHistory, loss_modulus, loss_per_cycle, storage_modulus, stress_of
 from forficula.material.law.tendon_law import ElasticLaw, TendonBranch, TendonLaw
 from forficula.material.machine.machine_file import read_tensile_test, read_tensile_tests
 from forficula.material.tensile.cycle_drift import CycleDrift, CycleMedians, cycle_drift, cycle_medians
@@ -44,7 +43,6 @@ __all__ = [
     "Quartiles",
     "Residual",
     "StrainHistory",
-    "StressHistory",
     "TendonBranch",
     "TendonLaw",
     "TensileTest",
@@ -64,8 +62,6 @@ __all__ = [
     "law_unit",
     "law_values",
     "load_law",
-    "loss_modulus",
-    "loss_per_cycle",
     "moduli_by_strain",
     "named_laws",
     "read_tensile_test",
@@ -73,7 +69,5 @@ __all__ = [
     "require",
     "save_law",
     "scaled",
-    "storage_modulus",
-    "stress_of",
     "stretched_before",
 ]

@@ -29,7 +29,8 @@ from forficula.structure.structure import (
     Transition,
     Wording,
 )
-from forficula.structure.tree import ancestry, built_points, hinges_between, tendon_arms
+from forficula.structure.structure_warnings import structure_warnings
+from forficula.structure.tree import ancestry, built_points, drawn_points, hinges_between, tendon_arms
 
 __all__ = [
     "GROUND",
@@ -53,6 +54,7 @@ __all__ = [
     "ancestry",
     "built_points",
     "distances_of",
+    "drawn_points",
     "drive_keys",
     "drive_of",
     "goal_of",
@@ -62,6 +64,7 @@ __all__ = [
     "measure_of",
     "state_of",
     "structure_of",
+    "structure_warnings",
     "tendon_arms",
     "transition_of",
     "with_protocol",

@@ -233,6 +233,8 @@ class Drive:
         rise: time over which they rise evenly from 0, s; 0: at once.
         key: of the design's value that makes it stronger, such as "protocol.fold_torque".
         torque: that value, N m.
+        tries: what a search for the least value tries where it is not told, as text.
+        large: alike, what it takes to see whether the next transition works, as text.
     """
 
     name: str
@@ -240,6 +242,8 @@ class Drive:
     rise: float
     key: str
     torque: float
+    tries: str = ""
+    large: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -303,16 +307,26 @@ class Wording:
     """How sentences speak of a transition.
 
     Attributes:
-        doing: what goes on, as in "still folding".
-        did: what did not happen, as in "did not fold".
-        stay: what did not last, as in "did not stay folded".
-        done: what it came to, as in "folded".
+        done: what it came to, such as "folded".
+        verb: what it is to do, such as "fold" in "did not fold".
+        doing: what goes on, such as "folding" in "still folding".
+        stays: what is to last, such as "folded" in "did not stay folded".
+        time: what its time is called, such as "fold time".
+        noun: what the work is of, such as "folding" in "work of folding".
+        if_stuck: advice where it never began, in a sentence.
+        if_under_way: advice where it stuck on the way.
+        if_lost: advice where it was lost when released.
     """
 
-    doing: str
-    did: str
-    stay: str
     done: str
+    verb: str
+    doing: str
+    stays: str
+    time: str
+    noun: str
+    if_stuck: str = ""
+    if_under_way: str = ""
+    if_lost: str = ""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -322,21 +336,29 @@ class Transition:
     Attributes:
         name: of its own, such as "fold".
         drive: name of the drive.
+        stage: number of the protocol's stage that drives it; None where the protocol has none.
         goal: name of the goal.
         state: name of the state that it leads to.
-        released: the bounds that the state must keep where a stage reached the goal; where no stage asked for it, the
+        released: the bounds that the state must keep where the stage was to reach the goal; where it was not, the
             state must keep its own.
         measure: name of the measure that tells how far it got.
+        kind: of that measure.
+        furthest: which of the measure's readings is furthest from the goal.
+        begun: reading beyond which it has begun for good; None where sentences do not tell how far it got.
         wording: for sentences.
     """
 
     name: str
     drive: str
+    stage: int | None
     goal: str
     state: str
     released: Goal
     measure: str
+    furthest: Literal["largest", "smallest"]
+    begun: float | None
     wording: Wording
+    kind: Literal["angle", "distance"] = "angle"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -358,6 +380,7 @@ class Structure:
         measures: by name.
         goals: by name.
         states: by name.
+        stage_states: names of the states that the stages of the protocol end in, "" where one ends in none, (stage,).
         transitions: in the order in which a protocol takes them.
         span: a length of the size of the whole, m.
         mass: of the size of its bodies' mass, kg.
@@ -379,6 +402,7 @@ class Structure:
     measures: tuple[Measure, ...] = ()
     goals: tuple[Goal, ...] = ()
     states: tuple[RestState, ...] = ()
+    stage_states: tuple[str, ...] = ()
     transitions: tuple[Transition, ...] = ()
     span: float
     mass: float

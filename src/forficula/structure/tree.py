@@ -33,6 +33,12 @@ def built_points(structure: Structure) -> Array:
     ).reshape(-1, 3)
 
 
+def drawn_points(structure: Structure) -> list[int]:
+    """Numbers of the points that bars and plates are drawn between."""
+    ends = [*(bar.points for bar in structure.bars), *(plate.points for plate in structure.plates)]
+    return sorted({point for points in ends for point in points})
+
+
 def tendon_arms(structure: Structure, tendon: Tendon) -> tuple[tuple[int, float], ...]:
     """The hinges that a tendon crosses, and the longest lever that it can have about each, m.
 

@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.design import FanDesign, tendon_law
+from forficula.design import FanDesign, FanProtocol, stage_drives, tendon_law
 from forficula.design.places import mesh_rows
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, earwig_pattern, ring_vertices
@@ -37,6 +37,36 @@ from forficula.structure.structure import (
 
 # how far past straight, folding, a hinge has left the overbend for good
 LEFT_STRAIGHT = math.radians(5.0)
+_FOLD = Wording(
+    done="folded",
+    verb="fold",
+    doing="folding",
+    stays="folded",
+    time="fold time",
+    noun="folding",
+    if_stuck=(
+        "Raise protocol.fold_torque, or lower the barrier: softer or longer tendons (tendon.stiffness,"
+        " tendon.rest_length), less hinge.overbend."
+    ),
+    if_under_way="Raise protocol.fold_torque, or take stiffer or shorter tendons, which pull further into the fold.",
+    if_lost=(
+        "It folded under torque and opened again when released: raise tendon.stiffness, shorten tendon.rest_length, or"
+        " raise hinge.damping."
+    ),
+)
+_UNFOLD = Wording(
+    done="folded and opened",
+    verb="open",
+    doing="opening",
+    stays="open",
+    time="opening time",
+    noun="unfolding",
+    if_stuck="Raise protocol.unfold_torque, or take softer or longer tendons (tendon.stiffness, tendon.rest_length).",
+    if_lost=(
+        "It opened under torque and folded again when released: hold it longer (hold of the unfolding stage), or raise"
+        " hinge.overbend or tendon.stiffness so that the open state locks."
+    ),
+)
 # the hinges of a vein in this order: sweep and lift aim it, turn is about its own axis
 _AIMS = (("sweep", (0.0, 0.0, 1.0)), ("lift", (0.0, 1.0, 0.0)), ("turn", (1.0, 0.0, 0.0)))
 
@@ -197,13 +227,22 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
         structure,
         motors=(Motor(name="proximal", hinges=turns), Motor(name="distal", hinges=folds)),
         drives=(
-            Drive(name="fold", torques=(fold, 0.0), rise=protocol.rise, key="protocol.fold_torque", torque=fold),
+            Drive(
+                name="fold",
+                torques=(fold, 0.0),
+                rise=protocol.rise,
+                key="protocol.fold_torque",
+                torque=fold,
+                tries="0..50 N cm step 10",
+                large="500 N cm",
+            ),
             Drive(
                 name="unfold",
                 torques=(-unfold, unfold),
                 rise=protocol.rise,
                 key="protocol.unfold_torque",
                 torque=unfold,
+                tries="10..100 N cm step 10",
             ),
         ),
         measures=(
@@ -215,28 +254,62 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
             RestState(name="folded", bounds=folded, missed="not folded", unknown="after folding"),
             RestState(name="opened", bounds=opened, missed="not opened", unknown="after unfolding"),
         ),
+        stage_states=_stage_states(protocol),
         transitions=(
             Transition(
                 name="fold",
                 drive="fold",
+                stage=_first_driven(protocol, "fold"),
                 goal="folded",
                 state="folded",
                 # a slack tendon lets its hinge rest anywhere on the folded side; one beyond half way has opened again
                 released=bounds("still folded", most=-protocol.folded_angle / 2),
                 measure="distal_angle",
-                wording=Wording(doing="folding", did="fold", stay="folded", done="folded"),
+                furthest="largest",
+                begun=-LEFT_STRAIGHT,
+                wording=_in_terms_of(design, _FOLD),
             ),
             Transition(
                 name="unfold",
                 drive="unfold",
+                stage=_first_driven(protocol, "unfold"),
                 goal="opened",
                 state="opened",
                 released=opened,
                 measure="distal_angle",
-                wording=Wording(doing="opening", did="open", stay="open", done="folded and opened"),
+                furthest="largest",
+                begun=None,
+                wording=_in_terms_of(design, _UNFOLD),
             ),
         ),
     )
+
+
+def _first_driven(protocol: FanProtocol, drive: str) -> int | None:
+    """Number of the first stage with a drive."""
+    return next((number for number, stage in enumerate(protocol.stages) if drive in stage_drives(stage)), None)
+
+
+def _stage_states(protocol: FanProtocol) -> tuple[str, ...]:
+    """What the stages say; where none does, the first ends flat, and folding and opening with their releases."""
+    stages = protocol.stages
+    if any(stage.state for stage in stages):
+        return tuple(stage.state or "" for stage in stages)
+    states = ["flat", *[""] * (len(stages) - 1)]
+    for drive, state in (("fold", "folded"), ("unfold", "opened")):
+        driven = _first_driven(protocol, drive)
+        if driven is not None:
+            released = driven + 1 < len(stages) and not stage_drives(stages[driven + 1])
+            states[driven + released] = state
+    return tuple(states)
+
+
+def _in_terms_of(design: FanDesign, wording: Wording) -> Wording:
+    """Advice that names what the design has: of a law the stiffness follows."""
+    if design.tendon.law is None:
+        return wording
+    advice = {name: getattr(wording, name) for name in ("if_stuck", "if_under_way", "if_lost")}
+    return replace(wording, **{key: text.replace("tendon.stiffness", "tendon.area") for key, text in advice.items()})
 
 
 def drive_keys(design: FanDesign) -> tuple[str, ...]:  # noqa: ARG001

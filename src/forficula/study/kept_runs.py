@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
 import shutil
@@ -14,19 +13,21 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from forficula.analysis import Outcome, Verdict, measure, summary
+from forficula.analysis import Outcome, Verdict, measure
+from forficula.analysis.run_files import holds_run, read_run, remove_run, write_run_files
 from forficula.analysis.thinning import thin_record
-from forficula.design import Design, save_design
-from forficula.dynamics import Record, load_record, save_record, versions
+from forficula.design import Design
+from forficula.dynamics import Record
 from forficula.errors import InputError
-from forficula.files import clear_leftovers, replacing_all, write_text
+from forficula.files import clear_leftovers, replacing_all
 from forficula.lock import held
 from forficula.quantities import as_written
+from forficula.structure import structure_of, transition_of
 from forficula.study.evaluate import outcome_row, row_key
 from forficula.study.journal import Row
 from forficula.study.runs import run_each
-from forficula.study.search import fold_design, point_design, release_design, unfold_design
-from forficula.study.study import Study
+from forficula.study.search import first_design, point_design, release_design, second_design
+from forficula.study.study import SearchStep, Study
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -38,8 +39,6 @@ MOST_POINTS = 100
 # Runs side by side: a whole record of each is in memory until it is written.
 _BATCH = 48
 _FOLDER = "runs"
-# the summary is removed last: a folder without one is not ours
-_FILES = ("design.toml", "record.nc", "summary.json")
 # as a folder of ours is named, and as earlier versions named one that they were writing
 _NAME = re.compile(r"\d+(-[a-z]+)?")
 _UNFINISHED = re.compile(r"\.\d+(-[a-z]+)?-\w+")
@@ -146,13 +145,13 @@ def kept_runs(
         clear_leftovers(folder)
         for run in runs:
             clear_leftovers(folder / run.name)
-        there = [run for run in runs if _is_kept(folder / run.name, run)]
+        there = [run for run in runs if holds_run(folder / run.name, row_key(run.design))]
         names = {run.name for run in there}
         _remove_others(folder, names)
         missing = [run for run in runs if run.name not in names]
         for run in there:
             try:
-                record = load_record(folder / run.name / "record.nc")
+                record = read_run(folder / run.name)
             except InputError:
                 missing.append(run)
             else:
@@ -196,20 +195,29 @@ def _parts(study: Study, table: Dataset, point: int, design: Design) -> Iterator
     if search is None:
         yield "run", design
         return
-    fold = float(table["least_fold_torque"].values.ravel()[point])
+    first, second = search.first, search.second
+    least = float(table[first.least_name].values.ravel()[point])
     # of a run that says nothing there is nothing to see
     tells = Verdict(str(table["verdict"].values.ravel()[point])).tells
-    if math.isnan(fold):
+    name = _part_name(study, first)
+    if math.isnan(least):
         if tells:
-            yield "folding", fold_design(design, search.fold_torques[-1])
+            yield name, first_design(design, search, first.values[-1])
         return
-    yield "folding", release_design(design, fold)
-    if not search.unfold_torques:
+    released = search.next_drive is not None
+    yield name, (release_design if released else first_design)(design, search, least)
+    if second is None:
         return
-    unfold = float(table["least_unfold_torque"].values.ravel()[point])
-    if tells or not math.isnan(unfold):
-        torque = search.unfold_torques[-1] if math.isnan(unfold) else unfold
-        yield "opening", unfold_design(design, search.fold_with, torque)
+    least = float(table[second.least_name].values.ravel()[point])
+    if tells or not math.isnan(least):
+        value = second.values[-1] if math.isnan(least) else least
+        yield _part_name(study, second), second_design(design, search, value)
+
+
+def _part_name(study: Study, step: SearchStep) -> str:
+    """What the folder of a search's run says of it, such as "folding"."""
+    transition = transition_of(structure_of(study.base), step.drive)
+    return step.transition if transition is None else transition.wording.doing.replace(" ", "-")
 
 
 def _run(runs: Sequence[RunToKeep], threads: int) -> Iterator[tuple[RunToKeep, Record]]:
@@ -222,22 +230,9 @@ def _run(runs: Sequence[RunToKeep], threads: int) -> Iterator[tuple[RunToKeep, R
 def _keep(folder: Path, run: RunToKeep, record: Record) -> KeptRun:
     """Write a run's folder, all of it or nothing."""
     outcome, thinned = measure(record), thin_record(record)
-    written = {**summary(record, outcome, versions()), "key": row_key(run.design)}
     with replacing_all(folder / run.name) as unfinished:
-        save_design(record.design, unfinished / "design.toml")
-        save_record(thinned, unfinished / "record.nc")
-        write_text(unfinished / "summary.json", json.dumps(written, indent=2) + "\n")
+        write_run_files(record, outcome, unfinished, kept=thinned, key=row_key(run.design))
     return _kept(run, thinned, outcome)
-
-
-def _is_kept(folder: Path, run: RunToKeep) -> bool:
-    """Whether the run is there, by these versions."""
-    try:
-        written = json.loads((folder / "summary.json").read_text("utf-8"))
-        same = written["key"] == row_key(run.design) and written["versions"] == versions()
-        return same and (folder / "record.nc").is_file()
-    except (OSError, ValueError, LookupError, TypeError):
-        return False
 
 
 def _kept(run: RunToKeep, record: Record, outcome: Outcome) -> KeptRun:
@@ -252,9 +247,7 @@ def _remove_others(folder: Path, wanted: Collection[str]) -> None:
                 shutil.rmtree(place, ignore_errors=True)
             elif _NAME.fullmatch(place.name) and place.is_dir() and place.name not in wanted:
                 clear_leftovers(place)
-                if (place / "summary.json").is_file():
-                    for name in _FILES:
-                        (place / name).unlink(missing_ok=True)
+                remove_run(place)
                 if not any(place.iterdir()):
                     place.rmdir()
         if not wanted and folder.is_dir() and not any(folder.iterdir()):

@@ -11,8 +11,8 @@ from forficula.material.law.law_file import law_values
 from forficula.material.law.law_form import LawForm, all_forms
 from forficula.material.law.material_law import MaterialLaw, MaxwellBranch
 from forficula.material.law.softening import OgdenRoxburgh
-from forficula.material.law.stress import stress_of
 from forficula.material.tensile.strain_history import StrainHistory
+from tests.material.law_response import stress_of
 
 SPRING = MaterialLaw(name="spring", moduli=(6e6, -5e6, 3e6))
 VISCOUS = MaterialLaw(name="viscous", moduli=(5e6, 0, 0), viscosity=(4e6, 0, 0))

@@ -16,7 +16,8 @@ from forficula.material.law.material_law import (
     require,
     scaled,
 )
-from forficula.material.law.stress import loss_modulus, loss_per_cycle, storage_modulus, stress_of
+from forficula.material.law.stress import check_history
+from tests.material.law_response import stress_of
 
 TPU = MaterialLaw(name="tpu", moduli=(4.8e6, 0.0, 0.0))
 ZENER = MaterialLaw(name="zener", moduli=(5e6, 0, 0), branches=(MaxwellBranch(modulus=3e6, time=0.2),))
@@ -51,6 +52,15 @@ def test_a_branch_is_exact_whatever_the_steps():
     assert often[np.searchsorted(fine, coarse)] == pytest.approx(once, abs=1e-9 * 3e6)
 
 
+def loss_per_cycle(law, frequency, amplitude):
+    """J/m^3 of a sinusoid: pi E'' e0^2 (Ferry 1980, ch. 3), and what the damper's other terms turn into heat."""
+    w = 2 * math.pi * frequency
+    first, second, third = law.viscosity or (0.0, 0.0, 0.0)
+    loss = first * w + sum(each.modulus * w * each.time / (1 + (w * each.time) ** 2) for each in law.branches)
+    nonlinear = amplitude**3 * w**2 * (8 / 3 * second + 3 * math.pi / 4 * third * w * amplitude)
+    return math.pi * loss * amplitude**2 + nonlinear
+
+
 @pytest.mark.parametrize("frequency", [0.01, 1.0, 100.0])
 @pytest.mark.parametrize(
     "law",
@@ -72,30 +82,12 @@ def test_a_sinusoid_loses_pi_times_the_loss_modulus_times_the_amplitude_squared(
     assert loss == pytest.approx(settled, rel=1e-3) or frequency * slow > 1
 
 
-def test_the_loss_of_a_linear_law_is_pi_times_the_loss_modulus():
-    assert loss_per_cycle(ZENER, 2.0, 0.3) == pytest.approx(math.pi * loss_modulus(ZENER, 2.0) * 0.09)
-
-
-def test_a_zener_solid_stiffens_from_its_spring_to_spring_and_branch():
-    assert storage_modulus(ZENER, 0.0) == 5e6
-    assert storage_modulus(ZENER, 1e6) == pytest.approx(8e6, rel=1e-9)
-    # at w tau = 1 it loses most, half the branch's modulus
-    peak = 1 / (2 * math.pi * 0.2)
-    assert loss_modulus(ZENER, peak) == pytest.approx(1.5e6)
-    assert max(loss_modulus(ZENER, peak * factor) for factor in (0.5, 0.9, 1.1, 2)) < 1.5e6
-
-
 def test_a_spring_yields_at_its_yield_strain_and_is_slack_below_its_set():
     law = MaterialLaw(name="plastic", moduli=(5e6, 0, 0), yield_strain=0.65)
     strain = np.array([0, 0.5, 1.0, 0.6, 0.35, 0.1, 0.6, 1.0])
     stress = stress_of(law, np.arange(8.0), strain)
     assert stress.spring == pytest.approx(5e6 * np.array([0, 0.5, 0.65, 0.25, 0, 0, 0.25, 0.65]))
     assert stress.set_strain == pytest.approx([0, 0, 0.35, 0.35, 0.35, 0.35, 0.35, 0.35])
-
-
-def test_a_specimen_gives_way_rather_than_push():
-    back = stress_of(replace(TPU, viscosity=(1e6, 0, 0)), [0, 1, 2], [0.0, 0.5, 0.0])
-    assert back.total[-1] < 0 == back.pull[-1]
 
 
 def test_a_tendon_has_modulus_times_area_by_length():
@@ -141,7 +133,7 @@ def test_a_range_asks_for_a_choice():
 def test_what_is_absent_is_an_error_that_says_so():
     law = MaterialLaw(name="mine", source="a data sheet", moduli=(1e6, 0, 0))
     with pytest.raises(InputError, match="mine: viscosity: is not given by its source, a data sheet"):
-        loss_modulus(law, 1.0)
+        require(law, "viscosity")
     with pytest.raises(InputError, match="strength: is no part of a material law; need modulus, viscosity"):
         require(law, "strength")
 
@@ -185,7 +177,7 @@ def test_a_law_that_is_none_is_refused(numbers, message):
 )
 def test_a_history_that_is_none_is_refused(time, strain, message):
     with pytest.raises(InputError, match=message):
-        stress_of(TPU, time, strain)
+        check_history(np.array(time), np.array(strain))
 
 
 def test_a_branch_needs_a_modulus_and_a_time():

@@ -11,12 +11,12 @@ from forficula.dynamics import save_record
 from forficula.errors import InputError
 from forficula.files import write_bytes, write_text
 from forficula.show.folder import figure_kinds
+from forficula.show.folder.convergence_folder import convergence_drawings
 from forficula.show.folder.cycling_folder import cycling_drawings, cycling_summary, read_cycling
 from forficula.show.folder.figure_kinds import folder_drawings, write_figure
 from forficula.show.folder.landscape_folder import landscape_drawings
 from forficula.show.folder.run_folder import run_drawings
 from forficula.show.folder.static_map_folder import static_map_drawings
-from forficula.show.study.convergence_figure import convergence_drawings
 from forficula.show.study.maps import map_drawings
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, figure_files, save_figure
 from forficula.study.convergence import converge

@@ -3,7 +3,7 @@ import pytest
 
 from forficula.design import load_design
 from forficula.pattern import earwig_pattern
-from forficula.show.page.wing_mesh import DISTAL, PROXIMAL, moving_points, vertex_positions, wing_mesh
+from forficula.show.page.wing_mesh import DISTAL, PROXIMAL, moving_points, wing_mesh
 from forficula.show.structure.wing_surface import wing_surface
 
 
@@ -11,6 +11,12 @@ from forficula.show.structure.wing_surface import wing_surface
 def wing(request, short_run, large_record):
     record = short_run if request.param == "three veins" else large_record
     return record, wing_mesh(record.design), moving_points(record)
+
+
+def vertex_positions(mesh, points):
+    """Where the page draws the vertices, (..., vertex, 3), with the points at (..., point, 3)."""
+    first, second = points[..., mesh.between[:, 0], :], points[..., mesh.between[:, 1], :]
+    return first + mesh.share[:, np.newaxis] * (second - first)
 
 
 def test_the_sheet_is_the_surface_of_the_record_at_any_time(wing):

@@ -6,12 +6,9 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from forficula.design import with_values
 from forficula.errors import InputError
-from forficula.show.study.convergence_figure import (
-    convergence_rows,
-    draw_convergence_angles,
-    draw_convergence_times,
-    write_convergence,
-)
+from forficula.show.folder.convergence_folder import write_convergence
+from forficula.show.study.convergence_figure import draw_convergence_angles, draw_convergence_times
+from forficula.show.study.convergence_table import convergence_rows
 from forficula.study.convergence import converge
 from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS
 

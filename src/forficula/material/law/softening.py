@@ -75,21 +75,6 @@ def spring_energy(moduli: Triple, strain: ArrayLike) -> Array:
     return np.asarray(e**2 * (moduli[0] / 2 + e * (moduli[1] / 3 + e * moduli[2] / 4)))
 
 
-def softened_stress(moduli: Triple, softening: OgdenRoxburgh, strain: ArrayLike) -> Array:
-    """Stress of a strain history that begins with a virgin material.
-
-    Args:
-        moduli: of the virgin curve, Pa.
-        softening: of the material.
-        strain: of the spring, shape (samples,), in the order of time.
-
-    Returns:
-        Pa, shape (samples,). Between two samples Wmax is taken at the sample.
-    """
-    energy = spring_energy(moduli, strain)
-    return softening.share(np.maximum.accumulate(energy), energy) * spring_stress(moduli, strain)
-
-
 def softened_moduli(moduli: Triple, softening: OgdenRoxburgh, peak: float) -> tuple[Triple, float]:
     """The curve below a strain that was reached before, as a polynomial, which a simulator can take.
 

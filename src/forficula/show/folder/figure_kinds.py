@@ -10,20 +10,20 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from forficula.analysis import measure
+from forficula.analysis.run_files import read_run
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.files import clear_leftovers, write_bytes
 from forficula.reproduction import shown_tendon
+from forficula.show.folder.convergence_folder import CONVERGENCE_FILE, convergence_drawings
 from forficula.show.folder.cycling_folder import cycling_drawings, read_cycling
 from forficula.show.folder.landscape_folder import landscape_drawings
 from forficula.show.folder.run_folder import run_drawings
 from forficula.show.folder.static_map_folder import SIMULATED, static_map_drawings
 from forficula.show.folder.study_folder import study_drawings
-from forficula.show.run.run_reader import read_run
-from forficula.show.study.convergence_figure import CONVERGENCE_FILE, convergence_drawings
 from forficula.show.style import COLUMN_WIDTH, COPIES, ENDINGS, PAGE_WIDTH, Drawing, save_figure
 from forficula.study.convergence_file import load_convergence
-from forficula.study.survey import survey
+from forficula.study.landscape_and_run import landscape_and_run
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -105,7 +105,7 @@ def _landscape(folder: Path) -> dict[str, Drawing]:
 
     @cache
     def again(simulation: bool) -> dict[str, Drawing]:
-        return landscape_drawings(*survey(design, simulation=simulation), shown_tendon(design))
+        return landscape_drawings(*landscape_and_run(design, simulation=simulation), shown_tendon(design))
 
     def drawing(kind: str) -> Drawing:
         # only the tendon's figure has the run beside it

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 from matplotlib.figure import Figure
 
-from forficula.analysis import Outcome, summary
-from forficula.design import save_design
-from forficula.dynamics import Record, compile_wing, save_record, versions
+from forficula.analysis import Outcome
+from forficula.analysis.run_files import write_run_files
+from forficula.dynamics import Record, compile_wing
 from forficula.files import replacing_all, write_text
 from forficula.show.folder.cycling_folder import CYCLING_FILES
 from forficula.show.page import write_run_page
@@ -35,10 +34,8 @@ def write_run(record: Record, outcome: Outcome, folder: Path) -> None:
 
 
 def _write_files(record: Record, outcome: Outcome, folder: Path) -> None:
-    save_design(record.design, folder / "design.toml")
+    write_run_files(record, outcome, folder)
     write_text(folder / "model.xml", compile_wing(record.design).xml)
-    save_record(record, folder / "record.nc")
-    write_text(folder / "summary.json", json.dumps(summary(record, outcome, versions()), indent=2) + "\n")
     save_figures(run_drawings(record, outcome), folder)
     write_run_page(record, outcome, folder / "report.html")
 

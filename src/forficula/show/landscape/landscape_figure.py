@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from forficula.quantities import reading_unit
 from forficula.show.landscape.landscape_marks import (
@@ -31,8 +30,6 @@ from forficula.show.style import (
     is_narrow,
 )
 from forficula.statics import EnergyLandscape, StableState, stable_states
-
-Array = NDArray[np.float64]
 
 _RING_TICKS = (0, 2, 5, 10, 20, 40, 60, 90, 120, 150, 180)  # deg
 _TICK_GAP = 0.06  # between two of them, as a share of the axis

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from forficula.analysis import Outcome, measure
+from forficula.analysis.run_files import read_run
 from forficula.design import Design
 from forficula.dynamics import Record
 from forficula.errors import InputError
@@ -22,7 +23,6 @@ from forficula.show.page.playback import BUDGET, Clip, clip_data, energy_scale, 
 from forficula.show.page.plots import Line, Plot, energy_plot, plot_data
 from forficula.show.page.time_spans import shared_spans, span_data
 from forficula.show.page.words import angle_range, outcome_sentence, readable
-from forficula.show.run.run_reader import read_run
 
 _FEWEST, _MOST = 2, 12
 

@@ -115,12 +115,6 @@ def moving_points(record: Record) -> Array:
     return np.concatenate([veins.reshape(frames, -1, 3), edges.reshape(frames, -1, 3)], axis=1)
 
 
-def vertex_positions(mesh: WingMesh, points: Array) -> Array:
-    """Where the vertices are, m, (..., vertex, 3), with the points at (..., point, 3)."""
-    first, second = points[..., mesh.between[:, 0], :], points[..., mesh.between[:, 1], :]
-    return np.asarray(first + mesh.share[:, np.newaxis] * (second - first))
-
-
 def _rows(design: Design) -> int:
     return len(design.membrane.proximal_rows) + len(design.membrane.distal_rows) + 2
 

@@ -1,44 +1,33 @@
-"""What a convergence study shows: a distal angle over time, the times, a table, and its files."""
+"""What a convergence study shows: a distal angle over time, and the times over what was varied."""
 
 from __future__ import annotations
 
-import json
 import math
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
-from rich.console import Console
-from rich.table import Table
 
-from forficula.csv_text import csv_text
-from forficula.dynamics import versions
-from forficula.files import replacing_all, write_text
 from forficula.names import ordinal
 from forficula.show.run.time_figures import stacked_axes
+from forficula.show.study.convergence_table import order_text, time_labels
 from forficula.show.style import (
     BLUE,
     LINE_STYLES,
     PAGE_WIDTH,
     VERMILION,
-    Drawing,
     describe,
     figure_style,
     is_narrow,
-    save_figures,
 )
+from forficula.structure import Measure, Structure, structure_of
 from forficula.study.convergence import Convergence
-from forficula.study.convergence_file import save_convergence
 from forficula.study.observed_order import OrderFit
 from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, value_text
 
 Array = NDArray[np.float64]
-
-CONVERGENCE_FILE = "convergence.nc"
 
 _AXIS = {
     TIMESTEP: ("timestep (ms)", 1e3),
@@ -59,15 +48,15 @@ def draw_convergence_angles(convergence: Convergence, width: float = PAGE_WIDTH)
         convergence: what to draw.
         width: of the figure, inch.
     """
+    structure = structure_of(convergence.design)
     spans = [
-        (name, starts, times)
-        for name, starts, times in (
-            ("folding", convergence.fold_starts, convergence.fold_times),
-            ("unfolding", convergence.unfold_starts, convergence.unfold_times),
-        )
-        if np.isfinite(times).any()
+        (each.wording.noun, convergence.starts[each.name], convergence.transition_times[each.name])
+        for each in structure.transitions
+        if np.isfinite(convergence.transition_times[each.name]).any()
     ]
-    which = ordinal(convergence.hinge)
+    measure = structure.measures[0]
+    which = f"{ordinal(convergence.hinge)} {measure.label}"
+    low, high = _range(structure, measure, convergence)
     with figure_style():
         narrow = is_narrow(width)
         figure = Figure(figsize=(width, 4.2 if narrow else 2.7), layout="constrained")
@@ -80,9 +69,9 @@ def draw_convergence_angles(convergence: Convergence, width: float = PAGE_WIDTH)
         whole.set_xlim(0, max(float(times[-1]) for times in convergence.times))
         whole.set_xlabel("time (s)")
         whole.set_title("whole run")
-        whole.set_ylabel(f"{which} distal angle (deg)")
-        whole.set_ylim(-200, max(25, 1.2 * math.degrees(convergence.design.hinge.overbend)))
-        whole.set_yticks(np.arange(-180, 1, 45))
+        whole.set_ylabel(f"{which} (deg)")
+        whole.set_ylim(low - 20, max(25, high + 20 if high > 90 else 1.2 * high))
+        whole.set_yticks(np.arange(45 * math.ceil(low / 45), max(1, high - 44), 45))
         for axes, (name, starts, times) in zip(close, spans, strict=True):
             _plot_angles(axes, convergence, starts, 1e3)
             axes.set_xlim(*(1e3 * np.nanmax(times) * np.array([-_BEFORE, _AFTER])))
@@ -94,7 +83,7 @@ def draw_convergence_angles(convergence: Convergence, width: float = PAGE_WIDTH)
         else:
             figure.legend(*lines, loc="outside right upper")
         runs = f"in {len(convergence.values)} runs of {convergence.design.name}"
-        return describe(figure, f"{which.capitalize()} distal angle over time {runs}. {_tell(convergence)}")
+        return describe(figure, f"{which.capitalize()} over time {runs}. {_tell(convergence)}")
 
 
 def draw_convergence_times(convergence: Convergence, width: float = PAGE_WIDTH) -> Figure:
@@ -103,12 +92,13 @@ def draw_convergence_times(convergence: Convergence, width: float = PAGE_WIDTH) 
         narrow = is_narrow(width)
         figure = Figure(figsize=(width, 4.2 if narrow else 2.5), layout="constrained")
         label, factor = _AXIS[convergence.key]
+        labels = time_labels(convergence)
         places = factor * _positions(convergence)
         for axes, name, times, fit in zip(
-            figure.subplots(2, 1) if narrow else figure.subplots(1, 2),
-            ("fold time", "opening time"),
-            (convergence.fold_times, convergence.unfold_times),
-            (convergence.fold_order, convergence.unfold_order),
+            figure.subplots(*((len(labels), 1) if narrow else (1, len(labels))), squeeze=False).ravel(),
+            labels.values(),
+            convergence.transition_times.values(),
+            convergence.orders.values(),
             strict=True,
         ):
             style = "o" if fit is not None else "o-"
@@ -130,113 +120,34 @@ def draw_convergence_times(convergence: Convergence, width: float = PAGE_WIDTH) 
             elif convergence.key == MESH:
                 axes.set_xticks(places)
             axes.legend(loc="best")
-        what = f"Fold and opening times of {convergence.design.name} over the {label.partition(' (')[0]}"
-        return describe(figure, f"{what}. {_tell(convergence)}")
-
-
-def convergence_rows(convergence: Convergence) -> list[dict[str, Any]]:
-    """A row for every value as plain data with units in its keys; None where there is no time."""
-    key = {TIMESTEP: "timestep_s", YOUNGS_MODULUS: "youngs_modulus_Pa", MESH: "mesh_refinement"}[convergence.key]
-    return [
-        {
-            key: float(value),
-            "membrane_rows": rows,
-            "status": status,
-            "fold_time_s": _number(fold),
-            "unfold_time_s": _number(unfold),
-        }
-        for value, rows, status, fold, unfold in zip(
-            convergence.values,
-            convergence.rows,
-            convergence.statuses,
-            convergence.fold_times,
-            convergence.unfold_times,
-            strict=True,
-        )
-    ]
-
-
-def print_convergence(convergence: Convergence) -> None:
-    """Print the table and the verdict."""
-    table = Table(box=None, padding=(0, 2, 0, 0))
-    for heading in (
-        {TIMESTEP: "timestep", YOUNGS_MODULUS: "Young's modulus", MESH: "rows"}[convergence.key],
-        "fold time",
-        "opening time",
-    ):
-        table.add_column(heading, justify="right")
-    table.add_column("status")
-    for value, rows, fold, unfold, status in zip(
-        convergence.values,
-        convergence.rows,
-        convergence.fold_times,
-        convergence.unfold_times,
-        convergence.statuses,
-        strict=True,
-    ):
-        name = str(rows) if convergence.key == MESH else value_text(convergence.key, float(value))
-        own = " (the design's own)" if value == convergence.own else ""
-        times = (f"{1e3 * time:.5g} ms" if math.isfinite(time) else "" for time in (fold, unfold))
-        table.add_row(name, *times, status + own)
-    console = Console(width=110, highlight=False)
-    console.print(table)
-    for name, fit in (("fold time", convergence.fold_order), ("opening time", convergence.unfold_order)):
-        if fit is not None:
-            console.print(f"limit of the {name}: {1e3 * fit.limit:.5g} ms, {_order(fit)}")
-    console.print(f"\n{convergence.design.name}: {convergence.verdict}")
-
-
-def write_convergence(convergence: Convergence, folder: Path) -> None:
-    """Write convergence.json, convergence.csv, convergence.nc and the figures; all of them, or none.
-
-    Args:
-        convergence: what to write.
-        folder: made where it is missing; what an earlier study left there is replaced.
-
-    Raises:
-        InputError: the folder cannot be written.
-    """
-    with replacing_all(folder) as unfinished:
-        _write_files(convergence, unfinished)
-
-
-def _write_files(convergence: Convergence, folder: Path) -> None:
-    rows = convergence_rows(convergence)
-    cells = [["" if value is None else value for value in row.values()] for row in rows]
-    write_text(folder / "convergence.csv", csv_text([list(rows[0]), *cells]))
-    content = {
-        "design": convergence.design.name,
-        "design_hash": convergence.design.hash,
-        "key": convergence.key,
-        "verdict": convergence.verdict,
-        "fine": convergence.fine,
-        "tolerance": convergence.tolerance,
-        "own": rows[int(np.argmax(convergence.values == convergence.own))],
-        "runs": rows,
-        "fold_time": _law(convergence.fold_order),
-        "unfold_time": _law(convergence.unfold_order),
-        "versions": versions(),
-    }
-    write_text(folder / "convergence.json", json.dumps(content, indent=2, ensure_ascii=False) + "\n")
-    save_convergence(convergence, folder / CONVERGENCE_FILE)
-    save_figures(convergence_drawings(convergence), folder)
-
-
-def convergence_drawings(convergence: Convergence) -> dict[str, Drawing]:
-    """What draws a convergence study, by the stem of its file."""
-    return {
-        "angles": lambda width: draw_convergence_angles(convergence, width),
-        "times": lambda width: draw_convergence_times(convergence, width),
-    }
+        names = " and ".join(text.removesuffix(" time") for text in labels.values())
+        what = f"{names} times of {convergence.design.name} over the {label.partition(' (')[0]}"
+        return describe(figure, f"{what[:1].upper()}{what[1:]}. {_tell(convergence)}")
 
 
 def _tell(convergence: Convergence) -> str:
     """The times and the verdict in words."""
     rows = [
-        f"{_name(convergence, index)}: fold {_time(fold)}, opening {_time(unfold)}"
-        for index, (fold, unfold) in enumerate(zip(convergence.fold_times, convergence.unfold_times, strict=True))
+        f"{_name(convergence, index)}: "
+        + ", ".join(
+            f"{label.removesuffix(' time')} {_time(float(convergence.transition_times[name][index]))}"
+            for name, label in time_labels(convergence).items()
+        )
+        for index in range(len(convergence.values))
     ]
     return f"{'; '.join(rows)}. {convergence.verdict}"
+
+
+def _range(structure: Structure, measure: Measure, convergence: Convergence) -> tuple[float, float]:
+    """Between which angles the shown hinge can be, deg: its stops, or what it came to where it has none."""
+    hinge = structure.hinges[measure.hinges[convergence.hinge]]
+    ends = sorted(measure.signs[convergence.hinge] * end for end in (hinge.lower, hinge.upper))
+    if not np.isfinite(ends).all():
+        ends = [
+            min(np.nanmin(each) for each in convergence.angles),
+            max(np.nanmax(each) for each in convergence.angles),
+        ]
+    return math.degrees(ends[0]), math.degrees(ends[1])
 
 
 def _time(time: float) -> str:
@@ -248,22 +159,6 @@ def _name(convergence: Convergence, index: int) -> str:
     if convergence.key == MESH:
         return f"{convergence.rows[index]} rows"
     return value_text(convergence.key, float(convergence.values[index]))
-
-
-def _law(fit: OrderFit | None) -> dict[str, Any] | None:
-    if fit is None:
-        return None
-    return {
-        "limit_s": fit.limit,
-        "observed_order": fit.order if fit.observed else None,
-        "assumed_order": None if fit.observed else fit.order,
-        "why_not_observed": fit.reason,
-        "scatter_s": fit.scatter,
-    }
-
-
-def _number(time: float) -> float | None:
-    return float(time) if math.isfinite(time) else None
 
 
 def _positions(convergence: Convergence) -> Array:
@@ -290,7 +185,7 @@ def _plot_angles(axes: Axes, convergence: Convergence, starts: Array, scale: flo
 def _plot_law(axes: Axes, fit: OrderFit, convergence: Convergence, factor: float) -> None:
     """The law from its limit on, and the band that is allowed about the limit."""
     steps = np.linspace(0, 1.05 * float(convergence.values.max()), 100)
-    axes.plot(factor * steps, 1e3 * fit.time(steps), "--", color=VERMILION, label=_order(fit))
+    axes.plot(factor * steps, 1e3 * fit.time(steps), "--", color=VERMILION, label=order_text(fit))
     limit, tolerance = 1e3 * fit.limit, convergence.tolerance
     axes.axhspan(
         limit * (1 - tolerance),
@@ -302,7 +197,3 @@ def _plot_law(axes: Axes, fit: OrderFit, convergence: Convergence, factor: float
         label=f"within {100 * tolerance:g} % of the limit",
     )
     axes.set_xlim(left=0)
-
-
-def _order(fit: OrderFit) -> str:
-    return f"order {fit.order:.2f}, fitted" if fit.observed else f"order {fit.order:g}, assumed"

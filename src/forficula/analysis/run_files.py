@@ -1,0 +1,69 @@
+"""The files that hold a run: what was chosen, what happened, what it came to."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from forficula.analysis.outcome import Outcome
+from forficula.analysis.summary import summary
+from forficula.design import save_design
+from forficula.dynamics import Record, load_record, save_record, versions
+from forficula.errors import InputError
+from forficula.files import clear_leftovers, write_text
+
+_DESIGN, _RECORD, _SUMMARY = "design.toml", "record.nc", "summary.json"
+
+
+def write_run_files(
+    record: Record, outcome: Outcome, folder: Path, *, kept: Record | None = None, key: str | None = None
+) -> None:
+    """Write design, record and summary of a run, one after another: for all or none, into a folder of `replacing_all`.
+
+    Args:
+        record: what happened.
+        outcome: what it means.
+        folder: that is there.
+        kept: the same with some of its rows, to be written in its place; the summary is that of all rows.
+        key: of the run among those of a study, which its summary then has, too.
+
+    Raises:
+        InputError: a file cannot be written.
+    """
+    save_design(record.design, folder / _DESIGN)
+    save_record(record if kept is None else kept, folder / _RECORD)
+    content = summary(record, outcome, versions()) | ({} if key is None else {"key": key})
+    write_text(folder / _SUMMARY, json.dumps(content, indent=2) + "\n")
+
+
+def read_run(folder: Path) -> Record:
+    """Read the record of a run from its folder.
+
+    Raises:
+        InputError: there is no such folder, it holds no run, or the record cannot be read.
+    """
+    if not folder.is_dir():
+        what = "a file" if folder.exists() else "no such folder"
+        raise InputError(f"{folder}: need the folder of a run, as forficula run writes it, got {what}")
+    clear_leftovers(folder)  # a run that was killed may have set the record aside
+    path = folder / _RECORD
+    if not path.is_file():
+        raise InputError(f"{folder}: holds no run: {_RECORD} is missing; write it with forficula run --out {folder}")
+    return load_record(path)
+
+
+def holds_run(folder: Path, key: str) -> bool:
+    """Whether the run with this key is there, as these versions write it."""
+    try:
+        written = json.loads((folder / _SUMMARY).read_text("utf-8"))
+        same = written["key"] == key and written["versions"] == versions()
+        return same and (folder / _RECORD).is_file()
+    except (OSError, ValueError, LookupError, TypeError):
+        return False
+
+
+def remove_run(folder: Path) -> None:
+    """Remove the files of a run, where there is one; what else lies there stays."""
+    if (folder / _SUMMARY).is_file():
+        for name in (_DESIGN, _RECORD, _SUMMARY):  # the summary last: a folder without one is not ours
+            (folder / name).unlink(missing_ok=True)

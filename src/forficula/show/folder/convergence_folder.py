@@ -1,0 +1,76 @@
+"""The files that a convergence study leaves."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from forficula.csv_text import csv_text
+from forficula.dynamics import versions
+from forficula.files import replacing_all, write_text
+from forficula.show.study.convergence_figure import draw_convergence_angles, draw_convergence_times
+from forficula.show.study.convergence_table import convergence_rows
+from forficula.show.style import Drawing, save_figures
+from forficula.study.convergence import Convergence
+from forficula.study.convergence_file import save_convergence
+from forficula.study.observed_order import OrderFit
+
+CONVERGENCE_FILE = "convergence.nc"
+
+
+def write_convergence(convergence: Convergence, folder: Path) -> None:
+    """Write convergence.json, convergence.csv, convergence.nc and the figures; all of them, or none.
+
+    Args:
+        convergence: what to write.
+        folder: made where it is missing; what an earlier study left there is replaced.
+
+    Raises:
+        InputError: the folder cannot be written.
+    """
+    with replacing_all(folder) as unfinished:
+        _write_files(convergence, unfinished)
+
+
+def _write_files(convergence: Convergence, folder: Path) -> None:
+    rows = convergence_rows(convergence)
+    cells = [["" if value is None else value for value in row.values()] for row in rows]
+    write_text(folder / "convergence.csv", csv_text([list(rows[0]), *cells]))
+    content = {
+        "design": convergence.design.name,
+        "design_hash": convergence.design.hash,
+        "key": convergence.key,
+        "verdict": convergence.verdict,
+        "fine": convergence.fine,
+        "tolerance": convergence.tolerance,
+        "own": rows[int(np.argmax(convergence.values == convergence.own))],
+        "runs": rows,
+        **{f"{name}_time": _law(fit) for name, fit in convergence.orders.items()},
+        "versions": versions(),
+    }
+    write_text(folder / "convergence.json", json.dumps(content, indent=2, ensure_ascii=False) + "\n")
+    save_convergence(convergence, folder / CONVERGENCE_FILE)
+    save_figures(convergence_drawings(convergence), folder)
+
+
+def convergence_drawings(convergence: Convergence) -> dict[str, Drawing]:
+    """What draws a convergence study, by the stem of its file."""
+    return {
+        "angles": lambda width: draw_convergence_angles(convergence, width),
+        "times": lambda width: draw_convergence_times(convergence, width),
+    }
+
+
+def _law(fit: OrderFit | None) -> dict[str, Any] | None:
+    if fit is None:
+        return None
+    return {
+        "limit_s": fit.limit,
+        "observed_order": fit.order if fit.observed else None,
+        "assumed_order": None if fit.observed else fit.order,
+        "why_not_observed": fit.reason,
+        "scatter_s": fit.scatter,
+    }

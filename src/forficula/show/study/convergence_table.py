@@ -1,0 +1,72 @@
+"""A convergence study as rows and as text that a person understands."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from rich.console import Console
+from rich.table import Table
+
+from forficula.structure import structure_of
+from forficula.study.convergence import Convergence
+from forficula.study.observed_order import OrderFit
+from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, value_text
+
+
+def convergence_rows(convergence: Convergence) -> list[dict[str, Any]]:
+    """A row for every value as plain data with units in its keys; None where there is no time."""
+    key = {TIMESTEP: "timestep_s", YOUNGS_MODULUS: "youngs_modulus_Pa", MESH: "mesh_refinement"}[convergence.key]
+    return [
+        {
+            key: float(value),
+            "membrane_rows": rows,
+            "status": status,
+            **{f"{name}_time_s": _number(times[run]) for name, times in convergence.transition_times.items()},
+        }
+        for run, (value, rows, status) in enumerate(
+            zip(convergence.values, convergence.rows, convergence.statuses, strict=True)
+        )
+    ]
+
+
+def print_convergence(convergence: Convergence) -> None:
+    """Print the table and the verdict."""
+    table = Table(box=None, padding=(0, 2, 0, 0))
+    for heading in (
+        {TIMESTEP: "timestep", YOUNGS_MODULUS: "Young's modulus", MESH: "rows"}[convergence.key],
+        *time_labels(convergence).values(),
+    ):
+        table.add_column(heading, justify="right")
+    table.add_column("status")
+    for run, (value, rows, status) in enumerate(
+        zip(convergence.values, convergence.rows, convergence.statuses, strict=True)
+    ):
+        name = str(rows) if convergence.key == MESH else value_text(convergence.key, float(value))
+        own = " (the design's own)" if value == convergence.own else ""
+        times = (f"{1e3 * time:.5g} ms" if math.isfinite(time) else "" for time in _times_of(convergence, run))
+        table.add_row(name, *times, status + own)
+    console = Console(width=110, highlight=False)
+    console.print(table)
+    for name, label in time_labels(convergence).items():
+        if (fit := convergence.orders[name]) is not None:
+            console.print(f"limit of the {label}: {1e3 * fit.limit:.5g} ms, {order_text(fit)}")
+    console.print(f"\n{convergence.design.name}: {convergence.verdict}")
+
+
+def time_labels(convergence: Convergence) -> dict[str, str]:
+    """What the time of each transition is called, by its name."""
+    return {each.name: each.wording.time for each in structure_of(convergence.design).transitions}
+
+
+def _times_of(convergence: Convergence, run: int) -> list[float]:
+    return [float(times[run]) for times in convergence.transition_times.values()]
+
+
+def order_text(fit: OrderFit) -> str:
+    """The order of a law, and whether it was observed."""
+    return f"order {fit.order:.2f}, fitted" if fit.observed else f"order {fit.order:g}, assumed"
+
+
+def _number(time: float) -> float | None:
+    return float(time) if math.isfinite(time) else None
