@@ -201,13 +201,18 @@ def test_states_and_transitions_come_from_the_stages_and_read_as_sentences():
     closing, opening = structure.transitions
     assert (closing.drive, closing.goal, closing.state) == ("close", "creases > 90 deg", "closed")
     assert (opening.drive, opening.goal, opening.state) == ("open", "creases < 0 deg", "open")
+    assert (closing.stage, opening.stage) == (1, 3)
+    # of angles that are to grow the smallest is furthest from the goal
+    assert (closing.furthest, opening.furthest) == ("smallest", "largest")
+    assert structure.stage_states == ("flat", "", "closed", "", "open")
     assert goal_of(structure, closing.goal) is structure.goals[0]
     assert measure_of(structure, closing.measure) is not None
     assert transition_of(structure, "open") is opening
     words = closing.wording
     assert f"still {words.doing}" == "still getting closed"
-    assert f"did not {words.did}" == "did not get closed"
-    assert f"did not stay {words.stay}" == "did not stay closed"
+    assert f"did not {words.verb}" == "did not get closed"
+    assert f"did not stay {words.stays}" == "did not stay closed"
+    assert "drive.0.value" in words.if_stuck
     assert (words.done, opening.wording.done) == ("closed", "closed and open")
 
 

@@ -139,6 +139,8 @@ def with_protocol(structure: Structure, design: PlatesDesign) -> Structure:
     transitions: list[Transition] = []
     goals: dict[str, Goal] = {}
     stages, bounds, last = design.protocol.stages, goal_of(structure, "time"), ""
+    kinds = {measure.name: measure.kind for measure in structure.measures}
+    keys = {drive.name: drive.key for drive in structure.drives}
     for number, stage in enumerate(stages):
         goal = goal_of(structure, stage.until)
         if goal.kind == "bounds":
@@ -147,16 +149,22 @@ def with_protocol(structure: Structure, design: PlatesDesign) -> Structure:
             bounds, last = goal, stage.name
             written, state = read_goal(stage.until), _state_after(stages, number)
             if goal.kind == "bounds" and written is not None and state is not None:
-                done = " and ".join([*(each.state for each in transitions), state])
+                drive = stage_drives(stage)[0]
                 transitions.append(
                     Transition(
                         name=stage.name,
-                        drive=stage_drives(stage)[0],
+                        drive=drive,
+                        stage=number,
                         goal=goal.name,
                         state=state,
                         released=replace(goal, name=f"still {state}"),
                         measure=written.name,
-                        wording=Wording(doing=f"getting {state}", did=f"get {state}", stay=state, done=done),
+                        kind=kinds.get(written.name, "angle"),
+                        furthest="smallest" if written.relation == ">" else "largest",
+                        begun=None,
+                        wording=_wording(
+                            state, " and ".join([*(each.state for each in transitions), state]), keys[drive]
+                        ),
                     )
                 )
         if stage.state is not None:
@@ -168,12 +176,35 @@ def with_protocol(structure: Structure, design: PlatesDesign) -> Structure:
                     unknown=f'after stage "{last or stage.name}"',
                 )
             )
-    return replace(structure, goals=tuple(goals.values()), states=tuple(states), transitions=tuple(transitions))
+    return replace(
+        structure,
+        goals=tuple(goals.values()),
+        states=tuple(states),
+        stage_states=tuple(stage.state or "" for stage in stages),
+        transitions=tuple(transitions),
+    )
 
 
 def drive_keys(design: PlatesDesign) -> tuple[str, ...]:
     """Keys of the values that say how strong the drives are."""
     return tuple(f"drive.{number}.value" for number in range(len(design.drive)))
+
+
+def _wording(state: str, done: str, key: str) -> Wording:
+    """How sentences speak of the way to a state, by the key of what drives it there."""
+    return Wording(
+        done=done,
+        verb=f"get {state}",
+        doing=f"getting {state}",
+        stays=state,
+        time=f"time to get {state}",
+        noun=f"getting {state}",
+        if_stuck=f"Make {key} larger, or lower what holds it back: crease.stiffness, or the tendons.",
+        if_lost=(
+            f"It got {state} under torque and did not stay so when released: tendons that pull it there or springs that"
+            " rest there (crease.rest_angle) hold it."
+        ),
+    )
 
 
 def _origin(pattern: CreasePattern, link: FacetLink) -> int:
