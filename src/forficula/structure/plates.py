@@ -199,7 +199,7 @@ def _wording(state: str, done: str, key: str) -> Wording:
         stays=state,
         time=f"time to get {state}",
         noun=f"getting {state}",
-        if_stuck=f"Make {key} larger, or lower what holds it back: crease.stiffness, or the tendons.",
+        if_stuck=f"Take a stronger drive ({key}), or lower what holds it back: crease.stiffness, or the tendons.",
         if_lost=(
             f"It got {state} under torque and did not stay so when released: tendons that pull it there or springs that"
             " rest there (crease.rest_angle) hold it."
