@@ -29,7 +29,14 @@ from forficula.structure.structure import (
     Wording,
 )
 from forficula.structure.structure_warnings import structure_warnings
-from forficula.structure.tree import ancestry, built_points, drawn_points, hinges_between, tendon_arms
+from forficula.structure.tree import (
+    ancestry,
+    built_points,
+    built_strains,
+    drawn_points,
+    hinges_between,
+    tendon_arms,
+)
 
 __all__ = [
     "GROUND",
@@ -52,6 +59,7 @@ __all__ = [
     "Wording",
     "ancestry",
     "built_points",
+    "built_strains",
     "distances_of",
     "drawn_points",
     "drive_keys",

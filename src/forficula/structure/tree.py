@@ -39,6 +39,16 @@ def drawn_points(structure: Structure) -> list[int]:
     return sorted({point for points in ends for point in points})
 
 
+def built_strains(structure: Structure) -> Array:
+    """The strains of the tendons in the built shape, (tendon,); infinite without a gauge length."""
+    points = built_points(structure)
+    gauges = np.array([tendon.gauge_length for tendon in structure.tendons])
+    lengths = np.array(
+        [np.linalg.norm(points[end] - points[start]) for start, end in (each.points for each in structure.tendons)]
+    )
+    return np.where(gauges > 0, lengths / np.where(gauges > 0, gauges, 1.0) - 1, np.inf)
+
+
 def tendon_arms(structure: Structure, tendon: Tendon) -> tuple[tuple[int, float], ...]:
     """The hinges that a tendon crosses, and the longest lever that it can have about each, m.
 
