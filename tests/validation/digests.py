@@ -163,9 +163,23 @@ Numbers = dict[str, Any]
 # Where a number is found, by the name that it had when the digests were kept.
 
 
+_JOINTS = ("sweep", "lift", "turn", "distal")
+
+
 def record_series(record: Record) -> dict[str, np.ndarray]:
     """Every array of a record by its name."""
-    return {**record.series, "time": record.time, "triangles": record.triangles}
+    series = dict(record.series)
+    angles = series.pop("hinge_angle")
+    for number, joint in enumerate(_JOINTS):
+        series[f"{joint}_angle"] = angles[:, number::4]
+    for kind in ("work", "power"):
+        motors = series.pop(f"motor_{kind}")
+        series |= {f"{name}_{kind}": motors[:, number] for number, name in enumerate(("proximal", "distal"))}
+    if "point_position" in series:
+        points = series.pop("point_position")
+        # hub end, ring vertex and tip of each vein, which has its two attachments before the tip
+        series["vein_position"] = np.stack([points[:, place::5] for place in (0, 1, 4)], axis=2)
+    return {**series, "time": record.time, "triangles": record.triangles}
 
 
 def stage_numbers(record: Record) -> Numbers:
@@ -179,7 +193,35 @@ def stage_numbers(record: Record) -> Numbers:
 
 def measured_numbers(record: Record) -> Numbers:
     """What a record means."""
-    return dict(_fields(ff.measure(record)))
+    outcome = ff.measure(record)
+    numbers: Numbers = {
+        "status": outcome.status,
+        "advice": outcome.advice,
+        "folded": outcome.holds["folded"],
+        "opened": outcome.holds["opened"],
+        "ending.verdict": outcome.ending.verdict,
+        "ending.goal": outcome.ending.goal,
+        "ending.angle": outcome.ending.reading,
+        "ending.time": outcome.ending.time,
+        "ending.residual": outcome.ending.residual,
+        "ending.why": outcome.ending.why,
+        **dict(_fields(outcome.energy_balance, "energy_balance")),
+    }
+    for name, state in (("flat", "flat"), ("folded_state", "folded"), ("opened_state", "opened")):
+        found = outcome.states[state]
+        if found is None:
+            numbers[name] = None
+            continue
+        reading = found.readings["distal_angle"]
+        numbers |= {f"{name}.distal_angle{kind}": getattr(reading, field) for kind, field in _READINGS.items()}
+        kept = ("time", "tendon_length", "tendon_energy", "membrane_energy")
+        numbers |= {f"{name}.{field}": getattr(found, field) for field in kept}
+    for name, transition in outcome.transitions.items():
+        numbers |= dict(_fields(transition, name))
+    return numbers
+
+
+_READINGS = {"": "mean", "_low": "low", "_high": "high"}
 
 
 def summary_of(record: Record) -> Numbers:
@@ -234,7 +276,14 @@ def convergence_numbers() -> Numbers:
         "timestep": converge(design, "protocol.timestep", [2e-4, 1e-4, 5e-5]),
         "mesh": converge(design, "membrane.rows", [1, 2]),
     }
-    return {f"{key}.{name}": value for key, result in found.items() for name, value in _fields(result)}
+    numbers: Numbers = {}
+    for key, result in found.items():
+        numbers |= {f"{key}.{name}": value for name, value in _fields(result)}
+        for transition in ("fold", "unfold"):
+            numbers[f"{key}.{transition}_times"] = result.transition_times[transition]
+            numbers[f"{key}.{transition}_starts"] = result.starts[transition]
+            numbers |= dict(_fields(result.orders[transition], f"{key}.{transition}_order"))
+    return numbers
 
 
 def pattern_numbers(name: str) -> Numbers:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 from forficula.analysis.verdict import Ending, Verdict, ending_advice, ending_text
 from forficula.design import stage_drives
 from forficula.dynamics import EnergyBalance, Record, StageEnd, energy_balance
-from forficula.structure import Goal, RestState, Transition, drive_of, goal_of, state_of
+from forficula.structure import Goal, RestState, Structure, Transition, drive_of, goal_of, state_of
 
 Array = NDArray[np.float64]
 
@@ -48,6 +49,9 @@ class State:
         membrane_energy: J; nan in a sparse record.
         within: whether it is within the bounds of its name.
         swings: whether a hinge that is measured still moves by more than 0.1 deg.
+        furthest: of the measure of the transition that leads there, what reads furthest from its goal, rad or m; of
+            other states the largest reading of the first measure; None where nothing is measured.
+        furthest_kind: of that measure.
     """
 
     name: str
@@ -59,6 +63,8 @@ class State:
     membrane_energy: float
     within: bool
     swings: bool
+    furthest: float | None
+    furthest_kind: Literal["angle", "distance"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -165,7 +171,7 @@ def measure(record: Record) -> Outcome:
     ending = Ending(
         verdict=verdict,
         transition=None if way is None else way.transition,
-        reading=_furthest(way) if verdict.tells and way is not None else None,
+        reading=way.state.furthest if verdict.tells and way is not None and way.state is not None else None,
         time=record.diverged_at,
         residual=balance.residual if record.diverged_at is None else None,
         why=record.doubt or (_TOO_SHORT if verdict is Verdict.MOVING and missed and missed.at_goal else ""),
@@ -235,14 +241,6 @@ def _verdict(missed: StageEnd | None) -> Verdict:
     return Verdict.STUCK if missed.at_rest and not missed.at_goal else Verdict.MOVING
 
 
-def _furthest(way: _Way) -> float | None:
-    """The reading of a transition's measure that is furthest from its goal, rad or m."""
-    if way.state is None:
-        return None
-    mean = way.state.readings[way.transition.measure].mean
-    return float(np.max(mean) if way.transition.furthest == "largest" else np.min(mean))
-
-
 def _named_state(record: Record, state: RestState) -> State | None:
     """A state that no transition leads to, at the end of the stage that is named by it."""
     names = record.structure.stage_states
@@ -282,6 +280,7 @@ def _state(record: Record, end: StageEnd, name: str) -> State:
         readings[each.name] = Reading(mean=values.mean(axis=0), low=values.min(axis=0), high=values.max(axis=0))
     swung = [each.high - each.low for each in readings.values()]
     mean, rest_state = coordinates.mean(axis=0), state_of(record.structure, name)
+    furthest, kind = _furthest(record.structure, name, readings)
     return State(
         name=name,
         time=end.end,
@@ -292,7 +291,22 @@ def _state(record: Record, end: StageEnd, name: str) -> State:
         membrane_energy=float(record.series["membrane_energy"][window].mean()),
         within=rest_state is not None and _within(mean, rest_state.bounds),
         swings=any(bool(np.any(each > _STIR)) for each in swung),
+        furthest=furthest,
+        furthest_kind=kind,
     )
+
+
+def _furthest(
+    structure: Structure, state: str, readings: Mapping[str, Reading]
+) -> tuple[float | None, Literal["angle", "distance"]]:
+    """What reads furthest from the goal of a state, and whether that is an angle."""
+    for transition in structure.transitions:
+        if transition.state == state and transition.measure in readings:
+            mean = readings[transition.measure].mean
+            return float(np.max(mean) if transition.furthest == "largest" else np.min(mean)), transition.kind
+    for measure in structure.measures:
+        return float(np.max(readings[measure.name].mean)), measure.kind
+    return None, "angle"
 
 
 def _transition(record: Record, way: _Way, holds: Mapping[str, bool | None]) -> TransitionOutcome | None:

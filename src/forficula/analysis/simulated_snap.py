@@ -10,11 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.analysis.outcome import measure
-from forficula.design import Design, with_values
+from forficula.design import Design, shortest_sample_interval, with_values
 from forficula.dynamics import Record
 from forficula.names import ordinal
 from forficula.statics import TendonHinge, fold_time, ideal_hinge, wing_hinges
 from forficula.statics.snap import FOLD_START, final_speed
+from forficula.structure import structure_of
 
 Array = NDArray[np.float64]
 
@@ -82,7 +83,7 @@ def finely_sampled(design: Design) -> Design:
     interval = design.protocol.sample_interval
     if predicted is None or predicted / _ROWS >= interval:
         return design
-    wanted = max(predicted / _ROWS, min(design.shortest_sample_interval, interval))
+    wanted = max(predicted / _ROWS, min(shortest_sample_interval(design, len(structure_of(design).tendons)), interval))
     return with_values(design, {"protocol.sample_interval": wanted})
 
 

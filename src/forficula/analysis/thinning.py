@@ -19,8 +19,8 @@ def thin_record(record: Record) -> Record:
     """Leave out rows where little moves.
 
     What `measure` looks at stays, so that the outcome has the same bits: both ends of every stage and the protocol's
-    window before its end. Elsewhere a row stays for every 0.5 % of the size of the whole that some point of it has moved, as
-    measured along its path, and for every 5 ms.
+    window before its end. Elsewhere a row stays for every 0.5 % of the size of the whole that some point of it has
+    moved, as measured along its path, and for every 5 ms.
 
     Args:
         record: sampled at an interval.

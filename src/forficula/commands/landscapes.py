@@ -83,7 +83,7 @@ def _survey(design: Design, folder: Path, simulation: bool) -> Verdict | None:
     from forficula.show.folder.landscape_folder import write_landscape
     from forficula.show.landscape.landscape_table import print_landscape
     from forficula.show.progress import run_progress, waiting
-    from forficula.study.survey import survey
+    from forficula.study.landscape_and_run import landscape_and_run
 
     vein = shown_tendon(design)
     tell_replaced(folder, "landscape")
@@ -95,7 +95,7 @@ def _survey(design: Design, folder: Path, simulation: bool) -> Verdict | None:
         for warning in warnings:
             print(f"warning: {warning}", file=sys.stderr)
     with run_progress("building the wing" if simulation else "surveying its energy") as progress:
-        landscape, record = survey(design, simulation=simulation, progress=progress)
+        landscape, record = landscape_and_run(design, simulation=simulation, progress=progress)
     write_landscape(landscape, folder, record, vein)
     print_landscape(landscape, record, vein)
     return None if record is None else measure(record).verdict

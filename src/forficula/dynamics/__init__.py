@@ -1,6 +1,7 @@
 from forficula.dynamics.energy_balance import EnergyBalance, energy_balance
 from forficula.dynamics.model import Model, compile_model, compile_structure
 from forficula.dynamics.record import Record, StageEnd, load_record, save_record, versions
+from forficula.dynamics.sharing import but_last_drive
 from forficula.dynamics.simulate import simulate, simulate_each
 from forficula.dynamics.timestep import stable_timestep, timestep_warnings, with_timestep
 from forficula.dynamics.units import design_in_model_units
@@ -10,6 +11,7 @@ __all__ = [
     "Model",
     "Record",
     "StageEnd",
+    "but_last_drive",
     "compile_model",
     "compile_structure",
     "design_in_model_units",

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.analysis import FOLDED, Ending, Verdict, ending_word
+from forficula.analysis import Ending, Verdict, ending_word
 from forficula.errors import InputError
 from forficula.reproduction.claim import Claim
 from forficula.reproduction.reproduction import Reproduction
@@ -24,6 +24,7 @@ from forficula.study import Study
 if TYPE_CHECKING:
     from xarray import Dataset
 
+FOLDED = "folded"
 # the paper's largest torques, and the step of its search, N m
 _FOLD_TORQUE, _UNFOLD_TORQUE, _TORQUE_STEP = 0.5, 1.0, 0.1
 # how many of the paper's 60 tendons fold with at most these, and how many of them open again
@@ -51,9 +52,7 @@ def check(study: Study) -> None:
         InputError: the study asks for something else, or has other factors.
     """
     dims = ["sample"] if study.sampled else [factor.dimension for factor in study.factors]
-    _check(
-        dims, searched=study.search is not None, opens=study.search is not None and bool(study.search.unfold_torques)
-    )
+    _check(dims, searched=study.search is not None, opens=study.search is not None and study.search.second is not None)
 
 
 def _check(dims: Iterable[str], *, searched: bool, opens: bool) -> None:
@@ -127,7 +126,7 @@ def _tendon_energy(
 ) -> Claim:
     """The energy of one tendon when flat: the wing's by its number of tendons, which are alike."""
     claim = f"energy of one tendon when flat, k = {stiffness:g} N/cm, l0 = {rest_length:g} cm"
-    place, veins = search.at(stiffness, rest_length), search.table.attrs.get("veins")
+    place, veins = search.at(stiffness, rest_length), search.table.attrs.get("tendons")
     if place is None or not veins:
         return _row(claim, paper, "not in the study", None, _ABSENT)
     energy = float(search.values("flat_energy")[place]) / int(veins)

@@ -238,6 +238,8 @@ class Drive:
         rise: time over which they rise evenly from 0, s; 0: at once.
         key: of the design's value that makes it stronger, such as "protocol.fold_torque".
         torque: that value, N m.
+        tries: what a search for the least value tries where it is not told, as text.
+        large: alike, what it takes to see whether the next transition works, as text.
     """
 
     name: str
@@ -245,6 +247,8 @@ class Drive:
     rise: float
     key: str
     torque: float
+    tries: str = ""
+    large: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -312,6 +316,8 @@ class Wording:
         verb: what it is to do, such as "fold" in "did not fold".
         doing: what goes on, such as "folding" in "still folding".
         stays: what is to last, such as "folded" in "did not stay folded".
+        time: what its time is called, such as "fold time".
+        noun: what the work is of, such as "folding" in "work of folding".
         if_stuck: advice where it never began, in a sentence.
         if_under_way: advice where it stuck on the way.
         if_lost: advice where it was lost when released.
@@ -321,6 +327,8 @@ class Wording:
     verb: str
     doing: str
     stays: str
+    time: str
+    noun: str
     if_stuck: str = ""
     if_under_way: str = ""
     if_lost: str = ""
@@ -339,6 +347,7 @@ class Transition:
         released: the bounds that the state must keep where the stage was to reach the goal; where it was not, the
             state must keep its own.
         measure: name of the measure that tells how far it got.
+        kind: of that measure.
         furthest: which of the measure's readings is furthest from the goal.
         begun: reading beyond which it has begun for good; None where sentences do not tell how far it got.
         wording: for sentences.
@@ -354,6 +363,7 @@ class Transition:
     furthest: Literal["largest", "smallest"]
     begun: float | None
     wording: Wording
+    kind: Literal["angle", "distance"] = "angle"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -42,6 +42,8 @@ _FOLD = Wording(
     verb="fold",
     doing="folding",
     stays="folded",
+    time="fold time",
+    noun="folding",
     if_stuck=(
         "Raise protocol.fold_torque, or lower the barrier: softer or longer tendons (tendon.stiffness,"
         " tendon.rest_length), less hinge.overbend."
@@ -57,6 +59,8 @@ _UNFOLD = Wording(
     verb="open",
     doing="opening",
     stays="open",
+    time="opening time",
+    noun="unfolding",
     if_stuck="Raise protocol.unfold_torque, or take softer or longer tendons (tendon.stiffness, tendon.rest_length).",
     if_lost=(
         "It opened under torque and folded again when released: hold it longer (hold of the unfolding stage), or raise"
@@ -216,13 +220,22 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
         structure,
         motors=(Motor(name="proximal", hinges=turns), Motor(name="distal", hinges=folds)),
         drives=(
-            Drive(name="fold", torques=(fold, 0.0), rise=protocol.rise, key="protocol.fold_torque", torque=fold),
+            Drive(
+                name="fold",
+                torques=(fold, 0.0),
+                rise=protocol.rise,
+                key="protocol.fold_torque",
+                torque=fold,
+                tries="0..50 N cm step 10",
+                large="500 N cm",
+            ),
             Drive(
                 name="unfold",
                 torques=(-unfold, unfold),
                 rise=protocol.rise,
                 key="protocol.unfold_torque",
                 torque=unfold,
+                tries="10..100 N cm step 10",
             ),
         ),
         measures=(

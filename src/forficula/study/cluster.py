@@ -88,18 +88,18 @@ def dask_cluster(address: str) -> Iterator[Evaluate]:
         except TimeoutError:
             raise InputError(f"--dask: the Dask scheduler at {address} has no workers") from None
         pace = _Pace()
-        yield lambda designs, until_opened: _evaluate(client, address, pace, designs, until_opened)
+        yield lambda designs, until_last: _evaluate(client, address, pace, designs, until_last)
 
 
-def _evaluate(client: Any, address: str, pace: _Pace, designs: Sequence[Design], until_opened: bool) -> Iterator[Row]:
+def _evaluate(client: Any, address: str, pace: _Pace, designs: Sequence[Design], until_last: bool) -> Iterator[Row]:
     """Rows in the order in which the cluster finishes them."""
     from distributed import as_completed
 
     left = deque(design_text(design) for design in designs)
     while left and pace.seconds < _LEAST_SECONDS:
-        yield from pace.add(_run_chunk([left.popleft()], until_opened), 1)
+        yield from pace.add(_run_chunk([left.popleft()], until_last), 1)
     if left and len(left) < pace.runs_in(_LEAST_SECONDS):
-        yield from pace.add(_run_chunk(left, until_opened), len(left))
+        yield from pace.add(_run_chunk(left, until_last), len(left))
         return
     chunks: dict[Any, list[str]] = {}
     finished = as_completed(loop=client.loop)
@@ -108,13 +108,13 @@ def _evaluate(client: Any, address: str, pace: _Pace, designs: Sequence[Design],
         while left and len(chunks) < ahead:
             texts = [left.popleft() for _ in range(pace.chunk(len(left)))]
             # two chunks are never one task: a key of its own for each, made from nothing
-            future = client.submit(_run_chunk, texts, until_opened, pure=False)
+            future = client.submit(_run_chunk, texts, until_last, pure=False)
             chunks[future] = texts
             finished.add(future)
         _wait(client, address, finished)
         future = next(finished)
         texts = chunks.pop(future)
-        yield from pace.add(_result(client, address, future) or _run_chunk(texts, until_opened), len(texts))
+        yield from pace.add(_result(client, address, future) or _run_chunk(texts, until_last), len(texts))
 
 
 def _wait(client: Any, address: str, finished: Any) -> None:
@@ -160,8 +160,8 @@ def _result(client: Any, address: str, future: Any) -> dict[str, Any] | None:
     return done
 
 
-def _run_chunk(texts: Iterable[str], until_opened: bool) -> dict[str, Any]:
+def _run_chunk(texts: Iterable[str], until_last: bool) -> dict[str, Any]:
     """Run designs on one thread; this is what a worker does."""
     start = time.perf_counter()
-    rows = list(evaluate([design_from_text(text) for text in texts], threads=1, until_opened=until_opened))
+    rows = list(evaluate([design_from_text(text) for text in texts], threads=1, until_last=until_last))
     return {"rows": rows, "seconds": time.perf_counter() - start, "versions": versions()}

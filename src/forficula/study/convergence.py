@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from forficula.analysis import Verdict
 from forficula.design import Design, with_values
-from forficula.dynamics import WingModel, compile_wing
+from forficula.dynamics import Model, compile_model
 from forficula.dynamics.simulate import simulate_each
 from forficula.errors import InputError
 from forficula.quantities import as_written
@@ -51,16 +51,14 @@ class Convergence:
         rows: of the membrane's mesh, by run.
         statuses: what each run came to, in a few words.
         verdicts: likewise, in a word.
-        fold_times: from the start of folding until the slowest hinge crosses the folded angle, s, nan where it did not
-            fold, (run,).
-        unfold_times: likewise until the last hinge has opened for good, s, (run,).
+        transition_times: by transition, from the start of its stage until the last of what its goal bounds has crossed
+            its bound for good, s, nan where it did not, (run,).
+        starts: by transition, when its stage began, s, nan where it did not, (run,).
+        orders: by transition, how its time goes with the timestep; None for another key, or without two times to
+            compare.
         times: of the rows of each run, s, (row,).
-        hinge: number of the distal hinge that is shown, from 0.
-        angles: of that hinge in each run, folding negative, rad, (row,).
-        fold_starts: when folding began, s, nan where it did not, (run,).
-        unfold_starts: when unfolding began, s, nan where it did not, (run,).
-        fold_order: how the fold time goes with the timestep; None for another key, or without two times to compare.
-        unfold_order: likewise of the opening time.
+        hinge: number of the hinge that is shown, among those of the first measure, from 0.
+        angles: what that measure reads of it in each run, rad, (row,).
         tolerance: largest allowed difference from the limit, as a share of it.
         fine: whether the design's own timestep is; None where that cannot be told, or for another key.
         verdict: in a sentence.
@@ -73,15 +71,12 @@ class Convergence:
     rows: tuple[int, ...]
     statuses: tuple[str, ...]
     verdicts: tuple[Verdict, ...]
-    fold_times: Array
-    unfold_times: Array
+    transition_times: Mapping[str, Array]
+    starts: Mapping[str, Array]
+    orders: Mapping[str, OrderFit | None]
     times: tuple[Array, ...]
     hinge: int
     angles: tuple[Array, ...]
-    fold_starts: Array
-    unfold_starts: Array
-    fold_order: OrderFit | None
-    unfold_order: OrderFit | None
     tolerance: float
     fine: bool | None
     verdict: str
@@ -110,7 +105,8 @@ def converge(
         key: `TIMESTEP`, `YOUNGS_MODULUS`, or `MESH`.
         values: two at least, in any order: s, Pa, or whole numbers by which the spacing of the mesh's rows is divided.
         tolerance: by how much of its limit a time may be off at a timestep that is fine.
-        hinge: number of the distal hinge to show, from 0; the last if not given, or where there are fewer.
+        hinge: number of the hinge to show, among those of the first measure, from 0; the last if not given, or where
+            there are fewer.
         progress: called with the runs done, all runs, and the status of the last and whether it folded, as a row.
 
     Raises:
@@ -123,13 +119,13 @@ def converge(
     own = own_value(design, key)
     # a timestep goes from coarse to fine, the others from soft or coarse on
     ordered = sorted([own, *(value for value in values if not same(value, own))], reverse=key == TIMESTEP)
-    wings = [compile_wing(_with_dense_record(resolved(with_value(design, key, value)))) for value in ordered]
-    compared = compare_wings(wings, key, ordered, own, tolerance=tolerance, hinge=hinge, progress=progress)
+    models = [compile_model(_with_dense_record(resolved(with_value(design, key, value)))) for value in ordered]
+    compared = compare_wings(models, key, ordered, own, tolerance=tolerance, hinge=hinge, progress=progress)
     return replace(compared, design=design)
 
 
 def compare_wings(
-    wings: Sequence[WingModel],
+    models: Sequence[Model],
     key: str,
     values: Sequence[float],
     own: float,
@@ -138,43 +134,45 @@ def compare_wings(
     hinge: int | None = None,
     progress: Progress | None = None,
 ) -> Convergence:
-    """Do as `converge` does with compiled wings, one for each value, in the order of the values."""
-    runs, rows = _run_all(wings, hinge, progress), tuple(row_count(wing.design) for wing in wings)
+    """Do as `converge` does with compiled models, one for each value, in the order of the values."""
+    runs, rows = _run_all(models, hinge, progress), tuple(_row_count(model) for model in models)
     here = list(values).index(own)
-    fold_times, unfold_times, fold_starts, unfold_starts = (
-        np.array([getattr(run, name) for run in runs])
-        for name in ("fold_time", "unfold_time", "fold_start", "unfold_start")
-    )
+    transitions = models[here].structure.transitions
+    times = {each.name: np.array([run.transition_times[each.name] for run in runs]) for each in transitions}
+    labels = [each.wording.time for each in transitions]
     steps, alike = np.array(values, dtype=float), np.array([run.outcome == runs[here].outcome for run in runs])
-    fits: list[OrderFit | None] = [None, None]
+    orders: dict[str, OrderFit | None] = dict.fromkeys(times)
     fine: bool | None = None
     if key == TIMESTEP:
-        fits = [_fit_where_known(steps, times, alike) for times in (fold_times, unfold_times)]
-        fine, verdict = judge_timestep(steps, here, runs, alike, (fold_times, unfold_times), fits, tolerance)
+        orders = {name: _fit_where_known(steps, each, alike) for name, each in times.items()}
+        each_time = list(times.values())
+        fine, verdict = judge_timestep(steps, here, runs, alike, labels, each_time, list(orders.values()), tolerance)
     else:
         names = [f"{rows[i]} rows" if key == MESH else value_text(key, value) for i, value in enumerate(values)]
-        verdict = judge_moves(names, here, runs, alike, (fold_times, unfold_times))
+        verdict = judge_moves(names, here, runs, alike, labels, list(times.values()))
     return Convergence(
-        design=wings[here].design,
+        design=models[here].design,
         key=key,
         values=steps,
         own=own,
         rows=rows,
         statuses=tuple(run.status for run in runs),
         verdicts=tuple(run.verdict for run in runs),
-        fold_times=fold_times,
-        unfold_times=unfold_times,
+        transition_times=times,
+        starts={each.name: np.array([run.starts[each.name] for run in runs]) for each in transitions},
+        orders=orders,
         times=tuple(run.times for run in runs),
         hinge=runs[here].hinge,
         angles=tuple(run.angle for run in runs),
-        fold_starts=fold_starts,
-        unfold_starts=unfold_starts,
-        fold_order=fits[0],
-        unfold_order=fits[1],
         tolerance=tolerance,
         fine=fine,
         verdict=verdict,
     )
+
+
+def _row_count(model: Model) -> int:
+    """Rows of the mesh; 0 where there is none."""
+    return row_count(model.design) if model.structure.membranes else 0
 
 
 def _with_dense_record(design: Design) -> Design:
@@ -184,18 +182,18 @@ def _with_dense_record(design: Design) -> Design:
     return with_values(design, {"protocol.sample_interval": timestep * max(1, math.ceil(steps / _MOST_ROWS))})
 
 
-def _run_all(wings: Sequence[WingModel], hinge: int | None, progress: Progress | None) -> list[TimedRun]:
-    """Run all wings, those of one topology side by side, and keep of each record only what is needed."""
+def _run_all(models: Sequence[Model], hinge: int | None, progress: Progress | None) -> list[TimedRun]:
+    """Run all models, those of one topology side by side, and keep of each record only what is needed."""
     topologies: dict[int, list[int]] = {}
-    for index, wing in enumerate(wings):
-        topologies.setdefault(len(wing.membrane.nodes), []).append(index)
+    for index, model in enumerate(models):
+        topologies.setdefault(len(model.mesh.built), []).append(index)
     runs: dict[int, TimedRun] = {}
     for members in topologies.values():
-        for row, record in simulate_each([wings[index] for index in members]):
+        for row, record in simulate_each([models[index] for index in members]):
             run = runs[members[row]] = timed_run(record, hinge)
             if progress is not None:
-                progress(len(runs), len(wings), {"verdict": run.verdict, "folded": run.outcome.folded})
-    return [runs[index] for index in range(len(wings))]
+                progress(len(runs), len(models), {"verdict": run.verdict, "holds": run.outcome.holds})
+    return [runs[index] for index in range(len(models))]
 
 
 def _fit_where_known(steps: Array, times: Array, alike: NDArray[np.bool_]) -> OrderFit | None:

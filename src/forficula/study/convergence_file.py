@@ -21,16 +21,9 @@ from forficula.study.observed_order import OrderFit
 
 Array = NDArray[np.float64]
 
-_BY_RUN = {
-    "value": ("values", "of the setting that is varied, SI"),
-    "fold_time": ("fold_times", "s"),
-    "unfold_time": ("unfold_times", "s"),
-    "fold_start": ("fold_starts", "s"),
-    "unfold_start": ("unfold_starts", "s"),
-}
 # the hinge of files from before they said which
 _HINGE = 2
-_CURVES = {"time": ("times", "s"), "angle": ("angles", "of the {hinge} distal hinge, rad")}
+_CURVES = {"time": ("times", "s"), "angle": ("angles", "of the {hinge} hinge, rad")}
 
 
 def save_convergence(convergence: Convergence, path: Path) -> None:
@@ -41,9 +34,10 @@ def save_convergence(convergence: Convergence, path: Path) -> None:
     """
     import xarray
 
-    variables = {
-        name: ("run", getattr(convergence, field), {"long_name": say}) for name, (field, say) in _BY_RUN.items()
-    }
+    variables = {"value": ("run", convergence.values, {"long_name": "of the setting that is varied, SI"})}
+    for name, times in convergence.transition_times.items():
+        variables[f"{name}_time"] = ("run", times, {"long_name": "s"})
+        variables[f"{name}_start"] = ("run", convergence.starts[name], {"long_name": "s"})
     hinge = ordinal(convergence.hinge)
     curves = {
         name: (("run", "row"), _even(getattr(convergence, field)), {"long_name": say.format(hinge=hinge)})
@@ -55,7 +49,6 @@ def save_convergence(convergence: Convergence, path: Path) -> None:
         "verdict": ("run", np.array([str(verdict) for verdict in convergence.verdicts], dtype=object)),
     }
     data = xarray.Dataset(variables | curves | words)
-    fits = {name: getattr(convergence, name) for name in ("fold_order", "unfold_order")}
     data.attrs = {
         "design": design_text(convergence.design),
         "key": convergence.key,
@@ -64,7 +57,10 @@ def save_convergence(convergence: Convergence, path: Path) -> None:
         "tolerance": convergence.tolerance,
         "fine": json.dumps(convergence.fine),
         "verdict": convergence.verdict,
-        **{name: json.dumps(None if fit is None else asdict(fit)) for name, fit in fits.items()},
+        **{
+            f"{name}_order": json.dumps(None if fit is None else asdict(fit))
+            for name, fit in convergence.orders.items()
+        },
     }
     write_bytes(path, data.to_netcdf(engine="h5netcdf"))
 
@@ -81,6 +77,7 @@ def load_convergence(path: Path) -> Convergence:
         with xarray.open_dataset(io.BytesIO(path.read_bytes()), engine="h5netcdf") as file:
             data = file.load()
         kept = data.attrs
+        names = [str(name).removesuffix("_start") for name in data if str(name).endswith("_start")]
         lengths = [int(np.isfinite(row).sum()) for row in data["time"].values]
         return Convergence(
             design=design_from_text(kept["design"]),
@@ -93,15 +90,12 @@ def load_convergence(path: Path) -> Convergence:
             fine=json.loads(kept["fine"]),
             verdict=kept["verdict"],
             values=data["value"].values,
-            fold_times=data["fold_time"].values,
-            unfold_times=data["unfold_time"].values,
-            fold_starts=data["fold_start"].values,
-            unfold_starts=data["unfold_start"].values,
+            transition_times={name: data[f"{name}_time"].values for name in names},
+            starts={name: data[f"{name}_start"].values for name in names},
+            orders={name: _fit(kept[f"{name}_order"]) for name in names},
             times=_uneven(data["time"].values, lengths),
             hinge=int(kept.get("hinge", _HINGE)),
             angles=_uneven(data["angle"].values, lengths),
-            fold_order=_fit(kept["fold_order"]),
-            unfold_order=_fit(kept["unfold_order"]),
         )
     except (OSError, LookupError, ValueError, TypeError) as error:
         raise InputError(f"{path}: not a convergence study of forficula: {' '.join(str(error).split())}") from None

@@ -6,7 +6,16 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from forficula.analysis import Ending, Outcome, State, Transition, Verdict, ending_text, measure
+from forficula.analysis import (
+    Ending,
+    Outcome,
+    State,
+    TransitionOutcome,
+    Verdict,
+    ending_text,
+    ending_word,
+    measure,
+)
 from forficula.design import Design
 from forficula.errors import InputError
 from forficula.study.journal import SCHEMA, Row
@@ -18,7 +27,7 @@ def row_key(design: Design) -> str:
     return f"{SCHEMA}-{design.hash}"
 
 
-def evaluate(designs: Sequence[Design], threads: int = 0, *, until_opened: bool = False) -> Iterator[Row]:
+def evaluate(designs: Sequence[Design], threads: int = 0, *, until_last: bool = False) -> Iterator[Row]:
     """Run designs and hand on their rows as they finish; the rows do not depend on order, company or threads.
 
     A design that cannot be built is a row, too, whose status says why.
@@ -26,10 +35,10 @@ def evaluate(designs: Sequence[Design], threads: int = 0, *, until_opened: bool 
     Args:
         designs: what to run.
         threads: 0 for one a core.
-        until_opened: as of `run_each`.
+        until_last: as of `run_each`.
     """
     keys = [row_key(design) for design in designs]
-    for number, result in run_each(designs, threads, sparse=True, until_opened=until_opened):
+    for number, result in run_each(designs, threads, sparse=True, until_last=until_last):
         if isinstance(result, InputError):
             yield {"key": keys[number], **ending_row(Ending(verdict=Verdict.NOT_BUILT, why=str(result)))}
         else:
@@ -38,54 +47,50 @@ def evaluate(designs: Sequence[Design], threads: int = 0, *, until_opened: bool 
 
 
 def outcome_row(outcome: Outcome) -> Row:
-    """An outcome as plain numbers with units in their names; None where there is none, or none is to be trusted."""
+    """An outcome as plain numbers with units in their names; None where there is none, or none is to be trusted.
+
+    Of every state that a transition leads to whether it holds, of every transition time and work, and of every state
+    the energy of all tendons and what the measure reads furthest from the goal.
+    """
     tells = outcome.verdict.tells
-    states = {"flat": outcome.flat, "folded": outcome.folded_state, "opened": outcome.opened_state}
-    row = {
-        **ending_row(outcome.ending),
-        "folded": outcome.folded,
-        "opened": outcome.opened,
-        **_transition("fold", outcome.fold if tells else None),
-        **_transition("unfold", outcome.unfold if tells else None),
-    }
-    for name, state in states.items():
+    row: Row = {**ending_row(outcome.ending), **outcome.holds}
+    for name, transition in outcome.transitions.items():
+        row |= _transition(name, transition if tells else None)
+    for name, state in outcome.states.items():
         row |= _state(name, state if tells else None)
     return row
 
 
 def ending_row(ending: Ending) -> Row:
     """What a run came to as plain data."""
-    residual = ending.residual
+    residual, transition = ending.residual, ending.transition
     return {
         "status": ending_text(ending),
         "verdict": ending.verdict.value,
+        "outcome": ending_word(ending),
         "goal": ending.goal,
-        "angle_deg": None if ending.angle is None else float(np.degrees(ending.angle)),
+        **_reading("", ending.reading, "angle" if transition is None else transition.kind),
         # JSON has no number for what is not finite
         "residual": None if residual is None or not np.isfinite(residual) else residual,
     }
 
 
-def row_ending(row: Row) -> Ending:
-    """What `ending_row` wrote, but for what only its status says."""
-    angle = row.get("angle_deg")
-    return Ending(
-        verdict=Verdict(row["verdict"]),
-        goal=row.get("goal", "none"),
-        angle=None if angle is None else float(np.radians(angle)),
-        residual=row.get("residual"),
-    )
-
-
-def _transition(name: str, transition: Transition | None) -> Row:
+def _transition(name: str, transition: TransitionOutcome | None) -> Row:
     if transition is None:
         return {f"{name}_time_s": None, f"{name}_work_J": None}
     return {f"{name}_time_s": transition.time, f"{name}_work_J": transition.work}
 
 
 def _state(name: str, state: State | None) -> Row:
-    """Energy of all tendons, and the angle of the hinge that is furthest from folded."""
+    """Energy of all tendons, and the first measure's reading of the hinge that is furthest from folded."""
     if state is None:
-        return {f"{name}_energy_J": None, f"{name}_angle_deg": None}
-    angle = float(np.degrees(np.max(state.distal_angle)))
-    return {f"{name}_energy_J": float(np.sum(state.tendon_energy)), f"{name}_angle_deg": angle}
+        return {f"{name}_energy_J": None}
+    energy = {f"{name}_energy_J": float(np.sum(state.tendon_energy))}
+    return energy | _reading(f"{name}_", state.furthest, state.furthest_kind)
+
+
+def _reading(prefix: str, value: float | None, kind: str) -> Row:
+    """An angle in deg or a distance in m."""
+    if kind == "distance":
+        return {f"{prefix}distance_m": value}
+    return {f"{prefix}angle_deg": None if value is None else float(np.degrees(value))}

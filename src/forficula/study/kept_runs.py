@@ -22,11 +22,12 @@ from forficula.errors import InputError
 from forficula.files import clear_leftovers, replacing_all
 from forficula.lock import held
 from forficula.quantities import as_written
+from forficula.structure import structure_of, transition_of
 from forficula.study.evaluate import outcome_row, row_key
 from forficula.study.journal import Row
 from forficula.study.runs import run_each
-from forficula.study.search import fold_design, point_design, release_design, unfold_design
-from forficula.study.study import Study
+from forficula.study.search import first_design, point_design, release_design, second_design
+from forficula.study.study import SearchStep, Study
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -194,20 +195,29 @@ def _parts(study: Study, table: Dataset, point: int, design: Design) -> Iterator
     if search is None:
         yield "run", design
         return
-    fold = float(table["least_fold_torque"].values.ravel()[point])
+    first, second = search.first, search.second
+    least = float(table[first.least_name].values.ravel()[point])
     # of a run that says nothing there is nothing to see
     tells = Verdict(str(table["verdict"].values.ravel()[point])).tells
-    if math.isnan(fold):
+    name = _part_name(study, first)
+    if math.isnan(least):
         if tells:
-            yield "folding", fold_design(design, search.fold_torques[-1])
+            yield name, first_design(design, search, first.values[-1])
         return
-    yield "folding", release_design(design, fold)
-    if not search.unfold_torques:
+    released = search.next_drive is not None
+    yield name, (release_design if released else first_design)(design, search, least)
+    if second is None:
         return
-    unfold = float(table["least_unfold_torque"].values.ravel()[point])
-    if tells or not math.isnan(unfold):
-        torque = search.unfold_torques[-1] if math.isnan(unfold) else unfold
-        yield "opening", unfold_design(design, search.fold_with, torque)
+    least = float(table[second.least_name].values.ravel()[point])
+    if tells or not math.isnan(least):
+        value = second.values[-1] if math.isnan(least) else least
+        yield _part_name(study, second), second_design(design, search, value)
+
+
+def _part_name(study: Study, step: SearchStep) -> str:
+    """What the folder of a search's run says of it, such as "folding"."""
+    transition = transition_of(structure_of(study.base), step.drive)
+    return step.transition if transition is None else transition.wording.doing.replace(" ", "-")
 
 
 def _run(runs: Sequence[RunToKeep], threads: int) -> Iterator[tuple[RunToKeep, Record]]:

@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from forficula.design import Design, with_values
+from forficula.design import Design, key_value, with_values
 from forficula.design.part import MODULUS, SHORT_TIME
 from forficula.errors import InputError
 from forficula.quantities import as_written, parse_quantity, show_quantity
@@ -103,13 +103,10 @@ def same(one: float, other: float) -> bool:
 
 def own_value(design: Design, key: str) -> float:
     """The value that a design has itself: s, Pa, or 1 for its own mesh."""
-    match key:
-        case "protocol.timestep":
-            return float(design.protocol.timestep)
-        case "membrane.youngs_modulus":
-            return design.membrane.youngs_modulus
-        case _:
-            return 1.0
+    if key == MESH:
+        row_count(design)
+        return 1.0
+    return float(key_value(design, key))
 
 
 def with_value(design: Design, key: str, value: float) -> Design:
@@ -117,8 +114,8 @@ def with_value(design: Design, key: str, value: float) -> Design:
     if key != MESH:
         return with_values(design, {key: value})
     times = int(value)
-    proximal = _divided((*design.membrane.proximal_rows, 1.0), times)
-    distal = _divided((0.0, *design.membrane.distal_rows, 1.0), times)[1:]
+    proximal = _divided((*key_value(design, "membrane.proximal_rows"), 1.0), times)
+    distal = _divided((0.0, *key_value(design, "membrane.distal_rows"), 1.0), times)[1:]
     return with_values(design, {"membrane.proximal_rows": proximal, "membrane.distal_rows": distal})
 
 
@@ -129,4 +126,5 @@ def _divided(shares: Sequence[float], times: int) -> list[float]:
 
 def row_count(design: Design) -> int:
     """Rows of the mesh, that at the ring fold and that at the tip among them."""
-    return len(design.membrane.proximal_rows) + len(design.membrane.distal_rows) + 2
+    rows = (key_value(design, f"membrane.{part}_rows") for part in ("proximal", "distal"))
+    return sum(len(each) for each in rows) + 2

@@ -12,16 +12,16 @@ from forficula.errors import InputError
 from forficula.quantities import as_written
 from forficula.study.evaluate import evaluate, row_key
 from forficula.study.journal import Row, open_journal, read_rows
+from forficula.study.run_count import RunCount
 from forficula.study.search import most_runs, point_design, search_designs
 from forficula.study.study import Study
 from forficula.study.table import build_table
-from forficula.study.tally import Tally
 
 if TYPE_CHECKING:
     import xarray
 
 Progress = Callable[[int, int, Row], None]
-# rows of designs, as `evaluate` makes them on this machine; the second argument is its `until_opened`
+# rows of designs, as `evaluate` makes them on this machine; the second argument is its `until_last`
 Evaluate = Callable[[Sequence[Design], bool], Iterator[Row]]
 
 Building = Callable[[int, int], None]
@@ -71,32 +71,33 @@ def run_study(
     rows = read_rows(folder, study.base)
     mine = range(shard[0] - 1, len(study.points), shard[1])
     designs: dict[int, Design | str] = {}
-    tally = Tally(0, len(mine))
+    second = study.search.second if study.search is not None else None
+    count = RunCount(0, len(mine), "" if second is None else second.state)
     with open_journal(folder, study.base, shard) as journal:
         # the first of many points run before the last of them are built
         for first in range(0, len(mine), _WINDOW):
             window = {number: _design(study, number) for number in mine[first : first + _WINDOW]}
             designs |= window
-            tally.reach(len(window), len(_known(study, window, rows)))
+            count.reach(len(window), len(_known(study, window, rows)))
             while points := _missing_by_point(study, window, rows):
-                tally.plan([list(point) for point in points])
+                count.plan([list(point) for point in points])
                 todo = list(_joined(points).values())
                 searches = study.search is not None
                 for row in _in_batches(todo, threads, batch, searches) if cluster is None else cluster(todo, searches):
                     journal.append(row)
                     rows[row["key"]] = row
-                    tally.count(row)
+                    count.count(row)
                     if progress is not None:
-                        progress(tally.done, tally.needed, row)
+                        progress(count.done, count.needed, row)
     designs = _designs(study, building, designs)
     if _missing_by_point(study, designs, rows):
         return None
     return build_table(study, designs, rows)
 
 
-def _in_batches(designs: Sequence[Design], threads: int, batch: int, until_opened: bool) -> Iterator[Row]:
+def _in_batches(designs: Sequence[Design], threads: int, batch: int, until_last: bool) -> Iterator[Row]:
     for first in range(0, len(designs), batch):
-        yield from evaluate(designs[first : first + batch], threads, until_opened=until_opened)
+        yield from evaluate(designs[first : first + batch], threads, until_last=until_last)
 
 
 def collect(study: Study, out: str | Path, building: Building | None = None) -> xarray.Dataset:
@@ -139,7 +140,7 @@ def estimate(study: Study, out: str | Path, building: Building | None = None) ->
     measured: dict[str, Row] = {}
     start = time.perf_counter()
     while points := _missing_by_point(study, middle, measured):
-        measured |= {row["key"]: row for row in evaluate(list(_joined(points).values()), until_opened=True)}
+        measured |= {row["key"]: row for row in evaluate(list(_joined(points).values()), until_last=True)}
     return most, left, (time.perf_counter() - start) * left
 
 

@@ -8,11 +8,20 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from forficula.analysis import Outcome, Verdict, measure
-from forficula.design import Design, tendon_law
-from forficula.dynamics import Record, WingModel, compile_wing, design_in_model_units, simulate_each, with_timestep
+from forficula.design import Design, put
+from forficula.dynamics import (
+    Model,
+    Record,
+    but_last_drive,
+    compile_model,
+    design_in_model_units,
+    simulate_each,
+    with_timestep,
+)
 from forficula.dynamics.simulate import Progress
 from forficula.errors import InputError
 from forficula.quantities import show_value
+from forficula.structure import Structure, drive_keys, structure_of, with_protocol
 
 # By how much of themselves times may differ between two timesteps of which the finer one is taken.
 _TIME_TOLERANCE = 0.02
@@ -22,7 +31,7 @@ _AGREEING = 3
 _HALVINGS = 8
 # What is missing of the energy falls with the timestep between in proportion and with its square.
 _RESIDUAL_ORDER = 1.3
-# How long wings are built before the first of them run, s; twice as long each time, for many side by side are faster.
+# How long models are built before the first of them run, s; twice as long each time, for many side by side are faster.
 _FIRST_SECONDS = 1.0
 
 
@@ -44,7 +53,7 @@ class _Attempt:
 
 
 def run(design: Design, progress: Progress | None = None) -> Record:
-    """Take one wing through its protocol.
+    """Take one structure through its protocol.
 
     A timestep "auto" is found by halving, from what the stiffest mode allows on, until at three of them, one after the
     other, the energy balance misses no more than `protocol.residual_limit`, the verdict is the same, and no
@@ -59,7 +68,7 @@ def run(design: Design, progress: Progress | None = None) -> Record:
         What happened, sampled at the protocol's interval.
 
     Raises:
-        InputError: the wing cannot be built.
+        InputError: it cannot be built.
     """
     ((_, record),) = run_each([design], progress=progress)
     if isinstance(record, InputError):
@@ -71,7 +80,7 @@ def resolved(design: Design) -> Design:
     """The design with the timestep that a run of it takes.
 
     Raises:
-        InputError: the wing cannot be built.
+        InputError: it cannot be built.
     """
     if design.protocol.timestep != "auto":
         return design
@@ -86,7 +95,7 @@ def run_each(
     threads: int = 0,
     *,
     sparse: bool = False,
-    until_opened: bool = False,
+    until_last: bool = False,
     progress: Progress | None = None,
 ) -> Iterator[tuple[int, Record | InputError]]:
     """Do as `run` does with many designs side by side, and hand on every one's number and record as it is done.
@@ -97,8 +106,8 @@ def run_each(
         designs: what to run.
         threads: 0 for one a core.
         sparse: keep only what an outcome needs, see `simulate`.
-        until_opened: whether to try designs that only their unfold torques tell apart one after another, as they come,
-            until one opens; the rest of them get no records.
+        until_last: whether to try designs that only the strength of their last transition's drive tells apart one
+            after another, as they come, until one does it; the rest of them get no records.
         progress: as of `run`.
 
     Returns:
@@ -110,8 +119,8 @@ def run_each(
     ]
     while attempts:
         left = {attempt.number: attempt for attempt in attempts}
-        for attempt, result in _results(attempts, threads, sparse, until_opened, progress):
-            if left.pop(attempt.number, None) is None:  # a lesser torque has opened its wing meanwhile
+        for attempt, result in _results(attempts, threads, sparse, until_last, progress):
+            if left.pop(attempt.number, None) is None:  # a lesser value has done it meanwhile
                 continue
             if isinstance(result, InputError):
                 yield attempt.number, result
@@ -123,62 +132,63 @@ def run_each(
                 continue
             doubt = _doubt(attempt, outcome)
             yield attempt.number, replace(result, doubt=doubt) if doubt else result
-            if until_opened and outcome.opened and not doubt:
-                chain = _but_unfold_torque(designs[attempt.number])
+            structure = result.structure
+            if until_last and _last_holds(outcome, structure) and not doubt:
+                chain = but_last_drive(designs[attempt.number], structure)
                 left = {
                     number: each
                     for number, each in left.items()
-                    if number < attempt.number or _but_unfold_torque(designs[number]) != chain
+                    if number < attempt.number or but_last_drive(designs[number], structure) != chain
                 }
         attempts = [left[number] for number in sorted(left)]
 
 
-def topology(wing: WingModel) -> tuple[int, ...]:
-    """The sizes that wings of one batch have in common."""
-    engine = wing.engine
+def topology(model: Model) -> tuple[int, ...]:
+    """The sizes that models of one batch have in common."""
+    engine = model.engine
     sizes = (engine.nq, engine.nv, engine.nu, engine.nbody, engine.ngeom, engine.ntendon, engine.nflexvert)
     return (*sizes, engine.nactuator, engine.na, engine.nplastic)
 
 
 def _results(
-    attempts: Sequence[_Attempt], threads: int, sparse: bool, until_opened: bool, progress: Progress | None
+    attempts: Sequence[_Attempt], threads: int, sparse: bool, until_last: bool, progress: Progress | None
 ) -> Iterator[tuple[_Attempt, Record | InputError]]:
-    """Build wings and simulate them, the first ones soon and more of them side by side each time."""
+    """Build models and simulate them, the first ones soon and more of them side by side each time."""
     by_engine: dict[str, list[_Attempt]] = {}
     for attempt in attempts:
         by_engine.setdefault(_engine_key(attempt.design), []).append(attempt)
-    built: list[tuple[_Attempt, WingModel]] = []
+    built: list[tuple[_Attempt, Model]] = []
     seconds, start = _FIRST_SECONDS, time.perf_counter()
     for alike in by_engine.values():
-        wing = _compile(alike[0].design)
+        model = _compile(alike[0].design)
         for attempt in alike:
             try:
-                built.append(_with_protocol(wing, attempt))
+                built.append(_with_protocol(model, attempt))
             except InputError as error:
                 yield attempt, error
         if time.perf_counter() - start > seconds:
-            yield from _simulated(built, threads, sparse, until_opened, progress)
+            yield from _simulated(built, threads, sparse, until_last, progress)
             seconds, start, built = 2 * seconds, time.perf_counter(), []
-    yield from _simulated(built, threads, sparse, until_opened, progress)
+    yield from _simulated(built, threads, sparse, until_last, progress)
 
 
 def _simulated(
-    built: Sequence[tuple[_Attempt, WingModel]],
+    built: Sequence[tuple[_Attempt, Model]],
     threads: int,
     sparse: bool,
-    until_opened: bool,
+    until_last: bool,
     progress: Progress | None,
 ) -> Iterator[tuple[_Attempt, Record | InputError]]:
-    """Simulate wings, those of one topology side by side; in halves where memory does not hold them."""
-    groups: dict[tuple[int, ...], list[tuple[_Attempt, WingModel]]] = {}
-    for attempt, wing in built:
-        groups.setdefault(topology(wing), []).append((attempt, wing))
-    enough = _opened if until_opened else None
+    """Simulate models, those of one topology side by side; in halves where memory does not hold them."""
+    groups: dict[tuple[int, ...], list[tuple[_Attempt, Model]]] = {}
+    for attempt, model in built:
+        groups.setdefault(topology(model), []).append((attempt, model))
+    enough = _did_last if until_last else None
     for group in groups.values():
         telling = None if progress is None else _with_timestep_told(progress, group[0][0])
         done: set[int] = set()
         try:
-            for row, record in simulate_each([wing for _, wing in group], threads, sparse, telling, enough):
+            for row, record in simulate_each([model for _, model in group], threads, sparse, telling, enough):
                 done.add(row)
                 yield group[row][0], record
         except InputError as error:
@@ -187,7 +197,7 @@ def _simulated(
                 continue
             rest = [each for row, each in enumerate(group) if row not in done]
             for half in (rest[: len(rest) // 2], rest[len(rest) // 2 :]):
-                yield from _simulated(half, threads, sparse, until_opened, progress)
+                yield from _simulated(half, threads, sparse, until_last, progress)
 
 
 def _following(attempt: _Attempt, outcome: Outcome) -> _Attempt | None:
@@ -225,7 +235,7 @@ def _doubt(attempt: _Attempt, outcome: Outcome) -> str:
 
 def _agree(before: Outcome, after: Outcome) -> bool:
     """Whether a run that is to be trusted came to the same at two timesteps, at about the same times."""
-    pairs = ((before.fold, after.fold), (before.unfold, after.unfold))
+    pairs = [(before.transitions[name], after.transitions[name]) for name in after.transitions]
     times = [(a.time, b.time) for a, b in pairs if a is not None and b is not None]
     near = all(a is b or (a and b and abs(a - b) <= _TIME_TOLERANCE * b) for a, b in times)
     return after.verdict.tells and _same_ending(before, after) and near
@@ -235,26 +245,35 @@ def _same_ending(before: Outcome, after: Outcome) -> bool:
     return (before.verdict, before.ending.goal) == (after.verdict, after.ending.goal)
 
 
-def _but_unfold_torque(design: Design) -> str:
-    """What names a design but for its unfold torque."""
-    return design.model_copy(update={"protocol": design.protocol.model_copy(update={"unfold_torque": 0.0})}).hash
+def _last_holds(outcome: Outcome, structure: Structure) -> bool:
+    """Whether the last transition reached its state."""
+    return bool(structure.transitions and outcome.holds[structure.transitions[-1].state])
 
 
-def _opened(record: Record) -> bool:
-    return bool(measure(record).opened)
+def _did_last(record: Record) -> bool:
+    return _last_holds(measure(record), record.structure)
 
 
 def _engine_key(design: Design) -> str:
-    """What names an engine model: all but what is done to the wing."""
-    parting: dict[str, object] = {"stages": ()}
+    """What names an engine model: all but what is done to the structure."""
+    parted = put(design, "protocol.stages", ())
     # the estimate of a timestep minds torques where tendons damp more than in proportion to their speed
-    if design.protocol.timestep != "auto" or not any((tendon_law(design).damping or ())[1:]):
-        parting |= {"fold_torque": 0.0, "unfold_torque": 0.0}
-    return design.model_copy(update={"protocol": design.protocol.model_copy(update=parting)}).hash
+    if design.protocol.timestep != "auto" or not _damps_nonlinearly(design):
+        for key in drive_keys(design):
+            parted = put(parted, key, 0.0)
+    return parted.hash
 
 
-def _compile(design: Design) -> WingModel | InputError:
-    """A wing, or why there is none.
+def _damps_nonlinearly(design: Design) -> bool:
+    try:
+        tendons = structure_of(design).tendons
+    except InputError:  # whoever compiles it says why
+        return True
+    return any(any((tendon.law.damping or ())[1:]) for tendon in tendons)
+
+
+def _compile(design: Design) -> Model | InputError:
+    """A model, or why there is none.
 
     With four times the estimated timestep where that is left open, so that the third attempt can do.
     """
@@ -262,22 +281,25 @@ def _compile(design: Design) -> WingModel | InputError:
         guessed = with_timestep(design)
         if guessed is not design:
             guessed = _with_step(guessed, 2 ** (_AGREEING - 1) * float(guessed.protocol.timestep))
-        return compile_wing(guessed)
+        return compile_model(guessed)
     except InputError as error:
         return error
 
 
-def _with_protocol(wing: WingModel | InputError, attempt: _Attempt) -> tuple[_Attempt, WingModel]:
-    """An attempt at the timestep of a wing, and that wing with its protocol, the engine model shared.
+def _with_protocol(model: Model | InputError, attempt: _Attempt) -> tuple[_Attempt, Model]:
+    """An attempt at the timestep of a model, and that model with its protocol, the engine model shared.
 
     Raises:
-        InputError: there is no wing, or its protocol is too large or small for it.
+        InputError: there is no model, or its protocol is too large or small for it.
     """
-    if isinstance(wing, InputError):
-        raise wing
-    design = _with_step(attempt.design, float(wing.design.protocol.timestep))
+    if isinstance(model, InputError):
+        raise model
+    design = _with_step(attempt.design, float(model.design.protocol.timestep))
     return replace(attempt, design=design), replace(
-        wing, design=design, in_units=design_in_model_units(design, wing.units)
+        model,
+        design=design,
+        structure=with_protocol(model.structure, design),
+        in_units=with_protocol(model.in_units, design_in_model_units(design, model.units)),
     )
 
 

@@ -1,162 +1,184 @@
-"""The least torques that fold a wing and that open it again."""
+"""The least values that bring a structure to its states: of torques that fold a fan and that open it again."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from forficula.analysis import FOLDED, Verdict, ending_word
-from forficula.design import TORQUE, Design, Stage, with_values
+from forficula.analysis import Verdict
+from forficula.design import Design, Stage, put, stage_drives, with_values
 from forficula.quantities import show_quantity
-from forficula.study.evaluate import row_ending, row_key
+from forficula.study.evaluate import row_key
 from forficula.study.journal import Row
-from forficula.study.study import Search
+from forficula.study.study import Search, SearchStep
 
 Rows = Mapping[str, Row]
 
-_FOLDING = {"fold_time": "s", "fold_work": "J", "folded_energy": "J"}
-_OPENING = {"unfold_time": "s", "unfold_work": "J", "opened_energy": "J"}
+_NUMBERS = {"time": "s", "work": "J"}
 
 
 def search_designs(design: Design, search: Search, rows: Rows) -> list[Design]:
-    """The designs that must run to find the least torques, as far as the rows so far tell.
+    """The designs that must run to find the least values, as far as the rows so far tell.
 
-    Folding is tried with every torque, for it need not be monotone, and only the least that folds is also released.
-    Opening is tried where there is a least torque that folds, from the wing folded with `fold_with`, rising, up to the
-    least torque that opens; a search without unfold torques leaves that out. What runs next can depend on the last
-    rows: ask again until none is missing.
+    The first transition is tried with every value, for it need not be monotone, and only the least that does it is also
+    released. The second is tried where there is a least value of the first, from where the search's reference value
+    left the first, rising, up to the least value that does it; a search that does not ask for it leaves that out. What
+    runs next can depend on the last rows: ask again until none is missing.
     """
-    fold_torques = _torques(design, search, rows, "fold")
-    wanted = [fold_design(design, torque) for torque in fold_torques]
-    folds = [rows.get(row_key(each)) for each in wanted]
-    if any(row is None for row in folds):
+    values = _values(design, search, rows, search.first)
+    wanted = [first_design(design, search, value) for value in values]
+    found = [rows.get(row_key(each)) for each in wanted]
+    if any(row is None for row in found):
         return wanted
-    least, _ = _decided({torque: row for torque, row in zip(fold_torques, folds, strict=True) if row}, "folded")
+    least, _ = _decided({value: row for value, row in zip(values, found, strict=True) if row}, search.first.state)
     if least is None:
         return wanted
-    wanted.append(release_design(design, least))
-    for torque in _torques(design, search, rows, "unfold"):
-        wanted.append(unfold_design(design, search.fold_with, torque))
-        if rows.get(row_key(wanted[-1]), {}).get("opened"):
+    if search.next_drive is not None:
+        wanted.append(release_design(design, search, least))
+    for value in _values(design, search, rows, search.second):
+        wanted.append(second_design(design, search, value))
+        if search.second is not None and rows.get(row_key(wanted[-1]), {}).get(search.second.state):
             break
     return wanted
 
 
 def most_runs(search: Search) -> int:
     """How many runs a point takes at most."""
-    return len(search.fold_torques) + 1 + len(search.unfold_torques) + 2 * search.refinements
+    steps = len(search.first.values) + (0 if search.second is None else len(search.second.values))
+    return steps + 1 + 2 * search.refinements
 
 
 def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
-    """What the rows say of one point: the least torques (N m), times (s), work and energies (J), and its ending.
+    """What the rows say of one point: the least values (SI), times (s), work and energies (J), and its ending.
 
-    Times, work and energies of folding are those at the least torque that folds, likewise of unfolding; None where no
-    torque does.
+    Times, work and energies of a transition are those at the least value that does it; None where no value does.
     """
-    folds = {torque: rows[row_key(fold_design(design, torque))] for torque in _torques(design, search, rows, "fold")}
-    least_fold, folding = _decided(folds, "folded")
-    # there are none above the least torque that opens
-    opens = {
-        torque: row
-        for torque in _torques(design, search, rows, "unfold")
-        if least_fold is not None
-        and (row := rows.get(row_key(unfold_design(design, search.fold_with, torque)))) is not None
+    first, second = search.first, search.second
+    tried = {
+        value: rows[row_key(first_design(design, search, value))] for value in _values(design, search, rows, first)
     }
-    if least_fold is not None:
-        folding = rows[row_key(release_design(design, least_fold))]
-        if not Verdict(folding["verdict"]).tells:
-            least_fold, opens = None, {}
-    least_unfold, opening = _decided(opens, "opened")
-    residuals = [
-        row["residual"] for row in (*folds.values(), folding, *opens.values()) if row.get("residual") is not None
-    ]
+    least_first, done = _decided(tried, first.state)
+    # there are none above the least value that does it
+    later = {
+        value: row
+        for value in _values(design, search, rows, second)
+        if least_first is not None and (row := rows.get(row_key(second_design(design, search, value)))) is not None
+    }
+    if least_first is not None and search.next_drive is not None:
+        done = rows[row_key(release_design(design, search, least_first))]
+        if not Verdict(done["verdict"]).tells:
+            least_first, later = None, {}
+    least_second, next_done = _decided(later, "" if second is None else second.state)
+    residuals = [row["residual"] for row in (*tried.values(), done, *later.values()) if row.get("residual") is not None]
     result = {
-        "least_fold_torque": least_fold,
-        "least_unfold_torque": least_unfold,
-        "flat_energy": folding.get("flat_energy_J"),
-        "fold_outcome": ending_word(row_ending(folding)),
-        "reference_outcome": _reference(opening),
+        first.least_name: least_first,
+        f"{first.transition}_outcome": done["outcome"],
+        "reference_outcome": _reference(search, next_done),
         "residual": max(residuals, default=None),
-        **_ending(search, folding, opening),
+        **_ending(search, done, next_done),
     }
-    if least_fold is not None:
-        result |= {name: folding[f"{name}_{unit}"] for name, unit in _FOLDING.items()}
-    if least_unfold is not None:
-        result |= {name: opening[f"{name}_{unit}"] for name, unit in _OPENING.items()}
+    if search.start_state:
+        result[f"{search.start_state}_energy"] = done.get(f"{search.start_state}_energy_J")
+    if second is not None:
+        result[second.least_name] = least_second
+    if least_first is not None:
+        result |= _numbers(first, done)
+    if second is not None and least_second is not None:
+        result |= _numbers(second, next_done)
     return result
 
 
-def _decided(found: Mapping[float, Row], goal: str) -> tuple[float | None, Row]:
-    """The least torque that reaches a goal and its row, or none and the row that says why.
+def _numbers(step: SearchStep, row: Row) -> dict[str, Any]:
+    """Time and work of a transition, and the energy of the state that it led to."""
+    numbers = {f"{step.transition}_{name}": row[f"{step.transition}_{name}_{unit}"] for name, unit in _NUMBERS.items()}
+    return numbers | {f"{step.state}_energy": row[f"{step.state}_energy_J"]}
 
-    That is the first one, as the torques rise, that says nothing of the wing: below what reaches the goal it may hide a
-    lesser torque that does. Otherwise it is that of the largest torque; an empty one where nothing was tried.
+
+def _decided(found: Mapping[float, Row], goal: str) -> tuple[float | None, Row]:
+    """The least value that reaches a goal and its row, or none and the row that says why.
+
+    That is the first one, as the values rise, that says nothing of the structure: below what reaches the goal it may
+    hide a lesser value that does. Otherwise it is that of the largest value; an empty one where nothing was tried.
     """
     least = _least(found, goal)
-    for torque, row in found.items():
+    for value, row in found.items():
         if not Verdict(row["verdict"]).tells:
             return None, row
-        if torque == least:
+        if value == least:
             return least, row
     return None, found[max(found)] if found else {}
 
 
-def _reference(opening: Row) -> str:
-    """How a wing folded with the large torque, in a word; empty where that was not tried."""
-    if not opening:
+def _reference(search: Search, row: Row) -> str:
+    """What became of the first transition with the reference value, in a word; empty where that was not tried."""
+    if not row:
         return ""
-    return FOLDED if opening["folded"] else ending_word(row_ending(opening))
+    return search.first.done if row[search.first.state] else str(row["outcome"])
 
 
-def _ending(search: Search, folding: Row, opening: Row) -> dict[str, Any]:
-    """How a wing that some torque folds opened, or what failed before: its release, folding with the large torque."""
-    told = folding if not (folding.get("folded") and opening) else opening
-    word = ending_word(row_ending(told))
-    ending = {"status": told["status"], "verdict": told["verdict"], "outcome": word}
-    large = show_quantity(search.fold_with, TORQUE)
-    if told is folding:
-        if opening:
-            ending["status"] += f"; with {large}: {opening['status']}"
-    elif not opening["folded"]:
-        ending["status"] = f"with {large}: {opening['status']}"
-        if Verdict(opening["verdict"]).tells:
-            ending["outcome"] = f"{word} with {large}"
+def _ending(search: Search, done: Row, next_done: Row) -> dict[str, Any]:
+    """How the second transition went where some value does the first, or what failed before.
+
+    That is the release of the first one, or the first one with the reference value.
+    """
+    state = search.first.state
+    told = done if not (done.get(state) and next_done) else next_done
+    ending = {"status": told["status"], "verdict": told["verdict"], "outcome": told["outcome"]}
+    large = show_quantity(search.reference, search.first.unit)
+    if told is done:
+        if next_done:
+            ending["status"] += f"; with {large}: {next_done['status']}"
+    elif not next_done[state]:
+        ending["status"] = f"with {large}: {next_done['status']}"
+        if Verdict(next_done["verdict"]).tells:
+            ending["outcome"] = f"{told['outcome']} with {large}"
     return ending
 
 
-def fold_design(design: Design, torque: float) -> Design:
-    """The design whose protocol ends with folding, with a fold torque, N m."""
-    drives = [stage.drive for stage in design.protocol.stages]
-    last = drives.index("fold") + 1 if "fold" in drives else len(drives)
-    return _with(design, fold_torque=torque, stages=design.protocol.stages[:last])
+def first_design(design: Design, search: Search, value: float) -> Design:
+    """The design with a value, SI, of the first transition; where another follows, its protocol ends with the first."""
+    stages = design.protocol.stages
+    if search.next_drive is not None:
+        stages = stages[: _first_driven(stages, search.first.drive) + 1]
+    return _with(design, stages, {search.first.key: value})
 
 
-def release_design(design: Design, torque: float) -> Design:
-    """The design whose protocol ends before any unfolding, with a fold torque, N m."""
-    drives = [stage.drive for stage in design.protocol.stages]
-    last = drives.index("unfold") if "unfold" in drives else len(drives)
-    return _with(design, fold_torque=torque, stages=design.protocol.stages[:last])
+def release_design(design: Design, search: Search, value: float) -> Design:
+    """The design whose protocol ends before any second transition, with a value, SI, of the first."""
+    stages = design.protocol.stages
+    return _with(design, stages[: _first_driven(stages, search.next_drive or "")], {search.first.key: value})
 
 
-def unfold_design(design: Design, fold_torque: float, unfold_torque: float) -> Design:
-    """The design with both torques, N m."""
-    return _with(design, fold_torque=fold_torque, unfold_torque=unfold_torque, stages=design.protocol.stages)
+def second_design(design: Design, search: Search, value: float) -> Design:
+    """The design with the reference value of the first transition and a value, SI, of the second."""
+    if search.second is None:
+        return design
+    values = {search.first.key: search.reference, search.second.key: value}
+    return _with(design, design.protocol.stages, values)
 
 
-def _with(design: Design, stages: Sequence[Stage], **torques: float) -> Design:
+def _first_driven(stages: Sequence[Stage], drive: str) -> int:
+    """Number of the first stage with a drive; how many there are where none has it."""
+    return next((number for number, stage in enumerate(stages) if drive in stage_drives(stage)), len(stages))
+
+
+def _with(design: Design, stages: Sequence[Stage], values: Mapping[str, float]) -> Design:
     """Replace what was checked when it was read."""
-    return design.model_copy(
-        update={"protocol": design.protocol.model_copy(update={"stages": tuple(stages), **torques})}
-    )
+    design = put(design, "protocol.stages", tuple(stages))
+    for key, value in values.items():
+        design = put(design, key, value)
+    return design
 
 
-def _torques(design: Design, search: Search, rows: Rows, drive: str) -> list[float]:
-    """Torques to try, rising: the grid, and halves of the step below the least that works as far as it is known."""
-    tried = list(search.fold_torques if drive == "fold" else search.unfold_torques)
+def _values(design: Design, search: Search, rows: Rows, step: SearchStep | None) -> list[float]:
+    """Values to try, rising: the grid, and halves of the step below the least that works as far as it is known."""
+    if step is None:
+        return []
+    tried = list(step.values)
+    designs = first_design if step is search.first else second_design
     for _ in range(search.refinements):
-        found = [rows.get(_key(design, search, drive, torque)) for torque in tried]
-        goal = "folded" if drive == "fold" else "opened"
-        least = next((index for index, row in enumerate(found) if row is None or row.get(goal)), 0)
+        found = [rows.get(row_key(designs(design, search, value))) for value in tried]
+        least = next((index for index, row in enumerate(found) if row is None or row.get(step.state)), 0)
         if least == 0 or found[least] is None:
             return tried
         tried.insert(least, (tried[least - 1] + tried[least]) / 2)
@@ -164,12 +186,8 @@ def _torques(design: Design, search: Search, rows: Rows, drive: str) -> list[flo
 
 
 def _least(found: Mapping[float, Row | None], goal: str) -> float | None:
-    """The least torque whose row says that the goal was reached."""
-    return next((torque for torque, row in found.items() if row is not None and row.get(goal)), None)
-
-
-def _key(design: Design, search: Search, drive: str, torque: float) -> str:
-    return row_key(fold_design(design, torque) if drive == "fold" else unfold_design(design, search.fold_with, torque))
+    """The least value whose row says that the goal was reached."""
+    return next((value for value, row in found.items() if row is not None and row.get(goal)), None)
 
 
 def point_design(base: Design, point: Mapping[str, object]) -> Design:

@@ -14,7 +14,8 @@ from typing import Any
 from forficula.design import TORQUE, Design, key_quantity, key_value, law_from_folder, load_design
 from forficula.errors import InputError
 from forficula.names import folder_name
-from forficula.quantities import as_written, parse_quantity
+from forficula.quantities import Unit, as_written, format_quantity, parse_quantity
+from forficula.structure import Drive, Structure, Transition, drive_of, structure_of
 from forficula.study.choices import one_at_a_time, with_own_word
 from forficula.study.factors import MOST_VALUES, Factor, drawn_values, range_values, read_factor
 from forficula.toml_text import parse_toml
@@ -34,23 +35,67 @@ _KEYS = (
 )
 _MOST_TORQUES = 1000  # every one of them is a run of every point
 _TORQUE_KEY = "protocol.fold_torque"
+_SEARCHES = ("least-torques", "least-value")
+
+
+@dataclass(frozen=True, kw_only=True)
+class SearchStep:
+    """A transition whose least value is looked for.
+
+    Attributes:
+        transition: its name, such as "fold".
+        drive: name of its drive.
+        state: name of the state that it leads to, such as "folded".
+        done: what it comes to where it succeeds, in a word.
+        key: of the design's value that is tried, such as "protocol.fold_torque".
+        values: that are tried, SI, rising; none where it is not asked for.
+        unit: of the values.
+    """
+
+    transition: str
+    drive: str
+    state: str
+    done: str
+    key: str
+    values: tuple[float, ...]
+    unit: Unit
+
+    @property
+    def value_name(self) -> str:
+        """What tables call the values, such as "fold_torque"."""
+        return "_".join(self.key.split(".")[1:])
+
+    @property
+    def least_name(self) -> str:
+        """What tables call the least value that does it, such as "least_fold_torque"."""
+        return f"least_{self.value_name}"
 
 
 @dataclass(frozen=True, kw_only=True)
 class Search:
-    """Which torques are tried, N m.
+    """Which values are tried for the least that bring a structure to its states.
 
     Attributes:
-        fold_torques: rising.
-        fold_with: that folds the wing before any unfolding.
-        unfold_torques: rising; none where opening is not asked for.
-        refinements: how often the step below the least torque that worked is halved.
+        first: the first transition.
+        second: the next one; None where there is none, or where it is not asked for.
+        reference: value of the first one's key, SI, at which the second one is tried.
+        next_drive: of the transition after the first one, before whose stage its release ends; None where there is
+            none: the whole protocol then runs with every value.
+        start_state: name of the state before the first transition; "" where there is none.
+        refinements: how often the step below the least value that worked is halved.
     """
 
-    fold_torques: tuple[float, ...]
-    fold_with: float
-    unfold_torques: tuple[float, ...]
+    first: SearchStep
+    second: SearchStep | None
+    reference: float
+    next_drive: str | None
+    start_state: str
     refinements: int
+
+    @property
+    def steps(self) -> tuple[SearchStep, ...]:
+        """The transitions that are asked for."""
+        return (self.first,) if self.second is None else (self.first, self.second)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -64,7 +109,7 @@ class Study:
         factors: what is varied.
         points: the values of every point by dotted key, as a design file has them; what is not there is the base's.
         sampled: whether the points were drawn; otherwise they are the grid of all factors, the last fastest.
-        search: the torques to try for the least ones; None runs the protocol as it is.
+        search: the values to try for the least ones; None runs the protocol as it is.
         choices: where factors are varied one at a time, the value of one of them each, by key; the first is empty, the
             base. Otherwise none.
         grid: the factors whose whole grid is repeated at every choice, the last fastest.
@@ -164,17 +209,18 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
         if factor in drawn and key_quantity(factor.key) is None and not isinstance(now, float):
             raise InputError(f"{factor.key}: need a list or a range; only numbers with fractions are drawn")
     ask = tables.get("ask", "run")
-    if ask not in ("run", "least-torques"):
-        raise InputError(f'ask: need "run" or "least-torques", got {ask!r}')
-    taken = {"protocol.fold_torque", "protocol.unfold_torque"} & {factor.key for factor in (*factors, *grid)}
-    if ask == "least-torques" and taken:
-        raise InputError(
-            f'factors.{min(taken)}: is what "least-torques" looks for; give it under [search], or ask "run"'
-        )
+    if ask not in ("run", *_SEARCHES):
+        raise InputError(f'ask: need "run", "least-torques" or "least-value", got {ask!r}')
     if "sampling" in tables and not drawn:
         raise InputError("sampling: needs factors that are distributions, got lists and ranges")
-    if "search" in tables and ask != "least-torques":
-        raise InputError('search: needs ask = "least-torques"')
+    if "search" in tables and ask not in _SEARCHES:
+        raise InputError('search: needs ask = "least-torques" or "least-value"')
+    search = read_search(ask, tables.get("search", {}), base) if ask in _SEARCHES else None
+    looked_for = {step.key for step in search.steps} if search is not None else set()
+    if ask == "least-torques":
+        looked_for |= {drive.key for drive in structure_of(base).drives}
+    if taken := looked_for & {factor.key for factor in (*factors, *grid)}:
+        raise InputError(f'factors.{min(taken)}: is what "{ask}" looks for; give it under [search], or ask "run"')
     choices: tuple[Mapping[str, object], ...] = ()
     if vary == "one-at-a-time":
         factors = tuple(with_own_word(base, factor) for factor in factors)
@@ -192,7 +238,7 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
         factors=factors,
         points=tuple(points),
         sampled=bool(drawn),
-        search=read_torque_search(tables.get("search", {})) if ask == "least-torques" else None,
+        search=search,
         choices=choices,
         grid=grid,
         reproduces=reproduces,
@@ -273,34 +319,109 @@ def _drawn(factors: tuple[Factor, ...], sampling: Mapping[str, Any]) -> list[dic
     return drawn_values(factors, method, int(str(count)), seed)
 
 
-def read_torque_search(given: Mapping[str, Any]) -> Search:
-    """Read the table `search` of a study file; what it does not give has a default.
+def read_search(ask: str, given: Mapping[str, Any], base: Design) -> Search:
+    """Read the table `search` of a study file.
+
+    Args:
+        ask: "least-torques", of the first two transitions of the base, with keys such as `fold_torques`, `fold_with`,
+            `unfold_torques`; or "least-value", with `key`, `values` and the `state` that is to be reached.
+        given: the table; torques that it does not give are those of the drive.
+        base: the design that is varied.
 
     Raises:
         InputError: an unknown key, or a value that is not allowed.
     """
-    _known(given, ("fold_torques", "fold_with", "unfold_torques", "refinements"), "search.")
-    refinements = given.get("refinements", 0)
-    if isinstance(refinements, bool) or not isinstance(refinements, int) or not 0 <= refinements <= 20:
-        raise InputError(f"search.refinements: need a whole number from 0 to 20, got {refinements!r}")
+    structure = structure_of(base)
+    if not structure.transitions:
+        raise InputError(f'ask: "{ask}" needs a design that a protocol drives to a state, got {base.name}')
+    reached = {transition.state for transition in structure.transitions}
+    start = next((state for state in structure.stage_states if state and state not in reached), "")
+    if ask == "least-value":
+        return _value_search(given, structure, start)
+    first, *others = structure.transitions[:2]
+    names = [f"{each.name}_torques" for each in (first, *others)]
+    _known(given, (names[0], f"{first.name}_with", *names[1:], "refinements"), "search.")
+    steps = [
+        _torque_step(each, drive_of(structure, each.drive), given, none=each is not first) for each in (first, *others)
+    ]
+    large = given.get(f"{first.name}_with", drive_of(structure, first.drive).large or _shown(steps[0].values[-1]))
     return Search(
-        fold_torques=_torques("fold_torques", given.get("fold_torques", "0..50 N cm step 10")),
-        fold_with=_torques("fold_with", [given.get("fold_with", "500 N cm")])[0],
-        unfold_torques=_torques("unfold_torques", given.get("unfold_torques", "10..100 N cm step 10"), none=True),
-        refinements=refinements,
+        first=steps[0],
+        second=next((step for step in steps[1:] if step.values), None),
+        reference=_torques(f"{first.name}_with", [large])[0],
+        next_drive=next((each.drive for each in others), None),
+        start_state=start,
+        refinements=_refinements(given),
     )
 
 
+def _value_search(given: Mapping[str, Any], structure: Structure, start: str) -> Search:
+    """A search for the least value of any key that reaches a state."""
+    _known(given, ("key", "values", "state", "refinements"), "search.")
+    states = {transition.state: transition for transition in structure.transitions}
+    state, key = given.get("state", next(iter(states))), given.get("key")
+    if state not in states:
+        raise InputError(f"search.state: need one of {', '.join(states)}, got {as_written(state)}")
+    if not isinstance(key, str):
+        raise InputError(f'search.key: need a key such as "tendon.stiffness", got {as_written(key)}')
+    quantity = key_quantity(key)
+    if quantity is None:
+        raise InputError(f"search.key: need a key whose value has a unit, got {key}")
+    transition = states[state]
+    step = SearchStep(
+        transition=transition.name,
+        drive=transition.drive,
+        state=state,
+        done=transition.wording.done,
+        key=key,
+        values=_rising("values", given.get("values"), key, quantity.unit, none=False),
+        unit=quantity.unit,
+    )
+    return Search(
+        first=step, second=None, reference=0.0, next_drive=None, start_state=start, refinements=_refinements(given)
+    )
+
+
+def _torque_step(transition: Transition, drive: Drive, given: Mapping[str, Any], *, none: bool) -> SearchStep:
+    name = f"{transition.name}_torques"
+    return SearchStep(
+        transition=transition.name,
+        drive=transition.drive,
+        state=transition.state,
+        done=transition.wording.done,
+        key=drive.key,
+        values=_torques(name, given.get(name, drive.tries or [_shown(drive.torque)]), none=none),
+        unit=TORQUE,
+    )
+
+
+def _shown(torque: float) -> str:
+    return format_quantity(torque, TORQUE)
+
+
+def _refinements(given: Mapping[str, Any]) -> int:
+    refinements = given.get("refinements", 0)
+    if isinstance(refinements, bool) or not isinstance(refinements, int) or not 0 <= refinements <= 20:
+        raise InputError(f"search.refinements: need a whole number from 0 to 20, got {refinements!r}")
+    return refinements
+
+
 def _torques(key: str, given: object, *, none: bool = False) -> tuple[float, ...]:
-    values = range_values(_TORQUE_KEY, given) if isinstance(given, str) else given
+    return _rising(key, given, _TORQUE_KEY, TORQUE, none=none)
+
+
+def _rising(key: str, given: object, like: str, unit: Unit, *, none: bool) -> tuple[float, ...]:
+    """Read rising values, a list or a range, of a key like another one."""
+    what = "torques" if unit is TORQUE else "values"
+    values = range_values(like, given) if isinstance(given, str) else given
     if not isinstance(values, list | tuple) or not (values or none):
-        raise InputError(f'search.{key}: need torques such as "0..50 N cm step 10", got {given!r}')
+        raise InputError(f'search.{key}: need {what} such as "0..50 {unit.display} step 10", got {given!r}')
     if len(values) > _MOST_TORQUES:
-        raise InputError(f"search.{key}: need at most {_MOST_TORQUES} torques, got {len(values)}")
+        raise InputError(f"search.{key}: need at most {_MOST_TORQUES} {what}, got {len(values)}")
     try:
-        torques = tuple(parse_quantity(value, TORQUE) for value in values)
+        numbers = tuple(parse_quantity(value, unit) for value in values)
     except InputError as error:
         raise InputError(f"search.{key}: {error}") from None
-    if list(torques) != sorted(set(torques)) or min(torques, default=0.0) < 0:
-        raise InputError(f"search.{key}: need rising torques >= 0, got {given!r}")
-    return torques
+    if list(numbers) != sorted(set(numbers)) or min(numbers, default=0.0) < 0:
+        raise InputError(f"search.{key}: need rising {what} >= 0, got {given!r}")
+    return numbers

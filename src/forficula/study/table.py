@@ -7,47 +7,25 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from forficula.analysis import Ending, Verdict, ending_word
+from forficula.analysis import Ending, Verdict
 from forficula.csv_text import csv_text
 from forficula.design import TORQUE, Design
 from forficula.quantities import as_written, parse_quantity
+from forficula.structure import Structure, structure_of
 from forficula.study.choices import CHOICE, choice_label, own_value
-from forficula.study.evaluate import ending_row, row_ending, row_key
+from forficula.study.evaluate import ending_row, row_key
 from forficula.study.factors import Factor
 from forficula.study.journal import Row
-from forficula.study.search import fold_design, search_result
-from forficula.study.study import Study
+from forficula.study.outcome_kinds import transitions_text
+from forficula.study.search import first_design, search_result
+from forficula.study.study import Search, SearchStep, Study
 
 if TYPE_CHECKING:
     import xarray
 
-# name: (unit, what it is)
-_NUMBERS = {
-    "least_fold_torque": ("N m", "least torque that folds"),
-    "least_unfold_torque": ("N m", "least torque that opens"),
-    "fold_time": ("s", "fold time"),
-    "unfold_time": ("s", "opening time"),
-    "fold_work": ("J", "work of folding"),
-    "unfold_work": ("J", "work of unfolding"),
-    "flat_energy": ("J", "energy of the tendons, flat"),
-    "folded_energy": ("J", "energy of the tendons, folded"),
-    "opened_energy": ("J", "energy of the tendons, opened"),
-    "residual": ("", "largest share of the energy that is missing in a run"),
-}
-_TORQUE = {"units": TORQUE.si, "display": TORQUE.display, "key": "protocol.fold_torque", "long_name": "fold torque"}
-# what only opening tells
-_OPENING = ("least_unfold_torque", "unfold_time", "unfold_work", "opened_energy", "reference_outcome")
-_RUN_NUMBERS = {name: unit for name, unit in _NUMBERS.items() if not name.startswith("least")}
-_COLUMNS = (
-    *(name for name in _NUMBERS if name not in ("unfold_time", "residual")),
-    "status",
-    "unfold_time",
-    "verdict",
-    "residual",
-    "folded",
-    "opened",
-)
+Array = NDArray[np.float64]
 
 
 def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping[str, Row]) -> xarray.Dataset:
@@ -61,59 +39,116 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
     Returns:
         Dimensions are the factors, in the study's order, or "sample" where the points were drawn, or "choice" and the
         grid that is repeated there where factors are varied one at a time, the base first; coordinates in SI with
-        `units`, `display` and `key`.
+        `units`, `display` and `key`. Of every transition of the base there are time and work, of every state the energy
+        of the tendons, in a search of every transition the least value; the attribute `transitions` names them, see
+        `table_transitions`.
     """
     import xarray
 
+    structure, search = structure_of(study.base), study.search
     results = [_result(study, designs[number], rows) for number in range(len(study.points))]
     coordinates, dimensions, shape = table_axes(study)
-    numbers = _NUMBERS if study.search is not None else _RUN_NUMBERS
     words: tuple[str, ...] = ("status", "verdict", "outcome")
-    if study.search is not None:
-        words += ("fold_outcome", "reference_outcome")
+    if search is not None:
+        words += (f"{search.first.transition}_outcome", "reference_outcome")
     variables: dict[str, Any] = {}
-    for name, (unit, meaning) in numbers.items():
+    for name, (unit, meaning) in _numbers(study, structure).items():
         values = np.array([_nan(result.get(name)) for result in results]).reshape(shape)
         variables[name] = (dimensions, values, {"units": unit, "long_name": meaning})
     for name in words:
         texts = np.array([str(result.get(name, result["outcome"])) for result in results], dtype=object).reshape(shape)
         variables[name] = (dimensions, texts)
-    if study.search is None:
-        for name in ("folded", "opened"):
-            variables[name] = (dimensions, np.array([bool(each.get(name)) for each in results]).reshape(shape))
+    if search is None:
+        for transition in structure.transitions:
+            holds = np.array([bool(each.get(transition.state)) for each in results]).reshape(shape)
+            variables[transition.state] = (dimensions, holds)
     else:
-        variables["reference_outcome"] += ({"torque": study.search.fold_with, "units": "N m"},)
-        coordinates["fold_torque"] = ("fold_torque", np.array(study.search.fold_torques), _TORQUE)
-        times = [[_nan(each.get("fold_times", {}).get(t)) for t in study.search.fold_torques] for each in results]
-        by_torque = np.array(times).reshape(*shape, -1)
-        variables["fold_time_by_torque"] = ((*dimensions, "fold_torque"), by_torque, {"units": "s"})
-        variables["folded_by_torque"] = ((*dimensions, "fold_torque"), np.isfinite(by_torque))
-        became = [
-            [each.get("fold_outcomes", {}).get(t, each["outcome"]) for t in study.search.fold_torques]
-            for each in results
-        ]
-        by_torque = np.array(became, dtype=object).reshape(*shape, -1)
-        variables["fold_outcome_by_torque"] = ((*dimensions, "fold_torque"), by_torque)
-        if not study.search.unfold_torques:
-            variables = {name: values for name, values in variables.items() if name not in _OPENING}
+        variables |= _by_value(search, results, dimensions, shape)
+        coordinates[search.first.value_name] = _tried(search.first)
+        if search.second is None:
+            del variables["reference_outcome"]
+        else:
+            variables["reference_outcome"] += ({"torque": search.reference, "units": search.first.unit.si},)
     attributes = {
         "name": study.name,
         "source": study.source,
         "design": study.base.name,
         "design_hash": study.base.hash,
-        "ask": "run" if study.search is None else "least-torques",
-        "veins": study.base.fan.vein_count,
+        "ask": "run" if search is None else "least-torques",
+        "tendons": len(structure.tendons),
+        "transitions": transitions_text(structure, search),
+        "start_state": _start_state(structure),
+        **({"reproduces": study.reproduces} if study.reproduces is not None else {}),
     }
-    if study.reproduces is not None:
-        attributes["reproduces"] = study.reproduces
     return xarray.Dataset(variables, coordinates, attributes)
+
+
+def _numbers(study: Study, structure: Structure) -> dict[str, tuple[str, str]]:
+    """The numbers of a table: unit and what it is, by name."""
+    search = study.search
+    drives = [step.drive for step in search.steps] if search is not None else []
+    asked = [each for each in structure.transitions if search is None or each.drive in drives]
+    start = [state for state in [_start_state(structure)] if state]
+    numbers: dict[str, tuple[str, str]] = {}
+    for step in search.steps if search is not None else ():
+        verb = next(each.wording.verb for each in asked if each.drive == step.drive)
+        what = "torque" if step.unit is TORQUE else step.key
+        numbers[step.least_name] = (step.unit.si, f"least {what} that {verb}s")
+    numbers |= {f"{each.name}_time": ("s", each.wording.time) for each in asked}
+    numbers |= {f"{each.name}_work": ("J", f"work of {each.wording.noun}") for each in asked}
+    for state in dict.fromkeys([*start, *(each.state for each in asked)]):
+        numbers[f"{state}_energy"] = ("J", f"energy of the tendons, {state}")
+    numbers["residual"] = ("", "largest share of the energy that is missing in a run")
+    return numbers
+
+
+def _start_state(structure: Structure) -> str:
+    """The first state that no transition leads to; "" where there is none."""
+    led_to = [each.state for each in structure.transitions]
+    return next((state for state in structure.stage_states if state and state not in led_to), "")
+
+
+def _columns(study: Study, table: xarray.Dataset) -> list[str]:
+    """What the text of a table has, in this order: numbers, words, and whether each state holds."""
+    structure = structure_of(study.base)
+    numbers = list(_numbers(study, structure))
+    late = [f"{each.name}_time" for each in structure.transitions[1:]]
+    early = [name for name in numbers if name not in (*late, "residual")]
+    holds = [each.state for each in structure.transitions]
+    return [name for name in (*early, "status", *late, "verdict", "residual", *holds) if name in table]
+
+
+def _by_value(
+    search: Search, results: Sequence[Mapping[str, Any]], dimensions: tuple[str, ...], shape: tuple[int, ...]
+) -> dict[str, Any]:
+    """What became of the first transition with every value that was tried."""
+    first, by = search.first, "torque" if search.first.unit is TORQUE else "value"
+    axes = (*dimensions, first.value_name)
+    times = np.array([[_nan(each.get("times_tried", {}).get(t)) for t in first.values] for each in results])
+    became = [[each.get("outcomes_tried", {}).get(t, each["outcome"]) for t in first.values] for each in results]
+    times = times.reshape(*shape, -1)
+    return {
+        f"{first.transition}_time_by_{by}": (axes, times, {"units": "s"}),
+        f"{first.state}_by_{by}": (axes, np.isfinite(times)),
+        f"{first.transition}_outcome_by_{by}": (axes, np.array(became, dtype=object).reshape(*shape, -1)),
+    }
+
+
+def _tried(step: SearchStep) -> tuple[str, Array, dict[str, str]]:
+    name, unit = step.value_name, step.unit
+    meaning = name.replace("_", " ")
+    return (
+        name,
+        np.array(step.values),
+        {"units": unit.si, "display": unit.display, "key": step.key, "long_name": meaning},
+    )
 
 
 def table_csv(study: Study, table: xarray.Dataset) -> str:
     """The table as text, one line a point, units in the names of the columns, empty where there is no number."""
     varied = (*study.factors, *study.grid)
     factors = [_column(factor) for factor in varied]
-    names = [name for name in _COLUMNS if name in table]
+    names = _columns(study, table)
     units = {name: _suffix(table[name].attrs["units"]) for name in names if table[name].attrs.get("units")}
     rows: list[Sequence[object]] = [
         [*(name for name, _ in factors), *(f"{name}{units.get(name, '')}" for name in names)]
@@ -134,17 +169,22 @@ def table_csv(study: Study, table: xarray.Dataset) -> str:
 
 def _result(study: Study, design: Design | str, rows: Mapping[str, Row]) -> dict[str, Any]:
     if isinstance(design, str):
-        row = ending_row(Ending(verdict=Verdict.NOT_BUILT, why=design))
-        return row | {"outcome": ending_word(row_ending(row))}
-    if study.search is None:
+        return ending_row(Ending(verdict=Verdict.NOT_BUILT, why=design))
+    search = study.search
+    if search is None:
         row = rows[row_key(design)]
-        numbers = {name: row.get(f"{name}_{unit}") for name, (unit, _) in _RUN_NUMBERS.items() if unit}
-        return row | numbers | {"outcome": ending_word(row_ending(row))}
-    result = search_result(design, study.search, rows)
-    tried = {torque: rows[row_key(fold_design(design, torque))] for torque in study.search.fold_torques}
-    result["fold_times"] = {torque: row.get("fold_time_s") for torque, row in tried.items()}
-    result["fold_outcomes"] = {torque: ending_word(row_ending(row)) for torque, row in tried.items()}
-    return result
+        numbers = {
+            name: row.get(f"{name}_{unit}")
+            for name, (unit, _) in _numbers(study, structure_of(study.base)).items()
+            if unit
+        }
+        return row | numbers
+    tried = {value: rows[row_key(first_design(design, search, value))] for value in search.first.values}
+    return {
+        **search_result(design, search, rows),
+        "times_tried": {value: row.get(f"{search.first.transition}_time_s") for value, row in tried.items()},
+        "outcomes_tried": {value: row["outcome"] for value, row in tried.items()},
+    }
 
 
 def table_axes(study: Study) -> tuple[dict[str, Any], tuple[str, ...], tuple[int, ...]]:

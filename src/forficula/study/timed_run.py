@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 
 from forficula.analysis import Verdict, measure
 from forficula.dynamics import Record, StageEnd
+from forficula.structure import Transition, goal_of
 
 Array = NDArray[np.float64]
 
@@ -18,8 +20,7 @@ Array = NDArray[np.float64]
 class Kind(NamedTuple):
     """What must not change with a timestep."""
 
-    folded: bool
-    opened: bool
+    holds: tuple[bool, ...]
     diverged: bool
     untrusted: bool
 
@@ -32,22 +33,19 @@ class TimedRun:
         status: in a few words.
         verdict: in a word.
         outcome: what must not change.
-        fold_time: from the start of folding until the slowest hinge crosses the folded angle, s; nan where it did not.
-        unfold_time: likewise until the last hinge has opened for good, s.
-        fold_start: when folding began, s; nan where it did not.
-        unfold_start: when unfolding began, s; nan where it did not.
+        transition_times: by transition, from the start of its stage until the last of what its goal bounds crosses its
+            bound for good, s; nan where it did not.
+        starts: by transition, when its stage began, s; nan where it did not.
         times: of the rows, s, (row,).
-        hinge: number of the distal hinge that is followed, from 0.
-        angle: of that hinge, folding negative, rad, (row,).
+        hinge: number of the hinge that is followed, among those of the first measure, from 0.
+        angle: what that measure reads of it, rad, (row,).
     """
 
     status: str
     verdict: Verdict
     outcome: Kind
-    fold_time: float
-    unfold_time: float
-    fold_start: float
-    unfold_start: float
+    transition_times: Mapping[str, float]
+    starts: Mapping[str, float]
     times: Array
     hinge: int
     angle: Array
@@ -58,32 +56,48 @@ def timed_run(record: Record, hinge: int | None = None) -> TimedRun:
 
     Args:
         record: with every step, or nearly so.
-        hinge: number of the distal hinge to follow, from 0; the last if not given, or where there are fewer.
+        hinge: number of the hinge to follow, among those of the first measure, from 0; the last if not given, or where
+            there are fewer.
     """
-    outcome, protocol = measure(record), record.design.protocol
-    angle = record.series["distal_angle"]
-    # both fall through 0 when the goal is reached
-    to_fold, to_open = angle.max(axis=1) + protocol.folded_angle, protocol.opened_angle - angle.min(axis=1)
+    outcome, structure = measure(record), record.structure
+    angle = record.measured(structure.measures[0].name)
     last = angle.shape[1] - 1
     followed = last if hinge is None else min(hinge, last)
-    starts = {end.stage.drive: end for end in record.stages}
+    ends = {
+        each.name: record.stages[each.stage]
+        for each in structure.transitions
+        if each.stage is not None and each.stage < len(record.stages)
+    }
     return TimedRun(
         status=outcome.status,
         verdict=outcome.verdict,
         outcome=Kind(
-            bool(outcome.folded),
-            bool(outcome.opened),
+            tuple(bool(holds) for holds in outcome.holds.values()),
             record.diverged_at is not None,
             outcome.verdict is Verdict.UNTRUSTED,
         ),
-        fold_time=_crossing(record, starts.get("fold"), to_fold) if outcome.folded else math.nan,
-        unfold_time=_crossing(record, starts.get("unfold"), to_open) if outcome.opened else math.nan,
-        fold_start=starts["fold"].start if "fold" in starts else math.nan,
-        unfold_start=starts["unfold"].start if "unfold" in starts else math.nan,
+        transition_times={
+            each.name: _crossing(record, ends.get(each.name), _distance(record, each))
+            if outcome.holds[each.state]
+            else math.nan
+            for each in structure.transitions
+        },
+        starts={each.name: ends[each.name].start if each.name in ends else math.nan for each in structure.transitions},
         times=record.time,
         hinge=followed,
         angle=angle[:, followed].copy(),
     )
+
+
+def _distance(record: Record, transition: Transition) -> Array:
+    """How far the furthest of what a goal bounds is from its bound, (row,), <= 0 where the goal is reached."""
+    goal = goal_of(record.structure, transition.goal)
+    angles = record.series["hinge_angle"]
+    if "distance" in record.series:
+        angles = np.concatenate([angles, record.series["distance"]], axis=1)
+    above, below = np.isfinite(goal.most), np.isfinite(goal.least)
+    distances: Array = np.max([*(angles - goal.most).T[above], *(goal.least - angles).T[below]], axis=0)
+    return distances
 
 
 def _crossing(record: Record, end: StageEnd | None, distance: Array) -> float:

@@ -14,15 +14,14 @@ from forficula.study.timed_run import TimedRun
 
 Array = NDArray[np.float64]
 
-_NAMES = ("fold time", "opening time")
-
 
 def judge_timestep(
     steps: Array,
     here: int,
     runs: Sequence[TimedRun],
     alike: NDArray[np.bool_],
-    times: tuple[Array, Array],
+    labels: Sequence[str],
+    times: Sequence[Array],
     fits: Sequence[OrderFit | None],
     tolerance: float,
 ) -> tuple[bool | None, str]:
@@ -38,13 +37,13 @@ def judge_timestep(
     if runs[here].outcome.diverged:
         sound = [name for name, run in zip(names, runs, strict=True) if not run.outcome.diverged]
         remedy = f"at {sound[0]} it does not" if sound else "and so it does at all the others"
-        return False, f"{own} is too long: the wing {status}; {remedy}."
+        return False, f"{own} is too long: it {status}; {remedy}."
     otherwise = [f'"{run.status}" at {name}' for name, run, same in zip(names, runs, alike, strict=True) if not same]
     changes = f'the outcome changes with the timestep: "{status}" at {own}, {", ".join(otherwise)}' if otherwise else ""
     if not alike[here:].all():
         return False, f"{own} is too long, or the design stands at a boundary: {changes}."
     after = f"; {changes}" if changes else ""
-    known = [(name, each, fit) for name, each, fit in zip(_NAMES, times, fits, strict=True) if fit is not None]
+    known = [(name, each, fit) for name, each, fit in zip(labels, times, fits, strict=True) if fit is not None]
     if not known:
         return None, f'{own} cannot be judged: there are no two times to compare where "{status}"{after}.'
     errors = [_error(each, here, alike, fit) for _, each, fit in known]
@@ -90,11 +89,16 @@ def _remedy(own: float, errors: Sequence[float], fits: Sequence[OrderFit], toler
 
 
 def judge_moves(
-    names: Sequence[str], here: int, runs: Sequence[TimedRun], alike: NDArray[np.bool_], times: tuple[Array, Array]
+    names: Sequence[str],
+    here: int,
+    runs: Sequence[TimedRun],
+    alike: NDArray[np.bool_],
+    labels: Sequence[str],
+    times: Sequence[Array],
 ) -> str:
     """How far the times move with the membrane's stiffness or mesh, in a sentence."""
     parts = []
-    for name, each in zip(_NAMES, times, strict=True):
+    for name, each in zip(labels, times, strict=True):
         known = np.flatnonzero(alike & np.isfinite(each)).tolist()
         if len(known) >= 2:
             moves = ", ".join(f"{100 * (each[i] / each[here] - 1):+.2g} % at {names[i]}" for i in known if i != here)

@@ -23,7 +23,7 @@ from forficula.show.folder.static_map_folder import SIMULATED, static_map_drawin
 from forficula.show.folder.study_folder import study_drawings
 from forficula.show.style import COLUMN_WIDTH, COPIES, ENDINGS, PAGE_WIDTH, Drawing, save_figure
 from forficula.study.convergence_file import load_convergence
-from forficula.study.survey import survey
+from forficula.study.landscape_and_run import landscape_and_run
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -105,7 +105,7 @@ def _landscape(folder: Path) -> dict[str, Drawing]:
 
     @cache
     def again(simulation: bool) -> dict[str, Drawing]:
-        return landscape_drawings(*survey(design, simulation=simulation), shown_tendon(design))
+        return landscape_drawings(*landscape_and_run(design, simulation=simulation), shown_tendon(design))
 
     def drawing(kind: str) -> Drawing:
         # only the tendon's figure has the run beside it

@@ -7,7 +7,7 @@ from collections.abc import Collection, Sequence
 from forficula.study.journal import Row
 
 
-class Tally:
+class RunCount:
     """Runs done and needed, as far as results tell.
 
     What a search turns out to do without counts as done, so that what is needed never shrinks; it grows where results
@@ -17,8 +17,15 @@ class Tally:
         needed: runs, those done among them.
     """
 
-    def __init__(self, done: int, later: int = 0) -> None:
-        """Start with runs that are done, and points that come later, of which each counts as a run for now."""
+    def __init__(self, done: int, later: int = 0, last_state: str = "") -> None:
+        """Start with runs that are done, and points that come later, of which each counts as a run for now.
+
+        Args:
+            done: runs that are.
+            later: points that come later.
+            last_state: that a search ends with; of a run that reaches it, none with a larger value is tried.
+        """
+        self._last_state = last_state
         self.needed = done + later
         self._later, self._spare = later, 0
         self._open: set[str] = set()
@@ -43,8 +50,8 @@ class Tally:
         self._open = set(self._points)
 
     def count(self, row: Row) -> None:
-        """Take note of a run that is done; after the one that opens a wing, no larger torque is tried."""
+        """Take note of a run that is done; after the one that reaches the last state, no larger value is tried."""
         self._open.discard(row["key"])
-        if row.get("opened"):
+        if self._last_state and row.get(self._last_state):
             keys = self._points[row["key"]]
             self._open.difference_update(keys[keys.index(row["key"]) :])

@@ -1,13 +1,13 @@
 from forficula.analysis.simulated_snap import finely_sampled
 from forficula.design import with_values
-from forficula.study.survey import survey
+from forficula.study.landscape_and_run import landscape_and_run
 
 SETTLE = {"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.01}
 
 
 def test_a_survey_has_the_landscape_of_the_design_and_a_run_that_is_sampled_finely(reference):
     design = with_values(reference, {"protocol.stages": [SETTLE]})
-    landscape, record = survey(design, simulation=True)
+    landscape, record = landscape_and_run(design, simulation=True)
     assert landscape.design.hash == design.hash
     assert record is not None
     assert record.design.hash == finely_sampled(design).hash

@@ -10,13 +10,13 @@ from forficula.statics import EnergyLandscape, energy_landscape
 from forficula.study.runs import run
 
 
-def survey(
+def landscape_and_run(
     design: Design, *, simulation: bool, progress: Progress | None = None
 ) -> tuple[EnergyLandscape, Record | None]:
-    """Survey a design's energy, and run it where that is wanted.
+    """Find a design's energy landscape, and run it where that is wanted.
 
     Args:
-        design: to survey.
+        design: of which.
         simulation: whether to run it, too.
         progress: of the run.
     """
