@@ -78,7 +78,7 @@ def test_a_key_of_all_sets_all_and_a_number_the_tendon_of_that_vein(wing):
     assert of(load_design("binder2025", {"pattern.units": 2, "tendon.4.stiffness": "1 N/cm"})) == [1000.0] * 4 + [100.0]
 
 
-def test_a_law_may_be_that_of_one_tendon(wing):
+def test_a_law_may_be_that_of_one_tendon():
     settings = {"tendon.1.law": "tpu-82a", "tendon.1.area": "12.5 mm^2", "tendon.1.law.linear_modulus": "3 MPa"}
     design = load_design("binder2025", settings)
     assert of(design) == [1000.0, None, 1000.0]

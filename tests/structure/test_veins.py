@@ -116,7 +116,8 @@ def test_what_lies_beside_a_bar_lies_towards_the_next_vein():
 
 def test_a_vein_without_a_tendon_has_neither_tendon_nor_attachments(tmp_path):
     (tmp_path / "wing.toml").write_text(
-        'based_on = "binder2025"\n[[tendon]]\nvein = 2\nstiffness = "20 N/cm"\n[[tendon]]\nvein = 0\nrest_length = "8 cm"'
+        'based_on = "binder2025"\n'
+        '[[tendon]]\nvein = 2\nstiffness = "20 N/cm"\n[[tendon]]\nvein = 0\nrest_length = "8 cm"\n'
     )
     structure, whole = structure_of(load_design(tmp_path / "wing.toml")), built()
     assert [tendon.name for tendon in structure.tendons] == ["tendon0", "tendon2"]

@@ -15,10 +15,11 @@ from forficula.design.part import LENGTH, TORQUE
 from forficula.design.protocol import Protocol, Stage, stage_drives
 from forficula.design.similarity import in_units, scale_design
 from forficula.design.tendon import TendonSection, tendon_law
-from forficula.design.tendon_tables import value_from_folder
+from forficula.design.tendon_tables import NO_LAW, value_from_folder
 
 __all__ = [
     "LENGTH",
+    "NO_LAW",
     "TORQUE",
     "Design",
     "FanDesign",

@@ -31,6 +31,7 @@ from forficula.structure.structure import (
 from forficula.structure.structure_warnings import structure_warnings
 from forficula.structure.tree import (
     ancestry,
+    built_lengths,
     built_points,
     built_strains,
     drawn_points,
@@ -58,6 +59,7 @@ __all__ = [
     "Transition",
     "Wording",
     "ancestry",
+    "built_lengths",
     "built_points",
     "built_strains",
     "distances_of",

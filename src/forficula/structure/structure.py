@@ -146,6 +146,7 @@ class Tendon:
             on others, or on several.
         gauge_length: by which its extension is a strain, m: the resting length that it had before any set.
         material: whose law it has, in the structure's units; None where it is a spring of no material.
+        key: of the design's section that it comes from, such as "tendon", or "tendon.1" where others differ.
     """
 
     name: str
@@ -156,6 +157,7 @@ class Tendon:
     hinge: int | None = None
     gauge_length: float = 0.0
     material: MaterialLaw | None = None
+    key: str = ""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -185,6 +185,7 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
                 hinge=len(hinges) - 1,
                 gauge_length=choice.rest_length,
                 material=None if choice.law is None else choice.law.material,
+                key=f"tendon.{index}" if isinstance(design.tendon, tuple) else "tendon",
             )
         )
     built = Structure(
