@@ -81,7 +81,7 @@ def _same(value: object, other: object) -> bool:
 
 
 def count_unknown(table: Dataset) -> dict[str, NDArray[np.int_]]:
-    """Of how many of the grid it is not known whether they do the first transition, (choice,), by what became of them."""
+    """Of how many it is not known whether they do the first transition, (choice,), by what became of them."""
     shape = (table.sizes[CHOICE], -1)
     verdicts, words = (table[name].values.astype(str).reshape(shape) for name in ("verdict", "outcome"))
     known = [verdict for verdict in Verdict if verdict.tells]
