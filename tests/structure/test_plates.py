@@ -15,6 +15,7 @@ from forficula.structure import (
     measure_of,
     state_of,
     structure_of,
+    structure_warnings,
     tendon_arms,
     transition_of,
     with_protocol,
@@ -238,3 +239,7 @@ def test_a_folded_letter_is_written_as_frames():
     assert titles == ["creases at 45 deg", "creases at 90 deg", "creases at 135 deg", "creases at 180 deg"]
     flat = design_frames(LETTER)[-1][1]
     assert np.ptp(flat[:, 0]) == pytest.approx(0.099)
+
+
+def test_a_strip_warns_of_nothing():
+    assert structure_warnings(LETTER, structure_of(LETTER)) == []

@@ -105,6 +105,39 @@ class Part(BaseModel):
         in_si = bool(info.context and info.context.get("si"))
         return _read_list(reader, value, in_si=in_si) if is_list(field) else reader.read(value, in_si=in_si)
 
+    def as_tables(self, write: Callable[[float, Unit], object] = format_quantity) -> dict[str, Any]:
+        """The part as TOML tables, quantities as exact text unless written otherwise; what is absent is left out."""
+        tables: dict[str, Any] = {}
+        for name, field in type(self).model_fields.items():
+            value, reader = getattr(self, name), field_quantity(field)
+            if isinstance(value, Part):
+                tables[name] = value.as_tables(write)
+            elif isinstance(value, tuple):
+                tables[name] = [
+                    item.as_tables(write)
+                    if isinstance(item, Part)
+                    else write(item, reader.unit)
+                    if reader and isinstance(item, float)
+                    else item
+                    for item in value
+                ]
+            elif value is not None:
+                tables[name] = write(value, reader.unit) if reader and isinstance(value, float) else value
+        return tables
+
+    def hash_values(self) -> dict[str, Any]:
+        """The values that tell it from others, SI, as plain data; what is absent is left out."""
+        values: dict[str, Any] = {}
+        for name in type(self).model_fields:
+            value = getattr(self, name)
+            if isinstance(value, Part):
+                values[name] = value.hash_values()
+            elif isinstance(value, tuple):
+                values[name] = [item.hash_values() if isinstance(item, Part) else item for item in value]
+            elif value is not None:
+                values[name] = value
+        return values
+
 
 def is_list(field: FieldInfo) -> bool:
     """Whether a field holds a list."""
@@ -127,24 +160,3 @@ def _read_list(reader: Quantity, values: object, *, in_si: bool) -> tuple[float 
         except InputError as error:
             raise InputError(f"entry {number}: {error}") from None
     return tuple(read)
-
-
-def as_tables(part: Part, write: Callable[[float, Unit], str] = format_quantity) -> dict[str, Any]:
-    """A part as TOML tables, quantities as exact text unless written otherwise; what is absent is left out."""
-    tables: dict[str, Any] = {}
-    for name, field in type(part).model_fields.items():
-        value, reader = getattr(part, name), field_quantity(field)
-        if isinstance(value, Part):
-            tables[name] = as_tables(value, write)
-        elif isinstance(value, tuple):
-            tables[name] = [
-                as_tables(item, write)
-                if isinstance(item, Part)
-                else write(item, reader.unit)
-                if reader and isinstance(item, float)
-                else item
-                for item in value
-            ]
-        elif value is not None:
-            tables[name] = write(value, reader.unit) if reader and isinstance(value, float) else value
-    return tables

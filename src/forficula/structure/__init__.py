@@ -30,7 +30,15 @@ from forficula.structure.structure import (
     Wording,
 )
 from forficula.structure.structure_warnings import structure_warnings
-from forficula.structure.tree import ancestry, built_points, drawn_points, hinges_between, tendon_arms
+from forficula.structure.tree import (
+    ancestry,
+    built_lengths,
+    built_points,
+    built_strains,
+    drawn_points,
+    hinges_between,
+    tendon_arms,
+)
 
 __all__ = [
     "GROUND",
@@ -52,7 +60,9 @@ __all__ = [
     "Transition",
     "Wording",
     "ancestry",
+    "built_lengths",
     "built_points",
+    "built_strains",
     "distances_of",
     "drawn_points",
     "drive_keys",

@@ -86,7 +86,7 @@ def plate_structure(design: PlatesDesign) -> Structure:
         return len(points) - 2, len(points) - 1
 
     tendons = []
-    for chosen in design.tendon:
+    for place, chosen in enumerate(design.tendon):
         ends = _ends(pattern, chosen)
         crossed = _edges_between(links, ends[0].facet, ends[1].facet)
         hinged = [edges[edge] for edge in crossed if edge in edges]
@@ -102,6 +102,8 @@ def plate_structure(design: PlatesDesign) -> Structure:
                 ),
                 longest=_longest(pattern, ends, crossed),
                 hinge=hinged[0] if len(hinged) == 1 else None,
+                gauge_length=chosen.rest_length,
+                key=f"tendon.{place}",
             )
         )
     every = range(len(hinges))

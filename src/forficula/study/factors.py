@@ -12,14 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
 
-from forficula.design import key_quantity, with_law_read
+from forficula.design import NO_LAW, key_quantity, names_law, tendon_material
 from forficula.errors import InputError
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity
 
 _RANGE = re.compile(r"\s*(\S+?)\s*\.\.\s*(\S+)\s*(.*?)\s*\bstep\s+(\S+)\s*(.*?)\s*")
 MOST_VALUES = 1_000_000
 _LONGEST_RANGE = 200
-_LAW = "tendon.law"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -97,15 +96,15 @@ def read_factor(key: str, given: object) -> Factor:
             raise InputError(f"{key}: need at least one value, got an empty list")
         _check_values(key, given)
         return Factor(key=key, values=tuple(given))
-    if isinstance(given, str) and key != _LAW:
+    if isinstance(given, str) and not names_law(key):
         values = range_values(key, given)
         _check_values(key, values[:1])
         return Factor(key=key, values=values)
     if isinstance(given, Mapping):
         return Factor(key=key, distribution=_distribution(key, given, quantity is not None))
-    rule = (
-        'a list such as ["tpu-82a"]' if key == _LAW else 'a list, a range such as "1..5 cm step 1", or a distribution'
-    )
+    rule = 'a list, a range such as "1..5 cm step 1", or a distribution'
+    if names_law(key):
+        rule = 'a list such as ["tpu-82a"]'
     raise InputError(f"{key}: need {rule}, got {given!r}")
 
 
@@ -165,8 +164,8 @@ def _check_values(key: str, values: Sequence[object]) -> None:
     """Refuse what no coordinate of a table can be; what is out of bounds is a row of its own."""
     quantity = key_quantity(key)
     for value in values:
-        if key == _LAW:
-            with_law_read(key, value)
+        if names_law(key) and isinstance(value, str) and value != NO_LAW:
+            _check_law(key, value)
         if quantity is None:
             if not isinstance(value, str | int | float | list):
                 raise InputError(f"{key}: need numbers or words, got {as_written(value)}")
@@ -179,6 +178,14 @@ def _check_values(key: str, values: Sequence[object]) -> None:
             quantity.parse(value)
         except InputError as error:
             raise InputError(f"{key}: {error}") from None
+
+
+def _check_law(key: str, name: str) -> None:
+    """Refuse a law that there is none of, or that is for no tendon."""
+    try:
+        tendon_material(name)
+    except InputError as error:
+        raise InputError(f"{key}: {error}") from None
 
 
 def _finite(value: object) -> float:

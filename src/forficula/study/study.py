@@ -11,7 +11,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
-from forficula.design import TORQUE, Design, key_quantity, key_value, law_from_folder, load_design
+from forficula.design import TORQUE, Design, key_quantity, key_value, load_design, value_from_folder
 from forficula.errors import InputError
 from forficula.names import folder_name
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity
@@ -201,7 +201,8 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
     if not isinstance(name, str):
         raise InputError(f'design: need the name or path of a design, such as "binder2025", got {as_written(name)}')
     settings = {
-        key: law_from_folder(key, value, folder) for key, value in _flat(tables.get("settings", {}), "settings").items()
+        key: value_from_folder(key, value, folder)
+        for key, value in _flat(tables.get("settings", {}), "settings").items()
     }
     base = load_design(str(folder / name) if name.endswith(".toml") else name, settings)
     for factor in (*factors, *grid):
@@ -250,7 +251,7 @@ def _factors(tables: Mapping[str, Any], name: str, folder: Path) -> tuple[Factor
     given = tables.get(name)
     if not isinstance(given, dict) or not given:
         raise InputError(f'{name}: need a table with at least one, such as "tendon.stiffness" = "10..60 N/cm step 10"')
-    return tuple(read_factor(key, law_from_folder(key, value, folder)) for key, value in _flat(given, name).items())
+    return tuple(read_factor(key, value_from_folder(key, value, folder)) for key, value in _flat(given, name).items())
 
 
 def _repeated_grid(
