@@ -217,8 +217,10 @@ def test_a_goal_that_cannot_be_is_refused(refusal, until, message):
 
 
 def test_a_state_has_one_stage(refusal):
-    text = stage("creases > 9 deg", 'state = "a"') * 2
-    assert refusal(text) == 'protocol.stages.1.state: need a name of its own, got "a" again'
+    said = "need a name that no stage and no other state has, got"
+    text = stage("creases > 9 deg", 'state = "b"') * 2
+    assert refusal(text) == f'protocol.stages.1.state: {said} "b" again'
+    assert refusal(stage("creases > 9 deg", 'state = "a"')) == f'protocol.stages.0.state: {said} "a" again'
 
 
 def test_a_bound_on_a_mountain_by_a_measure_is_valley_positive():

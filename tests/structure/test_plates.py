@@ -195,17 +195,17 @@ def test_measures_are_valley_positive_and_goals_of_roles_go_by_their_own_sense()
 
 def test_states_and_transitions_come_from_the_stages_and_read_as_sentences():
     structure = structure_of(LETTER)
-    assert [state.name for state in structure.states] == ["flat", "closed", "open"]
+    assert [state.name for state in structure.states] == ["flat", "closed", "opened"]
     assert state_of(structure, "closed").bounds.least == pytest.approx([math.pi / 2] * 2 + [-math.inf])
     assert not np.isfinite(state_of(structure, "flat").bounds.least).any()
     assert state_of(structure, "closed").missed == "not closed"
     closing, opening = structure.transitions
     assert (closing.drive, closing.goal, closing.state) == ("close", "creases > 90 deg", "closed")
-    assert (opening.drive, opening.goal, opening.state) == ("open", "creases < 0 deg", "open")
+    assert (opening.drive, opening.goal, opening.state) == ("open", "creases < 0 deg", "opened")
     assert (closing.stage, opening.stage) == (1, 3)
     # of angles that are to grow the smallest is furthest from the goal
     assert (closing.furthest, opening.furthest) == ("smallest", "largest")
-    assert structure.stage_states == ("flat", "", "closed", "", "open")
+    assert structure.stage_states == ("flat", "", "closed", "", "opened")
     assert goal_of(structure, closing.goal) is structure.goals[0]
     assert measure_of(structure, closing.measure) is not None
     assert transition_of(structure, "open") is opening
@@ -214,7 +214,7 @@ def test_states_and_transitions_come_from_the_stages_and_read_as_sentences():
     assert f"did not {words.verb}" == "did not get closed"
     assert f"did not stay {words.stays}" == "did not stay closed"
     assert "drive.0.value" in words.if_stuck
-    assert (words.done, opening.wording.done) == ("closed", "closed and open")
+    assert (words.done, opening.wording.done) == ("closed", "closed and opened")
 
 
 def test_a_stage_without_a_state_makes_no_transition():

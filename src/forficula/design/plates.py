@@ -359,14 +359,16 @@ def _check_protocol(design: PlatesDesign, sheet: CreasePattern) -> None:
     for measure in design.measure:
         measured[measure.name] = LENGTH if measure.of is None else ANGLE
     check_stages(design.protocol, [drive.name for drive in design.drive], [], measured)
-    states: list[str] = []
+    # what becomes of stages and of states stands side by side in a summary
+    names = [stage.name for stage in design.protocol.stages]
     for number, stage in enumerate(design.protocol.stages):
         if stage.state is not None:
-            if stage.state in states:
+            if stage.state in names:
                 raise InputError(
-                    f"protocol.stages.{number}.state: need a name of its own, got {as_written(stage.state)} again"
+                    f"protocol.stages.{number}.state: need a name that no stage and no other state has, got"
+                    f" {as_written(stage.state)} again"
                 )
-            states.append(stage.state)
+            names.append(stage.state)
         written = read_goal(stage.until)
         if written is not None and measured[written.name] is ANGLE:
             _check_goal(design, sheet, f"protocol.stages.{number}.until", written)
