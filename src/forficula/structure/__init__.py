@@ -1,3 +1,4 @@
+from forficula.structure.appearance import Appearance
 from forficula.structure.build import drive_keys, structure_of, with_protocol
 from forficula.structure.goals import (
     distances_of,
@@ -32,16 +33,19 @@ from forficula.structure.structure import (
 from forficula.structure.structure_warnings import structure_warnings
 from forficula.structure.tree import (
     ancestry,
+    built_hinges,
     built_lengths,
     built_points,
     built_strains,
     drawn_points,
     hinges_between,
+    outer_ends,
     tendon_arms,
 )
 
 __all__ = [
     "GROUND",
+    "Appearance",
     "Bar",
     "Body",
     "Drive",
@@ -60,6 +64,7 @@ __all__ = [
     "Transition",
     "Wording",
     "ancestry",
+    "built_hinges",
     "built_lengths",
     "built_points",
     "built_strains",
@@ -72,6 +77,7 @@ __all__ = [
     "hinges_of",
     "mass_of",
     "measure_of",
+    "outer_ends",
     "state_of",
     "structure_of",
     "structure_warnings",
