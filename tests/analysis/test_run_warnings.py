@@ -71,7 +71,7 @@ def test_a_wing_of_the_papers_tpu_folds_far_faster_than_the_papers_machine_pulle
     record = run(wing)
     rate, tested = highest_strain_rate(record), wing.tendon.law.highest_strain_rate
     # of a hinge's speed and the arms of its tendon no more can come than their sum
-    speed = np.abs(np.diff(record.series["distal_angle"], axis=0)) / np.diff(record.time)[:, None]
+    speed = np.abs(np.diff(record.angles("ring"), axis=0)) / np.diff(record.time)[:, None]
     arms = wing.tendon.proximal_attachment + wing.tendon.distal_attachment
     assert 1e3 * tested < rate < speed.max() * arms / wing.tendon.rest_length
     (said,) = [each for each in summary(record, measure(record), {})["warnings"] if "was measured" in each]

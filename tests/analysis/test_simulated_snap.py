@@ -61,7 +61,7 @@ def test_finer_rows_leave_the_motion_as_it_is(reference, reference_run):
     fine = ff.run(finely_sampled(reference))
     assert len(fine.time) > 4 * len(reference_run.time)
     rows = np.searchsorted(fine.time, reference_run.time - 1e-9)
-    same = fine.series["distal_angle"][rows] == reference_run.series["distal_angle"]
+    same = fine.angles("ring")[rows] == reference_run.angles("ring")
     assert same.all()
 
 

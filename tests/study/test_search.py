@@ -8,12 +8,12 @@ import forficula as ff
 from forficula.analysis import Ending, Verdict
 from forficula.study.evaluate import ending_row, row_key
 from forficula.study.search import (
-    fold_design,
+    first_design,
     point_design,
     release_design,
     search_designs,
     search_result,
-    unfold_design,
+    second_design,
 )
 from forficula.study.study import Search
 
@@ -206,11 +206,11 @@ def test_the_wing_is_released_at_the_least_torque_that_folds_only():
 
 def test_every_run_of_a_search_differs_from_the_design_in_torques_and_last_stages_only():
     kept = {"fold_torque", "unfold_torque", "stages"}
-    for each in (fold_design(DESIGN, 0.1), release_design(DESIGN, 0.1), unfold_design(DESIGN, 5.0, 0.1)):
+    for each in (first_design(DESIGN, 0.1), release_design(DESIGN, 0.1), second_design(DESIGN, 5.0, 0.1)):
         assert each.model_dump(exclude={"protocol"}) == DESIGN.model_dump(exclude={"protocol"})
         assert each.protocol.model_dump(exclude=kept) == DESIGN.protocol.model_dump(exclude=kept)
         assert each.protocol.stages == DESIGN.protocol.stages[: len(each.protocol.stages)]
-    ends = [each.protocol.stages[-1].name for each in (fold_design(DESIGN, 0.1), unfold_design(DESIGN, 5.0, 0.1))]
+    ends = [each.protocol.stages[-1].name for each in (first_design(DESIGN, 0.1), second_design(DESIGN, 5.0, 0.1))]
     assert ends == ["fold", "release opened"]
 
 

@@ -88,7 +88,7 @@ def test_a_factor_in_a_stage_is_that_of_a_run_with_the_same_value(tmp_path, stud
     for number, limit in enumerate(("20 ms", "100 ms")):
         alone = ff.measure(ff.run(with_values(study.base, {"protocol.stages.1.time_limit": limit})))
         assert table["status"].values[number] == alone.status
-        assert table["fold_work"].values[number] == alone.fold.work
+        assert table["fold_work"].values[number] == alone.transitions["fold"].work
     assert len(set(table["status"].values)) == 2
 
 

@@ -26,8 +26,8 @@ def bits(value):
 def by_hand(design):
     """What separate runs say of a design."""
     outcome = ff.measure(ff.run(design))
-    fold, unfold = outcome.fold, outcome.unfold
-    states = {"flat": outcome.flat, "folded": outcome.folded_state, "opened": outcome.opened_state}
+    fold, unfold = outcome.transitions["fold"], outcome.transitions["unfold"]
+    states = {"flat": outcome.states["flat"], "folded": outcome.states["folded"], "opened": outcome.states["opened"]}
     numbers = {
         "fold_time": fold and fold.time,
         "unfold_time": unfold and unfold.time,
@@ -37,7 +37,7 @@ def by_hand(design):
     if not outcome.verdict.tells:
         numbers = dict.fromkeys(numbers)
     # a table knows of no third value
-    return numbers, (outcome.status, outcome.verdict, bool(outcome.folded), bool(outcome.opened))
+    return numbers, (outcome.status, outcome.verdict, bool(outcome.holds["folded"]), bool(outcome.holds["opened"]))
 
 
 def assert_study_is_separate_runs(path, out, **options):

@@ -53,7 +53,7 @@ def test_the_armature_carries_more_than_half_of_the_kinetic_energy_at_its_peak(r
 def test_the_work_of_a_constant_torque_hardly_knows_the_tendon(reference, stiffness):
     outcome = ff.measure(ff.run(with_values(reference, {"tendon.stiffness": stiffness})))
     veins = reference.fan.vein_count
-    for transition, degrees in ((outcome.fold, (85, 91)), (outcome.unfold, (250, 276))):
+    for transition, degrees in ((outcome.transitions["fold"], (85, 91)), (outcome.transitions["unfold"], (250, 276))):
         # a vein turns by 90 deg; a distal hinge bends by 183 deg and the vein turns back by 95
         assert degrees[0] <= math.degrees(transition.work / veins / transition.torque) <= degrees[1]
 

@@ -12,7 +12,7 @@ import pytest
 
 import forficula as ff
 from forficula.design import with_values
-from forficula.dynamics import compile_wing, simulate
+from forficula.dynamics import compile_model, simulate
 
 TIMESTEPS = [2e-4, 1e-4, 5e-5, 2.5e-5]  # s
 STORED = ("tendon_energy", "membrane_energy", "kinetic_energy")
@@ -41,7 +41,7 @@ def release(reference, values):
     with warnings.catch_warnings():
         # MuJoCo takes a flex without damping for one without forces, and says so; its elasticity acts all the same
         warnings.filterwarnings("ignore", message="flex 'membrane' is not rigid")
-        wings = [compile_wing(design) for design in designs]
+        wings = [compile_model(design) for design in designs]
     return simulate(wings)
 
 

@@ -91,10 +91,10 @@ def test_an_earwig_sized_wing_moves_alike(earwig, reference_run):
 
 def test_an_earwig_sized_wing_folds_with_micro_to_millijoules(earwig):
     outcome = ff.measure(earwig)
-    assert outcome.folded
-    assert outcome.opened
-    assert 1e-6 < outcome.flat.tendon_energy.sum() < 1e-3
-    assert 1e-6 < outcome.fold.work < outcome.unfold.work < 1e-2
+    assert outcome.holds["folded"]
+    assert outcome.holds["opened"]
+    assert 1e-6 < outcome.states["flat"].tendon_energy.sum() < 1e-3
+    assert 1e-6 < outcome.transitions["fold"].work < outcome.transitions["unfold"].work < 1e-2
 
 
 @pytest.mark.parametrize("size", [0.1, 1 / 3, 0.01 / 0.22, 7.0])
@@ -128,7 +128,7 @@ def test_a_wing_whose_bars_touch_moves_alike_at_any_size(reference):
     touching = with_values(reference, {"protocol.contact": True})
     small = scale_design(touching, 0.5)  # other decades of the model's units
     records = [ff.run(design) for design in (touching, small)]
-    angles = [record.data["distal_angle"].values for record in records]
+    angles = [record.angles("ring") for record in records]
     fold = records[0].stages[1].end
     rows = records[0].time <= fold
     np.testing.assert_allclose(angles[1][: len(rows)][rows], angles[0][rows], atol=1e-6)
