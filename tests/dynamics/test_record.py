@@ -229,6 +229,16 @@ def test_the_path_of_a_record_may_be_text(tmp_path):
     assert load_record(str(tmp_path / "record.nc")).data.equals(record.data)
 
 
+@pytest.mark.parametrize("kept", [1, 3])
+def test_a_record_that_keeps_other_series_is_refused_with_its_version_and_what_to_do(tmp_path, monkeypatch, kept):
+    with monkeypatch.context() as before:
+        before.setattr("forficula.dynamics.record._FORMAT", kept)
+        before.setattr("forficula.dynamics.record.versions", lambda: {"forficula": "0.0.7"})
+        save_record(planted(), tmp_path / "a.nc")
+    other = "a record of forficula 0.0.7, which keeps other series; run its design again"
+    assert refusal(tmp_path / "a.nc") == f"{tmp_path}/a.nc: {other}"
+
+
 def test_a_record_that_cannot_be_written_is_one_error_and_leaves_nothing(tmp_path):
     (tmp_path / "file").write_text("old")
     with pytest.raises(InputError, match=r"cannot be written: .*file is a file, not a folder$"):
@@ -240,8 +250,6 @@ FULL_DISK = """
 import pathlib, resource, sys
 from forficula.dynamics import load_record, save_record
 from forficula.errors import InputError
-from forficula.structure import structure_of
-from tests.places import places
 record = load_record(pathlib.Path(sys.argv[1]))
 resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000))
 try:
