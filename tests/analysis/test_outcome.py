@@ -12,9 +12,13 @@ from forficula.analysis import measure, summary
 from forficula.design import with_values
 from forficula.dynamics import Record, StageEnd
 from forficula.dynamics.record import VARIABLES
+from forficula.structure import hinges_of, structure_of
 
 REFERENCE = ff.load_design("binder2025")
-SIZES = {"vein": 3, "point": 3, "axis": 3, "node": 4}
+STRUCTURE = structure_of(REFERENCE)
+SIZES = {"hinge": 12, "tendon": 3, "motor": 2, "point": 15, "axis": 3, "node": 20}
+RINGS = list(hinges_of(STRUCTURE, "ring"))
+MOTORS = [motor.name for motor in STRUCTURE.motors]
 # s: settle, fold, release folded, unfold, release opened; the window of a state is 0.1 s
 ENDS = (0.3, 0.4, 0.7, 0.9, 1.2)
 DEG = math.radians(1)
@@ -24,26 +28,27 @@ ROUNDING = 1e-12  # of sums of some hundred numbers of like size
 def planted(
     times=(0.0, 1.2), angles=(0.0, 0.0), *, ends=ENDS, goals=None, diverged_at=None, design=REFERENCE, **series
 ):
-    """A record with a distal angle, deg, of all veins and other series that run straight between some times, s.
+    """A record with an angle, deg, of all ring hinges and other series that run straight between some times, s.
 
-    Series are (times, values) with values of one number or one of every vein. Goals are reached at the end of a stage
-    where nothing else is said.
+    Series are (times, values) with values of one number or one of every hinge or tendon; `proximal_work` and
+    `distal_work` are those of the motors. Goals are reached at the end of a stage where nothing else is said.
     """
     time = np.round(np.arange(0, round(1e3 * ends[-1]) + 1) * 1e-3, 9)  # a row a millisecond
 
     def line(at, values):
         return np.array([np.interp(time, at, part) for part in np.array(values, dtype=float).T.reshape(-1, len(at))]).T
 
-    series = {"distal_angle": (times, DEG * np.array(angles, dtype=float))} | series
-    arrays = {}
-    for name, (dimensions, _, _) in VARIABLES.items():
-        shape = (len(time), *(SIZES[dimension] for dimension in dimensions))
-        values = line(*series[name]) if name in series else np.zeros((len(time), 1))
-        arrays[name] = (
-            np.broadcast_to(values.reshape(len(time), -1), shape).copy()
-            if len(shape) == 2
-            else (values[:, 0] if len(shape) == 1 else np.zeros(shape))
-        )
+    arrays = {
+        name: np.zeros((len(time), *(SIZES[dimension] for dimension in dimensions)))
+        for name, (dimensions, _, _) in VARIABLES.items()
+    }
+    arrays["hinge_angle"][:, RINGS] = line(times, DEG * np.array(angles, dtype=float))
+    for name, (at, values) in series.items():
+        motor = name.removesuffix("_work")
+        if motor in MOTORS:
+            arrays["motor_work"][:, MOTORS.index(motor)] = line(at, values)[:, 0]
+        else:
+            arrays[name].T[:] = line(at, values).T
     starts = (0.0, *ends[:-1])
     stages = tuple(
         StageEnd(stage=stage, start=start, end=end, goal_time=goal, at_rest=True)
@@ -51,10 +56,10 @@ def planted(
     )
     return Record(
         design=design,
+        structure=structure_of(design),
         time=time,
         series=arrays,
         stages=stages,
-        triangles=np.array([[0, 1, 2]]),
         diverged_at=diverged_at,
     )
 
@@ -72,9 +77,8 @@ def test_a_wing_that_folds_and_opens_is_said_to():
 
 def test_states_are_taken_at_the_end_of_the_rest_that_follows():
     outcome = measure(planted(**FOLDS_AND_OPENS))
-    states = (outcome.states["flat"], outcome.states["folded"], outcome.states["opened"])
-    assert [state.time for state in states] == [0.3, 0.7, 1.2]
-    for state, angle in zip(states, (3, -170, 3), strict=True):
+    assert {name: state.time for name, state in outcome.states.items()} == {"flat": 0.3, "folded": 0.7, "opened": 1.2}
+    for state, angle in zip(outcome.states.values(), (3, -170, 3), strict=True):
         assert state.readings["distal_angle"].mean / DEG == pytest.approx(np.full(3, angle), rel=ROUNDING)
         assert not state.swings
 

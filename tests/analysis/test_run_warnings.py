@@ -10,6 +10,7 @@ from forficula.analysis import measure, summary
 from forficula.analysis.run_warnings import highest_strain_rate, run_warnings
 from forficula.design import load_design, with_values
 from forficula.dynamics import Record
+from forficula.structure import structure_of
 from forficula.study.runs import run
 
 LENGTH = 0.06
@@ -26,12 +27,14 @@ def moving(speed, *, start=1.5, of=None, rows=11):
     time = np.linspace(0, 1e-3, rows)
     length = np.stack([start * LENGTH + speed * time, 0.5 * LENGTH + 100 * abs(speed) * (time - 1e-3)], axis=1)
     series = MappingProxyType({"tendon_length": length})
+    ran = of or design()
+    built = structure_of(ran)
     return Record(
-        design=of or design(),
+        design=ran,
+        structure=replace(built, tendons=built.tendons[:2]),
         time=time,
         series=series,
         stages=(),
-        triangles=np.empty((0, 3), dtype=np.int64),
         diverged_at=None,
     )
 

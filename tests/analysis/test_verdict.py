@@ -243,7 +243,7 @@ def texts(figure):
 def test_a_state_with_a_hinge_at_79_deg_is_not_called_flat_anywhere(bent, capsys):
     record, outcome = bent
     assert np.degrees(outcome.states["flat"].readings["distal_angle"].mean).max() < -70
-    assert outcome.flat_name == "not flat"
+    assert outcome.state_names["flat"] == "not flat"
     print_outcome("bent", outcome)
     page, told = run_page(record, outcome), capsys.readouterr().out
     for text in (told, texts(run_drawings(record, outcome)["folding"](7.0))):
