@@ -312,7 +312,7 @@ class Wording:
         doing: what goes on, such as "folding" in "still folding".
         stays: what is to last, such as "folded" in "did not stay folded".
         time: what its time is called, such as "fold time".
-        work: what its work is called, such as "work of folding".
+        noun: what the work is of, such as "folding" in "work of folding".
         if_stuck: advice where it never began, in a sentence.
         if_under_way: advice where it stuck on the way.
         if_lost: advice where it was lost when released.
@@ -323,7 +323,7 @@ class Wording:
     doing: str
     stays: str
     time: str
-    work: str
+    noun: str
     if_stuck: str = ""
     if_under_way: str = ""
     if_lost: str = ""

@@ -43,7 +43,7 @@ _FOLD = Wording(
     doing="folding",
     stays="folded",
     time="fold time",
-    work="work of folding",
+    noun="folding",
     if_stuck=(
         "Raise protocol.fold_torque, or lower the barrier: softer or longer tendons (tendon.stiffness,"
         " tendon.rest_length), less hinge.overbend."
@@ -60,7 +60,7 @@ _UNFOLD = Wording(
     doing="opening",
     stays="open",
     time="opening time",
-    work="work of unfolding",
+    noun="unfolding",
     if_stuck="Raise protocol.unfold_torque, or take softer or longer tendons (tendon.stiffness, tendon.rest_length).",
     if_lost=(
         "It opened under torque and folded again when released: hold it longer (hold of the unfolding stage), or raise"
