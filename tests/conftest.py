@@ -10,9 +10,9 @@ from hypothesis import settings
 
 import forficula as ff
 from forficula.design import Design, with_values
-from forficula.dynamics import Model, Record, compile_structure, design_in_model_units, simulate
-from forficula.dynamics.units import model_units
+from forficula.dynamics import Model, Record, simulate
 from forficula.structure.veins import Vein, structure_of_veins
+from tests.structures import compiled
 
 # how long an example takes says more of the machine than of the code
 settings.register_profile("forficula", deadline=None)
@@ -118,10 +118,7 @@ def one_hinge(reference):
             },
         )
         design = with_values(design, values or {})
-        structure = structure_of_veins(design, (straight_vein(design),))
-        units = model_units(structure)
-        in_units = design_in_model_units(design, units)
-        wing = compile_structure(design, structure, structure_of_veins(in_units, (straight_vein(in_units),)), units)
+        wing = compiled(design, lambda own, _: structure_of_veins(own, (straight_vein(own),)))
         vein, length = design.vein, design.pattern.distal_length
         radius = vein.diameter / 2
         mass = vein.density * math.pi * radius**2 * length

@@ -27,13 +27,12 @@ def by_hand(design):
     """What separate runs say of a design."""
     outcome = ff.measure(ff.run(design))
     fold, unfold = outcome.transitions["fold"], outcome.transitions["unfold"]
-    states = {"flat": outcome.states["flat"], "folded": outcome.states["folded"], "opened": outcome.states["opened"]}
     numbers = {
         "fold_time": fold and fold.time,
         "unfold_time": unfold and unfold.time,
         "fold_work": fold and fold.work,
         "unfold_work": unfold and unfold.work,
-    } | {f"{name}_energy": state and float(np.sum(state.tendon_energy)) for name, state in states.items()}
+    } | {f"{name}_energy": state and float(np.sum(state.tendon_energy)) for name, state in outcome.states.items()}
     if not outcome.verdict.tells:
         numbers = dict.fromkeys(numbers)
     # a table knows of no third value

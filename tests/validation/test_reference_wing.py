@@ -18,7 +18,9 @@ from hypothesis import strategies as st
 import forficula as ff
 from forficula.design import with_values
 from forficula.dynamics import compile_model, simulate, stable_timestep, timestep_warnings, with_timestep
-from forficula.dynamics.membrane import Membrane, membrane_energy
+from forficula.dynamics.membrane import joined_mesh, stretch_energy
+from forficula.structure import Membrane, MembraneLaw
+from tests.places import places
 
 
 def fan(units, sector_angle, **values):
@@ -43,10 +45,8 @@ def outcome_of():
 
 
 def test_energies_are_in_the_order_of_the_paper(reference_outcome):
-    flat, opened, folded = (
-        state.tendon_energy.sum()
-        for state in (reference_outcome.states["flat"], reference_outcome.states["opened"], reference_outcome.states["folded"])
-    )
+    states = reference_outcome.states
+    flat, opened, folded = (states[name].tendon_energy.sum() for name in ("flat", "opened", "folded"))
     # The paper's stops are soft, so its opened wing rests elsewhere than its flat one. Ours are rigid and both
     # lie at the same one: equal but for what has not yet come to rest, 1e-7 rad
     assert opened == pytest.approx(flat, rel=1e-6)
@@ -150,7 +150,7 @@ def test_the_timestep_that_is_chosen_does_not_diverge(values):
 
 def test_a_wing_stays_sound_just_below_the_longest_timestep_and_diverges_well_above_it(reference, monkeypatch):
     # of numbers that grow without end: how far a hinge runs into its stop is another matter, and of accuracy
-    monkeypatch.setattr("forficula.dynamics.fleet._FAR", math.inf)
+    monkeypatch.setattr("forficula.dynamics.stages._FAR", math.inf)
     longest = stable_timestep(reference)
     # the limit is an estimate along the fold: the reference diverged, while opening, from nine tenths of it on
     designs = [with_values(reference, {"protocol.timestep": longest * factor}) for factor in (0.8, 3)]
@@ -173,17 +173,19 @@ def test_a_timestep_too_long_is_warned_of(reference):
     thickness=st.floats(1e-5, 1e-3),
 )
 def test_a_strip_pulled_along_holds_half_of_modulus_times_strain_squared_times_volume(
-    reference, length, width, strain, modulus, thickness
+    length, width, strain, modulus, thickness
 ):
     corners = np.array([[0, 0, 0], [length, 0, 0], [0, width, 0], [length, width, 0]])
     strip = Membrane(
-        nodes=corners,
-        bodies=("",) * 4,
-        carriers=np.zeros(4, dtype=np.int64),
+        name="strip",
+        bodies=np.zeros(4, dtype=np.int64),
+        places=corners,
+        built=corners,
         triangles=np.array([[0, 1, 3], [0, 3, 2]]),
+        law=MembraneLaw(youngs_modulus=modulus, poisson_ratio=0.0, thickness=thickness, damping=0.0),
+        margin=0.0,
     )
-    law = {"membrane.youngs_modulus": modulus, "membrane.thickness": thickness, "membrane.poisson_ratio": 0.0}
-    energy = membrane_energy(corners * [1 + strain, 1, 1], strip, with_values(reference, law))
+    energy = stretch_energy(corners * [1 + strain, 1, 1], joined_mesh([strip]))
     # Green's strain is longer by half of its square: a share of the strain in the energy; 1e-9 for 1 + strain - 1
     volume = length * width * thickness
     assert energy == pytest.approx(modulus * strain**2 / 2 * volume, rel=1.1 * strain + 1e-9)
@@ -200,7 +202,7 @@ def test_the_engine_pulls_with_the_slope_of_the_membrane_energy(reference, poiss
     def energy(angles):
         data.qpos[:] = angles
         mujoco.mj_forward(wing.engine, data)
-        return membrane_energy(data.flexvert_xpos.copy(), wing.membrane, wing.in_units)
+        return stretch_energy(data.flexvert_xpos.copy(), wing.mesh)
 
     angles = np.random.default_rng(seed).normal(scale=bend, size=wing.engine.nq)
     step = 1e-5
@@ -220,7 +222,7 @@ def test_the_membrane_does_the_work_that_its_energy_gives_up(reference):
     def at(angle):
         data.qpos[:] = angle * direction
         mujoco.mj_forward(wing.engine, data)
-        return membrane_energy(data.flexvert_xpos.copy(), wing.membrane, wing.in_units), data.qfrc_passive @ direction
+        return stretch_energy(data.flexvert_xpos.copy(), wing.mesh), data.qfrc_passive @ direction
 
     work = sum(weight / 2 * 0.3 * at(0.15 * (1 + place))[1] for place, weight in zip(places, weights, strict=True))
     # twenty points are exact to rounding for so smooth a path
@@ -244,8 +246,8 @@ def test_without_a_release_the_folded_state_is_the_moment_of_folding(reference):
 
 def test_the_wing_folds_the_way_its_crease_pattern_says(reference, reference_run, reference_outcome):
     """A vein that is a mountain stands above its neighbours when folded, a valley below (FOLD 1.2, seen from +z)."""
-    folded = reference_run.data.sel(time=reference_outcome.states["folded"].time, method="nearest")
-    height = folded["vein_position"].sel(point="ring", axis="z").values
+    row = np.argmin(np.abs(reference_run.time - reference_outcome.states["folded"].time))
+    height = places(reference_run, "ring")[row, :, 2]
     pattern = ff.earwig_pattern(reference.fan)
     (assignment,) = (
         letter

@@ -346,7 +346,7 @@ def test_a_scaled_wing_with_a_law_moves_alike(reference, size):
     records = [ff.run(design) for design in (large, small)]
     assert records[1].time == pytest.approx(size * records[0].time, rel=1e-12)
     for name, power in {
-        "distal_angle": 0,
+        "hinge_angle": 0,
         "tendon_rest_length": 1,
         "branch_energy": 3,
         "branch_damping_work": 3,
