@@ -251,4 +251,4 @@ def test_the_named_study_has_the_papers_tendons_at_every_value_that_had_to_be_ch
         ]
     # of every factor the base's own value is there, too, and so is no choice of its own
     assert len(study.choices) == 1 + sum(len(factor.values) - 1 for factor in study.factors)
-    assert max(study.search.fold_torques) == 0.5
+    assert max(study.search.first.values) == 0.5

@@ -1,6 +1,5 @@
 import json
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -12,11 +11,11 @@ from forficula.analysis import Verdict
 from forficula.cli import main
 from forficula.design import load_design, with_values
 from forficula.dynamics import compile_model
-from forficula.dynamics.units import design_in_model_units
 from forficula.errors import InputError
 from forficula.study.convergence import compare_wings, converge
 from forficula.study.observed_order import fit_order
 from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, read_values
+from tests.dynamics.protocols import on_protocol
 
 STAGE = {"hold": 0.0}
 SETTLE = STAGE | {"name": "settle", "drive": "none", "until": "time", "time_limit": 0.1}
@@ -36,7 +35,7 @@ def hinges(one_hinge, steps, settle, duration=0.2):
         wing = one_hinge(timestep=step, duration=duration).wing
         stages = [SETTLE | {"time_limit": settle}, FOLD | {"time_limit": duration}]
         design = with_values(wing.design, {"protocol.stages": stages})
-        wings.append(replace(wing, design=design, in_units=design_in_model_units(design, wing.units)))
+        wings.append(on_protocol(wing, design))
     return wings
 
 
@@ -127,7 +126,7 @@ def test_the_own_value_is_run_and_timesteps_go_from_coarse_to_fine(short):
 def test_progress_counts_the_runs_whatever_meshes_they_have(short):
     seen = []
     converge(short, MESH, [1, 2], progress=lambda *each: seen.append(each))
-    assert seen == [(number, 2, {"verdict": Verdict.REACHED, "folded": True}) for number in (1, 2)]
+    assert seen == [(number, 2, {"verdict": Verdict.REACHED, "holds": (True, False)}) for number in (1, 2)]
 
 
 def test_a_timestep_that_diverges_is_too_long(short):
@@ -192,7 +191,7 @@ def test_a_mesh_n_times_finer_keeps_the_rows_and_divides_the_gaps(reference):
     # gaps: two before the ring fold, two behind it
     assert found.rows == (5, 9, 13)
     # each row has two nodes on each of two panels
-    assert len(compile_model(design).membrane.nodes) == 4 * 5
+    assert len(compile_model(design).mesh.built) == 4 * 5
 
 
 @pytest.mark.parametrize(

@@ -156,7 +156,7 @@ except ff.InputError as error:
 
 @pytest.mark.skipif(sys.platform != "linux", reason="a limit on memory that holds is Linux's")
 @pytest.mark.parametrize(
-    ("left", "message"), [(12_000_000, "MuJoCo cannot build the wing: "), (120_000_000, "no memory left to simulate: ")]
+    ("left", "message"), [(12_000_000, "MuJoCo cannot build it: "), (120_000_000, "no memory left to simulate: ")]
 )
 def test_a_wing_that_memory_does_not_hold_is_one_line(left, message):
     done = subprocess.run([sys.executable, "-c", LIMITED, str(left)], capture_output=True, text=True, check=False)
@@ -172,5 +172,5 @@ def test_more_units_than_anyone_simulates_are_refused():
         "vein.diameter": 1e-6,
         "membrane.margin": 1e-6,
     }
-    with pytest.raises(InputError, match=r"pattern\.units: need at most 500 to simulate a wing, got 501"):
+    with pytest.raises(InputError, match=r"need at most 2002 bodies to simulate it \(two for every vein\), got 2006$"):
         compile_model(with_values(SHORT, {"pattern.units": 501, "protocol.sample_interval": 1.0} | closed))

@@ -78,7 +78,7 @@ def test_the_opening_that_is_kept_has_the_bits_of_the_table(searched):
     for point in opens:
         outcome = kept[f"runs/{point + 1}-opening"].outcome
         assert (outcome.status, outcome.holds["opened"]) == ("folded and opened", True)
-        assert outcome.transitions["fold"].torque == study.search.fold_with
+        assert outcome.transitions["fold"].torque == study.search.reference
         assert outcome.transitions["unfold"].torque == value(table, "least_unfold_torque", point)
         assert outcome.transitions["unfold"].time == value(table, "unfold_time", point)
         assert outcome.transitions["unfold"].work == value(table, "unfold_work", point)
@@ -91,13 +91,13 @@ def test_where_no_torque_works_the_largest_that_was_tried_is_kept_and_shows_why(
     assert len(fails) > 0
     for point in fails:
         run = kept[f"runs/{point + 1}-folding"]
-        assert run.outcome.transitions["fold"].torque == study.search.fold_torques[-1]
+        assert run.outcome.transitions["fold"].torque == study.search.first.values[-1]
         assert run.outcome.status == table["status"].values.ravel()[point]
         assert f"runs/{point + 1}-opening" not in kept
     folds = np.isfinite(table["least_fold_torque"].values.ravel())
     closed = np.flatnonzero(folds & np.isnan(table["least_unfold_torque"].values.ravel()))
     for point in closed:
-        assert kept[f"runs/{point + 1}-opening"].outcome.transitions["unfold"].torque == study.search.unfold_torques[-1]
+        assert kept[f"runs/{point + 1}-opening"].outcome.transitions["unfold"].torque == study.search.second.values[-1]
 
 
 def test_a_kept_run_is_the_folder_of_a_run(searched):

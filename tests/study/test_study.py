@@ -150,12 +150,15 @@ def test_sampled_studies_have_as_many_points_as_were_asked_and_the_same_for_the_
             "settings.tendon.rest_length: is given twice",
         ),
         (f'design = "binder2025"\nname = 3\n[factors]\n{LISTED}', "name: need a name that a folder can have"),
-        (f'design = "binder2025"\nask = "best"\n[factors]\n{LISTED}', 'ask: need "run" or "least-torques"'),
+        (
+            f'design = "binder2025"\nask = "best"\n[factors]\n{LISTED}',
+            'ask: need "run", "least-torques" or "least-v',
+        ),
         (f'design = "binder2025"\n[factors]\n{LISTED}\n{DRAWN}', "factors: need either all of them as distributions"),
         (f'design = "binder2025"\n[factors]\n{LISTED}\n[sampling]\ncount = 3', "sampling: needs factors that are dist"),
         (
             f'design = "binder2025"\n[factors]\n{LISTED}\n[search]\nrefinements = 1',
-            'search: needs ask = "least-torques"',
+            'search: needs ask = "least-torques" or "least-value"',
         ),
         (
             'design = "binder2025"\n[factors]\n"tendon.rest_length" = "0..1 m step 1e-4"\n'
