@@ -75,7 +75,7 @@ def _add_bar(body: mujoco.MjsBody, bar: Bar, structure: Structure, timestep: flo
 def _add_hinge(body: mujoco.MjsBody, hinge: Hinge, timestep: float) -> None:
     limited = math.isfinite(hinge.lower) or math.isfinite(hinge.upper)
     low, high = hinge.lower, hinge.upper
-    body.add_joint(
+    joint = body.add_joint(
         name=hinge.name,
         type=mujoco.mjtJoint.mjJNT_HINGE,
         axis=hinge.axis,
@@ -85,6 +85,9 @@ def _add_hinge(body: mujoco.MjsBody, hinge: Hinge, timestep: float) -> None:
         range=[0, 0] if not limited else [low, high] if hinge.sense > 0 else [-high, -low],
         solref_limit=stop_reference(timestep),
     )
+    if hinge.stiffness:
+        joint.stiffness = [hinge.stiffness, 0, 0]
+        joint.springref = hinge.sense * hinge.rest_angle
 
 
 def _add_motor(spec: mujoco.MjSpec, hinge: Hinge) -> None:
