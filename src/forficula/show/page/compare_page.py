@@ -224,9 +224,9 @@ def _outcome_rows(runs: Sequence[ComparedRun]) -> list[list[str]]:
     tendons = any(run.record.structure.tendons for run in runs)
     for name, called in _states(runs).items():
         states = [run.outcome.states.get(name) for run in runs]
-        for measure in measures.values():
-            title = f"{title_of(measure)}{'s' * (len(measure.hinges) > 1)} {called}"
-            rows.append([title, *(_read(state, measure) for state in states)])
+        for watched in measures.values():
+            title = f"{title_of(watched)}{'s' * (len(watched.hinges) > 1)} {called}"
+            rows.append([title, *(_read(state, watched) for state in states)])
         if tendons:
             energies = ["—" if state is None else readable(float(state.tendon_energy.sum()), "J") for state in states]
             rows.append([f"tendon energy {called}", *energies])

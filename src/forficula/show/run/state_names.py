@@ -22,7 +22,7 @@ def lettered_states(structure: Structure, outcome: Outcome) -> list[tuple[str, S
 
 
 def states_reached(structure: Structure, outcome: Outcome) -> dict[str, State]:
-    """The states that there are, by what tables and marks call them: where one was missed, by when it was looked for."""
+    """The states that there are, by what tables and marks call them: one that was missed by when it was looked for."""
     return {
         table_name(state, outcome): found
         for state in structure.states
