@@ -9,6 +9,7 @@ from forficula.structure.goals import (
     state_of,
     transition_of,
 )
+from forficula.structure.mass import mass_of
 from forficula.structure.structure import (
     GROUND,
     Bar,
@@ -33,7 +34,9 @@ from forficula.structure.structure_warnings import structure_warnings
 from forficula.structure.tree import (
     ancestry,
     built_hinges,
+    built_lengths,
     built_points,
+    built_strains,
     drawn_points,
     hinges_between,
     outer_ends,
@@ -62,7 +65,9 @@ __all__ = [
     "Wording",
     "ancestry",
     "built_hinges",
+    "built_lengths",
     "built_points",
+    "built_strains",
     "distances_of",
     "drawn_points",
     "drive_keys",
@@ -70,6 +75,7 @@ __all__ = [
     "goal_of",
     "hinges_between",
     "hinges_of",
+    "mass_of",
     "measure_of",
     "outer_ends",
     "state_of",

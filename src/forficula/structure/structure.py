@@ -13,6 +13,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.material.law.material_law import MaterialLaw
 from forficula.material.law.tendon_law import TendonLaw
 from forficula.structure.appearance import Appearance
 
@@ -146,6 +147,9 @@ class Tendon:
         longest: the length beyond which it is never stretched, m.
         hinge: number of the hinge that it lies across, the only one that its length depends on; None where it depends
             on others, or on several.
+        gauge_length: by which its extension is a strain, m: the resting length that it had before any set.
+        material: whose law it has, in the structure's units; None where it is a spring of no material.
+        key: of the design's section that it comes from, such as "tendon", or "tendon.1" where others differ.
         label: what tables and figures call it; its name if empty.
     """
 
@@ -155,6 +159,9 @@ class Tendon:
     law: TendonLaw
     longest: float
     hinge: int | None = None
+    gauge_length: float = 0.0
+    material: MaterialLaw | None = None
+    key: str = ""
     label: str = ""
 
 

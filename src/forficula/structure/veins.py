@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.design import FanDesign, FanProtocol, stage_drives, tendon_law
+from forficula.design import FanDesign, FanProtocol, TendonSection, stage_drives, tendon_law
 from forficula.design.places import mesh_rows
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, earwig_pattern, ring_vertices
@@ -184,38 +184,32 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
             Body(name=f"proximal{index}", role="proximal", parent=GROUND, position=vein.hub_point, frame=vein.frame)
         )
         bodies.append(Body(name=f"distal{index}", role="distal", parent=proximal, position=ring, frame=np.eye(3)))
-        choice = design.tendon
-        towards_hub = -ring / np.linalg.norm(ring)
+        choice = design.tendon_on(index)
         points += [
             Point(name=f"hub{index}", role="hub", body=proximal, place=np.zeros(3)),
             Point(name=f"ring{index}", role="ring", body=distal, place=np.zeros(3)),
-            Point(
-                name=f"proximal_attachment{index}",
-                role="attachment",
-                body=proximal,
-                place=ring + choice.proximal_attachment * towards_hub,
-            ),
-            Point(
-                name=f"distal_attachment{index}",
-                role="attachment",
-                body=distal,
-                place=choice.distal_attachment * tip / np.linalg.norm(tip),
-            ),
+            *([] if choice is None else _attachments(choice, index, vein)),
             Point(name=f"tip{index}", role="tip", body=distal, place=tip),
         ]
         thick, dense = design.vein.diameter, design.vein.density
         # veins overlap near the hub even where the fan lies flat
         base = Bar(body=proximal, end=ring, diameter=thick, density=dense, points=(first, first + 1), overlaps=True)
-        bars += [base, Bar(body=distal, end=tip, diameter=thick, density=dense, points=(first + 1, first + 4))]
+        bars += [base, Bar(body=distal, end=tip, diameter=thick, density=dense, points=(first + 1, len(points) - 1))]
         hinges += _hinges(design, index, vein)
+        if choice is None:
+            continue
         tendons.append(
             Tendon(
                 name=f"tendon{index}",
                 role="tendon",
                 points=(first + 2, first + 3),
-                law=tendon_law(design),
-                longest=choice.proximal_attachment + choice.distal_attachment,
+                law=tendon_law(choice),
+                longest=math.hypot(choice.proximal_attachment, choice.proximal_offset, choice.proximal_aside)
+                + math.hypot(choice.distal_attachment, choice.distal_offset, choice.distal_aside),
                 hinge=len(hinges) - 1,
+                gauge_length=choice.rest_length,
+                material=None if choice.law is None else choice.law.material,
+                key=f"tendon.{index}" if isinstance(design.tendon, tuple) else "tendon",
                 label=f"vein {index}",
             )
         )
@@ -226,7 +220,7 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
         bars=tuple(bars),
         hinges=tuple(hinges),
         tendons=tuple(tendons),
-        limits=_guards(design, veins),
+        limits=_guards(design, veins, [number for number, point in enumerate(points) if point.role == "tip"]),
         membranes=_panels(design, veins),
         span=design.pattern.proximal_length + design.pattern.distal_length,
         mass=_bar_mass(design),
@@ -334,7 +328,7 @@ def _stage_states(protocol: FanProtocol) -> tuple[str, ...]:
 
 def _in_terms_of(design: FanDesign, wording: Wording) -> Wording:
     """Advice that names what the design has: of a law the stiffness follows."""
-    if design.tendon.law is None:
+    if any(tendon is not None and tendon.law is None for tendon in design.tendons):
         return wording
     advice = {name: getattr(wording, name) for name in ("if_stuck", "if_under_way", "if_lost")}
     return replace(wording, **{key: text.replace("tendon.stiffness", "tendon.area") for key, text in advice.items()})
@@ -382,6 +376,40 @@ def _hinges(design: FanDesign, index: int, vein: Vein) -> list[Hinge]:
         label=f"vein {index}",
     )
     return [*aims, ring]
+
+
+def _attachments(tendon: TendonSection, index: int, vein: Vein) -> list[Point]:
+    """The ends of a vein's tendon: on its bars' axes, or off them across the sheet and beside them."""
+    ring, tip = vein.on_proximal_bar(vein.ring_vertex), vein.on_distal_bar(vein.tip)
+    towards_hub = -ring / np.linalg.norm(ring)
+    before = ring + tendon.proximal_attachment * towards_hub
+    beyond = tendon.distal_attachment * tip / np.linalg.norm(tip)
+    return [
+        Point(
+            name=f"proximal_attachment{index}",
+            role="attachment",
+            body=2 * index,
+            place=before + _off_the_bar(vein, ring, tendon.proximal_offset, tendon.proximal_aside),
+        ),
+        Point(
+            name=f"distal_attachment{index}",
+            role="attachment",
+            body=2 * index + 1,
+            place=beyond + _off_the_bar(vein, tip, tendon.distal_offset, tendon.distal_aside),
+        ),
+    ]
+
+
+def _off_the_bar(vein: Vein, bar: Array, offset: float, aside: float) -> Array:
+    """How far a place lies off the axis of a bar, which is given in its own axes from the hub on, (3,).
+
+    An overbend moves the tip along the cross product of the ring direction and the bar, times the vein's sense: out of
+    the sheet, towards the side on which offsets count.
+    """
+    across = np.array([0.0, 0.0, 1.0])
+    overbend = vein.sense * np.cross(vein.frame.T @ vein.ring_direction, bar)[2]
+    beside = np.cross(across, bar / np.linalg.norm(bar))
+    return offset * math.copysign(1.0, overbend) * across + aside * beside
 
 
 def _panels(design: FanDesign, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
@@ -436,15 +464,13 @@ def _panels(design: FanDesign, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
     return tuple(panels)
 
 
-def _guards(design: FanDesign, veins: Sequence[Vein]) -> tuple[LengthLimit, ...]:
-    """Guard tendons between neighbouring tips."""
+def _guards(design: FanDesign, veins: Sequence[Vein], tips: Sequence[int]) -> tuple[LengthLimit, ...]:
+    """Guard tendons between neighbouring tips, of which the numbers are given."""
     limits = []
     for index in range(len(veins) - 1):
         apart = float(np.linalg.norm(veins[index + 1].tip - veins[index].tip))
-        tips = (5 * index + 4, 5 * index + 9)
-        limits.append(
-            LengthLimit(name=f"guard{index}", points=tips, built_length=apart, most=design.guard.stretch * apart)
-        )
+        ends, most = (tips[index], tips[index + 1]), design.guard.stretch * apart
+        limits.append(LengthLimit(name=f"guard{index}", points=ends, built_length=apart, most=most))
     return tuple(limits)
 
 

@@ -173,7 +173,7 @@ def _colour_bar(figure: Figure, norm: Normalize) -> None:
 def _energies(record: Record) -> dict[str, tuple[Array, str]]:
     """What a film plots: energies of what stretches and bends, J, (time,), and their colours; else of the motion."""
     stored = stored_energies(record)
-    springs = [name for name in ("tendons", "membrane", "hinges") if name in stored]
+    springs = [name for name in stored if name in ("tendons", "membrane", "hinges")]
     return {name: stored[name] for name in springs or ["kinetic"]}
 
 
