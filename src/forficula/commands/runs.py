@@ -72,7 +72,7 @@ def run(
         print(f"warning: {warning}", file=sys.stderr)
     outcome = measure(record)
     write_run(record, outcome, folder)
-    print_outcome(chosen.name, outcome)
+    print_outcome(chosen.name, outcome, record.structure)
     verdicts = [outcome.verdict, *_cycle(chosen, cycles, folder)]
     print(f"\nwritten to {folder}")
     return exit_status(verdicts, tolerate=tolerate)
