@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from forficula.show.page.wing_mesh import moving_points
 
 from forficula.analysis import measure, summary
 from forficula.design import load_design
 from forficula.show.page.playback import clip_data, make_clip
 from forficula.show.page.run_page import run_page
-from forficula.show.page.wing_mesh import moving_points
 from forficula.study.runs import run
 
 MEGABYTE = 1_000_000
