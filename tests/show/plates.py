@@ -28,6 +28,14 @@ from forficula.structure import (
 )
 
 WIDTH, LENGTH = 0.1, 0.08  # m
+# what a test draws, by what is told of it
+PARTS = {
+    "whole": {},
+    "with a pattern": {"pattern": True},
+    "without tendons": {"tendons": False},
+    "without motors": {"motors": False},
+    "unmeasured": {"measured": False},
+}
 # of each plate, in its own axes; the last one is no convex polygon
 CORNERS = (
     ((0.0, 0.0), (LENGTH, 0.0), (LENGTH, WIDTH), (0.0, WIDTH)),

@@ -242,9 +242,11 @@ def _outcome_rows(runs: Sequence[ComparedRun]) -> list[list[str]]:
 def _states(runs: Sequence[ComparedRun]) -> dict[str, str]:
     """What rows call the states, by name: those that transitions lead to by when they are looked for."""
     called: dict[str, str] = {}
-    for structure in (run.record.structure for run in runs):
-        led_to = {transition.state for transition in structure.transitions}
-        called |= {state.name: state.unknown if state.name in led_to else state.name for state in structure.states}
+    structures = [run.record.structure for run in runs]
+    led_to = {transition.state for structure in structures for transition in structure.transitions}
+    for structure in structures:
+        for state in structure.states:
+            called.setdefault(state.name, state.unknown if state.name in led_to else state.name)
     return called
 
 
