@@ -11,6 +11,7 @@ from forficula.show.page.compare_page import ComparedRun, compare_page
 from forficula.show.page.design_tables import design_tables
 from forficula.show.page.playback import legend_data, make_clip
 from forficula.show.page.run_page import playback_data, run_page
+from tests.show.plates import PARTS
 
 
 @pytest.fixture(autouse=True)
