@@ -1,4 +1,5 @@
-from forficula.structure.build import drive_keys, structure_of, with_protocol
+from forficula.structure.build import drive_keys, static_keys, structure_of, with_protocol
+from forficula.structure.crossing import bar_crossing, tendon_crossing
 from forficula.structure.goals import (
     distances_of,
     drive_of,
@@ -8,10 +9,12 @@ from forficula.structure.goals import (
     state_of,
     transition_of,
 )
+from forficula.structure.mass import Mass, bar_mass, body_masses, inertia_about, plate_mass
 from forficula.structure.structure import (
     GROUND,
     Bar,
     Body,
+    Crossing,
     Drive,
     Goal,
     Hinge,
@@ -23,22 +26,25 @@ from forficula.structure.structure import (
     Plate,
     Point,
     RestState,
+    RigidFold,
     Structure,
     Tendon,
     Transition,
     Wording,
 )
 from forficula.structure.structure_warnings import structure_warnings
-from forficula.structure.tree import ancestry, built_points, drawn_points, hinges_between, tendon_arms
+from forficula.structure.tree import ancestry, built_frames, built_points, drawn_points, hinges_between, tendon_arms
 
 __all__ = [
     "GROUND",
     "Bar",
     "Body",
+    "Crossing",
     "Drive",
     "Goal",
     "Hinge",
     "LengthLimit",
+    "Mass",
     "Measure",
     "Membrane",
     "MembraneLaw",
@@ -46,11 +52,16 @@ __all__ = [
     "Plate",
     "Point",
     "RestState",
+    "RigidFold",
     "Structure",
     "Tendon",
     "Transition",
     "Wording",
     "ancestry",
+    "bar_crossing",
+    "bar_mass",
+    "body_masses",
+    "built_frames",
     "built_points",
     "distances_of",
     "drawn_points",
@@ -59,11 +70,15 @@ __all__ = [
     "goal_of",
     "hinges_between",
     "hinges_of",
+    "inertia_about",
     "measure_of",
+    "plate_mass",
     "state_of",
+    "static_keys",
     "structure_of",
     "structure_warnings",
     "tendon_arms",
+    "tendon_crossing",
     "transition_of",
     "with_protocol",
 ]

@@ -14,11 +14,15 @@ from forficula.design import FanDesign, FanProtocol, stage_drives, tendon_law
 from forficula.design.places import mesh_rows
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, earwig_pattern, ring_vertices
+from forficula.structure.crossing import bar_crossing
+from forficula.structure.fan_fold import fan_fold
+from forficula.structure.mass import end_inertia
 from forficula.structure.structure import (
     GROUND,
     Array,
     Bar,
     Body,
+    Crossing,
     Drive,
     Goal,
     Hinge,
@@ -69,6 +73,19 @@ _UNFOLD = Wording(
 )
 # the hinges of a vein in this order: sweep and lift aim it, turn is about its own axis
 _AIMS = (("sweep", (0.0, 0.0, 1.0)), ("lift", (0.0, 1.0, 0.0)), ("turn", (1.0, 0.0, 0.0)))
+# axis and bars of a hinge with both bars square to it
+_SQUARE = (np.array([0.0, 1.0, 0.0]), (np.array([1.0, 0.0, 0.0]), np.array([1.0, 0.0, 0.0])))
+# keys that matter to where a fan rests beside those of its tendons
+_STATIC_KEYS = (
+    "pattern",
+    "membrane",
+    "hinge",
+    "guard",
+    "protocol.initial_overbend",
+    "protocol.folded_angle",
+    "protocol.opened_angle",
+    "protocol.gravity",
+)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -111,7 +128,8 @@ def vein_structure(design: FanDesign) -> Structure:
     """Build bars, hinges, tendons and membranes on the creases of a fan, in the units of its design."""
     pattern = earwig_pattern(design.fan)
     # the last vein takes the ring crease of the pattern continued
-    return structure_of_veins(design, veins_on(pattern, ring_vertices(design.fan, continued=True)[-1]))
+    built = structure_of_veins(design, veins_on(pattern, ring_vertices(design.fan, continued=True)[-1]))
+    return replace(built, fold_path=fan_fold(design, built))
 
 
 def veins_on(pattern: CreasePattern, beyond: Array) -> tuple[Vein, ...]:
@@ -191,7 +209,8 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
                 points=(first + 2, first + 3),
                 law=tendon_law(design),
                 longest=choice.proximal_attachment + choice.distal_attachment,
-                hinge=len(hinges) - 1,
+                crossing=_crossing(design, len(hinges) - 1, vein.ring_direction, _bars(vein)),
+                ideal=_crossing(design, len(hinges) - 1, *_SQUARE),
             )
         )
     built = Structure(
@@ -229,7 +248,7 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
         drives=(
             Drive(
                 name="fold",
-                torques=(fold, 0.0),
+                shares=(1.0, 0.0),
                 rise=protocol.rise,
                 key="protocol.fold_torque",
                 torque=fold,
@@ -238,7 +257,7 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
             ),
             Drive(
                 name="unfold",
-                torques=(-unfold, unfold),
+                shares=(-1.0, 1.0),
                 rise=protocol.rise,
                 key="protocol.unfold_torque",
                 torque=unfold,
@@ -277,6 +296,14 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
                 state="opened",
                 released=opened,
                 measure="distal_angle",
+                # the distal hinges alone are what has to give
+                slow_drive=Drive(
+                    name="distal",
+                    shares=(0.0, 1.0),
+                    rise=protocol.rise,
+                    key="protocol.unfold_torque",
+                    torque=unfold,
+                ),
                 furthest="largest",
                 begun=None,
                 wording=_in_terms_of(design, _UNFOLD),
@@ -317,6 +344,12 @@ def drive_keys(design: FanDesign) -> tuple[str, ...]:  # noqa: ARG001
     return ("protocol.fold_torque", "protocol.unfold_torque")
 
 
+def static_keys(design: FanDesign) -> tuple[str, ...]:
+    """Keys of what matters to where the fan rests, but for its tendons: those of one layout have it in common."""
+    # without gravity it rests where it rests, however heavy it is
+    return (*_STATIC_KEYS, "vein") if design.protocol.gravity else _STATIC_KEYS
+
+
 def _of_role(hinges: Sequence[Hinge], role: str) -> tuple[int, ...]:
     return tuple(number for number, hinge in enumerate(hinges) if hinge.role == role)
 
@@ -352,6 +385,31 @@ def _hinges(design: FanDesign, index: int, vein: Vein) -> list[Hinge]:
         armature=choice.armature,
     )
     return [*aims, ring]
+
+
+def _bars(vein: Vein) -> tuple[Array, Array]:
+    """Unit vectors along the proximal and the distal bar, outwards."""
+    proximal, distal = vein.ring_vertex - vein.hub_point, vein.tip - vein.ring_vertex
+    return proximal / np.linalg.norm(proximal), distal / np.linalg.norm(distal)
+
+
+def _crossing(design: FanDesign, hinge: int, axis: Array, bars: tuple[Array, Array]) -> Crossing:
+    """How a tendon lies across a distal hinge about an axis, between bars that point outwards."""
+    tendon, distal = design.tendon, bars[1]
+    inertia = end_inertia(
+        diameter=design.vein.diameter,
+        density=design.vein.density,
+        length=design.pattern.distal_length,
+        along=float(distal @ axis),
+        across=float(np.linalg.norm(np.cross(distal, axis))),
+    )
+    return bar_crossing(
+        hinge=hinge,
+        axis=axis,
+        bars=bars,
+        attachments=(tendon.proximal_attachment, tendon.distal_attachment),
+        inertia=inertia + design.hinge.armature,
+    )
 
 
 def _panels(design: FanDesign, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
