@@ -150,14 +150,21 @@ class TendonHinge:
         With force F, length L and lever q: (F' - F/L) q^2 - (F/L) a b cos(angle + delta), the derivative of the moment
         above.
         """
+        return self.expansion(angle)[2]
+
+    def expansion(self, angle: ArrayLike) -> tuple[Array, Array, Array]:
+        """Energy, moment and stiffness at once, in the shape of `angle` (rad)."""
         half_sine, half_cosine = _half_angle(np.asarray(angle, dtype=np.float64) + self.offset_angle)
-        length = self.length(angle)
-        slope = self.law.stiffness(length)
+        product = self.proximal_arm * self.distal_arm
+        shortest = np.hypot(self.axial_offset, self.proximal_arm - self.distal_arm)
+        length = np.asarray(np.hypot(shortest, 2 * np.sqrt(product) * half_cosine))
+        lever = _divide(2 * product * half_sine * half_cosine, length)
+        force, slope = self.law.force(length), self.law.stiffness(length)
         # where the ends meet, force by length tends to the slope
-        by_length = np.where(length > 0, _divide(self.law.force(length), length), slope)
-        cosine = half_cosine**2 - half_sine**2
-        turned = by_length * self.proximal_arm * self.distal_arm * cosine
-        return np.asarray((slope - by_length) * self.lever(angle) ** 2 - turned)
+        by_length = np.where(length > 0, _divide(force, length), slope)
+        turned = by_length * self.proximal_arm * self.distal_arm * (half_cosine**2 - half_sine**2)
+        stiffness = np.asarray((slope - by_length) * lever**2 - turned)
+        return self.law.energy(length), np.asarray(force * lever), stiffness
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -155,14 +155,15 @@ def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> 
     for part in _further(structures, angles):
         energy, slope, curvature = energy + part[0], slope + part[1], curvature + part[2]
     tendons, crossing = structures.tendons, angles[:, structures.crossed]
-    stored = tendons.energy(crossing).sum(axis=1)
+    tendon_energy, moment, stiffness = tendons.expansion(crossing)
+    stored = tendon_energy.sum(axis=1)
     torques = np.broadcast_to(torques, (len(angles), len(structures.motors)))
     for motor, hinges in enumerate(structures.motors):
         stored = stored - torques[:, motor] * angles[:, hinges].sum(axis=1)
     energy += stored
-    slope += -(torques @ structures.drives) - tendons.moment(crossing) @ structures.crossings
+    slope += -(torques @ structures.drives) - moment @ structures.crossings
     diagonal = np.arange(structures.size)
-    curvature[:, diagonal, diagonal] += tendons.stiffness(crossing) @ structures.crossings
+    curvature[:, diagonal, diagonal] += stiffness @ structures.crossings
     if structures.stiffness.any():
         turned = structures.stiffness * (angles - structures.rest_angles)
         energy += np.sum(turned * (angles - structures.rest_angles), axis=1) / 2

@@ -42,10 +42,7 @@ def bar_crossing(
         inertia: of what turns about the axis, with the hinge's armature, kg m^2.
     """
     proximal, distal = bars
-    arms = [
-        attachment * float(np.linalg.norm(np.cross(bar, axis)))
-        for attachment, bar in zip(attachments, bars, strict=True)
-    ]
+    arms = [attachment * sine_between(bar, axis) for attachment, bar in zip(attachments, bars, strict=True)]
     offset = attachments[0] * float(proximal @ axis) + attachments[1] * float(distal @ axis)
     if across is not None:
         # in the plane, square to the axis, outwards
@@ -62,6 +59,12 @@ def bar_crossing(
         offset_angle=math.atan2(offsets[0], arms[0]) + math.atan2(offsets[1], arms[1]),
         inertia=inertia,
     )
+
+
+def sine_between(one: Array, other: Array) -> float:
+    """Of the angle between two unit vectors, (3,); many times as fast as `np.cross` for single ones."""
+    (x, y, z), (u, v, w) = one.tolist(), other.tolist()
+    return float(np.linalg.norm(np.array([y * w - z * v, z * u - x * w, x * v - y * u])))
 
 
 def tendon_crossing(structure: Structure, points: tuple[int, int]) -> Crossing | None:

@@ -14,7 +14,7 @@ from forficula.design import FanDesign, FanProtocol, stage_drives, tendon_law
 from forficula.design.places import mesh_rows
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, earwig_pattern, ring_vertices
-from forficula.structure.crossing import bar_crossing
+from forficula.structure.crossing import bar_crossing, sine_between
 from forficula.structure.fan_fold import fan_fold
 from forficula.structure.mass import end_inertia
 from forficula.structure.structure import (
@@ -171,6 +171,7 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
     bars: list[Bar] = []
     hinges: list[Hinge] = []
     tendons: list[Tendon] = []
+    law, square = tendon_law(design), _crossing(design, 0, *_SQUARE)
     for index, vein in enumerate(veins):
         ring, tip = vein.on_proximal_bar(vein.ring_vertex), vein.on_distal_bar(vein.tip)
         proximal, distal, first = 2 * index, 2 * index + 1, len(points)
@@ -207,10 +208,10 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
                 name=f"tendon{index}",
                 role="tendon",
                 points=(first + 2, first + 3),
-                law=tendon_law(design),
+                law=law,
                 longest=choice.proximal_attachment + choice.distal_attachment,
                 crossing=_crossing(design, len(hinges) - 1, vein.ring_direction, _bars(vein)),
-                ideal=_crossing(design, len(hinges) - 1, *_SQUARE),
+                ideal=replace(square, hinge=len(hinges) - 1),
             )
         )
     built = Structure(
@@ -401,7 +402,7 @@ def _crossing(design: FanDesign, hinge: int, axis: Array, bars: tuple[Array, Arr
         density=design.vein.density,
         length=design.pattern.distal_length,
         along=float(distal @ axis),
-        across=float(np.linalg.norm(np.cross(distal, axis))),
+        across=sine_between(distal, axis),
     )
     return bar_crossing(
         hinge=hinge,
