@@ -1,7 +1,7 @@
 from forficula.analysis.outcome import Outcome, Reading, StageOutcome, State, TransitionOutcome, measure
 from forficula.analysis.run_warnings import run_warnings
 from forficula.analysis.summary import summary
-from forficula.analysis.verdict import Ending, Verdict, ending_text, ending_word
+from forficula.analysis.verdict import Ending, Verdict, ending_text, ending_word, verdict_word
 
 __all__ = [
     "Ending",
@@ -16,4 +16,5 @@ __all__ = [
     "measure",
     "run_warnings",
     "summary",
+    "verdict_word",
 ]

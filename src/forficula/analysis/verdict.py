@@ -8,7 +8,7 @@ from enum import StrEnum
 
 from forficula.design import Design, Stage, stage_drives
 from forficula.quantities import show_value
-from forficula.structure import Transition
+from forficula.structure import Transition, Wording
 
 
 class Verdict(StrEnum):
@@ -94,23 +94,31 @@ def ending_text(ending: Ending) -> str:
 
 def ending_word(ending: Ending) -> str:
     """What became of a structure, without its numbers: what many have in common."""
-    verdict = ending.verdict
+    wording = None if ending.transition is None else ending.transition.wording
+    return verdict_word(ending.verdict, wording, under_way=_on_the_way(ending))
+
+
+def verdict_word(verdict: Verdict, wording: Wording | None, *, under_way: bool = False) -> str:
+    """The word of a verdict on a transition.
+
+    Args:
+        verdict: on it.
+        wording: of the transition; None where there is none.
+        under_way: whether it had begun for good.
+    """
     if not verdict.tells:
         return _SILENT[verdict]
-    if ending.transition is None:
+    if wording is None:
         return SETTLED
-    words = ending.transition.wording
     match verdict:
         case Verdict.REACHED:
-            return words.done
+            return wording.done
         case Verdict.MOVING:
-            return f"still {words.doing}"
-        case Verdict.STUCK if _on_the_way(ending):
-            return "stuck on the way"
+            return f"still {wording.doing}"
         case Verdict.STUCK:
-            return f"did not {words.verb}"
+            return "stuck on the way" if under_way else f"did not {wording.verb}"
         case _:
-            return f"did not stay {words.stays}"
+            return f"did not stay {wording.stays}"
 
 
 def ending_advice(ending: Ending, design: Design) -> str:

@@ -100,9 +100,9 @@ class Account:
     def _add_branches(self, work: dict[str, Array], place: int, model: Model, steps: Steps, travel: Array) -> None:
         """Add what the Maxwell branches of tendons take, and what keeps tendons that let go from pushing."""
         activations = steps.activation(place, travel.shape[1])
-        if model.branch_tendons.size:
+        if model.branches.size:
             lost = work.setdefault("branch_damping_work", np.zeros(travel.shape[:2]))
-            lost[place] = -branch_losses(model, activations).sum(axis=1)
+            lost[place] = -branch_losses(model, activations).sum(axis=(1, 2))
         if model.lets_go.any():
             forces = {name: values[place] for name, values in steps.derived.items()}
             damper, spared = letting_go_work(model, travel[place], forces, activations)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import reduce
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,33 +41,53 @@ def letting_go_work(
     spring = model.elastic.force(forces["ten_length"][:, model.tendons])[:, which]
     damper = np.array([(law.damping or (0.0,))[0] for law in laws]) * forces["ten_velocity"][:, engine]
     # the engine takes the branches' forces after the step; they are > 0 where they push
-    of_branches = np.stack([activations[1:, model.branch_tendons == tendon].sum(axis=1) for tendon in which], axis=1)
-    push = of_branches - spring - damper
+    push = branch_forces(model, activations[1:])[:, which].sum(axis=2) - spring - damper
     return -np.sum(damper * longer, axis=1), -np.sum(np.maximum(push, 0.0) * longer, axis=1)
 
 
 def branch_losses(model: Model, activations: Array) -> Array:
-    """What Maxwell branches turn into heat in each step, (step, branch), in the model's units.
+    """What Maxwell branches turn into heat in each step, (step, tendon, branch), in the model's units.
 
     The integral of F^2 / (k tau), with the force between two steps as the engine has it at a constant velocity:
     F0 a + F1 b with b = (1 - exp(-s / tau)) / (1 - exp(-h / tau)) and a = exp(-s / tau) - exp(-h / tau) b.
     """
-    before, after = activations[:-1], activations[1:]
+    force = branch_forces(model, activations)
+    before, after = force[:-1], force[1:]
     time, stiffness = branch_numbers(model)
-    # three integrals of positive numbers by quadrature: their closed forms lose all digits where h is far below tau
-    nodes, weights = np.polynomial.legendre.leggauss(_NODES)
-    share, width = (nodes[:, None] + 1) / 2, model.timestep / time
-    late = np.expm1(-share * width) / np.expm1(-width)
-    early = np.exp(-share * width) - np.exp(-width) * late
-    squares = [weights @ product * model.timestep / 2 for product in (early * early, 2 * early * late, late * late)]
+    # tendons mostly have the same branches
+    different, which = np.unique(time, axis=0, return_inverse=True)
+    integrals = np.array([_square_integrals(each, model.timestep) for each in different])
+    squares = np.moveaxis(integrals[which.ravel()], 1, 0)
     total = squares[0] * before**2 + squares[1] * before * after + squares[2] * after**2
     return np.asarray(total / (stiffness * time))
 
 
+def _square_integrals(time: Array, timestep: float) -> Array:
+    """Integrals over a step of a^2, 2 a b and b^2, see `branch_losses`, (3, branch), by relaxation times (branch,).
+
+    They are of positive numbers, by quadrature: their closed forms lose all digits where h is far below tau.
+    """
+    nodes, weights = np.polynomial.legendre.leggauss(_NODES)
+    share, width = (nodes[:, None] + 1) / 2, timestep / time
+    late = np.expm1(-share * width) / np.expm1(-width)
+    early = np.exp(-share * width) - np.exp(-width) * late
+    return np.array([weights @ product * timestep / 2 for product in (early * early, 2 * early * late, late * late)])
+
+
+def branch_forces(model: Model, activations: Array) -> Array:
+    """Forces of Maxwell branches, (state, tendon, branch), 0 where a tendon has fewer; of (state, activation)."""
+    if model.branches.size and model.branches.min() < 0:
+        activations = np.concatenate([activations, np.zeros((len(activations), 1))], axis=1)
+    return np.asarray(activations[:, model.branches])
+
+
 def branch_numbers(model: Model) -> tuple[Array, Array]:
-    """Relaxation times and stiffnesses of all Maxwell branches, (branch,), in the model's units."""
-    branches = [branch for tendon in model.in_units.tendons for branch in tendon.law.branches]
-    return np.array([branch.time for branch in branches]), np.array([branch.stiffness for branch in branches])
+    """Relaxation times and stiffnesses of Maxwell branches, (tendon, branch), in model units; 1 for none."""
+    time, stiffness = np.ones(model.branches.shape), np.ones(model.branches.shape)
+    for number, tendon in enumerate(model.in_units.tendons):
+        for place, branch in enumerate(tendon.law.branches):
+            time[number, place], stiffness[number, place] = branch.time, branch.stiffness
+    return time, stiffness
 
 
 def state_series(model: Model, positions: Array, derived: Mapping[str, Array]) -> dict[str, Array]:
@@ -105,12 +126,15 @@ def state_series(model: Model, positions: Array, derived: Mapping[str, Array]) -
         series["tendon_rest_length"] = units.length * (rest + crept)
         # ideal plasticity: the yield force times the creep since the first state
         force = np.array([tendon.law.yield_force or 0.0 for tendon in built.tendons])
-        series["yield_work"] = -units.energy * np.sum(force * (crept - crept[0]), axis=1)
-    if model.branch_tendons.size:
+        further = crept - crept[0]
+        of_forces = [
+            -units.energy * each * np.sum(further[:, force == each], axis=1) for each in np.unique(force).tolist()
+        ]
+        series["yield_work"] = reduce(np.add, of_forces)
+    if model.branches.size:
         _, stiffness = branch_numbers(model)
-        energy = derived["act"] ** 2 / (2 * stiffness)
-        by_tendon = [energy[:, model.branch_tendons == tendon].sum(axis=1) for tendon in range(len(built.tendons))]
-        series["branch_energy"] = units.energy * np.stack(by_tendon, axis=1)
+        energy = branch_forces(model, derived["act"]) ** 2 / (2 * stiffness)
+        series["branch_energy"] = units.energy * np.sum(energy, axis=-1)
     if "xpos" not in derived:
         return series
     at_origin = model.sites < 0

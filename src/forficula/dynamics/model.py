@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import warnings
 from dataclasses import dataclass
 from functools import cached_property
@@ -44,7 +45,8 @@ class Model:
         senses: +1 or -1 by hinge, (hinge,).
         tendons: index of each tendon, (tendon,).
         distances: index of the tendon that measures each distance that is watched, (distance,).
-        branch_tendons: number of the tendon of each activation, which is a Maxwell branch's force, (branch,).
+        branches: index into activations of the forces of the tendons' Maxwell branches, (tendon, branch); -1 where a
+            tendon has fewer.
         creep: index into plastic states of the tendons' resting lengths, (tendon,); -1 for those that do not yield.
         motors: number of the structure's motor that each control follows, (control,); -1 for none.
         sites: index of the site of each point, (point,); -1 where it is the origin of its body.
@@ -62,7 +64,7 @@ class Model:
     senses: Indices
     tendons: Indices
     distances: Indices
-    branch_tendons: Indices
+    branches: Indices
     creep: Indices
     motors: Indices
     sites: Indices
@@ -169,9 +171,7 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
         senses=np.array([hinge.sense for hinge in in_units.hinges], dtype=np.int64),
         tendons=tendons,
         distances=_indices(engine, kinds.mjOBJ_TENDON, [f"distance_{measure.name}" for measure in distances]),
-        branch_tendons=np.repeat(
-            np.arange(len(in_units.tendons)), [len(tendon.law.branches) for tendon in in_units.tendons]
-        ),
+        branches=_branches([len(tendon.law.branches) for tendon in in_units.tendons]),
         # of the two numbers of a tendon the dead band's upper end
         creep=np.where(plastic >= 0, plastic + 1, -1),
         motors=_followed(engine, in_units),
@@ -199,6 +199,14 @@ def _empty_spec(structure: Structure, timestep: float) -> mujoco.MjSpec:
     if not structure.contact:
         option.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT
     return spec
+
+
+def _branches(counts: list[int]) -> Indices:
+    """Numbers of branches, which come one tendon after another, by tendon; -1 where one has fewer than another."""
+    first = np.cumsum([0, *counts])
+    rows = [[*range(low, high)] for low, high in itertools.pairwise(first)]
+    most = max(counts, default=0)
+    return np.array([[*row, *[-1] * (most - len(row))] for row in rows], dtype=np.int64).reshape(len(counts), most)
 
 
 def _followed(engine: mujoco.MjModel, structure: Structure) -> Indices:

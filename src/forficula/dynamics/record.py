@@ -46,7 +46,7 @@ VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
 # yield, and with tendons that let go
 SOMETIMES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "hinge_energy": (("hinge",), "J", "energy of the hinge's spring"),
-    "distance": (("distance",), "m", "distance that is watched"),
+    "distance": (("measure",), "m", "distance that is watched"),
     "branch_energy": (("tendon",), "J", "energy of the tendon's Maxwell branches"),
     "branch_damping_work": ((), "J", "work of the dampers in the tendons' Maxwell branches since the start"),
     "tendon_rest_length": (("tendon",), "m", "resting length of the tendon, which grows where it yields"),
@@ -164,7 +164,7 @@ class Record:
             "axis": ["x", "y", "z"],
         }
         if "distance" in self.series:
-            coordinates["distance"] = [measure.name for measure in distances_of(built)]
+            coordinates["measure"] = [measure.name for measure in distances_of(built)]
         return xarray.Dataset(variables, coordinates)
 
 

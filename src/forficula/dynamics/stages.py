@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -237,7 +238,10 @@ def stage_torques(model: Model, stage: Stage) -> tuple[tuple[float, ...], float]
 
 def stage_goal(model: Model, stage: Stage) -> Goal:
     """The goal of a stage, in the model's units."""
-    return goal_of(model.in_units, stage.until)
+    # what is written of a distance is SI
+    goal, hinges = goal_of(model.structure, stage.until), len(model.structure.hinges)
+    unit = np.where(np.arange(len(goal.least)) < hinges, 1.0, model.units.length)
+    return replace(goal, least=goal.least / unit, most=goal.most / unit)
 
 
 def _since(holds: NDArray[np.bool_], number: Steps, carried: Steps) -> Steps:

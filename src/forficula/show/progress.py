@@ -129,7 +129,7 @@ def _lines(what: str, seconds: float) -> Callable[[int, int], None]:
 
 def _end(row: dict[str, Any]) -> str:
     """What became of a run, in a word or two."""
-    return "folded" if row.get("folded") else str(row["verdict"])
+    return str(row.get("outcome", row["verdict"]))
 
 
 def _duration(seconds: float) -> str:

@@ -75,8 +75,8 @@ class EnergyLandscape:
         partial_folds: let go with some hinges folded.
         hinge_barriers: energy to climb until one hinge of the first state folds alone, J, (hinge,).
         rests: where it rests when let go from where the protocol starts it, and from where each transition leads.
-        least_torques: by transition, the least slowly growing torque that makes it, N m; None where not even the
-            largest that was tried does.
+        least_torques: by transition, the size of the least slowly growing torque that makes it, N m; None where not
+            even the largest that was tried does.
         tips: resistance to a load at the tips; None where there is no one way to fold.
         remarks: sentences on what does not exist, and what to know of the rest.
     """
@@ -285,7 +285,8 @@ def _rest(structures: Ensemble, name: str, found: Equilibria) -> Rest:
 def _largest_torque(structures: Ensemble, transition: Transition, peak: float) -> float:
     """The largest torque tried for a transition, N m: the drive's; of one on hinges that tendons cross, more."""
     drive = transition.slow_drive or drive_of(structures.structure, transition.drive)
-    return max(_MOST_OPENING * peak, drive.torque) if crosses(structures, drive) else drive.torque
+    own = abs(drive.torque)
+    return max(_MOST_OPENING * peak, own) if crosses(structures, drive) else own
 
 
 def _known(value: float) -> float | None:
@@ -317,7 +318,9 @@ def _slow_remarks(structure: Structure, transition: Transition, most: float, fou
     """What to say where no slowly growing torque makes a transition."""
     if not math.isnan(found.torque[0]):
         return ()
-    verb, own = transition.wording.verb, transition.slow_drive is None
+    verb, *rest = transition.wording.verb.split(maxsplit=1)
+    does, own = " ".join([f"{verb}s", *rest]), transition.slow_drive is None
+    makes = f"makes it {transition.wording.verb}" if rest else f"{does} it"
     started = "" if transition is structure.transitions[0] else f" from {_before(structure, transition)}"
     on = "" if transition.slow_drive is None else f" on the {transition.slow_drive.name} hinges"
     folding = list(folding_hinges(structure))
@@ -325,8 +328,8 @@ def _slow_remarks(structure: Structure, transition: Transition, most: float, fou
         f", the last hinge stops at {math.degrees(float(found.position[0, folding].max())):.4g} deg" if folding else ""
     )
     # what a run can do beyond it
-    inertia = f"{stopped}: it {verb}s by inertia or not at all, which a run tells" if own else ""
-    return (f"no slowly growing torque up to {show_quantity(most, TORQUE)}{on} {verb}s it{started}{inertia}",)
+    inertia = f"{stopped}: it {does} by inertia or not at all, which a run tells" if own else ""
+    return (f"no slowly growing torque up to {show_quantity(most, TORQUE)}{on} {makes}{started}{inertia}",)
 
 
 def _before(structure: Structure, transition: Transition) -> str:

@@ -26,7 +26,7 @@ class SlowTransition:
     """What a slowly growing torque does to structures.
 
     Attributes:
-        torque: the least that brings each to its goal, N m, nan where none of those tried does, (case,).
+        torque: size of the least that brings each to its goal, N m, nan where none of those tried does, (case,).
         position: angles under the least torque, or under the largest one tried, rad, (case, hinge).
     """
 
@@ -51,7 +51,7 @@ def state_beyond(structures: Ensemble, transition: Transition) -> Equilibria:
     built = structures.structure
     goal, drive = goal_of(built, transition.goal), drive_of(built, transition.drive)
     start = np.zeros((structures.cases, structures.size))
-    pushed = np.array(drive.shares) @ structures.drives
+    pushed = _by_unit(drive) @ structures.drives
     count, ends = structures.size, np.full(structures.size, np.nan)
     for towards, stops in ((pushed < 0, structures.lower), (pushed > 0, structures.upper)):
         ends[towards] = stops[towards]
@@ -98,7 +98,7 @@ def slow_transition(structures: Ensemble, start: Array, transition: Transition, 
         structures: side by side.
         start: angles at rest without torques, rad, (case, hinge).
         transition: whose drive and goal.
-        torques: rising, N m, (step,).
+        torques: sizes, rising, N m, (step,); the sign is that of the drive's.
     """
     goal, drive = goal_of(structures.structure, transition.goal), drive_of(structures.structure, transition.drive)
     position, least = start.copy(), np.full(len(start), np.nan)
@@ -131,8 +131,8 @@ def least_slow_torque(
         structures: side by side.
         start: angles at rest without torques, rad, (case, hinge).
         transition: whose goal, and whose drive where none is given.
-        most: largest torque tried, N m, one or by case.
-        drive: of the torque.
+        most: size of the largest torque tried, N m, one or by case.
+        drive: of the torque, whose sign it has.
     """
     goal = goal_of(structures.structure, transition.goal)
     drive = drive or drive_of(structures.structure, transition.drive)
@@ -165,5 +165,10 @@ def _pushed(
     within: float = np.inf,
 ) -> Array:
     """Angles at which some structures rest under a torque, no farther away than that."""
-    torques = torque[:, None] * np.array(drive.shares)
+    torques = torque[:, None] * _by_unit(drive)
     return rest(structures.only(cases), start, torques, within=within).position
+
+
+def _by_unit(drive: Drive) -> Array:
+    """Torques of all motors by the size of a drive's, (motor,)."""
+    return np.array(drive.shares) * (-1.0 if drive.torque < 0 else 1.0)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from forficula.statics.elements import Expansion
 from forficula.statics.pose import Carried, Tree, carried_points, places_of, pose, pulled
-from forficula.structure import Structure, body_masses
+from forficula.structure import Structure, mass_of
 
 Array = NDArray[np.float64]
 
@@ -31,17 +31,15 @@ class Weight:
 
 def weight_of(structure: Structure, tree: Tree) -> Weight | None:
     """What a structure weighs; None where there is no gravity, or nothing that has a mass moves."""
-    solid = [
-        (number, mass)
-        for number, mass in enumerate(body_masses(structure))
-        if structure.gravity and mass is not None and tree.chain(number)
-    ]
+    moving = [number for number in range(len(structure.bodies)) if tree.chain(number)] if structure.gravity else []
+    masses = {number: mass_of(structure, number) for number in moving}
+    solid = [number for number, (mass, _, _) in masses.items() if mass]
     if not solid:
         return None
     return Weight(
         tree=tree,
-        centres=carried_points(tree, [number for number, _ in solid], np.array([mass.centre for _, mass in solid])),
-        forces=structure.gravity * np.array([mass.mass for _, mass in solid]),
+        centres=carried_points(tree, solid, np.array([masses[number][1] for number in solid])),
+        forces=structure.gravity * np.array([masses[number][0] for number in solid]),
     )
 
 

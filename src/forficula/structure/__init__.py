@@ -9,7 +9,7 @@ from forficula.structure.goals import (
     state_of,
     transition_of,
 )
-from forficula.structure.mass import Mass, bar_mass, body_masses, inertia_about, plate_mass
+from forficula.structure.mass import inertia_about, mass_of
 from forficula.structure.structure import (
     GROUND,
     Bar,
@@ -33,7 +33,16 @@ from forficula.structure.structure import (
     Wording,
 )
 from forficula.structure.structure_warnings import structure_warnings
-from forficula.structure.tree import ancestry, built_frames, built_points, drawn_points, hinges_between, tendon_arms
+from forficula.structure.tree import (
+    ancestry,
+    built_frames,
+    built_lengths,
+    built_points,
+    built_strains,
+    drawn_points,
+    hinges_between,
+    tendon_arms,
+)
 
 __all__ = [
     "GROUND",
@@ -44,7 +53,6 @@ __all__ = [
     "Goal",
     "Hinge",
     "LengthLimit",
-    "Mass",
     "Measure",
     "Membrane",
     "MembraneLaw",
@@ -59,10 +67,10 @@ __all__ = [
     "Wording",
     "ancestry",
     "bar_crossing",
-    "bar_mass",
-    "body_masses",
     "built_frames",
+    "built_lengths",
     "built_points",
+    "built_strains",
     "distances_of",
     "drawn_points",
     "drive_keys",
@@ -71,8 +79,8 @@ __all__ = [
     "hinges_between",
     "hinges_of",
     "inertia_about",
+    "mass_of",
     "measure_of",
-    "plate_mass",
     "state_of",
     "static_keys",
     "structure_of",

@@ -22,10 +22,9 @@ def bar_crossing(
     attachments: tuple[float, float],
     offsets: tuple[float, float] = (0.0, 0.0),
     asides: tuple[float, float] = (0.0, 0.0),
-    across: tuple[Array, Array] | None = None,
     inertia: float,
 ) -> Crossing:
-    """The crossing of a tendon from one bar to another, both in one plane with the hinge's axis as built.
+    """The crossing of a tendon from one bar to another, both in the level plane of the hinge's axis as built.
 
     Bars at angles alpha and beta to the axis, with the ends at distances p and d along them, have a = p sin alpha,
     b = d sin beta and c = p cos alpha + d cos beta. Offsets h out of the plane make the arms hypot(a, h) and
@@ -34,23 +33,25 @@ def bar_crossing(
     Args:
         hinge: its number.
         axis: unit vector along the hinge, either way, (3,).
-        bars: unit vectors outwards along the proximal and the distal bar, (3,) each.
+        bars: unit vectors outwards along the proximal and the distal bar, (3,) each; no farther than a right angle from
+            each other beside the axis.
         attachments: distances of the ends from the hinge along the bars, m.
         offsets: of the ends out of the plane, towards the side to which positive angles turn the distal bar, m.
-        asides: of the ends within the plane, along `across`, m.
-        across: unit vectors in the plane, square to each bar; needed with asides.
+        asides: of the ends within the plane, counterclockwise of their bars seen from above, m.
         inertia: of what turns about the axis, with the hinge's armature, kg m^2.
     """
     proximal, distal = bars
     arms = [attachment * sine_between(bar, axis) for attachment, bar in zip(attachments, bars, strict=True)]
     offset = attachments[0] * float(proximal @ axis) + attachments[1] * float(distal @ axis)
-    if across is not None:
-        # in the plane, square to the axis, outwards
-        outwards = np.cross(np.cross(axis, distal), axis)
-        outwards = outwards / np.linalg.norm(outwards)
+    if any(asides):
+        upwards = np.array([0.0, 0.0, 1.0])
+        # in the plane, square to the axis, to the side of the distal bar
+        outwards = np.cross(upwards, axis)
+        outwards = outwards * math.copysign(1.0, outwards @ distal)
         for end, sign in ((0, -1.0), (1, 1.0)):
-            arms[end] += sign * asides[end] * float(across[end] @ outwards)
-            offset += sign * asides[end] * float(across[end] @ axis)
+            across = np.cross(upwards, bars[end])
+            arms[end] += sign * asides[end] * float(across @ outwards)
+            offset += sign * asides[end] * float(across @ axis)
     return Crossing(
         hinge=hinge,
         proximal_arm=math.hypot(arms[0], offsets[0]),

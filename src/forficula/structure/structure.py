@@ -13,6 +13,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.material.law.material_law import MaterialLaw
 from forficula.material.law.tendon_law import TendonLaw
 
 Array = NDArray[np.float64]
@@ -169,6 +170,9 @@ class Tendon:
         crossing: how it lies across the only hinge that its length depends on; None where it depends on several.
         ideal: the same with both bars square to the hinge's axis, as closed forms have it; None where there are no
             bars to be so.
+        gauge_length: by which its extension is a strain, m: the resting length that it had before any set.
+        material: whose law it has, in the structure's units; None where it is a spring of no material.
+        key: of the design's section that it comes from, such as "tendon", or "tendon.1" where others differ.
     """
 
     name: str
@@ -178,6 +182,9 @@ class Tendon:
     longest: float
     crossing: Crossing | None = None
     ideal: Crossing | None = None
+    gauge_length: float = 0.0
+    material: MaterialLaw | None = None
+    key: str = ""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -344,7 +351,7 @@ class Wording:
         doing: what goes on, such as "folding" in "still folding".
         stays: what is to last, such as "folded" in "did not stay folded".
         time: what its time is called, such as "fold time".
-        work: what its work is called, such as "work of folding".
+        noun: what the work is of, such as "folding" in "work of folding".
         if_stuck: advice where it never began, in a sentence.
         if_under_way: advice where it stuck on the way.
         if_lost: advice where it was lost when released.
@@ -355,7 +362,7 @@ class Wording:
     doing: str
     stays: str
     time: str
-    work: str
+    noun: str
     if_stuck: str = ""
     if_under_way: str = ""
     if_lost: str = ""

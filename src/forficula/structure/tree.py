@@ -39,6 +39,19 @@ def drawn_points(structure: Structure) -> list[int]:
     return sorted({point for points in ends for point in points})
 
 
+def built_lengths(structure: Structure) -> Array:
+    """The distances of the tendons' ends in the built shape, m, (tendon,)."""
+    points = built_points(structure)
+    ends = (tendon.points for tendon in structure.tendons)
+    return np.array([float(np.linalg.norm(points[end] - points[start])) for start, end in ends])
+
+
+def built_strains(structure: Structure) -> Array:
+    """The strains of the tendons in the built shape, (tendon,); infinite without a gauge length."""
+    gauges = np.array([tendon.gauge_length for tendon in structure.tendons])
+    return np.where(gauges > 0, built_lengths(structure) / np.where(gauges > 0, gauges, 1.0) - 1, np.inf)
+
+
 def tendon_arms(structure: Structure, tendon: Tendon) -> tuple[tuple[int, float], ...]:
     """The hinges that a tendon crosses, and the longest lever that it can have about each, m.
 

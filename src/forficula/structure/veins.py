@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.design import FanDesign, FanProtocol, stage_drives, tendon_law
+from forficula.design import FanDesign, FanProtocol, TendonSection, stage_drives, tendon_law
 from forficula.design.places import mesh_rows
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, earwig_pattern, ring_vertices
@@ -47,7 +47,7 @@ _FOLD = Wording(
     doing="folding",
     stays="folded",
     time="fold time",
-    work="work of folding",
+    noun="folding",
     if_stuck=(
         "Raise protocol.fold_torque, or lower the barrier: softer or longer tendons (tendon.stiffness,"
         " tendon.rest_length), less hinge.overbend."
@@ -64,7 +64,7 @@ _UNFOLD = Wording(
     doing="opening",
     stays="open",
     time="opening time",
-    work="work of unfolding",
+    noun="unfolding",
     if_stuck="Raise protocol.unfold_torque, or take softer or longer tendons (tendon.stiffness, tendon.rest_length).",
     if_lost=(
         "It opened under torque and folded again when released: hold it longer (hold of the unfolding stage), or raise"
@@ -171,7 +171,6 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
     bars: list[Bar] = []
     hinges: list[Hinge] = []
     tendons: list[Tendon] = []
-    law, square = tendon_law(design), _crossing(design, 0, *_SQUARE)
     for index, vein in enumerate(veins):
         ring, tip = vein.on_proximal_bar(vein.ring_vertex), vein.on_distal_bar(vein.tip)
         proximal, distal, first = 2 * index, 2 * index + 1, len(points)
@@ -179,39 +178,33 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
             Body(name=f"proximal{index}", role="proximal", parent=GROUND, position=vein.hub_point, frame=vein.frame)
         )
         bodies.append(Body(name=f"distal{index}", role="distal", parent=proximal, position=ring, frame=np.eye(3)))
-        choice = design.tendon
-        towards_hub = -ring / np.linalg.norm(ring)
+        choice = design.tendon_on(index)
         points += [
             Point(name=f"hub{index}", role="hub", body=proximal, place=np.zeros(3)),
             Point(name=f"ring{index}", role="ring", body=distal, place=np.zeros(3)),
-            Point(
-                name=f"proximal_attachment{index}",
-                role="attachment",
-                body=proximal,
-                place=ring + choice.proximal_attachment * towards_hub,
-            ),
-            Point(
-                name=f"distal_attachment{index}",
-                role="attachment",
-                body=distal,
-                place=choice.distal_attachment * tip / np.linalg.norm(tip),
-            ),
+            *([] if choice is None else _attachments(choice, index, vein)),
             Point(name=f"tip{index}", role="tip", body=distal, place=tip),
         ]
         thick, dense = design.vein.diameter, design.vein.density
         # veins overlap near the hub even where the fan lies flat
         base = Bar(body=proximal, end=ring, diameter=thick, density=dense, points=(first, first + 1), overlaps=True)
-        bars += [base, Bar(body=distal, end=tip, diameter=thick, density=dense, points=(first + 1, first + 4))]
+        bars += [base, Bar(body=distal, end=tip, diameter=thick, density=dense, points=(first + 1, len(points) - 1))]
         hinges += _hinges(design, index, vein)
+        if choice is None:
+            continue
         tendons.append(
             Tendon(
                 name=f"tendon{index}",
                 role="tendon",
                 points=(first + 2, first + 3),
-                law=law,
-                longest=choice.proximal_attachment + choice.distal_attachment,
-                crossing=_crossing(design, len(hinges) - 1, vein.ring_direction, _bars(vein)),
-                ideal=replace(square, hinge=len(hinges) - 1),
+                law=tendon_law(choice),
+                longest=math.hypot(choice.proximal_attachment, choice.proximal_offset, choice.proximal_aside)
+                + math.hypot(choice.distal_attachment, choice.distal_offset, choice.distal_aside),
+                crossing=_crossing(design, choice, len(hinges) - 1, vein.ring_direction, _bars(vein)),
+                ideal=_crossing(design, choice, len(hinges) - 1, *_SQUARE),
+                gauge_length=choice.rest_length,
+                material=None if choice.law is None else choice.law.material,
+                key=f"tendon.{index}" if isinstance(design.tendon, tuple) else "tendon",
             )
         )
     built = Structure(
@@ -221,7 +214,7 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
         bars=tuple(bars),
         hinges=tuple(hinges),
         tendons=tuple(tendons),
-        limits=_guards(design, veins),
+        limits=_guards(design, veins, [number for number, point in enumerate(points) if point.role == "tip"]),
         membranes=_panels(design, veins),
         span=design.pattern.proximal_length + design.pattern.distal_length,
         mass=_bar_mass(design),
@@ -334,7 +327,7 @@ def _stage_states(protocol: FanProtocol) -> tuple[str, ...]:
 
 def _in_terms_of(design: FanDesign, wording: Wording) -> Wording:
     """Advice that names what the design has: of a law the stiffness follows."""
-    if design.tendon.law is None:
+    if any(tendon is not None and tendon.law is None for tendon in design.tendons):
         return wording
     advice = {name: getattr(wording, name) for name in ("if_stuck", "if_under_way", "if_lost")}
     return replace(wording, **{key: text.replace("tendon.stiffness", "tendon.area") for key, text in advice.items()})
@@ -394,9 +387,9 @@ def _bars(vein: Vein) -> tuple[Array, Array]:
     return proximal / np.linalg.norm(proximal), distal / np.linalg.norm(distal)
 
 
-def _crossing(design: FanDesign, hinge: int, axis: Array, bars: tuple[Array, Array]) -> Crossing:
-    """How a tendon lies across a distal hinge about an axis, between bars that point outwards."""
-    tendon, distal = design.tendon, bars[1]
+def _crossing(design: FanDesign, tendon: TendonSection, hinge: int, axis: Array, bars: tuple[Array, Array]) -> Crossing:
+    """How a tendon lies across a distal hinge about an axis, between bars that point outwards in the flat sheet."""
+    distal = bars[1]
     inertia = end_inertia(
         diameter=design.vein.diameter,
         density=design.vein.density,
@@ -409,8 +402,44 @@ def _crossing(design: FanDesign, hinge: int, axis: Array, bars: tuple[Array, Arr
         axis=axis,
         bars=bars,
         attachments=(tendon.proximal_attachment, tendon.distal_attachment),
+        offsets=(tendon.proximal_offset, tendon.distal_offset),
+        asides=(tendon.proximal_aside, tendon.distal_aside),
         inertia=inertia + design.hinge.armature,
     )
+
+
+def _attachments(tendon: TendonSection, index: int, vein: Vein) -> list[Point]:
+    """The ends of a vein's tendon: on its bars' axes, or off them across the sheet and beside them."""
+    ring, tip = vein.on_proximal_bar(vein.ring_vertex), vein.on_distal_bar(vein.tip)
+    towards_hub = -ring / np.linalg.norm(ring)
+    before = ring + tendon.proximal_attachment * towards_hub
+    beyond = tendon.distal_attachment * tip / np.linalg.norm(tip)
+    return [
+        Point(
+            name=f"proximal_attachment{index}",
+            role="attachment",
+            body=2 * index,
+            place=before + _off_the_bar(vein, ring, tendon.proximal_offset, tendon.proximal_aside),
+        ),
+        Point(
+            name=f"distal_attachment{index}",
+            role="attachment",
+            body=2 * index + 1,
+            place=beyond + _off_the_bar(vein, tip, tendon.distal_offset, tendon.distal_aside),
+        ),
+    ]
+
+
+def _off_the_bar(vein: Vein, bar: Array, offset: float, aside: float) -> Array:
+    """How far a place lies off the axis of a bar, which is given in its own axes from the hub on, (3,).
+
+    An overbend moves the tip along the cross product of the ring direction and the bar, times the vein's sense: out of
+    the sheet, towards the side on which offsets count.
+    """
+    across = np.array([0.0, 0.0, 1.0])
+    overbend = vein.sense * np.cross(vein.frame.T @ vein.ring_direction, bar)[2]
+    beside = np.cross(across, bar / np.linalg.norm(bar))
+    return offset * math.copysign(1.0, overbend) * across + aside * beside
 
 
 def _panels(design: FanDesign, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
@@ -462,15 +491,13 @@ def _panels(design: FanDesign, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
     return tuple(panels)
 
 
-def _guards(design: FanDesign, veins: Sequence[Vein]) -> tuple[LengthLimit, ...]:
-    """Guard tendons between neighbouring tips."""
+def _guards(design: FanDesign, veins: Sequence[Vein], tips: Sequence[int]) -> tuple[LengthLimit, ...]:
+    """Guard tendons between neighbouring tips, of which the numbers are given."""
     limits = []
     for index in range(len(veins) - 1):
         apart = float(np.linalg.norm(veins[index + 1].tip - veins[index].tip))
-        tips = (5 * index + 4, 5 * index + 9)
-        limits.append(
-            LengthLimit(name=f"guard{index}", points=tips, built_length=apart, most=design.guard.stretch * apart)
-        )
+        ends, most = (tips[index], tips[index + 1]), design.guard.stretch * apart
+        limits.append(LengthLimit(name=f"guard{index}", points=ends, built_length=apart, most=most))
     return tuple(limits)
 
 

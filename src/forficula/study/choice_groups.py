@@ -1,4 +1,4 @@
-"""The choices of a study's table factor by factor, and how many wings fold and open at each."""
+"""The choices of a study's table factor by factor, and how many of the grid fold and open at each."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from forficula.analysis import Verdict
 from forficula.study.choices import CHOICE
+from forficula.study.outcome_kinds import table_transitions
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
@@ -44,23 +45,29 @@ def choice_groups(table: Dataset) -> list[ChoiceGroup]:
 
 
 def wings_that_fold(table: Dataset) -> DataArray:
-    """Whether a wing folds, with some torque where these were searched, over the dimensions of the points."""
-    # a wing has no least torque where a lesser one was tried and is not to be trusted, and folds all the same
-    searched = "folded_by_torque" in table
-    return table["folded_by_torque"].any("fold_torque") if searched else table["folded"].astype(bool)
+    """Whether the first transition is done, with some value where these were searched, over the points' dimensions."""
+    first = table_transitions(table)[0]
+    # there is no least value where a lesser one was tried and is not to be trusted, and it is done all the same
+    for by in ("torque", "value"):
+        if (name := f"{first.state}_by_{by}") in table:
+            return table[name].any(str(table[name].dims[-1]))
+    return table[first.state].astype(bool)
 
 
 def count_folded(table: Dataset) -> NDArray[np.int_]:
-    """How many wings of the grid fold at each choice, shape (choices,)."""
+    """How many of the grid do the first transition at each choice, shape (choices,)."""
     return _count(wings_that_fold(table))
 
 
 def count_opened(table: Dataset) -> NDArray[np.int_] | None:
-    """How many wings of the grid fold and open again at each choice, shape (choices,); None where that is not asked."""
-    if "folded_by_torque" in table and "least_unfold_torque" not in table:
+    """How many of the grid do all transitions at each choice, shape (choices,); None where that is not asked."""
+    transitions = table_transitions(table)
+    if len(transitions) < 2:
         return None
-    opens = table["least_unfold_torque"].notnull() if "least_unfold_torque" in table else table["opened"].astype(bool)
-    return _count(opens)
+    last, searched = transitions[-1], any(each.least for each in transitions)
+    if searched and last.least not in table:
+        return None
+    return _count(table[last.least].notnull() if searched else table[last.state].astype(bool))
 
 
 def _count(wings: DataArray) -> NDArray[np.int_]:
@@ -74,7 +81,7 @@ def _same(value: object, other: object) -> bool:
 
 
 def count_unknown(table: Dataset) -> dict[str, NDArray[np.int_]]:
-    """Of how many wings of the grid it is not known whether they fold, (choice,), by what became of them."""
+    """Of how many it is not known whether they do the first transition, (choice,), by what became of them."""
     shape = (table.sizes[CHOICE], -1)
     verdicts, words = (table[name].values.astype(str).reshape(shape) for name in ("verdict", "outcome"))
     known = [verdict for verdict in Verdict if verdict.tells]

@@ -119,13 +119,13 @@ def converge(
     own = own_value(design, key)
     # a timestep goes from coarse to fine, the others from soft or coarse on
     ordered = sorted([own, *(value for value in values if not same(value, own))], reverse=key == TIMESTEP)
-    wings = [compile_model(_with_dense_record(resolved(with_value(design, key, value)))) for value in ordered]
-    compared = compare_wings(wings, key, ordered, own, tolerance=tolerance, hinge=hinge, progress=progress)
+    models = [compile_model(_with_dense_record(resolved(with_value(design, key, value)))) for value in ordered]
+    compared = compare_wings(models, key, ordered, own, tolerance=tolerance, hinge=hinge, progress=progress)
     return replace(compared, design=design)
 
 
 def compare_wings(
-    wings: Sequence[Model],
+    models: Sequence[Model],
     key: str,
     values: Sequence[float],
     own: float,
@@ -134,10 +134,10 @@ def compare_wings(
     hinge: int | None = None,
     progress: Progress | None = None,
 ) -> Convergence:
-    """Do as `converge` does with compiled wings, one for each value, in the order of the values."""
-    runs, rows = _run_all(wings, hinge, progress), tuple(_row_count(wing) for wing in wings)
+    """Do as `converge` does with compiled models, one for each value, in the order of the values."""
+    runs, rows = _run_all(models, hinge, progress), tuple(_row_count(model) for model in models)
     here = list(values).index(own)
-    transitions = wings[here].structure.transitions
+    transitions = models[here].structure.transitions
     times = {each.name: np.array([run.transition_times[each.name] for run in runs]) for each in transitions}
     labels = [each.wording.time for each in transitions]
     steps, alike = np.array(values, dtype=float), np.array([run.outcome == runs[here].outcome for run in runs])
@@ -151,7 +151,7 @@ def compare_wings(
         names = [f"{rows[i]} rows" if key == MESH else value_text(key, value) for i, value in enumerate(values)]
         verdict = judge_moves(names, here, runs, alike, labels, list(times.values()))
     return Convergence(
-        design=wings[here].design,
+        design=models[here].design,
         key=key,
         values=steps,
         own=own,
@@ -182,18 +182,18 @@ def _with_dense_record(design: Design) -> Design:
     return with_values(design, {"protocol.sample_interval": timestep * max(1, math.ceil(steps / _MOST_ROWS))})
 
 
-def _run_all(wings: Sequence[Model], hinge: int | None, progress: Progress | None) -> list[TimedRun]:
-    """Run all wings, those of one topology side by side, and keep of each record only what is needed."""
+def _run_all(models: Sequence[Model], hinge: int | None, progress: Progress | None) -> list[TimedRun]:
+    """Run all models, those of one topology side by side, and keep of each record only what is needed."""
     topologies: dict[int, list[int]] = {}
-    for index, wing in enumerate(wings):
-        topologies.setdefault(len(wing.mesh.built), []).append(index)
+    for index, model in enumerate(models):
+        topologies.setdefault(len(model.mesh.built), []).append(index)
     runs: dict[int, TimedRun] = {}
     for members in topologies.values():
-        for row, record in simulate_each([wings[index] for index in members]):
+        for row, record in simulate_each([models[index] for index in members]):
             run = runs[members[row]] = timed_run(record, hinge)
             if progress is not None:
-                progress(len(runs), len(wings), {"verdict": run.verdict, "holds": run.outcome.holds})
-    return [runs[index] for index in range(len(wings))]
+                progress(len(runs), len(models), {"verdict": run.verdict, "holds": run.outcome.holds})
+    return [runs[index] for index in range(len(models))]
 
 
 def _fit_where_known(steps: Array, times: Array, alike: NDArray[np.bool_]) -> OrderFit | None:

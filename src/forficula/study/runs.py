@@ -31,7 +31,7 @@ _AGREEING = 3
 _HALVINGS = 8
 # What is missing of the energy falls with the timestep between in proportion and with its square.
 _RESIDUAL_ORDER = 1.3
-# How long wings are built before the first of them run, s; twice as long each time, for many side by side are faster.
+# How long models are built before the first of them run, s; twice as long each time, for many side by side are faster.
 _FIRST_SECONDS = 1.0
 
 
@@ -120,7 +120,7 @@ def run_each(
     while attempts:
         left = {attempt.number: attempt for attempt in attempts}
         for attempt, result in _results(attempts, threads, sparse, until_last, progress):
-            if left.pop(attempt.number, None) is None:  # a lesser torque has opened its wing meanwhile
+            if left.pop(attempt.number, None) is None:  # a lesser value has done it meanwhile
                 continue
             if isinstance(result, InputError):
                 yield attempt.number, result
@@ -143,9 +143,9 @@ def run_each(
         attempts = [left[number] for number in sorted(left)]
 
 
-def topology(wing: Model) -> tuple[int, ...]:
-    """The sizes that wings of one batch have in common."""
-    engine = wing.engine
+def topology(model: Model) -> tuple[int, ...]:
+    """The sizes that models of one batch have in common."""
+    engine = model.engine
     sizes = (engine.nq, engine.nv, engine.nu, engine.nbody, engine.ngeom, engine.ntendon, engine.nflexvert)
     return (*sizes, engine.nactuator, engine.na, engine.nplastic)
 
@@ -153,17 +153,17 @@ def topology(wing: Model) -> tuple[int, ...]:
 def _results(
     attempts: Sequence[_Attempt], threads: int, sparse: bool, until_last: bool, progress: Progress | None
 ) -> Iterator[tuple[_Attempt, Record | InputError]]:
-    """Build wings and simulate them, the first ones soon and more of them side by side each time."""
+    """Build models and simulate them, the first ones soon and more of them side by side each time."""
     by_engine: dict[str, list[_Attempt]] = {}
     for attempt in attempts:
         by_engine.setdefault(_engine_key(attempt.design), []).append(attempt)
     built: list[tuple[_Attempt, Model]] = []
     seconds, start = _FIRST_SECONDS, time.perf_counter()
     for alike in by_engine.values():
-        wing = _compile(alike[0].design)
+        model = _compile(alike[0].design)
         for attempt in alike:
             try:
-                built.append(_with_protocol(wing, attempt))
+                built.append(_with_protocol(model, attempt))
             except InputError as error:
                 yield attempt, error
         if time.perf_counter() - start > seconds:
@@ -179,16 +179,16 @@ def _simulated(
     until_last: bool,
     progress: Progress | None,
 ) -> Iterator[tuple[_Attempt, Record | InputError]]:
-    """Simulate wings, those of one topology side by side; in halves where memory does not hold them."""
+    """Simulate models, those of one topology side by side; in halves where memory does not hold them."""
     groups: dict[tuple[int, ...], list[tuple[_Attempt, Model]]] = {}
-    for attempt, wing in built:
-        groups.setdefault(topology(wing), []).append((attempt, wing))
+    for attempt, model in built:
+        groups.setdefault(topology(model), []).append((attempt, model))
     enough = _did_last if until_last else None
     for group in groups.values():
         telling = None if progress is None else _with_timestep_told(progress, group[0][0])
         done: set[int] = set()
         try:
-            for row, record in simulate_each([wing for _, wing in group], threads, sparse, telling, enough):
+            for row, record in simulate_each([model for _, model in group], threads, sparse, telling, enough):
                 done.add(row)
                 yield group[row][0], record
         except InputError as error:
@@ -273,7 +273,7 @@ def _damps_nonlinearly(design: Design) -> bool:
 
 
 def _compile(design: Design) -> Model | InputError:
-    """A wing, or why there is none.
+    """A model, or why there is none.
 
     With four times the estimated timestep where that is left open, so that the third attempt can do.
     """
@@ -286,20 +286,20 @@ def _compile(design: Design) -> Model | InputError:
         return error
 
 
-def _with_protocol(wing: Model | InputError, attempt: _Attempt) -> tuple[_Attempt, Model]:
-    """An attempt at the timestep of a wing, and that wing with its protocol, the engine model shared.
+def _with_protocol(model: Model | InputError, attempt: _Attempt) -> tuple[_Attempt, Model]:
+    """An attempt at the timestep of a model, and that model with its protocol, the engine model shared.
 
     Raises:
-        InputError: there is no wing, or its protocol is too large or small for it.
+        InputError: there is no model, or its protocol is too large or small for it.
     """
-    if isinstance(wing, InputError):
-        raise wing
-    design = _with_step(attempt.design, float(wing.design.protocol.timestep))
+    if isinstance(model, InputError):
+        raise model
+    design = _with_step(attempt.design, float(model.design.protocol.timestep))
     return replace(attempt, design=design), replace(
-        wing,
+        model,
         design=design,
-        structure=with_protocol(wing.structure, design),
-        in_units=with_protocol(wing.in_units, design_in_model_units(design, wing.units)),
+        structure=with_protocol(model.structure, design),
+        in_units=with_protocol(model.in_units, design_in_model_units(design, model.units)),
     )
 
 

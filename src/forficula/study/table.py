@@ -18,6 +18,7 @@ from forficula.study.choices import CHOICE, choice_label, own_value
 from forficula.study.evaluate import ending_row, row_key
 from forficula.study.factors import Factor
 from forficula.study.journal import Row
+from forficula.study.outcome_kinds import transitions_text
 from forficula.study.search import first_design, search_result
 from forficula.study.study import Search, SearchStep, Study
 
@@ -39,8 +40,8 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         Dimensions are the factors, in the study's order, or "sample" where the points were drawn, or "choice" and the
         grid that is repeated there where factors are varied one at a time, the base first; coordinates in SI with
         `units`, `display` and `key`. Of every transition of the base there are time and work, of every state the energy
-        of the tendons, in a search of every transition the least value; the attributes `transitions`, `states`, `done`
-        and `least` name them.
+        of the tendons, in a search of every transition the least value; the attribute `transitions` names them, see
+        `table_transitions`.
     """
     import xarray
 
@@ -68,7 +69,6 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
             del variables["reference_outcome"]
         else:
             variables["reference_outcome"] += ({"torque": search.reference, "units": search.first.unit.si},)
-    asked = search.steps if search is not None else ()
     attributes = {
         "name": study.name,
         "source": study.source,
@@ -76,10 +76,8 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         "design_hash": study.base.hash,
         "ask": "run" if search is None else "least-torques",
         "tendons": len(structure.tendons),
-        "transitions": [each.name for each in structure.transitions],
-        "states": [each.state for each in structure.transitions],
-        "done": [each.wording.done for each in structure.transitions],
-        "least": [step.least_name for step in asked],
+        "transitions": transitions_text(structure, search),
+        "start_state": _start_state(structure),
         **({"reproduces": study.reproduces} if study.reproduces is not None else {}),
     }
     return xarray.Dataset(variables, coordinates, attributes)
@@ -90,19 +88,24 @@ def _numbers(study: Study, structure: Structure) -> dict[str, tuple[str, str]]:
     search = study.search
     drives = [step.drive for step in search.steps] if search is not None else []
     asked = [each for each in structure.transitions if search is None or each.drive in drives]
-    led_to = [each.state for each in structure.transitions]
-    start = [state for state in structure.stage_states if state and state not in led_to]
+    start = [state for state in [_start_state(structure)] if state]
     numbers: dict[str, tuple[str, str]] = {}
     for step in search.steps if search is not None else ():
         verb = next(each.wording.verb for each in asked if each.drive == step.drive)
         what = "torque" if step.unit is TORQUE else step.key
         numbers[step.least_name] = (step.unit.si, f"least {what} that {verb}s")
     numbers |= {f"{each.name}_time": ("s", each.wording.time) for each in asked}
-    numbers |= {f"{each.name}_work": ("J", each.wording.work) for each in asked}
-    for state in dict.fromkeys([*start[:1], *(each.state for each in asked)]):
+    numbers |= {f"{each.name}_work": ("J", f"work of {each.wording.noun}") for each in asked}
+    for state in dict.fromkeys([*start, *(each.state for each in asked)]):
         numbers[f"{state}_energy"] = ("J", f"energy of the tendons, {state}")
     numbers["residual"] = ("", "largest share of the energy that is missing in a run")
     return numbers
+
+
+def _start_state(structure: Structure) -> str:
+    """The first state that no transition leads to; "" where there is none."""
+    led_to = [each.state for each in structure.transitions]
+    return next((state for state in structure.stage_states if state and state not in led_to), "")
 
 
 def _columns(study: Study, table: xarray.Dataset) -> list[str]:

@@ -37,7 +37,7 @@ def judge_timestep(
     if runs[here].outcome.diverged:
         sound = [name for name, run in zip(names, runs, strict=True) if not run.outcome.diverged]
         remedy = f"at {sound[0]} it does not" if sound else "and so it does at all the others"
-        return False, f"{own} is too long: the wing {status}; {remedy}."
+        return False, f"{own} is too long: it {status}; {remedy}."
     otherwise = [f'"{run.status}" at {name}' for name, run, same in zip(names, runs, alike, strict=True) if not same]
     changes = f'the outcome changes with the timestep: "{status}" at {own}, {", ".join(otherwise)}' if otherwise else ""
     if not alike[here:].all():

@@ -48,8 +48,7 @@ def _write_files(convergence: Convergence, folder: Path) -> None:
         "tolerance": convergence.tolerance,
         "own": rows[int(np.argmax(convergence.values == convergence.own))],
         "runs": rows,
-        "fold_time": _law(convergence.fold_order),
-        "unfold_time": _law(convergence.unfold_order),
+        **{f"{name}_time": _law(fit) for name, fit in convergence.orders.items()},
         "versions": versions(),
     }
     write_text(folder / "convergence.json", json.dumps(content, indent=2, ensure_ascii=False) + "\n")

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from forficula.analysis import Outcome, run_warnings
-from forficula.design import Design, design_text, design_warnings
+from forficula.design import Design, design_text
 from forficula.dynamics import Record, timestep_warnings, versions
 from forficula.files import write_text
 from forficula.show.page.design_tables import design_tables
@@ -19,6 +19,7 @@ from forficula.show.page.playback import Clip, clip_data, energy_scale, make_cli
 from forficula.show.page.plots import angle_plot, energy_plot, plot_data
 from forficula.show.page.time_spans import run_spans, span_data
 from forficula.show.page.words import energy_text, outcome_remarks, outcome_sentence, wing_text
+from forficula.structure import structure_warnings
 
 
 def write_run_page(record: Record, outcome: Outcome, path: Path) -> None:
@@ -50,7 +51,7 @@ def numbers(record: Record, outcome: Outcome, run_versions: Mapping[str, str] | 
         run_versions: that the run was made with; those of now if not given.
     """
     design = record.design
-    known = [*design_warnings(design), *timestep_warnings(design), *run_warnings(record)]
+    known = [*structure_warnings(design, record.structure), *timestep_warnings(design), *run_warnings(record)]
     warnings = [*outcome_remarks(record, outcome), *known]
     return "".join(
         (

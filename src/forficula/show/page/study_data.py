@@ -4,62 +4,40 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.analysis import FOLDED, OPENED, Verdict
+from forficula.analysis import Verdict
 from forficula.quantities import reading_unit
 from forficula.show.study.factor_text import display_values, number_text, plain_name, value_with_unit
-from forficula.show.study.map_page import (
-    DIVERGED,
-    NOT_BUILT,
-    NOT_FOLDED,
-    NOT_OPENED,
-    NOT_RUN,
-    NOT_STAYED,
-    NOT_STAYED_OPEN,
-    NOT_TRIED,
-    STILL_FOLDING,
-    STILL_OPENING,
-    STUCK,
-    UNTRUSTED,
-)
-from forficula.show.study.maps import missing_reasons
+from forficula.show.study.map_page import NOT_RUN
+from forficula.show.study.maps import missing_reasons, times_by_value
 from forficula.study import Study
 from forficula.study.choices import CHOICE
+from forficula.study.outcome_kinds import Kind, outcome_kinds, table_transitions
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
 
-# what a map shows: group, whose maps share a scale where that is said, and title; in the order of the page's choice
-_TORQUES = {"least_fold_torque": "least fold torque", "least_unfold_torque": "least unfold torque"}
-_WORKS = {"fold_work": "work of folding", "unfold_work": "work of unfolding"}
-_ENERGIES = {
-    "flat_energy": "tendons' energy when flat",
-    "folded_energy": "tendons' energy when folded",
-    "opened_energy": "tendons' energy when opened",
-}
-_TIMES = {"fold_time": "fold time", "unfold_time": "opening time"}
-_GROUPS = (("torque", _TORQUES), ("time", _TIMES), ("work", _WORKS), ("energy", _ENERGIES))
 # a sign for each reason, so that no one needs to tell colours apart
 _SIGNS = {
-    OPENED: "●",
-    FOLDED: "◆",
-    NOT_STAYED_OPEN: "↻",
-    STILL_OPENING: "◁",
-    NOT_OPENED: "■",
-    NOT_FOLDED: "×",
-    STUCK: "✱",
-    STILL_FOLDING: "▷",
-    NOT_STAYED: "↺",
-    DIVERGED: "✚",
-    UNTRUSTED: "≠",
-    NOT_BUILT: "⊘",
-    NOT_TRIED: "–",
-    NOT_RUN: "·",
+    Kind.DID_ALL: "●",
+    Kind.DID_FIRST: "◆",
+    Kind.LOST_LATER: "↻",
+    Kind.MOVING_LATER: "◁",
+    Kind.STUCK_LATER: "■",
+    Kind.STUCK: "×",
+    Kind.UNDER_WAY: "✱",
+    Kind.MOVING: "▷",
+    Kind.LOST: "↺",
+    Kind.DIVERGED: "✚",
+    Kind.UNTRUSTED: "≠",
+    Kind.NOT_BUILT: "⊘",
+    Kind.NOT_TRIED: "–",
 }
 _WITH_TORQUE, _OTHER = "⊗", "?"
 _DIGITS = 7
@@ -87,12 +65,13 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
         - `quantities`: for maps and for the table's columns: `name`, `title`, `group`, `unit`, `values`, and `reasons`:
           a number of `words` a point, None where there is a value. The first is the verdict and has no values.
     """
-    words = _Words(sorted({str(word) for word in table["outcome"].values.ravel()}, key=_rank))
+    signs = _signs(table)
+    words = _Words(sorted({str(word) for word in table["outcome"].values.ravel()}, key=signs.rank), signs)
     verdicts = words.numbers(table["outcome"])
     quantities = [
         {"name": "status", "title": "outcome", "group": "outcome", "unit": "", "values": None, "reasons": verdicts},
         *(_quantity(table, name, title, group, words) for group, name, title in _drawn(table)),
-        *_times_by_torque(table, words),
+        *_times_by_value(table, words),
     ]
     drawn = [factor.dimension for factor in study.factors]
     names = drawn if study.sampled else [str(name) for name in table["status"].dims]
@@ -116,8 +95,9 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
 class _Words:
     """What became of points, each word once, with a number."""
 
-    def __init__(self, first: Sequence[str]) -> None:
+    def __init__(self, first: Sequence[str], signs: _Signs) -> None:
         self._numbers = {word: number for number, word in enumerate(first)}
+        self._signs = signs
 
     def number(self, word: str) -> int:
         return self._numbers.setdefault(word, len(self._numbers))
@@ -127,21 +107,42 @@ class _Words:
 
     def data(self, verdicts: Sequence[int]) -> list[dict[str, Any]]:
         counts = Counter(verdicts)
-        return [{"word": word, "sign": _sign(word), "count": counts[number]} for word, number in self._numbers.items()]
+        return [
+            {"word": word, "sign": self._signs.sign(word), "count": counts[number]}
+            for word, number in self._numbers.items()
+        ]
 
 
-def _rank(word: str) -> tuple[int, str]:
-    """Those that came furthest first."""
-    return [*_SIGNS, word].index(word), word
+@dataclass(frozen=True, kw_only=True)
+class _Signs:
+    """Signs of words, those that came furthest first."""
+
+    signs: Mapping[str, str]
+
+    def rank(self, word: str) -> tuple[int, str]:
+        return [*self.signs, word].index(word), word
+
+    def sign(self, word: str) -> str:
+        return self.signs.get(word) or (_WITH_TORQUE if " with " in word else _OTHER)
 
 
-def _sign(word: str) -> str:
-    return _SIGNS.get(word) or (_WITH_TORQUE if " with " in word else _OTHER)
+def _signs(table: Dataset) -> _Signs:
+    kinds = outcome_kinds(table)
+    by_kind = {word: sign for kind, sign in _SIGNS.items() for word, its in kinds.items() if its is kind}
+    return _Signs(signs={**by_kind, NOT_RUN: "·"})
 
 
 def _drawn(table: Dataset) -> Iterator[tuple[str, str, str]]:
-    """Group, name and title of the numbers that a table has."""
-    for group, names in _GROUPS:
+    """Group, name and title of the numbers that a table has, in the order of the page's choice."""
+    transitions, start = table_transitions(table), str(table.attrs.get("start_state", ""))
+    states = [*([start] if start else []), *(each.state for each in transitions)]
+    groups = (
+        ("torque", {each.least: each.least.replace("_", " ") for each in transitions if each.least}),
+        ("time", {f"{each.name}_time": each.wording.time for each in transitions}),
+        ("work", {f"{each.name}_work": f"work of {each.wording.noun}" for each in transitions}),
+        ("energy", {f"{state}_energy": f"tendons' energy when {state}" for state in states}),
+    )
+    for group, names in groups:
         for name, title in names.items():
             if name in table:
                 yield group, name, title
@@ -178,18 +179,19 @@ def _reasons(values: Sequence[float | None], reasons: NDArray[np.object_], words
     return [words.number(str(reason)) if value is None else None for value, reason in pairs]
 
 
-def _times_by_torque(table: Dataset, words: _Words) -> Iterator[dict[str, Any]]:
-    """A map a fold torque that was tried, all in one unit."""
-    if "fold_time_by_torque" not in table:
+def _times_by_value(table: Dataset, words: _Words) -> Iterator[dict[str, Any]]:
+    """A map for every value of the first transition that was tried, all in one unit."""
+    found = times_by_value(table)
+    if found is None:
         return
-    times, torques = table["fold_time_by_torque"], table["fold_torque"]
+    times, tried = table[found.times], table[found.value]
     unit, scale = _unit(times, times.values)
-    for index in range(torques.size):
-        values = [_rounded(scale * value) for value in times.isel(fold_torque=index).values.ravel().tolist()]
-        became = table["fold_outcome_by_torque"].isel(fold_torque=index).values.ravel()
+    for index in range(tried.size):
+        values = [_rounded(scale * value) for value in times.isel({found.value: index}).values.ravel().tolist()]
+        became = table[found.outcomes].isel({found.value: index}).values.ravel()
         yield {
-            "name": f"fold_time_by_torque:{index}",
-            "title": f"fold time with {value_with_unit(torques, index)}",
+            "name": f"{found.times}:{index}",
+            "title": f"{found.label} with {value_with_unit(tried, index)}",
             "group": "time by torque",
             "unit": unit,
             "values": values,

@@ -22,9 +22,12 @@ from forficula.show.page.run_page import playback_data
 from forficula.show.page.study_data import study_data
 from forficula.show.page.words import outcome_sentence, readable
 from forficula.show.study.choice_rows import choice_rows
+from forficula.structure import structure_of
 from forficula.study import Study, named_studies, table_csv
 from forficula.study.factors import Factor
 from forficula.study.kept_runs import KeptRun
+from forficula.study.outcome_kinds import TableTransition, table_transitions
+from forficula.study.study import SearchStep
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -87,21 +90,28 @@ def study_page(
 
 def study_sentence(study: Study, results: Dataset) -> str:
     """How many points there are and what became of them."""
-    count = f"{len(study.points)} points"
+    count, transitions = f"{len(study.points)} points", table_transitions(results)
     if study.search is None:
-        folded, opened = int(results["folded"].sum()), int(results["opened"].sum())
-        return f"{count}: {folded} fold, {opened} fold and open again."
+        told = [
+            f"{int(results[each.state].sum())} {_can(transitions, place)}" for place, each in enumerate(transitions)
+        ]
+        return f"{count}: {', '.join(told)}." if told else f"{count}."
     parts = []
-    for name, what in (("least_fold_torque", "fold"), ("least_unfold_torque", "open again")):
-        if name not in results:  # a search may leave opening out
-            continue
-        torques = results[name].values[np.isfinite(results[name].values)]
-        if not len(torques):
+    for place, (step, each) in enumerate(zip(study.search.steps, transitions, strict=False)):
+        what = _can(transitions, place, again=False) if place == 0 else f"{each.wording.verb} again"
+        values = results[step.least_name].values[np.isfinite(results[step.least_name].values)]
+        if not len(values):
             parts.append(f"none can {what}")
             continue
-        low, high = (show_quantity(float(each), TORQUE) for each in (torques.min(), torques.max()))
-        parts.append(f"{len(torques)} {what}, with {low if low == high else f'{low} to {high}'}")
+        low, high = (show_quantity(float(end), step.unit) for end in (values.min(), values.max()))
+        parts.append(f"{len(values)} {what}, with {low if low == high else f'{low} to {high}'}")
     return f"{count}: {'; '.join(parts)}."
+
+
+def _can(transitions: Sequence[TableTransition], place: int, *, again: bool = True) -> str:
+    """What is done by then, such as "fold and open again"."""
+    verbs = [each.wording.verb for each in transitions[: place + 1]]
+    return f"{' and '.join(verbs)}{' again' if place and again else ''}"
 
 
 def _run(run: KeptRun, size: int) -> dict[str, Any]:
@@ -115,9 +125,9 @@ def _run_data(run: KeptRun, budget: int) -> dict[str, Any]:
     """What a run is, its numbers, and its playback within a budget."""
     outcome = run.outcome
     torques = [
-        f"{verb} with {readable(transition.torque, 'N m')}"
-        for verb, transition in (("folding", outcome.fold), ("opening", outcome.unfold))
-        if transition is not None
+        f"{transition.wording.doing} with {readable(came.torque, 'N m')}"
+        for transition in run.record.structure.transitions
+        if (came := outcome.transitions[transition.name]) is not None
     ]
     return {
         "point": run.point,
@@ -200,10 +210,15 @@ def _about(study: Study) -> list[str]:
         rows += [[f"{factor.key}, at every choice", _values(study, factor)] for factor in study.grid]
     if study.search is not None:
         search = study.search
-        rows.append(["fold torques tried", _torques(search.fold_torques)])
-        if search.unfold_torques:
-            rows.append(["folded before unfolding with", show_quantity(search.fold_with, TORQUE)])
-            rows.append(["unfold torques tried", _torques(search.unfold_torques)])
+        first, second = search.first, search.second
+        rows.append([f"{_plural(first)} tried", _torques(first)])
+        if second is not None:
+            large = show_quantity(search.reference, first.unit)
+            nouns = [
+                each.wording.noun for each in structure_of(study.base).transitions if each.name == second.transition
+            ]
+            rows.append([f"{first.state} before {nouns[0]} with", large])
+            rows.append([f"{_plural(second)} tried", _torques(second)])
         rows.append(["halvings of the last step", str(search.refinements)])
     rows += [*([name, version] for name, version in versions().items()), ["design hash", study.base.hash]]
     file = study.name if study.name in named_studies() else f"{study.name}.toml"
@@ -223,6 +238,11 @@ def _values(study: Study, factor: Factor) -> str:
     return ", ".join(values) if len(values) <= 12 else f"{values[0]} to {values[-1]}, {len(values)} values"
 
 
-def _torques(torques: Sequence[float]) -> str:
-    first, last = show_quantity(torques[0], TORQUE), show_quantity(torques[-1], TORQUE)
-    return first if len(torques) == 1 else f"{first} to {last}, {len(torques)} torques"
+def _plural(step: SearchStep) -> str:
+    return f"{step.value_name.replace('_', ' ')}s"
+
+
+def _torques(step: SearchStep) -> str:
+    first, last = show_quantity(step.values[0], step.unit), show_quantity(step.values[-1], step.unit)
+    what = "torques" if step.unit is TORQUE else "values"
+    return first if len(step.values) == 1 else f"{first} to {last}, {len(step.values)} {what}"

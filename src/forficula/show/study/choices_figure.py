@@ -22,6 +22,7 @@ from forficula.show.study.maps import missing_reasons
 from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, SKY, VERMILION, describe, is_narrow
 from forficula.study.choice_groups import choice_groups, count_folded, count_opened, count_unknown
 from forficula.study.choices import CHOICE
+from forficula.study.outcome_kinds import table_transitions
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -35,15 +36,7 @@ _INK = "0.35"
 _BEHIND_TEXT: dict[str, Any] = {"fc": "white", "ec": "none", "pad": 0.6}
 _NAME: dict[str, Any] = {"va": "center", "fontweight": "bold", "fontsize": 7, "bbox": _BEHIND_TEXT}
 _OPENED: dict[str, Any] = {"ls": "", "marker": "D", "ms": 3, "color": "white", "mec": BLACK, "mew": 0.8}
-# verdicts on the wing; a wing that still moves has not folded in its time
-# of single wings, at most three of them
-_NUMBERS = {
-    "least_fold_torque": "least fold torque",
-    "least_unfold_torque": "least unfold torque",
-    "fold_time": "fold time",
-    "fold_work": "work of folding",
-    "unfold_work": "work of unfolding",
-}
+# of single structures
 _MOST_PANELS = 3
 _SMALL = 1e-3
 
@@ -74,8 +67,10 @@ def draw_choices(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
     with map_style():
         figure = Figure(figsize=(width, _ROW * (rows[-1].height + 1) + 0.85), layout="constrained")
         if table["status"].dims == (CHOICE,):
-            names = [name for name in _NUMBERS if name in table and bool(np.isfinite(table[name]).any())]
-            shown = (names or list(_NUMBERS)[2:3])[: 1 if is_narrow(width) else _MOST_PANELS]
+            known = _numbers(table)
+            names = [name for name in known if name in table and bool(np.isfinite(table[name]).any())]
+            first = next(name for name in known if name in table)
+            shown = (names or [first])[: 1 if is_narrow(width) else _MOST_PANELS]
             grid = figure.subplots(1, len(shown), sharey=True, squeeze=False)[0]
             for axes, name in zip(grid, shown, strict=True):
                 _draw_numbers(axes, table, name, rows)
@@ -84,6 +79,16 @@ def draw_choices(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
             _draw_counts(grid[0], table, rows)
         _name_rows(grid, rows)
         return describe(figure, _tell(table, rows))
+
+
+def _numbers(table: Dataset) -> dict[str, str]:
+    """What of a single structure may be drawn, with its label: least values, the first time, works."""
+    transitions = table_transitions(table)
+    return {
+        **{each.least: each.least.replace("_", " ") for each in transitions if each.least},
+        **{f"{each.name}_time": each.wording.time for each in transitions[:1]},
+        **{f"{each.name}_work": f"work of {each.wording.noun}" for each in transitions},
+    }
 
 
 def _rows(table: Dataset) -> Iterator[_Row]:
@@ -121,7 +126,7 @@ def _draw_counts(axes: Axes, table: Dataset, rows: Sequence[_Row]) -> None:
         axes.barh(row.height, end, _BAR, color=_colour(row.place))
         for word, numbers in unknown.items():
             if number := int(numbers[row.place]):
-                look = look_of(word)
+                look = look_of(table, word)
                 axes.barh(row.height, number, _BAR, left=end, fc=look.face, hatch=look.hatch, ec=_INK, lw=0.4)
                 end += number
         text = str(least) if end == least else f"{least} to {end}"
@@ -131,16 +136,19 @@ def _draw_counts(axes: Axes, table: Dataset, rows: Sequence[_Row]) -> None:
     handles: list[Artist] = [
         Patch(color=BLUE, label=f"{table.attrs['design']}"),
         Patch(color=SKY, label="with one value changed"),
-        *(Patch(fc=look_of(word).face, hatch=look_of(word).hatch, ec=_INK, lw=0.4, label=word) for word in unknown),
+        *(
+            Patch(fc=look_of(table, word).face, hatch=look_of(table, word).hatch, ec=_INK, lw=0.4, label=word)
+            for word in unknown
+        ),
     ]
     if opened is not None:
-        handles.append(Line2D([], [], label="open again", **_OPENED))
+        handles.append(Line2D([], [], label=f"{_verbs(table)[-1]} again", **_OPENED))
     paper = named_reproduction(table.attrs.get("reproduces"))
     if paper is not None and (count := paper.fold_count) is not None:
         line = axes.axvline(count, color=VERMILION, ls="--", lw=1, zorder=2, label=f"the paper: {count}")
         handles.append(line)
     # room for the numbers behind full bars
-    axes.set(xlim=(0, (1.12 if unknown else 1.06) * wings), xlabel=f"wings that fold, of {wings}")
+    axes.set(xlim=(0, (1.12 if unknown else 1.06) * wings), xlabel=f"wings that {_verbs(table)[0]}, of {wings}")
     axes.set_xticks(np.unique(np.linspace(0, wings, 7).round()))
     figure = axes.get_figure(root=True)
     if isinstance(figure, Figure):
@@ -163,7 +171,12 @@ def _draw_numbers(axes: Axes, table: Dataset, name: str, rows: Sequence[_Row]) -
         else:
             axes.text(0.02, row.height, str(reasons[row.place]), transform=foot, va="center", fontsize=6, color=_INK)
     axes.set_xlim(0, 1.08 * factor * float(np.nanmax(values, initial=0.0)) or 1)
-    axes.set_xlabel(f"{_NUMBERS[name]} ({unit})")
+    axes.set_xlabel(f"{_numbers(table)[name]} ({unit})")
+
+
+def _verbs(table: Dataset) -> list[str]:
+    """What the transitions do, such as "fold"."""
+    return [each.wording.verb for each in table_transitions(table)]
 
 
 def _name_rows(grid: Sequence[Axes], rows: Sequence[_Row]) -> None:
@@ -190,7 +203,7 @@ def _tell(table: Dataset, rows: Sequence[_Row]) -> str:
     """What the figure shows, in words."""
     singles = table["status"].dims == (CHOICE,)
     folded, wings = count_folded(table), table["status"].size // table.sizes[CHOICE]
-    what = "Numbers of a wing" if singles else f"How many of {wings} wings fold"
+    what = "Numbers of a wing" if singles else f"How many of {wings} wings {_verbs(table)[0]}"
     told, name = [], ""
     for row in rows:
         if row.place is None:

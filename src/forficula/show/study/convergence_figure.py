@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from forficula.names import ordinal
 from forficula.show.run.time_figures import stacked_axes
-from forficula.show.study.convergence_table import order_text
+from forficula.show.study.convergence_table import order_text, time_labels
 from forficula.show.style import (
     BLUE,
     LINE_STYLES,
@@ -22,6 +22,7 @@ from forficula.show.style import (
     figure_style,
     is_narrow,
 )
+from forficula.structure import Measure, Structure, structure_of
 from forficula.study.convergence import Convergence
 from forficula.study.observed_order import OrderFit
 from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, value_text
@@ -47,15 +48,15 @@ def draw_convergence_angles(convergence: Convergence, width: float = PAGE_WIDTH)
         convergence: what to draw.
         width: of the figure, inch.
     """
+    structure = structure_of(convergence.design)
     spans = [
-        (name, starts, times)
-        for name, starts, times in (
-            ("folding", convergence.fold_starts, convergence.fold_times),
-            ("unfolding", convergence.unfold_starts, convergence.unfold_times),
-        )
-        if np.isfinite(times).any()
+        (each.wording.noun, convergence.starts[each.name], convergence.transition_times[each.name])
+        for each in structure.transitions
+        if np.isfinite(convergence.transition_times[each.name]).any()
     ]
-    which = ordinal(convergence.hinge)
+    measure = structure.measures[0]
+    which = f"{ordinal(convergence.hinge)} {measure.label}"
+    low, high = _range(structure, measure, convergence)
     with figure_style():
         narrow = is_narrow(width)
         figure = Figure(figsize=(width, 4.2 if narrow else 2.7), layout="constrained")
@@ -68,9 +69,9 @@ def draw_convergence_angles(convergence: Convergence, width: float = PAGE_WIDTH)
         whole.set_xlim(0, max(float(times[-1]) for times in convergence.times))
         whole.set_xlabel("time (s)")
         whole.set_title("whole run")
-        whole.set_ylabel(f"{which} distal angle (deg)")
-        whole.set_ylim(-200, max(25, 1.2 * math.degrees(convergence.design.hinge.overbend)))
-        whole.set_yticks(np.arange(-180, 1, 45))
+        whole.set_ylabel(f"{which} (deg)")
+        whole.set_ylim(low - 20, max(25, high + 20 if high > 90 else 1.2 * high))
+        whole.set_yticks(np.arange(45 * math.ceil(low / 45), max(1, high - 44), 45))
         for axes, (name, starts, times) in zip(close, spans, strict=True):
             _plot_angles(axes, convergence, starts, 1e3)
             axes.set_xlim(*(1e3 * np.nanmax(times) * np.array([-_BEFORE, _AFTER])))
@@ -82,7 +83,7 @@ def draw_convergence_angles(convergence: Convergence, width: float = PAGE_WIDTH)
         else:
             figure.legend(*lines, loc="outside right upper")
         runs = f"in {len(convergence.values)} runs of {convergence.design.name}"
-        return describe(figure, f"{which.capitalize()} distal angle over time {runs}. {_tell(convergence)}")
+        return describe(figure, f"{which.capitalize()} over time {runs}. {_tell(convergence)}")
 
 
 def draw_convergence_times(convergence: Convergence, width: float = PAGE_WIDTH) -> Figure:
@@ -91,12 +92,13 @@ def draw_convergence_times(convergence: Convergence, width: float = PAGE_WIDTH) 
         narrow = is_narrow(width)
         figure = Figure(figsize=(width, 4.2 if narrow else 2.5), layout="constrained")
         label, factor = _AXIS[convergence.key]
+        labels = time_labels(convergence)
         places = factor * _positions(convergence)
         for axes, name, times, fit in zip(
-            figure.subplots(2, 1) if narrow else figure.subplots(1, 2),
-            ("fold time", "opening time"),
-            (convergence.fold_times, convergence.unfold_times),
-            (convergence.fold_order, convergence.unfold_order),
+            figure.subplots(*((len(labels), 1) if narrow else (1, len(labels))), squeeze=False).ravel(),
+            labels.values(),
+            convergence.transition_times.values(),
+            convergence.orders.values(),
             strict=True,
         ):
             style = "o" if fit is not None else "o-"
@@ -118,17 +120,34 @@ def draw_convergence_times(convergence: Convergence, width: float = PAGE_WIDTH) 
             elif convergence.key == MESH:
                 axes.set_xticks(places)
             axes.legend(loc="best")
-        what = f"Fold and opening times of {convergence.design.name} over the {label.partition(' (')[0]}"
-        return describe(figure, f"{what}. {_tell(convergence)}")
+        names = " and ".join(text.removesuffix(" time") for text in labels.values())
+        what = f"{names} times of {convergence.design.name} over the {label.partition(' (')[0]}"
+        return describe(figure, f"{what[:1].upper()}{what[1:]}. {_tell(convergence)}")
 
 
 def _tell(convergence: Convergence) -> str:
     """The times and the verdict in words."""
     rows = [
-        f"{_name(convergence, index)}: fold {_time(fold)}, opening {_time(unfold)}"
-        for index, (fold, unfold) in enumerate(zip(convergence.fold_times, convergence.unfold_times, strict=True))
+        f"{_name(convergence, index)}: "
+        + ", ".join(
+            f"{label.removesuffix(' time')} {_time(float(convergence.transition_times[name][index]))}"
+            for name, label in time_labels(convergence).items()
+        )
+        for index in range(len(convergence.values))
     ]
     return f"{'; '.join(rows)}. {convergence.verdict}"
+
+
+def _range(structure: Structure, measure: Measure, convergence: Convergence) -> tuple[float, float]:
+    """Between which angles the shown hinge can be, deg: its stops, or what it came to where it has none."""
+    hinge = structure.hinges[measure.hinges[convergence.hinge]]
+    ends = sorted(measure.signs[convergence.hinge] * end for end in (hinge.lower, hinge.upper))
+    if not np.isfinite(ends).all():
+        ends = [
+            min(np.nanmin(each) for each in convergence.angles),
+            max(np.nanmax(each) for each in convergence.angles),
+        ]
+    return math.degrees(ends[0]), math.degrees(ends[1])
 
 
 def _time(time: float) -> str:

@@ -8,6 +8,7 @@ from typing import Any
 from rich.console import Console
 from rich.table import Table
 
+from forficula.structure import structure_of
 from forficula.study.convergence import Convergence
 from forficula.study.observed_order import OrderFit
 from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, value_text
@@ -21,16 +22,10 @@ def convergence_rows(convergence: Convergence) -> list[dict[str, Any]]:
             key: float(value),
             "membrane_rows": rows,
             "status": status,
-            "fold_time_s": _number(fold),
-            "unfold_time_s": _number(unfold),
+            **{f"{name}_time_s": _number(times[run]) for name, times in convergence.transition_times.items()},
         }
-        for value, rows, status, fold, unfold in zip(
-            convergence.values,
-            convergence.rows,
-            convergence.statuses,
-            convergence.fold_times,
-            convergence.unfold_times,
-            strict=True,
+        for run, (value, rows, status) in enumerate(
+            zip(convergence.values, convergence.rows, convergence.statuses, strict=True)
         )
     ]
 
@@ -40,29 +35,32 @@ def print_convergence(convergence: Convergence) -> None:
     table = Table(box=None, padding=(0, 2, 0, 0))
     for heading in (
         {TIMESTEP: "timestep", YOUNGS_MODULUS: "Young's modulus", MESH: "rows"}[convergence.key],
-        "fold time",
-        "opening time",
+        *time_labels(convergence).values(),
     ):
         table.add_column(heading, justify="right")
     table.add_column("status")
-    for value, rows, fold, unfold, status in zip(
-        convergence.values,
-        convergence.rows,
-        convergence.fold_times,
-        convergence.unfold_times,
-        convergence.statuses,
-        strict=True,
+    for run, (value, rows, status) in enumerate(
+        zip(convergence.values, convergence.rows, convergence.statuses, strict=True)
     ):
         name = str(rows) if convergence.key == MESH else value_text(convergence.key, float(value))
         own = " (the design's own)" if value == convergence.own else ""
-        times = (f"{1e3 * time:.5g} ms" if math.isfinite(time) else "" for time in (fold, unfold))
+        times = (f"{1e3 * time:.5g} ms" if math.isfinite(time) else "" for time in _times_of(convergence, run))
         table.add_row(name, *times, status + own)
     console = Console(width=110, highlight=False)
     console.print(table)
-    for name, fit in (("fold time", convergence.fold_order), ("opening time", convergence.unfold_order)):
-        if fit is not None:
-            console.print(f"limit of the {name}: {1e3 * fit.limit:.5g} ms, {order_text(fit)}")
+    for name, label in time_labels(convergence).items():
+        if (fit := convergence.orders[name]) is not None:
+            console.print(f"limit of the {label}: {1e3 * fit.limit:.5g} ms, {order_text(fit)}")
     console.print(f"\n{convergence.design.name}: {convergence.verdict}")
+
+
+def time_labels(convergence: Convergence) -> dict[str, str]:
+    """What the time of each transition is called, by its name."""
+    return {each.name: each.wording.time for each in structure_of(convergence.design).transitions}
+
+
+def _times_of(convergence: Convergence, run: int) -> list[float]:
+    return [float(times[run]) for times in convergence.transition_times.values()]
 
 
 def order_text(fit: OrderFit) -> str:

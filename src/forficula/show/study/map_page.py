@@ -20,10 +20,10 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
-from forficula.analysis import FOLDED, OPENED, Ending, Verdict, ending_word
 from forficula.show.study.factor_text import display_values, factor_label, number_text, plain_name
 from forficula.show.study.map_text import maps_text
 from forficula.show.style import BLUE, ORANGE, PAGE_WIDTH, PURPLE, SKY, describe, figure_style, is_narrow
+from forficula.study.outcome_kinds import Kind, outcome_kinds
 from forficula.study.static_map import BOTH, BOTH_LESS, BOTH_MORE, NEITHER, ONLY_SIMULATED, ONLY_STATIC
 
 if TYPE_CHECKING:
@@ -40,17 +40,6 @@ _BESIDE, _TWO_DIGITS, _THREE_DIGITS = 0.9, 0.19, 0.23
 _SHAPE = {"handleheight": 1.4, "handlelength": 2.2, "fontsize": 7}
 _INK = "0.35"
 
-NOT_FOLDED = ending_word(Ending(verdict=Verdict.STUCK, goal="fold"))
-NOT_OPENED = ending_word(Ending(verdict=Verdict.STUCK, goal="unfold"))
-STUCK = ending_word(Ending(verdict=Verdict.STUCK, goal="fold", angle=-math.pi / 2))
-STILL_FOLDING = ending_word(Ending(verdict=Verdict.MOVING, goal="fold"))
-STILL_OPENING = ending_word(Ending(verdict=Verdict.MOVING, goal="unfold"))
-NOT_STAYED = ending_word(Ending(verdict=Verdict.NOT_HELD, goal="fold"))
-NOT_STAYED_OPEN = ending_word(Ending(verdict=Verdict.NOT_HELD, goal="unfold"))
-DIVERGED, UNTRUSTED, NOT_BUILT = (
-    ending_word(Ending(verdict=verdict)) for verdict in (Verdict.DIVERGED, Verdict.UNTRUSTED, Verdict.NOT_BUILT)
-)
-NOT_TRIED = "not tried: did not fold"
 NOT_RUN = "not run"
 OTHER = "no value"
 
@@ -64,20 +53,22 @@ class Look:
     marker: str
 
 
-_LOOKS = {
-    OPENED: Look(face=BLUE, hatch="", marker="o"),
-    FOLDED: Look(face=SKY, hatch="", marker="D"),
-    NOT_OPENED: Look(face="#F3DDA6", hatch="....", marker="s"),
-    NOT_FOLDED: Look(face="1.0", hatch="/////", marker="x"),
-    STUCK: Look(face="0.93", hatch="xxxx", marker="*"),
-    NOT_STAYED: Look(face="1.0", hatch="|||||", marker="1"),
-    STILL_FOLDING: Look(face="0.93", hatch=r"\\\\\\", marker=">"),
-    STILL_OPENING: Look(face="#F3DDA6", hatch=r"\\\\\\", marker="<"),
-    NOT_STAYED_OPEN: Look(face="#F3DDA6", hatch="|||||", marker="2"),
-    DIVERGED: Look(face="0.75", hatch="++++", marker="P"),
-    UNTRUSTED: Look(face="0.75", hatch="OO", marker="d"),
-    NOT_BUILT: Look(face="0.6", hatch="", marker="X"),
-    NOT_TRIED: Look(face="0.86", hatch="", marker="_"),
+_LOOKS: dict[Kind, Look] = {
+    Kind.DID_ALL: Look(face=BLUE, hatch="", marker="o"),
+    Kind.DID_FIRST: Look(face=SKY, hatch="", marker="D"),
+    Kind.STUCK_LATER: Look(face="#F3DDA6", hatch="....", marker="s"),
+    Kind.STUCK: Look(face="1.0", hatch="/////", marker="x"),
+    Kind.UNDER_WAY: Look(face="0.93", hatch="xxxx", marker="*"),
+    Kind.LOST: Look(face="1.0", hatch="|||||", marker="1"),
+    Kind.MOVING: Look(face="0.93", hatch=r"\\\\\\", marker=">"),
+    Kind.MOVING_LATER: Look(face="#F3DDA6", hatch=r"\\\\\\", marker="<"),
+    Kind.LOST_LATER: Look(face="#F3DDA6", hatch="|||||", marker="2"),
+    Kind.DIVERGED: Look(face="0.75", hatch="++++", marker="P"),
+    Kind.UNTRUSTED: Look(face="0.75", hatch="OO", marker="d"),
+    Kind.NOT_BUILT: Look(face="0.6", hatch="", marker="X"),
+    Kind.NOT_TRIED: Look(face="0.86", hatch="", marker="_"),
+}
+_OTHER_LOOKS = {
     BOTH: Look(face=BLUE, hatch="", marker="o"),
     BOTH_LESS: Look(face=SKY, hatch="", marker="p"),
     BOTH_MORE: Look(face=SKY, hatch="/////", marker="H"),
@@ -88,8 +79,8 @@ _LOOKS = {
     OTHER: Look(face="0.97", hatch="---", marker="+"),
 }
 
-# failed when folded for the unfolding, with a torque that its word names
-_BEFORE_OPENING = Look(face="0.93", hatch="oo", marker="h")
+# failed in the first transition before the next, with a value that its word names
+_BEFORE_NEXT = Look(face="0.93", hatch="oo", marker="h")
 
 # for a variable's kind of quantity: units in which it reads well, and their factors from SI
 _READABLE = {
@@ -198,7 +189,7 @@ def draw_page(
         _colour_bar(figure, grid, f"{quantity} ({scales[0].unit})", scales[0])
     if text := ", ".join(part for part in (view.note, note) if part):
         figure.suptitle(text, fontsize=8)
-    _legend(figure, panels, cells=cells)
+    _legend(figure, view, panels, cells=cells)
     factors = [plain_name(view.table[name]) for name in (view.y, view.x) if name]
     return describe(figure, maps_text(quantity, factors, panels, [(scale.unit, scale.factor) for scale in scales]))
 
@@ -263,25 +254,29 @@ def _colour_bar(figure: Figure, axes: list[Axes], label: str, scale: _Scale) -> 
     bar.outline.set_visible(False)
 
 
-def _missing(panel: Panel) -> dict[str, NDArray[np.bool_]]:
+def _missing(view: View, panel: Panel) -> dict[str, NDArray[np.bool_]]:
     """Where there is no value, by reason, in the panel's own order of dimensions."""
     absent = ~np.isfinite(panel.values.values.astype(float))
     words = panel.reasons.transpose(*panel.values.dims).values.astype(str)
-    order = [*_LOOKS, *sorted(set(words[absent].tolist()) - set(_LOOKS))]
+    known = [*outcome_kinds(view.table), *_OTHER_LOOKS]
+    order = [*known, *sorted(set(words[absent].tolist()) - set(known))]
     return {word: where for word in order if (where := absent & (words == word)).any()}
 
 
-def look_of(word: str) -> Look:
-    """How a wing is drawn that came to this."""
-    return _LOOKS.get(word) or (_BEFORE_OPENING if " with " in word else _LOOKS[OTHER])
+def look_of(table: Dataset, word: str) -> Look:
+    """How a structure of a table is drawn that came to this."""
+    kind = outcome_kinds(table).get(word)
+    if kind is not None:
+        return _LOOKS[kind]
+    return _OTHER_LOOKS.get(word) or (_BEFORE_NEXT if " with " in word else _OTHER_LOOKS[OTHER])
 
 
-def _legend(figure: Figure, panels: Sequence[Panel], *, cells: bool) -> None:
+def _legend(figure: Figure, view: View, panels: Sequence[Panel], *, cells: bool) -> None:
     """Every reason that a panel shows, once."""
-    words = list(dict.fromkeys(word for panel in panels for word in _missing(panel)))
+    words = list(dict.fromkeys(word for panel in panels for word in _missing(view, panel)))
     handles: list[Patch | Line2D] = []
     for word in words:
-        look = look_of(word)
+        look = look_of(view.table, word)
         if cells:
             handles.append(Patch(facecolor=look.face, hatch=look.hatch, edgecolor=_INK, lw=0.4, label=word))
         else:
@@ -312,8 +307,8 @@ def _draw_cells(axes: Axes, view: View, panel: Panel, scale: _Scale, digits: int
     if np.isfinite(values).any():
         shown = np.ma.masked_invalid(values)
         axes.pcolormesh(*edges, shown, cmap=_COLOURS, norm=scale.norm, edgecolors="white", linewidth=0.4)
-    for word, where in _missing(panel).items():
-        look = look_of(word)
+    for word, where in _missing(view, panel).items():
+        look = look_of(view.table, word)
         axes.pcolor(
             *edges,
             np.ma.masked_array(np.zeros(values.shape), ~np.atleast_2d(where)),
@@ -355,7 +350,7 @@ def _draw_points(axes: Axes, view: View, panel: Panel, scale: _Scale) -> None:
     """Samples over two factors, coloured by value; over one, the value upwards and the failures along the bottom."""
     values = panel.values.values.astype(float) * scale.factor
     across = _positions(axes, view, "x")
-    missing = _missing(panel)
+    missing = _missing(view, panel)
     if view.y:
         upwards = _positions(axes, view, "y")
         found = np.isfinite(values)
@@ -382,7 +377,7 @@ def _draw_points(axes: Axes, view: View, panel: Panel, scale: _Scale) -> None:
         else:
             axes.set_yticks([])
     for word, where in missing.items():
-        look = look_of(word)
+        look = look_of(view.table, word)
         axes.plot(
             across[where], upwards[where], ls="", marker=look.marker, color=_ink(look), ms=4, mew=0.8, transform=foot
         )

@@ -2,42 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.figure import Figure
 
-from forficula.analysis import FOLDED, OPENED
 from forficula.errors import InputError
 from forficula.show.study.factor_text import plain_name, value_text
-from forficula.show.study.map_page import (
-    DIVERGED,
-    NOT_BUILT,
-    NOT_FOLDED,
-    NOT_OPENED,
-    NOT_STAYED,
-    NOT_STAYED_OPEN,
-    NOT_TRIED,
-    OTHER,
-    STILL_FOLDING,
-    STILL_OPENING,
-    STUCK,
-    UNTRUSTED,
-    Panel,
-    View,
-    draw_page,
-    map_style,
-)
+from forficula.show.study.map_page import OTHER, Panel, View, draw_page, map_style
 from forficula.show.style import PAGE_WIDTH, Drawing
 from forficula.study.choices import CHOICE
+from forficula.study.outcome_kinds import Kind, not_tried_word, outcome_kinds, table_transitions
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
 
 _MOST_PANELS = 9
-# what a wing is called that folded, and may have been asked to open
-_GOES_ON = (FOLDED, OPENED, NOT_OPENED, NOT_STAYED_OPEN, STILL_OPENING)
 
 
 def map_drawings(table: Dataset) -> dict[str, Drawing]:
@@ -50,14 +32,15 @@ def map_drawings(table: Dataset) -> dict[str, Drawing]:
     Returns:
         What draws them, by the stem of their file.
     """
+    transitions = table_transitions(table)
     drawings: dict[str, Drawing] = {"status": lambda width: draw_status_map(table, width=width)}
-    if "least_fold_torque" in table:
+    if any(each.least and each.least in table for each in transitions):
         drawings["torques"] = lambda width: draw_torque_maps(table, width=width)
-    if _known(table, "fold_work", "unfold_work"):
+    if _known(table, *(f"{each.name}_work" for each in transitions)):
         drawings["works"] = lambda width: draw_work_maps(table, width=width)
-    if _known(table, "flat_energy", "folded_energy", "opened_energy"):
+    if _known(table, *(f"{state}_energy" for state in _states(table))):
         drawings["energy"] = lambda width: draw_energy_maps(table, width=width)
-    if "fold_time_by_torque" in table and not _is_sampled(table):
+    if times_by_value(table) is not None and not _is_sampled(table):
         drawings["fold_times"] = lambda width: draw_fold_times(table, width=width)
     return drawings
 
@@ -65,10 +48,10 @@ def map_drawings(table: Dataset) -> dict[str, Drawing]:
 def draw_torque_maps(
     table: Dataset, x: str | None = None, y: str | None = None, *, width: float = PAGE_WIDTH
 ) -> Figure:
-    """Draw the least torques that fold and unfold, and why there is none where there is none.
+    """Draw the least values that bring a structure to its states, and why there is none where there is none.
 
     Args:
-        table: of a search for the least torques.
+        table: of a search for the least values.
         x: factor across, such as "tendon.rest_length"; by default the second.
         y: factor upwards; by default the first.
         width: of the figure at most, inch.
@@ -76,33 +59,33 @@ def draw_torque_maps(
     Raises:
         InputError: the table has no such factor.
     """
-    names = {"least_fold_torque": "least fold torque", "least_unfold_torque": "least unfold torque"}
-    return _draw(table, x, y, names, "torque", width=width)
+    names = {each.least: each.least.replace("_", " ") for each in table_transitions(table) if each.least}
+    quantity = "torque" if all(_unit(table, name) == "N m" for name in names if name in table) else "least value"
+    return _draw(table, x, y, names, quantity, width=width)
 
 
 def draw_work_maps(table: Dataset, x: str | None = None, y: str | None = None, *, width: float = PAGE_WIDTH) -> Figure:
-    """Draw the work that folding and unfolding take, at the least torques where these were searched for.
+    """Draw the work that transitions take, at the least values where these were searched for.
 
     Args and errors are those of `draw_torque_maps`.
     """
-    return _draw(table, x, y, {"fold_work": "work of folding", "unfold_work": "work of unfolding"}, "work", width=width)
+    names = {f"{each.name}_work": f"work of {each.wording.noun}" for each in table_transitions(table)}
+    return _draw(table, x, y, names, "work", width=width)
 
 
 def draw_energy_maps(
     table: Dataset, x: str | None = None, y: str | None = None, *, width: float = PAGE_WIDTH
 ) -> Figure:
-    """Draw the tendons' energy in the three states on one scale (Binder et al. 2025, Figure 8).
+    """Draw the tendons' energy in the states on one scale (Binder et al. 2025, Figure 8).
 
     Args and errors are those of `draw_torque_maps`.
     """
-    names = {"flat_energy": "energy when flat", "folded_energy": "energy when folded"}
-    return _draw(
-        table, x, y, names | {"opened_energy": "energy when opened"}, "tendons' energy", one_scale=True, width=width
-    )
+    names = {f"{state}_energy": f"energy when {state}" for state in _states(table)}
+    return _draw(table, x, y, names, "tendons' energy", one_scale=True, width=width)
 
 
 def draw_status_map(table: Dataset, x: str | None = None, y: str | None = None, *, width: float = PAGE_WIDTH) -> Figure:
-    """Draw what became of every wing.
+    """Draw what became of every structure.
 
     Args and errors are those of `draw_torque_maps`.
     """
@@ -116,12 +99,12 @@ def draw_status_map(table: Dataset, x: str | None = None, y: str | None = None, 
 def draw_fold_times(
     table: Dataset, panels: str | None = None, y: str | None = None, *, width: float = PAGE_WIDTH
 ) -> Figure:
-    """Draw the time that folding takes over the fold torque and a factor, for values of another.
+    """Draw the time that the first transition takes over the value that drives it and a factor, for values of another.
 
     As in Binder et al. 2025, Figure 7.
 
     Args:
-        table: of a search for the least torques over a grid.
+        table: of a search for the least values over a grid.
         panels: factor with one panel a value; by default the first of several. Of many values, some are drawn.
         y: factor upwards; by default the second, or the only one.
         width: of the figure, inch.
@@ -130,7 +113,10 @@ def draw_fold_times(
         InputError: the table has no such factor, or has samples.
     """
     if _is_sampled(table):
-        raise InputError("fold times over the torque need a grid of factors, got samples")
+        raise InputError("times over the value need a grid of factors, got samples")
+    found = times_by_value(table)
+    if found is None:
+        raise InputError("times over the value need a search for the least values")
     factors = _factors(table)
     panels, y = (_name(factors, name) if name else None for name in (panels, y))
     free = [name for name in factors if name not in (panels, y)]
@@ -140,12 +126,11 @@ def draw_fold_times(
     if panels == y:
         raise InputError(f"panels and y: need two factors, got {y} twice")
     with map_style():
-        view = _slice(table, [name for name in (panels, y) if name], x="fold_torque", y=y)
-        times = view.table["fold_time_by_torque"]
-        reasons = view.table["fold_outcome_by_torque"]
+        view = _slice(table, [name for name in (panels, y) if name], x=found.value, y=y)
+        times, reasons = view.table[found.times], view.table[found.outcomes]
         if panels is None:
-            only = Panel(title="fold time", values=times, reasons=reasons, unit="s")
-            return draw_page(view, [only], quantity="fold time", width=width)
+            only = Panel(title=found.label, values=times, reasons=reasons, unit="s")
+            return draw_page(view, [only], quantity=found.label, width=width)
         count = table.sizes[panels]
         chosen = np.unique(np.linspace(0, count - 1, min(count, _MOST_PANELS)).round().astype(int))
         drawn = [
@@ -158,7 +143,7 @@ def draw_fold_times(
             for index in chosen
         ]
         few = f"{len(chosen)} of {count} values of {plain_name(table[panels])}" if len(chosen) < count else ""
-        return draw_page(view, drawn, one_scale=True, quantity="fold time", note=few, width=width)
+        return draw_page(view, drawn, one_scale=True, quantity=found.label, note=few, width=width)
 
 
 def _draw(
@@ -243,32 +228,85 @@ def _unit(table: Dataset, name: str) -> str:
     return str(table[name].attrs.get("units", ""))
 
 
+@dataclass(frozen=True, kw_only=True)
+class TimesByValue:
+    """Names in a table of what became of the first transition with every value that was tried.
+
+    Attributes:
+        value: the dimension of the values, such as "fold_torque".
+        times: the times.
+        outcomes: what became of it.
+        label: what the time is called.
+    """
+
+    value: str
+    times: str
+    outcomes: str
+    label: str
+
+
+def times_by_value(table: Dataset) -> TimesByValue | None:
+    """Find what a search tried for the first transition; None where the table is of none."""
+    for first in table_transitions(table)[:1]:
+        for by in ("torque", "value"):
+            times = f"{first.name}_time_by_{by}"
+            if times in table:
+                return TimesByValue(
+                    value=str(table[times].dims[-1]),
+                    times=times,
+                    outcomes=f"{first.name}_outcome_by_{by}",
+                    label=first.wording.time,
+                )
+    return None
+
+
+def _states(table: Dataset) -> list[str]:
+    """Names of the states, the first one before any transition."""
+    start = str(table.attrs.get("start_state", ""))
+    return [*([start] if start else []), *(each.state for each in table_transitions(table))]
+
+
 def missing_reasons(table: Dataset, name: str) -> DataArray:
     """Why a variable has no value, wherever it has none."""
-    outcome = table["outcome"]
-    if name in ("flat_energy", "residual"):
+    outcome, transitions, kinds = table["outcome"], table_transitions(table), outcome_kinds(table)
+    if not transitions or name in (f"{_states(table)[0]}_energy", "residual"):
         return outcome
-    folding = table.get("fold_outcome", outcome)
-    if name in ("least_fold_torque", "fold_time", "fold_work", "folded_energy"):
-        return folding.copy(data=np.vectorize(_why_not_folded, otypes=[object])(folding.values))
+    first = transitions[0]
+    folding = table.get(f"{first.name}_outcome", outcome)
+    if name in (first.least, f"{first.name}_time", f"{first.name}_work", f"{first.state}_energy"):
+
+        def why_not_first(word: str) -> str:
+            return OTHER if word in kinds and kinds[word].did_first else word
+
+        return folding.copy(data=np.vectorize(why_not_first, otypes=[object])(folding.values))
     searched = "reference_outcome" in table
     reference = table["reference_outcome"] if searched else outcome.copy(data=outcome.values)
     where = f" with {100 * reference.attrs['torque']:.4g} N cm" if searched else ""
-    why = np.vectorize(_why_not_opened, otypes=[object])
-    return outcome.copy(data=why(outcome.values, folding.values, reference.values, where))
+    why = np.vectorize(_why_not_later(kinds, not_tried_word(transitions), where), otypes=[object])
+    return outcome.copy(data=why(outcome.values, folding.values, reference.values))
 
 
-def _why_not_folded(folding: str) -> str:
-    return OTHER if folding in _GOES_ON else folding
+def _why_not_later(kinds: Mapping[str, Kind], not_tried: str, where: str) -> Callable[[str, str, str], str]:
+    """What says why a later transition was missed, of its outcome, of the first, and of the first as it was before.
 
+    Args:
+        kinds: what words mean.
+        not_tried: the word for what was not tried.
+        where: with which value the first was done before, or nothing.
+    """
+    stuck_later = next((word for word, kind in kinds.items() if kind is Kind.STUCK_LATER), OTHER)
+    did_first = {word for word, kind in kinds.items() if kind.did_first}
+    silent = (Kind.DIVERGED, Kind.UNTRUSTED, Kind.NOT_BUILT)
+    short_of_first = (Kind.STUCK, Kind.UNDER_WAY, Kind.MOVING, Kind.LOST)
 
-def _why_not_opened(outcome: str, folding: str, reference: str, where: str) -> str:
-    """Why it did not open, where `reference` is how it folded before that, and `where` with which torque."""
-    if where and reference in _GOES_ON:
-        # a wing that only the large torque folds was asked to open, too
-        word = outcome if folding in _GOES_ON else NOT_OPENED
-    elif where and reference:
-        word = reference if reference in (DIVERGED, UNTRUSTED, NOT_BUILT) else f"{reference}{where}"
-    else:
-        word = NOT_TRIED if folding in (NOT_FOLDED, STUCK, STILL_FOLDING, NOT_STAYED) else outcome
-    return OTHER if word in (FOLDED, OPENED) else word
+    def why(outcome: str, first: str, reference: str) -> str:
+        if where and reference in did_first:
+            # what only the large value folds was asked to open, too
+            word = outcome if first in did_first else stuck_later
+        elif where and reference:
+            word = reference if kinds.get(reference) in silent else f"{reference}{where}"
+        else:
+            word = not_tried if kinds.get(first) in short_of_first else outcome
+        return OTHER if kinds.get(word) in (Kind.DID_FIRST, Kind.DID_ALL) else word
+
+    return why

@@ -9,10 +9,10 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-from forficula.design import TORQUE
 from forficula.quantities import show_quantity
 from forficula.show.study.choice_rows import choice_rows
 from forficula.study import Study
+from forficula.study.outcome_kinds import table_transitions
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -37,13 +37,12 @@ def print_study(study: Study, table: Dataset) -> None:
         Console(width=110, highlight=False).print(by_choice)
     if study.search is None:
         return
-    for name, what in (("least_fold_torque", "fold"), ("least_unfold_torque", "open again")):
-        if name not in table:  # a search may leave opening out
-            continue
-        torques = table[name].values[np.isfinite(table[name].values)]
-        if len(torques):
-            low, high = (show_quantity(float(each), TORQUE) for each in (torques.min(), torques.max()))
+    for place, (step, each) in enumerate(zip(study.search.steps, table_transitions(table), strict=False)):
+        what = f"{each.wording.verb} again" if place else each.wording.verb
+        values = table[step.least_name].values[np.isfinite(table[step.least_name].values)]
+        if len(values):
+            low, high = (show_quantity(float(end), step.unit) for end in (values.min(), values.max()))
             between = low if low == high else f"{low} to {high}"
-            print(f"{len(torques)} of {len(study.points)} {what}, with {between}")
+            print(f"{len(values)} of {len(study.points)} {what}, with {between}")
         else:
             print(f"none of {len(study.points)} {what}")

@@ -1,0 +1,118 @@
+"""What the words of a study's table mean: how far a structure came, whatever its transitions are called."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from enum import Enum
+from typing import TYPE_CHECKING
+
+from forficula.analysis import Verdict, verdict_word
+from forficula.structure import Structure, Wording
+from forficula.study.study import Search
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+_ATTRIBUTE = "transitions"
+
+
+class Kind(Enum):
+    """How far a structure came on its way through the transitions of a protocol."""
+
+    DID_ALL = "all transitions"
+    DID_FIRST = "the first, but not the last"
+    STUCK_LATER = "stuck short of a later one"
+    STUCK = "stuck short of the first"
+    UNDER_WAY = "stuck on the way"
+    LOST = "did not keep the first"
+    MOVING = "still at the first"
+    MOVING_LATER = "still at a later one"
+    LOST_LATER = "did not keep a later one"
+    DIVERGED = "diverged"
+    UNTRUSTED = "untrusted"
+    NOT_BUILT = "not built"
+    NOT_TRIED = "the later one was not tried"
+
+    @property
+    def did_first(self) -> bool:
+        """Whether the first transition was done, so that the next one could be tried."""
+        return self in (Kind.DID_ALL, Kind.DID_FIRST, Kind.STUCK_LATER, Kind.MOVING_LATER, Kind.LOST_LATER)
+
+
+@dataclass(frozen=True, kw_only=True)
+class TableTransition:
+    """A transition as a table knows it.
+
+    Attributes:
+        name: such as "fold".
+        state: that it leads to, such as "folded".
+        least: name of the variable with its least value; "" where none is looked for.
+        wording: for sentences.
+    """
+
+    name: str
+    state: str
+    least: str
+    wording: Wording
+
+
+def transitions_text(structure: Structure, search: Search | None) -> str:
+    """The transitions of a structure as an attribute of a table."""
+    least = {step.transition: step.least_name for step in search.steps} if search is not None else {}
+    return json.dumps(
+        [
+            {
+                "name": each.name,
+                "state": each.state,
+                "least": least.get(each.name, ""),
+                "wording": {key: word for key, word in asdict(each.wording).items() if not key.startswith("if_")},
+            }
+            for each in structure.transitions
+        ]
+    )
+
+
+def table_transitions(table: Dataset) -> tuple[TableTransition, ...]:
+    """The transitions of the structure that a table is of, in their order."""
+    return tuple(
+        TableTransition(**{**each, "wording": Wording(**each["wording"])})
+        for each in json.loads(table.attrs.get(_ATTRIBUTE, "[]"))
+    )
+
+
+def not_tried_word(transitions: Sequence[TableTransition]) -> str:
+    """What a table says of a later transition where the first was not done."""
+    return f"not tried: did not {transitions[0].wording.verb}" if transitions else "not tried"
+
+
+def outcome_kinds(table: Dataset) -> Mapping[str, Kind]:
+    """What each word that a table may have means; those that came furthest first."""
+    transitions = table_transitions(table)
+    kinds: dict[str, Kind] = {}
+    if not transitions:
+        kinds[verdict_word(Verdict.REACHED, None)] = Kind.DID_ALL
+    first, later = [each.wording for each in transitions[:1]], [each.wording for each in transitions[1:]]
+    reached = [verdict_word(Verdict.REACHED, wording) for wording in reversed([*first, *later])]
+    kinds |= {word: Kind.DID_FIRST if place else Kind.DID_ALL for place, word in enumerate(reached)}
+    for verdict, wordings, kind in (
+        (Verdict.STUCK, later, Kind.STUCK_LATER),
+        (Verdict.STUCK, first, Kind.STUCK),
+    ):
+        kinds |= {verdict_word(verdict, wording): kind for wording in wordings}
+    kinds |= {verdict_word(Verdict.STUCK, wording, under_way=True): Kind.UNDER_WAY for wording in first}
+    for verdict, wordings, kind in (
+        (Verdict.NOT_HELD, first, Kind.LOST),
+        (Verdict.MOVING, first, Kind.MOVING),
+        (Verdict.MOVING, later, Kind.MOVING_LATER),
+        (Verdict.NOT_HELD, later, Kind.LOST_LATER),
+    ):
+        kinds |= {verdict_word(verdict, wording): kind for wording in wordings}
+    for verdict, kind in (
+        (Verdict.DIVERGED, Kind.DIVERGED),
+        (Verdict.UNTRUSTED, Kind.UNTRUSTED),
+        (Verdict.NOT_BUILT, Kind.NOT_BUILT),
+    ):
+        kinds[verdict_word(verdict, None)] = kind
+    return kinds | {not_tried_word(transitions): Kind.NOT_TRIED}
