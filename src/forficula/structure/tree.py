@@ -54,7 +54,7 @@ def built_strains(structure: Structure) -> Array:
 
 def built_hinges(structure: Structure) -> tuple[Array, Array]:
     """Where the hinges are in the built shape, m, (hinge, 3), and unit vectors along their axes, (hinge, 3)."""
-    origins, frames = _built_frames(structure)
+    origins, frames = built_frames(structure)
     bodies = [hinge.body for hinge in structure.hinges]
     axes = [frames[hinge.body] @ hinge.axis for hinge in structure.hinges]
     return origins[bodies].reshape(-1, 3), np.array(axes).reshape(-1, 3)
