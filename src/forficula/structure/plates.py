@@ -15,6 +15,7 @@ from forficula.errors import InputError
 from forficula.material.law.tendon_law import TendonLaw
 from forficula.pattern import CreasePattern, FacetLink, facet_tree
 from forficula.structure.appearance import Appearance
+from forficula.structure.crossing import tendon_crossing
 from forficula.structure.goals import goal_of
 from forficula.structure.mass import mass_of
 from forficula.structure.structure import (
@@ -33,6 +34,9 @@ from forficula.structure.structure import (
     Transition,
     Wording,
 )
+
+# keys that matter to where plates rest beside those of their tendons
+_STATIC_KEYS = ("pattern", "crease", "support", "measure", "protocol.stages", "protocol.gravity")
 
 
 def plate_structure(design: PlatesDesign) -> Structure:
@@ -90,7 +94,6 @@ def plate_structure(design: PlatesDesign) -> Structure:
     for place, chosen in enumerate(design.tendon):
         ends = _ends(pattern, chosen)
         crossed = _edges_between(links, ends[0].facet, ends[1].facet)
-        hinged = [edges[edge] for edge in crossed if edge in edges]
         tendons.append(
             Tendon(
                 name=chosen.name,
@@ -102,7 +105,6 @@ def plate_structure(design: PlatesDesign) -> Structure:
                     damping=(chosen.damping, 0.0, 0.0),
                 ),
                 longest=_longest(pattern, ends, crossed),
-                hinge=hinged[0] if len(hinged) == 1 else None,
                 gauge_length=chosen.rest_length,
                 key=f"tendon.{place}",
             )
@@ -132,7 +134,8 @@ def plate_structure(design: PlatesDesign) -> Structure:
         gravity=design.protocol.gravity,
         appearance=Appearance(pattern=pattern),
     )
-    return with_protocol(replace(built, mass=_largest_mass(design, built)), design)
+    crossed_by = [replace(tendon, crossing=tendon_crossing(built, tendon.points)) for tendon in tendons]
+    return with_protocol(replace(built, tendons=tuple(crossed_by), mass=_largest_mass(design, built)), design)
 
 
 def with_protocol(structure: Structure, design: PlatesDesign) -> Structure:
@@ -192,6 +195,12 @@ def with_protocol(structure: Structure, design: PlatesDesign) -> Structure:
 def drive_keys(design: PlatesDesign) -> tuple[str, ...]:
     """Keys of the values that say how strong the drives are."""
     return tuple(f"drive.{number}.value" for number in range(len(design.drive)))
+
+
+def static_keys(design: PlatesDesign) -> tuple[str, ...]:
+    """Keys of what matters to where the plates rest, but for their tendons."""
+    # without gravity they rest where they rest, however heavy they are
+    return (*_STATIC_KEYS, "facet") if design.protocol.gravity else _STATIC_KEYS
 
 
 def _wording(state: str, done: str, key: str) -> Wording:
@@ -317,7 +326,7 @@ def _driven(structure: Structure, design: PlatesDesign) -> tuple[tuple[Motor, ..
     return tuple(motors), tuple(
         Drive(
             name=drive.name,
-            torques=tuple(drive.value if number in drives else 0.0 for drives in shared),
+            shares=tuple(1.0 if number in drives else 0.0 for drives in shared),
             rise=rises[number],
             key=f"drive.{number}.value",
             torque=drive.value,
