@@ -141,8 +141,8 @@ def _with_protocol(built: Structure, *, motors: bool, measured: bool) -> Structu
         built,
         motors=(Motor(name="crease", hinges=(0, 1)),) if motors else (),
         drives=tuple(
-            Drive(name=name, torques=(torque,), rise=0.0, key=f"drive.{name}", torque=abs(torque), where="on a crease")
-            for name, torque in (("close", 0.06), ("open", -0.2))
+            Drive(name=name, shares=(share,), rise=0.0, key=f"drive.{name}", torque=torque, where="on a crease")
+            for name, share, torque in (("close", 1.0, 0.06), ("open", -1.0, 0.2))
         )
         if motors
         else (),

@@ -4,19 +4,21 @@ import re
 
 import numpy as np
 import pytest
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from rich.console import Console
 
-from forficula.analysis import Verdict
+from forficula.analysis import Verdict, measure
+from forficula.design import load_design
 from forficula.show.film.film import write_film
 from forficula.show.film.film_clock import film_cuts, moment
 from forficula.show.film.film_frame import FilmFrame
-from forficula.show.folder.run_folder import run_drawings
+from forficula.show.folder.run_folder import run_drawings, write_run
 from forficula.show.run.outcome_table import outcome_table
 from forficula.show.structure.labels import aligned, counted, parts_of
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_at
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
+from forficula.study.runs import run
+from tests.show.legible import check_words
 from tests.show.plates import PARTS, WIDTH
 
 
@@ -30,13 +32,10 @@ def texts(figure):
 
 @pytest.mark.parametrize("name", PARTS)
 @pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])
-def test_every_figure_is_drawn_at_any_width(plates_runs, name, width):
+def test_every_figure_is_drawn_at_any_width_and_all_its_words_can_be_read(plates_runs, name, width):
     for draw in run_drawings(*plates_runs[name]).values():
         figure = draw(width)
-        canvas = FigureCanvasAgg(figure)
-        canvas.draw()
-        drawn = np.asarray(canvas.buffer_rgba())[..., :3].reshape(-1, 3)
-        assert len(np.unique(drawn, axis=0)) > 10
+        check_words(figure, width)
         assert not any(re.search(r"vein|wing|panel|membrane|fold torque|distal", text) for text in texts(figure))
 
 
@@ -136,3 +135,19 @@ def test_what_is_called_alike_stands_in_one_row():
     rows, places = aligned([["vein 0", "vein 1"], ["vein 1", "vein 1", "cap"]])
     assert rows == ["vein 0", "vein 1", "vein 1", "cap"]
     assert places == [[0, 1], [1, 2, 3]]
+
+
+def test_a_named_design_of_plates_leaves_what_every_run_does(tmp_path):
+    record = run(load_design("letter-fold"))
+    outcome = measure(record)
+    write_run(record, outcome, tmp_path)
+    assert outcome.verdict is Verdict.REACHED
+    for name in ("pattern", "angles", "energy", "folding"):
+        assert {f"{name}.png", f"figures/{name}.svg", f"figures/{name}.pdf"} <= {
+            path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*.*")
+        }
+    for draw in run_drawings(record, outcome).values():
+        check_words(draw(COLUMN_WIDTH), COLUMN_WIDTH)
+    page = (tmp_path / "report.html").read_text("utf-8")
+    assert "Every value is that of the named design letter-fold." in page
+    assert "Tendons: springs between two places, which only pull" in page

@@ -29,7 +29,7 @@ def test_every_run_has_a_page_with_its_own_words(plates_runs, name):
     assert not re.search(r"\b(vein|wing|panel|membrane|distal)", body)
     data = playback_data(make_clip(record, outcome))
     assert data["whole"] == "structure"
-    assert data["text"].startswith("A structure of 3 plates, 2 hinges")
+    assert data["text"].startswith("A structure of 3 plates")
     titles = [plot["title"] for plot in data["plots"]]
     assert titles == [*(["crease angle"] if name == "unmeasured" else ["fold angle", "mouth"]), "energy"]
     json.dumps(data, allow_nan=False)

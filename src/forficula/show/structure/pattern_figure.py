@@ -132,7 +132,7 @@ def _tell(structure: Structure) -> str:
     hinges = {hinge for measure in shown_angles(structure) for hinge in measure.hinges}
     count = counted([label_of(structure.hinges[hinge]) for hinge in sorted(hinges)], "hinge")
     if pattern is None:
-        return f"{structure.name} as built, seen from above: {count}."
+        return f"{structure.name} as built, seen from above: {count}, {show_value(structure.span, 'm')} in size."
     letters = pattern.edges_assignment
     creases = f"{letters.count('M')} mountain and {letters.count('V')} valley creases"
     lengths = ", ".join(f"{name} {show_value(length, 'm')}" for name, length in structure.appearance.sizes.items())
