@@ -22,9 +22,9 @@ from mujoco.batch import Batch
 
 import forficula as ff
 from forficula.design import Design, with_values
-from forficula.dynamics import WingModel, compile_wing, simulate, versions
+from forficula.dynamics import Model, compile_model, simulate, versions
 from forficula.study.journal import Row
-from forficula.study.search import fold_design, unfold_design
+from forficula.study.search import first_design, second_design
 from forficula.study.study import Search, Study
 
 _STUDY = "binder2025-search"
@@ -168,8 +168,8 @@ def _grid_designs(study: Study) -> list[Design]:
         run
         for design in designs
         for run in [
-            *(fold_design(design, torque) for torque in search.fold_torques),
-            *(unfold_design(design, search.fold_with, torque) for torque in search.unfold_torques),
+            *(first_design(design, torque) for torque in search.fold_torques),
+            *(second_design(design, search.fold_with, torque) for torque in search.unfold_torques),
         ]
     ]
 
@@ -186,7 +186,7 @@ def _step_counts(design: Design) -> np.ndarray[Any, np.dtype[np.int64]]:
 
 def _plain_run(design: Design) -> int:
     """Compile a wing, take it through its stages, look at every state as one who wants to know when it folded."""
-    wing = compile_wing(design)
+    wing = compile_model(design)
     engine, protocol = wing.engine, wing.in_units.protocol
     data = mujoco.MjData(engine)
     folds = wing.joints[:, 3]
@@ -208,7 +208,7 @@ def _plain_run(design: Design) -> int:
     return steps
 
 
-def _driven_wings(study: Study) -> list[WingModel]:
+def _driven_wings(study: Study) -> list[Model]:
     """Wings of the study's tendons, folded with its torques one after another, for a fixed time."""
     search = _search(study)
     stage = study.base.protocol.stages[1].model_copy(update={"until": "time", "hold": 0.0, "time_limit": _BENCH_TIME})
@@ -218,18 +218,18 @@ def _driven_wings(study: Study) -> list[WingModel]:
         # torques that differ by less than matters, or alike wings would be run once
         torque = search.fold_torques[index % len(search.fold_torques)] * (1 + 1e-6 * index) + 1e-6 * index
         protocol = design.protocol.model_copy(update={"fold_torque": torque, "stages": (stage,)})
-        wings.append(compile_wing(design.model_copy(update={"protocol": protocol})))
+        wings.append(compile_model(design.model_copy(update={"protocol": protocol})))
     return wings
 
 
-def _without_energy(wings: Sequence[WingModel]) -> list[mujoco.MjModel]:
+def _without_energy(wings: Sequence[Model]) -> list[mujoco.MjModel]:
     engines = [copy.copy(wing.engine) for wing in wings]
     for engine in engines:
         engine.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_ENERGY)
     return engines
 
 
-def _bare(wings: Sequence[WingModel], engines: Sequence[mujoco.MjModel]) -> None:
+def _bare(wings: Sequence[Model], engines: Sequence[mujoco.MjModel]) -> None:
     """The engine alone, in one call."""
     batch = Batch(engines[0], len(wings), 2)
     batch.set_models(engines)

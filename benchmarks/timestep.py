@@ -108,7 +108,7 @@ def judge(design: Design) -> dict[str, Any]:
             "verdict": outcome.verdict.value,
             "goal": outcome.ending.goal,
             "residual": outcome.energy_balance.residual,
-            "fold_time_s": outcome.fold.time if outcome.fold else None,
+            "fold_time_s": outcome.transitions["fold"].time if outcome.transitions["fold"] else None,
             "steps": round(float(each.time[-1]) / timestep),
         }
     # what the search for the step took: every halving between the first guess and the last step

@@ -6,14 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from forficula.dynamics.veins import Vein
 from hypothesis import settings
 
 import forficula as ff
 from forficula.design import Design, with_values
-from forficula.dynamics import Record, simulate
-from forficula.dynamics.model import WingModel, compile_veins
-from forficula.dynamics.units import model_units
+from forficula.dynamics import Model, Record, simulate
+from forficula.structure.veins import Vein, structure_of_veins
+from tests.structures import compiled
 
 # how long an example takes says more of the machine than of the code
 settings.register_profile("forficula", deadline=None)
@@ -37,11 +36,24 @@ def reference_outcome(reference_run) -> ff.Outcome:
     return ff.measure(reference_run)
 
 
+def straight_vein(design: Design) -> Vein:
+    """A vein along x, its proximal bar fixed, that folds about y, in the units of its design."""
+    ring = design.pattern.proximal_length
+    return Vein(
+        hub_point=np.zeros(3),
+        ring_vertex=np.array([ring, 0, 0]),
+        tip=np.array([ring + design.pattern.distal_length, 0, 0]),
+        ring_direction=np.array([0.0, 1.0, 0.0]),
+        sense=1,
+        fixed_base=True,
+    )
+
+
 @dataclass(frozen=True, kw_only=True)
 class OneHinge:
     """A bar on a fixed bar, a hinge square to both, a tendon across it, no damping; angles are > 0 when folding."""
 
-    wing: WingModel
+    wing: Model
     inertia: float  # kg m2, about the hinge
     start: float  # rad
 
@@ -71,7 +83,7 @@ class OneHinge:
     def run(self):
         """Angle at every step, rad, and the record."""
         record = simulate([self.wing])[0]
-        return -record.data["distal_angle"].values[:, 0], record
+        return -record.angles("ring")[:, 0], record
 
 
 @pytest.fixture(scope="session")
@@ -106,21 +118,13 @@ def one_hinge(reference):
             },
         )
         design = with_values(design, values or {})
-        units, pattern, vein = model_units(design), design.pattern, design.vein
-        ring = pattern.proximal_length / units.length
-        bars = Vein(
-            hub_point=np.zeros(3),
-            ring_vertex=np.array([ring, 0, 0]),
-            tip=np.array([ring + pattern.distal_length / units.length, 0, 0]),
-            ring_direction=np.array([0.0, 1.0, 0.0]),
-            sense=1,
-            fixed_base=True,
-        )
-        radius, length = vein.diameter / 2, pattern.distal_length
+        wing = compiled(design, lambda own, _: structure_of_veins(own, (straight_vein(own),)))
+        vein, length = design.vein, design.pattern.distal_length
+        radius = vein.diameter / 2
         mass = vein.density * math.pi * radius**2 * length
         # a solid cylinder about a diameter of its end
         inertia = mass * (radius**2 / 4 + length**2 / 3) + design.hinge.armature
-        return OneHinge(wing=compile_veins(design, (bars,), units), inertia=inertia, start=start)
+        return OneHinge(wing=wing, inertia=inertia, start=start)
 
     return build
 

@@ -12,9 +12,13 @@ from forficula.analysis import measure, summary
 from forficula.design import with_values
 from forficula.dynamics import Record, StageEnd
 from forficula.dynamics.record import VARIABLES
+from forficula.structure import hinges_of, structure_of
 
 REFERENCE = ff.load_design("binder2025")
-SIZES = {"vein": 3, "point": 3, "axis": 3, "node": 4}
+STRUCTURE = structure_of(REFERENCE)
+SIZES = {"hinge": 12, "tendon": 3, "motor": 2, "point": 15, "axis": 3, "node": 20}
+RINGS = list(hinges_of(STRUCTURE, "ring"))
+MOTORS = [motor.name for motor in STRUCTURE.motors]
 # s: settle, fold, release folded, unfold, release opened; the window of a state is 0.1 s
 ENDS = (0.3, 0.4, 0.7, 0.9, 1.2)
 DEG = math.radians(1)
@@ -24,26 +28,27 @@ ROUNDING = 1e-12  # of sums of some hundred numbers of like size
 def planted(
     times=(0.0, 1.2), angles=(0.0, 0.0), *, ends=ENDS, goals=None, diverged_at=None, design=REFERENCE, **series
 ):
-    """A record with a distal angle, deg, of all veins and other series that run straight between some times, s.
+    """A record with an angle, deg, of all ring hinges and other series that run straight between some times, s.
 
-    Series are (times, values) with values of one number or one of every vein. Goals are reached at the end of a stage
-    where nothing else is said.
+    Series are (times, values) with values of one number or one of every hinge or tendon; `proximal_work` and
+    `distal_work` are those of the motors. Goals are reached at the end of a stage where nothing else is said.
     """
     time = np.round(np.arange(0, round(1e3 * ends[-1]) + 1) * 1e-3, 9)  # a row a millisecond
 
     def line(at, values):
         return np.array([np.interp(time, at, part) for part in np.array(values, dtype=float).T.reshape(-1, len(at))]).T
 
-    series = {"distal_angle": (times, DEG * np.array(angles, dtype=float))} | series
-    arrays = {}
-    for name, (dimensions, _, _) in VARIABLES.items():
-        shape = (len(time), *(SIZES[dimension] for dimension in dimensions))
-        values = line(*series[name]) if name in series else np.zeros((len(time), 1))
-        arrays[name] = (
-            np.broadcast_to(values.reshape(len(time), -1), shape).copy()
-            if len(shape) == 2
-            else (values[:, 0] if len(shape) == 1 else np.zeros(shape))
-        )
+    arrays = {
+        name: np.zeros((len(time), *(SIZES[dimension] for dimension in dimensions)))
+        for name, (dimensions, _, _) in VARIABLES.items()
+    }
+    arrays["hinge_angle"][:, RINGS] = line(times, DEG * np.array(angles, dtype=float))
+    for name, (at, values) in series.items():
+        motor = name.removesuffix("_work")
+        if motor in MOTORS:
+            arrays["motor_work"][:, MOTORS.index(motor)] = line(at, values)[:, 0]
+        else:
+            arrays[name].T[:] = line(at, values).T
     starts = (0.0, *ends[:-1])
     stages = tuple(
         StageEnd(stage=stage, start=start, end=end, goal_time=goal, at_rest=True)
@@ -51,10 +56,10 @@ def planted(
     )
     return Record(
         design=design,
+        structure=structure_of(design),
         time=time,
         series=arrays,
         stages=stages,
-        triangles=np.array([[0, 1, 2]]),
         diverged_at=diverged_at,
     )
 
@@ -66,16 +71,15 @@ FOLDS_AND_OPENS = {"times": (0.3, 0.4, 0.7, 0.8), "angles": (3, -170, -170, 3)}
 def test_a_wing_that_folds_and_opens_is_said_to():
     outcome = measure(planted(**FOLDS_AND_OPENS))
     assert (outcome.status, outcome.advice) == ("folded and opened", "")
-    assert outcome.folded
-    assert outcome.opened
+    assert outcome.holds["folded"]
+    assert outcome.holds["opened"]
 
 
 def test_states_are_taken_at_the_end_of_the_rest_that_follows():
     outcome = measure(planted(**FOLDS_AND_OPENS))
-    states = (outcome.flat, outcome.folded_state, outcome.opened_state)
-    assert [state.time for state in states] == [0.3, 0.7, 1.2]
-    for state, angle in zip(states, (3, -170, 3), strict=True):
-        assert state.distal_angle / DEG == pytest.approx(np.full(3, angle), rel=ROUNDING)
+    assert {name: state.time for name, state in outcome.states.items()} == {"flat": 0.3, "folded": 0.7, "opened": 1.2}
+    for state, angle in zip(outcome.states.values(), (3, -170, 3), strict=True):
+        assert state.readings["distal_angle"].mean / DEG == pytest.approx(np.full(3, angle), rel=ROUNDING)
         assert not state.swings
 
 
@@ -94,10 +98,10 @@ def test_a_state_is_the_mean_over_the_window_with_the_envelope_of_every_vein():
             tendon_energy=(times, energies),
             membrane_energy=((0.0, 0.6, 0.7), (9.0, 1.0, 2.0)),
         )
-    ).folded_state
-    assert state.distal_angle / DEG == pytest.approx([-165, -165, -150], rel=ROUNDING)
-    assert state.distal_angle_low / DEG == pytest.approx([-170, -170, -150], rel=ROUNDING)
-    assert state.distal_angle_high / DEG == pytest.approx([-160, -160, -150], rel=ROUNDING)
+    ).states["folded"]
+    assert state.readings["distal_angle"].mean / DEG == pytest.approx([-165, -165, -150], rel=ROUNDING)
+    assert state.readings["distal_angle"].low / DEG == pytest.approx([-170, -170, -150], rel=ROUNDING)
+    assert state.readings["distal_angle"].high / DEG == pytest.approx([-160, -160, -150], rel=ROUNDING)
     assert state.tendon_length == pytest.approx([0.03, 0.04, 0.04], rel=ROUNDING)
     assert state.tendon_energy == pytest.approx([0.2, 0.2, 0.2], rel=ROUNDING)
     assert state.membrane_energy == pytest.approx(1.5, rel=ROUNDING)
@@ -106,25 +110,25 @@ def test_a_state_is_the_mean_over_the_window_with_the_envelope_of_every_vein():
 
 @pytest.mark.parametrize(("swing", "swings"), [(0.09, False), (0.11, True)])
 def test_a_state_swings_where_a_hinge_moves_by_more_than_a_tenth_of_a_degree(swing, swings):
-    assert measure(planted((0.0, 0.25, 0.3), (0, 0, swing), ends=ENDS[:1])).flat.swings is swings
+    assert measure(planted((0.0, 0.25, 0.3), (0, 0, swing), ends=ENDS[:1])).states["flat"].swings is swings
 
 
 def test_a_stage_shorter_than_the_window_is_averaged_whole():
     # flat until 0.3 s; the release of 20 ms goes straight from -150 to -170 deg
     outcome = measure(planted((0.3, 0.4, 0.42), (0, -150, -170), ends=(0.3, 0.4, 0.42)))
-    assert outcome.folded_state.distal_angle / DEG == pytest.approx(np.full(3, -160), rel=ROUNDING)
+    assert outcome.states["folded"].readings["distal_angle"].mean / DEG == pytest.approx(np.full(3, -160), rel=ROUNDING)
 
 
 def test_the_window_is_a_setting():
     wide = with_values(REFERENCE, {"protocol.window": 0.2})
     outcome = measure(planted((0.0, 0.1, 0.3), (0, 0, 2), ends=ENDS[:1], design=wide))
-    assert outcome.flat.distal_angle / DEG == pytest.approx(np.full(3, 1), rel=ROUNDING)
+    assert outcome.states["flat"].readings["distal_angle"].mean / DEG == pytest.approx(np.full(3, 1), rel=ROUNDING)
 
 
 def test_without_a_release_the_folded_state_is_the_moment_in_which_the_goal_was_reached():
     outcome = measure(planted((0.3, 0.4), (0, -160), ends=ENDS[:2]))
-    assert outcome.folded_state.time == 0.4
-    assert outcome.folded_state.distal_angle / DEG == pytest.approx(np.full(3, -160), rel=ROUNDING)
+    assert outcome.states["folded"].time == 0.4
+    assert outcome.states["folded"].readings["distal_angle"].mean / DEG == pytest.approx(np.full(3, -160), rel=ROUNDING)
 
 
 @settings(deadline=None)
@@ -137,8 +141,8 @@ def test_work_of_a_stage_is_what_all_torques_did_in_it(folding, unfolding_proxim
             distal_work=((0.7, 0.9), (0, unfolding_distal)),
         )
     )
-    assert outcome.fold.work == pytest.approx(folding, abs=ROUNDING)
-    assert outcome.unfold.work == pytest.approx(unfolding_proximal + unfolding_distal, abs=4 * ROUNDING)
+    assert outcome.transitions["fold"].work == pytest.approx(folding, abs=ROUNDING)
+    assert outcome.transitions["unfold"].work == pytest.approx(unfolding_proximal + unfolding_distal, abs=4 * ROUNDING)
     assert outcome.energy_balance.work == pytest.approx(
         folding + unfolding_proximal + unfolding_distal, abs=4 * ROUNDING
     )
@@ -146,13 +150,13 @@ def test_work_of_a_stage_is_what_all_torques_did_in_it(folding, unfolding_proxim
 
 def test_times_count_from_the_start_of_the_stage_until_the_goal_was_reached():
     outcome = measure(planted(**FOLDS_AND_OPENS, goals=(None, 0.35, 0.6, 0.8, 1.1)))
-    assert outcome.fold.time == pytest.approx(0.05, rel=ROUNDING)
-    assert outcome.unfold.time == pytest.approx(0.1, rel=ROUNDING)
+    assert outcome.transitions["fold"].time == pytest.approx(0.05, rel=ROUNDING)
+    assert outcome.transitions["unfold"].time == pytest.approx(0.1, rel=ROUNDING)
 
 
 def test_torques_are_those_of_the_design():
     outcome = measure(planted(**FOLDS_AND_OPENS))
-    assert (outcome.fold.torque, outcome.unfold.torque) == (0.5, 1.0)
+    assert (outcome.transitions["fold"].torque, outcome.transitions["unfold"].torque) == (0.5, 1.0)
 
 
 def test_a_wing_whose_hinges_stay_straight_did_not_fold():
@@ -161,10 +165,10 @@ def test_a_wing_whose_hinges_stay_straight_did_not_fold():
     assert outcome.status == "did not fold"
     assert "protocol.fold_torque" in outcome.advice
     assert "tendon.stiffness" in outcome.advice
-    assert not outcome.folded
-    assert not outcome.fold.succeeded
-    assert outcome.fold.time is None
-    assert (outcome.unfold, outcome.opened_state) == (None, None)
+    assert not outcome.holds["folded"]
+    assert not outcome.transitions["fold"].succeeded
+    assert outcome.transitions["fold"].time is None
+    assert (outcome.transitions["unfold"], outcome.states["opened"]) == (None, None)
 
 
 @settings(deadline=None)
@@ -177,25 +181,25 @@ def test_a_wing_that_stops_on_the_way_is_stuck_where_its_least_folded_hinge_is(a
     assert float(reached) == pytest.approx(-angle, abs=0.0501)  # deg; shown with one digit
     assert outcome.status == f"stuck at {reached} deg"
     assert outcome.advice.startswith("Raise protocol.fold_torque")
-    assert not outcome.folded
+    assert not outcome.holds["folded"]
 
 
 def test_a_wing_that_folds_under_torque_only_did_not_stay_folded():
     outcome = measure(planted((0.3, 0.4, 0.5), (0, -170, 3), ends=ENDS[:3]))
     assert outcome.status == "did not stay folded"
     assert "when released" in outcome.advice
-    assert not outcome.folded
-    assert outcome.fold.time is None
+    assert not outcome.holds["folded"]
+    assert outcome.transitions["fold"].time is None
 
 
 def test_a_wing_that_never_opens_is_told_to_try_more_torque():
     outcome = measure(planted((0.3, 0.4), (0, -170), ends=ENDS[:4], goals=(None, 0.4, 0.7, None)))
     assert outcome.status == "did not open"
     assert outcome.advice.startswith("Raise protocol.unfold_torque")
-    assert outcome.folded
-    assert outcome.fold.time == pytest.approx(0.1, rel=ROUNDING)
-    assert not outcome.opened
-    assert outcome.unfold.time is None
+    assert outcome.holds["folded"]
+    assert outcome.transitions["fold"].time == pytest.approx(0.1, rel=ROUNDING)
+    assert not outcome.holds["opened"]
+    assert outcome.transitions["unfold"].time is None
 
 
 def test_a_wing_that_opens_under_torque_only_is_told_to_hold_it_longer():
@@ -203,15 +207,15 @@ def test_a_wing_that_opens_under_torque_only_is_told_to_hold_it_longer():
     assert outcome.status == "did not stay open"
     assert "hold" in outcome.advice
     assert "hinge.overbend" in outcome.advice
-    assert not outcome.opened
-    assert outcome.unfold.time is None
+    assert not outcome.holds["opened"]
+    assert outcome.transitions["unfold"].time is None
 
 
 @pytest.mark.parametrize(("angle", "opened"), [(0.0, True), (-0.001, False), (3.0, True)])
 def test_opened_is_at_straight_or_past_it(angle, opened):
     times = (0.3, 0.4, 0.7, 0.8)
     record = planted(times, ([3] * 3, [-170] * 3, [-170] * 3, [3, angle, 3]))
-    assert measure(record).opened is opened
+    assert measure(record).holds["opened"] is opened
 
 
 def test_a_wing_that_swings_about_straight_is_judged_by_the_mean():
@@ -220,9 +224,9 @@ def test_a_wing_that_swings_about_straight_is_judged_by_the_mean():
     around = [0.5 + (-1) ** index for index in range(len(swings))]
     record = planted((0.3, 0.4, 0.7, 0.8, *swings), (3, -170, -170, 3, *around))
     outcome = measure(record)
-    assert outcome.opened
-    assert outcome.opened_state.swings
-    assert outcome.opened_state.distal_angle_low / DEG == pytest.approx(np.full(3, -0.5), rel=1e-9)
+    assert outcome.holds["opened"]
+    assert outcome.states["opened"].swings
+    assert outcome.states["opened"].readings["distal_angle"].low / DEG == pytest.approx(np.full(3, -0.5), rel=1e-9)
 
 
 def protocol(*drives):
@@ -233,15 +237,15 @@ def protocol(*drives):
 def test_a_wing_that_was_only_let_go_settled():
     outcome = measure(planted(ends=(0.3,), design=protocol("none")))
     assert (outcome.status, outcome.advice) == ("settled", "")
-    assert outcome.flat is not None
-    assert (outcome.fold, outcome.unfold, outcome.folded_state) == (None, None, None)
+    assert outcome.states["flat"] is not None
+    assert (outcome.transitions["fold"], outcome.transitions["unfold"], outcome.states["folded"]) == (None, None, None)
 
 
 def test_a_wing_that_was_only_folded_is_folded():
     outcome = measure(planted((0.3, 0.4), (0, -170), ends=ENDS[:3], design=protocol("none", "fold", "none")))
     assert (outcome.status, outcome.advice) == ("folded", "")
-    assert outcome.folded
-    assert not outcome.opened
+    assert outcome.holds["folded"]
+    assert not outcome.holds["opened"]
 
 
 @pytest.mark.parametrize(
@@ -252,12 +256,12 @@ def test_a_wing_that_diverged_has_the_states_before_and_neither_folded_nor_opene
     outcome = measure(planted(**FOLDS_AND_OPENS, ends=ends, diverged_at=ends[-1]))
     assert outcome.status == f"diverged at t = {ends[-1]:.4g} s"
     assert "timestep" in outcome.advice
-    assert not outcome.folded
-    assert not outcome.opened
-    assert (outcome.flat is not None, outcome.fold is not None) == (has_flat, has_fold)
-    if outcome.fold is not None:
-        assert outcome.fold.time is None
-    assert outcome.opened_state is None or stages == 5
+    assert not outcome.holds["folded"]
+    assert not outcome.holds["opened"]
+    assert (outcome.states["flat"] is not None, outcome.transitions["fold"] is not None) == (has_flat, has_fold)
+    if outcome.transitions["fold"] is not None:
+        assert outcome.transitions["fold"].time is None
+    assert outcome.states["opened"] is None or stages == 5
 
 
 energies = st.floats(-10, 10)
@@ -339,5 +343,5 @@ def test_a_goal_missed_is_no_success_whatever_the_angles_are():
     record = planted(**FOLDS_AND_OPENS)
     missed = replace(record, stages=tuple(replace(end, goal_time=None) for end in record.stages))
     outcome = measure(missed)
-    assert not outcome.folded
-    assert not outcome.opened
+    assert not outcome.holds["folded"]
+    assert not outcome.holds["opened"]

@@ -8,14 +8,16 @@ from scipy.special import ellipk
 import forficula as ff
 from forficula.analysis.simulated_snap import finely_sampled, predicted_snap, simulated_snap
 from forficula.statics import ideal_hinge
+from forficula.structure import hinges_of
 
 
 def folding(record, angle):
     """A record whose hinges all fold as they are told, rad over s, before anything opens."""
     time = np.linspace(0, 0.2, 2001)
     fold = angle(time)
-    series = dict(record.series) | {"distal_angle": -np.repeat(fold[:, None], 3, axis=1)}
-    return replace(record, time=time, series=series, stages=record.stages[:2])
+    angles = np.zeros((len(time), len(record.structure.hinges)))
+    angles[:, list(hinges_of(record.structure, "ring"))] = -fold[:, None]
+    return replace(record, time=time, series=dict(record.series) | {"hinge_angle": angles}, stages=record.stages[:2])
 
 
 def test_a_known_fold_is_timed_to_what_straight_lines_between_rows_allow(reference_run):
@@ -61,7 +63,7 @@ def test_finer_rows_leave_the_motion_as_it_is(reference, reference_run):
     fine = ff.run(finely_sampled(reference))
     assert len(fine.time) > 4 * len(reference_run.time)
     rows = np.searchsorted(fine.time, reference_run.time - 1e-9)
-    same = fine.series["distal_angle"][rows] == reference_run.series["distal_angle"]
+    same = fine.angles("ring")[rows] == reference_run.angles("ring")
     assert same.all()
 
 

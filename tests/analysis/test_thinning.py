@@ -8,6 +8,7 @@ import pytest
 import forficula as ff
 from forficula.analysis.thinning import thin_record
 from forficula.dynamics import load_record, save_record
+from tests.places import places
 
 
 def same(one, other):
@@ -41,15 +42,15 @@ def test_it_has_at_most_two_thirds_of_the_rows(reference_run, thinned):
 
 
 def test_between_two_rows_no_point_moves_far_and_little_time_passes(reference_run, thinned):
-    tips = thinned.series["vein_position"][:, :, 2]
+    tips = places(thinned, "tip")
     moved = np.linalg.norm(np.diff(tips, axis=0), axis=2).max(axis=1)
     gaps = np.diff(thinned.time)
-    size = np.ptp(reference_run.series["vein_position"][0].reshape(-1, 3), axis=0).max()
+    size = np.ptp(np.concatenate([places(reference_run, role)[0] for role in ("hub", "ring", "tip")]), axis=0).max()
     interval = reference_run.design.protocol.sample_interval
     assert gaps.max() < 5e-3 + 1.5 * interval
     # a row of the whole record may jump further than the share; nothing can be kept between two of its rows
     apart = gaps > 1.5 * interval
-    fastest = np.linalg.norm(np.diff(reference_run.series["vein_position"][:, :, 2], axis=0), axis=2).max()
+    fastest = np.linalg.norm(np.diff(places(reference_run, "tip"), axis=0), axis=2).max()
     assert moved[apart].max() < 0.005 * size + fastest
 
 

@@ -134,10 +134,10 @@ def test_what_a_run_came_to_its_sentence_its_word_and_the_advice(record, verdict
     assert (outcome.status, ending_word(ending)) == (text, word)
     assert outcome.advice.startswith(advice)
     assert bool(outcome.advice) == bool(advice) == (verdict != "reached")
-    assert outcome.verdict.tells == (outcome.folded is not None) == (outcome.opened is not None)
+    assert outcome.verdict.tells == (outcome.holds["folded"] is not None) == (outcome.holds["opened"] is not None)
     plain = json.loads(json.dumps(summary(record, outcome, {}), allow_nan=False))
     assert (plain["verdict"], plain["status"]) == (verdict, text)
-    assert (plain["folded"], plain["opened"]) == (outcome.folded, outcome.opened)
+    assert (plain["folded"], plain["opened"]) == (outcome.holds["folded"], outcome.holds["opened"])
     assert (plain["residual"] is None) == (verdict == "diverged")
 
 
@@ -173,9 +173,9 @@ def test_a_wing_whose_time_is_over_before_it_folds_is_still_on_its_way():
     assert outcome.verdict is Verdict.MOVING
     assert outcome.status.startswith("still moving at -")
     assert outcome.advice == 'It is still on its way: raise the time_limit, 0.03 s, of the stage "fold".'
-    assert outcome.folded is False
+    assert outcome.holds["folded"] is False
     longer = measure(ff.run(short()))
-    assert (longer.verdict, longer.fold.time) == (Verdict.REACHED, pytest.approx(0.0588, abs=5e-4))
+    assert (longer.verdict, longer.transitions["fold"].time) == (Verdict.REACHED, pytest.approx(0.0588, abs=5e-4))
 
 
 def test_a_wing_that_rests_at_its_stop_is_stuck():
@@ -195,7 +195,7 @@ def test_a_membrane_too_stiff_for_the_timestep_is_told_to_take_a_shorter_one_and
     assert outcome.advice.startswith(("Take a shorter timestep", "Take a timestep of about "))
     assert 'protocol.timestep = "auto" chooses one' in outcome.advice
     assert "torque" not in outcome.advice
-    assert (outcome.folded, outcome.opened) == (None, None)
+    assert (outcome.holds["folded"], outcome.holds["opened"]) == (None, None)
 
 
 @pytest.mark.parametrize("timestep", ["1 ms", "5 ms", "20 ms", "1 s"])
@@ -207,10 +207,10 @@ def test_a_timestep_far_too_long_diverges_and_never_folds(timestep):
     assert "folded" not in json.dumps(summary(record, outcome, {})["status"])
     # what is kept of it is still a wing: no hinge is 10 deg beyond its stop
     hinge = REFERENCE.hinge
-    angles = record.series["distal_angle"]
+    angles = record.angles("ring")
     assert angles.min() >= -hinge.fold_limit - 10 * DEG
     assert angles.max() <= hinge.overbend + 10 * DEG
-    assert np.abs(record.series["turn_angle"]).max() <= hinge.turn_limit + 10 * DEG
+    assert np.abs(record.angles("turn")).max() <= hinge.turn_limit + 10 * DEG
 
 
 @pytest.fixture(scope="module")
@@ -242,8 +242,8 @@ def texts(figure):
 
 def test_a_state_with_a_hinge_at_79_deg_is_not_called_flat_anywhere(bent, capsys):
     record, outcome = bent
-    assert np.degrees(outcome.flat.distal_angle).max() < -70
-    assert outcome.flat_name == "not flat"
+    assert np.degrees(outcome.states["flat"].readings["distal_angle"].mean).max() < -70
+    assert outcome.state_names["flat"] == "not flat"
     print_outcome("bent", outcome)
     page, told = run_page(record, outcome), capsys.readouterr().out
     for text in (told, texts(run_drawings(record, outcome)["folding"](7.0))):

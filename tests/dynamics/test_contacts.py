@@ -5,7 +5,8 @@ import numpy as np
 import pytest
 
 import forficula as ff
-from forficula.dynamics import compile_wing
+from forficula.dynamics import compile_model
+from forficula.structure import drive_of
 
 STATE = mujoco.mjtState.mjSTATE_INTEGRATION
 STEPS = 220
@@ -20,7 +21,7 @@ def wing():
         "protocol.contact": True,
         "protocol.timestep": "0.1 ms",
     }
-    return compile_wing(ff.load_design("binder2025", values))
+    return compile_model(ff.load_design("binder2025", values))
 
 
 def solved(engine, state):
@@ -39,8 +40,8 @@ def solved(engine, state):
 def states(wing):
     """States in which bars touch, as the fan folds."""
     engine, data, found = wing.engine, mujoco.MjData(wing.engine), []
-    data.qpos[wing.joints[:, 3]] = wing.senses * wing.in_units.protocol.initial_overbend
-    data.ctrl[wing.motors[:, 0]] = wing.in_units.protocol.fold_torque
+    data.qpos[:] = [hinge.sense * hinge.start for hinge in wing.in_units.hinges]
+    data.ctrl[:] = np.array(drive_of(wing.in_units, "fold").torques)[wing.motors]
     for _ in range(STEPS):
         mujoco.mj_step(engine, data)
         if data.ncon:

@@ -5,28 +5,43 @@ import numpy as np
 import pytest
 
 from forficula.design import load_design, scale_design
-from forficula.dynamics import compile_wing
+from forficula.dynamics import compile_model
+from forficula.structure import hinges_of
 from forficula.study.runs import run
+from tests.places import places
 
 
 @pytest.fixture(scope="module")
 def wing():
-    return compile_wing(load_design("binder2025"))
+    return compile_model(load_design("binder2025"))
+
+
+def ring_hinges(wing):
+    return list(hinges_of(wing.structure, "ring"))
+
+
+def placed(wing, data, role):
+    """Points of a role in a state of the engine, m, (point, 3)."""
+    points = [number for number, point in enumerate(wing.structure.points) if point.role == role]
+    at_origin = wing.sites[points] < 0
+    if at_origin.all():
+        return wing.units.length * data.xpos[wing.carriers[points]]
+    assert not at_origin.any()
+    return wing.units.length * data.site_xpos[wing.sites[points]]
 
 
 def test_bars_weigh_what_petg_cylinders_weigh(wing):
     # density times length times the area of a circle, by hand
     proximal, distal = (1270 * length * math.pi / 4 * 0.005**2 for length in (0.12, 0.10))
-    masses = wing.units.mass * wing.engine.body_mass[wing.bodies]
-    np.testing.assert_allclose(masses, [[proximal, distal]] * 3, rtol=1e-12)
+    assert [body.role for body in wing.structure.bodies] == ["proximal", "distal"] * 3
+    masses = [wing.units.mass * wing.engine.body(body.name).mass[0] for body in wing.structure.bodies]
+    np.testing.assert_allclose(masses, [proximal, distal] * 3, rtol=1e-12)
 
 
 def test_the_flat_wing_lies_where_the_pattern_does(wing):
     data = mujoco.MjData(wing.engine)
     mujoco.mj_forward(wing.engine, data)
-    ring = wing.units.length * data.xpos[wing.bodies[:, 1]]
-    tips = wing.units.length * data.site_xpos[wing.tips]
-    hub = wing.units.length * data.xpos[wing.bodies[:, 0]]
+    hub, ring, tips = (placed(wing, data, role) for role in ("hub", "ring", "tip"))
     # straight from the numbers of the design: lengths of the bars and Pythagoras at the hub
     np.testing.assert_allclose(np.linalg.norm(ring - hub, axis=1), 0.12, rtol=1e-12)
     np.testing.assert_allclose(np.linalg.norm(tips - ring, axis=1), 0.10, rtol=1e-12)
@@ -37,10 +52,10 @@ def test_the_flat_wing_lies_where_the_pattern_does(wing):
 def test_a_vein_folded_by_180_deg_comes_back_beside_itself_at_the_sector_angle(wing):
     # flat-folded degree-4 vertex: the distal crease lies one sector angle beside the proximal one (Kawasaki)
     data = mujoco.MjData(wing.engine)
-    data.qpos[wing.joints[:, 3]] = -math.pi * wing.senses
+    data.qpos[ring_hinges(wing)] = -math.pi * wing.senses[ring_hinges(wing)]
     mujoco.mj_forward(wing.engine, data)
-    ring = data.xpos[wing.bodies[:, 1]]
-    back, distal = data.xpos[wing.bodies[:, 0]] - ring, data.site_xpos[wing.tips] - ring
+    hub, ring, tips = (placed(wing, data, role) for role in ("hub", "ring", "tip"))
+    back, distal = hub - ring, tips - ring
     cosines = np.sum(back * distal, axis=1) / np.linalg.norm(back, axis=1) / np.linalg.norm(distal, axis=1)
     np.testing.assert_allclose(np.degrees(np.arccos(cosines)), 20.0, atol=1e-9)
 
@@ -69,7 +84,7 @@ def test_the_model_file_compiles_to_the_wing_that_ran(wing):
 
 
 def test_a_wing_a_hundredth_of_the_size_still_compiles():
-    small = compile_wing(scale_design(load_design("binder2025"), 0.01))
+    small = compile_model(scale_design(load_design("binder2025"), 0.01))
     # in SI its smallest inertia is far below what MuJoCo takes, 1e-15 kg m^2
     smallest = small.engine.body_inertia[1:].min() * small.units.mass * small.units.length**2
     assert smallest < 1e-15
@@ -88,20 +103,20 @@ def test_gravity_pulls_the_flat_wing_down_and_is_in_the_account():
     assert series[-1] < series[0]
     # m g h by hand: the mean height of each bar is that of its middle
     proximal, distal = (1270 * length * math.pi / 4 * 0.005**2 for length in (0.12, 0.10))
-    height = record.data["vein_position"].sel(axis="z").values
+    height = np.stack([places(record, role)[:, :, 2] for role in ("hub", "ring", "tip")], axis=2)
     middle = (height[:, :, :-1] + height[:, :, 1:]) / 2
     expected = 9.81 * np.sum(middle * [proximal, distal], axis=(1, 2))
     np.testing.assert_allclose(series, expected, rtol=1e-9, atol=1e-12)
 
 
 def test_distal_bars_touch_only_where_contact_is_switched_on():
-    touching = compile_wing(load_design("binder2025", {"protocol.contact": True}))
-    free = compile_wing(load_design("binder2025"))
+    touching = compile_model(load_design("binder2025", {"protocol.contact": True}))
+    free = compile_model(load_design("binder2025"))
     contacts = []
     for wing in (touching, free):
         data = mujoco.MjData(wing.engine)
         # sweep the first vein by its sector angle: its distal bar then lies on its neighbour's
-        data.qpos[wing.joints[0, 0]] = math.radians(20)
+        data.qpos[hinges_of(wing.structure, "sweep")[0]] = math.radians(20)
         mujoco.mj_forward(wing.engine, data)
         contacts.append(data.ncon)
     assert contacts[0] > 0

@@ -5,12 +5,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from forficula.dynamics.fleet import Fleet, stage_torques
 
 import forficula as ff
 from forficula.design import Stage, with_values
-from forficula.dynamics import compile_wing, energy_balance, simulate
-from forficula.dynamics.units import design_in_model_units
+from forficula.dynamics import compile_model, energy_balance, simulate
+from forficula.dynamics.stages import StageTracker, stage_torques
+from forficula.structure import hinges_of
+from tests.dynamics.protocols import on_protocol
 
 OPEN = Stage(name="open", drive="unfold", until="time", hold="0 s", time_limit="1 s")
 FOLD = Stage(name="fold", drive="fold", until="folded", hold="0 s", time_limit="0.15 s")
@@ -21,8 +22,7 @@ def through(hinge, stage, **protocol):
     """A hinge that goes through one stage only, as no design file can ask for."""
     changed = hinge.wing.design.protocol.model_copy(update={"stages": (stage,), **protocol})
     design = hinge.wing.design.model_copy(update={"protocol": changed})
-    wing = replace(hinge.wing, design=design, in_units=design_in_model_units(design, hinge.wing.units))
-    return replace(hinge, wing=wing)
+    return replace(hinge, wing=on_protocol(hinge.wing, design))
 
 
 def pushed(one_hinge, rise, duration):
@@ -45,7 +45,7 @@ def test_a_torque_that_rises_has_the_impulse_and_the_way_of_its_ramp(one_hinge, 
     assert record.series["kinetic_energy"][-1] == pytest.approx(hinge.inertia * speed**2 / 2, rel=1e-9)
     # a half of the rise, a half of the torque
     torque = TORQUE * min(share, 1.0)
-    assert record.series["distal_power"][-1] == pytest.approx(torque * speed, rel=1e-9)
+    assert record.series["motor_power"][-1, 1] == pytest.approx(torque * speed, rel=1e-9)
     way = (min(time, rise) ** 3 / (6 * rise) + max(time - rise, 0) * time / 2) * TORQUE / hinge.inertia
     # the way is of first order in the step
     assert angles[0] - angles[-1] == pytest.approx(way, rel=0.02)
@@ -69,26 +69,29 @@ def short(reference):
 
 def test_the_balance_of_a_wing_closes_when_its_torques_rise(short):
     at_once, slowly = (ff.measure(ff.run(with_values(short, {"protocol.rise": rise}))) for rise in ("0 s", "0.1 s"))
-    assert slowly.folded
+    assert slowly.holds["folded"]
     assert slowly.ending.residual < 0.005
-    assert at_once.fold.time < slowly.fold.time
-    assert 0 < slowly.fold.work < at_once.fold.work
+    assert at_once.transitions["fold"].time < slowly.transitions["fold"].time
+    assert 0 < slowly.transitions["fold"].work < at_once.transitions["fold"].work
 
 
 def test_without_a_rise_every_step_has_the_torque_of_its_stage_to_the_bit(short):
-    wing = compile_wing(with_values(short, {"protocol.fold_torque": 0.3, "protocol.rise": 0.0}))
-    fleet = Fleet([wing])
-    fleet.stage[:] = 1
-    torques = fleet.torques(np.array([0]), 7)
-    assert torques.tolist() == [[list(stage_torques(wing, short.protocol.stages[1]))] * 7]
+    wing = compile_model(with_values(short, {"protocol.fold_torque": 0.3, "protocol.rise": 0.0}))
+    tracker = StageTracker([wing])
+    tracker.stage[:] = 1
+    torques = tracker.torques(np.array([0]), 7)
+    fold, rise = stage_torques(wing, short.protocol.stages[1])
+    assert rise == 0.0
+    assert torques.tolist() == [[list(fold)] * 7]
 
 
 def test_a_rise_begins_anew_with_every_stage(short):
-    wing = compile_wing(with_values(short, {"protocol.rise": "10 ms", "protocol.timestep": "1 ms"}))
-    fleet = Fleet([wing])
-    fleet.stage[:], fleet.stage_start[:], fleet.steps[:] = 1, 30, 34
-    fold, _ = stage_torques(wing, short.protocol.stages[1])
-    shares = fleet.torques(np.array([0]), 8)[0, :, 0] / fold
+    wing = compile_model(with_values(short, {"protocol.rise": "10 ms", "protocol.timestep": "1 ms"}))
+    tracker = StageTracker([wing])
+    tracker.stage[:], tracker.stage_start[:], tracker.steps[:] = 1, 30, 34
+    (fold, _), rise = stage_torques(wing, short.protocol.stages[1])
+    assert rise == 0.01
+    shares = tracker.torques(np.array([0]), 8)[0, :, 0] / fold
     assert shares == pytest.approx([0.45, 0.55, 0.65, 0.75, 0.85, 0.95, 1, 1], rel=1e-12)
 
 
@@ -142,23 +145,23 @@ def test_a_hold_scales_with_the_wing_and_not_with_a_stage_that_waits(short):
 
 @pytest.mark.parametrize(("beyond", "diverged"), [(9.9, False), (10.1, True)])
 def test_a_hinge_more_than_10_deg_beyond_its_stop_is_a_divergence(short, beyond, diverged):
-    wing = compile_wing(short)
-    fleet, count = Fleet([wing]), 3
+    wing = compile_model(short)
+    tracker, count = StageTracker([wing]), 3
     position = np.zeros((1, count, wing.engine.nv))
-    fold = wing.joints[1, 3]
-    # the overbend's stop, in the vein's own sense
-    position[0, 1, fold] = wing.senses[1] * (short.hinge.overbend + math.radians(beyond))
-    timestep = float(wing.in_units.protocol.timestep)
-    time = timestep * np.arange(1, count + 1)[None]
-    taken = fleet.follow(np.array([0]), np.zeros(1), time, position, np.zeros_like(position))
+    fold = hinges_of(wing.structure, "ring")[1]
+    # the overbend's stop, in the hinge's own sense
+    position[0, 1, fold] = wing.senses[fold] * (short.hinge.overbend + math.radians(beyond))
+    time = wing.timestep * np.arange(1, count + 1)[None]
+    lengths = np.zeros((1, count, wing.engine.ntendon))
+    taken = tracker.follow(np.array([0]), np.zeros(1), time, position, np.zeros_like(position), lengths)
     assert taken.tolist() == [1 if diverged else count]
-    assert (fleet.diverged_at[0] is not None) == diverged
+    assert (tracker.diverged_at[0] is not None) == diverged
     if diverged:
-        assert fleet.diverged_at[0] == pytest.approx(2 * float(short.protocol.timestep))
+        assert tracker.diverged_at[0] == pytest.approx(2 * float(short.protocol.timestep))
 
 
 def test_wings_that_share_their_first_stages_rise_alike(short):
     rising = with_values(short, {"protocol.rise": "50 ms"})
-    one, other = simulate([compile_wing(rising), compile_wing(rising)])
+    one, other = simulate([compile_model(rising), compile_model(rising)])
     for name, values in one.series.items():
         assert values.tobytes() == other.series[name].tobytes()

@@ -14,10 +14,12 @@ from forficula.design import with_values
 from forficula.dynamics import Record, StageEnd, load_record, save_record
 from forficula.dynamics.record import VARIABLES
 from forficula.errors import InputError
+from forficula.structure import structure_of
+from tests.places import places
 
 REFERENCE = ff.load_design("binder2025")
-SIZES = {"vein": 3, "point": 3, "axis": 3, "node": 4}
-TRIANGLES = np.array([[0, 1, 2], [1, 2, 3]])
+STRUCTURE = structure_of(REFERENCE)
+SIZES = {"hinge": 12, "tendon": 3, "motor": 2, "point": 15, "axis": 3, "node": 20}
 
 
 def planted(seed=0, goal_times=(None, 0.02), diverged_at=None, times=5):
@@ -33,10 +35,10 @@ def planted(seed=0, goal_times=(None, 0.02), diverged_at=None, times=5):
     )
     return Record(
         design=REFERENCE,
+        structure=STRUCTURE,
         time=np.sort(random.uniform(size=times)),
         series=series,
         stages=ends,
-        triangles=TRIANGLES,
         diverged_at=diverged_at,
     )
 
@@ -85,7 +87,7 @@ def test_every_series_says_its_unit_in_the_file(tmp_path):
         named = {name: said for name, said in units.items() if name.endswith(ending)}
         assert named
         assert set(named.values()) == {unit}
-    assert units["vein_position"] == units["membrane_position"] == "m"
+    assert units["point_position"] == units["membrane_position"] == "m"
 
 
 def test_a_file_tells_by_itself_what_ran_and_what_it_ran_on(tmp_path):
@@ -111,32 +113,32 @@ def test_rows_lie_at_the_sample_interval_and_where_stages_begin_and_end(short_ru
 
 
 def test_the_wing_starts_flat_bent_into_the_overbend_and_at_rest(short_run):
+    ring = short_run.angles("ring")[0]
+    assert ring == pytest.approx(np.full(3, math.radians(2)), rel=1e-12)  # deg to rad and back
+    for role in ("sweep", "lift", "turn"):
+        assert np.array_equal(short_run.angles(role)[0], np.zeros(3))
     start = short_run.data.isel(time=0)
-    assert start["distal_angle"].values == pytest.approx(np.full(3, math.radians(2)), rel=1e-12)  # deg to rad and back
-    for name in ("sweep_angle", "lift_angle", "turn_angle"):
-        assert np.array_equal(start[name], np.zeros(3))
-    for name in ("kinetic_energy", "proximal_work", "distal_work", "hinge_damping_work"):
-        assert start[name] == 0.0
+    for name in ("kinetic_energy", "motor_work", "hinge_damping_work"):
+        assert not start[name].values.any()
 
 
 def test_no_torque_works_at_rest_and_no_distal_one_while_folding(short_run):
-    data = short_run.data
-    at_rest = data.sel(time=slice(0, 0.0104))
-    assert np.array_equal(at_rest["proximal_work"], np.zeros(at_rest.sizes["time"]))
-    assert np.array_equal(data["distal_work"], np.zeros(data.sizes["time"]))
-    assert data["proximal_work"][-1] > 0
+    proximal, distal = (short_run.motor_work(name) for name in ("proximal", "distal"))
+    assert not proximal[short_run.time <= 0.0104].any()
+    assert not distal.any()
+    assert proximal[-1] > 0
 
 
 def test_work_of_folding_is_the_torque_times_the_angles_turned(short_run):
     # 50 N cm about every proximal turn axis. A step turns by its later velocity, power has the mean of both, so the
     # two differ by half a step (0.1 ms) at the last velocity, for three veins below 100 rad/s
-    angle = short_run.data["turn_angle"].sum("vein")
-    turned = float(angle[-1] - angle.sel(time=0.0104, method="nearest"))
-    assert short_run.data["proximal_work"][-1] == pytest.approx(0.5 * turned, abs=0.5 * 1e-4 * 3 * 100)
+    angle = short_run.angles("turn").sum(axis=1)
+    turned = angle[-1] - angle[np.argmin(np.abs(short_run.time - 0.0104))]
+    assert short_run.motor_work("proximal")[-1] == pytest.approx(0.5 * turned, abs=0.5 * 1e-4 * 3 * 100)
 
 
 def test_veins_keep_their_lengths(short_run):
-    hub, ring, tip = (short_run.data["vein_position"].sel(point=point).values for point in ("hub", "ring", "tip"))
+    hub, ring, tip = (places(short_run, role) for role in ("hub", "ring", "tip"))
     # rigid bodies in double precision, in metres
     assert np.linalg.norm(ring - hub, axis=-1) == pytest.approx(np.full((33, 3), 0.12), abs=1e-12)
     assert np.linalg.norm(tip - ring, axis=-1) == pytest.approx(np.full((33, 3), 0.10), abs=1e-12)
@@ -225,6 +227,16 @@ def test_the_path_of_a_record_may_be_text(tmp_path):
     record = planted()
     save_record(record, str(tmp_path / "record.nc"))
     assert load_record(str(tmp_path / "record.nc")).data.equals(record.data)
+
+
+@pytest.mark.parametrize("kept", [1, 3])
+def test_a_record_that_keeps_other_series_is_refused_with_its_version_and_what_to_do(tmp_path, monkeypatch, kept):
+    with monkeypatch.context() as before:
+        before.setattr("forficula.dynamics.record._FORMAT", kept)
+        before.setattr("forficula.dynamics.record.versions", lambda: {"forficula": "0.0.7"})
+        save_record(planted(), tmp_path / "a.nc")
+    other = "a record of forficula 0.0.7, which keeps other series; run its design again"
+    assert refusal(tmp_path / "a.nc") == f"{tmp_path}/a.nc: {other}"
 
 
 def test_a_record_that_cannot_be_written_is_one_error_and_leaves_nothing(tmp_path):

@@ -14,8 +14,8 @@ from mujoco.batch import Batch, SimulationError
 
 import forficula as ff
 from forficula.design import with_values
-from forficula.dynamics import compile_wing, simulate, simulate_each
-from forficula.dynamics.units import design_in_model_units
+from forficula.dynamics import compile_model, simulate, simulate_each
+from tests.dynamics.protocols import on_protocol
 
 STAGES = {
     "protocol.timestep": 4e-4,
@@ -30,7 +30,7 @@ STAGES = {
     "protocol.stages.4.hold": 0.01,
 }
 SHORT = with_values(ff.load_design("binder2025"), STAGES | {"tendon.rest_length": 0.05})
-WING = compile_wing(SHORT)
+WING = compile_model(SHORT)
 # energies that a sparse record has at its start and at its end only
 AT_ENDS = ("membrane_energy", "kinetic_energy", "gravitational_energy")
 MODULE = importlib.import_module("forficula.dynamics.simulate")
@@ -42,7 +42,7 @@ def sharing(fold, unfold, stages=5):
         update={"fold_torque": fold, "unfold_torque": unfold, "stages": SHORT.protocol.stages[:stages]}
     )
     design = SHORT.model_copy(update={"protocol": protocol})
-    return replace(WING, design=design, in_units=design_in_model_units(design, WING.units))
+    return on_protocol(WING, design)
 
 
 def assert_same_bits(record, other):
@@ -70,7 +70,7 @@ def test_wings_that_share_their_first_stages_give_the_same_bits_as_alone(courses
     with mock.patch.object(MODULE, "_FEW", few):
         records = simulate(wings, threads, sparse)
     for wing, record in zip(wings, records, strict=True):
-        alone = replace(wing, engine=compile_wing(wing.design).engine)
+        alone = replace(wing, engine=compile_model(wing.design).engine)
         assert_same_bits(record, simulate([alone], sparse=sparse)[0])
 
 
@@ -104,9 +104,9 @@ def test_wings_that_share_stages_share_their_numbers_up_to_there_and_part_then()
     one, other = simulate([sharing(0.5, 0.2), sharing(0.5, 1.0)])
     assert one.stages[:3] == other.stages[:3]
     parting = one.stages[2].end
-    angles = [each.series["distal_angle"][each.time <= parting + 1e-9] for each in (one, other)]
+    angles = [each.angles("ring")[each.time <= parting + 1e-9] for each in (one, other)]
     assert np.array_equal(*angles)
-    assert not np.array_equal(one.series["distal_angle"][-1], other.series["distal_angle"][-1])
+    assert not np.array_equal(one.angles("ring")[-1], other.angles("ring")[-1])
 
 
 @pytest.mark.parametrize(
@@ -123,7 +123,7 @@ def test_wings_that_share_stages_share_their_numbers_up_to_there_and_part_then()
     ],
 )
 def test_a_sparse_record_has_the_same_bits_for_what_it_keeps_and_for_what_is_measured(values):
-    wing = compile_wing(with_values(SHORT, values))
+    wing = compile_model(with_values(SHORT, values))
     (full,), (sparse,) = simulate([wing]), simulate([wing], sparse=True)
     assert sparse.stages == full.stages
     assert sparse.diverged_at == full.diverged_at
@@ -142,17 +142,21 @@ def test_a_sparse_record_has_the_same_bits_for_what_it_keeps_and_for_what_is_mea
             assert unknown or any(kept.tobytes() == full.series[name][each].tobytes() for each in same), name
         assert name not in AT_ENDS or np.isfinite(values_kept[[0, -1]]).all() or full.diverged_at is not None
     measured, expected = ff.measure(sparse), ff.measure(full)
-    assert (measured.status, measured.folded, measured.opened) == (expected.status, expected.folded, expected.opened)
-    assert (measured.fold, measured.unfold) == (expected.fold, expected.unfold)
+    assert (measured.status, measured.holds, measured.stages) == (expected.status, expected.holds, expected.stages)
+    assert measured.transitions == expected.transitions
     # every term of it to the last bit
     assert repr(measured.energy_balance) == repr(expected.energy_balance)
     assert repr(measured.ending) == repr(expected.ending)
-    for state in ("flat", "folded_state", "opened_state"):
-        ours, theirs = getattr(measured, state), getattr(expected, state)
+    assert list(measured.states) == list(expected.states) == ["flat", "folded", "opened"]
+    for state, theirs in expected.states.items():
+        ours = measured.states[state]
         assert (ours is None) == (theirs is None)
         if ours is not None:
-            for name in ("distal_angle", "distal_angle_low", "distal_angle_high", "tendon_length", "tendon_energy"):
+            for name in ("coordinates", "tendon_length", "tendon_energy"):
                 assert getattr(ours, name).tobytes() == getattr(theirs, name).tobytes()
+            for name in ("mean", "low", "high"):
+                readings = [getattr(each.readings["distal_angle"], name) for each in (ours, theirs)]
+                assert readings[0].tobytes() == readings[1].tobytes()
 
 
 def test_a_sparse_record_keeps_little():
@@ -162,14 +166,14 @@ def test_a_sparse_record_keeps_little():
     for name in AT_ENDS:
         assert np.isfinite(full.series[name]).all()
         assert np.isfinite(sparse.series[name]).tolist() == [True, *[False] * (len(sparse.time) - 2), True]
-    assert not {"vein_position", "membrane_position"} & set(sparse.series)
+    assert not {"point_position", "membrane_position"} & set(sparse.series)
 
 
 def test_a_wing_that_blows_up_ends_those_that_follow_it_alike_and_no_others():
-    wild = compile_wing(with_values(SHORT, {"protocol.timestep": 8e-3}))
+    wild = compile_model(with_values(SHORT, {"protocol.timestep": 8e-3}))
     protocols = [wild.design.protocol.model_copy(update={"unfold_torque": torque}) for torque in (0.5, 1.0)]
     designs = [wild.design.model_copy(update={"protocol": protocol}) for protocol in protocols]
-    wilds = [replace(wild, design=each, in_units=design_in_model_units(each, wild.units)) for each in designs]
+    wilds = [on_protocol(wild, each) for each in designs]
     records = simulate([wilds[0], WING, wilds[1]])
     assert records[0].diverged_at is not None
     assert records[2].diverged_at == records[0].diverged_at
@@ -190,7 +194,7 @@ def test_progress_tells_of_every_stage_and_never_passes_the_longest():
 
 def test_a_caller_that_stops_leaves_no_thread_and_no_silence_behind():
     threads = threading.active_count()
-    wings = [compile_wing(with_values(SHORT, {"tendon.rest_length": length})) for length in (0.05, 0.06, 0.07)]
+    wings = [compile_model(with_values(SHORT, {"tendon.rest_length": length})) for length in (0.05, 0.06, 0.07)]
     records = simulate_each(wings)
     next(records)
     with pytest.raises(KeyboardInterrupt):
@@ -207,7 +211,7 @@ def test_what_the_engine_raises_in_the_background_is_raised():
 
 
 def test_simulations_that_take_turns_are_silent_to_the_end_and_no_longer():
-    wild = compile_wing(with_values(SHORT, {"protocol.timestep": 8e-3}))
+    wild = compile_model(with_values(SHORT, {"protocol.timestep": 8e-3}))
     heard = []
     mujoco.set_mju_user_warning(heard.append)
     try:

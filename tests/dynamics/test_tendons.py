@@ -8,13 +8,14 @@ from unittest import mock
 import mujoco
 import numpy as np
 import pytest
-from forficula.dynamics.fleet import Fleet
 
 import forficula as ff
 from forficula.analysis.summary import summary
 from forficula.design import with_values
-from forficula.dynamics import compile_wing, load_record, save_record, simulate, versions
-from forficula.dynamics.units import design_in_model_units
+from forficula.dynamics import compile_model, load_record, save_record, simulate, versions
+from forficula.dynamics.stages import StageTracker
+from forficula.structure import hinges_of
+from tests.dynamics.protocols import on_protocol
 
 MODULE = importlib.import_module("forficula.dynamics.simulate")
 LAW = {
@@ -42,7 +43,8 @@ def design(**law):
     return with_values(ff.load_design("binder2025"), SHORT | {"tendon.law": LAW | law})
 
 
-WING = compile_wing(design())
+WING = compile_model(design())
+RING = list(hinges_of(WING.structure, "ring"))
 
 
 def assert_same_bits(record, other):
@@ -70,18 +72,20 @@ def test_the_engine_has_the_law_by_length_and_area():
 
 def test_branches_need_no_control_and_leave_the_motors_theirs():
     engine = WING.engine
-    plain = compile_wing(ff.load_design("binder2025"))
+    plain = compile_model(ff.load_design("binder2025"))
     assert engine.nu == plain.engine.nu
     assert engine.na == 3 * 2
     assert np.array_equal(WING.motors, plain.motors)
-    assert np.array_equal(engine.actuator_ctrladr[WING.motors], WING.motors)
-    names = [[engine.actuator(int(motor)).name for motor in motors] for motors in WING.motors]
-    assert names == [[f"turn{vein}", f"fold{vein}"] for vein in range(3)]
-    for vein, places in enumerate(WING.branches):
+    assert np.array_equal(engine.actuator_ctrladr[: engine.nu], np.arange(engine.nu))
+    followed = [WING.structure.motors[motor].name for motor in WING.motors]
+    assert {engine.actuator(number).name: followed[number] for number in range(engine.nu)} == {
+        f"{hinge}{vein}": motor for vein in range(3) for hinge, motor in (("turn", "proximal"), ("fold", "distal"))
+    }
+    for tendon, places in enumerate(WING.branches):
         for number, place in enumerate(places):
-            branch = engine.actuator(f"branch{vein}_{number}")
+            branch = engine.actuator(f"tendon{tendon}_branch{number}")
             assert branch.actadr[0] == place
-            assert branch.trnid[0] == WING.tendons[vein]
+            assert branch.trnid[0] == WING.tendons[tendon]
 
 
 LETTING_GO = {"quadratic_modulus": 1e6, "cubic_modulus": 0.0, "quadratic_viscosity": 0.0, "cubic_viscosity": 0.0}
@@ -93,22 +97,22 @@ def letting_go(**law):
 
 @pytest.mark.parametrize("moduli", [(1e6, 0.0), (-2e6, 1e6)])
 def test_the_model_file_of_tendons_that_let_go_pulls_as_the_model_that_ran(moduli):
-    wing = compile_wing(letting_go(quadratic_modulus=moduli[0], cubic_modulus=moduli[1]))
+    wing = compile_model(letting_go(quadratic_modulus=moduli[0], cubic_modulus=moduli[1]))
     again = mujoco.MjModel.from_xml_string(wing.xml)
     for angle in (20, -40, -120):
         torques = []
         for engine in (wing.engine, again):
             data = mujoco.MjData(engine)
-            data.qpos[wing.joints[:, 3]] = np.radians(angle) * wing.senses
-            data.qvel[wing.joints[:, 3]] = wing.senses
+            data.qpos[RING] = np.radians(angle) * wing.senses[RING]
+            data.qvel[RING] = wing.senses[RING]
             mujoco.mj_forward(engine, data)
-            torques.append(data.qfrc_actuator[wing.joints[:, 3]])
+            torques.append(data.qfrc_actuator[RING])
         # MuJoCo writes six digits, of which the sum of springs that stiffen and soften loses some
         np.testing.assert_allclose(torques[0], torques[1], rtol=1e-3, atol=1e-6)
 
 
 def test_tendons_that_let_go_go_side_by_side_without_a_bit_of_difference():
-    wings = [compile_wing(letting_go(linear_modulus=modulus)) for modulus in (4.8e6, 3e6)]
+    wings = [compile_model(letting_go(linear_modulus=modulus)) for modulus in (4.8e6, 3e6)]
     alone = [simulate([wing], threads=1)[0] for wing in wings]
     with mock.patch.object(MODULE, "_CHUNK", 7):
         for record, other in zip(simulate(wings, 2), alone, strict=True):
@@ -118,11 +122,11 @@ def test_tendons_that_let_go_go_side_by_side_without_a_bit_of_difference():
 
 def test_a_branch_acts_on_a_slack_tendon_that_yields_as_on_a_taut_one():
     data = mujoco.MjData(WING.engine)
-    data.qpos[WING.joints[:, 3]] = -np.radians(150) * WING.senses
+    data.qpos[RING] = -np.radians(150) * WING.senses[RING]
     data.act[WING.branches] = 1.0
     mujoco.mj_forward(WING.engine, data)
-    assert np.all(data.ten_length[WING.tendons] < WING.tendon_law.rest_length)
-    assert np.all(np.abs(data.qfrc_actuator[WING.joints[:, 3]]) > 0)
+    assert np.all(data.ten_length[WING.tendons] < WING.elastic.rest_length)
+    assert np.all(np.abs(data.qfrc_actuator[RING]) > 0)
 
 
 def test_the_model_file_compiles_to_the_law_that_ran():
@@ -143,7 +147,7 @@ def run_alone():
 @pytest.mark.parametrize("threads", [1, 2])
 @pytest.mark.parametrize("chunk", [1, 7, 100])
 def test_no_bit_depends_on_threads_or_on_where_chunks_end(run_alone, threads, chunk):
-    others = [compile_wing(design(linear_modulus=modulus)) for modulus in (3e6, 6e6)]
+    others = [compile_model(design(linear_modulus=modulus)) for modulus in (3e6, 6e6)]
     with mock.patch.object(MODULE, "_CHUNK", chunk):
         records = simulate([others[0], WING, others[1]], threads)
     assert_same_bits(records[1], run_alone)
@@ -152,10 +156,10 @@ def test_no_bit_depends_on_threads_or_on_where_chunks_end(run_alone, threads, ch
 def test_wings_that_share_their_first_stages_share_branches_and_creep(run_alone):
     protocol = WING.design.protocol.model_copy(update={"unfold_torque": 0.5})
     softer = WING.design.model_copy(update={"protocol": protocol})
-    follower = replace(WING, design=softer, in_units=design_in_model_units(softer, WING.units))
+    follower = on_protocol(WING, softer)
     leader, followed = simulate([WING, follower])
     assert_same_bits(leader, run_alone)
-    alone = replace(follower, engine=compile_wing(softer).engine)
+    alone = replace(follower, engine=compile_model(softer).engine)
     assert_same_bits(followed, simulate([alone])[0])
 
 
@@ -167,7 +171,7 @@ def test_a_sparse_record_keeps_the_states(run_alone):
     # to the last bit
     assert repr(ours.energy_balance) == repr(theirs.energy_balance)
     assert ours.status == theirs.status
-    assert ours.flat.tendon_energy.tobytes() == theirs.flat.tendon_energy.tobytes()
+    assert ours.states["flat"].tendon_energy.tobytes() == theirs.states["flat"].tendon_energy.tobytes()
 
 
 def test_a_run_with_a_law_leaves_its_account_and_reads_it_back(tmp_path, run_alone):
@@ -212,11 +216,11 @@ def test_a_wing_is_not_stuck_before_its_branches_have_relaxed():
         held = with_values(
             design(branches=branches), {"protocol.fold_torque": 0.0, "protocol.stages.1.time_limit": 1.0}
         )
-        (record,) = simulate([compile_wing(held)])
+        (record,) = simulate([compile_model(held)])
         (fold,) = [end for end in record.stages if end.stage.name == "fold"]
         waits.append(fold.end - fold.start)
     assert waits[1] - waits[0] == pytest.approx(0.05, abs=0.005)
 
 
-def test_wings_with_other_numbers_of_branches_go_side_by_side_in_a_fleet():
-    assert len(Fleet([WING, compile_wing(design(linear_modulus=2e6))]).ended) == 2
+def test_wings_with_other_numbers_of_branches_go_through_their_stages_side_by_side():
+    assert len(StageTracker([WING, compile_model(design(branches=LAW["branches"][:1]))]).ended) == 2

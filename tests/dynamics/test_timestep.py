@@ -56,7 +56,7 @@ def test_a_timestep_that_is_too_long_is_named_with_what_is_allowed_and_what_to_d
     assert timestep_warnings(changed(protocol__timestep="auto")) == []
     (warning,) = timestep_warnings(changed(protocol__timestep=5e-3))
     allowed = 1e3 * stable_timestep(REFERENCE)
-    assert f"a timestep of 5 ms is too long: the wing's stiffest mode allows {allowed:.3g} ms" in warning
+    assert f"a timestep of 5 ms is too long: the stiffest mode allows {allowed:.3g} ms" in warning
     assert 'protocol.timestep = "auto"' in warning
 
 

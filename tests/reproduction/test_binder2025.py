@@ -65,7 +65,7 @@ def papers_table():
         {name: (DIMS, values) for name, values in variables.items()}
         | {"fold_time_by_torque": ((*DIMS, "fold_torque"), time)},
         coords={"tendon_stiffness": STIFFNESS, "tendon_rest_length": REST_LENGTH, "fold_torque": TORQUE},
-        attrs={"name": "planted", "ask": "least-torques", "veins": 3},
+        attrs={"name": "planted", "ask": "least-torques", "tendons": 3},
     )
     table["reference_outcome"].attrs["torque"] = 5.0
     return table
@@ -272,7 +272,7 @@ def test_the_named_search_is_compared_and_the_choices_are_not(table):
         ({"search": None}, "searched for the least torques over"),
         ({"factors": 1}, r"got a study over tendon\.stiffness$"),
         ({"sampled": True}, "got a study over sample"),
-        ({"unfold_torques": ()}, "got a search without unfold torques"),
+        ({"second": None}, "got a search without unfold torques"),
         ({"reproduces": "bender2025"}, 'reproduces: need one of binder2025, got "bender2025"'),
     ],
 )
@@ -280,7 +280,7 @@ def test_a_study_that_cannot_be_set_beside_the_paper_is_refused_before_it_runs(c
     study = ff.load_study("binder2025-search")
     if "factors" in changes:
         changes = {"factors": study.factors[:1]}
-    if "unfold_torques" in changes:
+    if "second" in changes:
         changes = {"search": replace(study.search, **changes)}
     with pytest.raises(InputError, match=message):
         check_reproduction(replace(study, **changes))
@@ -292,10 +292,10 @@ def test_inertia_carries_the_long_slack_tendon_on_as_the_reason_says(torque):
     """A tendon of 9 cm is slack beyond 2 acos(9 / 11) = 70.2 deg (theory.md section 3): where damping takes the speed,
     the hinge stays near there."""
     values = {"tendon.stiffness": "10 N/cm", "tendon.rest_length": "9 cm", "protocol.fold_torque": torque}
-    assert ff.measure(ff.run(ff.load_design("binder2025", values))).folded
+    assert ff.measure(ff.run(ff.load_design("binder2025", values))).holds["folded"]
     damped = ff.measure(ff.run(ff.load_design("binder2025", values | {"hinge.damping": "1e-2 N m s/rad"})))
     # it creeps on, and is no further when its second to fold is over
     assert damped.verdict is ff.Verdict.MOVING
     # the last hinge to fold, within 5 deg of the angle at which its tendon slackens
     slack = 2 * math.degrees(math.acos(9 / 11))
-    assert -np.degrees(damped.folded_state.distal_angle).max() == pytest.approx(slack, abs=5)
+    assert -np.degrees(damped.states["folded"].readings["distal_angle"].mean).max() == pytest.approx(slack, abs=5)

@@ -81,7 +81,7 @@ def test_a_wing_of_a_choice_is_the_wing_that_is_run_alone_with_that_value(alone)
         outcome = ff.measure(ff.run(with_values(study.base, dict(values))))
         assert table["status"].values[place] == outcome.status
         # of a run that is not to be trusted there are no numbers
-        work = outcome.fold.work if outcome.verdict.tells else np.nan
+        work = outcome.transitions["fold"].work if outcome.verdict.tells else np.nan
         assert np.array_equal(table["fold_work"].values[place], work, equal_nan=True)
     assert np.isfinite(table["fold_work"].values[:4]).sum() > 1
 
@@ -251,4 +251,4 @@ def test_the_named_study_has_the_papers_tendons_at_every_value_that_had_to_be_ch
         ]
     # of every factor the base's own value is there, too, and so is no choice of its own
     assert len(study.choices) == 1 + sum(len(factor.values) - 1 for factor in study.factors)
-    assert max(study.search.fold_torques) == 0.5
+    assert max(study.search.first.values) == 0.5

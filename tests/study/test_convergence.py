@@ -1,6 +1,5 @@
 import json
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,12 +10,12 @@ from scipy.special import ellipk, ellipkinc
 from forficula.analysis import Verdict
 from forficula.cli import main
 from forficula.design import load_design, with_values
-from forficula.dynamics import compile_wing
-from forficula.dynamics.units import design_in_model_units
+from forficula.dynamics import compile_model
 from forficula.errors import InputError
 from forficula.study.convergence import compare_wings, converge
 from forficula.study.observed_order import fit_order
 from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, read_values
+from tests.dynamics.protocols import on_protocol
 
 STAGE = {"hold": 0.0}
 SETTLE = STAGE | {"name": "settle", "drive": "none", "until": "time", "time_limit": 0.1}
@@ -36,7 +35,7 @@ def hinges(one_hinge, steps, settle, duration=0.2):
         wing = one_hinge(timestep=step, duration=duration).wing
         stages = [SETTLE | {"time_limit": settle}, FOLD | {"time_limit": duration}]
         design = with_values(wing.design, {"protocol.stages": stages})
-        wings.append(replace(wing, design=design, in_units=design_in_model_units(design, wing.units)))
+        wings.append(on_protocol(wing, design))
     return wings
 
 
@@ -88,10 +87,10 @@ def test_one_hinge_converges_with_order_one_to_its_closed_form(one_hinge):
     m = math.cos(first) ** 2
     exact = hinge.time_scale * (ellipk(m) - ellipkinc(math.asin(math.cos(last) / math.cos(first)), m)) - settle
     found = compare_wings(hinges(one_hinge, steps, settle), TIMESTEP, steps, 1e-4)
-    assert found.fold_order.observed
+    assert found.orders["fold"].observed
     # the term in h^2 is about a tenth of that in h at the longest timestep
-    assert found.fold_order.order == pytest.approx(1, abs=0.1)
-    assert found.fold_order.limit == pytest.approx(exact, rel=1e-3)
+    assert found.orders["fold"].order == pytest.approx(1, abs=0.1)
+    assert found.orders["fold"].limit == pytest.approx(exact, rel=1e-3)
     assert found.fine
     assert found.verdict.startswith("0.1 ms is fine: the fold time differs by ")
 
@@ -102,20 +101,20 @@ def test_a_timestep_that_is_too_long_says_which_would_do(one_hinge):
     found = compare_wings(hinges(one_hinge, steps, 4e-3), TIMESTEP, steps, 2e-4, tolerance=5e-3)
     assert found.fine is False
     advised = float(found.verdict.split("; ")[1].split(" ms")[0]) * 1e-3
-    law = found.fold_order
+    law = found.orders["fold"]
     assert abs(law.time(np.array(advised)) / law.limit - 1) <= 5e-3 < abs(law.time(np.array(2e-4)) / law.limit - 1)
 
 
 def test_the_fold_time_is_that_of_the_angle_between_two_steps(short):
     found = converge(short, TIMESTEP, [4e-4, 2e-4])
     assert found.own == 2e-4
-    for step, time in zip(found.values, found.fold_times, strict=True):
+    for step, time in zip(found.values, found.transition_times["fold"], strict=True):
         steps = time / step
         assert abs(steps - round(steps)) > 1e-3  # not a multiple of it
-    assert abs(found.fold_times[0] / found.fold_times[1] - 1) < 0.2
-    assert found.fold_order is not None
-    assert not found.fold_order.observed
-    assert found.unfold_order is None
+    assert abs(found.transition_times["fold"][0] / found.transition_times["fold"][1] - 1) < 0.2
+    assert found.orders["fold"] is not None
+    assert not found.orders["fold"].observed
+    assert found.orders["unfold"] is None
 
 
 def test_the_own_value_is_run_and_timesteps_go_from_coarse_to_fine(short):
@@ -127,7 +126,7 @@ def test_the_own_value_is_run_and_timesteps_go_from_coarse_to_fine(short):
 def test_progress_counts_the_runs_whatever_meshes_they_have(short):
     seen = []
     converge(short, MESH, [1, 2], progress=lambda *each: seen.append(each))
-    assert seen == [(number, 2, {"verdict": Verdict.REACHED, "folded": True}) for number in (1, 2)]
+    assert seen == [(number, 2, {"verdict": Verdict.REACHED, "holds": (True, False)}) for number in (1, 2)]
 
 
 def test_a_timestep_that_diverges_is_too_long(short):
@@ -141,7 +140,7 @@ def test_a_coarse_timestep_that_diverges_does_not_spoil_the_own_one(short):
     found = converge(short, TIMESTEP, [5e-3, 2e-4, 1e-4])
     assert found.fine is not None
     assert 'the outcome changes with the timestep: "folded" at 0.2 ms, "diverged at ' in found.verdict
-    assert np.isnan(found.fold_times).tolist() == [True, False, False]
+    assert np.isnan(found.transition_times["fold"]).tolist() == [True, False, False]
 
 
 def test_an_outcome_that_changes_with_a_shorter_timestep_is_never_fine(one_hinge):
@@ -163,7 +162,7 @@ def test_the_reference_is_on_the_edge_where_the_bounds_enclose_what_is_allowed(s
 
 def _middle(found):
     """Half way between the bounds of the difference from the limit, where no order can be told."""
-    times, fit = found.fold_times, found.fold_order
+    times, fit = found.transition_times["fold"], found.orders["fold"]
     assert not fit.observed
     far, near = abs(times[2] - fit.limit), abs(times[2] - times[3])
     return (min(far, near) + max(far, near, fit.scatter)) / 2 / fit.limit
@@ -174,13 +173,13 @@ def test_a_wing_that_does_not_fold_cannot_be_judged(reference):
     found = converge(design, TIMESTEP, [4e-4, 2e-4])
     assert found.fine is None
     assert "cannot be judged" in found.verdict
-    assert np.isnan(found.fold_times).all()
+    assert np.isnan(found.transition_times["fold"]).all()
 
 
 def test_moduli_and_meshes_say_how_far_the_fold_time_moves(short):
     for key, values, name in ((YOUNGS_MODULUS, [2e6, 1e6], "2 MPa"), (MESH, [1, 2], "5 rows")):
         found = converge(short, key, values)
-        move = 100 * (found.fold_times[1] / found.fold_times[0] - 1)
+        move = 100 * (found.transition_times["fold"][1] / found.transition_times["fold"][0] - 1)
         assert f"by {move:+.2g} % at {name}" in found.verdict
         assert found.fine is None
 
@@ -192,7 +191,7 @@ def test_a_mesh_n_times_finer_keeps_the_rows_and_divides_the_gaps(reference):
     # gaps: two before the ring fold, two behind it
     assert found.rows == (5, 9, 13)
     # each row has two nodes on each of two panels
-    assert len(compile_wing(design).membrane.nodes) == 4 * 5
+    assert len(compile_model(design).mesh.built) == 4 * 5
 
 
 @pytest.mark.parametrize(

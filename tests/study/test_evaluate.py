@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 import forficula as ff
 from forficula.design import with_values
-from forficula.dynamics import compile_wing
+from forficula.dynamics import compile_model
 from forficula.errors import InputError
 from forficula.study.evaluate import evaluate, outcome_row, row_key
 
@@ -27,7 +27,7 @@ def test_torques_above_the_least_that_opens_do_not_run_and_the_others_keep_their
     base = with_values(ff.load_design("binder2025"), settings)
     designs = [with_values(base, {"protocol.unfold_torque": torque}) for torque in torques]
     every = {row["key"]: row for row in evaluate(designs)}
-    tried = list(evaluate(designs, until_opened=True))
+    tried = list(evaluate(designs, until_last=True))
     assert [bool(row["opened"]) for row in tried] == [False, True]
     assert all(row == every[row["key"]] for row in tried)
     assert len(every) == 3
@@ -98,7 +98,7 @@ EVALUATION = "forficula.study.runs"
 def test_the_first_wings_run_before_the_last_are_built(monkeypatch):
     built = []
     monkeypatch.setattr(f"{EVALUATION}._FIRST_SECONDS", 0.0)
-    monkeypatch.setattr(f"{EVALUATION}.compile_wing", lambda design: built.append(design) or compile_wing(design))
+    monkeypatch.setattr(f"{EVALUATION}.compile_model", lambda design: built.append(design) or compile_model(design))
     designs = [with_values(SHORT, {"tendon.stiffness": 1000.0 + number}) for number in range(5)]
     rows = evaluate(designs)
     next(rows)
@@ -139,16 +139,16 @@ LIMITED = """
 import resource, sys
 import scipy.optimize, xarray
 import forficula as ff
-from forficula.dynamics import compile_wing, simulate
+from forficula.dynamics import compile_model, simulate
 stage = {"name": "s", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "1 ms"}
 design = ff.load_design("binder2025", {"pattern.units": 100, "pattern.sector_angle": "1.7 deg", "vein.diameter":
     "0.01 mm", "guard.stretch": 2.0,
     "membrane.margin": "0.01 mm", "protocol.timestep": "0.1 ms", "protocol.stages": [stage]})
-compile_wing(ff.load_design("binder2025"))
+compile_model(ff.load_design("binder2025"))
 used = next(int(line.split()[1]) for line in open("/proc/self/status") if line.startswith("VmSize"))
 resource.setrlimit(resource.RLIMIT_AS, (1024 * used + int(sys.argv[1]),) * 2)
 try:
-    simulate([compile_wing(design)], threads=1)
+    simulate([compile_model(design)], threads=1)
 except ff.InputError as error:
     print(error)
 """
@@ -156,7 +156,7 @@ except ff.InputError as error:
 
 @pytest.mark.skipif(sys.platform != "linux", reason="a limit on memory that holds is Linux's")
 @pytest.mark.parametrize(
-    ("left", "message"), [(12_000_000, "MuJoCo cannot build the wing: "), (120_000_000, "no memory left to simulate: ")]
+    ("left", "message"), [(12_000_000, "MuJoCo cannot build it: "), (120_000_000, "no memory left to simulate: ")]
 )
 def test_a_wing_that_memory_does_not_hold_is_one_line(left, message):
     done = subprocess.run([sys.executable, "-c", LIMITED, str(left)], capture_output=True, text=True, check=False)
@@ -172,5 +172,5 @@ def test_more_units_than_anyone_simulates_are_refused():
         "vein.diameter": 1e-6,
         "membrane.margin": 1e-6,
     }
-    with pytest.raises(InputError, match=r"pattern\.units: need at most 500 to simulate a wing, got 501"):
-        compile_wing(with_values(SHORT, {"pattern.units": 501, "protocol.sample_interval": 1.0} | closed))
+    with pytest.raises(InputError, match=r"need at most 2002 bodies to simulate it \(two for every vein\), got 2006$"):
+        compile_model(with_values(SHORT, {"pattern.units": 501, "protocol.sample_interval": 1.0} | closed))

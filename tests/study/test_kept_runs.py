@@ -64,11 +64,11 @@ def test_the_folding_that_is_kept_has_the_bits_of_the_table(searched):
     assert 0 < len(folds) < 4
     for point in folds:
         outcome = kept[f"runs/{point + 1}-folding"].outcome
-        assert outcome.fold.torque == value(table, "least_fold_torque", point)
-        assert outcome.fold.time == value(table, "fold_time", point)
-        assert outcome.fold.work == value(table, "fold_work", point)
-        assert energy(outcome.flat) == value(table, "flat_energy", point)
-        assert energy(outcome.folded_state) == value(table, "folded_energy", point)
+        assert outcome.transitions["fold"].torque == value(table, "least_fold_torque", point)
+        assert outcome.transitions["fold"].time == value(table, "fold_time", point)
+        assert outcome.transitions["fold"].work == value(table, "fold_work", point)
+        assert energy(outcome.states["flat"]) == value(table, "flat_energy", point)
+        assert energy(outcome.states["folded"]) == value(table, "folded_energy", point)
 
 
 def test_the_opening_that_is_kept_has_the_bits_of_the_table(searched):
@@ -77,12 +77,12 @@ def test_the_opening_that_is_kept_has_the_bits_of_the_table(searched):
     assert len(opens) > 0
     for point in opens:
         outcome = kept[f"runs/{point + 1}-opening"].outcome
-        assert (outcome.status, outcome.opened) == ("folded and opened", True)
-        assert outcome.fold.torque == study.search.fold_with
-        assert outcome.unfold.torque == value(table, "least_unfold_torque", point)
-        assert outcome.unfold.time == value(table, "unfold_time", point)
-        assert outcome.unfold.work == value(table, "unfold_work", point)
-        assert energy(outcome.opened_state) == value(table, "opened_energy", point)
+        assert (outcome.status, outcome.holds["opened"]) == ("folded and opened", True)
+        assert outcome.transitions["fold"].torque == study.search.reference
+        assert outcome.transitions["unfold"].torque == value(table, "least_unfold_torque", point)
+        assert outcome.transitions["unfold"].time == value(table, "unfold_time", point)
+        assert outcome.transitions["unfold"].work == value(table, "unfold_work", point)
+        assert energy(outcome.states["opened"]) == value(table, "opened_energy", point)
 
 
 def test_where_no_torque_works_the_largest_that_was_tried_is_kept_and_shows_why(searched):
@@ -91,13 +91,13 @@ def test_where_no_torque_works_the_largest_that_was_tried_is_kept_and_shows_why(
     assert len(fails) > 0
     for point in fails:
         run = kept[f"runs/{point + 1}-folding"]
-        assert run.outcome.fold.torque == study.search.fold_torques[-1]
+        assert run.outcome.transitions["fold"].torque == study.search.first.values[-1]
         assert run.outcome.status == table["status"].values.ravel()[point]
         assert f"runs/{point + 1}-opening" not in kept
     folds = np.isfinite(table["least_fold_torque"].values.ravel())
     closed = np.flatnonzero(folds & np.isnan(table["least_unfold_torque"].values.ravel()))
     for point in closed:
-        assert kept[f"runs/{point + 1}-opening"].outcome.unfold.torque == study.search.unfold_torques[-1]
+        assert kept[f"runs/{point + 1}-opening"].outcome.transitions["unfold"].torque == study.search.second.values[-1]
 
 
 def test_a_kept_run_is_the_folder_of_a_run(searched):
@@ -124,7 +124,7 @@ def test_a_plain_study_keeps_the_run_of_each_point_that_is_a_wing(plain):
     assert names(folder) == ["1", "3"]
     assert sorted(each.point for each in kept.values()) == [0, 2]
     for each in kept.values():
-        assert each.outcome.fold.work == value(table, "fold_work", each.point)
+        assert each.outcome.transitions["fold"].work == value(table, "fold_work", each.point)
         assert each.outcome.status == table["status"].values.ravel()[each.point]
     assert seen == [(1, 2), (2, 2)]
 

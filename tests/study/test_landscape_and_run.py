@@ -5,7 +5,7 @@ from forficula.study.landscape_and_run import landscape_and_run
 SETTLE = {"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.01}
 
 
-def test_a_survey_has_the_landscape_of_the_design_and_a_run_that_is_sampled_finely(reference):
+def test_a_landscape_is_that_of_the_design_and_the_run_beside_it_is_sampled_finely(reference):
     design = with_values(reference, {"protocol.stages": [SETTLE]})
     landscape, record = landscape_and_run(design, simulation=True)
     assert landscape.design.hash == design.hash

@@ -95,7 +95,7 @@ def test_a_step_is_taken_where_the_outcome_has_come_to_stay(monkeypatch):
     last = tried[-1][1]
     for _, outcome in tried[-3:-1]:
         assert outcome.verdict is last.verdict
-        assert outcome.fold.time == pytest.approx(last.fold.time, rel=0.02)
+        assert outcome.transitions["fold"].time == pytest.approx(last.transitions["fold"].time, rel=0.02)
 
 
 def test_where_the_outcome_never_comes_to_stay_the_run_says_that_it_is_not_to_be_trusted(monkeypatch):
@@ -116,5 +116,5 @@ def test_where_the_outcome_never_comes_to_stay_the_run_says_that_it_is_not_to_be
     outcome = measure(record)
     assert record.doubt
     assert outcome.verdict is Verdict.UNTRUSTED
-    assert outcome.folded is None
+    assert outcome.holds["folded"] is None
     assert outcome.status == f"not to be trusted: {record.doubt}"

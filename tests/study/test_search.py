@@ -1,4 +1,5 @@
 import math
+from dataclasses import replace
 
 import pytest
 from hypothesis import given, settings
@@ -6,19 +7,29 @@ from hypothesis import strategies as st
 
 import forficula as ff
 from forficula.analysis import Ending, Verdict
+from forficula.structure import structure_of
 from forficula.study.evaluate import ending_row, row_key
 from forficula.study.search import (
-    fold_design,
+    first_design,
     point_design,
     release_design,
     search_designs,
     search_result,
-    unfold_design,
+    second_design,
 )
-from forficula.study.study import Search
+from forficula.study.study import read_search
 
 DESIGN = ff.load_design("binder2025")
-GRID = Search(fold_torques=(0.0, 0.1, 0.2, 0.3), fold_with=5.0, unfold_torques=(0.1, 0.2, 0.3), refinements=0)
+FOLD, UNFOLD = structure_of(DESIGN).transitions
+GRID = read_search(
+    "least-torques",
+    {
+        "fold_torques": ["0 N m", "0.1 N m", "0.2 N m", "0.3 N m"],
+        "fold_with": "5 N m",
+        "unfold_torques": ["0.1 N m", "0.2 N m", "0.3 N m"],
+    },
+    DESIGN,
+)
 
 
 def no_torque(_):
@@ -29,27 +40,27 @@ def any_torque(_):
     return True
 
 
-def refined(times, grid=GRID):
-    return Search(
-        fold_torques=grid.fold_torques, fold_with=grid.fold_with, unfold_torques=grid.unfold_torques, refinements=times
-    )
+def refined(times):
+    return replace(GRID, refinements=times)
 
 
 ENDINGS = {
-    "folded": Ending(verdict=Verdict.REACHED, goal="fold", residual=1e-3),
-    "did not open": Ending(verdict=Verdict.STUCK, goal="unfold", residual=1e-3),
-    "folded and opened": Ending(verdict=Verdict.REACHED, goal="unfold", residual=1e-3),
-    "stuck at -134.6 deg": Ending(verdict=Verdict.STUCK, goal="fold", angle=math.radians(-134.6), residual=1e-3),
-    "did not stay folded": Ending(verdict=Verdict.NOT_HELD, goal="fold", residual=1e-3),
-    "diverged at t = 0.2 s": Ending(verdict=Verdict.DIVERGED, goal="fold", time=0.2),
-    "not to be trusted: the energy balance misses 12 %": Ending(verdict=Verdict.UNTRUSTED, goal="fold", residual=0.12),
+    "folded": Ending(verdict=Verdict.REACHED, transition=FOLD, residual=1e-3),
+    "did not open": Ending(verdict=Verdict.STUCK, transition=UNFOLD, residual=1e-3),
+    "folded and opened": Ending(verdict=Verdict.REACHED, transition=UNFOLD, residual=1e-3),
+    "stuck at -134.6 deg": Ending(verdict=Verdict.STUCK, transition=FOLD, reading=math.radians(-134.6), residual=1e-3),
+    "did not stay folded": Ending(verdict=Verdict.NOT_HELD, transition=FOLD, residual=1e-3),
+    "diverged at t = 0.2 s": Ending(verdict=Verdict.DIVERGED, transition=FOLD, time=0.2),
+    "not to be trusted: the energy balance misses 12 %": Ending(
+        verdict=Verdict.UNTRUSTED, transition=FOLD, residual=0.12
+    ),
 }
 
 
 def answer(status, **numbers):
     """A row as a run leaves it."""
     ending = ENDINGS.get(status) or Ending(
-        verdict=Verdict.STUCK, goal="fold", angle=math.radians(float(status.split()[2])), residual=1e-3
+        verdict=Verdict.STUCK, transition=FOLD, reading=math.radians(float(status.split()[2])), residual=1e-3
     )
     row = ending_row(ending)
     assert row["status"] == status
@@ -59,8 +70,8 @@ def answer(status, **numbers):
     reached, tells = ending.verdict is Verdict.REACHED, ending.verdict.tells
     return {
         **row,
-        "folded": (reached or ending.goal == "unfold") if tells else None,
-        "opened": (reached and ending.goal == "unfold") if tells else None,
+        "folded": (reached or ending.transition is UNFOLD) if tells else None,
+        "opened": (reached and ending.transition is UNFOLD) if tells else None,
         **unknown,
         **({"flat_energy_J": 3.0} | numbers if tells else {}),
     }
@@ -70,7 +81,7 @@ def answers(design, folds, opens, large="folded", released="folded", untrusted=(
     """The row that a run of a design would give, by what is planted."""
     protocol = design.protocol
     torque, opening = protocol.fold_torque, protocol.unfold_torque
-    if torque != GRID.fold_with:
+    if torque != GRID.reference:
         if torque in untrusted:
             return answer("not to be trusted: the energy balance misses 12 %")
         if not folds(torque):
@@ -206,12 +217,13 @@ def test_the_wing_is_released_at_the_least_torque_that_folds_only():
 
 def test_every_run_of_a_search_differs_from_the_design_in_torques_and_last_stages_only():
     kept = {"fold_torque", "unfold_torque", "stages"}
-    for each in (fold_design(DESIGN, 0.1), release_design(DESIGN, 0.1), unfold_design(DESIGN, 5.0, 0.1)):
+    for each in (first_design(DESIGN, GRID, 0.1), release_design(DESIGN, GRID, 0.1), second_design(DESIGN, GRID, 0.1)):
         assert each.model_dump(exclude={"protocol"}) == DESIGN.model_dump(exclude={"protocol"})
         assert each.protocol.model_dump(exclude=kept) == DESIGN.protocol.model_dump(exclude=kept)
         assert each.protocol.stages == DESIGN.protocol.stages[: len(each.protocol.stages)]
-    ends = [each.protocol.stages[-1].name for each in (fold_design(DESIGN, 0.1), unfold_design(DESIGN, 5.0, 0.1))]
-    assert ends == ["fold", "release opened"]
+    designs = [first_design(DESIGN, GRID, 0.1), second_design(DESIGN, GRID, 0.1)]
+    assert [each.protocol.stages[-1].name for each in designs] == ["fold", "release opened"]
+    assert [each.protocol.fold_torque for each in designs] == [0.1, 5.0]
 
 
 @settings(max_examples=40, deadline=None)

@@ -88,7 +88,7 @@ def test_a_factor_in_a_stage_is_that_of_a_run_with_the_same_value(tmp_path, stud
     for number, limit in enumerate(("20 ms", "100 ms")):
         alone = ff.measure(ff.run(with_values(study.base, {"protocol.stages.1.time_limit": limit})))
         assert table["status"].values[number] == alone.status
-        assert table["fold_work"].values[number] == alone.fold.work
+        assert table["fold_work"].values[number] == alone.transitions["fold"].work
     assert len(set(table["status"].values)) == 2
 
 
@@ -150,12 +150,15 @@ def test_sampled_studies_have_as_many_points_as_were_asked_and_the_same_for_the_
             "settings.tendon.rest_length: is given twice",
         ),
         (f'design = "binder2025"\nname = 3\n[factors]\n{LISTED}', "name: need a name that a folder can have"),
-        (f'design = "binder2025"\nask = "best"\n[factors]\n{LISTED}', 'ask: need "run" or "least-torques"'),
+        (
+            f'design = "binder2025"\nask = "best"\n[factors]\n{LISTED}',
+            'ask: need "run", "least-torques" or "least-v',
+        ),
         (f'design = "binder2025"\n[factors]\n{LISTED}\n{DRAWN}', "factors: need either all of them as distributions"),
         (f'design = "binder2025"\n[factors]\n{LISTED}\n[sampling]\ncount = 3', "sampling: needs factors that are dist"),
         (
             f'design = "binder2025"\n[factors]\n{LISTED}\n[search]\nrefinements = 1',
-            'search: needs ask = "least-torques"',
+            'search: needs ask = "least-torques" or "least-value"',
         ),
         (
             'design = "binder2025"\n[factors]\n"tendon.rest_length" = "0..1 m step 1e-4"\n'

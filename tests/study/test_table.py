@@ -163,7 +163,7 @@ def test_a_timestep_of_its_own_choice_stands_beside_given_ones(tmp_path, study_f
     found = ff.run(with_values(study.base, {"protocol.timestep": "auto"})).design
     assert isinstance(found.protocol.timestep, float)
     alone = ff.measure(ff.run(found))
-    assert table["fold_work"].values[1] == alone.fold.work
+    assert table["fold_work"].values[1] == alone.transitions["fold"].work
     assert table.to_netcdf(engine="h5netcdf")
     assert map_drawings(table)
 

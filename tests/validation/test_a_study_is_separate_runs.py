@@ -26,18 +26,17 @@ def bits(value):
 def by_hand(design):
     """What separate runs say of a design."""
     outcome = ff.measure(ff.run(design))
-    fold, unfold = outcome.fold, outcome.unfold
-    states = {"flat": outcome.flat, "folded": outcome.folded_state, "opened": outcome.opened_state}
+    fold, unfold = outcome.transitions["fold"], outcome.transitions["unfold"]
     numbers = {
         "fold_time": fold and fold.time,
         "unfold_time": unfold and unfold.time,
         "fold_work": fold and fold.work,
         "unfold_work": unfold and unfold.work,
-    } | {f"{name}_energy": state and float(np.sum(state.tendon_energy)) for name, state in states.items()}
+    } | {f"{name}_energy": state and float(np.sum(state.tendon_energy)) for name, state in outcome.states.items()}
     if not outcome.verdict.tells:
         numbers = dict.fromkeys(numbers)
     # a table knows of no third value
-    return numbers, (outcome.status, outcome.verdict, bool(outcome.folded), bool(outcome.opened))
+    return numbers, (outcome.status, outcome.verdict, bool(outcome.holds["folded"]), bool(outcome.holds["opened"]))
 
 
 def assert_study_is_separate_runs(path, out, **options):

@@ -12,8 +12,6 @@ import forficula as ff
 from forficula.design import with_values
 from forficula.pattern import hub_points, ring_vertices, tips
 
-ANGLES = ("sweep_angle", "lift_angle", "turn_angle", "distal_angle")
-
 
 def folding(design, **settings):
     """A run of settling and folding with a row at every step."""
@@ -40,8 +38,8 @@ def test_the_armature_is_twenty_times_a_veins_own_inertia_about_its_axis(referen
 def test_the_armature_carries_more_than_half_of_the_kinetic_energy_at_its_peak(reference, stiffness, rest_length):
     record = folding(reference, tendon__stiffness=stiffness, tendon__rest_length=rest_length)
     step, armature = record.design.protocol.timestep, record.design.hinge.armature
-    speeds = [np.diff(record.series[name], axis=0) / step for name in ANGLES]
-    carried = armature / 2 * sum(np.sum(speed**2, axis=1) for speed in speeds)
+    speeds = np.diff(record.series["hinge_angle"], axis=0) / step
+    carried = armature / 2 * np.sum(speeds**2, axis=1)
     start = np.searchsorted(record.time, record.stages[1].start)
     kinetic = record.series["kinetic_energy"][1:]
     peak = start + int(np.argmax(kinetic[start:]))
@@ -53,7 +51,7 @@ def test_the_armature_carries_more_than_half_of_the_kinetic_energy_at_its_peak(r
 def test_the_work_of_a_constant_torque_hardly_knows_the_tendon(reference, stiffness):
     outcome = ff.measure(ff.run(with_values(reference, {"tendon.stiffness": stiffness})))
     veins = reference.fan.vein_count
-    for transition, degrees in ((outcome.fold, (85, 91)), (outcome.unfold, (250, 276))):
+    for transition, degrees in ((outcome.transitions["fold"], (85, 91)), (outcome.transitions["unfold"], (250, 276))):
         # a vein turns by 90 deg; a distal hinge bends by 183 deg and the vein turns back by 95
         assert degrees[0] <= math.degrees(transition.work / veins / transition.torque) <= degrees[1]
 
@@ -65,7 +63,7 @@ def test_stops_take_two_fifths_of_the_work_of_folding_and_half_of_that_of_openin
         if stage.stage.drive != "none":
             # until the wing is at rest again
             rows = np.searchsorted(time, [stage.start, reference_run.stages[place + 1].end - 1e-9])
-            work = np.diff((series["proximal_work"] + series["distal_work"])[rows])
+            work = np.diff(reference_run.work[rows])
             shares[stage.stage.drive] = float(np.diff(-series["stop_work"][rows])[0] / work[0])
     assert shares["fold"] == pytest.approx(0.41, abs=0.02)
     assert shares["unfold"] == pytest.approx(0.5, abs=0.03)

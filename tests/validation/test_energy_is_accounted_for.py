@@ -12,7 +12,7 @@ import pytest
 
 import forficula as ff
 from forficula.design import with_values
-from forficula.dynamics import compile_wing, simulate
+from forficula.dynamics import compile_model, simulate
 
 TIMESTEPS = [2e-4, 1e-4, 5e-5, 2.5e-5]  # s
 STORED = ("tendon_energy", "membrane_energy", "kinetic_energy")
@@ -41,7 +41,7 @@ def release(reference, values):
     with warnings.catch_warnings():
         # MuJoCo takes a flex without damping for one without forces, and says so; its elasticity acts all the same
         warnings.filterwarnings("ignore", message="flex 'membrane' is not rigid")
-        wings = [compile_wing(design) for design in designs]
+        wings = [compile_model(design) for design in designs]
     return simulate(wings)
 
 
@@ -80,7 +80,7 @@ def test_a_wing_without_damping_keeps_its_energy_to_the_order_of_the_integrator(
     for record in free_runs:
         # it does move, and nothing but elasticity and inertia is at work
         assert record.data["kinetic_energy"].values.max() > 0.05 * stored(record)[0]
-        assert all(np.abs(record.data[name].values).max() == 0 for name in (*TAKEN, "proximal_work", "distal_work"))
+        assert all(np.abs(record.data[name].values).max() == 0 for name in (*TAKEN, "motor_work"))
         drifts.append(np.abs(stored(record) - stored(record)[0]).max() / stored(record)[0])
     assert 0.8 < order(drifts) < 1.2
 
@@ -101,7 +101,7 @@ def test_the_balance_of_the_reference_closes(reference_outcome):
 
 
 def test_the_balance_is_the_sum_of_its_parts(reference_run, reference_outcome):
-    work = sum(reference_run.data[name].values[-1] for name in ("proximal_work", "distal_work"))
+    work = reference_run.work[-1]
     taken = sum(reference_run.data[name].values[-1] for name in TAKEN)
     change = stored(reference_run)[-1] - stored(reference_run)[0]
     # rounding of sums over 1e4 steps
@@ -130,14 +130,14 @@ def test_force_times_the_mean_velocity_is_the_kinetic_energy_and_the_later_veloc
 
 def test_the_work_of_a_constant_torque_is_torque_times_the_angle_turned(every_step):
     """To half a step: the mean velocity leaves torque times timestep times half the change of speed."""
-    data, protocol = every_step.data, every_step.design.protocol
+    protocol = every_step.design.protocol
     step = float(protocol.timestep)
     torques = {
-        "fold": {"proximal_work": protocol.fold_torque, "distal_work": 0.0},
-        "unfold": {"proximal_work": -protocol.unfold_torque, "distal_work": protocol.unfold_torque},
-        "none": {"proximal_work": 0.0, "distal_work": 0.0},
+        "fold": {"proximal": protocol.fold_torque, "distal": 0.0},
+        "unfold": {"proximal": -protocol.unfold_torque, "distal": protocol.unfold_torque},
+        "none": {"proximal": 0.0, "distal": 0.0},
     }
-    angles = {"proximal_work": data["turn_angle"].values, "distal_work": data["distal_angle"].values}
+    angles = {"proximal": every_step.angles("turn"), "distal": every_step.angles("ring")}
     assert [end.stage.drive for end in every_step.stages] == ["none", "fold", "none", "unfold", "none"]
     for end in every_step.stages:
         first, last = round(end.start / step), round(end.end / step)
@@ -146,7 +146,8 @@ def test_the_work_of_a_constant_torque_is_torque_times_the_angle_turned(every_st
             turned = (angle[last] - angle[first]).sum()
             speed_before = (angle[first] - angle[max(first - 1, 0)]).sum() / step
             speed_after = (angle[last] - angle[last - 1]).sum() / step
-            work = data[name].values[last] - data[name].values[first]
+            done = every_step.motor_work(name)
+            work = done[last] - done[first]
             # rounding of a sum over 1e4 steps
             assert work == pytest.approx(
                 torque * (turned - step / 2 * (speed_after - speed_before)), abs=1e-10 * protocol.unfold_torque
@@ -155,7 +156,8 @@ def test_the_work_of_a_constant_torque_is_torque_times_the_angle_turned(every_st
 
 
 def test_power_is_the_rate_of_work(every_step):
-    data, step = every_step.data, float(every_step.design.protocol.timestep)
-    for name in ("proximal", "distal"):
-        # rounding of the work, 1e-15 of 10 J, over one step
-        assert data[f"{name}_power"].values[:-1] == pytest.approx(np.diff(data[f"{name}_work"].values) / step, abs=1e-8)
+    series, step = every_step.series, float(every_step.design.protocol.timestep)
+    # rounding of the work, 1e-15 of 10 J, over one step
+    rates = np.diff(series["motor_work"], axis=0) / step
+    assert series["motor_power"].shape == (len(every_step.time), 2)
+    assert series["motor_power"][:-1] == pytest.approx(rates, abs=1e-8)

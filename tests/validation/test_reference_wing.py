@@ -17,8 +17,10 @@ from hypothesis import strategies as st
 
 import forficula as ff
 from forficula.design import with_values
-from forficula.dynamics import compile_wing, simulate, stable_timestep, timestep_warnings, with_timestep
-from forficula.dynamics.membrane import Membrane, membrane_energy
+from forficula.dynamics import compile_model, simulate, stable_timestep, timestep_warnings, with_timestep
+from forficula.dynamics.membrane import joined_mesh, stretch_energy
+from forficula.structure import Membrane, MembraneLaw
+from tests.places import places
 
 
 def fan(units, sector_angle, **values):
@@ -43,10 +45,8 @@ def outcome_of():
 
 
 def test_energies_are_in_the_order_of_the_paper(reference_outcome):
-    flat, opened, folded = (
-        state.tendon_energy.sum()
-        for state in (reference_outcome.flat, reference_outcome.opened_state, reference_outcome.folded_state)
-    )
+    states = reference_outcome.states
+    flat, opened, folded = (states[name].tendon_energy.sum() for name in ("flat", "opened", "folded"))
     # The paper's stops are soft, so its opened wing rests elsewhere than its flat one. Ours are rigid and both
     # lie at the same one: equal but for what has not yet come to rest, 1e-7 rad
     assert opened == pytest.approx(flat, rel=1e-6)
@@ -55,39 +55,39 @@ def test_energies_are_in_the_order_of_the_paper(reference_outcome):
 
 
 def test_works_are_in_the_order_of_the_paper(reference_outcome):
-    assert 0 < reference_outcome.fold.work < reference_outcome.unfold.work / 2
-    assert reference_outcome.unfold.work > reference_outcome.opened_state.tendon_energy.sum()
+    assert 0 < reference_outcome.transitions["fold"].work < reference_outcome.transitions["unfold"].work / 2
+    assert reference_outcome.transitions["unfold"].work > reference_outcome.states["opened"].tendon_energy.sum()
 
 
 def test_20_newton_centimetres_fold_a_soft_and_long_tendon(outcome_of):
     outcome = outcome_of(
         {"tendon.stiffness": "10 N/cm", "tendon.rest_length": "7 cm", "protocol.fold_torque": "20 N cm"}
     )
-    assert outcome.folded
-    assert outcome.folded_state.distal_angle.max() < np.radians(-150)
+    assert outcome.holds["folded"]
+    assert outcome.states["folded"].readings["distal_angle"].mean.max() < np.radians(-150)
 
 
 def test_a_stiff_and_short_tendon_does_not_fold(outcome_of):
     outcome = outcome_of({"tendon.stiffness": "60 N/cm", "tendon.rest_length": "0 cm"})
-    assert not outcome.folded
+    assert not outcome.holds["folded"]
     # every hinge still in the overbend, under the torque
-    assert outcome.folded_state.distal_angle.min() > 0
+    assert outcome.states["folded"].readings["distal_angle"].mean.min() > 0
     assert outcome.status == "did not fold"
     assert "protocol.fold_torque" in outcome.advice
 
 
 def test_a_wing_that_went_round_says_so(reference_outcome):
     assert (reference_outcome.status, reference_outcome.advice) == ("folded and opened", "")
-    assert reference_outcome.folded
-    assert reference_outcome.opened
-    assert reference_outcome.folded_state.distal_angle.max() < np.radians(-150)
+    assert reference_outcome.holds["folded"]
+    assert reference_outcome.holds["opened"]
+    assert reference_outcome.states["folded"].readings["distal_angle"].mean.max() < np.radians(-150)
     # the stop: 3 deg, and 1e-4 rad for its softness at rest
-    assert reference_outcome.opened_state.distal_angle == pytest.approx(np.radians(3), abs=1e-4)
+    assert reference_outcome.states["opened"].readings["distal_angle"].mean == pytest.approx(np.radians(3), abs=1e-4)
 
 
 def test_a_wing_that_is_not_driven_far_enough_to_open_says_so(outcome_of):
     outcome = outcome_of({"protocol.unfold_torque": "1 N cm"})
-    assert (outcome.folded, outcome.opened, outcome.status) == (True, False, "did not open")
+    assert (outcome.holds["folded"], outcome.holds["opened"], outcome.status) == (True, False, "did not open")
     assert "protocol.unfold_torque" in outcome.advice
 
 
@@ -95,8 +95,8 @@ def test_a_diverged_run_is_data(outcome_of):
     outcome = outcome_of({"protocol.timestep": "5 ms"})
     assert outcome.status.startswith("diverged at t = ")
     assert "protocol.timestep" in outcome.advice
-    assert not outcome.folded
-    assert not outcome.opened
+    assert not outcome.holds["folded"]
+    assert not outcome.holds["opened"]
 
 
 def test_a_diverged_run_leaves_no_log_in_the_working_folder(tmp_path):
@@ -120,7 +120,7 @@ def test_fans_of_more_units_fold_and_open_when_the_torque_is_held(units, sector_
     )
     outcome = ff.measure(ff.run(held(design, 0.3)))
     assert outcome.status == "folded and opened"
-    assert outcome.folded_state.distal_angle.shape == (2 * units + 1,)
+    assert outcome.states["folded"].readings["distal_angle"].mean.shape == (2 * units + 1,)
 
 
 def test_a_fan_of_five_units_folds_under_100_newton_centimetres():
@@ -150,11 +150,11 @@ def test_the_timestep_that_is_chosen_does_not_diverge(values):
 
 def test_a_wing_stays_sound_just_below_the_longest_timestep_and_diverges_well_above_it(reference, monkeypatch):
     # of numbers that grow without end: how far a hinge runs into its stop is another matter, and of accuracy
-    monkeypatch.setattr("forficula.dynamics.fleet._FAR", math.inf)
+    monkeypatch.setattr("forficula.dynamics.stages._FAR", math.inf)
     longest = stable_timestep(reference)
     # the limit is an estimate along the fold: the reference diverged, while opening, from nine tenths of it on
     designs = [with_values(reference, {"protocol.timestep": longest * factor}) for factor in (0.8, 3)]
-    sound, diverged = simulate([compile_wing(design) for design in designs])
+    sound, diverged = simulate([compile_model(design) for design in designs])
     assert sound.diverged_at is None
     assert diverged.diverged_at is not None
 
@@ -173,17 +173,19 @@ def test_a_timestep_too_long_is_warned_of(reference):
     thickness=st.floats(1e-5, 1e-3),
 )
 def test_a_strip_pulled_along_holds_half_of_modulus_times_strain_squared_times_volume(
-    reference, length, width, strain, modulus, thickness
+    length, width, strain, modulus, thickness
 ):
     corners = np.array([[0, 0, 0], [length, 0, 0], [0, width, 0], [length, width, 0]])
     strip = Membrane(
-        nodes=corners,
-        bodies=("",) * 4,
-        carriers=np.zeros(4, dtype=np.int64),
+        name="strip",
+        bodies=np.zeros(4, dtype=np.int64),
+        places=corners,
+        built=corners,
         triangles=np.array([[0, 1, 3], [0, 3, 2]]),
+        law=MembraneLaw(youngs_modulus=modulus, poisson_ratio=0.0, thickness=thickness, damping=0.0),
+        margin=0.0,
     )
-    law = {"membrane.youngs_modulus": modulus, "membrane.thickness": thickness, "membrane.poisson_ratio": 0.0}
-    energy = membrane_energy(corners * [1 + strain, 1, 1], strip, with_values(reference, law))
+    energy = stretch_energy(corners * [1 + strain, 1, 1], joined_mesh([strip]))
     # Green's strain is longer by half of its square: a share of the strain in the energy; 1e-9 for 1 + strain - 1
     volume = length * width * thickness
     assert energy == pytest.approx(modulus * strain**2 / 2 * volume, rel=1.1 * strain + 1e-9)
@@ -194,13 +196,13 @@ def test_a_strip_pulled_along_holds_half_of_modulus_times_strain_squared_times_v
 @given(seed=st.integers(0, 2**32 - 1), bend=st.floats(0.01, 0.5))
 def test_the_engine_pulls_with_the_slope_of_the_membrane_energy(reference, poisson_ratio, seed, bend):
     slack = {"tendon.stiffness": 0.0, "tendon.damping": 0.0, "membrane.poisson_ratio": poisson_ratio}
-    wing = compile_wing(with_values(reference, slack))
+    wing = compile_model(with_values(reference, slack))
     data = mujoco.MjData(wing.engine)
 
     def energy(angles):
         data.qpos[:] = angles
         mujoco.mj_forward(wing.engine, data)
-        return membrane_energy(data.flexvert_xpos.copy(), wing.membrane, wing.in_units)
+        return stretch_energy(data.flexvert_xpos.copy(), wing.mesh)
 
     angles = np.random.default_rng(seed).normal(scale=bend, size=wing.engine.nq)
     step = 1e-5
@@ -212,7 +214,7 @@ def test_the_engine_pulls_with_the_slope_of_the_membrane_energy(reference, poiss
 
 def test_the_membrane_does_the_work_that_its_energy_gives_up(reference):
     """Along a path through bent wings, the integral of the engine's force (Gauss-Legendre) is the energy's fall."""
-    wing = compile_wing(with_values(reference, {"tendon.stiffness": 0.0, "tendon.damping": 0.0}))
+    wing = compile_model(with_values(reference, {"tendon.stiffness": 0.0, "tendon.damping": 0.0}))
     data = mujoco.MjData(wing.engine)
     direction = np.random.default_rng(0).normal(size=wing.engine.nq)
     places, weights = np.polynomial.legendre.leggauss(20)
@@ -220,7 +222,7 @@ def test_the_membrane_does_the_work_that_its_energy_gives_up(reference):
     def at(angle):
         data.qpos[:] = angle * direction
         mujoco.mj_forward(wing.engine, data)
-        return membrane_energy(data.flexvert_xpos.copy(), wing.membrane, wing.in_units), data.qfrc_passive @ direction
+        return stretch_energy(data.flexvert_xpos.copy(), wing.mesh), data.qfrc_passive @ direction
 
     work = sum(weight / 2 * 0.3 * at(0.15 * (1 + place))[1] for place, weight in zip(places, weights, strict=True))
     # twenty points are exact to rounding for so smooth a path
@@ -237,15 +239,15 @@ def test_without_a_release_the_folded_state_is_the_moment_of_folding(reference):
     stages = [stage.model_dump() for stage in reference.protocol.stages]
     record = ff.run(with_values(reference, {"protocol.stages": [*stages[:2], *stages[3:]]}))
     outcome = ff.measure(record)
-    assert outcome.folded
-    assert outcome.folded_state.time == record.stages[1].end
-    assert np.all(outcome.folded_state.distal_angle <= -reference.protocol.folded_angle)
+    assert outcome.holds["folded"]
+    assert outcome.states["folded"].time == record.stages[1].end
+    assert np.all(outcome.states["folded"].readings["distal_angle"].mean <= -reference.protocol.folded_angle)
 
 
 def test_the_wing_folds_the_way_its_crease_pattern_says(reference, reference_run, reference_outcome):
     """A vein that is a mountain stands above its neighbours when folded, a valley below (FOLD 1.2, seen from +z)."""
-    folded = reference_run.data.sel(time=reference_outcome.folded_state.time, method="nearest")
-    height = folded["vein_position"].sel(point="ring", axis="z").values
+    row = np.argmin(np.abs(reference_run.time - reference_outcome.states["folded"].time))
+    height = places(reference_run, "ring")[row, :, 2]
     pattern = ff.earwig_pattern(reference.fan)
     (assignment,) = (
         letter

@@ -20,7 +20,7 @@ from forficula.statics.potential import DRIVES, rest, section
 from forficula.statics.quasi_static import flat_state, folds_beyond, least_slow_torque, opened_to
 from forficula.statics.sheet import sheet_energy
 
-JOINTS = ("sweep_angle", "lift_angle", "turn_angle", "distal_angle")
+ROLES = ("sweep", "lift", "turn", "ring")
 
 
 def stage(name, drive, until, time_limit):
@@ -54,7 +54,7 @@ def end_of(run, number):
 
 def angles(run, row):
     """rad, (1, angle)."""
-    return np.stack([run.series[name][row] for name in JOINTS], axis=1).reshape(1, -1)
+    return np.stack([run.angles(role)[row] for role in ROLES], axis=1).reshape(1, -1)
 
 
 def energies(wings, position):

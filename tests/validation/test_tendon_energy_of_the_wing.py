@@ -47,12 +47,12 @@ def tendon_energy(design, angles):
 
 
 def settled(reference, values):
-    return ff.measure(ff.run(with_values(reference, {**values, "protocol.stages": SETTLE}))).flat
+    return ff.measure(ff.run(with_values(reference, {**values, "protocol.stages": SETTLE}))).states["flat"]
 
 
 def test_length_and_energy_are_those_of_the_angles_all_along_the_reference(reference_run):
     data, design = reference_run.data, reference_run.design
-    angles = data["distal_angle"].values
+    angles = reference_run.angles("ring")
     assert np.degrees(angles).min() < -170
     # rounding
     assert data["tendon_length"].values == pytest.approx(tendon_length(design, angles), abs=1e-12)
@@ -60,13 +60,13 @@ def test_length_and_energy_are_those_of_the_angles_all_along_the_reference(refer
 
 
 def test_flat_opened_and_folded_hold_the_energy_of_their_angles(reference_run, reference_outcome):
-    for state in (reference_outcome.flat, reference_outcome.opened_state, reference_outcome.folded_state):
+    for state in reference_outcome.states.values():
         # a state is a mean over its window, and a mean of energies is not the energy of a mean: second order in a swing
         # of up to 0.1 deg
-        energy = tendon_energy(reference_run.design, state.distal_angle)
+        energy = tendon_energy(reference_run.design, state.readings["distal_angle"].mean)
         assert state.tendon_energy == pytest.approx(energy, abs=1e-6)
-    assert reference_outcome.flat.tendon_energy.min() > 0.1
-    assert reference_outcome.folded_state.tendon_energy.max() == 0
+    assert reference_outcome.states["flat"].tendon_energy.min() > 0.1
+    assert reference_outcome.states["folded"].tendon_energy.max() == 0
 
 
 @settings(max_examples=6, deadline=None)
@@ -85,13 +85,13 @@ def test_the_length_follows_the_geometry_in_other_fans(reference, hub, sector, b
     record = ff.run(with_values(reference, {**geometry, "protocol.stages": folding, "protocol.fold_torque": 1.0}))
     assert record.diverged_at is None
     # rounding
-    lengths = tendon_length(record.design, record.data["distal_angle"].values)
+    lengths = tendon_length(record.design, record.angles("ring"))
     assert record.data["tendon_length"].values == pytest.approx(lengths, abs=1e-12)
 
 
 def test_open_tendons_are_about_11_cm_long(reference_outcome):
     # "about": to the centimetre
-    assert reference_outcome.flat.tendon_length == pytest.approx(0.11, abs=0.005)
+    assert reference_outcome.states["flat"].tendon_length == pytest.approx(0.11, abs=0.005)
 
 
 def test_the_stiff_and_short_tendon_holds_more_than_35_joules(reference):

@@ -20,7 +20,7 @@ from scipy.optimize import brentq
 
 import forficula as ff
 from forficula.design import scale_design, with_values
-from forficula.dynamics import compile_wing, simulate
+from forficula.dynamics import compile_model, simulate
 from forficula.dynamics.energy import branch_losses
 
 LENGTH, AREA, ARM = 0.06, 12.5e-6, 0.055  # m, m2, m
@@ -290,7 +290,7 @@ def test_with_branches_the_energy_of_a_free_wing_is_accounted_for_as_without(ref
     missing = {}
     for name, branches in (("without", []), ("with", BRANCHES)):
         base = with_law(reference, {"linear_modulus": 4.8e6, "branches": branches}, **no_stops, **bent)
-        records = simulate([compile_wing(with_values(base, {"protocol.timestep": step})) for step in TIMESTEPS])
+        records = simulate([compile_model(with_values(base, {"protocol.timestep": step})) for step in TIMESTEPS])
         balances = [ff.measure(record).energy_balance for record in records]
         missing[name] = [abs(balance.missing / balance.tendon) for balance in balances]
         if branches:
@@ -322,7 +322,7 @@ def test_a_linear_law_is_the_same_stiffness_and_damping_given_directly(reference
     direct = with_values(reference, {"tendon.stiffness": 1000.0, "tendon.damping": 0.1, "tendon.rest_length": 0.09})
     assert law.tendon.stiffness == pytest.approx(1000.0, rel=1e-15)
     assert law.tendon.damping == pytest.approx(0.1, rel=1e-15)
-    models = [compile_wing(design).engine for design in (law, direct)]
+    models = [compile_model(design).engine for design in (law, direct)]
     for name in ("tendon_stiffness", "tendon_damping", "tendon_lengthspring"):
         assert getattr(models[0], name) == pytest.approx(getattr(models[1], name), rel=1e-15)
     ours, theirs = (ff.run(design) for design in (law, direct))
@@ -346,7 +346,7 @@ def test_a_scaled_wing_with_a_law_moves_alike(reference, size):
     records = [ff.run(design) for design in (large, small)]
     assert records[1].time == pytest.approx(size * records[0].time, rel=1e-12)
     for name, power in {
-        "distal_angle": 0,
+        "hinge_angle": 0,
         "tendon_rest_length": 1,
         "branch_energy": 3,
         "branch_damping_work": 3,

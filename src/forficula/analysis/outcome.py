@@ -205,7 +205,7 @@ def _way(record: Record, transition: Transition) -> _Way:
     end = record.stages[named] if _sound(record, named) else driven if _sound(record, number) else None
     rest_state = state_of(structure, transition.state)
     state = None if end is None else _state(record, end, transition.state)
-    asked = driven.stage.until == transition.goal
+    asked = _same_goal(goal_of(structure, driven.stage.until), goal_of(structure, transition.goal))
     reached = driven.goal_time is not None or not asked
     holds = False
     if state is not None and rest_state is not None:
@@ -257,6 +257,12 @@ def _called(state: RestState, found: State | None, holds: Mapping[str, bool | No
 
 def _within(coordinates: Array, bounds: Goal) -> bool:
     return bool(np.all((coordinates >= bounds.least) & (coordinates <= bounds.most)))
+
+
+def _same_goal(one: Goal, other: Goal) -> bool:
+    """Whether two goals ask for the same, however they are called."""
+    alike = np.array_equal(one.least, other.least) and np.array_equal(one.most, other.most)
+    return one.kind == other.kind and alike
 
 
 def _sound(record: Record, stage: int) -> bool:

@@ -18,7 +18,7 @@ from forficula.design.fan_sections import (
     VeinSection,
 )
 from forficula.design.part import ANGLE, LENGTH, SMALL_LENGTH, TORQUE, quantity
-from forficula.design.protocol import Protocol, check_stages
+from forficula.design.protocol import Protocol, check_stages, check_states, stage_drives
 from forficula.design.start import largest_start, start_stretch
 from forficula.design.tendon import TendonSection
 from forficula.design.tendon_tables import entries_by_vein
@@ -27,7 +27,7 @@ from forficula.pattern import EarwigFan, ring_vertices, vein_gaps
 from forficula.quantities import Unit, as_written, format_quantity, show_quantity
 
 _MOST_VEINS = 1001
-DRIVES, GOALS = ("fold", "unfold"), ("folded", "opened")
+DRIVES, GOALS, STATES = ("fold", "unfold"), ("folded", "opened"), ("flat", "folded", "opened")
 # the two forms of a design's tendons, as they stand in the places of errors
 ONE_FOR_ALL, BY_VEIN = "<one for all>", "<by vein>"
 
@@ -44,21 +44,22 @@ class FanProtocol(Protocol):
     @model_validator(mode="after")
     def _stages_in_order(self) -> FanProtocol:
         check_stages(self, DRIVES, GOALS, dict.fromkeys(("ring", "turn", "lift", "sweep", "distal_angle"), ANGLE))
-        drives = [stage.drive for stage in self.stages]
-        for drive in ("fold", "unfold"):
-            if drives.count(drive) > 1:
-                raise InputError(
-                    f'protocol.stages: need at most one stage with drive = "{drive}", got {drives.count(drive)}'
-                )
-        if "unfold" in drives and "fold" not in drives[: drives.index("unfold")]:
+        check_states(self, STATES)
+        drives = [stage_drives(stage) for stage in self.stages]
+        fold, unfold = ([number for number, each in enumerate(drives) if drive in each] for drive in DRIVES)
+        for drive, driven in zip(DRIVES, (fold, unfold), strict=True):
+            if len(driven) > 1:
+                raise InputError(f'protocol.stages: need at most one stage with drive = "{drive}", got {len(driven)}')
+        written = [stage.drive for stage in self.stages]
+        if unfold and not (fold and fold[0] < unfold[0]):
             raise InputError(
                 'protocol.stages: need a stage with drive = "fold" before the one with drive = "unfold",'
-                f" got {as_written(drives)}"
+                f" got {as_written(written)}"
             )
-        if drives[0] != "none":
+        if drives[0]:
             raise InputError(
                 'protocol.stages: need a first stage with drive = "none", whose end is the flat state,'
-                f" got {as_written(drives[0])}"
+                f" got {as_written(written[0])}"
             )
         return self
 

@@ -116,16 +116,18 @@ def check_stages(protocol: Protocol, drives: Sequence[str], goals: Sequence[str]
         InputError: a name that is not known, or a bound that cannot be read.
     """
     for number, stage in enumerate(protocol.stages):
-        for name in stage_drives(stage):
+        names = stage_drives(stage)
+        for name in names:
             if name not in drives:
                 raise InputError(f"protocol.stages.{number}.drive: need {_one_of(['none', *drives], name)}")
+            if names.count(name) > 1:
+                raise InputError(f"protocol.stages.{number}.drive: need each drive once, got {as_written(stage.drive)}")
         if stage.until in ("time", "rest", *goals):
             continue
         key, written = f"protocol.stages.{number}.until", read_goal(stage.until)
         if written is None:
-            example = f"{next(iter(measures))} < -150 deg"
-            rule = f"{_one_of(['time', 'rest', *goals], stage.until)}"
-            raise InputError(f'{key}: need {rule}, or a bound such as "{example}"')
+            bound = f'a bound such as "{next(iter(measures))} < -150 deg"'
+            raise InputError(f"{key}: need {_one_of(['time', 'rest', *goals], stage.until, [bound])}")
         if written.name not in measures:
             raise InputError(f"{key}: need a bound on {_one_of(measures, written.name)}")
         try:
@@ -134,9 +136,32 @@ def check_stages(protocol: Protocol, drives: Sequence[str], goals: Sequence[str]
             raise InputError(f"{key}: {error}") from None
 
 
-def _one_of(names: Sequence[str] | dict[str, Unit], got: str) -> str:
+def check_states(protocol: Protocol, states: Sequence[str]) -> None:
+    """Refuse stages that call their end something there is not, or two ends the same.
+
+    Args:
+        protocol: with the stages.
+        states: names that a stage may give.
+
+    Raises:
+        InputError: another name, or one that comes twice.
+    """
+    given: list[str] = []
+    for number, stage in enumerate(protocol.stages):
+        if stage.state is None:
+            continue
+        key = f"protocol.stages.{number}.state"
+        if stage.state not in states:
+            raise InputError(f"{key}: need {_one_of(states, stage.state)}")
+        if stage.state in given:
+            raise InputError(f"{key}: need a name of its own, got {as_written(stage.state)} again")
+        given.append(stage.state)
+
+
+def _one_of(names: Sequence[str] | dict[str, Unit], got: str, others: Sequence[str] = ()) -> str:
+    """What is allowed, names in quotes before what else is, and which of the names is near."""
     names = list(names)
-    quoted = [f'"{name}"' for name in names]
+    quoted = [*(f'"{name}"' for name in names), *others]
     listed = f"{', '.join(quoted[:-1])} or {quoted[-1]}" if len(quoted) > 1 else quoted[0]
     near = difflib.get_close_matches(got, names, n=1)
     meant = f'; did you mean "{near[0]}"?' if near else ""

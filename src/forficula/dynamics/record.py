@@ -259,38 +259,39 @@ def load_record(path: str | os.PathLike[str]) -> Record:
     try:
         # by h5py, ten times as fast as by xarray: a study reads a hundred of them
         with h5py.File(io.BytesIO(whole)) as file:
-            if int(np.squeeze(file.attrs.get("format", 1))) != _FORMAT:
-                version = file.attrs.get("version_forficula", "another version")
-                raise InputError(
-                    f"{path}: a record of forficula {version}, which keeps other series; run its design again"
-                )
-            design = design_from_text(file.attrs["design"])
-            ends = [file[f"stage_{name}"][()] for name in ("start", "end", "goal_time", "at_rest", "at_goal")]
-            time = file["time"][()]
-            series = {name: file[name][()] for name in (*VARIABLES, *(name for name in SOMETIMES if name in file))}
-            diverged_at, doubt = float(np.squeeze(file.attrs["diverged_at"])), str(file.attrs["doubt"])
-        stages = tuple(
-            StageEnd(
-                stage=stage,
-                start=float(start),
-                end=float(end),
-                goal_time=None if np.isnan(goal) else float(goal),
-                at_rest=bool(at_rest),
-                at_goal=bool(at_goal),
-            )
-            for stage, start, end, goal, at_rest, at_goal in zip(design.protocol.stages, *ends, strict=False)
-        )
-        return Record(
-            design=design,
-            structure=structure_of(design),
-            time=time,
-            series=series,
-            stages=stages,
-            diverged_at=None if np.isnan(diverged_at) else diverged_at,
-            doubt=doubt,
-        )
+            if int(np.squeeze(file.attrs.get("format", 1))) == _FORMAT:
+                return _read(file)
+            version = str(file.attrs.get("version_forficula", "of another version"))
     except (OSError, LookupError, ValueError, TypeError, RuntimeError) as error:
         raise InputError(f"{path}: not a record of forficula: {' '.join(str(error).split())}") from None
+    raise InputError(f"{path}: a record of forficula {version}, which keeps other series; run its design again")
+
+
+def _read(file: Any) -> Record:
+    """The record that an open file holds."""
+    design = design_from_text(file.attrs["design"])
+    ends = [file[f"stage_{name}"][()] for name in ("start", "end", "goal_time", "at_rest", "at_goal")]
+    diverged_at = float(np.squeeze(file.attrs["diverged_at"]))
+    stages = tuple(
+        StageEnd(
+            stage=stage,
+            start=float(start),
+            end=float(end),
+            goal_time=None if np.isnan(goal) else float(goal),
+            at_rest=bool(at_rest),
+            at_goal=bool(at_goal),
+        )
+        for stage, start, end, goal, at_rest, at_goal in zip(design.protocol.stages, *ends, strict=False)
+    )
+    return Record(
+        design=design,
+        structure=structure_of(design),
+        time=file["time"][()],
+        series={name: file[name][()] for name in (*VARIABLES, *(name for name in SOMETIMES if name in file))},
+        stages=stages,
+        diverged_at=None if np.isnan(diverged_at) else diverged_at,
+        doubt=str(file.attrs["doubt"]),
+    )
 
 
 def versions() -> dict[str, str]:

@@ -45,7 +45,7 @@ def timestep_warnings(design: Design) -> list[str]:
     if chosen == "auto" or chosen <= (longest := stable_timestep(design)):
         return []
     return [
-        f"a timestep of {1e3 * chosen:.3g} ms is too long: its stiffest mode allows"
+        f"a timestep of {1e3 * chosen:.3g} ms is too long: the stiffest mode allows"
         f' {1e3 * longest:.3g} ms; take protocol.timestep = "auto", or a softer or thinner membrane'
     ]
 

@@ -1,3 +1,4 @@
+from forficula.structure.appearance import Appearance
 from forficula.structure.build import drive_keys, static_keys, structure_of, with_protocol
 from forficula.structure.crossing import bar_crossing, tendon_crossing
 from forficula.structure.goals import (
@@ -36,16 +37,19 @@ from forficula.structure.structure_warnings import structure_warnings
 from forficula.structure.tree import (
     ancestry,
     built_frames,
+    built_hinges,
     built_lengths,
     built_points,
     built_strains,
     drawn_points,
     hinges_between,
+    outer_ends,
     tendon_arms,
 )
 
 __all__ = [
     "GROUND",
+    "Appearance",
     "Bar",
     "Body",
     "Crossing",
@@ -68,6 +72,7 @@ __all__ = [
     "ancestry",
     "bar_crossing",
     "built_frames",
+    "built_hinges",
     "built_lengths",
     "built_points",
     "built_strains",
@@ -81,6 +86,7 @@ __all__ = [
     "inertia_about",
     "mass_of",
     "measure_of",
+    "outer_ends",
     "state_of",
     "static_keys",
     "structure_of",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -71,10 +71,8 @@ def goal_of(structure: Structure, text: str) -> Goal:
     if written is None or measure is None:
         got = text if written is None else written.name
         named = ["time", "rest", *_names(structure.goals)]
-        raise InputError(
-            f"until: need {_one_of(named, got, known)}, or one of {', '.join(known)} with a bound such as"
-            f' "{next(iter(known), "ring")} < -150 deg"'
-        )
+        bounds = [f"a bound on one of {', '.join(known)}"] if known else []
+        raise InputError(f"until: need {_one_of([*named, *bounds], got, [*named, *known])}")
     return bounds_on(structure, measure, text, written)
 
 
@@ -110,8 +108,7 @@ def _names(parts: Sequence[Drive] | Sequence[Measure] | Sequence[Goal]) -> list[
     return [part.name for part in parts]
 
 
-def _one_of(names: Iterable[str], got: str, also: Iterable[str] = ()) -> str:
-    names = list(names)
-    near = difflib.get_close_matches(got, [*names, *also], n=1)
+def _one_of(names: Sequence[str], got: str, near_to: Sequence[str] | None = None) -> str:
+    near = difflib.get_close_matches(got, names if near_to is None else near_to, n=1)
     meant = f'; did you mean "{near[0]}"?' if near else ""
     return f"one of {', '.join(names)}, got {as_written(got)}{meant}"

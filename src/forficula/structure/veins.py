@@ -14,6 +14,8 @@ from forficula.design import FanDesign, FanProtocol, TendonSection, stage_drives
 from forficula.design.places import mesh_rows
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, earwig_pattern, ring_vertices
+from forficula.quantities import show_value
+from forficula.structure.appearance import Appearance
 from forficula.structure.crossing import bar_crossing, sine_between
 from forficula.structure.fan_fold import fan_fold
 from forficula.structure.mass import end_inertia
@@ -48,6 +50,7 @@ _FOLD = Wording(
     stays="folded",
     time="fold time",
     noun="folding",
+    did="folded",
     if_stuck=(
         "Raise protocol.fold_torque, or lower the barrier: softer or longer tendons (tendon.stiffness,"
         " tendon.rest_length), less hinge.overbend."
@@ -65,11 +68,18 @@ _UNFOLD = Wording(
     stays="open",
     time="opening time",
     noun="unfolding",
+    did="opened again",
     if_stuck="Raise protocol.unfold_torque, or take softer or longer tendons (tendon.stiffness, tendon.rest_length).",
     if_lost=(
         "It opened under torque and folded again when released: hold it longer (hold of the unfolding stage), or raise"
         " hinge.overbend or tendon.stiffness so that the open state locks."
     ),
+)
+_APPEARANCE = Appearance(
+    whole="wing",
+    bar="vein",
+    crease="ring fold",
+    titles={"distal_angle": "distal hinge angle", "turn": "turn about its own axis"},
 )
 # the hinges of a vein in this order: sweep and lift aim it, turn is about its own axis
 _AIMS = (("sweep", (0.0, 0.0, 1.0)), ("lift", (0.0, 1.0, 0.0)), ("turn", (1.0, 0.0, 0.0)))
@@ -129,7 +139,20 @@ def vein_structure(design: FanDesign) -> Structure:
     pattern = earwig_pattern(design.fan)
     # the last vein takes the ring crease of the pattern continued
     built = structure_of_veins(design, veins_on(pattern, ring_vertices(design.fan, continued=True)[-1]))
-    return replace(built, fold_path=fan_fold(design, built))
+    chosen = design.pattern
+    sizes = {
+        "proximal length": chosen.proximal_length,
+        "distal length": chosen.distal_length,
+        "hub radius": chosen.hub_radius,
+    }
+    text = (
+        f"A fan of {design.fan.vein_count} veins and {design.fan.vein_count - 1} membrane panels, each vein"
+        f" {show_value(chosen.proximal_length, 'm')} long up to the ring fold and"
+        f" {show_value(chosen.distal_length, 'm')} beyond it"
+    )
+    circles = {"hub": chosen.hub_radius}
+    appearance = replace(built.appearance, text=text, sizes=sizes, pattern=pattern, circles=circles)
+    return replace(built, appearance=appearance, fold_path=fan_fold(design, built))
 
 
 def veins_on(pattern: CreasePattern, beyond: Array) -> tuple[Vein, ...]:
@@ -205,6 +228,7 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
                 gauge_length=choice.rest_length,
                 material=None if choice.law is None else choice.law.material,
                 key=f"tendon.{index}" if isinstance(design.tendon, tuple) else "tendon",
+                label=f"vein {index}",
             )
         )
     built = Structure(
@@ -220,6 +244,7 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
         mass=_bar_mass(design),
         contact=design.protocol.contact,
         gravity=design.protocol.gravity,
+        appearance=_APPEARANCE,
     )
     return with_protocol(built, design)
 
@@ -248,6 +273,7 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
                 torque=fold,
                 tries="0..50 N cm step 10",
                 large="500 N cm",
+                where="on every proximal joint",
             ),
             Drive(
                 name="unfold",
@@ -256,6 +282,7 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
                 key="protocol.unfold_torque",
                 torque=unfold,
                 tries="10..100 N cm step 10",
+                where="on every joint",
             ),
         ),
         measures=(
@@ -362,6 +389,7 @@ def _hinges(design: FanDesign, index: int, vein: Vein) -> list[Hinge]:
             upper=choice.turn_limit if role == "turn" else math.inf,
             damping=choice.damping,
             armature=choice.armature,
+            label=f"vein {index}",
         )
         for role, axis in _AIMS
         if not vein.fixed_base
@@ -377,6 +405,7 @@ def _hinges(design: FanDesign, index: int, vein: Vein) -> list[Hinge]:
         sense=vein.sense,
         damping=choice.damping,
         armature=choice.armature,
+        label=f"vein {index}",
     )
     return [*aims, ring]
 
@@ -463,15 +492,17 @@ def _panels(design: FanDesign, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
         built: list[Array] = []
         bodies: list[int] = []
         places: list[Array] = []
+        roots: list[Array] = []
         for distal, here, there in zip(beyond, near, far, strict=True):
             width = float(np.linalg.norm(there - here))
             margin = min(choice.margin, choice.margin_limit * width)
-            for vein, number, node in zip(
-                pair, (panel, panel + 1), (here + margin / width * (there - here), there), strict=True
+            for vein, number, node, root in zip(
+                pair, (panel, panel + 1), (here + margin / width * (there - here), there), (here, there), strict=True
             ):
                 built.append(node)
                 bodies.append(2 * number + distal)
                 places.append(vein.on_distal_bar(node) if distal else vein.on_proximal_bar(node))
+                roots.append(vein.on_distal_bar(root) if distal else vein.on_proximal_bar(root))
         corners = [
             each
             for left in range(0, len(built) - 2, 2)
@@ -486,6 +517,7 @@ def _panels(design: FanDesign, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
                 triangles=np.array(corners, dtype=np.int64),
                 law=law,
                 margin=choice.margin,
+                roots=np.array(roots),
             )
         )
     return tuple(panels)

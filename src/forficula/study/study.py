@@ -211,7 +211,7 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
             raise InputError(f"{factor.key}: need a list or a range; only numbers with fractions are drawn")
     ask = tables.get("ask", "run")
     if ask not in ("run", *_SEARCHES):
-        raise InputError(f'ask: need "run", "least-torques" or "least-value", got {ask!r}')
+        raise InputError(f'ask: need "run", "least-torques" or "least-value", got {as_written(ask)}')
     if "sampling" in tables and not drawn:
         raise InputError("sampling: needs factors that are distributions, got lists and ranges")
     if "search" in tables and ask not in _SEARCHES:

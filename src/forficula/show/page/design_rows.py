@@ -9,8 +9,8 @@ from typing import Any
 
 from forficula.design import Design
 from forficula.design.design_file import load_design, named_designs
+from forficula.design.kinds import reference_of
 from forficula.design.part import Part
-from forficula.design.rejection import REFERENCE
 from forficula.quantities import as_written, show_quantity
 
 ABSENT = "—"
@@ -41,21 +41,32 @@ class DesignRow:
         return self.value != self.base
 
 
-def base_design(design: Design) -> Design:
-    """The named design to compare one with: the one of its name, or the reference.
+def base_design(design: Design) -> Design | None:
+    """The named design to compare one with: the one of its name, the reference, or the first of its kind.
 
     A design does not keep what it was based on, so a file of another name counts as one that came from the reference,
     as one that `forficula new` wrote does.
+
+    Returns:
+        None where no named design is of its kind.
     """
-    return load_design(design.name if design.name in named_designs() else REFERENCE)
+    named = named_designs()
+    for name in (design.name, reference_of(type(design)), *named):
+        if name in named:
+            base = load_design(name)
+            if type(base) is type(design):
+                return base
+    return None
 
 
 def design_rows(design: Design, base: Design) -> list[DesignRow]:
     """Every value of a design, in its order, beside that of another; then what only the other one has."""
     own, other = _flat(design), _flat(base)
     meanings = dict(_meanings(design)) | dict(_meanings(base))
-    sections = sorted(type(design).model_fields, key=lambda name: name == "protocol")
-    keys = sorted(_keys([own, other]), key=lambda key: sections.index(key.partition(".")[0]))
+    # as in a design file: what is built, then what is done to it
+    sections = dict.fromkeys([*type(design).model_fields, *type(base).model_fields])
+    order = sorted(sections, key=lambda section: section == "protocol")
+    keys = sorted(_keys([own, other]), key=lambda key: order.index(key.partition(".")[0]))
     return [
         DesignRow(
             section=key.partition(".")[0],
@@ -77,7 +88,7 @@ def differing_rows(designs: Sequence[Design]) -> list[tuple[str, list[str]]]:
 
 def section_title(section: str, design: Design) -> str:
     """What a part of a design is, in words."""
-    part = getattr(design, section)
+    part = getattr(design, section, None)
     if isinstance(part, tuple):
         part = next((entry for entry in part if entry is not None), None)
     return ((type(part).__doc__ if part is not None else "") or section).splitlines()[0].removesuffix(".")

@@ -1,21 +1,21 @@
-"""What is made of the steps of many wings."""
+"""What is made of the steps of many structures."""
 
 import numpy as np
 
-from forficula.dynamics import fleet
+from forficula.dynamics.stages import _sound_steps
 
 
 def test_numbers_that_blow_up_end_a_wings_steps_without_a_warning():
     time = np.arange(5.0)[None]
     position, velocity = np.zeros((1, 4, 2)), np.zeros((1, 4, 2))
-    assert fleet._sound_steps(time[:, 0], time[:, 1:], position, velocity).tolist() == [4]
+    assert _sound_steps(time[:, 0], time[:, 1:], position, velocity).tolist() == [4]
     velocity[0, 2:] = [np.inf, -np.inf]
-    assert fleet._sound_steps(time[:, 0], time[:, 1:], position, velocity).tolist() == [2]
+    assert _sound_steps(time[:, 0], time[:, 1:], position, velocity).tolist() == [2]
     velocity[0, 1:] = [np.nan, 0]
-    assert fleet._sound_steps(time[:, 0], time[:, 1:], position, velocity).tolist() == [1]
+    assert _sound_steps(time[:, 0], time[:, 1:], position, velocity).tolist() == [1]
 
 
 def test_a_clock_that_stops_ends_a_wings_steps():
     position, velocity = np.zeros((2, 4, 2)), np.zeros((2, 4, 2))
     time = np.array([[0.0, 1.0, 2.0, 2.0, 2.0], [0.0, 1.0, 2.0, 3.0, 4.0]])
-    assert fleet._sound_steps(time[:, 0], time[:, 1:], position, velocity).tolist() == [2, 4]
+    assert _sound_steps(time[:, 0], time[:, 1:], position, velocity).tolist() == [2, 4]

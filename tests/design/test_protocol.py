@@ -1,0 +1,107 @@
+"""What a protocol's stages may say: drives, goals and states by name, or goals as bounds."""
+
+import pytest
+
+from forficula.design import load_design, stage_drives, with_values
+from forficula.errors import InputError
+from forficula.structure import structure_of
+
+REFERENCE = load_design("binder2025")
+
+
+def stage(number, **values):
+    return with_values(REFERENCE, {f"protocol.stages.{number}.{key}": value for key, value in values.items()})
+
+
+@pytest.mark.parametrize("until", ["ring < -150 deg", "turn > 10 deg", "sweep > -0.1 rad", "distal_angle <= -2 rad"])
+def test_a_goal_may_be_a_bound_on_a_measure_or_on_the_hinges_of_a_role(until):
+    assert stage(1, until=until).protocol.stages[1].until == until
+
+
+GOALS = '"time", "rest", "folded", "opened" or a bound such as "ring < -150 deg"'
+MEASURES = '"ring", "turn", "lift", "sweep" or "distal_angle"'
+
+
+@pytest.mark.parametrize(
+    ("until", "message"),
+    [
+        ("folde", f'need {GOALS}, got "folde"; did you mean "folded"?'),
+        ("ring", f'need {GOALS}, got "ring"'),
+        ("rings < -150 deg", f'need a bound on {MEASURES}, got "rings"; did you mean "ring"?'),
+        ("distal_angel > 1 deg", f'need a bound on {MEASURES}, got "distal_angel"; did you mean "distal_angle"?'),
+        ("turn > 10 cm", '"cm" is not a unit of the right kind; write it such as "15 deg", got "10 cm"'),
+        ("turn > 10", 'the unit is missing; write it such as "15 deg", got "10"'),
+        ("turn > far deg", 'need a number and a unit such as "15 deg", got "far deg"'),
+        ("turn > nan deg", 'need a finite number with a unit such as "15 deg", got "nan deg"'),
+    ],
+)
+def test_a_goal_that_is_none_is_refused_with_its_key_what_is_allowed_and_what_is_near(until, message):
+    with pytest.raises(InputError) as caught:
+        stage(1, until=until)
+    assert str(caught.value).endswith(f"protocol.stages.1.until: {message}")
+    assert len(str(caught.value).splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    ("drive", "message"),
+    [
+        ("flod", 'drive: need "none", "fold" or "unfold", got "flod"; did you mean "fold"?'),
+        (["fold", "flod"], 'drive: need "none", "fold" or "unfold", got "flod"; did you mean "fold"?'),
+        (["fold", "fold"], 'drive: need each drive once, got ["fold", "fold"]'),
+    ],
+)
+def test_a_drive_that_there_is_not_or_that_comes_twice_is_refused(drive, message):
+    with pytest.raises(InputError) as caught:
+        stage(1, drive=drive)
+    assert str(caught.value).endswith(f"protocol.stages.1.{message}")
+
+
+@pytest.mark.parametrize(
+    ("drive", "drives"), [("fold", ("fold",)), (["fold"], ("fold",)), (["none", "fold"], ("fold",))]
+)
+def test_a_stage_may_have_a_list_of_drives(drive, drives):
+    design = stage(1, drive=drive)
+    assert stage_drives(design.protocol.stages[1]) == drives
+    assert [each.stage for each in structure_of(design).transitions] == [1, 3]
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({1: ["fold", "unfold"]}, 'need at most one stage with drive = "unfold", got 2'),
+        ({3: ["unfold", "fold"]}, 'need at most one stage with drive = "fold", got 2'),
+        ({1: ["none"]}, 'need a stage with drive = "fold" before the one with drive = "unfold", got '),
+        ({0: ["fold"], 1: "none"}, 'need a first stage with drive = "none", whose end is the flat state, got ["fold"]'),
+    ],
+)
+def test_the_drives_of_a_fan_count_in_lists_as_alone(values, message):
+    with pytest.raises(InputError) as caught:
+        with_values(REFERENCE, {f"protocol.stages.{number}.drive": drive for number, drive in values.items()})
+    assert f"protocol.stages: {message}" in str(caught.value)
+
+
+def test_stages_that_name_no_state_end_flat_folded_and_opened_after_their_releases():
+    assert structure_of(REFERENCE).stage_states == ("flat", "", "folded", "", "opened")
+    assert structure_of(stage(2, drive="none", until="time")).stage_states == ("flat", "", "folded", "", "opened")
+
+
+def test_stages_may_name_the_states_at_their_ends_themselves():
+    named = with_values(REFERENCE, {"protocol.stages.1.state": "folded", "protocol.stages.3.state": "opened"})
+    # what names any names all
+    assert structure_of(named).stage_states == ("", "folded", "", "opened", "")
+    assert named.hash != REFERENCE.hash
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({2: "fold"}, '2.state: need "flat", "folded" or "opened", got "fold"; did you mean "folded"?'),
+        ({2: "sideways"}, '2.state: need "flat", "folded" or "opened", got "sideways"'),
+        ({2: ""}, '2.state: need "flat", "folded" or "opened", got ""'),
+        ({1: "folded", 2: "folded"}, '2.state: need a name of its own, got "folded" again'),
+    ],
+)
+def test_a_state_that_a_fan_does_not_have_or_that_comes_twice_is_refused(values, message):
+    with pytest.raises(InputError) as caught:
+        with_values(REFERENCE, {f"protocol.stages.{number}.state": state for number, state in values.items()})
+    assert str(caught.value).endswith(f"protocol.stages.{message}")
