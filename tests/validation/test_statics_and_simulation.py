@@ -16,11 +16,13 @@ import pytest
 
 import forficula as ff
 from forficula.design import with_values
-from forficula.statics.potential import DRIVES, rest, section
-from forficula.statics.quasi_static import flat_state, folds_beyond, least_slow_torque, opened_to
+from forficula.statics.potential import ensemble_of, rest
+from forficula.statics.quasi_static import least_slow_torque, start_state
 from forficula.statics.sheet import sheet_energy
+from forficula.structure import transition_of
 
-ROLES = ("sweep", "lift", "turn", "ring")
+# share of a torque on proximal axes and on distal hinges, in the hinges' own senses
+FOLDING, OPENING = np.array([1.0, 0.0]), np.array([-1.0, 1.0])
 
 
 def stage(name, drive, until, time_limit):
@@ -54,29 +56,42 @@ def end_of(run, number):
 
 def angles(run, row):
     """rad, (1, angle)."""
-    return np.stack([run.angles(role)[row] for role in ROLES], axis=1).reshape(1, -1)
+    return run.data["hinge_angle"].values[row][None]
 
 
 def energies(wings, position):
     """Of the tendons, and of the membrane, J."""
-    by_vein = position.reshape(1, -1, 4)
-    return wings.tendons.energy(by_vein[:, :, 3]).sum(), sheet_energy(wings.sheet, by_vein)[0][0]
+    return wings.tendons.energy(folds(position)).sum(), sheet_energy(wings.sheet, position)[0][0]
 
 
-def least_at_once(wings, start, drive, arrived, most):
+def folds(position):
+    """Angles of the distal hinges, the last of four of each vein, rad, (1, vein)."""
+    return position[:, 3::4]
+
+
+def folds_beyond(position, angle):
+    """Whether every distal hinge is folded by an angle (rad) or more, (case,)."""
+    return np.all(folds(position) <= -angle, axis=1)
+
+
+def opened_to(position, angle):
+    """Whether every distal hinge is at an angle (rad) or past it, on the overbend side, (case,)."""
+    return np.all(folds(position) >= angle, axis=1)
+
+
+def least_at_once(wings, start, shares, arrived, most):
     """The least torque that brings a wing to its goal when it comes at once, to 1 %."""
     low, high = 0.0, most
     while high - low > 0.01 * high:
         torque = (low + high) / 2
-        on_proximal, on_distal = DRIVES[drive]
-        there = arrived(rest(wings, start, on_proximal * torque, on_distal * torque).position).all()
+        there = arrived(rest(wings, start, torque * shares).position).all()
         low, high = (low, torque) if there else (torque, high)
     return high
 
 
 @pytest.fixture(scope="module")
 def wings(reference):
-    return section([reference])
+    return ensemble_of([reference])
 
 
 @pytest.fixture(scope="module")
@@ -89,7 +104,7 @@ def pushed(reference):
 
 
 def test_the_flat_wing_is_pressed_on_its_stops_alike(wings, pushed):
-    flat = flat_state(wings)
+    flat = start_state(wings).position
     off = []
     for run in pushed:
         row = end_of(run, 0)
@@ -102,7 +117,7 @@ def test_the_flat_wing_is_pressed_on_its_stops_alike(wings, pushed):
 
 
 def test_the_pushed_wing_rests_at_the_same_angles_with_the_same_energies(wings, pushed):
-    static = rest(wings, flat_state(wings), 0.0035)
+    static = rest(wings, start_state(wings).position, 0.0035 * FOLDING)
     tendons, membrane = energies(wings, static.position)
     off = []
     for run in pushed:
@@ -118,9 +133,9 @@ def test_the_pushed_wing_rests_at_the_same_angles_with_the_same_energies(wings, 
 
 
 def test_the_least_fold_torque_is_that_of_a_damped_wing(reference, wings):
-    flat = flat_state(wings)
-    least = least_slow_torque(wings, flat, "fold", 0.5).torque[0]
-    at_once = least_at_once(wings, flat, "fold", lambda position: folds_beyond(position, math.radians(160)), 0.5)
+    flat = start_state(wings).position
+    least = least_slow_torque(wings, flat, transition_of(wings.structure, "fold"), 0.5).torque[0]
+    at_once = least_at_once(wings, flat, FOLDING, lambda position: folds_beyond(position, math.radians(160)), 0.5)
     # 1 % each
     assert at_once == pytest.approx(least, rel=0.02)
     for share, folds in ((0.97, False), (1.03, True)):
@@ -136,7 +151,7 @@ def test_the_least_torque_that_opens_is_that_of_a_damped_wing_and_below_it_the_w
     opening = [fold, stage("unfold", "unfold", "time", 8.0), stage("release", "none", "time", 15.0)]
     folded = angles(damped(reference, [fold], 0.03, fold_torque=0.06), -1)
     assert folds_beyond(folded, math.radians(159)).all()
-    least = least_at_once(wings, folded, "unfold", lambda position: opened_to(position, 0.0), 0.5)
+    least = least_at_once(wings, folded, OPENING, lambda position: opened_to(position, 0.0), 0.5)
     below, above = (
         damped(reference, opening, 0.03, fold_torque=0.06, unfold_torque=share * least) for share in (0.97, 1.03)
     )
@@ -146,7 +161,7 @@ def test_the_least_torque_that_opens_is_that_of_a_damped_wing_and_below_it_the_w
     under_torque = angles(below, end_of(below, 2))
     assert not opened_to(under_torque, 0.0).all()
 
-    static = rest(wings, folded, -0.97 * least, -0.97 * least)
+    static = rest(wings, folded, 0.97 * least * OPENING)
     assert ((under_torque < 0) == (static.position < 0))[:, 3::4].all()
     assert (static.position[:, 3::4] < 0).sum() == 1
     assert energies(wings, under_torque)[0] == pytest.approx(energies(wings, static.position)[0], rel=0.01)
