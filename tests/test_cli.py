@@ -149,9 +149,37 @@ def test_a_new_design_file_can_be_run(call):
 
 
 def test_the_named_designs_are_listed_with_their_sources(call):
-    name, source = call("designs").out.splitlines()
-    assert name == "binder2025"
+    name, source, other, own = call("designs").out.splitlines()
+    assert (name, other) == ("binder2025", "letter-fold")
     assert "10.3390/biomimetics11010009" in source
+    assert "an example of ours" in own
+
+
+def test_a_pattern_is_described_where_no_file_is_to_be_written(call):
+    fan = call("pattern", "binder2025").out.splitlines()
+    assert fan[0] == "earwig fan, 1 unit, 3 veins: 9 vertices, 4 facets, 22.35 cm by 15.06 cm."
+    assert fan[-1] == "Every vertex folds flat by itself; whether layers get into each other's way is not checked."
+    call("pattern", "binder2025", "--out", "fan.fold")
+    # residuals of a file's digits may differ from those of the design's
+    assert call("pattern", "fan.fold").out.splitlines()[:3] == fan[:3]
+    strip = call("pattern", "letter-fold").out
+    assert strip.endswith("No interior vertex: every crease folds on its own.\n")
+
+
+def test_a_fold_file_is_drawn_and_has_no_values_to_set(call, refusal):
+    call("pattern", "letter-fold", "--out", "sheet.fold")
+    assert call("pattern", "sheet.fold", "--out", "sheet.svg").out == "written to sheet.svg\n"
+    message = "--set: a FOLD file has no values to replace, got pattern.panels=4"
+    assert refusal("pattern", "sheet.fold", "--set", "pattern.panels=4") == message
+
+
+def test_a_new_design_file_of_each_kind_describes_itself(call, refusal):
+    call("new", "wing.toml")
+    call("new", "letter.toml", "--kind", "pleats")
+    assert "earwig fan" in call("pattern", "wing.toml").out
+    assert "strip of 3 panels" in call("pattern", "letter.toml").out
+    said = 'kind: need one of earwig-fan, pleats, got "pleat"; did you mean "pleats"?'
+    assert refusal("new", "other.toml", "--kind", "pleat") == said
 
 
 def test_help_names_every_command(call):
@@ -269,7 +297,7 @@ def test_values_that_do_not_fit_each_other_are_answered_with_the_design_and_the_
         (["run"], "DESIGN"),
         (["run", "binder2025", "--bogus"], "--bogus"),
         (["run", "binder2025", "extra"], "extra"),
-        (["pattern", "binder2025"], "--out"),
+        (["pattern"], "DESIGN"),
         (["frobnicate"], "frobnicate"),
         (["new"], "FILE"),
     ],

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from forficula.analysis import Outcome, Verdict, measure
     from forficula.analysis.sizing import TendonSizes, size_tendons
-    from forficula.design import Design, design_warnings, load_design, named_designs, save_design, scale_design
+    from forficula.design import Design, load_design, named_designs, save_design, scale_design
     from forficula.dynamics import Record, load_record, save_record, timestep_warnings
     from forficula.errors import InputError
     from forficula.material import TensileTest, find_cycles, moduli_by_strain, read_tensile_test, read_tensile_tests
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from forficula.material.tensile.strain_history import StrainHistory
     from forficula.pattern import CreasePattern, EarwigFan, earwig_pattern, read_fold, read_folded_frames, write_fold
     from forficula.statics import EnergyLandscape, StableState, barrier, energy_landscape, stable_states
+    from forficula.structure import Structure, structure_of, structure_warnings
     from forficula.study import Study, load_study, run_study
     from forficula.study.cycling import Cycling, run_cycles
     from forficula.study.runs import run
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
 # and crease patterns need neither.
 _HOMES = {
     "forficula.analysis": ("Outcome", "Verdict", "measure"),
-    "forficula.design": ("Design", "design_warnings", "load_design", "named_designs", "save_design", "scale_design"),
+    "forficula.design": ("Design", "load_design", "named_designs", "save_design", "scale_design"),
     "forficula.dynamics": ("Record", "load_record", "save_record", "timestep_warnings"),
     "forficula.analysis.sizing": ("TendonSizes", "size_tendons"),
     "forficula.errors": ("InputError",),
@@ -51,6 +52,7 @@ _HOMES = {
     "forficula.material.law.material_law": ("MaterialLaw", "area_for"),
     "forficula.material.tensile.strain_history": ("StrainHistory",),
     "forficula.statics": ("EnergyLandscape", "StableState", "barrier", "energy_landscape", "stable_states"),
+    "forficula.structure": ("Structure", "structure_of", "structure_warnings"),
     "forficula.study": ("Study", "load_study", "run_study"),
     "forficula.study.cycling": ("Cycling", "run_cycles"),
     "forficula.study.runs": ("run",),
@@ -78,6 +80,7 @@ __all__ = [
     "Record",
     "StableState",
     "StrainHistory",
+    "Structure",
     "Study",
     "TendonSizes",
     "TensileTest",
@@ -85,7 +88,6 @@ __all__ = [
     "area_for",
     "barrier",
     "characterise",
-    "design_warnings",
     "earwig_pattern",
     "energy_landscape",
     "find_cycles",
@@ -111,6 +113,8 @@ __all__ = [
     "scale_design",
     "size_tendons",
     "stable_states",
+    "structure_of",
+    "structure_warnings",
     "timestep_warnings",
     "write_fold",
 ]

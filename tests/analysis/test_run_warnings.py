@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from forficula.analysis import measure, summary
-from forficula.analysis.run_warnings import highest_strain_rate, run_warnings
+from forficula.analysis.run_warnings import highest_strain_rates, run_warnings
 from forficula.design import load_design, with_values
 from forficula.dynamics import Record
 from forficula.structure import structure_of
@@ -27,16 +27,15 @@ def moving(speed, *, start=1.5, of=None, rows=11):
     time = np.linspace(0, 1e-3, rows)
     length = np.stack([start * LENGTH + speed * time, 0.5 * LENGTH + 100 * abs(speed) * (time - 1e-3)], axis=1)
     series = MappingProxyType({"tendon_length": length})
-    ran = of or design()
-    built = structure_of(ran)
+    wing = with_values(of or design(), {"tendon": [{"vein": vein} | tables(of or design()) for vein in (0, 2)]})
     return Record(
-        design=ran,
-        structure=replace(built, tendons=built.tendons[:2]),
-        time=time,
-        series=series,
-        stages=(),
-        diverged_at=None,
+        design=wing, structure=structure_of(wing), time=time, series=series, stages=(), diverged_at=None, doubt=""
     )
+
+
+def tables(wing):
+    """Its tendons as a table, SI."""
+    return wing.tendon.as_tables(lambda value, _: value)
 
 
 @pytest.mark.parametrize("speed", [1.2, -1.2])
@@ -69,10 +68,19 @@ def test_tendons_that_have_yielded_are_slack_below_their_new_length():
     assert run_warnings(replace(record, series={**record.series, "tendon_rest_length": grown})) == []
 
 
+def test_tendons_are_named_where_others_are_of_another_material():
+    record = moving(1.2)
+    mixed = with_values(record.design, {"tendon.2.law": "none", "tendon.2.stiffness": 1000.0})
+    (warning,) = run_warnings(replace(record, design=mixed, structure=structure_of(mixed)))
+    assert warning.startswith("tendon0: taut tendons move at up to 20 1/s, 200 times the 0.1 1/s")
+    untested = with_values(record.design, {"tendon.0.law": "none", "tendon.0.stiffness": 1000.0})
+    assert run_warnings(replace(record, design=untested, structure=structure_of(untested))) == []
+
+
 def test_a_wing_of_the_papers_tpu_folds_far_faster_than_the_papers_machine_pulled():
     wing = load_design("binder2025", {"tendon.law": "tpu-82a", "tendon.area": "12.5 mm^2"})
     record = run(wing)
-    rate, tested = highest_strain_rate(record), wing.tendon.law.highest_strain_rate
+    rate, tested = highest_strain_rates(record).max(), wing.tendon.law.highest_strain_rate
     # of a hinge's speed and the arms of its tendon no more can come than their sum
     speed = np.abs(np.diff(record.angles("ring"), axis=0)) / np.diff(record.time)[:, None]
     arms = wing.tendon.proximal_attachment + wing.tendon.distal_attachment

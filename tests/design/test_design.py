@@ -5,7 +5,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
-from forficula.design import Design, design_warnings, load_design, scale_design, with_values
+from forficula.design import FanDesign, load_design, with_values
 from forficula.design.part import Part, field_quantity
 from forficula.errors import InputError
 from forficula.quantities import parse_quantity
@@ -274,7 +274,7 @@ def test_a_protocol_may_end_early(stages):
 
 def test_a_misspelt_choice_is_answered_with_the_choices():
     assert refusal(pattern__tangent="up") == 'pattern.tangent: need "left" or "right", got "up"'
-    assert refusal(pattern__kind="bat") == 'pattern.kind: need "earwig-fan", got "bat"'
+    assert refusal(pattern__kind="bat") == 'pattern.kind: need "earwig-fan", "pleats" or "fold-file", got "bat"'
     message = 'protocol.stages.0.drive: need "none", "fold" or "unfold", got "pull"'
     assert refusal(**{"protocol.stages.0.drive": "pull"}) == message
 
@@ -282,25 +282,6 @@ def test_a_misspelt_choice_is_answered_with_the_choices():
 def test_a_timestep_may_be_left_to_the_program():
     assert changed(protocol__timestep="auto").protocol.timestep == "auto"
     assert refusal(protocol__timestep="automatic").endswith('got "automatic"; "auto" is allowed, too')
-
-
-def test_veins_that_overlap_near_the_hub_are_only_warned_of():
-    # where a vein leaves the hub, the next one passes it at hub_radius x (1 - cos 20 deg) = 0.905 mm
-    assert design_warnings(changed(vein__diameter=0.90e-3)) == []
-    (warning,) = design_warnings(changed(vein__diameter=0.92e-3))
-    assert warning.startswith("neighbouring veins of 0.92 mm overlap within ")
-
-
-def test_the_warning_says_how_far_from_the_hub_veins_overlap():
-    # axes are 5 mm apart at (5 mm + 0.905 mm) / sin 20 deg = 17.26 mm; found to a thousandth of the length, 0.12 mm
-    (warning,) = design_warnings(REFERENCE)
-    distance = float(warning.partition("within ")[2].partition(" mm")[0])
-    assert 17.26 - 0.12 <= distance <= 17.26
-
-
-def test_the_warning_reads_well_for_a_small_wing():
-    (warning,) = design_warnings(scale_design(REFERENCE, 1 / 22))
-    assert warning.startswith("neighbouring veins of 0.2273 mm overlap within 0.78 mm of the hub")
 
 
 def test_the_hash_names_the_values_whatever_the_design_is_called():
@@ -316,10 +297,10 @@ def test_the_hash_tells_values_apart_that_differ_in_the_last_bit(key, value):
 
 
 def test_the_json_schema_describes_every_key_and_calls_quantities_text():
-    schema = Design.model_json_schema()
+    schema = FanDesign.model_json_schema()
     for section, properties in schema["$defs"].items():
         for key, entry in properties["properties"].items():
             assert entry.get("description"), f"{section}.{key}"
-    stiffness = schema["$defs"]["Tendon"]["properties"]["stiffness"]
+    stiffness = schema["$defs"]["TendonSection"]["properties"]["stiffness"]
     assert (stiffness["type"], stiffness["examples"]) == ("string", ["10 N/cm"])
-    assert schema["$defs"]["Protocol"]["properties"]["timestep"]["type"] == "string"
+    assert schema["$defs"]["FanProtocol"]["properties"]["timestep"]["type"] == "string"

@@ -227,9 +227,9 @@ def test_settings_reach_into_a_stage():
             f'protocol.stages.5.hold: need one of the numbers {STAGES} in it, got "5"',
         ),
         (
-            "protocol.stages.fold.hold",
+            "protocol.stages.folds.hold",
             "1 s",
-            f'protocol.stages.fold.hold: need one of the numbers {STAGES} in it, got "fold"',
+            f'protocol.stages.folds.hold: need one of the numbers {STAGES} in it, got "folds"',
         ),
         ("based_on", "binder2025", "based_on: cannot be set; name the design to start from instead"),
     ],
@@ -247,7 +247,10 @@ def test_an_empty_key_is_unknown_like_any_other():
 
 
 SECTIONS = "based_on, name, source, reproduces, pattern, vein, membrane, hinge, tendon, guard, protocol"
-OF_TENDON = "stiffness, rest_length, damping, proximal_attachment, distal_attachment, area, law"
+OF_TENDON = (
+    "stiffness, rest_length, damping, proximal_attachment, distal_attachment, proximal_offset, distal_offset,"
+    " proximal_aside, distal_aside, area, law"
+)
 
 
 @pytest.mark.parametrize(
@@ -415,8 +418,8 @@ def test_a_number_too_long_for_a_computer_is_one_error(refusal):
         ("a\0b.toml", '"a\\u0000b.toml": cannot be read: embedded null byte'),
         ("bindr2025", '"bindr2025" is neither a named design nor a .toml file; did you mean "binder2025"?'),
         ("wing", '"wing" is neither a named design nor a .toml file; did you mean "wing.toml"?'),
-        (".", '"." is neither a named design nor a .toml file; the named designs are binder2025'),
-        ("", '"" is neither a named design nor a .toml file; the named designs are binder2025'),
+        (".", '"." is neither a named design nor a .toml file; the named designs are binder2025, letter-fold'),
+        ("", '"" is neither a named design nor a .toml file; the named designs are binder2025, letter-fold'),
     ],
 )
 def test_a_design_that_is_not_there_is_one_error(refusal, tmp_path, name, message):

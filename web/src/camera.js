@@ -1,4 +1,4 @@
-/** Where the wings are seen from: one camera for all of them. */
+/** Where the structures are seen from: one camera for all of them. */
 
 import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
@@ -12,8 +12,8 @@ const ZOOM = 1.15;
 export const VIEWS = [
   { name: "3-D", text: "obliquely from above", towards: [0.37, -0.695, 0.616] },
   { name: "top", text: "from above", towards: [0, -0.0005, 1] },
-  { name: "side", text: "from the side, level with the flat wing", towards: [0, -1, 0.0001] },
-  { name: "along", text: "from the tips along the middle vein", towards: [1, 0, 0.0001] },
+  { name: "side", text: "from the side, level with what lies flat", towards: [0, -1, 0.0001] },
+  { name: "along", text: "from the far end, along the middle", towards: [1, 0, 0.0001] },
 ];
 
 /** A camera that turns about what the clips ever show, by pointer, wheel and keys. */
@@ -86,7 +86,7 @@ export function makeCamera(canvas, clips, onChange) {
   return { camera, controls, size, target, show, turn, zoom, resize, dispose: () => controls.dispose() };
 }
 
-/** Points of all wings at moments all through, as many as a view needs. */
+/** Points of all structures at moments all through, as many as a view needs. */
 function sample(clips) {
   const seen = [];
   for (const clip of clips) {

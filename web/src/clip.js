@@ -1,7 +1,10 @@
 /**
  * A run that can be played: frames of points that move, numbers that go with them, and what is drawn between them.
- * Lengths are in m, times in s, angles in deg, energies in J.
+ * Lengths are in m, times in s, readings in the unit that stands with them, energies in J.
  */
+
+/** Name of the energies of the tendons among what a clip tells. */
+export const TENDONS = "tendon energy";
 
 /** Numbers that the page holds as little-endian bytes in base64, as every browser's machine has them. */
 export function unpack(text, Kind) {
@@ -15,12 +18,9 @@ export function readClip(data) {
   const time = unpack(data.time, Float64Array);
   const points = unpack(data.points, Float32Array);
   const width = 3 * data.pointCount;
-  const veins = data.tubes.filter((tube) => tube.kind === "tendon").length;
-  const byVein = {
-    distalAngle: unpack(data.distalAngle_deg, Float32Array),
-    turnAngle: unpack(data.turnAngle_deg, Float32Array),
-    tendonEnergy: unpack(data.tendonEnergy_J, Float32Array),
-  };
+  const tables = { [TENDONS]: { width: data.tendonParts.length, values: unpack(data.tendonEnergy_J, Float32Array) } };
+  for (const reading of data.readings)
+    tables[reading.name] = { width: reading.parts.length, values: unpack(reading.values, Float32Array) };
   const between = Int32Array.from(data.between);
   const share = Float64Array.from(data.share);
   const now = new Float32Array(width);
@@ -45,15 +45,16 @@ export function readClip(data) {
     return into;
   }
 
-  /** One of distalAngle, turnAngle and tendonEnergy at a time, by vein. */
-  function valuesAt(name, moment, into = new Float32Array(veins)) {
-    mix(time, byVein[name], veins, moment, into);
+  /** Readings by their name, in their unit, or the energies of the tendons, J, at a time. */
+  function valuesAt(name, moment, into = new Float32Array(tables[name].width)) {
+    mix(time, tables[name].values, tables[name].width, moment, into);
     return into;
   }
 
-  /** One of the same over all frames, for one vein. */
-  function line(name, vein) {
-    return Float32Array.from(time, (_, frame) => byVein[name][frame * veins + vein]);
+  /** One of the same over all frames. */
+  function line(name, part) {
+    const { width, values } = tables[name];
+    return Float32Array.from(time, (_, frame) => values[frame * width + part]);
   }
 
   return {
@@ -61,7 +62,8 @@ export function readClip(data) {
     mesh: data,
     marks: data.marks,
     stages: data.stages,
-    veins,
+    tendons: data.tendonParts.length,
+    readings: data.readings,
     time,
     start: time[0],
     end: time[time.length - 1],

@@ -1,4 +1,4 @@
-/** A grid under the wing, of which a square has a stated size. */
+/** A grid under the structure, of which a square has a stated size. */
 
 import { BufferGeometry, Float32BufferAttribute, LineBasicMaterial, LineSegments } from "three";
 

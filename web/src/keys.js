@@ -8,16 +8,16 @@ const OF_CLOCK = [
   ["page down, page up", "further back or on"],
   ["home, end", "start, end"],
 ];
+const TURNS = "shift with \u2190 \u2192 \u2191 \u2193";
 const OF_PICTURE = [
-  ["shift with \u2190 \u2192 \u2191 \u2193", "turn the wing"],
   ["+ \u2212", "nearer, further"],
   ["0", "the first view again"],
 ];
 
-export function keysHelp(clips, picture) {
+export function keysHelp(clips, picture, whole) {
   const marks = clips.length === 1 ? clips[0].marks : [];
   const ofStates = marks.map((mark, index) => [String(index + 1), mark.name]);
-  const rows = [...OF_CLOCK, ...ofStates, ...(picture ? OF_PICTURE : [])].map(([keys, text]) => make("tr", {}, make("th", { scope: "row" }, keys), make("td", {}, text)));
+  const rows = [...OF_CLOCK, ...ofStates, ...(picture ? [[TURNS, `turn the ${whole}`], ...OF_PICTURE] : [])].map(([keys, text]) => make("tr", {}, make("th", { scope: "row" }, keys), make("td", {}, text)));
   return make(
     "details",
     { className: "keys" },

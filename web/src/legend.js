@@ -1,42 +1,40 @@
-/** What the colours of the picture mean, and how large the wing is. */
+/** What the colours of the picture mean, and how large the structure is. */
 
 import { make } from "./elements.js";
 import { squareSide } from "./floor.js";
 import { short } from "./format.js";
-import { DISTAL, ENERGY_GRADIENT, MOUNTAIN, PROXIMAL, VALLEY } from "./scheme.js";
+import { ENERGY_GRADIENT, MOUNTAIN, VALLEY, regionTint } from "./scheme.js";
 
-const OF_SEVERAL = [
-  "all wings are drawn to one scale",
-  "marks on the time line: the states of each run, in its colour",
-];
-
-export function makeLegend(energy, size, several) {
-  const swatch = (kind, style) => {
-    const sample = make("span", { className: `swatch ${kind}`, "aria-hidden": "true" });
-    Object.assign(sample.style, style);
-    return sample;
-  };
-  const entry = (sample, text) => make("li", {}, sample, text);
-  const bar = make(
-    "li",
-    { className: "energy" },
-    "tendon, energy stored: 0",
-    swatch("bar", { background: ENERGY_GRADIENT }),
-  );
-  bar.append(`${short(energy.factor * energy.largest_J)} ${energy.unit}`);
+/** entries: {sample, text} of what is drawn; whole: what one is called, of several that are drawn; else null. */
+export function makeLegend(entries, energy, size, whole) {
+  const ofSeveral = whole
+    ? [`all ${whole}s are drawn to one scale`, "marks on the time line: the states of each run, in its colour"]
+    : [];
   return make(
     "ul",
     { className: "legend" },
-    entry(swatch("mountain", { color: MOUNTAIN }), "mountain (dash-dotted ring fold, veins)"),
-    entry(swatch("valley", { color: VALLEY }), "valley (dashed ring fold, veins)"),
-    entry(swatch("border", {}), "vein at the rim"),
-    entry(swatch("panel", { background: PROXIMAL }), "proximal panel"),
-    entry(swatch("panel", { background: DISTAL }), "distal panel"),
-    entry(swatch("joint", {}), "hinge"),
-    bar,
+    ...entries.map(({ sample, text }) => (sample === "tendon" ? energyEntry(text, energy) : entry(sample, text))),
     make("li", {}, `squares of the grid: ${lengthText(squareSide(size))}`),
-    ...(several ? OF_SEVERAL.map((text) => make("li", {}, text)) : []),
+    ...ofSeveral.map((text) => make("li", {}, text)),
   );
+}
+
+function entry(sample, text) {
+  const [kind, region] = sample.split(" ");
+  const look = { mountain: { color: MOUNTAIN }, valley: { color: VALLEY }, region: { background: regionTint(region) } };
+  return make("li", {}, swatch(kind === "region" ? "panel" : kind, look[kind] ?? {}), text);
+}
+
+function energyEntry(text, energy) {
+  const bar = make("li", { className: "energy" }, `${text}: 0`, swatch("bar", { background: ENERGY_GRADIENT }));
+  bar.append(`${short(energy.factor * energy.largest_J)} ${energy.unit}`);
+  return bar;
+}
+
+function swatch(kind, style) {
+  const sample = make("span", { className: `swatch ${kind}`, "aria-hidden": "true" });
+  Object.assign(sample.style, style);
+  return sample;
 }
 
 function lengthText(length) {

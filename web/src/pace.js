@@ -19,7 +19,7 @@ export const SPEEDS = [
 ];
 
 /**
- * A way through a span on which the fastest point of all wings goes about equally far in every second of playing.
+ * A way through a span on which the fastest point of all structures goes about equally far in every second of playing.
  * The way runs from 0 to 1; it takes so many seconds.
  */
 export function evenPace(clips, span) {

@@ -1,6 +1,6 @@
 /** The page of several runs side by side. */
 
-import { readClip } from "./clip.js";
+import { TENDONS, readClip } from "./clip.js";
 import { makeClock } from "./clock.js";
 import { lineSample, make } from "./elements.js";
 import { fixed, short } from "./format.js";
@@ -12,14 +12,14 @@ import { playOnceSeen } from "./start.js";
 export function showComparison(data) {
   const clips = data.clips.map(readClip);
   const clock = makeClock(clips, data.spans);
-  const player = mountPlayer(document.getElementById("player"), { clips, clock, energy: data.energy, text: data.text });
+  const player = mountPlayer(document.getElementById("player"), clips, clock, data);
   if (player.stage) nameCells(player.stage.cells, clips, clock, data.energy);
   const plots = mountPlots(document.getElementById("plots"), data.plots, clips, clock);
   playOnceSeen(document.getElementById("player"), clock);
   return { clips, clock, player, plots };
 }
 
-/** Write on every wing its name, the look of its lines in the plots, and how it is now. */
+/** Write on every structure its name, the look of its lines in the plots, and how it is now. */
 function nameCells(cells, clips, clock, energy) {
   const states = clips.map((clip, index) => {
     const state = make("span", { className: "state-now" });
@@ -32,12 +32,19 @@ function nameCells(cells, clips, clock, energy) {
     for (const [index, clip] of clips.entries()) {
       const moment = clock.clipTime(index);
       const over = clock.time + clock.span.origins[index] > clip.end;
-      const angles = clip.valuesAt("distalAngle", moment);
-      const stored = clip.valuesAt("tendonEnergy", moment).reduce((sum, value) => sum + value, 0);
-      const stage = over ? "ended" : clip.stageAt(moment).name;
-      const ends = [Math.min(...angles), Math.max(...angles)].map((angle) => `${fixed(angle, 0)}\u00b0`);
-      const range = ends[0] === ends[1] ? ends[0] : ends.join(" to ");
-      states[index].textContent = `${stage} \u00b7 ${range} \u00b7 ${short(energy.factor * stored)} ${energy.unit}`;
+      const parts = [over ? "ended" : clip.stageAt(moment).name];
+      const [reading] = clip.readings;
+      if (reading) parts.push(rangeText(clip.valuesAt(reading.name, moment), reading.unit));
+      const stored = clip.valuesAt(TENDONS, moment).reduce((sum, value) => sum + value, 0);
+      if (clip.tendons) parts.push(`${short(energy.factor * stored)} ${energy.unit}`);
+      states[index].textContent = parts.join(" \u00b7 ");
     }
   });
+}
+
+/** From the least to the most of some values, in few digits. */
+function rangeText(values, unit) {
+  const text = (value) => (unit === "deg" ? `${fixed(value, 0)}\u00b0` : `${short(value)} ${unit}`);
+  const ends = [Math.min(...values), Math.max(...values)].map(text);
+  return ends[0] === ends[1] ? ends[0] : ends.join(" to ");
 }

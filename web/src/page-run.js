@@ -10,7 +10,7 @@ import { playOnceSeen } from "./start.js";
 export function showRun(data) {
   const clips = data.clips.map(readClip);
   const clock = makeClock(clips, data.spans);
-  const player = mountPlayer(document.getElementById("player"), { clips, clock, energy: data.energy, text: data.text });
+  const player = mountPlayer(document.getElementById("player"), clips, clock, data);
   const plots = mountPlots(document.getElementById("plots"), data.plots, clips, clock);
   mountReadout(document.getElementById("readout"), clips[0], clock, data.energy);
   playOnceSeen(document.getElementById("player"), clock);

@@ -1,4 +1,4 @@
-/** Wings in 3-D with the controls of their clock, in an element of any page. */
+/** Structures in 3-D with the controls of their clock, in an element of any page. */
 
 import { VIEWS } from "./camera.js";
 import { make } from "./elements.js";
@@ -7,24 +7,23 @@ import { makeLegend } from "./legend.js";
 import { makeStage } from "./stage.js";
 import { makeTransport } from "./transport.js";
 
-const NO_PICTURE = "This browser has no WebGL, so the wing cannot be drawn in 3-D. The plots and all numbers are here.";
-
 /**
  * Show clips side by side on one clock.
  *
- * energy: {unit, factor, largest_J} of the tendons' colours; text: what the picture shows, in a sentence.
+ * energy: {unit, factor, largest_J} of the tendons' colours; legend: samples of colours with what they mean; text: what
+ * the picture shows, in a sentence; whole: what one of the structures is called.
  * Returns {stage, dispose}; stage is null without WebGL.
  */
-export function mountPlayer(element, { clips, clock, energy, text }) {
+export function mountPlayer(element, clips, clock, { energy, legend: entries, text, whole }) {
   const stage = makeStage(clips, clock, energy, text);
   const picture = stage
     ? make("div", { className: "picture" }, stage.element, viewButtons(stage.eye))
-    : make("p", { className: "note" }, NO_PICTURE);
-  const legend = stage ? [makeLegend(energy, stage.eye.size, clips.length > 1)] : [];
-  element.replaceChildren(picture, makeTransport(clips, clock), ...legend, keysHelp(clips, stage !== null));
+    : make("p", { className: "note" }, noPicture(whole));
+  const legend = stage ? [makeLegend(entries, energy, stage.eye.size, clips.length > 1 ? whole : null)] : [];
+  element.replaceChildren(picture, makeTransport(clips, clock), ...legend, keysHelp(clips, stage !== null, whole));
   element.classList.add("player");
   element.setAttribute("role", "region");
-  element.setAttribute("aria-label", "the wing moving");
+  element.setAttribute("aria-label", `the ${whole} moving`);
   const deaf = listenToKeys(element, clips, clock, stage?.eye, VIEWS[0]);
 
   function dispose() {
@@ -35,6 +34,10 @@ export function mountPlayer(element, { clips, clock, energy, text }) {
   }
 
   return { stage, dispose };
+}
+
+function noPicture(whole) {
+  return `This browser has no WebGL, so the ${whole} cannot be drawn in 3-D. The plots and all numbers are here.`;
 }
 
 function viewButtons(eye) {

@@ -20,7 +20,7 @@ export function mountPlots(element, plots, clips, clock) {
 
 function makePlot(plot, clips, clock) {
   const values = plot.lines.map((line) =>
-    line.series ? clips[line.clip].line(line.series, line.vein) : unpack(line.values, Float32Array),
+    line.readings ? clips[line.clip].line(line.readings, line.part) : unpack(line.values, Float32Array),
   );
   const place = make("div", { className: "chart", role: "img", "aria-label": plot.text });
   const key = make("ul", { className: "key" });
@@ -39,11 +39,11 @@ function makePlot(plot, clips, clock) {
   const watch = new ResizeObserver(() => chart?.setSize({ width: place.clientWidth, height: HEIGHT }));
 
   function drawKey() {
-    const veins = plot.lines.every((line) => line.name.startsWith("vein "));
+    const { word } = plot;
     const samples = plot.lines.map((line, index) =>
-      make("li", {}, lineSample(lineLook(index)), veins ? line.name.slice(5) : line.name),
+      make("li", {}, lineSample(lineLook(index)), word ? line.name.slice(word.length + 1) : line.name),
     );
-    key.replaceChildren(...(veins ? [make("li", {}, "vein")] : []), ...samples);
+    key.replaceChildren(...(word ? [make("li", {}, word)] : []), ...samples);
   }
 
   function follow() {
@@ -170,7 +170,7 @@ function drawStages(chart, clips, span) {
   const { ctx, bbox } = chart;
   ctx.save();
   ctx.fillStyle = styleColour("--band");
-  for (const stage of clips[0].stages.filter((each) => each.drive !== "none")) {
+  for (const stage of clips[0].stages.filter((each) => each.driven)) {
     const [left, right] = [stage.start, stage.end].map((moment) => chart.valToPos(moment - span.origins[0], "x", true));
     const from = Math.max(left, bbox.left);
     ctx.fillRect(from, bbox.top, Math.max(0, Math.min(right, bbox.left + bbox.width) - from), bbox.height);

@@ -1,29 +1,36 @@
-/** The numbers of one wing at the clock's time, vein by vein; in a state those that the summary states for it. */
+/** The numbers of one run at the clock's time, by hinge and tendon; in a state those that the summary states for it. */
 
+import { TENDONS } from "./clip.js";
 import { make } from "./elements.js";
 import { fixed, short, timeText } from "./format.js";
 
+const SWINGS = { deg: 0.05 }; // from which on a swing is told, by unit
+
 export function mountReadout(element, clip, clock, energy) {
-  const degrees = (value) => fixed(value, 1);
+  const { heading, names } = clip.mesh.parts;
+  const rows = clip.readings.map((reading) => ({
+    name: reading.name,
+    title: reading.row,
+    parts: reading.parts,
+    text: (value) => number(value, reading.unit),
+    ofState: (mark) => mark.readings[reading.name] && stated(mark.readings[reading.name], reading.unit),
+  }));
   const joules = (value) => short(energy.factor * value);
-  const rows = [
-    { name: "distalAngle", title: "distal angle (deg)", text: degrees, ofState: statedAngle },
-    { name: "turnAngle", title: "turn (deg)", text: degrees },
-    {
-      name: "tendonEnergy",
+  if (clip.tendons)
+    rows.push({
+      name: TENDONS,
       title: `tendon energy (${energy.unit})`,
+      parts: clip.mesh.tendonParts,
       text: joules,
-      ofState: (mark, vein) => joules(mark.tendonEnergy_J[vein]),
-    },
-  ];
-  const veins = Array.from({ length: clip.veins }, (_, vein) => vein);
-  const cells = rows.map(() => veins.map(() => make("td")));
+      ofState: (mark) => mark.tendonEnergy_J.map(joules),
+    });
+  const cells = rows.map(() => names.map(() => make("td")));
   const caption = make("caption");
   const head = make(
     "tr",
     {},
-    make("th", { scope: "col" }, "vein"),
-    ...veins.map((vein) => make("th", { scope: "col" }, String(vein))),
+    make("th", { scope: "col" }, heading),
+    ...names.map((name) => make("th", { scope: "col" }, name)),
   );
   const body = rows.map((row, index) => make("tr", {}, make("th", { scope: "row" }, row.title), ...cells[index]));
   const table = make("table", { className: "numbers" }, caption, make("thead", {}, head), make("tbody", {}, ...body));
@@ -33,20 +40,22 @@ export function mountReadout(element, clip, clock, energy) {
     const moment = clock.clipTime(0);
     const mark = clip.markAt(moment);
     const state = mark ? `, ${mark.name} (means)` : "";
-    caption.textContent = `Every vein at ${timeText(clock.time, clock.span)}${state}`;
+    caption.textContent = `${heading ? `Every ${heading}` : "Everything"} at ${timeText(clock.time, clock.span)}${state}`;
     for (const [index, row] of rows.entries()) {
-      if (mark && row.ofState) {
-        for (const vein of veins) cells[index][vein].textContent = row.ofState(mark, vein);
-        continue;
-      }
-      const values = clip.valuesAt(row.name, moment);
-      for (const vein of veins) cells[index][vein].textContent = row.text(values[vein]);
+      const texts = (mark && row.ofState(mark)) || Array.from(clip.valuesAt(row.name, moment), row.text);
+      for (const [place, part] of row.parts.entries()) cells[index][part].textContent = texts[place];
     }
   });
 }
 
-/** A mean, and half the swing where there is one. */
-function statedAngle(mark, vein) {
-  const swing = mark.distalSwing_deg[vein];
-  return `${fixed(mark.distalAngle_deg[vein], 1)}${swing > 0.05 ? ` \u00b1 ${fixed(swing, 1)}` : ""}`;
+function number(value, unit) {
+  return unit === "deg" ? fixed(value, 1) : short(value);
+}
+
+/** Means, each with half its swing where there is one. */
+function stated({ mean, swing }, unit) {
+  return mean.map((value, place) => {
+    const told = swing[place] > (SWINGS[unit] ?? 0.005 * Math.abs(value));
+    return `${number(value, unit)}${told ? ` \u00b1 ${number(swing[place], unit)}` : ""}`;
+  });
 }

@@ -2,8 +2,13 @@
 
 export const MOUNTAIN = "#d55e00";
 export const VALLEY = "#0072b2";
-export const PROXIMAL = "#e2cf9f";
-export const DISTAL = "#9cc4dd";
+
+// of the regions of sheets and plates, in their order
+const TINTS = ["#e2cf9f", "#9cc4dd", "#b7cfa2", "#d6aeb9", "#bdb6dc", "#cfcfcf"];
+
+export function regionTint(region) {
+  return TINTS[region % TINTS.length];
+}
 
 // viridis (Smith and van der Walt 2015), without its darkest end, which a dark page would swallow
 const ENERGY = ["#453781", "#39568c", "#2d708e", "#20908d", "#29af7f", "#73d055", "#b8de29", "#fde725"];

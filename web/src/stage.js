@@ -1,19 +1,19 @@
-/** The picture: one canvas on which every wing has a part, drawn only when something has changed. */
+/** The picture: one canvas on which every structure has a part, drawn only when something has changed. */
 
 import { DirectionalLight, HemisphereLight, Scene, Vector3, WebGLRenderer } from "three";
 import { makeCamera } from "./camera.js";
 import { make } from "./elements.js";
 import { makeFloor } from "./floor.js";
 import { onSchemeChange, styleColour } from "./scheme.js";
-import { makeWing } from "./wing.js";
+import { makeShape } from "./shape.js";
 
 const LONGEST = 4096; // pixels of the canvas in one direction, which all graphics chips have
-const NAME_ROOM = 3.2; // lines of letters at the top of a cell, where several wings have their names
+const NAME_ROOM = 3.2; // lines of letters at the top of a cell, where several structures have their names
 const TOWARDS_LIGHT = new Vector3(-0.45, 0.75, 1);
 
 /**
  * A stage for clips, or null where the browser has no WebGL.
- * Its cells take the wings' names and what else a page writes on them.
+ * Its cells take the structures' names and what else a page writes on them.
  */
 export function makeStage(clips, clock, energy, text) {
   const canvas = make("canvas", { tabIndex: 0, role: "img", "aria-label": `${text} ${HELP}` });
@@ -39,7 +39,7 @@ export function makeStage(clips, clock, energy, text) {
   }
 
   function pose() {
-    for (const [index, view] of views.entries()) view.wing.pose(clock.clipTime(index));
+    for (const [index, view] of views.entries()) view.shape.pose(clock.clipTime(index));
     posed = true;
   }
 
@@ -63,7 +63,7 @@ export function makeStage(clips, clock, energy, text) {
       renderer.setViewport(...place);
       renderer.setScissor(...place);
       view.light.position.copy(TOWARDS_LIGHT).applyQuaternion(eye.camera.quaternion);
-      view.wing.sort(eye.camera.position);
+      view.shape.sort(eye.camera.position);
       renderer.render(view.scene, eye.camera);
     }
   }
@@ -71,7 +71,7 @@ export function makeStage(clips, clock, energy, text) {
   function paint() {
     for (const view of views) {
       view.floor.material.color.set(styleColour("--floor"));
-      view.wing.paint();
+      view.shape.paint();
     }
     invalidate();
   }
@@ -102,8 +102,8 @@ export function makeStage(clips, clock, energy, text) {
     stopPainting();
     watch.disconnect();
     eye.dispose();
-    for (const { wing, floor } of views) {
-      wing.dispose();
+    for (const { shape, floor } of views) {
+      shape.dispose();
       floor.geometry.dispose();
       floor.material.dispose();
     }
@@ -117,15 +117,15 @@ export function makeStage(clips, clock, energy, text) {
 
 const HELP = "Drag to turn it, pinch to zoom; keys are listed below.";
 
-/** A scene of its own for every wing, all seen by one camera. */
+/** A scene of its own for every structure, all seen by one camera. */
 function makeView(clip, energy, eye) {
-  const wing = makeWing(clip, energy.largest_J);
+  const shape = makeShape(clip, energy.largest_J);
   const floor = makeFloor(eye.size, eye.target);
   floor.position.z = lowest(clip) - 0.06 * eye.size;
   const light = new DirectionalLight("#ffffff", 2.1);
   const scene = new Scene();
-  scene.add(wing.group, floor, light, new HemisphereLight("#ffffff", "#e6eaee", 2.0));
-  return { wing, floor, light, scene };
+  scene.add(shape.group, floor, light, new HemisphereLight("#ffffff", "#e6eaee", 2.0));
+  return { shape, floor, light, scene };
 }
 
 function lowest(clip) {

@@ -1,4 +1,4 @@
-/** A page that opens shows the wing move once, unless its reader has asked for less motion. */
+/** A page that opens shows what it has move once, unless its reader has asked for less motion. */
 
 export function playOnceSeen(element, clock) {
   if (matchMedia("(prefers-reduced-motion: reduce)").matches) return;

@@ -68,7 +68,7 @@ export function makeRunPanel(model) {
 function mountRun(elements, data) {
   const clips = data.clips.map(readClip);
   const clock = makeClock(clips, data.spans);
-  const player = mountPlayer(elements.player, { clips, clock, energy: data.energy, text: data.text });
+  const player = mountPlayer(elements.player, clips, clock, data);
   const plots = mountPlots(elements.plots, data.plots, clips, clock);
   mountReadout(elements.readout, clips[0], clock, data.energy);
   return {
@@ -89,12 +89,12 @@ function numberRows(model, point) {
 }
 
 function whyNotKept(model, point) {
-  if (!model.study.built[point]) return "There is nothing to play: this wing cannot be built.";
+  if (!model.study.built[point]) return "There is nothing to play: this point cannot be built.";
   return "This run was not kept, so it cannot be played here. The study keeps the runs of as many points as --keep says.";
 }
 
 function commands(run) {
-  const lines = [`forficula run ${run.folder}/design.toml`, `forficula film ${run.folder} --out wing.mp4`];
+  const lines = [`forficula run ${run.folder}/design.toml`, `forficula film ${run.folder} --out film.mp4`];
   return make("details", {}, make("summary", {}, "Commands"), make("p", { className: "note" }, "In the study\u2019s folder, these run it again, and film it:"), make("pre", {}, make("code", {}, lines.join("\n"))));
 }
 

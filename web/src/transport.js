@@ -100,7 +100,7 @@ function drawTrack(clips, clock, bands, ticks) {
   ticks.replaceChildren();
   for (const [index, clip] of clips.entries()) {
     const origin = span.origins[index];
-    for (const stage of clip.stages.filter((each) => each.drive !== "none" && clips.length === 1)) {
+    for (const stage of clip.stages.filter((each) => each.driven && clips.length === 1)) {
       const [left, right] = [place(stage.start - origin), place(stage.end - origin)];
       const band = make("span", { className: "band" });
       band.style.left = `${100 * left}%`;
@@ -128,13 +128,22 @@ function stageText(clip, moment) {
   return mark ? `${mark.letter} ${mark.name}` : clip.stageAt(moment).name;
 }
 
-/** The moment in words: its time, and what every wing does then. */
+/** The moment in words: its time, and what every structure does then. */
 function momentText(clips, clock) {
-  const wings = clips.map((clip, index) => {
+  const told = clips.map((clip, index) => {
     const moment = clock.clipTime(index);
-    const angles = clip.markAt(moment)?.distalAngle_deg ?? clip.valuesAt("distalAngle", moment);
-    const range = `${fixed(Math.min(...angles), 1)} to ${fixed(Math.max(...angles), 1)} degrees`;
-    return `${clips.length > 1 ? `${clip.name}: ` : ""}${stageText(clip, moment)}, distal angles ${range}`;
+    return `${clips.length > 1 ? `${clip.name}: ` : ""}${stageText(clip, moment)}${readingText(clip, moment)}`;
   });
-  return `${timeText(clock.time, clock.span)}: ${wings.join("; ")}`;
+  return `${timeText(clock.time, clock.span)}: ${told.join("; ")}`;
+}
+
+/** What a clip reads first: from the least to the most of it. */
+function readingText(clip, moment) {
+  const [reading] = clip.readings;
+  if (!reading) return "";
+  const values = clip.markAt(moment)?.readings[reading.name]?.mean ?? clip.valuesAt(reading.name, moment);
+  const unit = reading.unit === "deg" ? "degrees" : reading.unit;
+  const ends = [Math.min(...values), Math.max(...values)].map((value) => fixed(value, 1));
+  const several = values.length > 1;
+  return `, ${reading.label}${several ? "s" : ""} ${several ? ends.join(" to ") : ends[0]} ${unit}`;
 }

@@ -3,47 +3,55 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
-from forficula.design.tendon import tendon_law
 from forficula.dynamics import Record
 
 _FAR_FASTER = 100.0  # than the tests of a material: two decades, over which a polymer's modulus can change much
 
 
 def run_warnings(record: Record) -> list[str]:
-    """What a person should know of a run that only the run itself tells, one sentence each."""
-    law = record.design.tendon.law
-    if law is None or law.highest_strain_rate is None:
-        return []
-    rate = highest_strain_rate(record)
-    if rate is None or rate <= _FAR_FASTER * law.highest_strain_rate:
-        return []
-    return [
-        f"taut tendons move at up to {rate:.3g} 1/s, {_rounded(rate / law.highest_strain_rate)} times the"
-        f" {law.highest_strain_rate:.3g} 1/s up to which {law.name or 'their law'} was measured: what it says of losses"
-        " and stiffness so fast is extrapolated"
-    ]
+    """What a person should know of a run that only the run itself tells, one sentence each.
+
+    Tendons of one material count together; they are named where others are of another one.
+    """
+    tendons, rates = record.structure.tendons, highest_strain_rates(record)
+    told = []
+    for material in dict.fromkeys(tendon.material for tendon in tendons):
+        if material is None or material.highest_strain_rate is None:
+            continue
+        own = [number for number, tendon in enumerate(tendons) if tendon.material == material]
+        rate = float(np.fmax.reduce(rates[own]))
+        if not rate > _FAR_FASTER * material.highest_strain_rate:
+            continue
+        names = "" if len(own) == len(tendons) else f"{', '.join(tendons[number].name for number in own)}: "
+        told.append(
+            f"{names}taut tendons move at up to {rate:.3g} 1/s, {_rounded(rate / material.highest_strain_rate)} times"
+            f" the {material.highest_strain_rate:.3g} 1/s up to which {material.name or 'their law'} was measured: what"
+            " it says of losses and stiffness so fast is extrapolated"
+        )
+    return told
 
 
-def highest_strain_rate(record: Record) -> float | None:
-    """The highest rate at which a taut tendon is strained or lets go, from one kept row to the next, 1/s.
+def highest_strain_rates(record: Record) -> NDArray[np.float64]:
+    """The highest rates at which taut tendons are strained or let go, from one kept row to the next, 1/s, (tendon,).
 
-    By the resting length of the design, as a law counts strain. Rows further apart than a move show less of it.
+    By the length that a law counts strain by. Rows further apart than a move show less of it.
 
     Returns:
-        None where no tendon is taut over two rows, and of a run that diverged.
+        nan for a tendon that is not taut over two rows, and for all of a run that diverged.
     """
+    tendons = record.structure.tendons
     if record.diverged_at is not None:
-        return None
+        return np.full(len(tendons), np.nan)
     length = record.series["tendon_length"]
-    slack = record.series.get("tendon_rest_length", tendon_law(record.design).rest_length)
+    slack = record.series.get("tendon_rest_length", np.array([tendon.law.rest_length for tendon in tendons]))
     taut = length > slack
-    spans = np.diff(record.time)
-    both = taut[1:] & taut[:-1] & (spans > 0)[:, None]
-    if not both.any():
-        return None
-    rates = np.abs(np.diff(length, axis=0))[both] / np.broadcast_to(spans[:, None], both.shape)[both]
-    return float(rates.max() / record.design.tendon.rest_length)
+    spans = np.diff(record.time)[:, None]
+    both = taut[1:] & taut[:-1] & (spans > 0)
+    speeds = np.divide(np.abs(np.diff(length, axis=0)), spans, out=np.full(both.shape, np.nan), where=both)
+    fastest = np.fmax.reduce(speeds, axis=0, initial=np.nan)
+    return np.asarray(fastest / [tendon.gauge_length or np.nan for tendon in tendons])
 
 
 def _rounded(ratio: float) -> str:

@@ -6,16 +6,13 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-import numpy as np
-
 from forficula.design import Design
-from forficula.design.places import tendon_ends
 from forficula.errors import InputError
 from forficula.material.characterisation import LENGTH, known_length
 from forficula.material.law.material_law import MaterialLaw, area_for, known_moduli
 from forficula.material.law.softening import spring_stress
-from forficula.pattern import hub_points, ring_vertices, tips
 from forficula.quantities import show_quantity
+from forficula.structure import Structure, built_lengths, structure_of
 
 # as a design's, m
 _SHORTEST, _LONGEST = 1e-12, 1e12
@@ -73,34 +70,42 @@ def size_tendons(
         length: of the tendon, m; where it is not given, that of the specimens behind the law, if it is known.
 
     Returns:
-        For that length, and for the design's resting length where that is another one > 0.
+        For that length, and for each resting length of the design's tendons that is another one > 0.
 
     Raises:
         InputError: a stiffness or length that is not > 0, neither length, a modulus that is absent or known as a range
             only, or a material that is not for tendons.
     """
-    lengths = list(_lengths(design, law, length))
+    structure = structure_of(design)
+    lengths = list(_lengths(structure, law, length))
     if not lengths:
         raise InputError("length: is missing: the design's tendon.rest_length is 0, and strain is extension by length")
     for each, why in lengths:
         if not _SHORTEST <= each <= _LONGEST:
             shown = [show_quantity(bound, LENGTH) for bound in (_SHORTEST, _LONGEST, each)]
             raise InputError(f"length: need >= {shown[0]} and <= {shown[1]}, got {shown[2]}, {why}")
-    return tuple(_sizes(design, law, stiffnesses, each, why) for each, why in lengths)
+    flat = float(built_lengths(structure).max(initial=0.0))
+    return tuple(_sizes(flat, law, stiffnesses, each, why) for each, why in lengths)
 
 
-def _lengths(design: Design, law: MaterialLaw, given: float | None) -> Iterator[tuple[float, str]]:
-    own, known = design.tendon.rest_length, known_length(law)
+def _lengths(structure: Structure, law: MaterialLaw, given: float | None) -> Iterator[tuple[float, str]]:
+    known = known_length(law)
     first = given if given is not None else known
     if first is not None:
         yield first, "as given" if given is not None else f"of the specimens of {law.name}"
-    if own > 0 and (first is None or not math.isclose(own, first, rel_tol=1e-9)):
-        yield own, f"resting length of {design.name}"
+    names: dict[float, list[str]] = {}
+    for tendon in structure.tendons:
+        names.setdefault(tendon.gauge_length, []).append(tendon.name)
+    for own, tendons in names.items():
+        if own > 0 and (first is None or not math.isclose(own, first, rel_tol=1e-9)):
+            which = "" if len(names) == 1 else f", {', '.join(tendons)}"
+            yield own, f"resting length of {structure.name}{which}"
 
 
-def _sizes(design: Design, law: MaterialLaw, stiffnesses: Sequence[float], length: float, why: str) -> TendonSizes:
+def _sizes(flat: float, law: MaterialLaw, stiffnesses: Sequence[float], length: float, why: str) -> TendonSizes:
+    """Sizes of tendons of a length, the longest of which the flat wing stretches to another one."""
     areas = [area_for(law, length=length, stiffness=each) for each in stiffnesses]
-    strain = _flat_length(design) / length - 1
+    strain = flat / length - 1
     share = _mean_share(law, strain - law.residual_strain)
     sizes = [
         TendonSize(stiffness=stiffness, area=area, mean_area=None if share is None else area / share)
@@ -117,10 +122,3 @@ def _mean_share(law: MaterialLaw, strain: float) -> float | None:
     moduli = known_moduli(law)
     reached = strain if law.yield_strain is None else min(strain, law.yield_strain)
     return float(spring_stress(moduli, reached)) / strain / moduli[0]
-
-
-def _flat_length(design: Design) -> float:
-    """The longest tendon of the flat wing, m."""
-    fan = design.fan
-    before, beyond = tendon_ends(hub_points(fan), ring_vertices(fan), tips(fan), design)
-    return float(np.linalg.norm(beyond - before, axis=-1).max())

@@ -77,17 +77,17 @@ def landscape(
 def _survey(design: Design, folder: Path, simulation: bool) -> Verdict | None:
     """Write and print the landscape of one design, and a run of it where one is wanted; hand on what that came to."""
     from forficula.analysis import measure
-    from forficula.design import design_warnings
     from forficula.dynamics import timestep_warnings
     from forficula.reproduction import shown_tendon
     from forficula.show.folder.landscape_folder import write_landscape
     from forficula.show.landscape.landscape_table import print_landscape
     from forficula.show.progress import run_progress, waiting
+    from forficula.structure import structure_of, structure_warnings
     from forficula.study.landscape_and_run import landscape_and_run
 
     vein = shown_tendon(design)
     tell_replaced(folder, "landscape")
-    for warning in design_warnings(design):
+    for warning in structure_warnings(design, structure_of(design)):
         print(f"warning: {warning}", file=sys.stderr)
     if simulation:
         with waiting("working out the timestep that the wing allows"):

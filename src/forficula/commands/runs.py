@@ -43,7 +43,7 @@ def run(
     tolerate: Tolerate = False,
 ) -> int:
     """Fold and open a wing: energies, work, times, a verdict, and pictures."""
-    from forficula.design import design_warnings, load_design
+    from forficula.design import load_design
 
     chosen = load_design(design, read_settings(settings))
     folder = out or Path("out") / chosen.name
@@ -58,11 +58,12 @@ def run(
     from forficula.dynamics import timestep_warnings
     from forficula.show import print_outcome, run_progress, write_run
     from forficula.show.progress import waiting
+    from forficula.structure import structure_of, structure_warnings
     from forficula.study.runs import run as run_design
 
     tell_replaced(folder, "run")
     with waiting("working out the timestep that the wing allows"):
-        warnings = design_warnings(chosen) + timestep_warnings(chosen)
+        warnings = structure_warnings(chosen, structure_of(chosen)) + timestep_warnings(chosen)
     for warning in warnings:
         print(f"warning: {warning}", file=sys.stderr)
     with run_progress() as progress:

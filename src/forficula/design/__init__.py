@@ -1,3 +1,4 @@
+from forficula.design.crease_pattern import design_frames, design_pattern
 from forficula.design.design import Design, shortest_sample_interval
 from forficula.design.design_file import (
     design_from_text,
@@ -6,42 +7,48 @@ from forficula.design.design_file import (
     named_designs,
     save_design,
     with_values,
-    write_new_design,
 )
-from forficula.design.design_warnings import design_warnings
 from forficula.design.fan import FanDesign, FanProtocol
-from forficula.design.keys import key_quantity, key_value, put
-from forficula.design.law_tables import law_from_folder, with_law_read
+from forficula.design.keys import key_quantity, key_value, names_law, put
+from forficula.design.law import LawSection, tendon_material
+from forficula.design.new_design import write_new_design
 from forficula.design.part import LENGTH, TORQUE
+from forficula.design.plates import PlatesDesign
 from forficula.design.protocol import Protocol, Stage, stage_drives
 from forficula.design.similarity import in_units, scale_design
-from forficula.design.tendon import flat_strain, tendon_law
+from forficula.design.tendon import TendonSection, tendon_law
+from forficula.design.tendon_tables import NO_LAW, value_from_folder
 
 __all__ = [
     "LENGTH",
+    "NO_LAW",
     "TORQUE",
     "Design",
     "FanDesign",
     "FanProtocol",
+    "LawSection",
+    "PlatesDesign",
     "Protocol",
     "Stage",
+    "TendonSection",
+    "design_frames",
     "design_from_text",
+    "design_pattern",
     "design_text",
-    "design_warnings",
-    "flat_strain",
     "in_units",
     "key_quantity",
     "key_value",
-    "law_from_folder",
     "load_design",
     "named_designs",
+    "names_law",
     "put",
     "save_design",
     "scale_design",
     "shortest_sample_interval",
     "stage_drives",
     "tendon_law",
-    "with_law_read",
+    "tendon_material",
+    "value_from_folder",
     "with_values",
     "write_new_design",
 ]

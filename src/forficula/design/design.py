@@ -37,9 +37,12 @@ class Design(Part):
     @property
     def hash(self) -> str:
         """Sixteen hexadecimal digits that name the values, whatever the design or its material is called."""
-        nameless: Any = {"name": True, "source": True, "reproduces": True, "tendon": {"law": {"name"}}}
-        values = self.model_dump(mode="json", exclude=nameless, exclude_none=True)
-        return hashlib.sha256(json.dumps(values, sort_keys=True).encode()).hexdigest()[:16]
+        return hashlib.sha256(json.dumps(self.hash_values(), sort_keys=True).encode()).hexdigest()[:16]
+
+    def hash_values(self) -> dict[str, Any]:
+        """The values but for what they are called and where they come from."""
+        names = ("name", "source", "reproduces")
+        return {key: value for key, value in super().hash_values().items() if key not in names}
 
 
 def check_duration(design: Design, parts: int, what: str) -> None:

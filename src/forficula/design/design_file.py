@@ -4,31 +4,26 @@ from __future__ import annotations
 
 import difflib
 import os
-import re
 import tomllib
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from importlib import resources
 from pathlib import Path
 from typing import Any
 
 import tomli_w
 from pydantic import ValidationError
-from pydantic.fields import FieldInfo
 
 from forficula.design.design import Design
-from forficula.design.keys import entry_index, hint, known_keys, siblings
-from forficula.design.kinds import design_class
-from forficula.design.law_tables import law_taken_off, names_law, with_following, with_law_read, without_following
-from forficula.design.part import Part, as_tables, field_quantity
-from forficula.design.tables import RejectedError, merged, overlaid
+from forficula.design.fan import FanDesign
+from forficula.design.fan_sections import MOST_UNITS
+from forficula.design.kinds import KINDS, design_class, kind_of, reference_of
+from forficula.design.rejection import File, origin, rejected
+from forficula.design.sheet_tables import with_sheet_read
+from forficula.design.tables import RejectedError, dotted_keys, laid_over, merged, nested
+from forficula.design.tendon_tables import tendons_over, value_from_folder
 from forficula.errors import InputError
 from forficula.files import read_toml, write_text
 from forficula.quantities import as_written
-
-REFERENCE = "binder2025"
-
-# a file's name and the tables that stand in it
-_File = tuple[str, dict[str, Any]]
 
 
 def load_design(name_or_path: str | Path, settings: Mapping[str, object] | None = None) -> Design:
@@ -46,15 +41,13 @@ def load_design(name_or_path: str | Path, settings: Mapping[str, object] | None 
         InputError: no such design or file, not TOML, an unknown key, or a value that is not allowed.
     """
     files = _read_files(str(name_or_path))
-    tables: dict[str, Any] = {}
-    for _, given in files:
-        tables, own = law_taken_off(tables, given)
-        tables = merged(without_following(tables, own), own)
-    tables = _with_settings(tables, settings or {})
     try:
-        return _validate(tables)
+        tables: dict[str, Any] = {}
+        for _, given in files:
+            tables = _over(tables, given, merged, si=False)
+        return _validate(_with_settings(tables, settings or {}, si=False), si=False)
     except RejectedError as error:
-        where = _origin(error.place, files, _dotted(settings or {}))
+        where = origin(error.place, files, dotted_keys(settings or {}))
         raise InputError(f"{where}: {error}" if where else str(error)) from None
 
 
@@ -64,9 +57,8 @@ def with_values(design: Design, values: Mapping[str, object]) -> Design:
     Raises:
         InputError: an unknown key, or a value that is not allowed.
     """
-    tables = _with_settings(design.model_dump(mode="json", exclude_none=True), values, si=True)
     try:
-        return _validate(tables, si=True)
+        return _validate(_with_settings(design.as_tables(lambda value, _: value), values, si=True), si=True)
     except RejectedError as error:
         raise InputError(f"{design.name}: {error}") from None
 
@@ -83,8 +75,9 @@ def save_design(design: Design, path: str | os.PathLike[str]) -> None:
 
 def design_text(design: Design) -> str:
     """Every value of a design as TOML."""
-    tables = as_tables(design)
-    return tomli_w.dumps({name: tables[name] for name in _sections(design) if name in tables})
+    tables = design.as_tables()
+    # what is built, then what is done to it
+    return tomli_w.dumps({name: tables[name] for name in sorted(tables, key=lambda name: name == "protocol")})
 
 
 def design_from_text(text: str) -> Design:
@@ -94,29 +87,7 @@ def design_from_text(text: str) -> Design:
         InputError: a key or value that is not allowed.
         TOMLDecodeError: it is not TOML.
     """
-    return _validate(tomllib.loads(text))
-
-
-def write_new_design(path: str | os.PathLike[str]) -> None:
-    """Write a commented design file to start from: the reference, every key with what it means.
-
-    Raises:
-        InputError: the file exists already, or cannot be written.
-    """
-    path = Path(path)
-    if path.suffix != ".toml":
-        raise InputError(f"{path}: need a name that ends with .toml")
-    try:
-        exists = path.exists()
-    except OSError as error:
-        raise InputError(f"{path}: cannot be written: {error.strerror}") from None
-    if exists:
-        raise InputError(f"{path}: exists already; choose another name or remove it")
-    lines = [
-        "# A forficula design. Every key is optional but based_on; what is left out comes from there.",
-        f'based_on = "{REFERENCE}"',
-    ]
-    write_text(path, "\n".join([*lines, *_commented(load_design(REFERENCE))]) + "\n")
+    return _validate(_over({}, tomllib.loads(text), merged, si=False), si=False)
 
 
 def _named() -> list[str]:
@@ -124,7 +95,7 @@ def _named() -> list[str]:
     return sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml"))
 
 
-def _read_files(name_or_path: str, above: tuple[Path, ...] = ()) -> list[_File]:
+def _read_files(name_or_path: str, above: tuple[Path, ...] = ()) -> list[File]:
     """A design and what it is based on, the last one first."""
     if name_or_path in _named():
         text = (resources.files("forficula.design") / "references" / f"{name_or_path}.toml").read_text("utf-8")
@@ -138,15 +109,16 @@ def _read_files(name_or_path: str, above: tuple[Path, ...] = ()) -> list[_File]:
     if path.resolve() in above:
         raise InputError(f"{path}: goes round in a circle")
     tables.setdefault("name", path.stem)
+    tables = {key: value_from_folder(key, value, path.parent) for key, value in tables.items()}
     try:
-        tables = {key: with_law_read(key, value, folder=path.parent) for key, value in tables.items()}
+        tables = with_sheet_read(tables, folder=path.parent)
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
     base = tables.pop("based_on", None)
     if base is None:
         return [(name_or_path, tables)]
     if not isinstance(base, str):
-        raise InputError(f'{path}: based_on: need the name of a design such as "{REFERENCE}", got {as_written(base)}')
+        raise InputError(f'{path}: based_on: need the name of a design such as "binder2025", got {as_written(base)}')
     if base.lower().endswith(".toml"):
         base = str(path.parent / base)
     try:
@@ -155,185 +127,57 @@ def _read_files(name_or_path: str, above: tuple[Path, ...] = ()) -> list[_File]:
         raise InputError(f"{path}: based_on: {error}") from None
 
 
-def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si: bool = False) -> dict[str, Any]:
-    """Put values into tables by their dotted keys, a law that is named before values of it."""
-    read = {key: with_law_read(key, value, si=si) for key, value in settings.items()}
-    tables, read = law_taken_off(tables, read, si=si)
-    nested: dict[str, Any] = {}
-    for key, value in read.items():
-        _nest(nested, key, value)
-    tables = without_following(tables, nested)
-    for key, value in sorted(read.items(), key=lambda each: not names_law(each[1])):
-        _set(tables, key, value)
-    return tables
-
-
-def _nest(tables: dict[str, Any], key: str, value: object) -> None:
-    """Put a value into tables of its own, as far as its key goes."""
-    *sections, last = key.split(".")
-    for section in sections:
-        inner = tables.setdefault(section, {})
-        if not isinstance(inner, dict):
-            return
-        tables = inner
-    tables[last] = value
-
-
-def _set(tables: dict[str, Any], key: str, value: object) -> None:
-    """Put a value into nested tables by its dotted key; a number picks a table of a list."""
-    if key == "based_on":
+def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si: bool) -> dict[str, Any]:
+    """Put values into tables by their dotted keys; those of a section count together, whatever their order."""
+    if any(key.partition(".")[0] == "based_on" for key in settings):
         raise InputError("based_on: cannot be set; name the design to start from instead")
-    *sections, last = key.split(".")
-    place: Any = tables
-    for depth, section in enumerate(sections, start=1):
-        place = place.setdefault(section, {}) if isinstance(place, dict) else place[entry_index(key, section, place)]
-        if not isinstance(place, dict | list):
-            raise InputError(f"{key}: unknown key; did you mean {'.'.join(sections[:depth])}?")
-    at: Any = entry_index(key, last, place) if isinstance(place, list) else last
-    inner = place[at] if isinstance(place, list) else place.get(at)
-    place[at] = overlaid(inner, value)
+    return _over(tables, nested(with_sheet_read(settings)), laid_over, si=si)
 
 
-def _dotted(tables: Mapping[str, object], prefix: str = "") -> Iterator[str]:
-    """The dotted keys of all values in nested tables."""
-    for key, value in tables.items():
-        if isinstance(value, Mapping):
-            yield from _dotted(value, f"{prefix}{key}.")
-        else:
-            yield f"{prefix}{key}"
+def _over(
+    tables: dict[str, Any], own: dict[str, Any], lay: Callable[[object, object], Any], *, si: bool
+) -> dict[str, Any]:
+    """Lay tables over others; the tendons of a fan in their own way, its pattern tells how many."""
+    tables = _without_other_pattern(tables, kind_of(own))
+    both: dict[str, Any] = lay(tables, {key: value for key, value in own.items() if key != "tendon"})
+    if "tendon" not in own:
+        return both
+    if not issubclass(design_class(both), FanDesign):
+        return {**both, "tendon": lay(tables.get("tendon"), own["tendon"])}
+    pattern = both.get("pattern")
+    units = pattern.get("units") if isinstance(pattern, dict) else None
+    veins = 2 * units + 1 if isinstance(units, int) and 0 < units <= MOST_UNITS else 0
+    return {**both, "tendon": tendons_over(tables.get("tendon"), own["tendon"], veins=veins, si=si)}
 
 
-def _validate(tables: dict[str, Any], *, si: bool = False) -> Design:
+def _without_other_pattern(tables: dict[str, Any], kind: str | None) -> dict[str, Any]:
+    """Tables to lay a pattern of a kind over: without one of another kind.
+
+    Raises:
+        RejectedError: designs of that kind have other sections.
+    """
+    below = kind_of(tables)
+    if kind == below or kind is None or below is None or not {kind, below} <= KINDS.keys():
+        return tables
+    model = KINDS[kind]
+    if model.model_fields.keys() != KINDS[below].model_fields.keys():
+        own = reference_of(model)
+        instead = f'; begin with based_on = "{own}"' if own else ""
+        raise RejectedError(
+            ["pattern", "kind"],
+            f"pattern.kind: designs of kind {kind} have other sections than those of kind {below}{instead}",
+        )
+    return {key: value for key, value in tables.items() if key != "pattern"}
+
+
+def _validate(tables: dict[str, Any], *, si: bool) -> Design:
+    model = design_class(tables)
     try:
-        return design_class(tables).model_validate(with_following(tables, si=si), context={"si": si})
+        return model.model_validate(tables, context={"si": si})
     except ValidationError as error:
-        # A wrong value hides what depends on it, so one error is enough; a misspelt key may be the missing one.
-        errors = error.errors(include_url=False)
-        worst = next((each for each in errors if each["type"] == "extra_forbidden"), errors[0])
-        raise _rejected([str(part) for part in worst["loc"]], worst) from None
-
-
-def _origin(place: Sequence[str], files: Sequence[_File], settings: Iterable[str]) -> str:
-    """The file where a value stands, or the design as a whole; nothing where it was set by hand."""
-    if not place:
-        return files[-1][0]
-    key = ".".join(place)
-    for setting in settings:
-        if f"{key}.".startswith(f"{setting}.") or f"{setting}.".startswith(f"{key}."):
-            return ""
-    return next((where for where, tables in reversed(files) if _stands_in(tables, place)), files[-1][0])
-
-
-def _stands_in(tables: object, place: Sequence[str]) -> bool:
-    for part in place:
-        if isinstance(tables, list) and part.isdigit():
-            tables = dict(enumerate(tables)).get(int(part))
-        elif isinstance(tables, dict) and part in tables:
-            tables = tables[part]
-        else:
-            return False
-    return True
-
-
-def _rejected(place: list[str], error: Any) -> RejectedError:
-    """One pydantic error as one line: key, rule, value."""
-    key = _written_key(place)
-    kind, value, bounds = error["type"], error["input"], error.get("ctx", {})
-    if kind == "value_error":
-        message = str(bounds["error"])
-        if message.partition(":")[0] in known_keys():  # a check of several values, no one of them to blame
-            return RejectedError([], message)
-        return RejectedError(place, f"{key}: {message}")
-    if kind == "extra_forbidden":
-        return RejectedError(place, f"{key}: unknown key; {hint(place)}")
-    if kind == "missing":
-        in_list = any(part.isdigit() for part in place)
-        to_inherit = f'give it, or begin the file with based_on = "{REFERENCE}"'
-        if place[:2] == ["tendon", "law"]:
-            to_inherit = 'give it, or name a material as in tendon.law = "tpu-82a"'
-        remedy = f"needed here: {', '.join(siblings(place))}" if in_list else to_inherit
-        return RejectedError(place[:-1], f"{key}: is missing; {remedy}")
-    return RejectedError(place, f"{key}: need {_rule(place, kind, value, bounds)}, got {as_written(value)}")
-
-
-def _rule(place: list[str], kind: str, value: object, bounds: Mapping[str, Any]) -> str:
-    """What is allowed, by pydantic's name of the error."""
-    header = ".".join(part for part in place if not part.isdigit())
-    is_tables = header in ("protocol.stages", "tendon.law.branches")
-    bare = " without quotes" if isinstance(value, str) else ""
-    rules = {
-        "greater_than": "> {gt:g}",
-        "greater_than_equal": ">= {ge:g}",
-        "less_than": "< {lt:g}",
-        "less_than_equal": "<= {le:g}",
-        "literal_error": "{expected}",
-        "too_short": "at least {min_length} entry",
-        "string_too_short": "some text",
-        "int": f"a whole number{bare}",
-        "float": f"a number{bare}",
-        "finite_number": "a finite number",
-        "string": "text in quotes",
-        "bool": f"true or false{bare}",
-        "tuple": f"a list of tables, each under [[{header}]]" if is_tables else "a list of numbers such as [0.3, 0.6]",
-        "model": _table_rule(header),
-    }
-    rule = rules.get(kind) or next((text for name, text in rules.items() if kind.startswith(f"{name}_")), kind)
-    return rule.format(**bounds).replace("'", '"')
-
-
-def _table_rule(header: str) -> str:
-    match header:
-        case "tendon.law":
-            return "the name of a material, the path of a law file, or a table under [tendon.law]"
-        case "protocol.stages" | "tendon.law.branches":
-            return f"a table under [[{header}]]"
-        case _:
-            return f"a table under [{header}]"
-
-
-def _written_key(place: Sequence[str]) -> str:
-    """A key as a TOML file has it."""
-    return ".".join(part if re.fullmatch(r"[A-Za-z0-9_-]{1,60}", part) else as_written(part) for part in place)
+        raise rejected(error, model) from None
 
 
 def _nearest(word: str, words: list[str]) -> str | None:
     near = difflib.get_close_matches(word, words, n=1)
     return f'did you mean "{near[0]}"?' if near else None
-
-
-def _sections(design: Design) -> list[str]:
-    """Names and sections in the order of a file: what is built, then what is done to it."""
-    return sorted(type(design).model_fields, key=lambda name: name == "protocol")
-
-
-def _commented(design: Design) -> Iterator[str]:
-    """The sections of a design, every key with its meaning."""
-    for section in _sections(design):
-        part = getattr(design, section)
-        if not isinstance(part, Part):
-            continue
-        yield f"\n[{section}]  # {(type(part).__doc__ or '').splitlines()[0].removesuffix('.')}"
-        for key, entry in type(part).model_fields.items():
-            if key == "stages":
-                yield from _commented_stages(as_tables(part)["stages"], entry.description)
-                continue
-            values = as_tables(part)
-            if key not in values:
-                yield f"{'# ' + _example(key, entry):<40}  # {entry.description}"
-                continue
-            value = tomli_w.dumps({key: values[key]}).strip().replace("[\n    ", "[").replace(",\n]", "]")
-            yield f"{value:<40}  # {entry.description}"
-
-
-def _example(key: str, entry: FieldInfo) -> str:
-    """A line for a value that is absent."""
-    reader = field_quantity(entry)
-    return tomli_w.dumps({key: reader.unit.example if reader else (entry.examples or [""])[0]}).strip()
-
-
-def _commented_stages(stages: list[dict[str, Any]], description: str | None) -> Iterator[str]:
-    """The stages, commented out: a list of tables replaces the whole list."""
-    yield f"\n# {description}; giving any stage replaces all of them."
-    for stage in stages:
-        yield "# [[protocol.stages]]"
-        yield from (f"# {line}" for line in tomli_w.dumps(stage).strip().splitlines())

@@ -3,155 +3,33 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Literal
+from collections.abc import Callable, Iterator
+from typing import Annotated, Any
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import Discriminator, Field, Tag, field_validator, model_validator
 
 from forficula.design.design import Design, check_duration
-from forficula.design.law import AREA, Law
-from forficula.design.part import (
-    ANGLE,
-    DENSITY,
-    HINGE_DAMPING,
-    INERTIA,
-    LENGTH,
-    MODULUS,
-    SHORT_TIME,
-    SMALL_LENGTH,
-    STIFFNESS,
-    TENDON_DAMPING,
-    TORQUE,
-    Part,
-    quantity,
+from forficula.design.fan_sections import (
+    FanPatternSection,
+    GuardSection,
+    HingeSection,
+    MembraneSection,
+    VeinSection,
 )
+from forficula.design.part import ANGLE, LENGTH, SMALL_LENGTH, TORQUE, quantity
 from forficula.design.protocol import Protocol, check_stages, check_states, stage_drives
 from forficula.design.start import largest_start, start_stretch
+from forficula.design.tendon import TendonSection
+from forficula.design.tendon_tables import entries_by_vein
 from forficula.errors import InputError
 from forficula.pattern import EarwigFan, ring_vertices, vein_gaps
-from forficula.quantities import as_written, show_quantity
+from forficula.quantities import Unit, as_written, format_quantity, show_quantity
 
-# beyond atoms and worlds, m: within, every power that a unit has of a length is a float
-_SMALLEST, _LARGEST = 1e-12, 1e12
 _MOST_VEINS = 1001
 DRIVES, GOALS, STATES = ("fold", "unfold"), ("folded", "opened"), ("flat", "folded", "opened")
-
-
-class Pattern(Part):
-    """The sheet: where it folds."""
-
-    kind: Annotated[Literal["earwig-fan"], Field(description="the family of crease patterns")]
-    proximal_length: float = quantity(LENGTH, "length of a vein from the hub to the ring fold", above=0)
-    distal_length: float = quantity(LENGTH, "length of a vein beyond the ring fold", above=0)
-    hub_radius: float = quantity(LENGTH, "radius of the circle that the veins are tangent to", at_least=0)
-    sector_angle: float = quantity(ANGLE, "angle between neighbouring veins", above=0, below=math.pi)
-    units: Annotated[int, Field(strict=True, ge=1, le=10_000, description="fan units, of two panels each")]
-    tangent: Annotated[
-        Literal["left", "right"], Field(description="side of the hub on which the proximal veins pass, seen outwards")
-    ]
-
-    @model_validator(mode="after")
-    def _of_a_size(self) -> Pattern:
-        for key, length, least in (
-            ("proximal_length", self.proximal_length, _SMALLEST),
-            ("distal_length", self.distal_length, _SMALLEST),
-            ("hub_radius", self.hub_radius, 0.0),
-        ):
-            if not least <= length <= _LARGEST:
-                raise InputError(
-                    f"pattern.{key}: need >= {show_quantity(least, LENGTH)} and <= {show_quantity(_LARGEST, LENGTH)},"
-                    f" got {show_quantity(length, LENGTH)}"
-                )
-        return self
-
-
-class Vein(Part):
-    """The bars."""
-
-    diameter: float = quantity(SMALL_LENGTH, "diameter of the bars", above=0)
-    density: float = quantity(DENSITY, "mass of the bars by volume", above=0)
-
-
-Share = Annotated[float, Field(strict=True)]
-
-
-class Membrane(Part):
-    """The sheet between the bars: stretch elasticity only."""
-
-    youngs_modulus: float = quantity(MODULUS, "Young's modulus", above=0)
-    thickness: float = quantity(SMALL_LENGTH, "thickness", above=0)
-    poisson_ratio: Annotated[float, Field(strict=True, ge=0, lt=0.5, description="Poisson's ratio")]
-    damping: float = quantity(SHORT_TIME, "relaxation time of its Kelvin-Voigt damping", at_least=0)
-    margin: float = quantity(LENGTH, "width of the strip of each panel that is glued to its vein", above=0)
-    margin_limit: Annotated[
-        float,
-        Field(
-            strict=True,
-            gt=0,
-            lt=1,
-            description="largest share of the panel's width that the margin takes, near the hub",
-        ),
-    ]
-    proximal_rows: Annotated[
-        tuple[Share, ...],
-        Field(min_length=1, description="rows of its mesh, in shares of the proximal length; the first is its edge"),
-    ]
-    distal_rows: Annotated[
-        tuple[Share, ...],
-        Field(description="rows of its mesh between ring fold and tip, in shares of the distal length"),
-    ]
-
-
-class Hinge(Part):
-    """Joints of the veins at the base and at the ring fold."""
-
-    overbend: float = quantity(
-        ANGLE, "how far a distal hinge bends past straight, away from folding", at_least=0, below=math.pi / 2
-    )
-    fold_limit: float = quantity(ANGLE, "how far a distal hinge folds", above=0, at_most=math.pi)
-    turn_limit: float = quantity(ANGLE, "how far a vein turns about its axis while folding", above=0, at_most=math.pi)
-    turn_back: float = quantity(ANGLE, "how far a vein turns the other way", at_least=0, at_most=math.pi)
-    damping: float = quantity(HINGE_DAMPING, "viscous damping of every hinge", at_least=0)
-    armature: float = quantity(INERTIA, "inertia added to every hinge", at_least=0)
-
-
-class Tendon(Part):
-    """The elastic patch across each distal hinge."""
-
-    stiffness: float = quantity(STIFFNESS, "force by extension beyond the resting length", at_least=0)
-    rest_length: float = quantity(LENGTH, "length below which it does not pull", at_least=0)
-    damping: float = quantity(TENDON_DAMPING, "viscous damping, which works at any length, slack or taut", at_least=0)
-    proximal_attachment: float = quantity(LENGTH, "distance of its end on the proximal bar from the ring fold", above=0)
-    distal_attachment: float = quantity(LENGTH, "distance of its end on the distal bar from the ring fold", above=0)
-    area: float | None = quantity(AREA, "cross-section; only with a law", default=None, above=0)
-    law: Annotated[
-        Law | None,
-        Field(description="a material, or a law file, from which stiffness and damping follow", examples=["tpu-82a"]),
-    ] = None
-
-    @model_validator(mode="after")
-    def _fits_its_law(self) -> Tendon:
-        if self.law is None and self.area is not None:
-            raise InputError(
-                "tendon.area: needs tendon.law, which gives force by area; give a law, too, or tendon.stiffness instead"
-            )
-        if self.law is not None and self.area is None:
-            raise InputError(
-                f'tendon.area: is missing; tendon.law gives force by area, so give one such as "{AREA.example}"'
-            )
-        if self.law is not None and self.rest_length == 0:
-            raise InputError(
-                "tendon.rest_length: need > 0 with tendon.law, for strain is extension by resting length, got 0 cm"
-            )
-        return self
-
-
-class Guard(Part):
-    """The unstressed length limits between neighbouring tips."""
-
-    stretch: Annotated[
-        float, Field(strict=True, ge=1, description="largest distance between neighbouring tips, by the flat one")
-    ]
+# the two forms of a design's tendons, as they stand in the places of errors
+ONE_FOR_ALL, BY_VEIN = "<one for all>", "<by vein>"
 
 
 class FanProtocol(Protocol):
@@ -189,13 +67,26 @@ class FanProtocol(Protocol):
 class FanDesign(Design):
     """A fan of bars with membranes between them, and what is done to it."""
 
-    pattern: Pattern
-    vein: Vein
-    membrane: Membrane
-    hinge: Hinge
-    tendon: Tendon
-    guard: Guard
+    pattern: FanPatternSection
+    vein: VeinSection
+    membrane: MembraneSection
+    hinge: HingeSection
+    tendon: Annotated[
+        Annotated[TendonSection, Tag(ONE_FOR_ALL)] | Annotated[tuple[TendonSection | None, ...], Tag(BY_VEIN)],
+        Discriminator(lambda given: BY_VEIN if isinstance(given, list | tuple) else ONE_FOR_ALL),
+        Field(description="one for every vein, or by the number of the vein, None for one without"),
+    ]
+    guard: GuardSection
     protocol: FanProtocol
+
+    @field_validator("tendon", mode="before")
+    @classmethod
+    def _by_vein(cls, given: object) -> object:
+        """A list of tables that name their veins, as a list that has them in their places."""
+        if not isinstance(given, list):
+            return given
+        entries = entries_by_vein(given)
+        return [entries.get(vein) for vein in range(max(entries, default=-1) + 1)]
 
     @model_validator(mode="after")
     def _fits_together(self) -> FanDesign:
@@ -210,13 +101,7 @@ class FanDesign(Design):
                     f"{key}: {fault}: need < {show_quantity(bound, unit)}, from vein to vein,"
                     f" got {show_quantity(value, unit)}"
                 )
-        for end, length in (("proximal", self.pattern.proximal_length), ("distal", self.pattern.distal_length)):
-            attachment = getattr(self.tendon, f"{end}_attachment")
-            if attachment > length:
-                raise InputError(
-                    f"tendon.{end}_attachment: lies beyond the bar: need <= pattern.{end}_length,"
-                    f" {show_quantity(length, LENGTH)}, got {show_quantity(attachment, LENGTH)}"
-                )
+        self._tendons_on_bars()
         for key, rows in (("proximal_rows", self.membrane.proximal_rows), ("distal_rows", self.membrane.distal_rows)):
             if list(rows) != sorted({row for row in rows if 0 < row < 1}):
                 raise InputError(f"membrane.{key}: need rising shares between 0 and 1, got {list(rows)}")
@@ -225,6 +110,39 @@ class FanDesign(Design):
         # wings of more are drawn, but not run
         check_duration(self, min(self.fan.vein_count, _MOST_VEINS), "veins")
         return self
+
+    def _tendons_on_bars(self) -> None:
+        """Refuse tendons on veins that are not there, and such as do not end on their bars."""
+        last = self.fan.vein_count - 1
+        for key, tendon in self._written_tendons():
+            vein = key.removeprefix("tendon.")
+            if vein.isdecimal() and int(vein) > last:
+                raise InputError(
+                    f"{key}: there is no vein {vein}: need one of 0 to {last}, with pattern.units ="
+                    f" {self.pattern.units}"
+                )
+            for end, length in (("proximal", self.pattern.proximal_length), ("distal", self.pattern.distal_length)):
+                attachment, bar = getattr(tendon, f"{end}_attachment"), show_quantity(length, LENGTH)
+                if attachment > length:
+                    raise InputError(
+                        f"{key}.{end}_attachment: lies beyond the bar: need <= pattern.{end}_length,"
+                        f" {bar}, got {show_quantity(attachment, LENGTH)}"
+                    )
+                for way in ("offset", "aside"):
+                    if abs(value := getattr(tendon, f"{end}_{way}")) > length:
+                        raise InputError(
+                            f"{key}.{end}_{way}: need >= -{bar} and <= {bar}, pattern.{end}_length,"
+                            f" got {show_quantity(value, LENGTH)}"
+                        )
+
+    def _written_tendons(self) -> Iterator[tuple[str, TendonSection]]:
+        """The sections of the tendons, each with its key."""
+        if isinstance(self.tendon, TendonSection):
+            yield "tendon", self.tendon
+            return
+        for vein, tendon in enumerate(self.tendon):
+            if tendon is not None:
+                yield f"tendon.{vein}", tendon
 
     def _goals_within_stops(self) -> None:
         """Refuse a start or a goal that the stops of the distal hinges keep a wing from."""
@@ -252,6 +170,35 @@ class FanDesign(Design):
                 f" flat wing, and guard.stretch allows {allowed:.4g}: need {most} or a larger guard.stretch,"
                 f" got {show_quantity(start, ANGLE)}"
             )
+
+    def as_tables(self, write: Callable[[float, Unit], object] = format_quantity) -> dict[str, Any]:
+        """The design as TOML tables; tendons of a list name their veins."""
+        tables = super().as_tables(write)
+        if isinstance(self.tendon, tuple):
+            tables["tendon"] = [
+                {"vein": vein} | entry for vein, entry in enumerate(tables["tendon"]) if entry is not None
+            ]
+        return tables
+
+    def hash_values(self) -> dict[str, Any]:
+        """The values that tell it from others; a list of tendons that are all alike counts as one table."""
+        values = super().hash_values()
+        if isinstance(self.tendon, tuple):
+            by_vein = [None if tendon is None else tendon.hash_values() for tendon in self.tendons]
+            alike = by_vein[0] is not None and all(each == by_vein[0] for each in by_vein)
+            values["tendon"] = by_vein[0] if alike else by_vein
+        return values
+
+    def tendon_on(self, vein: int) -> TendonSection | None:
+        """The tendon of a vein, by its number; None where it has none."""
+        if isinstance(self.tendon, TendonSection):
+            return self.tendon
+        return self.tendon[vein] if vein < len(self.tendon) else None
+
+    @property
+    def tendons(self) -> tuple[TendonSection | None, ...]:
+        """The tendon of every vein, (vein,); None where it has none."""
+        return tuple(self.tendon_on(vein) for vein in range(self.fan.vein_count))
 
     @property
     def fan(self) -> EarwigFan:

@@ -5,13 +5,13 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterator, Sequence
 from types import UnionType
-from typing import Any, TypeVar, get_args, get_origin
-
-from pydantic import BaseModel
+from typing import Annotated, Any, TypeVar, Union, get_args, get_origin
 
 from forficula.design.design import Design
 from forficula.design.fan import FanDesign
+from forficula.design.law import LawSection
 from forficula.design.part import Part, Quantity, field_quantity
+from forficula.design.tables import entry_index
 from forficula.errors import InputError
 from forficula.quantities import as_written
 
@@ -25,52 +25,85 @@ _OF_LAW_FILES = {
 }
 
 
-def key_quantity(key: str) -> Quantity | None:
+def key_quantity(key: str, model: type[Design] = FanDesign) -> Quantity | None:
     """How a value of a design is read, or None where it has no unit; a law counts as one value, its name.
 
     Args:
-        key: dotted; a number picks an entry of a list, as in "protocol.stages.1.hold", whether or not a design has it.
+        key: dotted; a number picks an entry of a list, as in "protocol.stages.1.hold", or the name of an entry, whether
+            or not a design has it. "tendon.stiffness" is of all tendons, "tendon.1.stiffness" of that on vein 1.
+        model: class of the design.
 
     Raises:
         InputError: there is no such key, or it holds several values.
     """
     if key == "based_on":
         raise InputError("based_on: is no value of a design; name the design to start from instead")
-    if key == "tendon.law":
-        return None
     parts = key.split(".")
-    place: Any = FanDesign
+    place: Any = model
     quantity = None
     for depth, part in enumerate(parts):
-        if _is_part(place):
-            field = place.model_fields.get(part)
+        forms = list(_forms(place))
+        section = next((form for form in forms if _is_part(form)), None)
+        entries = next((form for form in forms if get_origin(form) is tuple), None)
+        if entries is not None and (part.isdecimal() or _may_be_called(part, get_args(entries)[0], section)):
+            place = get_args(entries)[0]
+        elif section is not None:
+            field = section.model_fields.get(part)
             if field is None:
-                raise InputError(f"{key}: unknown key; {hint(parts)}")
-            place, quantity = _without_none(field.annotation), field_quantity(field)
-        elif get_origin(place) is not tuple:
-            raise InputError(f"{key}: unknown key; did you mean {'.'.join(parts[:depth])}?")
-        elif not part.isdecimal():
+                raise InputError(f"{key}: unknown key; {hint(parts, model)}")
+            place, quantity = field.annotation, field_quantity(field)
+        elif entries is not None:
             of = ".".join(parts[:depth])
             raise InputError(f"{key}: need the number of an entry of {of}, from 0 on, got {as_written(part)}")
         else:
-            place, quantity = get_args(place)[0], None
+            raise InputError(f"{key}: unknown key; did you mean {'.'.join(parts[:depth])}?")
+    if any(get_origin(form) is tuple for form in _forms(place)):
+        quantity = None
+    if LawSection in _forms(place):
+        return None
     inside = list(_parts(place))
     if inside:
-        first = f"{key}.0" if get_origin(place) is tuple else key
+        first = key if any(_is_part(form) for form in _forms(place)) else f"{key}.0"
         values = ", ".join(f"{first}.{name}" for name in inside[0].model_fields)
         raise InputError(f"{key}: holds several values; name one of them: {values}")
     return quantity
 
 
+def names_law(key: str) -> bool:
+    """Whether a key is that of a tendon's law."""
+    match key.split("."):
+        case ["tendon", "law"]:
+            return True
+        case ["tendon", vein, "law"]:
+            return vein.isdecimal()
+        case _:
+            return False
+
+
 def key_value(design: Design, key: str) -> Any:
     """What a design has at a key that `key_quantity` knows, in SI; None where that is absent.
+
+    A key of all tendons has what they have in common, and None where they differ.
 
     Raises:
         InputError: a list of the design has no such entry, or the design lacks the section.
     """
-    value: Any = design
-    within = ""
-    for part in key.split("."):
+    section, _, rest = key.partition(".")
+    if section == "tendon" and rest and isinstance(design, FanDesign):
+        vein, _, inside = rest.partition(".")
+        if vein.isdecimal():
+            tendon = design.tendons[entry_index(key, vein, design.tendons)]
+            return tendon if tendon is not None and not inside else _value(design, tendon, key, f"tendon.{vein}")
+        found = [_value(design, tendon, key, "tendon") for tendon in design.tendons if tendon is not None]
+        if not found:
+            raise InputError(f"{key}: {design.name} has no tendon")
+        return found[0] if all(each == found[0] for each in found) else None
+    return _value(design, design, key, "")
+
+
+def _value(design: Design, value: Any, key: str, within: str) -> Any:
+    """What a part of a design has at a key, of which `within` leads to the part."""
+    for part in key.removeprefix(f"{within}.").split("."):
         if value is None:
             raise InputError(f"{key}: {design.name} has no {within}")
         value = value[entry_index(key, part, value)] if isinstance(value, tuple) else getattr(value, part)
@@ -84,70 +117,101 @@ def put(part: _PartOf, key: str, value: object) -> _PartOf:
     inner = getattr(part, name)
     if not rest:
         return part.model_copy(update={name: value})
+    number, _, last = rest.partition(".")
+    if isinstance(part, FanDesign) and name == "tendon" and number.isdecimal():
+        # one for all becomes one for each
+        inner = part.tendons
     if isinstance(inner, tuple):
-        number, _, rest = rest.partition(".")
-        changed = put(inner[int(number)], rest, value)
-        return part.model_copy(update={name: (*inner[: int(number)], changed, *inner[int(number) + 1 :])})
+        every = isinstance(part, FanDesign) and name == "tendon" and not number.isdecimal()
+        picked = range(len(inner)) if every else [entry_index(key, number, inner)]
+        inside = rest if every else last
+        entries = [
+            entry if place not in picked or entry is None else put(entry, inside, value) if inside else value
+            for place, entry in enumerate(inner)
+        ]
+        return part.model_copy(update={name: tuple(entries)})
     return part.model_copy(update={name: put(inner, rest, value)})
 
 
-def entry_index(key: str, text: str, entries: Sequence[Any]) -> int:
-    """Read the number of an entry of a list.
-
-    Args:
-        key: that it is a part of.
-        text: the number.
-        entries: of the list: of a design, or of the tables of a file.
-
-    Raises:
-        InputError: there is none, and which there are.
-    """
-    if text in (allowed := [str(index) for index in range(len(entries))]):
-        return int(text)
-    names = [entry.get("name") if isinstance(entry, dict) else getattr(entry, "name", None) for entry in entries]
-    shown = ", ".join(f"{index} ({name})" if name else index for index, name in zip(allowed, names, strict=True))
-    rule = f"need one of the numbers {shown} in it" if shown else "has no entries"
-    raise InputError(f"{key}: {rule}, got {as_written(text)}")
+def is_key(text: str, model: type[Design] = FanDesign) -> bool:
+    """Whether a text is a key of a design, of one value or of several."""
+    *section, last = text.split(".")
+    return last in siblings([*section, last], model) or (last.isdecimal() and is_key(".".join(section), model))
 
 
-def known_keys(model: type[BaseModel] = FanDesign, prefix: str = "") -> Iterator[str]:
-    """All keys of a design; entries of a list of tables stand as number 0."""
+def known_keys(model: type[Part] = FanDesign, prefix: str = "") -> Iterator[str]:
+    """All keys of a design; entries of a list of tables stand as number 0, tendons as the one for all."""
     for name, field in model.model_fields.items():
         yield f"{prefix}{name}"
-        number = ".0" if get_origin(field.annotation) is tuple else ""
-        for part in _parts(field.annotation):
+        forms = list(_forms(field.annotation))
+        number = "" if any(_is_part(form) for form in forms) else ".0"
+        for part in dict.fromkeys(_parts(field.annotation)):
             yield from known_keys(part, f"{prefix}{name}{number}.")
 
 
-def siblings(place: Sequence[str]) -> list[str]:
-    """The keys that are allowed in the section of a place."""
-    section = "".join("0." if part.isdecimal() else f"{part}." for part in place[:-1])
-    inside = [key.removeprefix(section) for key in known_keys() if key.startswith(section)]
-    return [*([] if section else ["based_on"]), *(key for key in inside if "." not in key)]
+def siblings(place: Sequence[str], model: type[Design] = FanDesign) -> list[str]:
+    """The keys that are allowed in the section of a place, the protocol last."""
+    section = _section(place[:-1], model)
+    names = [] if section is None else sorted(section.model_fields, key=lambda name: name == "protocol")
+    return [*([] if len(place) > 1 else ["based_on"]), *names]
 
 
-def hint(place: Sequence[str]) -> str:
+def needed_keys(place: Sequence[str], model: type[Design] = FanDesign) -> list[str]:
+    """The keys that the section of a place cannot do without."""
+    section = _section(place[:-1], model)
+    return [] if section is None else [name for name, field in section.model_fields.items() if field.is_required()]
+
+
+def hint(place: Sequence[str], model: type[Design] = FanDesign) -> str:
     """The nearest valid key of the same section, or of another, or all of the section."""
-    if list(place[:2]) == ["tendon", "law"] and (names := _OF_LAW_FILES.get("".join(place[2:3]))):
-        meant = [name for name in names if name.startswith("".join(place[3:4]))] or names
-        return f"did you mean {' or '.join(f'tendon.law.{name}' for name in meant)}?"
     *section, wrong = place
-    here = siblings(place)
+    for depth, part in enumerate(section):
+        if part == "law" and (names := _OF_LAW_FILES.get("".join(place[depth + 1 : depth + 2]))):
+            meant = [name for name in names if name.startswith("".join(place[depth + 2 : depth + 3]))] or names
+            law = ".".join(section[: depth + 1])
+            return f"did you mean {' or '.join(f'{law}.{name}' for name in meant)}?"
+    here = siblings(place, model)
     if near := difflib.get_close_matches(wrong.lower(), here, n=1):
         return f"did you mean {'.'.join([*section, *near])}?"
     elsewhere: dict[str, list[str]] = {}
-    for key in known_keys():
+    for key in known_keys(model):
         elsewhere.setdefault(key.rpartition(".")[2], []).append(key)
     if near := difflib.get_close_matches(wrong.lower(), elsewhere, n=1, cutoff=0.75):
         return f"did you mean {' or '.join(elsewhere[near[0]])}?"
     # where the section itself is unknown, it is what is wrong
-    return f"allowed here: {', '.join(here)}" if here or not section else hint(section)
+    return f"allowed here: {', '.join(here)}" if here or not section else hint(section, model)
 
 
-def _without_none(annotation: Any) -> Any:
-    """What a field holds where it is not absent."""
-    given = [each for each in get_args(annotation) if each is not type(None)]
-    return given[0] if len(given) == 1 and get_origin(annotation) is UnionType else annotation
+def _section(place: Sequence[str], model: type[Design]) -> type[Part] | None:
+    """The kind of section at a place, if it is one."""
+    at: Any = model
+    for part in place:
+        forms = list(_forms(at))
+        entries = next((form for form in forms if get_origin(form) is tuple), None)
+        section = next((form for form in forms if _is_part(form)), None)
+        if entries is not None and part.isdecimal():
+            at = get_args(entries)[0]
+        elif section is not None and part in section.model_fields:
+            at = section.model_fields[part].annotation
+        else:
+            return None
+    return next((form for form in _forms(at) if _is_part(form)), None)
+
+
+def _forms(annotation: Any) -> Iterator[Any]:
+    """What a field may hold where it is not absent."""
+    if get_origin(annotation) is Annotated:
+        yield from _forms(get_args(annotation)[0])
+    elif get_origin(annotation) in (Union, UnionType):
+        for each in get_args(annotation):
+            yield from _forms(each)
+    elif annotation is not type(None):
+        yield annotation
+
+
+def _may_be_called(text: str, entry: Any, one_for_all: Any) -> bool:
+    """Whether text may be the name of an entry of a list, and is no key of it whose entry was left out."""
+    return one_for_all is None and _is_part(entry) and "name" in entry.model_fields and text not in entry.model_fields
 
 
 def _is_part(annotation: Any) -> bool:
@@ -156,6 +220,9 @@ def _is_part(annotation: Any) -> bool:
 
 def _parts(annotation: Any) -> Iterator[type[Part]]:
     """The parts of a design that a field holds: itself, or each of its list."""
-    for candidate in (annotation, *get_args(annotation)):
-        if _is_part(candidate):
-            yield candidate
+    for form in _forms(annotation):
+        if _is_part(form):
+            yield form
+        elif get_origin(form) is tuple:
+            for entry in get_args(form):
+                yield from _parts(entry)

@@ -2,16 +2,48 @@
 
 from __future__ import annotations
 
+import difflib
 from collections.abc import Mapping
 
 from forficula.design.design import Design
 from forficula.design.fan import FanDesign
+from forficula.design.plates import FoldFileDesign, PleatsDesign
+from forficula.design.tables import RejectedError
+from forficula.quantities import as_written
 
-KINDS: Mapping[str, type[Design]] = {"earwig-fan": FanDesign}
+KINDS: Mapping[str, type[Design]] = {
+    "earwig-fan": FanDesign,
+    "pleats": PleatsDesign,
+    "fold-file": FoldFileDesign,
+}
+# by kind, a named design to begin with
+REFERENCES: Mapping[str, str] = {"earwig-fan": "binder2025", "pleats": "letter-fold"}
 
 
 def design_class(tables: Mapping[str, object]) -> type[Design]:
-    """The class of a design's tables, not checked yet; of a fan where they do not say."""
+    """The class of a design's tables, not checked yet; of a fan where they do not say.
+
+    Raises:
+        RejectedError: a kind that there is not.
+    """
+    pattern = tables.get("pattern")
+    kind = pattern.get("kind", "earwig-fan") if isinstance(pattern, Mapping) else "earwig-fan"
+    if not isinstance(kind, str) or kind not in KINDS:
+        *others, last = (f'"{known}"' for known in KINDS)
+        near = difflib.get_close_matches(str(kind), KINDS, n=1)
+        meant = f'; did you mean "{near[0]}"?' if near else ""
+        rule = f"{', '.join(others)} or {last}"
+        raise RejectedError(["pattern", "kind"], f"pattern.kind: need {rule}, got {as_written(kind)}{meant}")
+    return KINDS[kind]
+
+
+def kind_of(tables: Mapping[str, object]) -> str | None:
+    """The kind of pattern that a design's tables, not checked yet, give; None where they give none."""
     pattern = tables.get("pattern")
     kind = pattern.get("kind") if isinstance(pattern, Mapping) else None
-    return KINDS.get(str(kind), FanDesign)
+    return kind if isinstance(kind, str) else None
+
+
+def reference_of(model: type[Design]) -> str | None:
+    """The named design that one of a class can begin with; None where there is none."""
+    return next((name for kind, name in REFERENCES.items() if KINDS[kind] is model), None)

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field, ValidationInfo, model_validator
 
-from forficula.design.part import Part, quantity
+from forficula.design.part import Part, field_quantity, quantity
 from forficula.errors import InputError
 from forficula.material.law.drift import Drift
 from forficula.material.law.law_cycle import drifts_of
-from forficula.material.law.law_keys import law_unit, show_value
-from forficula.material.law.material_law import MaterialLaw, MaxwellBranch, check_rates
+from forficula.material.law.law_file import load_law
+from forficula.material.law.law_keys import law_unit, show_range, show_value
+from forficula.material.law.material_law import MaterialLaw, MaxwellBranch, check_rates, chosen, require
 from forficula.material.law.softening import OgdenRoxburgh, pulls
 from forficula.quantities import Unit
 
 AREA = Unit(display="mm^2", si="m^2", example="12.5 mm^2")
+# of a law file, what is chosen where a material has only a range
+_CHOSEN = "modulus.linear"
 
 
 class LawBranch(Part):
@@ -69,8 +72,12 @@ class LawDrift(Part):
         )
 
 
-class Law(Part):
-    """The law of the tendon's material by unit length and area; see `MaterialLaw`."""
+class LawSection(Part):
+    """The law of the tendon's material by unit length and area; see `MaterialLaw`.
+
+    Read from values by key, from the name of a material or the path of a law file, or from values with either of these
+    under `based_on`.
+    """
 
     name: Annotated[str, Field(description="of the material")] = ""
     linear_modulus: float = quantity(law_unit("modulus.linear"), "stress by strain", at_least=0)
@@ -108,19 +115,35 @@ class Law(Part):
         None
     )
 
+    @model_validator(mode="before")
+    @classmethod
+    def _read_by_name(cls, given: object, info: ValidationInfo) -> object:
+        if isinstance(given, str | MaterialLaw):
+            given = {"based_on": given}
+        if not isinstance(given, dict) or not isinstance(named := given.get("based_on"), str | MaterialLaw):
+            return given
+        material, si = tendon_material(named), bool(info.context and info.context.get("si"))
+        own = {key: value for key, value in given.items() if key != "based_on"}
+        _check_choice(material, own.get("linear_modulus"), si=si)
+        return law_tables(material, si=si) | own
+
     @model_validator(mode="after")
-    def _pulls(self) -> Law:
+    def _pulls(self) -> LawSection:
         if not pulls(self.linear_modulus, self.quadratic_modulus, self.cubic_modulus):
             raise InputError(
-                "tendon.law.quadratic_modulus: need >= 0 or > -2 sqrt(linear_modulus cubic_modulus), or the tendon"
+                "quadratic_modulus: need >= 0 or > -2 sqrt(linear_modulus cubic_modulus), or the tendon"
                 f" would push at some strain, got {show_value('modulus.quadratic', self.quadratic_modulus)}"
             )
         return self
 
     @model_validator(mode="after")
-    def _has_a_range(self) -> Law:
+    def _has_a_range(self) -> LawSection:
         check_rates(self.lowest_strain_rate, self.highest_strain_rate)
         return self
+
+    def hash_values(self) -> dict[str, Any]:
+        """The values but for the name of the material."""
+        return {key: value for key, value in super().hash_values().items() if key != "name"}
 
     @property
     def material(self) -> MaterialLaw:
@@ -143,9 +166,28 @@ class Law(Part):
         )
 
 
-def law_fields(material: MaterialLaw) -> dict[str, object]:
-    """The fields of `Law` that a material has, SI; what is absent is left out, the moduli, too."""
-    values: dict[str, object] = {"name": material.name}
+def tendon_material(named: str | MaterialLaw) -> MaterialLaw:
+    """The material of a name or of the path of a law file, if a tendon can be made of it; a law as it is.
+
+    Raises:
+        InputError: there is no such material, or it is for no tendon.
+    """
+    material = named if isinstance(named, MaterialLaw) else load_law(named)
+    if material.no_tendon:
+        raise InputError(f"{material.name}: no tendon can be made of it: {material.no_tendon}")
+    if material.moduli is None and not any(bounds.key == _CHOSEN for bounds in material.ranges):
+        require(material, "modulus")
+    return material
+
+
+def law_tables(material: MaterialLaw, *, si: bool) -> dict[str, Any]:
+    """The values of a material by the keys of `LawSection`; what is absent is left out, the moduli, too.
+
+    Args:
+        material: whose law it is.
+        si: whether numbers are SI floats instead of text.
+    """
+    values: dict[str, Any] = {"name": material.name}
     for section, terms in (("modulus", material.moduli), ("viscosity", material.viscosity)):
         if terms is not None:
             values |= dict(zip((f"{term}_{section}" for term in ("linear", "quadratic", "cubic")), terms, strict=True))
@@ -156,7 +198,34 @@ def law_fields(material: MaterialLaw) -> dict[str, object]:
         values["softening"] = {name: getattr(material.softening, name) for name in ("r", "m", "beta")}
     for name, drift in drifts_of(material).items():
         values[f"{name}_drift"] = {key: getattr(drift, key) for key in LawDrift.model_fields}
-    return values
+    if si:
+        return values
+    # a law that needs a choice has no modulus yet
+    text = LawSection.model_validate({"linear_modulus": 1.0} | values, context={"si": True}).as_tables()
+    return {name: value for name, value in text.items() if name in values}
+
+
+def _check_choice(material: MaterialLaw, given: object, *, si: bool) -> None:
+    """Refuse a linear modulus that is missing where a material has only a range, and one that is not in it."""
+    if material.moduli is not None:
+        return
+    key = "linear_modulus"
+    if given is None:
+        bounds = next(bounds for bounds in material.ranges if bounds.key == _CHOSEN)
+        raise InputError(
+            f"{key}: of {material.name} only a range is known, {show_range(bounds.key, bounds.low, bounds.high)};"
+            f' choose a value in it, as in tendon.law = {{based_on = "{material.name}", {key} = "1 MPa"}} or'
+            f' --set tendon.law.{key}="1 MPa"'
+        )
+    reader = field_quantity(LawSection.model_fields[key])
+    try:
+        value = reader.read(given, in_si=si) if reader else None
+    except InputError:  # the field itself says what is wrong with it
+        return
+    try:
+        chosen(material, float(value or 0.0))
+    except InputError as error:
+        raise InputError(f"{key}: {error}") from None
 
 
 def _filled(terms: tuple[float | None, float | None, float | None]) -> tuple[float, float, float]:

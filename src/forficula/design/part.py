@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationInfo, field_validator
 from pydantic.fields import FieldInfo
@@ -69,13 +69,19 @@ class Quantity:
             raise InputError(f"{error}{words}") from None
 
     def __call__(self, schema: dict[str, Any]) -> None:
-        """Tell the JSON schema that the field is text with a unit."""
+        """Tell the JSON schema that the field is text with a unit, or a list of such text."""
         schema.pop("anyOf", None)
-        schema |= {"type": "string", "examples": [self.unit.example]}
+        if schema.get("type") == "array":
+            schema["items"] = {"type": "string", "examples": [self.unit.example]}
+        else:
+            schema |= {"type": "string", "examples": [self.unit.example]}
 
 
 def quantity(unit: Unit, description: str, *, default: Any = ..., words: tuple[str, ...] = (), **bounds: float) -> Any:
-    """A field that `Quantity` reads, required without a default; one that may be absent has None."""
+    """A field that `Quantity` reads, required without a default; one that may be absent has None.
+
+    A field of a tuple of floats is a list, each entry of which is read so.
+    """
     return Field(default, description=description, json_schema_extra=Quantity(unit=unit, words=words, **bounds))
 
 
@@ -96,18 +102,61 @@ class Part(BaseModel):
         reader = field_quantity(field)
         if reader is None or (value is None and not field.is_required()):
             return value
-        return reader.read(value, in_si=bool(info.context and info.context.get("si")))
+        in_si = bool(info.context and info.context.get("si"))
+        return _read_list(reader, value, in_si=in_si) if is_list(field) else reader.read(value, in_si=in_si)
+
+    def as_tables(self, write: Callable[[float, Unit], object] = format_quantity) -> dict[str, Any]:
+        """The part as TOML tables, quantities as exact text unless written otherwise; what is absent is left out."""
+        tables: dict[str, Any] = {}
+        for name, field in type(self).model_fields.items():
+            value, reader = getattr(self, name), field_quantity(field)
+            if isinstance(value, Part):
+                tables[name] = value.as_tables(write)
+            elif isinstance(value, tuple):
+                tables[name] = [
+                    item.as_tables(write)
+                    if isinstance(item, Part)
+                    else write(item, reader.unit)
+                    if reader and isinstance(item, float)
+                    else item
+                    for item in value
+                ]
+            elif value is not None:
+                tables[name] = write(value, reader.unit) if reader and isinstance(value, float) else value
+        return tables
+
+    def hash_values(self) -> dict[str, Any]:
+        """The values that tell it from others, SI, as plain data; what is absent is left out."""
+        values: dict[str, Any] = {}
+        for name in type(self).model_fields:
+            value = getattr(self, name)
+            if isinstance(value, Part):
+                values[name] = value.hash_values()
+            elif isinstance(value, tuple):
+                values[name] = [item.hash_values() if isinstance(item, Part) else item for item in value]
+            elif value is not None:
+                values[name] = value
+        return values
 
 
-def as_tables(part: Part, write: Callable[[float, Unit], str] = format_quantity) -> dict[str, Any]:
-    """A part as TOML tables, quantities as exact text unless written otherwise; what is absent is left out."""
-    tables: dict[str, Any] = {}
-    for name, field in type(part).model_fields.items():
-        value, reader = getattr(part, name), field_quantity(field)
-        if isinstance(value, Part):
-            tables[name] = as_tables(value, write)
-        elif isinstance(value, tuple):
-            tables[name] = [as_tables(item, write) if isinstance(item, Part) else item for item in value]
-        elif value is not None:
-            tables[name] = write(value, reader.unit) if reader and isinstance(value, float) else value
-    return tables
+def is_list(field: FieldInfo) -> bool:
+    """Whether a field holds a list."""
+    return get_origin(field.annotation) is tuple
+
+
+def entry_part(field: FieldInfo) -> type[Part] | None:
+    """What the entries of a list of tables are; None of a field that is none."""
+    entries = [each for each in get_args(field.annotation) if isinstance(each, type) and issubclass(each, Part)]
+    return entries[0] if entries and is_list(field) else None
+
+
+def _read_list(reader: Quantity, values: object, *, in_si: bool) -> tuple[float | str, ...]:
+    if not isinstance(values, list | tuple):
+        raise InputError(f'need a list such as ["{reader.unit.example}"], got {as_written(values)}')
+    read = []
+    for number, value in enumerate(values):
+        try:
+            read.append(reader.read(value, in_si=in_si))
+        except InputError as error:
+            raise InputError(f"entry {number}: {error}") from None
+    return tuple(read)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,20 +13,23 @@ Points = NDArray[np.float64]
 
 
 def tendon_ends(hub: Points, ring: Points, tip: Points, design: FanDesign) -> tuple[Points, Points]:
-    """Place the two ends of a vein's tendon on its bars.
+    """Place the two ends of the veins' tendons on the axes of their bars.
 
     Args:
-        hub: hub end of the vein, in the units of `design`, (..., axis).
-        ring: its ring vertex, alike.
-        tip: its tip, alike.
+        hub: hub ends of the veins, in the units of `design`, (..., vein, axis).
+        ring: their ring vertices, alike.
+        tip: their tips, alike.
         design: where tendons are attached.
 
     Returns:
-        The ends on the proximal and on the distal bar, shaped alike.
+        The ends on the proximal and on the distal bars, shaped alike; nan for a vein without a tendon.
     """
-    tendon, pattern = design.tendon, design.pattern
-    before = ring + (hub - ring) * tendon.proximal_attachment / pattern.proximal_length
-    beyond = ring + (tip - ring) * tendon.distal_attachment / pattern.distal_length
+    proximal, distal = (
+        np.array([[math.nan if each is None else getattr(each, f"{end}_attachment")] for each in design.tendons])
+        for end in ("proximal", "distal")
+    )
+    before = ring + (hub - ring) * proximal / design.pattern.proximal_length
+    beyond = ring + (tip - ring) * distal / design.pattern.distal_length
     return before, beyond
 
 

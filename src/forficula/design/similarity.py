@@ -7,7 +7,7 @@ from typing import Any, TypeVar
 
 from forficula.design.design import Design
 from forficula.design.design_file import with_values
-from forficula.design.part import Part, field_quantity
+from forficula.design.part import Part, Quantity, field_quantity
 from forficula.errors import InputError
 from forficula.quantities import dimension, show_quantity
 
@@ -60,6 +60,16 @@ def scale_design(design: Design, factor: float) -> Design:
 
 def _rescaled(part: _Part, length: float, mass: float, time: float, prefix: str = "") -> _Part:
     """The part in other units; raise InputError where a number is none in these."""
+
+    def converted(value: float, quantity: Quantity, key: str) -> float:
+        by_length, by_mass, by_time = dimension(quantity.unit)
+        unit = length**by_length * mass**by_mass * time**by_time
+        changed = value / unit if unit else math.inf
+        if not math.isfinite(changed):
+            got = show_quantity(value, quantity.unit)
+            raise InputError(f"{key}: need a finite number in the units of a wing of this size, got {got}")
+        return changed
+
     changes: dict[str, Any] = {}
     for name, field in type(part).model_fields.items():
         value, quantity = getattr(part, name), field_quantity(field)
@@ -67,14 +77,13 @@ def _rescaled(part: _Part, length: float, mass: float, time: float, prefix: str 
             changes[name] = _rescaled(value, length, mass, time, f"{prefix}{name}.")
         elif isinstance(value, tuple):
             changes[name] = tuple(
-                _rescaled(item, length, mass, time, f"{prefix}{name}.{place}.") if isinstance(item, Part) else item
+                _rescaled(item, length, mass, time, f"{prefix}{name}.{place}.")
+                if isinstance(item, Part)
+                else converted(item, quantity, f"{prefix}{name}.{place}")
+                if quantity is not None and isinstance(item, float)
+                else item
                 for place, item in enumerate(value)
             )
         elif quantity is not None and isinstance(value, float):
-            by_length, by_mass, by_time = dimension(quantity.unit)
-            unit = length**by_length * mass**by_mass * time**by_time
-            changes[name] = value / unit if unit else math.inf
-            if not math.isfinite(changes[name]):
-                got = show_quantity(value, quantity.unit)
-                raise InputError(f"{prefix}{name}: need a finite number in the units of a wing of this size, got {got}")
+            changes[name] = converted(value, quantity, f"{prefix}{name}")
     return part.model_copy(update=changes)

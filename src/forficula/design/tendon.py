@@ -1,31 +1,108 @@
-"""A design's tendons: their law, and how far the flat wing stretches them."""
+"""The section of a design for a tendon, and the law that it comes to."""
 
 from __future__ import annotations
 
-import numpy as np
+import math
+from typing import Annotated, Any
 
-from forficula.design.fan import FanDesign
-from forficula.design.places import tendon_ends
+from pydantic import Field, model_validator
+
+from forficula.design.law import AREA, LawSection
+from forficula.design.part import LENGTH, STIFFNESS, TENDON_DAMPING, Part, field_quantity, quantity
+from forficula.errors import InputError
 from forficula.material.law.material_law import scaled
 from forficula.material.law.tendon_law import TendonLaw
-from forficula.pattern import hub_points, ring_vertices, tips
+from forficula.quantities import show_quantity
+
+# by what follows from a law, what to set instead
+_FOLLOWING = {
+    "stiffness": "tendon.area or tendon.law.linear_modulus",
+    "damping": "tendon.area or tendon.law.linear_viscosity",
+}
+# what is given by hand is what follows, but for how it was written
+_ROUNDING = 1e-9
+# which came later: where a tendon lies in its bars, designs keep the hashes that they had
+_OFF_THE_BARS = ("proximal_offset", "distal_offset", "proximal_aside", "distal_aside")
 
 
-def tendon_law(design: FanDesign) -> TendonLaw:
-    """The law of a design's tendons, in the design's units, whatever they are.
+class TendonSection(Part):
+    """The elastic patch across each distal hinge."""
 
-    Linear, with linear damping, where the design names no material.
+    stiffness: float | None = quantity(
+        STIFFNESS, "force by extension beyond the resting length", default=None, at_least=0
+    )
+    rest_length: float = quantity(LENGTH, "length below which it does not pull", at_least=0)
+    damping: float | None = quantity(
+        TENDON_DAMPING, "viscous damping, which works at any length, slack or taut", default=None, at_least=0
+    )
+    proximal_attachment: float = quantity(LENGTH, "distance of its end on the proximal bar from the ring fold", above=0)
+    distal_attachment: float = quantity(LENGTH, "distance of its end on the distal bar from the ring fold", above=0)
+    proximal_offset: float = quantity(
+        LENGTH, "how far that end stands off the proximal bar's axis, towards the overbend side", default=0.0
+    )
+    distal_offset: float = quantity(LENGTH, "alike, of its end on the distal bar", default=0.0)
+    proximal_aside: float = quantity(
+        LENGTH, "how far its end on the proximal bar lies beside the bar's axis, towards the next vein", default=0.0
+    )
+    distal_aside: float = quantity(LENGTH, "alike, of its end on the distal bar", default=0.0)
+    area: float | None = quantity(AREA, "cross-section; only with a law", default=None, above=0)
+    law: Annotated[
+        LawSection | None,
+        Field(
+            description="a material, or a law file, instead of stiffness and damping; with an area",
+            examples=["tpu-82a"],
+        ),
+    ] = None
+
+    @model_validator(mode="after")
+    def _spring_or_law(self) -> TendonSection:
+        """Keep the law alone where stiffness and damping are given, too, and agree with it."""
+        if self.law is None:
+            if self.area is not None:
+                raise InputError(
+                    "area: needs tendon.law, which gives force by area; give a law, too, or tendon.stiffness instead"
+                )
+            for key in _FOLLOWING:
+                if getattr(self, key) is None:
+                    raise InputError(f"{key}: is missing")
+            return self
+        if self.area is None:
+            raise InputError(f'area: is missing; tendon.law gives force by area, so give one such as "{AREA.example}"')
+        if self.rest_length == 0:
+            raise InputError(
+                "rest_length: need > 0 with tendon.law, for strain is extension by resting length, got 0 cm"
+            )
+        for key, follows in small_extension(self).items():
+            given, reader = getattr(self, key), field_quantity(type(self).model_fields[key])
+            if given is not None and reader is not None and not math.isclose(given, follows, rel_tol=_ROUNDING):
+                raise InputError(
+                    f"{key}: follows from tendon.law, {show_quantity(follows, reader.unit)}; set {_FOLLOWING[key]}"
+                    f" instead, got {show_quantity(given, reader.unit)}"
+                )
+        return self.model_copy(update=dict.fromkeys(_FOLLOWING))
+
+    def hash_values(self) -> dict[str, Any]:
+        """The values that tell it from others, with the stiffness and the damping that follow from a law."""
+        values = super().hash_values() | small_extension(self)
+        return {key: value for key, value in values.items() if value or key not in _OFF_THE_BARS}
+
+
+def tendon_law(tendon: TendonSection) -> TendonLaw:
+    """The law of a tendon, in its units, whatever they are; linear, with linear damping, where it names no material.
+
+    Raises:
+        InputError: the law gives no number that can be computed with.
     """
-    tendon = design.tendon
     if tendon.law is not None and tendon.area is not None:
         return scaled(tendon.law.material, length=tendon.rest_length, area=tendon.area)
     return TendonLaw(
-        rest_length=tendon.rest_length, stiffness=(tendon.stiffness, 0.0, 0.0), damping=(tendon.damping, 0.0, 0.0)
+        rest_length=tendon.rest_length,
+        stiffness=(tendon.stiffness or 0.0, 0.0, 0.0),
+        damping=(tendon.damping or 0.0, 0.0, 0.0),
     )
 
 
-def flat_strain(design: FanDesign) -> float:
-    """The strain of the tendon that the flat wing stretches most; infinite without a resting length."""
-    before, beyond = tendon_ends(hub_points(design.fan), ring_vertices(design.fan), tips(design.fan), design)
-    longest = float(np.linalg.norm(beyond - before, axis=-1).max())
-    return longest / design.tendon.rest_length - 1 if design.tendon.rest_length else float("inf")
+def small_extension(tendon: TendonSection) -> dict[str, float]:
+    """Stiffness and damping of a tendon where it is hardly stretched: with a law E1 A / L and eta1 A / L."""
+    law = tendon_law(tendon)
+    return {"stiffness": law.stiffness[0], "damping": 0.0 if law.damping is None else law.damping[0]}

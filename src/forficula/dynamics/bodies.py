@@ -7,7 +7,7 @@ import math
 import mujoco
 import numpy as np
 
-from forficula.structure import GROUND, Bar, Hinge, Structure
+from forficula.structure import GROUND, Bar, Hinge, Plate, Structure, mass_of
 
 # bits by which MuJoCo selects who touches whom
 _OVERLAPPING, _OTHERS = 1, 2
@@ -32,6 +32,8 @@ def add_bodies(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> No
         bodies.append(parent.add_body(name=body.name, pos=body.position, quat=frame))
     for bar in structure.bars:
         _add_bar(bodies[bar.body], bar, structure, timestep)
+    for plate in structure.plates:
+        _add_plate(spec, bodies[plate.body], plate, structure)
     for number in engine_sites(structure):
         point = structure.points[number]
         body = spec.worldbody if point.body == GROUND else bodies[point.body]
@@ -70,6 +72,21 @@ def _add_bar(body: mujoco.MjsBody, bar: Bar, structure: Structure, timestep: flo
             solimp=[0.9, 0.95, _SOFT_SHARE * bar.diameter, 0.5, 2],
             **place,
         )
+
+
+def _add_plate(spec: mujoco.MjSpec, body: mujoco.MjsBody, plate: Plate, structure: Structure) -> None:
+    """Give a body a plate's mass, and for viewers its shape, which has neither mass nor contact."""
+    mass, centre, inertia = mass_of(structure, plate.body)
+    body.explicitinertial = True
+    body.mass, body.ipos = mass, centre
+    body.fullinertia = [inertia[row, column] for row, column in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
+    corners = np.array([structure.points[point].place for point in plate.points])
+    normal = np.cross(corners - corners[0], np.roll(corners, -1, axis=0) - corners[0]).sum(axis=0)
+    half = plate.thickness / 2 * normal / np.linalg.norm(normal)
+    shape = spec.add_mesh(name=body.name, uservert=np.concatenate([corners + half, corners - half]).ravel())
+    # a thin plate has no volume to speak of
+    shape.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
+    body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=body.name, mass=0, contype=0, conaffinity=0)
 
 
 def _add_hinge(body: mujoco.MjsBody, hinge: Hinge, timestep: float) -> None:

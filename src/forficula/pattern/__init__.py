@@ -9,6 +9,8 @@ from forficula.pattern.crease_pattern import (
     sector_angles,
 )
 from forficula.pattern.earwig import EarwigFan, Tangent, earwig_pattern, hub_points, ring_vertices, tips, vein_gaps
+from forficula.pattern.facet_tree import FacetLink, facet_tree
+from forficula.pattern.flat_folding import VertexCheck, flat_folding_faults, pattern_text, vertex_checks
 from forficula.pattern.fold_file import read_fold, read_folded_frames, write_fold
 from forficula.pattern.kinematics import (
     closure_residual,
@@ -18,19 +20,24 @@ from forficula.pattern.kinematics import (
     folded_frames,
     opposite_fold_angle,
 )
+from forficula.pattern.pleats import pleat_pattern
 from forficula.pattern.svg_file import write_svg
 
 __all__ = [
     "ASSIGNMENTS",
     "CreasePattern",
     "EarwigFan",
+    "FacetLink",
     "Tangent",
+    "VertexCheck",
     "big_little_big_residuals",
     "closure_residual",
     "creases_around",
     "degree4_fold_angles",
     "earwig_pattern",
+    "facet_tree",
     "fan_fold_angles",
+    "flat_folding_faults",
     "folded_coordinates",
     "folded_frames",
     "hub_points",
@@ -38,12 +45,15 @@ __all__ = [
     "kawasaki_residuals",
     "maekawa_residuals",
     "opposite_fold_angle",
+    "pattern_text",
+    "pleat_pattern",
     "read_fold",
     "read_folded_frames",
     "ring_vertices",
     "sector_angles",
     "tips",
     "vein_gaps",
+    "vertex_checks",
     "write_fold",
     "write_svg",
 ]

@@ -217,7 +217,27 @@ def creases_around(pattern: CreasePattern, vertex: int) -> NDArray[np.int64]:
     check_flat(pattern)
     check_vertex("vertex", vertex, len(pattern.vertices_coords))
     folds = np.array([letter != "F" for letter in pattern.edges_assignment])
-    edges = np.flatnonzero((pattern.edges_vertices == vertex).any(axis=1) & folds).astype(np.int64)
+    return _counterclockwise(pattern, vertex, np.flatnonzero((pattern.edges_vertices == vertex).any(axis=1) & folds))
+
+
+def creases_inside(pattern: CreasePattern) -> list[tuple[int, NDArray[np.int64]]]:
+    """List every interior vertex with its creases, as `creases_around` does, in one pass over the edges.
+
+    Raises:
+        InputError: the sheet is not flat.
+    """
+    check_flat(pattern)
+    inside = interior_vertices(pattern).tolist()
+    edges: dict[int, list[int]] = {vertex: [] for vertex in inside}
+    for edge, (ends, letter) in enumerate(zip(pattern.edges_vertices.tolist(), pattern.edges_assignment, strict=True)):
+        for vertex in ends:
+            if letter != "F" and vertex in edges:
+                edges[vertex].append(edge)
+    return [(vertex, _counterclockwise(pattern, vertex, np.array(edges[vertex], dtype=np.int64))) for vertex in inside]
+
+
+def _counterclockwise(pattern: CreasePattern, vertex: int, edges: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Sort edges at a vertex counterclockwise, the lowest number first; they come in increasing order."""
     if len(edges) == 0:
         return edges
     away = _away_from(pattern, vertex, edges)
@@ -248,7 +268,11 @@ def sector_angles(pattern: CreasePattern, vertex: int) -> NDArray[np.float64]:
     Raises:
         InputError: the sheet is not flat, or there is no such vertex.
     """
-    edges = creases_around(pattern, vertex)
+    return sectors_between(pattern, vertex, creases_around(pattern, vertex))
+
+
+def sectors_between(pattern: CreasePattern, vertex: int, edges: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Measure the angles between neighbouring edges at a vertex, rad, for edges in the order of `creases_around`."""
     if len(edges) == 1:
         return np.array([2 * math.pi])
     away = _away_from(pattern, vertex, edges)
@@ -277,8 +301,8 @@ def kawasaki_residuals(pattern: CreasePattern) -> NDArray[np.float64]:
         InputError: the sheet is not flat.
     """
     residuals = []
-    for vertex in interior_vertices(pattern).tolist():
-        sectors = sector_angles(pattern, vertex)
+    for vertex, edges in creases_inside(pattern):
+        sectors = sectors_between(pattern, vertex, edges)
         if len(sectors) % 2:
             residuals.append(math.inf)
         else:
@@ -303,8 +327,8 @@ def maekawa_residuals(pattern: CreasePattern) -> NDArray[np.int64]:
         InputError: the sheet is not flat.
     """
     residuals = []
-    for vertex in interior_vertices(pattern).tolist():
-        letters = [pattern.edges_assignment[edge] for edge in creases_around(pattern, vertex)]
+    for _, edges in creases_inside(pattern):
+        letters = [pattern.edges_assignment[edge] for edge in edges]
         residuals.append(abs(letters.count("M") - letters.count("V")) - 2 if letters else 0)
     return np.array(residuals, dtype=np.int64)
 
@@ -327,9 +351,9 @@ def big_little_big_residuals(pattern: CreasePattern) -> NDArray[np.int64]:
         InputError: the sheet is not flat.
     """
     residuals = []
-    for vertex in interior_vertices(pattern).tolist():
-        sectors = sector_angles(pattern, vertex)
-        letters = [pattern.edges_assignment[edge] for edge in creases_around(pattern, vertex)]
+    for vertex, edges in creases_inside(pattern):
+        sectors = sectors_between(pattern, vertex, edges)
+        letters = [pattern.edges_assignment[edge] for edge in edges]
         smallest_neighbour = np.minimum(np.roll(sectors, 1), np.roll(sectors, -1))
         trapped = 0
         for sector in np.flatnonzero(sectors < smallest_neighbour - _EQUAL_SECTORS).tolist():

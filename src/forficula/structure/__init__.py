@@ -1,3 +1,4 @@
+from forficula.structure.appearance import Appearance
 from forficula.structure.build import drive_keys, structure_of, with_protocol
 from forficula.structure.goals import (
     distances_of,
@@ -8,6 +9,7 @@ from forficula.structure.goals import (
     state_of,
     transition_of,
 )
+from forficula.structure.mass import mass_of
 from forficula.structure.structure import (
     GROUND,
     Bar,
@@ -29,10 +31,21 @@ from forficula.structure.structure import (
     Wording,
 )
 from forficula.structure.structure_warnings import structure_warnings
-from forficula.structure.tree import ancestry, built_points, drawn_points, hinges_between, tendon_arms
+from forficula.structure.tree import (
+    ancestry,
+    built_hinges,
+    built_lengths,
+    built_points,
+    built_strains,
+    drawn_points,
+    hinges_between,
+    outer_ends,
+    tendon_arms,
+)
 
 __all__ = [
     "GROUND",
+    "Appearance",
     "Bar",
     "Body",
     "Drive",
@@ -51,7 +64,10 @@ __all__ = [
     "Transition",
     "Wording",
     "ancestry",
+    "built_hinges",
+    "built_lengths",
     "built_points",
+    "built_strains",
     "distances_of",
     "drawn_points",
     "drive_keys",
@@ -59,7 +75,9 @@ __all__ = [
     "goal_of",
     "hinges_between",
     "hinges_of",
+    "mass_of",
     "measure_of",
+    "outer_ends",
     "state_of",
     "structure_of",
     "structure_warnings",

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from forficula.design import Design, FanDesign
+from forficula.design import Design, FanDesign, PlatesDesign
 from forficula.errors import InputError
-from forficula.structure import veins
+from forficula.structure import plates, veins
 from forficula.structure.structure import Structure
 
 
@@ -16,6 +16,8 @@ def structure_of(design: Design) -> Structure:
     """
     if isinstance(design, FanDesign):
         return veins.vein_structure(design)
+    if isinstance(design, PlatesDesign):
+        return plates.plate_structure(design)
     raise _no_way(design)
 
 
@@ -23,6 +25,8 @@ def with_protocol(structure: Structure, design: Design) -> Structure:
     """A structure with the drives, goals, states and transitions of a design that differs in its protocol at most."""
     if isinstance(design, FanDesign):
         return veins.with_protocol(structure, design)
+    if isinstance(design, PlatesDesign):
+        return plates.with_protocol(structure, design)
     raise _no_way(design)
 
 
@@ -30,6 +34,8 @@ def drive_keys(design: Design) -> tuple[str, ...]:
     """Keys of the values that say how strong a design's drives are."""
     if isinstance(design, FanDesign):
         return veins.drive_keys(design)
+    if isinstance(design, PlatesDesign):
+        return plates.drive_keys(design)
     raise _no_way(design)
 
 

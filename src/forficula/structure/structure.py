@@ -7,13 +7,15 @@ nothing here asks in which way a structure was built.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.material.law.material_law import MaterialLaw
 from forficula.material.law.tendon_law import TendonLaw
+from forficula.structure.appearance import Appearance
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -115,6 +117,7 @@ class Hinge:
         damping: N m s/rad.
         armature: inertia added to it, kg m^2.
         start: its angle at the start, rad.
+        label: what tables and figures call it; its name if empty.
     """
 
     name: str
@@ -129,6 +132,7 @@ class Hinge:
     damping: float = 0.0
     armature: float = 0.0
     start: float = 0.0
+    label: str = ""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -143,6 +147,10 @@ class Tendon:
         longest: the length beyond which it is never stretched, m.
         hinge: number of the hinge that it lies across, the only one that its length depends on; None where it depends
             on others, or on several.
+        gauge_length: by which its extension is a strain, m: the resting length that it had before any set.
+        material: whose law it has, in the structure's units; None where it is a spring of no material.
+        key: of the design's section that it comes from, such as "tendon", or "tendon.1" where others differ.
+        label: what tables and figures call it; its name if empty.
     """
 
     name: str
@@ -151,6 +159,10 @@ class Tendon:
     law: TendonLaw
     longest: float
     hinge: int | None = None
+    gauge_length: float = 0.0
+    material: MaterialLaw | None = None
+    key: str = ""
+    label: str = ""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -199,6 +211,8 @@ class Membrane:
         triangles: three nodes each, (triangle, 3).
         law: of the sheet.
         margin: width of what is glued to a bar, m; how far a body reaches into the sheet.
+        roots: from where on its bar each node is held, in the axes of its body, m, (node, 3): the strip between the two
+            is glued to the bar. The node itself where it lies on the bar; None where all do, or where there are none.
     """
 
     name: str
@@ -208,6 +222,7 @@ class Membrane:
     triangles: Indices
     law: MembraneLaw
     margin: float
+    roots: Array | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -235,6 +250,7 @@ class Drive:
         torque: that value, N m.
         tries: what a search for the least value tries where it is not told, as text.
         large: alike, what it takes to see whether the next transition works, as text.
+        where: what it acts on, as sentences say it, such as "on every proximal joint".
     """
 
     name: str
@@ -244,6 +260,7 @@ class Drive:
     torque: float
     tries: str = ""
     large: str = ""
+    where: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -312,7 +329,8 @@ class Wording:
         doing: what goes on, such as "folding" in "still folding".
         stays: what is to last, such as "folded" in "did not stay folded".
         time: what its time is called, such as "fold time".
-        noun: what the work is of, such as "folding" in "work of folding".
+        noun: what it is called itself, such as "folding" in "work of folding".
+        did: what it came to in a story of several, such as "opened again"; what it came to if empty.
         if_stuck: advice where it never began, in a sentence.
         if_under_way: advice where it stuck on the way.
         if_lost: advice where it was lost when released.
@@ -324,6 +342,7 @@ class Wording:
     stays: str
     time: str
     noun: str
+    did: str = ""
     if_stuck: str = ""
     if_under_way: str = ""
     if_lost: str = ""
@@ -386,6 +405,7 @@ class Structure:
         mass: of the size of its bodies' mass, kg.
         contact: whether bars that touch push each other apart.
         gravity: acceleration along -z, m/s^2.
+        appearance: what drawings and sentences need beside all that.
     """
 
     name: str
@@ -408,6 +428,7 @@ class Structure:
     mass: float
     contact: bool = False
     gravity: float = 0.0
+    appearance: Appearance = field(default_factory=Appearance)
 
     @property
     def supports(self) -> tuple[int, ...]:

@@ -39,6 +39,43 @@ def drawn_points(structure: Structure) -> list[int]:
     return sorted({point for points in ends for point in points})
 
 
+def built_lengths(structure: Structure) -> Array:
+    """The distances of the tendons' ends in the built shape, m, (tendon,)."""
+    points = built_points(structure)
+    ends = (tendon.points for tendon in structure.tendons)
+    return np.array([float(np.linalg.norm(points[end] - points[start])) for start, end in ends])
+
+
+def built_strains(structure: Structure) -> Array:
+    """The strains of the tendons in the built shape, (tendon,); infinite without a gauge length."""
+    gauges = np.array([tendon.gauge_length for tendon in structure.tendons])
+    return np.where(gauges > 0, built_lengths(structure) / np.where(gauges > 0, gauges, 1.0) - 1, np.inf)
+
+
+def built_hinges(structure: Structure) -> tuple[Array, Array]:
+    """Where the hinges are in the built shape, m, (hinge, 3), and unit vectors along their axes, (hinge, 3)."""
+    origins, frames = _built_frames(structure)
+    bodies = [hinge.body for hinge in structure.hinges]
+    axes = [frames[hinge.body] @ hinge.axis for hinge in structure.hinges]
+    return origins[bodies].reshape(-1, 3), np.array(axes).reshape(-1, 3)
+
+
+def outer_ends(structure: Structure) -> Array:
+    """The points of outermost bodies, those that carry no other, that are furthest from their origins, m, (end, 3).
+
+    One a body, in the built shape: the tip of a bar, a corner of a plate.
+    """
+    carrying, ends = {body.parent for body in structure.bodies}, drawn_points(structure)
+    furthest: dict[int, int] = {}
+    for number in ends:
+        point = structure.points[number]
+        far = furthest.get(point.body)
+        if far is None or np.linalg.norm(point.place) > np.linalg.norm(structure.points[far].place):
+            furthest[point.body] = number
+    chosen = [number for body, number in furthest.items() if body != GROUND and body not in carrying]
+    return built_points(structure)[chosen]
+
+
 def tendon_arms(structure: Structure, tendon: Tendon) -> tuple[tuple[int, float], ...]:
     """The hinges that a tendon crosses, and the longest lever that it can have about each, m.
 

@@ -10,10 +10,12 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.design import FanDesign, FanProtocol, stage_drives, tendon_law
+from forficula.design import FanDesign, FanProtocol, TendonSection, stage_drives, tendon_law
 from forficula.design.places import mesh_rows
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, earwig_pattern, ring_vertices
+from forficula.quantities import show_value
+from forficula.structure.appearance import Appearance
 from forficula.structure.structure import (
     GROUND,
     Array,
@@ -44,6 +46,7 @@ _FOLD = Wording(
     stays="folded",
     time="fold time",
     noun="folding",
+    did="folded",
     if_stuck=(
         "Raise protocol.fold_torque, or lower the barrier: softer or longer tendons (tendon.stiffness,"
         " tendon.rest_length), less hinge.overbend."
@@ -61,11 +64,18 @@ _UNFOLD = Wording(
     stays="open",
     time="opening time",
     noun="unfolding",
+    did="opened again",
     if_stuck="Raise protocol.unfold_torque, or take softer or longer tendons (tendon.stiffness, tendon.rest_length).",
     if_lost=(
         "It opened under torque and folded again when released: hold it longer (hold of the unfolding stage), or raise"
         " hinge.overbend or tendon.stiffness so that the open state locks."
     ),
+)
+_APPEARANCE = Appearance(
+    whole="wing",
+    bar="vein",
+    crease="ring fold",
+    titles={"distal_angle": "distal hinge angle", "turn": "turn about its own axis"},
 )
 # the hinges of a vein in this order: sweep and lift aim it, turn is about its own axis
 _AIMS = (("sweep", (0.0, 0.0, 1.0)), ("lift", (0.0, 1.0, 0.0)), ("turn", (1.0, 0.0, 0.0)))
@@ -111,7 +121,21 @@ def vein_structure(design: FanDesign) -> Structure:
     """Build bars, hinges, tendons and membranes on the creases of a fan, in the units of its design."""
     pattern = earwig_pattern(design.fan)
     # the last vein takes the ring crease of the pattern continued
-    return structure_of_veins(design, veins_on(pattern, ring_vertices(design.fan, continued=True)[-1]))
+    built = structure_of_veins(design, veins_on(pattern, ring_vertices(design.fan, continued=True)[-1]))
+    chosen = design.pattern
+    sizes = {
+        "proximal length": chosen.proximal_length,
+        "distal length": chosen.distal_length,
+        "hub radius": chosen.hub_radius,
+    }
+    text = (
+        f"A fan of {design.fan.vein_count} veins and {design.fan.vein_count - 1} membrane panels, each vein"
+        f" {show_value(chosen.proximal_length, 'm')} long up to the ring fold and"
+        f" {show_value(chosen.distal_length, 'm')} beyond it"
+    )
+    circles = {"hub": chosen.hub_radius}
+    appearance = replace(built.appearance, text=text, sizes=sizes, pattern=pattern, circles=circles)
+    return replace(built, appearance=appearance)
 
 
 def veins_on(pattern: CreasePattern, beyond: Array) -> tuple[Vein, ...]:
@@ -160,38 +184,33 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
             Body(name=f"proximal{index}", role="proximal", parent=GROUND, position=vein.hub_point, frame=vein.frame)
         )
         bodies.append(Body(name=f"distal{index}", role="distal", parent=proximal, position=ring, frame=np.eye(3)))
-        choice = design.tendon
-        towards_hub = -ring / np.linalg.norm(ring)
+        choice = design.tendon_on(index)
         points += [
             Point(name=f"hub{index}", role="hub", body=proximal, place=np.zeros(3)),
             Point(name=f"ring{index}", role="ring", body=distal, place=np.zeros(3)),
-            Point(
-                name=f"proximal_attachment{index}",
-                role="attachment",
-                body=proximal,
-                place=ring + choice.proximal_attachment * towards_hub,
-            ),
-            Point(
-                name=f"distal_attachment{index}",
-                role="attachment",
-                body=distal,
-                place=choice.distal_attachment * tip / np.linalg.norm(tip),
-            ),
+            *([] if choice is None else _attachments(choice, index, vein)),
             Point(name=f"tip{index}", role="tip", body=distal, place=tip),
         ]
         thick, dense = design.vein.diameter, design.vein.density
         # veins overlap near the hub even where the fan lies flat
         base = Bar(body=proximal, end=ring, diameter=thick, density=dense, points=(first, first + 1), overlaps=True)
-        bars += [base, Bar(body=distal, end=tip, diameter=thick, density=dense, points=(first + 1, first + 4))]
+        bars += [base, Bar(body=distal, end=tip, diameter=thick, density=dense, points=(first + 1, len(points) - 1))]
         hinges += _hinges(design, index, vein)
+        if choice is None:
+            continue
         tendons.append(
             Tendon(
                 name=f"tendon{index}",
                 role="tendon",
                 points=(first + 2, first + 3),
-                law=tendon_law(design),
-                longest=choice.proximal_attachment + choice.distal_attachment,
+                law=tendon_law(choice),
+                longest=math.hypot(choice.proximal_attachment, choice.proximal_offset, choice.proximal_aside)
+                + math.hypot(choice.distal_attachment, choice.distal_offset, choice.distal_aside),
                 hinge=len(hinges) - 1,
+                gauge_length=choice.rest_length,
+                material=None if choice.law is None else choice.law.material,
+                key=f"tendon.{index}" if isinstance(design.tendon, tuple) else "tendon",
+                label=f"vein {index}",
             )
         )
     built = Structure(
@@ -201,12 +220,13 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
         bars=tuple(bars),
         hinges=tuple(hinges),
         tendons=tuple(tendons),
-        limits=_guards(design, veins),
+        limits=_guards(design, veins, [number for number, point in enumerate(points) if point.role == "tip"]),
         membranes=_panels(design, veins),
         span=design.pattern.proximal_length + design.pattern.distal_length,
         mass=_bar_mass(design),
         contact=design.protocol.contact,
         gravity=design.protocol.gravity,
+        appearance=_APPEARANCE,
     )
     return with_protocol(built, design)
 
@@ -235,6 +255,7 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
                 torque=fold,
                 tries="0..50 N cm step 10",
                 large="500 N cm",
+                where="on every proximal joint",
             ),
             Drive(
                 name="unfold",
@@ -243,6 +264,7 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
                 key="protocol.unfold_torque",
                 torque=unfold,
                 tries="10..100 N cm step 10",
+                where="on every joint",
             ),
         ),
         measures=(
@@ -306,7 +328,7 @@ def _stage_states(protocol: FanProtocol) -> tuple[str, ...]:
 
 def _in_terms_of(design: FanDesign, wording: Wording) -> Wording:
     """Advice that names what the design has: of a law the stiffness follows."""
-    if design.tendon.law is None:
+    if any(tendon is not None and tendon.law is None for tendon in design.tendons):
         return wording
     advice = {name: getattr(wording, name) for name in ("if_stuck", "if_under_way", "if_lost")}
     return replace(wording, **{key: text.replace("tendon.stiffness", "tendon.area") for key, text in advice.items()})
@@ -335,6 +357,7 @@ def _hinges(design: FanDesign, index: int, vein: Vein) -> list[Hinge]:
             upper=choice.turn_limit if role == "turn" else math.inf,
             damping=choice.damping,
             armature=choice.armature,
+            label=f"vein {index}",
         )
         for role, axis in _AIMS
         if not vein.fixed_base
@@ -350,8 +373,43 @@ def _hinges(design: FanDesign, index: int, vein: Vein) -> list[Hinge]:
         sense=vein.sense,
         damping=choice.damping,
         armature=choice.armature,
+        label=f"vein {index}",
     )
     return [*aims, ring]
+
+
+def _attachments(tendon: TendonSection, index: int, vein: Vein) -> list[Point]:
+    """The ends of a vein's tendon: on its bars' axes, or off them across the sheet and beside them."""
+    ring, tip = vein.on_proximal_bar(vein.ring_vertex), vein.on_distal_bar(vein.tip)
+    towards_hub = -ring / np.linalg.norm(ring)
+    before = ring + tendon.proximal_attachment * towards_hub
+    beyond = tendon.distal_attachment * tip / np.linalg.norm(tip)
+    return [
+        Point(
+            name=f"proximal_attachment{index}",
+            role="attachment",
+            body=2 * index,
+            place=before + _off_the_bar(vein, ring, tendon.proximal_offset, tendon.proximal_aside),
+        ),
+        Point(
+            name=f"distal_attachment{index}",
+            role="attachment",
+            body=2 * index + 1,
+            place=beyond + _off_the_bar(vein, tip, tendon.distal_offset, tendon.distal_aside),
+        ),
+    ]
+
+
+def _off_the_bar(vein: Vein, bar: Array, offset: float, aside: float) -> Array:
+    """How far a place lies off the axis of a bar, which is given in its own axes from the hub on, (3,).
+
+    An overbend moves the tip along the cross product of the ring direction and the bar, times the vein's sense: out of
+    the sheet, towards the side on which offsets count.
+    """
+    across = np.array([0.0, 0.0, 1.0])
+    overbend = vein.sense * np.cross(vein.frame.T @ vein.ring_direction, bar)[2]
+    beside = np.cross(across, bar / np.linalg.norm(bar))
+    return offset * math.copysign(1.0, overbend) * across + aside * beside
 
 
 def _panels(design: FanDesign, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
@@ -375,15 +433,17 @@ def _panels(design: FanDesign, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
         built: list[Array] = []
         bodies: list[int] = []
         places: list[Array] = []
+        roots: list[Array] = []
         for distal, here, there in zip(beyond, near, far, strict=True):
             width = float(np.linalg.norm(there - here))
             margin = min(choice.margin, choice.margin_limit * width)
-            for vein, number, node in zip(
-                pair, (panel, panel + 1), (here + margin / width * (there - here), there), strict=True
+            for vein, number, node, root in zip(
+                pair, (panel, panel + 1), (here + margin / width * (there - here), there), (here, there), strict=True
             ):
                 built.append(node)
                 bodies.append(2 * number + distal)
                 places.append(vein.on_distal_bar(node) if distal else vein.on_proximal_bar(node))
+                roots.append(vein.on_distal_bar(root) if distal else vein.on_proximal_bar(root))
         corners = [
             each
             for left in range(0, len(built) - 2, 2)
@@ -398,20 +458,19 @@ def _panels(design: FanDesign, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
                 triangles=np.array(corners, dtype=np.int64),
                 law=law,
                 margin=choice.margin,
+                roots=np.array(roots),
             )
         )
     return tuple(panels)
 
 
-def _guards(design: FanDesign, veins: Sequence[Vein]) -> tuple[LengthLimit, ...]:
-    """Guard tendons between neighbouring tips."""
+def _guards(design: FanDesign, veins: Sequence[Vein], tips: Sequence[int]) -> tuple[LengthLimit, ...]:
+    """Guard tendons between neighbouring tips, of which the numbers are given."""
     limits = []
     for index in range(len(veins) - 1):
         apart = float(np.linalg.norm(veins[index + 1].tip - veins[index].tip))
-        tips = (5 * index + 4, 5 * index + 9)
-        limits.append(
-            LengthLimit(name=f"guard{index}", points=tips, built_length=apart, most=design.guard.stretch * apart)
-        )
+        ends, most = (tips[index], tips[index + 1]), design.guard.stretch * apart
+        limits.append(LengthLimit(name=f"guard{index}", points=ends, built_length=apart, most=most))
     return tuple(limits)
 
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from forficula.design import Design, key_quantity, key_value, with_values
+from forficula.design import Design, LawSection, key_quantity, key_value, with_values
 from forficula.errors import InputError
 from forficula.quantities import as_written, format_quantity
 from forficula.study.factors import Factor
@@ -52,10 +52,10 @@ def choice_label(base: Design, choice: Mapping[str, object]) -> str:
 
 def own_value(base: Design, factor: Factor) -> object:
     """What the base has for a factor, as a design file has it; where it has nothing, "none", or not a number."""
-    value, quantity = key_value(base, factor.key), key_quantity(factor.key)
+    value, quantity = key_value(base, factor.key), key_quantity(factor.key, type(base))
     if value is None:
         return "none" if factor.unit is None else math.nan
-    if factor.key == "tendon.law":
+    if isinstance(value, LawSection):
         return value.name
     if quantity is not None and isinstance(value, float):
         return format_quantity(value, quantity.unit)
@@ -64,6 +64,6 @@ def own_value(base: Design, factor: Factor) -> object:
 
 def with_own_word(base: Design, factor: Factor) -> Factor:
     """The factor with the base's value among its own where that is a word: such values have no unit in common."""
-    quantity, own = key_quantity(factor.key), own_value(base, factor)
+    quantity, own = key_quantity(factor.key, type(base)), own_value(base, factor)
     is_word = quantity is not None and own in quantity.words and own not in factor.values
     return replace(factor, values=(*factor.values, own)) if is_word else factor

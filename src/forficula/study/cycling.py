@@ -8,10 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from forficula.design import Design, flat_strain, with_values
+from forficula.design import Design, with_values
 from forficula.errors import InputError
 from forficula.material.law.law_cycle import change_at_cycle, drifts_of, law_at_cycle, stretched_before
 from forficula.material.law.material_law import MaterialLaw
+from forficula.structure import built_strains, structure_of
 from forficula.study.evaluate import evaluate, row_key
 from forficula.study.journal import Row
 from forficula.study.slow_margin import least_slow_torques, margin
@@ -31,7 +32,7 @@ class CycleRun:
         cycle: number, from 1 on.
         measured: whether the tests of the material saw this cycle.
         stiffness: of the tendons by that of the first cycle, but for softening: value, 95 % confidence interval.
-        residual_strain: of the tendons.
+        residual_strain: of the tendons, the largest.
         row: outcome of the run, as `outcome_row` has it.
         fold_margin: the protocol's fold torque by the least that folds when it grows slowly, see `least_slow_torques`;
             None where none up to ten times it folds.
@@ -96,14 +97,15 @@ def cycle_counts(last: int) -> tuple[int, ...]:
 
 def why_unchanged(design: Design) -> str:
     """Why the tendons of a design are the same at every cycle, in a sentence; empty where they change."""
-    law = design.tendon.law
-    if law is None:
+    strained = _strained(design)
+    if not strained:
         return "the design has no tendon.law, so nothing tells how cycles change its tendons: every cycle is the first"
-    drifts, name = drifts_of(law.material), law.name or "the tendons"
-    softens = law.softening is not None and flat_strain(design) > law.residual_strain
-    if softens or any(drift.kind != "none" for drift in drifts.values()):
+    law = _material(design)
+    name = law.name or "the tendons"
+    softens = law.softening is not None and max(strained.values()) > law.residual_strain
+    if softens or any(drift.kind != "none" for drift in drifts_of(law).values()):
         return ""
-    seen = _seen(law.material)
+    seen = _seen(law)
     if seen is None:
         return f"the law of {name} has no drift, so nothing tells how cycles change it: every cycle is the first"
     return f"the tests of {name}, cycles {seen[0]} to {seen[1]}, show no drift: every cycle is the first"
@@ -119,7 +121,7 @@ def design_at_cycle(design: Design, cycle: int) -> Design:
         design: whose tendons have a law.
         cycle: from 1 on.
     """
-    return with_values(design, {"tendon.law": _law_at(design, cycle)[0]})
+    return with_values(design, {f"{key}.law": law for key, (law, _) in _laws_at(design, cycle).items()})
 
 
 def run_cycles(design: Design, last: int, progress: Progress | None = None) -> Cycling:
@@ -165,35 +167,60 @@ def check_cycles(design: Design, last: int) -> None:
     """Refuse what cannot be cycled, before a run that takes a while.
 
     Raises:
-        InputError: the protocol does not fold, or the last cycle is not >= 1.
+        InputError: the protocol does not fold, the last cycle is not >= 1, or tendons are of several materials.
     """
     cycle_counts(last)
+    if _strained(design):
+        _material(design)
     if all(stage.drive != "fold" for stage in design.protocol.stages):
         raise InputError('need a stage with drive = "fold" in protocol.stages, got none')
 
 
+def _strained(design: Design) -> dict[str, float]:
+    """The largest strain, as built, of the tendons of each key of the design under which there is a law."""
+    structure = structure_of(design)
+    strained: dict[str, float] = {}
+    for tendon, strain in zip(structure.tendons, built_strains(structure).tolist(), strict=True):
+        if tendon.material is not None:
+            strained[tendon.key] = max(strain, strained.get(tendon.key, strain))
+    return strained
+
+
 def _material(design: Design) -> MaterialLaw:
-    if design.tendon.law is None:
+    """The material of the tendons that are of one.
+
+    Raises:
+        InputError: there is none, or there are several.
+    """
+    given = dict.fromkeys(tendon.material for tendon in structure_of(design).tendons if tendon.material is not None)
+    if not given:
         raise InputError(f"{design.name}: has no tendon.law")
-    return design.tendon.law.material
+    first, *others = given
+    if others:
+        names = ", ".join(each.name or "one without a name" for each in given)
+        raise InputError(f"cycles: need tendons of one material, whose tests saw the same cycles, got {names}")
+    return first
 
 
-def _law_at(design: Design, cycle: int) -> tuple[MaterialLaw, float]:
-    """A law at a cycle, and what its softened spring misses, as a share of the peak stress."""
+def _laws_at(design: Design, cycle: int) -> dict[str, tuple[MaterialLaw, float]]:
+    """Laws at a cycle by the key of their tendons, and what their softened springs miss, shares of the peak stress."""
     law = law_at_cycle(_material(design), cycle)
-    peak = min(flat_strain(design) - law.residual_strain, law.yield_strain or np.inf)
-    return stretched_before(law, peak) if cycle > 1 and peak > 0 else (law, 0.0)
+    laws = {}
+    for key, strain in _strained(design).items():
+        peak = min(strain - law.residual_strain, law.yield_strain or np.inf)
+        laws[key] = stretched_before(law, peak) if cycle > 1 and peak > 0 else (law, 0.0)
+    return laws
 
 
 def _run_at(design: Design, cycle: int, own: Design, row: Row, least: tuple[float, float]) -> CycleRun:
     """A cycle, its design and what became of it."""
-    seen, law = _seen(_material(design)), own.tendon.law
-    drift = _material(design).stiffness_drift
+    seen, drift = _seen(_material(design)), _material(design).stiffness_drift
+    sets = [each.material.residual_strain for each in structure_of(own).tendons if each.material is not None]
     return CycleRun(
         cycle=cycle,
         measured=seen is not None and seen[0] <= cycle <= seen[1],
         stiffness=(1.0, 1.0, 1.0) if drift is None else change_at_cycle(drift, cycle),
-        residual_strain=0.0 if law is None else law.residual_strain,
+        residual_strain=max(sets, default=0.0),
         row=row,
         fold_margin=margin(own.protocol.fold_torque, least[0]),
         unfold_margin=margin(own.protocol.unfold_torque, least[1]),
@@ -229,7 +256,8 @@ def _remarks(design: Design, counts: Sequence[int]) -> Iterator[str]:
         yield "every cycle begins with tendons at rest: their Maxwell branches have relaxed in the flat wing"
     if last > _EVERY_COUNT:
         yield f"beyond cycle {_EVERY_COUNT} only every few are run: {', '.join(map(str, counts[_EVERY_COUNT:]))}"
-    missed = max(_law_at(design, cycle)[1] for cycle in {counts[-1], counts[min(1, len(counts) - 1)]})
+    told = {counts[-1], counts[min(1, len(counts) - 1)]}
+    missed = max(share for cycle in told for _, share in _laws_at(design, cycle).values())
     if missed > _LARGEST_MISS:
         yield f"the softened spring is a polynomial that misses the law by up to {missed:.0%} of its largest stress"
 

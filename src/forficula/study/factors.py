@@ -12,14 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
 
-from forficula.design import key_quantity, with_law_read
+from forficula.design import NO_LAW, Design, FanDesign, key_quantity, names_law, tendon_material
 from forficula.errors import InputError
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity
 
 _RANGE = re.compile(r"\s*(\S+?)\s*\.\.\s*(\S+)\s*(.*?)\s*\bstep\s+(\S+)\s*(.*?)\s*")
 MOST_VALUES = 1_000_000
 _LONGEST_RANGE = 200
-_LAW = "tendon.law"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,16 +29,18 @@ class Factor:
         key: of the design, dotted.
         values: as a design file has them: text with units, numbers, words. Empty where the values are drawn.
         distribution: what they are drawn from, or None.
+        model: class of the design.
     """
 
     key: str
     values: tuple[object, ...] = ()
     distribution: Distribution | None = None
+    model: type[Design] = FanDesign
 
     @property
     def unit(self) -> Unit | None:
         """Of its values; None where they have none, or one of them is a word."""
-        quantity = key_quantity(self.key)
+        quantity = key_quantity(self.key, self.model)
         if quantity is None or any(word in self.values for word in quantity.words):
             return None
         return quantity.unit
@@ -79,7 +80,7 @@ class Distribution:
 _PARAMETERS = {"uniform": ("low", "high"), "log-uniform": ("low", "high"), "normal": ("mean", "deviation")}
 
 
-def read_factor(key: str, given: object) -> Factor:
+def read_factor(key: str, given: object, model: type[Design] = FanDesign) -> Factor:
     """Read a factor as a study file has it.
 
     Args:
@@ -87,29 +88,30 @@ def read_factor(key: str, given: object) -> Factor:
         given: a list of values, for "tendon.law" names of materials, paths of law files, or "none"; a range such as
             "10..60 N/cm step 10"; or a table with `distribution` and its two parameters: uniform and log-uniform take
             low and high, normal takes mean and deviation.
+        model: class of the design.
 
     Raises:
         InputError: an unknown key, or values that are not allowed.
     """
-    quantity = key_quantity(key)
+    quantity = key_quantity(key, model)
     if isinstance(given, list):
         if not given:
             raise InputError(f"{key}: need at least one value, got an empty list")
-        _check_values(key, given)
-        return Factor(key=key, values=tuple(given))
-    if isinstance(given, str) and key != _LAW:
-        values = range_values(key, given)
-        _check_values(key, values[:1])
-        return Factor(key=key, values=values)
+        _check_values(key, given, model)
+        return Factor(key=key, values=tuple(given), model=model)
+    if isinstance(given, str) and not names_law(key):
+        values = range_values(key, given, model)
+        _check_values(key, values[:1], model)
+        return Factor(key=key, values=values, model=model)
     if isinstance(given, Mapping):
-        return Factor(key=key, distribution=_distribution(key, given, quantity is not None))
-    rule = (
-        'a list such as ["tpu-82a"]' if key == _LAW else 'a list, a range such as "1..5 cm step 1", or a distribution'
-    )
+        return Factor(key=key, distribution=_distribution(key, given, quantity is not None, model), model=model)
+    rule = 'a list, a range such as "1..5 cm step 1", or a distribution'
+    if names_law(key):
+        rule = 'a list such as ["tpu-82a"]'
     raise InputError(f"{key}: need {rule}, got {given!r}")
 
 
-def range_values(key: str, text: str) -> tuple[object, ...]:
+def range_values(key: str, text: str, model: type[Design] = FanDesign) -> tuple[object, ...]:
     """The values of a range such as "10..60 N/cm step 10", ends included, as a design file has them.
 
     Raises:
@@ -133,7 +135,7 @@ def range_values(key: str, text: str) -> tuple[object, ...]:
     count = math.floor(steps) + 1
     # in decimals, so that 0.1 three times is 0.3 as a person would write it
     numbers = [float(Decimal(first) + index * Decimal(step)) for index in range(count)]
-    if not unit and key_quantity(key) is None:
+    if not unit and key_quantity(key, model) is None:
         return tuple(int(number) if number.is_integer() else number for number in numbers)
     return tuple(f"{number:.12g} {unit}".strip() for number in numbers)
 
@@ -154,19 +156,19 @@ def drawn_values(factors: tuple[Factor, ...], method: str, count: int, seed: int
     else:
         shares = np.random.default_rng(seed).random((count, len(factors)))
     columns = [
-        [_written(factor.key, float(value)) for value in factor.distribution.quantiles(column)]
+        [_written(factor.key, float(value), factor.model) for value in factor.distribution.quantiles(column)]
         for factor, column in zip(factors, shares.T, strict=True)
         if factor.distribution is not None
     ]
     return [dict(zip((factor.key for factor in factors), row, strict=True)) for row in zip(*columns, strict=True)]
 
 
-def _check_values(key: str, values: Sequence[object]) -> None:
+def _check_values(key: str, values: Sequence[object], model: type[Design]) -> None:
     """Refuse what no coordinate of a table can be; what is out of bounds is a row of its own."""
-    quantity = key_quantity(key)
+    quantity = key_quantity(key, model)
     for value in values:
-        if key == _LAW:
-            with_law_read(key, value)
+        if names_law(key) and isinstance(value, str) and value != NO_LAW:
+            _check_law(key, value)
         if quantity is None:
             if not isinstance(value, str | int | float | list):
                 raise InputError(f"{key}: need numbers or words, got {as_written(value)}")
@@ -179,6 +181,14 @@ def _check_values(key: str, values: Sequence[object]) -> None:
             quantity.parse(value)
         except InputError as error:
             raise InputError(f"{key}: {error}") from None
+
+
+def _check_law(key: str, name: str) -> None:
+    """Refuse a law that there is none of, or that is for no tendon."""
+    try:
+        tendon_material(name)
+    except InputError as error:
+        raise InputError(f"{key}: {error}") from None
 
 
 def _finite(value: object) -> float:
@@ -194,19 +204,19 @@ def _finite(value: object) -> float:
     return number
 
 
-def _written(key: str, value: float) -> object:
-    quantity = key_quantity(key)
+def _written(key: str, value: float, model: type[Design]) -> object:
+    quantity = key_quantity(key, model)
     return value if quantity is None else format_quantity(value, quantity.unit)
 
 
-def _distribution(key: str, given: Mapping[str, object], has_unit: bool) -> Distribution:
+def _distribution(key: str, given: Mapping[str, object], has_unit: bool, model: type[Design]) -> Distribution:
     name = given.get("distribution")
     if not isinstance(name, str) or name not in _PARAMETERS:
         raise InputError(f"{key}.distribution: need one of {', '.join(_PARAMETERS)}, got {name!r}")
     names = _PARAMETERS[name]
     if set(given) != {"distribution", *names}:
         raise InputError(f"{key}: a {name} distribution needs {names[0]} and {names[1]}, got {', '.join(given)}")
-    quantity = key_quantity(key)
+    quantity = key_quantity(key, model)
     numbers = []
     for parameter in names:
         value = given[parameter]

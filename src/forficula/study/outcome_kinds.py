@@ -87,6 +87,11 @@ def not_tried_word(transitions: Sequence[TableTransition]) -> str:
     return f"not tried: did not {transitions[0].wording.verb}" if transitions else "not tried"
 
 
+def word_of(table: Dataset, kind: Kind) -> str:
+    """The word by which a table tells a kind; "" where it has none."""
+    return next((word for word, its in outcome_kinds(table).items() if its is kind), "")
+
+
 def outcome_kinds(table: Dataset) -> Mapping[str, Kind]:
     """What each word that a table may have means; those that came furthest first."""
     transitions = table_transitions(table)

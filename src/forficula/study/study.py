@@ -11,7 +11,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
-from forficula.design import TORQUE, Design, key_quantity, key_value, law_from_folder, load_design
+from forficula.design import TORQUE, Design, key_quantity, key_value, load_design, value_from_folder
 from forficula.errors import InputError
 from forficula.names import folder_name
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity
@@ -175,16 +175,6 @@ def _read(name_or_path: str) -> tuple[str, str, Path]:
 
 def _study(tables: dict[str, Any], folder: Path) -> Study:
     _known(tables, _KEYS, "")
-    factors = _factors(tables, "factors", folder)
-    drawn = [factor for factor in factors if factor.distribution is not None]
-    if drawn and len(drawn) < len(factors):
-        raise InputError("factors: need either all of them as distributions or none, got both kinds")
-    vary = tables.get("vary", "grid")
-    if vary not in ("grid", "one-at-a-time"):
-        raise InputError(f'vary: need "grid" or "one-at-a-time", got {as_written(vary)}')
-    if "vary" in tables and drawn:
-        raise InputError(f"vary: needs factors that are lists or ranges, got distributions with {as_written(vary)}")
-    grid = _repeated_grid(tables, vary, factors, folder)
     for key in ("settings", "sampling", "search"):
         if not isinstance(tables.get(key, {}), dict):
             raise InputError(f"{key}: need a table, got {as_written(tables[key])}")
@@ -201,12 +191,23 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
     if not isinstance(name, str):
         raise InputError(f'design: need the name or path of a design, such as "binder2025", got {as_written(name)}')
     settings = {
-        key: law_from_folder(key, value, folder) for key, value in _flat(tables.get("settings", {}), "settings").items()
+        key: value_from_folder(key, value, folder)
+        for key, value in _flat(tables.get("settings", {}), "settings").items()
     }
     base = load_design(str(folder / name) if name.endswith(".toml") else name, settings)
+    factors = _factors(tables, "factors", folder, type(base))
+    drawn = [factor for factor in factors if factor.distribution is not None]
+    if drawn and len(drawn) < len(factors):
+        raise InputError("factors: need either all of them as distributions or none, got both kinds")
+    vary = tables.get("vary", "grid")
+    if vary not in ("grid", "one-at-a-time"):
+        raise InputError(f'vary: need "grid" or "one-at-a-time", got {as_written(vary)}')
+    if "vary" in tables and drawn:
+        raise InputError(f"vary: needs factors that are lists or ranges, got distributions with {as_written(vary)}")
+    grid = _repeated_grid(tables, vary, factors, folder, type(base))
     for factor in (*factors, *grid):
         now = key_value(base, factor.key)
-        if factor in drawn and key_quantity(factor.key) is None and not isinstance(now, float):
+        if factor in drawn and key_quantity(factor.key, factor.model) is None and not isinstance(now, float):
             raise InputError(f"{factor.key}: need a list or a range; only numbers with fractions are drawn")
     ask = tables.get("ask", "run")
     if ask not in ("run", *_SEARCHES):
@@ -245,23 +246,24 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
     )
 
 
-def _factors(tables: Mapping[str, Any], name: str, folder: Path) -> tuple[Factor, ...]:
+def _factors(tables: Mapping[str, Any], name: str, folder: Path, model: type[Design]) -> tuple[Factor, ...]:
     """The factors of a table of the file."""
     given = tables.get(name)
     if not isinstance(given, dict) or not given:
         raise InputError(f'{name}: need a table with at least one, such as "tendon.stiffness" = "10..60 N/cm step 10"')
-    return tuple(read_factor(key, law_from_folder(key, value, folder)) for key, value in _flat(given, name).items())
+    values = _flat(given, name).items()
+    return tuple(read_factor(key, value_from_folder(key, value, folder), model) for key, value in values)
 
 
 def _repeated_grid(
-    tables: Mapping[str, Any], vary: str, factors: tuple[Factor, ...], folder: Path
+    tables: Mapping[str, Any], vary: str, factors: tuple[Factor, ...], folder: Path, model: type[Design]
 ) -> tuple[Factor, ...]:
     """The factors that are crossed wherever the others, varied one at a time, are."""
     if "grid" not in tables:
         return ()
     if vary != "one-at-a-time":
         raise InputError('grid: needs vary = "one-at-a-time"; otherwise all factors are a grid, under [factors]')
-    grid = _factors(tables, "grid", folder)
+    grid = _factors(tables, "grid", folder, model)
     if twice := {factor.key for factor in grid} & {factor.key for factor in factors}:
         raise InputError(f"grid.{min(twice)}: is under [factors], too; need it in one of them")
     if drawn := [factor.key for factor in grid if factor.distribution is not None]:
@@ -337,7 +339,7 @@ def read_search(ask: str, given: Mapping[str, Any], base: Design) -> Search:
     reached = {transition.state for transition in structure.transitions}
     start = next((state for state in structure.stage_states if state and state not in reached), "")
     if ask == "least-value":
-        return _value_search(given, structure, start)
+        return _value_search(given, base, structure, start)
     first, *others = structure.transitions[:2]
     names = [f"{each.name}_torques" for each in (first, *others)]
     _known(given, (names[0], f"{first.name}_with", *names[1:], "refinements"), "search.")
@@ -355,7 +357,7 @@ def read_search(ask: str, given: Mapping[str, Any], base: Design) -> Search:
     )
 
 
-def _value_search(given: Mapping[str, Any], structure: Structure, start: str) -> Search:
+def _value_search(given: Mapping[str, Any], base: Design, structure: Structure, start: str) -> Search:
     """A search for the least value of any key that reaches a state."""
     _known(given, ("key", "values", "state", "refinements"), "search.")
     states = {transition.state: transition for transition in structure.transitions}
@@ -364,7 +366,7 @@ def _value_search(given: Mapping[str, Any], structure: Structure, start: str) ->
         raise InputError(f"search.state: need one of {', '.join(states)}, got {as_written(state)}")
     if not isinstance(key, str):
         raise InputError(f'search.key: need a key such as "tendon.stiffness", got {as_written(key)}')
-    quantity = key_quantity(key)
+    quantity = key_quantity(key, type(base))
     if quantity is None:
         raise InputError(f"search.key: need a key whose value has a unit, got {key}")
     transition = states[state]

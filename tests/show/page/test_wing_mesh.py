@@ -1,10 +1,10 @@
 import numpy as np
 import pytest
+from forficula.show.page.wing_mesh import DISTAL, PROXIMAL, moving_points, wing_mesh
+from forficula.show.structure.wing_surface import wing_surface
 
 from forficula.design import load_design
 from forficula.pattern import earwig_pattern
-from forficula.show.page.wing_mesh import DISTAL, PROXIMAL, moving_points, wing_mesh
-from forficula.show.structure.wing_surface import wing_surface
 
 
 @pytest.fixture(params=["three veins", "eleven veins"])

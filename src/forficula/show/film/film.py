@@ -68,9 +68,16 @@ def write_film(
     pictures = _pictures(record, cuts, size, rate, progress)
     with replacing(path) as temporary:
         if path.suffix == ".mp4":
-            _write_mp4(pictures, temporary, size, rate, f"The wing {record.design.name} folds and opens")
+            _write_mp4(pictures, temporary, size, rate, _title(record))
         else:
             _write_gif(pictures, temporary, rate)
+
+
+def _title(record: Record) -> str:
+    """What a film shows, such as "The wing binder2025 folds and opens"."""
+    told = [transition.wording.verb for transition in record.structure.transitions if transition.stage is not None]
+    does = " and ".join(f"{verb}s" for verb in told) or "moves"
+    return f"The {record.structure.appearance.whole} {record.design.name} {does}"
 
 
 def frame_times(cuts: tuple[Cut, ...], rate: int) -> list[float]:

@@ -9,7 +9,9 @@ from itertools import pairwise
 import numpy as np
 
 from forficula.analysis import Outcome, State
+from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
+from forficula.show.run.state_names import lettered_states
 
 _HOLD, _SKIP, _MOVE = 1.2, 0.8, 3.5  # seconds of a film: of a state, on the way to it, and of a move
 _NEARLY_ALL = 0.95
@@ -37,7 +39,7 @@ class Cut:
 
 
 def film_cuts(record: Record, outcome: Outcome, slowed: float | None = None) -> tuple[Cut, ...]:
-    """Cut a run: its states, held for a while, and its driven stages from their start until the wing is still.
+    """Cut a run: its states, held for a while, and its driven stages from their start until all is still.
 
     Args:
         record: what happened.
@@ -45,22 +47,26 @@ def film_cuts(record: Record, outcome: Outcome, slowed: float | None = None) -> 
         slowed: how many times slower than the run its moves are; each takes about 3.5 s if not given.
     """
     end = last_sound_time(record)
-    driven = [stage for stage in record.stages if stage.stage.drive != "none" and stage.start < end]
+    driven = [stage for stage in record.stages if stage_drives(stage.stage) and stage.start < end]
     if not driven:
         return (_move("the whole run", 0.0, end, slowed, None),)
-    cuts = [*_state(outcome.flat, f"a {outcome.flat_name}", driven[0].start, "")]
-    states = {
-        "fold": (outcome.folded_state, "b folded" if outcome.folded else outcome.folded_name),
-        "unfold": (outcome.opened_state, "c opened" if outcome.opened else outcome.opened_name),
-    }
+    held = sorted(lettered_states(record.structure, outcome), key=lambda each: each[1].time)
+    cuts: list[Cut] = []
+    for name, state in [each for each in held if each[1].time <= driven[0].start][-1:]:
+        cuts.append(_hold(name, state.time))
+        if state.time < driven[0].start:
+            skipped = Cut(words=name, first=state.time, last=driven[0].start, length=_SKIP)
+            cuts.append(skipped)
     for stage, until in pairwise([*driven, None]):
         assert stage is not None
         limit = end if until is None else min(until.start, end)
         still = _still_time(record, stage.start, limit)
         cuts.append(_move(stage.stage.name, stage.start, still, slowed, stage))
-        state, words = states[stage.stage.drive]
-        if state is not None and state.time <= end:
-            cuts += _state(state, words, still, _last_stage(record, state.time))
+        since = still
+        for name, state in held:
+            if stage.start < state.time <= limit:
+                cuts += _state(state, name, since, _last_stage(record, state.time))
+                since = max(since, state.time)
     return tuple(cuts)
 
 
@@ -76,20 +82,21 @@ def moment(cuts: Sequence[Cut], time: float) -> tuple[Cut, float]:
 
 def last_sound_time(record: Record) -> float:
     """The last moment at which all places are known, s: a run that diverges has none after it did."""
-    sound = np.isfinite(record.series["vein_position"]).all(axis=(1, 2, 3))
+    sound = np.isfinite(record.series["point_position"]).all(axis=(1, 2))
     if record.diverged_at is not None:
         sound &= record.time < record.diverged_at
     return float(record.time[sound][-1]) if sound.any() else float(record.time[0])
 
 
-def _state(state: State | None, words: str, after: float, on_the_way: str) -> list[Cut]:
+def _state(state: State, words: str, after: float, on_the_way: str) -> list[Cut]:
     """Go on to a state quickly, and hold it."""
-    if state is None:
-        return []
-    hold = Cut(words=words, first=state.time, last=state.time, length=_HOLD)
     if state.time <= after:
-        return [hold]
-    return [Cut(words=on_the_way, first=after, last=state.time, length=_SKIP), hold]
+        return [_hold(words, state.time)]
+    return [Cut(words=on_the_way, first=after, last=state.time, length=_SKIP), _hold(words, state.time)]
+
+
+def _hold(words: str, time: float) -> Cut:
+    return Cut(words=words, first=time, last=time, length=_HOLD)
 
 
 def _last_stage(record: Record, time: float) -> str:
@@ -105,8 +112,9 @@ def _move(words: str, start: float, end: float, slowed: float | None, stage: Sta
 
 
 def _still_time(record: Record, start: float, end: float) -> float:
-    """When the veins' turns and the distal angles have on average gone nearly all their way, s: the rest creeps."""
+    """When the hinges that motors act on have on average gone nearly all their way, s: the rest creeps."""
     rows = (record.time >= start) & (record.time <= end)
-    angles = np.concatenate([record.series[name][rows] for name in ("turn_angle", "distal_angle")], axis=1)
+    driven = [hinge for motor in record.structure.motors for hinge in motor.hinges]
+    angles = record.series["hinge_angle"][rows][:, driven or slice(None)]
     way = np.abs(angles - angles[0]).mean(axis=1)
     return float(record.time[rows][np.argmax(way >= _NEARLY_ALL * way.max())])

@@ -1,4 +1,4 @@
-"""What a film shows at a moment: the wing, its state, and the plots of its energy beneath."""
+"""What a film shows at a moment: the structure, its state, and the plots of its energy beneath."""
 
 from __future__ import annotations
 
@@ -13,23 +13,24 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit
 from forficula.show.film.film_clock import Cut
-from forficula.show.structure.painted_wing import DISTAL, PROXIMAL, VEIN, paint_wing, wing_view
-from forficula.show.structure.wing_surface import at_time, wing_surface
-from forficula.show.style import BLUE, ORANGE, PAGE_WIDTH, figure_style
+from forficula.show.run.time_figures import stored_energies
+from forficula.show.structure.painted_shape import paint_shape, shape_handles, structure_view
+from forficula.show.structure.shape import Shape, shape_of
+from forficula.show.structure.surface import at_time, surface_at
+from forficula.show.style import LINE_STYLES, PAGE_WIDTH, figure_style
 
 Array = NDArray[np.float64]
 Picture = NDArray[np.uint8]
 
-_CELLS = 60  # to the length of a vein
+_CELLS = 60  # to the size of the whole
 _COLOURS = colormaps["cividis"]
 # within the picture, in shares of it: left, low, width, height
-_WING, _BAR, _KEY = (0.03, 0.32, 0.94, 0.66), (0.72, 0.945, 0.25, 0.018), (0.775, 0.03, 0.2, 0.24)
+_PICTURE, _BAR, _KEY = (0.03, 0.32, 0.94, 0.66), (0.72, 0.945, 0.25, 0.018), (0.775, 0.03, 0.2, 0.24)
 _PLOTS_LEFT, _PLOTS_RIGHT, _PLOTS_LOW, _PLOTS_HIGH, _PLOTS_GAP = 0.08, 0.735, 0.105, 0.25, 0.025
 # a time of 0.3 s reads better as 300.0 ms when it runs
 _HALF = 0.5
@@ -47,22 +48,24 @@ class FilmFrame:
             cuts: of the film.
             size: of the picture, pixels across and upwards.
         """
-        self._record, self._view, self._size = record, wing_view(record.design), size
-        self._norm = Normalize(0, _largest(record, "tendon_energy", cuts) or 1.0)
+        self._record, self._shape = record, shape_of(record.structure)
+        self._view = structure_view(record.structure)
+        self._norm = Normalize(0, _largest(record, record.series["tendon_energy"], cuts) or 1.0)
         with figure_style():
             dpi = size[0] / PAGE_WIDTH
             # a little more than whole pixels, which rounding could make one less
             figure = Figure(figsize=((size[0] + 0.01) / dpi, (size[1] + 0.01) / dpi), dpi=dpi)
             self._canvas = FigureCanvasAgg(figure)
-            self._wing = _wing_axes(figure, self._corners(cuts), size)
+            self._axes = _picture_axes(figure, self._corners(cuts), size)
             self._painted = PolyCollection([], edgecolors="face", linewidths=0.4)
-            self._wing.add_collection(self._painted, autolim=False)
+            self._axes.add_collection(self._painted, autolim=False)
             figure.text(0.03, 0.97, record.design.name, va="top", color="0.35")
             self._words = figure.text(0.03, 0.925, "", fontsize=11, fontweight="bold", va="top")
             self._clock = figure.text(0.03, 0.865, "", va="top", color="0.25")
             self._cursors = _plots(figure, record, cuts)
-            _colour_bar(figure, self._norm)
-            _key(figure)
+            if record.structure.tendons:
+                _colour_bar(figure, self._norm)
+            _key(figure, self._shape, record)
             self._moving = [self._painted, self._words, self._clock, *(line for _, _, line in self._cursors)]
             for artist in self._moving:
                 artist.set_animated(True)
@@ -79,11 +82,10 @@ class FilmFrame:
         Returns:
             Red, green and blue of every pixel, 0 to 255, the highest row first, (height, width, 3).
         """
-        energies = at_time(self._record, "tendon_energy", time)
-        surface, colours = wing_surface(self._record, time), _COLOURS(self._norm(energies))
-        wing = paint_wing(surface, self._record.design, self._view, colours, cells=_CELLS)
-        self._painted.set_verts(wing.polygons)  # type: ignore[arg-type]  # faster than a list
-        self._painted.set_facecolor(wing.colours)  # type: ignore[arg-type]
+        colours = _COLOURS(self._norm(at_time(self._record, "tendon_energy", time)))
+        painted = paint_shape(surface_at(self._record, self._shape, time), self._view, colours, cells=_CELLS)
+        self._painted.set_verts(painted.polygons)  # type: ignore[arg-type]  # faster than a list
+        self._painted.set_facecolor(painted.colours)  # type: ignore[arg-type]
         self._words.set_text(cut.words)
         self._clock.set_text(_clock_text(cut, time))
         for shown, scale, cursor in self._cursors:
@@ -98,24 +100,21 @@ class FilmFrame:
         return drawn
 
     def _corners(self, cuts: tuple[Cut, ...]) -> Array:
-        """Everywhere that the wing comes to, on the picture, m, (point, 2)."""
+        """Everywhere that the structure comes to, on the picture, m, (point, 2)."""
         times = np.concatenate([np.linspace(cut.first, cut.last, 25) for cut in cuts])
-        surfaces = [wing_surface(self._record, time) for time in times]
-        points = np.concatenate(
-            [np.concatenate([each.veins.reshape(-1, 3), each.quads.reshape(-1, 3)]) for each in surfaces]
-        )
-        radius = self._record.design.vein.diameter / 2
-        flat = self._view.project(points)
+        surfaces = [surface_at(self._record, self._shape, time) for time in times]
+        drawn = [np.concatenate([each.bars.reshape(-1, 3), each.faces.reshape(-1, 3)]) for each in surfaces]
+        flat, radius = self._view.project(np.concatenate(drawn)), self._shape.thickness / 2
         return np.concatenate([flat - radius, flat + radius])
 
 
-def _wing_axes(figure: Figure, corners: Array, size: tuple[int, int]) -> Axes:
-    """Axes without lines in which the wing has room wherever it goes, and a scale bar."""
-    axes = figure.add_axes(_WING)
+def _picture_axes(figure: Figure, corners: Array, size: tuple[int, int]) -> Axes:
+    """Axes without lines in which the structure has room wherever it goes, and a scale bar."""
+    axes = figure.add_axes(_PICTURE)
     axes.set_axis_off()
     low, high = corners.min(axis=0), corners.max(axis=0)
     middle, extent = (low + high) / 2, high - low
-    shape = _WING[2] * size[0] / (_WING[3] * size[1])
+    shape = _PICTURE[2] * size[0] / (_PICTURE[3] * size[1])
     half = max(extent[0], extent[1] * shape) / 2 * np.array([1.0, 1 / shape]) * 1.02
     axes.set(xlim=(middle[0] - half[0], middle[0] + half[0]), ylim=(middle[1] - half[1], middle[1] + half[1]))
     bar = 10.0 ** np.floor(np.log10(extent[0] / 4))
@@ -130,9 +129,8 @@ def _wing_axes(figure: Figure, corners: Array, size: tuple[int, int]) -> Axes:
 def _plots(figure: Figure, record: Record, cuts: tuple[Cut, ...]) -> list[tuple[Cut, float, Line2D]]:
     """The energy over the time of every move, side by side: the cut, its factor from s, and its cursor."""
     moves = [cut for cut in cuts if cut.slowed is not None]
-    unit, factor = reading_unit(
-        "J", max(_largest(record, "tendon_energy", cuts, total=True), _largest(record, "membrane_energy", cuts))
-    )
+    energies = _energies(record)
+    unit, factor = reading_unit("J", max(_largest(record, values, cuts) for values, _ in energies.values()))
     width = (_PLOTS_RIGHT - _PLOTS_LEFT - _PLOTS_GAP * (len(moves) - 1)) / len(moves)
     cursors: list[tuple[Cut, float, Line2D]] = []
     first: Axes | None = None
@@ -143,8 +141,8 @@ def _plots(figure: Figure, record: Record, cuts: tuple[Cut, ...]) -> list[tuple[
         time_unit, scale = reading_unit("s", _HALF * lasts)
         rows = (record.time >= cut.first - _LEAD * lasts) & (record.time <= cut.last + _LEAD * lasts)
         time = scale * (record.time[rows] - _zero(cut))
-        axes.plot(time, factor * record.series["tendon_energy"][rows].sum(axis=1), "-", color=BLUE)
-        axes.plot(time, factor * record.series["membrane_energy"][rows], "--", color=ORANGE)
+        for (values, colour), style in zip(energies.values(), LINE_STYLES, strict=False):
+            axes.plot(time, factor * values[rows], style, color=colour)
         axes.set_xlim(scale * (cut.first - _LEAD * lasts - _zero(cut)), scale * (cut.last + _LEAD * lasts - _zero(cut)))
         axes.set_title(cut.words, fontsize=7, pad=2)
         axes.set_xlabel(f"time ({time_unit})", fontsize=7, labelpad=1)
@@ -172,23 +170,23 @@ def _colour_bar(figure: Figure, norm: Normalize) -> None:
     bar.set_label(f"energy of a tendon ({unit})", fontsize=7, labelpad=1)
 
 
-def _key(figure: Figure) -> None:
+def _energies(record: Record) -> dict[str, tuple[Array, str]]:
+    """What a film plots: energies of what stretches and bends, J, (time,), and their colours; else of the motion."""
+    stored = stored_energies(record)
+    springs = [name for name in stored if name in ("tendons", "membrane", "hinges")]
+    return {name: stored[name] for name in springs or ["kinetic"]}
+
+
+def _key(figure: Figure, shape: Shape, record: Record) -> None:
     """What the colours are."""
     axes = figure.add_axes(_KEY)
     axes.set_axis_off()
-    axes.legend(
-        handles=[
-            Patch(facecolor=PROXIMAL, label="proximal panel"),
-            Patch(facecolor=DISTAL, label="distal panel"),
-            Line2D([], [], color=VEIN, lw=2.4, label="vein"),
-            Line2D([], [], color=_COLOURS(0.95), lw=2.4, label="tendon"),
-            Line2D([], [], color=BLUE, label="energy of the tendons"),
-            Line2D([], [], color=ORANGE, ls="--", label="of the membrane"),
-        ],
-        loc="center left",
-        borderaxespad=0,
-        handlelength=1.6,
-    )
+    handles = shape_handles(shape, record.structure, _COLOURS(0.95), 2.4)
+    for (name, (_, colour)), style in zip(_energies(record).items(), LINE_STYLES, strict=False):
+        of = f"{'energy ' * (style == LINE_STYLES[0])}of the {name}"
+        label = "kinetic energy" if name == "kinetic" else of
+        handles.append(Line2D([], [], color=colour, ls=style, label=label))
+    axes.legend(handles=handles, loc="center left", borderaxespad=0, handlelength=1.6)
 
 
 def _clock_text(cut: Cut, time: float) -> str:
@@ -205,10 +203,7 @@ def _decimals(largest: float) -> int:
     return max(0, 2 - math.floor(math.log10(largest))) if largest > 0 else 0
 
 
-def _largest(record: Record, name: str, cuts: tuple[Cut, ...], *, total: bool = False) -> float:
-    """The largest value of a series while the film shows it, or of its sum over the veins."""
+def _largest(record: Record, values: Array, cuts: tuple[Cut, ...]) -> float:
+    """The largest value of a series, (time, ...), while the film shows it."""
     rows = (record.time >= cuts[0].first) & (record.time <= cuts[-1].last)
-    values = record.series[name][rows]
-    if total:
-        values = values.sum(axis=1)
-    return float(np.nanmax(values, initial=0.0))
+    return float(np.nanmax(values[rows], initial=0.0))

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from forficula.analysis import Outcome
 from forficula.analysis.run_files import write_run_files
-from forficula.dynamics import Record, compile_wing
+from forficula.dynamics import Record, compile_model
 from forficula.files import replacing_all, write_text
 from forficula.show.folder.cycling_folder import CYCLING_FILES
 from forficula.show.page import write_run_page
@@ -35,7 +35,7 @@ def write_run(record: Record, outcome: Outcome, folder: Path) -> None:
 
 def _write_files(record: Record, outcome: Outcome, folder: Path) -> None:
     write_run_files(record, outcome, folder)
-    write_text(folder / "model.xml", compile_wing(record.design).xml)
+    write_text(folder / "model.xml", compile_model(record.design).xml)
     save_figures(run_drawings(record, outcome), folder)
     write_run_page(record, outcome, folder / "report.html")
 
@@ -43,7 +43,7 @@ def _write_files(record: Record, outcome: Outcome, folder: Path) -> None:
 def run_drawings(record: Record, outcome: Outcome) -> dict[str, Drawing]:
     """What draws a run, by the stem of its file."""
     return {
-        "pattern": lambda width: draw_pattern(record.design, width),
+        "pattern": lambda width: draw_pattern(record.structure, width),
         "angles": lambda width: _marked(draw_angles(record, outcome, width), outcome),
         "energy": lambda width: _marked(draw_energies(record, width), outcome),
         "folding": lambda width: _marked(draw_folding(record, outcome, width), outcome),
@@ -51,7 +51,7 @@ def run_drawings(record: Record, outcome: Outcome) -> dict[str, Drawing]:
 
 
 def _marked(figure: Figure, outcome: Outcome) -> Figure:
-    """Say on a figure where what it shows is not what a wing would do."""
+    """Say on a figure where what it shows is not what the structure would do."""
     if not outcome.verdict.tells:
         figure.suptitle(
             f"{outcome.status[:1].upper()}{outcome.status[1:]}",

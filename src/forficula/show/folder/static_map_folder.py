@@ -13,6 +13,7 @@ from forficula.files import replacing_all, write_bytes, write_text
 from forficula.show.study.static_maps import draw_static_maps
 from forficula.show.style import PAGE_WIDTH, Drawing, save_figures
 from forficula.study import Study, table_csv
+from forficula.study.outcome_kinds import table_transitions
 from forficula.study.static_map import compare_maps
 
 if TYPE_CHECKING:
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
 
 # the table that the map was compared with, so that the figure can be drawn again
 SIMULATED = "simulated.nc"
-_VERBS = {"least_fold_torque": "fold", "least_unfold_torque": "open"}
 
 
 def read_simulated(folder: Path, design: Design) -> Dataset:
@@ -78,7 +78,8 @@ def print_static_map(table: Dataset, simulated: Dataset | None = None) -> None:
     """Say how many wings fold and open slowly, and where a simulation differs."""
     count = table["outcome"].size
     print()
-    for name, verb in _VERBS.items():
+    verbs = {each.least: each.wording.verb for each in table_transitions(table) if each.least in table}
+    for name, verb in verbs.items():
         print(f"{int(np.isfinite(table[name]).sum())} of {count} wings {verb} under slowly growing torques")
         if simulated is not None:
             words, numbers = np.unique(compare_maps(table, simulated, name).values.astype(str), return_counts=True)

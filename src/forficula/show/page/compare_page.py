@@ -9,22 +9,39 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from forficula.analysis import Outcome, measure
+from forficula.analysis import Outcome, State, measure
 from forficula.analysis.run_files import read_run
 from forficula.design import Design
 from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.files import write_text
+from forficula.quantities import reading_unit
 from forficula.show.page.design_rows import DIGITS, differing_rows
 from forficula.show.page.html import Cell, escaped, paragraph, section, table
 from forficula.show.page.page import page_html
-from forficula.show.page.playback import BUDGET, Clip, clip_data, energy_scale, make_clip
+from forficula.show.page.playback import (
+    BUDGET,
+    Clip,
+    Readings,
+    clip_data,
+    energy_scale,
+    legend_data,
+    make_clip,
+    whole_of,
+)
 from forficula.show.page.plots import Line, Plot, energy_plot, plot_data
 from forficula.show.page.time_spans import shared_spans, span_data
-from forficula.show.page.words import angle_range, outcome_sentence, readable
+from forficula.show.page.words import angle_range, outcome_sentence, readable, reading_range
+from forficula.show.run.outcome_rows import state_angles
+from forficula.show.structure.labels import shown_angles, shown_distances, title_of
+from forficula.structure import Measure
+
+Array = NDArray[np.float64]
 
 _FEWEST, _MOST = 2, 12
+_ELASTIC = ("tendons", "membrane", "hinges", "Maxwell branches")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -64,10 +81,12 @@ def compare_runs(folders: Sequence[Path], path: Path) -> None:
 
 
 def compare_page(runs: Sequence[ComparedRun]) -> str:
-    """Runs as one page: wings side by side, their plots in one, their numbers in columns."""
+    """Runs as one page: structures side by side, their plots in one, their numbers in columns."""
     clips = [make_clip(run.record, run.outcome, name=run.label, budget=BUDGET // len(runs)) for run in runs]
     labels = [run.label for run in runs]
-    sentences = "".join(f"<li>{escaped(outcome_sentence(run.label, run.outcome))}</li>" for run in runs)
+    sentences = "".join(
+        f"<li>{escaped(outcome_sentence(run.label, run.outcome, run.record.structure))}</li>" for run in runs
+    )
     title = f"{', '.join(labels[:-1])} and {labels[-1]}"
     body = "".join(
         (
@@ -100,58 +119,139 @@ def _printable(name: str) -> str:
 
 
 def _data(clips: Sequence[Clip]) -> dict[str, Any]:
-    names = " and ".join(clip.name for clip in clips)
+    names, whole = " and ".join(clip.name for clip in clips), whole_of(clips)
+    progress = _progress(clips)
     return {
         "kind": "compare",
+        "whole": whole,
         "clips": [clip_data(clip) for clip in clips],
         "spans": [span_data(span) for span in shared_spans(clips)],
-        "plots": plot_data([_angles(clips), _energies(clips)]),
+        "plots": plot_data([*([] if progress is None else [progress]), _energies(clips)]),
         "energy": energy_scale(clips),
-        "text": f"The wings of {names} side by side, moving on one clock and seen from one side.",
+        "legend": legend_data(clips),
+        "text": f"The {whole}s of {names} side by side, moving on one clock and seen from one side.",
     }
 
 
-def _angles(clips: Sequence[Clip]) -> Plot:
-    """The hinge that has folded least, of every run: folded means that it is beyond the folded angle."""
-    least = [np.degrees(clip.distal_angle.max(axis=1)) for clip in clips]
-    furthest = [angle_range(values[[values.argmin()]]) for values in least]
-    reached = ", ".join(f"{clip.name} {angle}" for clip, angle in zip(clips, furthest, strict=True))
+@dataclass(frozen=True, kw_only=True)
+class _Watched:
+    """Of a run what tells how far it got: of a fan the distal angle of the hinge that has folded least.
+
+    Attributes:
+        readings: of the measure of the first transition.
+        least: of these what is furthest from the goal, rad or m, (time,).
+        best: the value of that which is nearest to the goal, rad or m.
+        done: what the transition comes to, such as "folded".
+    """
+
+    readings: Readings
+    least: Array
+    best: float
+    done: str
+
+    @property
+    def title(self) -> str:
+        """What is told, such as "distal angle of the hinge folded least"."""
+        name = title_of(self.readings.measure)
+        return f"{name} of the hinge {self.done} least" if len(self.readings.labels) > 1 else name
+
+
+def _watched(clip: Clip) -> _Watched | None:
+    for transition in clip.structure.transitions:
+        for readings in clip.readings:
+            if readings.measure.name == transition.measure:
+                largest = transition.furthest == "largest"
+                least = readings.values.max(axis=1) if largest else readings.values.min(axis=1)
+                best = float(least.min() if largest else least.max())
+                return _Watched(readings=readings, least=least, best=best, done=transition.wording.done)
+    return None
+
+
+def _progress(clips: Sequence[Clip]) -> Plot | None:
+    """How far every run has got; None where they tell that by nothing, or by angles here and distances there."""
+    watched = [found for clip in clips if (found := _watched(clip)) is not None]
+    kinds = {each.readings.measure.kind for each in watched}
+    if len(watched) < len(clips) or len(kinds) > 1:
+        return None
+    unit, factor = "deg", float(np.degrees(1.0))
+    if "distance" in kinds:
+        unit, factor = reading_unit("m", max(float(np.abs(each.least).max()) for each in watched))
+    titles, dones = {each.title for each in watched}, {each.done for each in watched}
+    title = titles.pop() if len(titles) == 1 else "what is furthest from its goal"
+    reached = ", ".join(
+        f"{clip.name} {reading_range(np.array([factor * each.best]), unit)}"
+        for clip, each in zip(clips, watched, strict=True)
+    )
+    furthest = f"furthest {dones.pop()}" if len(dones) == 1 else "at best"
     return Plot(
-        title="distal angle of the hinge folded least",
-        unit="deg",
-        lines=tuple(Line(name=clip.name, clip=index, values=least[index]) for index, clip in enumerate(clips)),
-        text=f"The distal angle of the hinge folded least in every wing; furthest folded: {reached}.",
+        title=title,
+        unit=unit,
+        lines=tuple(
+            Line(name=clip.name, clip=index, values=factor * each.least)
+            for index, (clip, each) in enumerate(zip(clips, watched, strict=True))
+        ),
+        text=f"The {title} in every {whole_of(clips)}; {furthest}: {reached}.",
     )
 
 
 def _energies(clips: Sequence[Clip]) -> Plot:
-    lines = [(clip.name, index, clip.tendon_energy.sum(axis=1)) for index, clip in enumerate(clips)]
+    """What all tendons hold, or, where a run has none, all that is elastic."""
+    tendons = all(clip.structure.tendons for clip in clips)
+    what, names = ("energy of all tendons", ("tendons",)) if tendons else ("elastic energy", _ELASTIC)
+    lines = [
+        (clip.name, index, _sum([clip.stored_energy[name] for name in names if name in clip.stored_energy], clip))
+        for index, clip in enumerate(clips)
+    ]
     most = ", ".join(f"{name} {readable(float(values.max(initial=0.0)), 'J')}" for name, _, values in lines)
-    return energy_plot("energy of all tendons", lines, f"The energy of all tendons of every wing; at most: {most}.")
+    return energy_plot(what, lines, f"The {what} of every {whole_of(clips)}; at most: {most}.")
+
+
+def _sum(energies: list[Array], clip: Clip) -> Array:
+    return np.sum(energies, axis=0) if energies else np.zeros(len(clip.time))
 
 
 def _outcome_rows(runs: Sequence[ComparedRun]) -> list[list[str]]:
-    outcomes = [run.outcome for run in runs]
-    rows = [["status", *(outcome.status for outcome in outcomes)]]
-    for name, transitions in (
-        ("fold", [outcome.fold for outcome in outcomes]),
-        ("unfold", [outcome.unfold for outcome in outcomes]),
-    ):
+    rows = [["status", *(run.outcome.status for run in runs)]]
+    for name in dict.fromkeys(each.name for run in runs for each in run.record.structure.transitions):
         tried = [f"{name} torque, time, work", *("not tried" for _ in runs)]
-        for index, transition in enumerate(transitions, start=1):
+        for index, transition in enumerate((run.outcome.transitions.get(name) for run in runs), start=1):
             if transition is not None:
                 time = "—" if transition.time is None else readable(transition.time, "s")
                 tried[index] = f"{readable(transition.torque, 'N m')}, {time}, {readable(transition.work, 'J')}"
         rows.append(tried)
-    for name, states in (
-        ("flat", [outcome.flat for outcome in outcomes]),
-        ("after folding", [outcome.folded_state for outcome in outcomes]),
-        ("after unfolding", [outcome.opened_state for outcome in outcomes]),
-    ):
-        angles = ["—" if state is None else angle_range(np.degrees(state.distal_angle)) for state in states]
-        energies = ["—" if state is None else readable(float(state.tendon_energy.sum()), "J") for state in states]
-        rows += [[f"distal angles {name}", *angles], [f"tendon energy {name}", *energies]]
+    measures = {each.name: each for run in runs for each in shown_angles(run.record.structure)}
+    measures |= {each.name: each for run in runs for each in shown_distances(run.record.structure)}
+    tendons = any(run.record.structure.tendons for run in runs)
+    for name, called in _states(runs).items():
+        states = [run.outcome.states.get(name) for run in runs]
+        for watched in measures.values():
+            title = f"{title_of(watched)}{'s' * (len(watched.hinges) > 1)} {called}"
+            rows.append([title, *(_read(state, watched) for state in states)])
+        if tendons:
+            energies = ["—" if state is None else readable(float(state.tendon_energy.sum()), "J") for state in states]
+            rows.append([f"tendon energy {called}", *energies])
     return rows
+
+
+def _states(runs: Sequence[ComparedRun]) -> dict[str, str]:
+    """What rows call the states, by name: those that transitions lead to by when they are looked for."""
+    called: dict[str, str] = {}
+    for structure in (run.record.structure for run in runs):
+        led_to = {transition.state for transition in structure.transitions}
+        called |= {state.name: state.unknown if state.name in led_to else state.name for state in structure.states}
+    return called
+
+
+def _read(state: State | None, measure: Measure) -> str:
+    """What a measure reads in a state, from the least to the most of its hinges."""
+    if state is None:
+        return "—"
+    if measure.kind == "angle":
+        if measure.hinges and max(measure.hinges) >= len(state.coordinates):
+            return "—"
+        return angle_range(np.degrees(state_angles(state, measure)))
+    reading = state.readings.get(measure.name)
+    return "—" if reading is None else readable(float(reading.mean[0]), "m")
 
 
 def _designs(labels: Sequence[str], designs: Sequence[Design]) -> list[str]:

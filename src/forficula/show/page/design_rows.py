@@ -8,8 +8,9 @@ from functools import partial
 from typing import Any
 
 from forficula.design import Design
-from forficula.design.design_file import REFERENCE, load_design, named_designs
-from forficula.design.part import Part, as_tables
+from forficula.design.design_file import load_design, named_designs
+from forficula.design.kinds import reference_of
+from forficula.design.part import Part
 from forficula.quantities import as_written, show_quantity
 
 ABSENT = "—"
@@ -40,28 +41,39 @@ class DesignRow:
         return self.value != self.base
 
 
-def base_design(design: Design) -> Design:
-    """The named design to compare one with: the one of its name, or the reference.
+def base_design(design: Design) -> Design | None:
+    """The named design to compare one with: the one of its name, the reference, or the first of its kind.
 
     A design does not keep what it was based on, so a file of another name counts as one that came from the reference,
     as one that `forficula new` wrote does.
+
+    Returns:
+        None where no named design is of its kind.
     """
-    return load_design(design.name if design.name in named_designs() else REFERENCE)
+    named = named_designs()
+    for name in (design.name, reference_of(type(design)), *named):
+        if name in named:
+            base = load_design(name)
+            if type(base) is type(design):
+                return base
+    return None
 
 
 def design_rows(design: Design, base: Design) -> list[DesignRow]:
     """Every value of a design, in its order, beside that of another; then what only the other one has."""
     own, other = _flat(design), _flat(base)
     meanings = dict(_meanings(design)) | dict(_meanings(base))
-    keys = [*own, *(key for key in other if key not in own)]
-    keys.sort(key=lambda key: list(Design.model_fields).index(key.partition(".")[0]))
+    # as in a design file: what is built, then what is done to it
+    sections = dict.fromkeys([*type(design).model_fields, *type(base).model_fields])
+    order = sorted(sections, key=lambda section: section == "protocol")
+    keys = sorted(_keys([own, other]), key=lambda key: order.index(key.partition(".")[0]))
     return [
         DesignRow(
             section=key.partition(".")[0],
             key=key.partition(".")[2],
             meaning=meanings.get(key, ""),
-            value=own.get(key, ABSENT),
-            base=other.get(key, ABSENT),
+            value=_at(own, key),
+            base=_at(other, key),
         )
         for key in keys
     ]
@@ -70,29 +82,53 @@ def design_rows(design: Design, base: Design) -> list[DesignRow]:
 def differing_rows(designs: Sequence[Design]) -> list[tuple[str, list[str]]]:
     """The keys in which designs differ, dotted, each with every design's value."""
     flat = [_flat(design) for design in designs]
-    keys = dict.fromkeys(key for values in flat for key in values)
-    rows = [(key, [values.get(key, ABSENT) for values in flat]) for key in keys]
+    rows = [(key, [_at(values, key) for values in flat]) for key in _keys(flat)]
     return [(key, values) for key, values in rows if len(set(values)) > 1]
 
 
 def section_title(section: str, design: Design) -> str:
     """What a part of a design is, in words."""
-    return (type(getattr(design, section)).__doc__ or section).splitlines()[0].removesuffix(".")
+    part = getattr(design, section, None)
+    if isinstance(part, tuple):
+        part = next((entry for entry in part if entry is not None), None)
+    return ((type(part).__doc__ if part is not None else "") or section).splitlines()[0].removesuffix(".")
+
+
+def _keys(designs: Sequence[dict[str, str]]) -> list[str]:
+    """The keys of designs; of those of one table for all only where no design has a list of tables."""
+    keys = list(dict.fromkeys(key for values in designs for key in values))
+    listed = {_of_all(key) for key in keys} - {None}
+    return [key for key in keys if key not in listed]
+
+
+def _at(values: dict[str, str], key: str) -> str:
+    """The value at a key, or that of the table that stands for all entries of a list."""
+    return values.get(key, values.get(_of_all(key) or key, ABSENT))
+
+
+def _of_all(key: str) -> str | None:
+    """The key of all entries of a list, such as "tendon.stiffness" of "tendon.1.stiffness"; None of others."""
+    section, _, rest = key.partition(".")
+    number, _, inside = rest.partition(".")
+    return f"{section}.{inside}" if number.isdecimal() and inside else None
 
 
 def _flat(design: Design) -> dict[str, str]:
     """Values as text by dotted key, without name and source; their last digits, where rounding shows, are left out."""
-    tables = as_tables(design, partial(show_quantity, digits=DIGITS))
-    sections = {key: value for key, value in tables.items() if isinstance(value, dict)}
+    tables = design.as_tables(partial(show_quantity, digits=DIGITS))
+    sections = {key: value for key, value in tables.items() if isinstance(value, dict) or _is_list_of_tables(value)}
     return dict(_leaves(sections))
 
 
 def _leaves(value: Any, key: str = "") -> Iterator[tuple[str, str]]:
-    inside = value.items() if isinstance(value, dict) else enumerate(value) if _is_list_of_tables(value) else None
-    if inside is None:
+    if _is_list_of_tables(value):
+        # one after another, or by the vein that they name
+        entries = {each.get("vein", number): each for number, each in enumerate(value)}
+        value = {number: {name: it for name, it in each.items() if name != "vein"} for number, each in entries.items()}
+    if not isinstance(value, dict):
         yield key, value if isinstance(value, str) else as_written(value)
         return
-    for name, each in inside:
+    for name, each in value.items():
         yield from _leaves(each, f"{key}.{name}" if key else str(name))
 
 

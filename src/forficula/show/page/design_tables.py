@@ -9,26 +9,37 @@ from forficula.show.page.design_rows import ABSENT, DIGITS, DesignRow, base_desi
 from forficula.show.page.html import Cell, paragraph, table
 
 _NAMES = {"vein": "Veins", "guard": "Guard tendons", "hinge": "Hinges", "tendon": "Tendons"}
-_STAGES = "stages."
+_STAGES = "stages"
 
 
 def design_tables(design: Design) -> list[str]:
     """What differs, in a sentence, then one table a part, as HTML."""
     base = base_design(design)
-    rows = design_rows(design, base)
-    stages = [row for row in rows if row.key.startswith(_STAGES)]
+    rows = design_rows(design, base or design)
+    listed: dict[str, list[DesignRow]] = {}
+    for row in rows:
+        if (name := _list_of(row)) is not None:
+            listed.setdefault(name, []).append(row)
     tables = []
-    for name, group in groupby((row for row in rows if row not in stages), key=lambda row: row.section):
+    for name, group in groupby((row for row in rows if _list_of(row) is None), key=lambda row: row.section):
         title = section_title(name, design)
         caption = f"{_NAMES.get(name, name.capitalize())}: {title[:1].lower()}{title[1:]}"
         cells = [[Cell(text=row.meaning or row.key, note=f"{name}.{row.key}"), _value(row, base)] for row in group]
         tables.append(table(caption, ("", ""), cells, numbers=False))
     return [
-        paragraph(_differences(design, base, [row for row in rows if row.differs])),
+        paragraph(_differences(design, base, [row for row in rows if row.differs])) if base else "",
         paragraph(f"Source: {design.source}" if design.source else "", "note"),
         f'<div class="columns">{"".join(tables)}</div>',
-        _stages(stages, base),
+        *(_list(name, group, design, base) for name, group in listed.items()),
     ]
+
+
+def _list_of(row: DesignRow) -> str | None:
+    """Key of the list that a row belongs to, where it is the stages' or a part of the design; None of others."""
+    first, _, rest = row.key.partition(".")
+    if first.isdigit():
+        return row.section
+    return f"{row.section}.{first}" if first == _STAGES and rest else None
 
 
 def _differences(design: Design, base: Design, changed: list[DesignRow]) -> str:
@@ -41,20 +52,23 @@ def _differences(design: Design, base: Design, changed: list[DesignRow]) -> str:
     return f"{len(changed)} {values} from the named design {base.name}, marked below: {keys}.{why}"
 
 
-def _value(row: DesignRow, base: Design) -> Cell:
-    return Cell(text=row.value, note=f"{base.name}: {row.base}" if row.differs else "", marked=row.differs)
+def _value(row: DesignRow, base: Design | None) -> Cell:
+    marked = base is not None and row.differs
+    return Cell(text=row.value, note=f"{base.name}: {row.base}" if base and marked else "", marked=marked)
 
 
-def _stages(rows: list[DesignRow], base: Design) -> str:
-    """The stages of the protocol, one a row."""
-    stages: dict[str, dict[str, DesignRow]] = {}
+def _list(name: str, rows: list[DesignRow], design: Design, base: Design | None) -> str:
+    """The entries of a list, one a row."""
+    entries: dict[str, dict[str, DesignRow]] = {}
+    inside = name.partition(".")[2]
     for row in rows:
-        _, number, key = row.key.split(".", 2)
-        stages.setdefault(number, {})[key] = row
-    keys = list(dict.fromkeys(key for stage in stages.values() for key in stage))
+        number, key = row.key.removeprefix(f"{inside}.").split(".", 1)
+        entries.setdefault(number, {})[key] = row
+    keys = list(dict.fromkeys(key for entry in entries.values() for key in entry))
     cells = [
-        [_value(stage[key], base) if key in stage else Cell(text=ABSENT) for key in keys]
-        for _, stage in sorted(stages.items(), key=lambda item: int(item[0]))
+        [_value(entry[key], base) if key in entry else Cell(text=ABSENT) for key in keys]
+        for _, entry in sorted(entries.items(), key=lambda item: int(item[0]))
     ]
     headings = [key.replace("_", " ") for key in keys]
-    return table("Stages of the protocol (protocol.stages)", headings, cells, numbers=False)
+    title = f"{inside.capitalize()} of the protocol" if inside else section_title(name, design)
+    return table(f"{title} ({name})", headings, cells, numbers=False)

@@ -1,4 +1,4 @@
-"""Which rows of a record a page keeps: a wing that rests needs few, a wing that snaps needs all."""
+"""Which rows of a record a page keeps: what rests needs few, what snaps needs all."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ Array = NDArray[np.float64]
 def kept_frames(
     time: Array, points: Array, moments: Iterable[float], *, most: int, tolerance: float
 ) -> NDArray[np.int64]:
-    """Choose rows so that a wing that is drawn between them goes as it went.
+    """Choose rows so that what is drawn between them goes as it went.
 
     The rows nearest to the moments, the first and the last are kept. Then, again and again, the row is added at which
-    the wing drawn between its neighbours is furthest from the wing of the record (Douglas and Peucker 1973, with time
+    what is drawn between its neighbours is furthest from the record (Douglas and Peucker 1973, with time
     as the line's parameter), until none is further than the tolerance or there are enough rows.
 
     Args:
@@ -49,7 +49,7 @@ def kept_frames(
 
 
 def _push(gaps: list[tuple[float, int, int, int]], time: Array, points: Array, first: int, last: int) -> None:
-    """Add a gap between two kept rows to the heap, by how far a wing drawn across it is from the record."""
+    """Add a gap between two kept rows to the heap, by how far what is drawn across it is from the record."""
     if last - first < 2:
         return
     inside = slice(first + 1, last)

@@ -11,30 +11,41 @@ from forficula.show.run.outcome_rows import (
     TRANSITION_HEADINGS,
     balance_rows,
     state_rows,
-    states_reached,
     transition_rows,
 )
+from forficula.show.run.state_names import states_reached
+from forficula.structure import Structure
+
+_NUMBERS = {1: "one", 2: "two", 3: "three"}
 
 
-def outcome_tables(outcome: Outcome) -> list[str]:
-    """States by vein, folding and unfolding, and the energy balance, as HTML."""
-    return [_states(outcome), _transitions(outcome), _balance(outcome)]
+def outcome_tables(outcome: Outcome, structure: Structure) -> list[str]:
+    """States by hinge and tendon, transitions, and the energy balance, as HTML."""
+    return [_states(outcome, structure), _transitions(outcome, structure), _balance(outcome, structure)]
 
 
-def _states(outcome: Outcome) -> str:
-    """Angles, tendons and energies of the states, by vein."""
-    there = states_reached(outcome)
+def _states(outcome: Outcome, structure: Structure) -> str:
+    """What is measured in the states, and their tendons, by hinge and tendon."""
+    there = states_reached(structure, outcome)
     if not there:
-        return paragraph("None of the three states was reached.")
-    rows = state_rows(there)
-    groups, headings = [("", 1)], ["vein"]
-    for name, state in there.items():
-        groups.append((f"{name}, at {readable(state.time, 's')}", 3))
-        headings += ["distal angle (deg)", f"tendon ({rows.length_unit})", f"energy ({rows.energy_unit})"]
-    veins = [[cell.replace("-", "−") for cell in row] for row in rows.veins]
-    membranes = [cell for state in there.values() for cell in ("", "", _membrane(state))]
-    body = [*veins, ["all tendons", *rows.sums], ["membrane", *membranes]]
+        count = len(structure.states)
+        return paragraph(f"None of the {_NUMBERS.get(count, count)} states was reached.") if count else ""
+    rows = state_rows(structure, there)
+    groups = [("", 1), *((_at(name, state), len(rows.columns)) for name, state in there.items())]
+    if not rows.columns:
+        return paragraph(f"States: {'; '.join(name for name, _ in groups[1:])}.")
+    headings = [rows.heading, *(f"{each.title} ({each.unit})" for _ in there for each in rows.columns)]
+    body = [[cell.replace("-", "−") for cell in row] for row in rows.parts]
+    before = [""] * (len(rows.columns) - 1)
+    if rows.sums is not None:
+        body.append(["all tendons", *rows.sums])
+    if structure.membranes:
+        body.append(["membrane", *(cell for state in there.values() for cell in (*before, _membrane(state)))])
     return table("States", headings, body, groups=groups)
+
+
+def _at(name: str, state: State) -> str:
+    return f"{name}, at {readable(state.time, 's')}"
 
 
 def _membrane(state: State) -> str:
@@ -42,13 +53,17 @@ def _membrane(state: State) -> str:
     return "" if math.isnan(state.membrane_energy) else readable(state.membrane_energy, "J")
 
 
-def _transitions(outcome: Outcome) -> str:
-    return table("Folding and unfolding", TRANSITION_HEADINGS, transition_rows(outcome))
+def _transitions(outcome: Outcome, structure: Structure) -> str:
+    if not structure.transitions:
+        return ""
+    caption = " and ".join(transition.wording.noun for transition in structure.transitions)
+    rows = transition_rows(structure, outcome)
+    return table(f"{caption[:1].upper()}{caption[1:]}", TRANSITION_HEADINGS, rows)
 
 
-def _balance(outcome: Outcome) -> str:
+def _balance(outcome: Outcome, structure: Structure) -> str:
     balance = outcome.energy_balance
     if outcome.verdict is Verdict.DIVERGED or not balance.residual <= 1:
         return paragraph("The energy balance does not close; the numbers mean nothing.")
-    rows = [(label, value.replace("-", "−")) for label, value in balance_rows(balance)]
+    rows = [(label, value.replace("-", "−")) for label, value in balance_rows(structure, balance)]
     return table("Energy balance", ("", ""), rows)

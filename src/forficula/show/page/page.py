@@ -10,7 +10,7 @@ from typing import Any
 
 from forficula.show.page.html import escaped
 
-_NO_SCRIPT = "Without JavaScript the wing does not move and there are no plots; the numbers below are all there."
+_NO_SCRIPT = "Without JavaScript nothing moves and there are no plots; the numbers below are all there."
 
 
 def page_html(title: str, body: str, data: dict[str, Any]) -> str:

@@ -1,27 +1,43 @@
-"""A run as a clip: what a page needs to show the wing moving."""
+"""A run as a clip: what a page needs to show the structure moving."""
 
 from __future__ import annotations
 
 import base64
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from forficula.analysis import Outcome, State
+from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
 from forficula.quantities import reading_unit
 from forficula.show.page.frames import kept_frames
-from forficula.show.page.wing_mesh import WingMesh, moving_points, wing_mesh
+from forficula.show.page.shape_mesh import ShapeMesh, moving_points, shape_mesh
+from forficula.show.run.state_names import state_letters, table_name
+from forficula.show.run.time_figures import stored_energies
+from forficula.show.structure.labels import (
+    aligned,
+    driven_angles,
+    label_of,
+    measure_labels,
+    parts_of,
+    shown_angles,
+    shown_distances,
+    title_of,
+)
+from forficula.structure import Measure, Structure
 
 Array = NDArray[np.float64]
 
 # bytes of one clip; as text in the page they take a third more
 BUDGET = 2_500_000
-_SERIES_BY_VEIN, _SERIES = 3, 5  # numbers of a frame beside the positions: angles and energies
-# a wing drawn between two frames is no further from the record: m, and by the length of the wing
+_SERIES = 5  # numbers of a frame beside the positions and what is read: stored energies
+# what a plot calls an energy where a figure has another word
+_STORED = {"gravitational": "weight"}
+# a structure drawn between two frames is no further from the record: m, and by its length
 _TOLERANCE, _RELATIVE_TOLERANCE = 5e-7, 1e-5
 
 
@@ -31,7 +47,7 @@ class Mark:
 
     Attributes:
         letter: a, b or c, as Binder et al. 2025 call the states.
-        name: what it is, such as "folded", or "after folding" where the wing is not.
+        name: what it is, such as "folded", or "after folding" where it is not.
         state: means over the last part of its stage, which ends at the mark.
     """
 
@@ -46,30 +62,53 @@ class Mark:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Readings:
+    """Angles or distances over the frames of a clip.
+
+    Attributes:
+        measure: what is read.
+        title: heading of their plot.
+        row: what a row of a table calls them.
+        unit: of what is shown.
+        factor: to it from rad or m.
+        labels: what they are called, (reading,).
+        values: rad or m, (time, reading).
+    """
+
+    measure: Measure
+    title: str
+    row: str
+    unit: str
+    factor: float
+    labels: tuple[str, ...]
+    values: Array
+
+
+@dataclass(frozen=True, kw_only=True)
 class Clip:
     """A run that can be played.
 
     Attributes:
         name: what it is called on the page.
+        structure: what was built.
         time: of the frames, s, (time,).
         points: of the mesh, m, (time, point, 3).
         mesh: what is drawn between them.
         marks: the states that the run got to.
         stages: of the protocol, those that took place.
-        distal_angle: rad, (time, vein).
-        turn_angle: rad, (time, vein).
-        tendon_energy: J, (time, vein).
+        readings: what is measured, then what is driven beside it.
+        tendon_energy: J, (time, tendon).
         stored_energy: of tendons, membrane and what else there is, by name, J, (time,).
     """
 
     name: str
+    structure: Structure
     time: Array
     points: Array
-    mesh: WingMesh
+    mesh: ShapeMesh
     marks: tuple[Mark, ...]
     stages: tuple[StageEnd, ...]
-    distal_angle: Array
-    turn_angle: Array
+    readings: tuple[Readings, ...]
     tendon_energy: Array
     stored_energy: Mapping[str, Array]
 
@@ -77,10 +116,10 @@ class Clip:
 def make_clip(record: Record, outcome: Outcome, *, name: str = "", budget: int = BUDGET) -> Clip:
     """Turn a run into a clip.
 
-    Rows of the record are left out where the wing drawn between their neighbours is within 0.5 µm of them (in a wing
-    shorter than 5 cm, within 1e-5 of its length), so that a wing at rest takes few. Where that is more than the budget
-    allows, the rows are taken in which the wing moves least evenly; those of the states and at the ends of the stages
-    are always there.
+    Rows of the record are left out where the structure drawn between their neighbours is within 0.5 µm of them (in one
+    shorter than 5 cm, within 1e-5 of its length), so that what rests takes few. Where that is more than the budget
+    allows, the rows are taken in which it moves least evenly; those of the states and at the ends of the stages are
+    always there.
 
     Args:
         record: what happened.
@@ -88,91 +127,190 @@ def make_clip(record: Record, outcome: Outcome, *, name: str = "", budget: int =
         name: what to call it; that of the design if empty.
         budget: most bytes for positions, angles and energies.
     """
-    points, pattern = moving_points(record), record.design.pattern
+    structure = record.structure
+    mesh = shape_mesh(structure)
+    points, readings = moving_points(record, mesh), _readings(record)
     points[blown_up(record)] = np.nan
-    marks = state_marks(outcome)
+    marks = state_marks(structure, outcome)
     moments = [mark.time for mark in marks]
     for end in record.stages:
         moments += [end.start, end.end, *([] if end.goal_time is None else [end.goal_time])]
-    tolerance = min(_TOLERANCE, _RELATIVE_TOLERANCE * (pattern.proximal_length + pattern.distal_length))
-    a_frame = 8 + 4 * (points[0].size + _SERIES_BY_VEIN * len(record.series["distal_angle"][0]) + _SERIES)
+    tolerance = min(_TOLERANCE, _RELATIVE_TOLERANCE * structure.span)
+    read = sum(each.values.shape[1] for each in readings) + len(structure.tendons)
+    a_frame = 8 + 4 * (points[0].size + read + _SERIES)
     most = max(budget // a_frame, 2)
     rows = kept_frames(record.time, points, moments, most=most, tolerance=tolerance)
     shown_until = record.time[rows[-1]]
-    series = {key: values[rows] for key, values in record.series.items()}
     return Clip(
         name=name or record.design.name,
+        structure=structure,
         time=record.time[rows],
         points=points[rows],
-        mesh=wing_mesh(record.design),
+        mesh=mesh,
         marks=tuple(mark for mark in marks if mark.time <= shown_until),
         stages=tuple(end for end in record.stages if end.start <= shown_until),
-        distal_angle=series["distal_angle"],
-        turn_angle=series["turn_angle"],
-        tendon_energy=series["tendon_energy"],
-        stored_energy=_stored(record, series),
+        readings=tuple(replace(each, values=each.values[rows]) for each in readings),
+        tendon_energy=record.series["tendon_energy"][rows],
+        stored_energy={_STORED.get(name, name): values[rows] for name, (values, _) in stored_energies(record).items()},
     )
 
 
-def state_marks(outcome: Outcome) -> tuple[Mark, ...]:
+def state_marks(structure: Structure, outcome: Outcome) -> tuple[Mark, ...]:
     """Where the states are on the time line."""
-    states = (
-        ("a", outcome.flat_name, outcome.flat),
-        ("b", "folded" if outcome.folded else "after folding", outcome.folded_state),
-        ("c", "opened" if outcome.opened else "after unfolding", outcome.opened_state),
+    letters = state_letters(structure)
+    return tuple(
+        Mark(letter=letters[state.name], name=table_name(state, outcome), state=found)
+        for state in structure.states
+        if (found := outcome.states[state.name]) is not None
     )
-    return tuple(Mark(letter=letter, name=name, state=state) for letter, name, state in states if state is not None)
 
 
 def blown_up(record: Record) -> NDArray[np.bool_]:
     """Which rows of a diverged run mean nothing, (time,): from where a hinge has passed its stops by a full turn."""
     if record.diverged_at is None:
         return np.zeros(len(record.time), dtype=np.bool_)
-    angles = np.concatenate([record.series["distal_angle"], record.series["turn_angle"]], axis=1)
-    # nan is beyond everything
-    return np.logical_or.accumulate(~(np.abs(angles) <= 2 * np.pi).all(axis=1))
+    angles = np.abs(record.series["hinge_angle"])
+    stopped = [np.isfinite(hinge.lower) or np.isfinite(hinge.upper) for hinge in record.structure.hinges]
+    most = np.where(stopped, 2 * np.pi, np.inf)
+    # nan is beyond everything, inf is beyond what has no stop, too
+    return np.logical_or.accumulate(~((angles <= most) & np.isfinite(angles)).all(axis=1))
+
+
+def mark_readings(clip: Clip, readings: Readings, mark: Mark) -> tuple[Array, Array | None]:
+    """What is read in a state: the means, and half the swings where the state knows them, both rad or m, (reading,)."""
+    measured = mark.state.readings.get(readings.measure.name)
+    if measured is not None:
+        return measured.mean, (measured.high - measured.low) / 2
+    # an outcome has no such means
+    return readings.values[np.argmin(np.abs(clip.time - mark.time))], None
 
 
 def clip_data(clip: Clip) -> dict[str, Any]:
     """A clip as data for JSON: lists and texts, long arrays packed by `packed`."""
-    mesh = clip.mesh
+    mesh, (heading, names, places) = clip.mesh, _columns(clip)
     return {
         "name": clip.name,
         "time": packed(clip.time, "f8"),
         "points": packed(clip.points, "f4"),
-        "pointCount": mesh.points,
+        "pointCount": len(mesh.anchors),
         "between": mesh.between.ravel().tolist(),
         "share": mesh.share.tolist(),
         "triangles": mesh.triangles.ravel().tolist(),
         "regions": mesh.regions.tolist(),
         "tubes": [
-            {"kind": tube.kind, "crease": tube.crease, "vein": tube.vein, "ends": tube.ends, "radius": tube.radius}
-            for tube in mesh.tubes
+            {"kind": tube.kind, "crease": tube.crease, "ends": tube.ends, "radius": tube.radius} for tube in mesh.tubes
         ],
         "joints": mesh.joints.tolist(),
         "jointRadius": mesh.joint_radius,
-        "marks": [_mark_data(mark) for mark in clip.marks],
+        "marks": [_mark_data(clip, mark) for mark in clip.marks],
         "stages": [
-            {"name": end.stage.name, "start": end.start, "end": end.end, "drive": end.stage.drive}
+            {"name": end.stage.name, "start": end.start, "end": end.end, "driven": bool(stage_drives(end.stage))}
             for end in clip.stages
         ],
-        "distalAngle_deg": packed(np.degrees(clip.distal_angle), "f4"),
-        "turnAngle_deg": packed(np.degrees(clip.turn_angle), "f4"),
+        "parts": {"heading": heading, "names": list(names)},
+        "readings": [
+            {
+                "name": each.measure.name,
+                "label": title_of(each.measure),
+                "row": each.row,
+                "unit": each.unit,
+                "parts": place,
+                "values": packed(each.factor * each.values, "f4"),
+            }
+            for each, place in zip(clip.readings, places, strict=False)
+        ],
+        "tendonParts": places[-1],
         "tendonEnergy_J": packed(clip.tendon_energy, "f4"),
     }
 
 
-def _mark_data(mark: Mark) -> dict[str, Any]:
+def _readings(record: Record) -> list[Readings]:
+    """What is measured, and the angles that are driven beside it."""
+    structure, titles = record.structure, record.structure.appearance.titles
+    measured = shown_angles(structure)
+    driven = driven_angles(structure, measured)
+    found = []
+    for measure in (*measured, *shown_distances(structure), *driven):
+        values = record.measured(measure.name)
+        unit, factor = "deg", float(np.degrees(1.0))
+        if measure.kind == "distance":
+            unit, factor = reading_unit("m", float(np.nanmax(np.abs(values), initial=0.0)) or structure.span)
+        row = measure.name if measure in driven else title_of(measure)
+        found.append(
+            Readings(
+                measure=measure,
+                title=titles.get(measure.name, title_of(measure)),
+                row=f"{row} ({unit})",
+                unit=unit,
+                factor=factor,
+                labels=tuple(measure_labels(structure, measure)),
+                values=values,
+            )
+        )
+    return found
+
+
+def _columns(clip: Clip) -> tuple[str, tuple[str, ...], list[list[int]]]:
+    """The columns of a table of everything by hinge and tendon: their heading, their names, and which has what.
+
+    Returns:
+        The word that all names begin with, or none; the names; and for all readings, then for the tendons, the column
+        of each of their numbers.
+    """
+    rows = [list(each.labels) for each in clip.readings] + [[label_of(tendon) for tendon in clip.structure.tendons]]
+    columns, places = aligned(rows)
+    parts = parts_of(columns)
+    return parts.heading, parts.names, places
+
+
+def _mark_data(clip: Clip, mark: Mark) -> dict[str, Any]:
     """A state with the numbers that the summary states for it."""
-    state = mark.state
+    states = {}
+    for each in clip.readings:
+        mean, swing = mark_readings(clip, each, mark)
+        if swing is not None:
+            states[each.measure.name] = {"mean": (each.factor * mean).tolist(), "swing": (each.factor * swing).tolist()}
     return {
         "letter": mark.letter,
         "name": mark.name,
         "time": mark.time,
-        "distalAngle_deg": np.degrees(state.distal_angle).tolist(),
-        "distalSwing_deg": np.degrees((state.distal_angle_high - state.distal_angle_low) / 2).tolist(),
-        "tendonEnergy_J": state.tendon_energy.tolist(),
+        "readings": states,
+        "tendonEnergy_J": mark.state.tendon_energy.tolist(),
     }
+
+
+def legend_data(clips: Sequence[Clip]) -> list[dict[str, str]]:
+    """What the colours of all clips mean, as data for JSON: a sample, as the page's script knows it, and a text."""
+    told: dict[str, str] = {}
+    for clip in clips:
+        looks, tubes = clip.structure.appearance, clip.mesh.tubes
+        letters = {tube.crease for tube in tubes if tube.kind in ("bar", "crease")}
+        folded = {tube.kind for tube in tubes if tube.crease in ("M", "V")}
+        for letter, name, stroke in (("M", "mountain", "dash-dotted"), ("V", "valley", "dashed")):
+            lines = [f"{stroke} {looks.crease}"] * ("crease" in folded) + [f"{looks.bar}s"] * ("bar" in folded)
+            if letter in letters:
+                told.setdefault(name, f"{name} ({', '.join(lines)})")
+        if any(tube.kind == "bar" and tube.crease == "B" for tube in tubes):
+            told.setdefault("border", f"{looks.bar} at the rim" if "bar" in folded else looks.bar)
+        if any(tube.kind == "edge" for tube in tubes):
+            told.setdefault("edge", "edge of a plate")
+        for region, name in enumerate(clip.mesh.names):
+            told.setdefault(f"region {region}", name)
+        if len(clip.mesh.joints):
+            told.setdefault("joint", "hinge")
+        if clip.structure.tendons:
+            told.setdefault("tendon", "tendon, energy stored")
+    order = ("mountain", "valley", "border", "edge", "region", "joint", "tendon")
+    return [
+        {"sample": sample, "text": text}
+        for sample, text in sorted(told.items(), key=lambda item: order.index(item[0].partition(" ")[0]))
+    ]
+
+
+def whole_of(clips: Sequence[Clip]) -> str:
+    """What the structures of clips are called, one of them."""
+    names = {clip.structure.appearance.whole for clip in clips}
+    return names.pop() if len(names) == 1 else "structure"
 
 
 def energy_scale(clips: Sequence[Clip]) -> dict[str, Any]:
@@ -185,17 +323,3 @@ def energy_scale(clips: Sequence[Clip]) -> dict[str, Any]:
 def packed(values: ArrayLike, kind: str) -> str:
     """Pack numbers as little-endian floats of four ("f4") or eight ("f8") bytes, row by row, in base64."""
     return base64.b64encode(np.ascontiguousarray(values, dtype=f"<{kind}").tobytes()).decode("ascii")
-
-
-def _stored(record: Record, series: Mapping[str, Array]) -> dict[str, Array]:
-    """What stores energy, J, (time,), by name."""
-    energies = {
-        "tendons": series["tendon_energy"].sum(axis=1),
-        "membrane": series["membrane_energy"],
-        "kinetic": series["kinetic_energy"],
-    }
-    if "branch_energy" in series:
-        energies["Maxwell branches"] = series["branch_energy"].sum(axis=1)
-    if record.design.protocol.gravity:
-        energies["weight"] = series["gravitational_energy"]
-    return energies

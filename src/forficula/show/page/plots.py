@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from forficula.quantities import reading_unit
-from forficula.show.page.playback import Clip, packed
-from forficula.show.page.words import angle_text
+from forficula.show.page.playback import Clip, mark_readings, packed
+from forficula.show.page.words import reading_text
+from forficula.show.structure.labels import parts_of
 
 Array = NDArray[np.float64]
 
@@ -23,7 +24,7 @@ class Line:
     Attributes:
         name: in the plot's key.
         clip: over whose frames it goes.
-        values: in the plot's unit, (time,), or where they stand in the clip's own data: the series and the vein.
+        values: in the plot's unit, (time,), or where they stand in the clip's own data: the readings and which of them.
     """
 
     name: str
@@ -48,16 +49,15 @@ class Plot:
     text: str
 
 
-def angle_plot(clip: Clip, title: str, series: Literal["distalAngle", "turnAngle"]) -> Plot:
-    """Angles of every vein of the only clip of a page, deg."""
-    lines = tuple(Line(name=f"vein {vein}", clip=0, values=(series, vein)) for vein in range(clip.turn_angle.shape[1]))
-    if series == "distalAngle":
-        in_states = [mark.state.distal_angle for mark in clip.marks]
-    else:
-        # an outcome has no such means
-        in_states = [clip.turn_angle[np.argmin(np.abs(clip.time - mark.time))] for mark in clip.marks]
-    text = angle_text(title, [np.degrees(angles) for angles in in_states], clip)
-    return Plot(title=title, unit="deg", lines=lines, text=text)
+def reading_plot(clip: Clip, number: int) -> Plot:
+    """Angles or distances of the only clip of a page, by the number of its readings."""
+    readings = clip.readings[number]
+    lines = tuple(
+        Line(name=label, clip=0, values=(readings.measure.name, place)) for place, label in enumerate(readings.labels)
+    )
+    in_states = [readings.factor * mark_readings(clip, readings, mark)[0] for mark in clip.marks]
+    text = reading_text(readings, in_states, clip)
+    return Plot(title=readings.title, unit=readings.unit, lines=lines, text=text)
 
 
 def energy_plot(title: str, energies: Sequence[tuple[str, int, Array]], text: str) -> Plot:
@@ -76,7 +76,14 @@ def energy_plot(title: str, energies: Sequence[tuple[str, int, Array]], text: st
 def plot_data(plots: Sequence[Plot]) -> list[dict[str, Any]]:
     """Plots as data for JSON."""
     return [
-        {"title": plot.title, "unit": plot.unit, "text": plot.text, "lines": [_line_data(line) for line in plot.lines]}
+        {
+            "title": plot.title,
+            "unit": plot.unit,
+            "text": plot.text,
+            # of several lines that are called alike, but for their numbers
+            "word": parts_of([line.name for line in plot.lines]).heading,
+            "lines": [_line_data(line) for line in plot.lines],
+        }
         for plot in plots
     ]
 
@@ -84,5 +91,5 @@ def plot_data(plots: Sequence[Plot]) -> list[dict[str, Any]]:
 def _line_data(line: Line) -> dict[str, Any]:
     values = line.values
     if isinstance(values, tuple):
-        return {"name": line.name, "clip": line.clip, "series": values[0], "vein": values[1]}
+        return {"name": line.name, "clip": line.clip, "readings": values[0], "part": values[1]}
     return {"name": line.name, "clip": line.clip, "values": packed(values, "f4")}

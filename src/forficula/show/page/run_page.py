@@ -1,4 +1,4 @@
-"""The page of a run: the wing moving, its plots, and every number."""
+"""The page of a run: the structure moving, its plots, and every number."""
 
 from __future__ import annotations
 
@@ -8,17 +8,18 @@ from pathlib import Path
 from typing import Any
 
 from forficula.analysis import Outcome, run_warnings
-from forficula.design import Design, design_text, design_warnings
+from forficula.design import Design, design_text
 from forficula.dynamics import Record, timestep_warnings, versions
 from forficula.files import write_text
 from forficula.show.page.design_tables import design_tables
 from forficula.show.page.html import escaped, paragraph, section, table
 from forficula.show.page.outcome_tables import outcome_tables
 from forficula.show.page.page import page_html
-from forficula.show.page.playback import Clip, clip_data, energy_scale, make_clip
-from forficula.show.page.plots import angle_plot, energy_plot, plot_data
+from forficula.show.page.playback import Clip, clip_data, energy_scale, legend_data, make_clip, whole_of
+from forficula.show.page.plots import energy_plot, plot_data, reading_plot
 from forficula.show.page.time_spans import run_spans, span_data
-from forficula.show.page.words import energy_text, outcome_remarks, outcome_sentence, wing_text
+from forficula.show.page.words import energy_text, outcome_remarks, outcome_sentence, structure_text
+from forficula.structure import structure_warnings
 
 
 def write_run_page(record: Record, outcome: Outcome, path: Path) -> None:
@@ -31,14 +32,14 @@ def write_run_page(record: Record, outcome: Outcome, path: Path) -> None:
 
 
 def run_page(record: Record, outcome: Outcome) -> str:
-    """A run as one page: the wing in 3-D, its plots, its numbers, its design and how to repeat it."""
+    """A run as one page: the structure in 3-D, its plots, its numbers, its design and how to repeat it."""
     design, clip = record.design, make_clip(record, outcome)
-    sentence = paragraph(outcome_sentence(design.name, outcome), "outcome")
+    sentence = paragraph(outcome_sentence(design.name, outcome, record.structure), "outcome")
     places = "".join(f'<div id="{name}"></div>\n' for name in ("player", "plots", "readout"))
     body = (
         f"<header><h1>{escaped(design.name)}</h1>{sentence}</header>\n<main>{places}{numbers(record, outcome)}</main>"
     )
-    return page_html(f"{design.name}: {outcome.status}", body, playback_data(record, clip))
+    return page_html(f"{design.name}: {outcome.status}", body, playback_data(clip))
 
 
 def numbers(record: Record, outcome: Outcome, run_versions: Mapping[str, str] | None = None) -> str:
@@ -50,32 +51,34 @@ def numbers(record: Record, outcome: Outcome, run_versions: Mapping[str, str] | 
         run_versions: that the run was made with; those of now if not given.
     """
     design = record.design
-    known = [*design_warnings(design), *timestep_warnings(design), *run_warnings(record)]
+    known = [*structure_warnings(design, record.structure), *timestep_warnings(design), *run_warnings(record)]
     warnings = [*outcome_remarks(record, outcome), *known]
     return "".join(
         (
             section("What to know", _list(warnings) or paragraph("There is nothing to warn of.")),
-            section("Outcome", *outcome_tables(outcome), name="outcome"),
+            section("Outcome", *outcome_tables(outcome, record.structure), name="outcome"),
             section("Design", *design_tables(design), name="design"),
             section("Run it again", *_repeat(design, run_versions or versions()), name="repeat"),
         )
     )
 
 
-def playback_data(record: Record, clip: Clip) -> dict[str, Any]:
+def playback_data(clip: Clip) -> dict[str, Any]:
     """A run as data for JSON: what moves, its plots, and the parts of its time that are shown close up."""
+    energies = [(name, 0, values) for name, values in clip.stored_energy.items()]
     plots = (
-        angle_plot(clip, "distal hinge angle", "distalAngle"),
-        angle_plot(clip, "turn about its own axis", "turnAngle"),
-        energy_plot("energy", [(name, 0, values) for name, values in clip.stored_energy.items()], energy_text(clip)),
+        *(reading_plot(clip, number) for number in range(len(clip.readings))),
+        energy_plot("energy", energies, energy_text(clip)),
     )
     return {
         "kind": "run",
+        "whole": whole_of([clip]),
         "clips": [clip_data(clip)],
         "spans": [span_data(span) for span in run_spans(clip)],
         "plots": plot_data(plots),
         "energy": energy_scale([clip]),
-        "text": wing_text(clip, record),
+        "legend": legend_data([clip]),
+        "text": structure_text(clip.structure),
     }
 
 

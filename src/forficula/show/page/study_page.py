@@ -123,21 +123,21 @@ def _run(run: KeptRun, size: int) -> dict[str, Any]:
 
 def _run_data(run: KeptRun, budget: int) -> dict[str, Any]:
     """What a run is, its numbers, and its playback within a budget."""
-    outcome = run.outcome
+    outcome, structure = run.outcome, run.record.structure
     torques = [
         f"{transition.wording.doing} with {readable(came.torque, 'N m')}"
-        for transition in run.record.structure.transitions
+        for transition in structure.transitions
         if (came := outcome.transitions[transition.name]) is not None
     ]
     return {
         "point": run.point,
         "part": run.part,
         "title": ", ".join(torques) or outcome.status,
-        "text": outcome_sentence("This wing", outcome),
+        "text": outcome_sentence(f"This {structure.appearance.whole}", outcome, structure),
         "advice": outcome.advice,
         "folder": run.folder,
-        "numbers": "".join(outcome_tables(outcome)),
-        "play": playback_data(run.record, make_clip(run.record, outcome, budget=budget)),
+        "numbers": "".join(outcome_tables(outcome, structure)),
+        "play": playback_data(make_clip(run.record, outcome, budget=budget)),
     }
 
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from forficula.design import stage_drives
 from forficula.dynamics import StageEnd
 from forficula.show.page.playback import Clip
 
@@ -45,25 +46,27 @@ def run_spans(clip: Clip) -> list[Span]:
 
 
 def shared_spans(clips: Sequence[Clip]) -> list[Span]:
-    """Whole runs side by side, then folding and unfolding, each from the start of that stage in every run.
+    """Whole runs side by side, then their transitions, each from the start of that stage in every run.
 
-    Whole runs are lined up at the start of folding; runs of which one never folds, at their own start.
+    Whole runs are lined up at the start of the first transition; runs of which one never gets there, at their own.
     """
     spans = []
-    starts = {drive: [_start(clip, drive) for clip in clips] for drive in ("fold", "unfold")}
-    folding = [start for start in starts["fold"] if start is not None]
-    if len(folding) == len(clips):
-        spans.append(_whole(clips, tuple(folding), "time since the start of folding"))
-    for drive, name in (("fold", "folding"), ("unfold", "unfolding")):
-        ends = [end for clip in clips for end in _driven(clip) if end.stage.drive == drive]
+    nouns = {each.drive: each.wording.noun for clip in clips for each in clip.structure.transitions}
+    for place, (drive, name) in enumerate(nouns.items()):
+        label = f"time since the start of {name}"
+        starts = [_start(clip, drive) for clip in clips]
+        known = [start for start in starts if start is not None]
+        if place == 0 and len(known) == len(clips):
+            spans.append(_whole(clips, tuple(known), label))
+        ends = [end for clip in clips for end in _driven(clip) if drive in stage_drives(end.stage)]
         if len(ends) < 2:
             continue
         low, high = min(_close_up(end)[0] for end in ends), max(_close_up(end)[1] for end in ends)
-        # a wing that never got there stays as it was at its end
+        # what never got there stays as it was at its end
         origins = tuple(
-            float(clip.time[-1]) if start is None else start for clip, start in zip(clips, starts[drive], strict=True)
+            float(clip.time[-1]) if start is None else start for clip, start in zip(clips, starts, strict=True)
         )
-        spans.append(Span(name=name, label=f"time since the start of {name}", start=low, end=high, origins=origins))
+        spans.append(Span(name=name, label=label, start=low, end=high, origins=origins))
     if not spans or len(set(spans[0].origins)) > 1:
         spans.append(_whole(clips, (0.0,) * len(clips), "time since the start of the runs"))
     return spans
@@ -92,11 +95,11 @@ def _whole(clips: Sequence[Clip], origins: tuple[float, ...], label: str) -> Spa
 
 
 def _driven(clip: Clip) -> list[StageEnd]:
-    return [end for end in clip.stages if end.stage.drive != "none"]
+    return [end for end in clip.stages if stage_drives(end.stage)]
 
 
 def _start(clip: Clip, drive: str) -> float | None:
-    return next((end.start for end in clip.stages if end.stage.drive == drive), None)
+    return next((end.start for end in clip.stages if drive in stage_drives(end.stage)), None)
 
 
 def _close_up(end: StageEnd) -> tuple[float, float]:

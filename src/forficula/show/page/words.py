@@ -10,51 +10,53 @@ from numpy.typing import NDArray
 from forficula.analysis import Outcome
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit
-from forficula.show.page.playback import Clip, blown_up
+from forficula.show.page.playback import Clip, Readings, blown_up
+from forficula.show.structure.labels import counted
+from forficula.structure import Structure, drive_of
 
 Array = NDArray[np.float64]
 
 
-def outcome_sentence(name: str, outcome: Outcome) -> str:
-    """What the wing did, how fast, with which torque and for how much work."""
-    fold, unfold = outcome.fold, outcome.unfold
-    if fold is None or not outcome.verdict.tells:
+def outcome_sentence(name: str, outcome: Outcome, structure: Structure) -> str:
+    """What a structure did, how fast, with which torque and for how much work."""
+    tried = [each for each in structure.transitions if outcome.transitions[each.name] is not None]
+    if not tried or not outcome.verdict.tells:
         return f"{name}: {outcome.status}."
-    if not (outcome.folded and fold.time is not None):
-        return f"{name}: {outcome.status}, with {readable(fold.torque, 'N m')} on every proximal joint."
-    folding = (
-        f"{name} folded in {readable(fold.time, 's')} with {readable(fold.torque, 'N m')} on every proximal joint"
-        f" ({readable(fold.work, 'J')} of work)"
-    )
-    if unfold is None:
-        return f"{folding} and stayed folded when released."
-    torque = f"{readable(unfold.torque, 'N m')} on every joint"
-    if not (outcome.opened and unfold.time is not None):
-        return f"{folding}, stayed folded when released, and {outcome.status} with {torque}."
-    return (
-        f"{folding}, stayed folded when released, opened again in {readable(unfold.time, 's')} with {torque}"
-        f" ({readable(unfold.work, 'J')} of work), and stayed open."
-    )
+    clauses: list[str] = []
+    for transition in tried:
+        found = outcome.transitions[transition.name]
+        assert found is not None
+        drive = drive_of(structure, transition.drive)
+        torque = " ".join(filter(None, (readable(found.torque, "N m"), drive.where)))
+        if not (outcome.holds[transition.state] and found.time is not None):
+            if not clauses:
+                return f"{name}: {outcome.status}, with {torque}."
+            return f"{name} {', '.join(clauses)}, and {outcome.status} with {torque}."
+        words = transition.wording
+        clauses.append(
+            f"{words.did or words.done} in {readable(found.time, 's')} with {torque}"
+            f" ({readable(found.work, 'J')} of work)"
+        )
+        clauses.append(f"stayed {words.stays}{' when released' * (len(clauses) == 1)}")
+    *most, last = clauses
+    comma = "," * (len(most) > 1)
+    return f"{name} {', '.join(most)}{comma} and {last}."
 
 
 def outcome_remarks(record: Record, outcome: Outcome) -> list[str]:
     """What to know of an outcome, and what to try, one sentence or two each."""
     remarks = [f"{outcome.status[:1].upper()}{outcome.status[1:]}. {outcome.advice}"] if outcome.advice else []
-    states = (
-        (outcome.flat_name, outcome.flat),
-        (outcome.folded_name, outcome.folded_state),
-        (outcome.opened_name, outcome.opened_state),
-    )
-    swinging = [name for name, state in states if state is not None and state.swings]
+    swinging = [outcome.state_names[name] for name, state in outcome.states.items() if state and state.swings]
     if swinging:
         remarks.append(
             f"Where the {' and the '.join(swinging)} state is taken, hinges still swing by more than 0.1 deg: its"
             " angles are means, with half the swing behind ±."
         )
+    whole = record.structure.appearance.whole
     for end in record.stages:
         if end.stage.until == "rest" and end.goal_time is None and record.diverged_at is None:
             limit = readable(end.stage.time_limit, "s")
-            remarks.append(f'In the stage "{end.stage.name}" the wing did not come to rest within {limit}.')
+            remarks.append(f'In the stage "{end.stage.name}" the {whole} did not come to rest within {limit}.')
     if record.diverged_at is not None and blown_up(record).any():
         remarks.append(
             "The last rows of the record, in which a hinge has passed its stops by a full turn, are not shown."
@@ -62,19 +64,28 @@ def outcome_remarks(record: Record, outcome: Outcome) -> list[str]:
     return remarks
 
 
-def wing_text(clip: Clip, record: Record) -> str:
-    """What the picture of the wing shows."""
-    pattern, veins = record.design.pattern, clip.distal_angle.shape[1]
-    return (
-        f"A fan of {veins} veins and {veins - 1} membrane panels, each vein {readable(pattern.proximal_length, 'm')}"
-        f" long up to the ring fold and {readable(pattern.distal_length, 'm')} beyond it, which moves with the time."
-    )
+def structure_text(structure: Structure) -> str:
+    """What the picture of a structure shows."""
+    return f"{structure.appearance.text or _counted_parts(structure)}, which moves with the time."
 
 
-def angle_text(title: str, degrees: Sequence[Array], clip: Clip) -> str:
-    """A plot of angles in a sentence: where they are in every state, deg, (state, vein)."""
-    parts = [f"{angle_range(angles)} {mark.name}" for angles, mark in zip(degrees, clip.marks, strict=True)]
-    subject = f"{title[:1].upper()}{title[1:]} of {clip.distal_angle.shape[1]} veins"
+def _counted_parts(structure: Structure) -> str:
+    counts = (("plate", structure.plates), ("bar", structure.bars), ("membrane", structure.membranes))
+    rest = (("hinge", structure.hinges), ("tendon", structure.tendons))
+    *most, last = [f"{len(parts)} {kind}{'s' * (len(parts) != 1)}" for kind, parts in (*counts, *rest) if parts]
+    parts = f"{', '.join(most)} and {last}" if most else last
+    return f"A {structure.appearance.whole} of {parts}, {readable(structure.span, 'm')} in size"
+
+
+def reading_text(readings: Readings, in_states: Sequence[Array], clip: Clip) -> str:
+    """A plot of angles or distances in a sentence: what they are in every state, in their unit, (state, reading)."""
+    parts = [
+        f"{reading_range(values, readings.unit)} {mark.name}"
+        for values, mark in zip(in_states, clip.marks, strict=True)
+    ]
+    title, several = readings.title, readings.measure.kind == "angle"
+    of = f" of {counted(readings.labels, 'hinge')}" * several
+    subject = f"{title[:1].upper()}{title[1:]}{of}"
     return f"{subject}: {', '.join(parts)}." if parts else f"{subject} over the time."
 
 
@@ -82,8 +93,16 @@ def energy_text(clip: Clip) -> str:
     """The plot of a clip's energies in sentences: what the tendons hold in the states, and the largest of each line."""
     held = [f"{readable(float(mark.state.tendon_energy.sum()), 'J')} {mark.name}" for mark in clip.marks]
     most = [f"{name} {readable(float(values.max()), 'J')}" for name, values in clip.stored_energy.items()]
-    first = f"The tendons hold {', '.join(held)}. " if held else ""
+    first = f"The tendons hold {', '.join(held)}. " if held and clip.structure.tendons else ""
     return f"{first}At most: {', '.join(most)}."
+
+
+def reading_range(values: Array, unit: str) -> str:
+    """From the smallest to the largest of some numbers, or the one that all are, with their unit."""
+    if unit == "deg":
+        return angle_range(values)
+    low, high = (f"{value:.4g}".replace("-", "−") for value in (values.min(), values.max()))
+    return f"{low} {unit}" if low == high else f"{low} to {high} {unit}"
 
 
 def angle_range(degrees: Array) -> str:

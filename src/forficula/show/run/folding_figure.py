@@ -1,4 +1,4 @@
-"""The wing in space at a few moments of a run."""
+"""A structure in space at a few moments of a run."""
 
 from __future__ import annotations
 
@@ -6,54 +6,58 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from forficula.analysis import Outcome
+from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
 from forficula.quantities import reading_unit
-from forficula.show.structure.painted_wing import DISTAL, PROXIMAL, VEIN, PaintedWing, paint_wing, wing_view
-from forficula.show.structure.wing_surface import wing_surface
+from forficula.show.run.state_names import lettered_states
+from forficula.show.structure.painted_shape import paint_shape, shape_handles, structure_view
+from forficula.show.structure.shape import Shape, shape_of
+from forficula.show.structure.surface import surface_at
 from forficula.show.style import ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
+from forficula.structure import Structure
 
 Array = NDArray[np.float64]
 
-_CELLS = 16  # to the length of a vein: the more, the larger the file
+_CELLS = 16  # to the size of the whole: the more, the larger the file
 
 
 def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) -> Figure:
-    """Draw the wing flat, on its way, folded, on its way back and opened, all at one scale and from one side.
+    """Draw a structure in its states and on its ways between them, all at one scale and from one side.
 
     Args:
         record: what happened.
         outcome: what it means.
         width: of the figure, inch.
     """
-    moments = _moments(record, outcome)
+    moments, structure = _moments(record, outcome), record.structure
+    shape, view = shape_of(structure), structure_view(structure)
     with figure_style():
         columns = 2 if is_narrow(width) else 4
         times = time_texts([time for _, time in moments])
         rows = -(-(len(moments) + 1) // columns)  # one place for the legend
-        drawn = [_painted(record, time) for _, time in moments]
-        corners = np.concatenate([wing.polygons.reshape(-1, 2) for wing in drawn])
+        drawn = [paint_shape(surface_at(record, shape, time), view, ORANGE, cells=_CELLS) for _, time in moments]
+        corners = np.concatenate([painted.polygons.reshape(-1, 2) for painted in drawn])
         low, high = corners.min(axis=0), corners.max(axis=0)
         height = width / columns * (high - low)[1] / (high - low)[0]
         figure = Figure(figsize=(width, rows * (height + 0.25)), layout="constrained")
-        for axes, (name, time), wing in zip(
+        for axes, (name, time), painted in zip(
             np.ravel(figure.subplots(rows, columns, squeeze=False)), moments, drawn, strict=False
         ):
             # edges of the same colour, or else seams show between the polygons
             axes.add_collection(
-                PolyCollection(list(wing.polygons), facecolors=wing.colours, edgecolors="face", linewidths=0.3)
+                PolyCollection(list(painted.polygons), facecolors=painted.colours, edgecolors="face", linewidths=0.3)
             )
             axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
             axes.set_title(f"{name}, {times[time]}", pad=2)
         for axes in figure.axes:
             axes.set_axis_off()
-        _legend(figure.axes[len(moments)], high - low, low)
+        _legend(figure.axes[len(moments)], shape, structure, high - low, low)
         told = "; ".join(f"{name} at {times[time]}" for name, time in moments)
-        return describe(figure, f"The wing {record.design.name} in space at {len(moments)} moments of a run. {told}.")
+        what = f"The {structure.appearance.whole} {record.design.name} in space at {len(moments)} moments of a run"
+        return describe(figure, f"{what}. {told}.")
 
 
 def time_texts(times: list[float]) -> dict[float, str]:
@@ -66,12 +70,7 @@ def time_texts(times: list[float]) -> dict[float, str]:
     return texts
 
 
-def _painted(record: Record, time: float) -> PaintedWing:
-    design = record.design
-    return paint_wing(wing_surface(record, time), design, wing_view(design), ORANGE, cells=_CELLS)
-
-
-def _legend(axes: Axes, size: Array, low: Array) -> None:
+def _legend(axes: Axes, shape: Shape, structure: Structure, size: Array, low: Array) -> None:
     """What the colours mean, and a scale bar of about a third of the picture."""
     axes.set(xlim=(low[0], low[0] + size[0]), ylim=(low[1], low[1] + size[1]), aspect="equal")
     bar = 10.0 ** np.floor(np.log10(size[0] / 2))
@@ -80,37 +79,44 @@ def _legend(axes: Axes, size: Array, low: Array) -> None:
     axes.plot([left, left + bar], [height, height], color="black", lw=1.5)
     unit, factor = reading_unit("m", bar)
     axes.text(left + bar / 2, height + 0.04 * size[1], f"{factor * bar:.4g} {unit}", ha="center", va="bottom")
-    axes.legend(
-        handles=[
-            Patch(facecolor=PROXIMAL, label="proximal panel"),
-            Patch(facecolor=DISTAL, label="distal panel"),
-            Line2D([], [], color=VEIN, lw=2.0, label="vein"),
-            Line2D([], [], color=ORANGE, lw=2.0, label="tendon"),
-        ],
-        loc="upper left",
-        borderaxespad=0,
-    )
+    axes.legend(handles=shape_handles(shape, structure, ORANGE, 2.0), loc="upper left", borderaxespad=0)
 
 
 def _moments(record: Record, outcome: Outcome) -> list[tuple[str, float]]:
-    """Names and times: the states, and between them moments at equal progress of the fold."""
-    moments: list[tuple[str, float]] = []
-    for state, name, drive in (
-        (outcome.flat, f"a {outcome.flat_name}", "fold"),
-        (outcome.folded_state, "b folded" if outcome.folded else outcome.folded_name, "unfold"),
-        (outcome.opened_state, "c opened" if outcome.opened else outcome.opened_name, None),
-    ):
-        if state is not None:
-            moments.append((name, state.time))
-        for end in record.stages:
-            if end.stage.drive == drive:
-                moments += [(end.stage.name, time) for time in _halfway(record, end)]
-    return moments or [("start", 0.0), ("last", float(record.data.time[-1]))]
+    """Names and times: the states, and between them moments at equal progress of every driven stage."""
+    moments = [(name, state.time) for name, state in lettered_states(record.structure, outcome)]
+    for end in record.stages:
+        if stage_drives(end.stage):
+            moments += [(end.stage.name, time) for time in _halfway(record, end)]
+    moments.sort(key=lambda moment: moment[1])
+    return moments or [("start", 0.0), ("last", float(record.time[-1]))]
 
 
 def _halfway(record: Record, end: StageEnd) -> list[float]:
-    """Times in a stage at which the fold has gone a third and two thirds of its way there."""
-    window = record.data.sel(time=slice(end.start, end.end))
-    progress = (window["turn_angle"].mean("vein") * 2 - window["distal_angle"].mean("vein")).values
+    """Times in a stage at which it has gone a third and two thirds of its way."""
+    rows = (record.time >= end.start) & (record.time <= end.end)
+    time, progress = record.time[rows], _progress(record)[rows]
     done = np.maximum.accumulate(np.abs(progress - progress[0]))
-    return [float(window.time[int(np.searchsorted(done, share * done[-1]))]) for share in (1 / 3, 2 / 3)]
+    return [float(time[int(np.searchsorted(done, share * done[-1]))]) for share in (1 / 3, 2 / 3)]
+
+
+def _progress(record: Record) -> Array:
+    """How far the hinges of every motor are on their way to their further stops, on average, summed, (time,)."""
+    structure, angles = record.structure, record.series["hinge_angle"]
+    groups = [motor.hinges for motor in structure.motors] or [tuple(range(len(structure.hinges)))]
+    return sum(
+        ((angles[:, list(group)] / _ways(structure, angles, group)).mean(axis=1) for group in groups),
+        np.zeros(len(record.time)),
+    )
+
+
+def _ways(structure: Structure, angles: Array, group: tuple[int, ...]) -> Array:
+    """The angles of hinges at their further stops, rad, (hinge,); where there is none, the furthest that they come."""
+    ways = []
+    for number in group:
+        hinge = structure.hinges[number]
+        stops = [stop for stop in (hinge.lower, hinge.upper) if np.isfinite(stop)]
+        seen = angles[:, number][np.isfinite(angles[:, number])]
+        way = max(stops, key=abs, default=0.0) or (float(seen[np.argmax(np.abs(seen))]) if len(seen) else 0.0)
+        ways.append(way or 1.0)
+    return np.array(ways)

@@ -2,105 +2,161 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
-from forficula.analysis import Outcome, State, Transition
+from forficula.analysis import Outcome, State, TransitionOutcome
 from forficula.dynamics import EnergyBalance
-from forficula.quantities import reading_unit
+from forficula.quantities import reading_unit, show_value
+from forficula.show.structure.labels import (
+    aligned,
+    label_of,
+    measure_labels,
+    parts_of,
+    shown_angles,
+    shown_distances,
+    title_of,
+)
+from forficula.structure import Measure, Structure
 
 TRANSITION_HEADINGS = ("", "torque", "succeeded", "time", "work of the torques")
 
 
 @dataclass(frozen=True, kw_only=True)
-class StateRows:
-    """What states are, three cells each: distal angle, deg, length and energy of the tendon.
+class StateColumn:
+    """What a table of states shows of every state.
 
     Attributes:
-        length_unit: of the tendons.
-        energy_unit: of the tendons.
-        veins: the cells of all states by vein, the vein's number before them.
-        sums: the cells of all states for all tendons together.
+        title: such as "distal angle".
+        unit: of the numbers.
     """
 
-    length_unit: str
-    energy_unit: str
-    veins: list[list[str]]
-    sums: list[str]
+    title: str
+    unit: str
 
 
-def states_reached(outcome: Outcome) -> dict[str, State]:
-    """The states that there are, by what they are called."""
-    states = {
-        outcome.flat_name: outcome.flat,
-        "folded" if outcome.folded else "after folding": outcome.folded_state,
-        "opened" if outcome.opened else "after unfolding": outcome.opened_state,
-    }
-    return {name: state for name, state in states.items() if state is not None}
+@dataclass(frozen=True, kw_only=True)
+class StateRows:
+    """What states are: what is measured, then length and energy of the tendons, by hinge and tendon.
+
+    Attributes:
+        heading: of the first column, such as "vein".
+        columns: of each state.
+        parts: the cells of all states by part, what it is called before them; empty where a part has no such number.
+        sums: the cells of all states for all tendons together; None where there are no tendons.
+    """
+
+    heading: str
+    columns: tuple[StateColumn, ...]
+    parts: list[list[str]]
+    sums: list[str] | None
 
 
-def state_rows(states: Mapping[str, State]) -> StateRows:
+def state_rows(structure: Structure, states: Mapping[str, State]) -> StateRows:
     """Lay out some states, of which there is one at least, in the same units."""
-    energy_unit, energy = reading_unit("J", max(float(state.tendon_energy.max()) for state in states.values()))
-    length_unit, length = reading_unit("m", max(float(state.tendon_length.max()) for state in states.values()))
-    veins: list[list[str]] = []
-    for vein in range(len(next(iter(states.values())).distal_angle)):
-        row = [str(vein)]
-        for state in states.values():
-            tendon = (f"{length * state.tendon_length[vein]:.2f}", f"{energy * state.tendon_energy[vein]:.4g}")
-            row += [_state_angle(state, vein), *tendon]
-        veins.append(row)
-    sums = [cell for state in states.values() for cell in ("", "", f"{energy * state.tendon_energy.sum():.4g}")]
-    return StateRows(length_unit=length_unit, energy_unit=energy_unit, veins=veins, sums=sums)
+    columns: list[StateColumn] = []
+    cells: list[tuple[list[str], Callable[[State, int], str]]] = []
+    for measure in (*shown_angles(structure), *shown_distances(structure)):
+        unit, factor = "deg", float(np.degrees(1.0))
+        if measure.kind == "distance":
+            largest = max(float(state.readings[measure.name].mean[0]) for state in states.values())
+            unit, factor = reading_unit("m", largest)
+        columns.append(StateColumn(title=title_of(measure), unit=unit))
+        cells.append((measure_labels(structure, measure), _reading_cell(measure, factor)))
+    sums = None
+    if structure.tendons:
+        energy_unit, energy = reading_unit("J", max(float(state.tendon_energy.max()) for state in states.values()))
+        length_unit, length = reading_unit("m", max(float(state.tendon_length.max()) for state in states.values()))
+        tendons = [label_of(tendon) for tendon in structure.tendons]
+        columns += [StateColumn(title="tendon", unit=length_unit), StateColumn(title="energy", unit=energy_unit)]
+        cells.append((tendons, lambda state, tendon: f"{length * state.tendon_length[tendon]:.2f}"))
+        cells.append((tendons, lambda state, tendon: f"{energy * state.tendon_energy[tendon]:.4g}"))
+        before = [""] * (len(columns) - 1)
+        sums = [cell for state in states.values() for cell in (*before, f"{energy * state.tendon_energy.sum():.4g}")]
+    names, rows_of = aligned([entries for entries, _ in cells])
+    heading, places = parts_of(names), [{row: entry for entry, row in enumerate(each)} for each in rows_of]
+    rows = []
+    for row, name in enumerate(heading.names):
+        shown = [
+            cell(state, place[row]) if row in place else ""
+            for state in states.values()
+            for (_, cell), place in zip(cells, places, strict=True)
+        ]
+        rows.append([name, *shown])
+    return StateRows(heading=heading.heading, columns=tuple(columns), parts=rows, sums=sums)
 
 
-def transition_rows(outcome: Outcome) -> list[list[str]]:
-    """Folding and unfolding, under `TRANSITION_HEADINGS`."""
-    transitions = (("folding", outcome.fold), ("unfolding", outcome.unfold))
-    return [[name, *_transition_cells(transition)] for name, transition in transitions]
+def transition_rows(structure: Structure, outcome: Outcome) -> list[list[str]]:
+    """The transitions of a structure, under `TRANSITION_HEADINGS`."""
+    return [
+        [transition.wording.noun, *_transition_cells(outcome.transitions[transition.name])]
+        for transition in structure.transitions
+    ]
 
 
-def balance_rows(balance: EnergyBalance) -> list[tuple[str, str]]:
+def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str, str]]:
     """An energy balance, term by term, in one unit, and what is missing as a share."""
-    unit, factor = reading_unit("J", max(abs(balance.work), abs(balance.tendon), 1e-12))
+    largest = max(abs(balance.work), abs(balance.tendon), abs(balance.hinges or 0.0), 1e-12)
+    unit, factor = reading_unit("J", largest)
+    tendons, sheets, bars = (bool(each) for each in (structure.tendons, structure.membranes, structure.bars))
+    damped = " and ".join(name for name, there in (("tendon", tendons), ("membrane", sheets)) if there)
+    stops = ["stops", *["guard tendons"] * bool(structure.limits), *["contacts"] * bars]
+    stopping = " and ".join([*[", ".join(stops[:-1])] * (len(stops) > 1), stops[-1]])
     terms = (
-        ("work of the torques", balance.work),
-        ("= change of tendon energy", balance.tendon),
-        ("+ change of membrane energy", balance.membrane),
-        ("+ change of kinetic energy", balance.kinetic),
-        ("+ change of gravitational energy", balance.gravitational),
-        ("+ taken by hinge damping", balance.hinge_damping),
-        ("+ taken by tendon and membrane damping", balance.elastic_damping),
-        ("+ taken by stops, guard tendons and contacts", balance.stops),
-        ("+ change of energy of the Maxwell branches", balance.branches),
-        ("+ taken by the Maxwell branches", balance.branch_damping),
-        ("+ taken by yielding", balance.yielding),
-        ("+ stored by branches that gave way, unpaid", balance.letting_go),
-        ("+ missing", balance.missing),
+        ("work of the torques", balance.work, True),
+        ("= change of tendon energy", balance.tendon, tendons),
+        ("+ change of membrane energy", balance.membrane, sheets),
+        ("+ change of hinge energy", balance.hinges, True),
+        ("+ change of kinetic energy", balance.kinetic, True),
+        ("+ change of gravitational energy", balance.gravitational, True),
+        ("+ taken by hinge damping", balance.hinge_damping, True),
+        (f"+ taken by {damped} damping", balance.elastic_damping, bool(damped)),
+        (f"+ taken by {stopping}", balance.stops, True),
+        ("+ change of energy of the Maxwell branches", balance.branches, True),
+        ("+ taken by the Maxwell branches", balance.branch_damping, True),
+        ("+ taken by yielding", balance.yielding, True),
+        ("+ stored by branches that gave way, unpaid", balance.letting_go, True),
+        ("+ missing", balance.missing, True),
     )
+    told = [(label, value) for label, value, there in terms if there and value is not None]
+    # what the work is the sum of begins with "=", whatever comes first
+    told[1] = (f"={told[1][0][1:]}", told[1][1])
     # adding 0 turns -0 into 0
-    rows = [(label, f"{round(factor * value, 4) + 0.0:.4f} {unit}") for label, value in terms if value is not None]
+    rows = [(label, f"{round(factor * value, 4) + 0.0:.4f} {unit}") for label, value in told]
     return [*rows, ("residual", f"{100 * balance.residual:.3f} % of what was exchanged")]
 
 
-def _state_angle(state: State, vein: int) -> str:
-    """Mean distal angle of a vein, deg, and half the envelope where the hinge still swings."""
-    mean = round(float(np.degrees(state.distal_angle[vein])), 1) + 0.0  # adding 0 turns -0 into 0
-    swing = np.degrees(state.distal_angle_high[vein] - state.distal_angle_low[vein]) / 2
-    return f"{mean:.1f} ± {swing:.1f}" if swing > 0.05 else f"{mean:.1f}"
+def _reading_cell(measure: Measure, factor: float) -> Callable[[State, int], str]:
+    """Writes what a measure reads in a state: the mean, and half the envelope where it still swings."""
+    digits, least = (1, 0.05) if measure.kind == "angle" else (2, 0.005)
+
+    def cell(state: State, entry: int) -> str:
+        reading = state.readings.get(measure.name)
+        if reading is None:  # of a role that no measure watches
+            return _number(factor * float(state_angles(state, measure)[entry]), digits)
+        mean = _number(factor * float(reading.mean[entry]), digits)
+        swing = factor * float(reading.high[entry] - reading.low[entry]) / 2
+        return f"{mean} ± {swing:.{digits}f}" if swing > least else mean
+
+    return cell
 
 
-def _transition_cells(transition: Transition | None) -> list[str]:
+def state_angles(state: State, measure: Measure) -> NDArray[np.float64]:
+    """Mean angles of a measure's hinges in a state, rad, (hinge,)."""
+    return np.asarray(np.array(measure.signs) * state.coordinates[list(measure.hinges)])
+
+
+def _number(value: float, digits: int) -> str:
+    return f"{round(value, digits) + 0.0:.{digits}f}"  # adding 0 turns -0 into 0
+
+
+def _transition_cells(transition: TransitionOutcome | None) -> list[str]:
     """A transition in words and units."""
     if transition is None:
         return ["not tried", "", "", ""]
-    time = "" if transition.time is None else _readable(transition.time, "s")
-    torque, work = _readable(transition.torque, "N m"), _readable(transition.work, "J")
+    time = "" if transition.time is None else show_value(transition.time, "s")
+    torque, work = show_value(transition.torque, "N m"), show_value(transition.work, "J")
     return [torque, "yes" if transition.succeeded else "no", time, work]
-
-
-def _readable(value: float, si: str) -> str:
-    unit, factor = reading_unit(si, abs(value))
-    return f"{factor * value:.4g} {unit}"

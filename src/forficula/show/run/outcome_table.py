@@ -7,67 +7,76 @@ from rich.table import Table
 from rich.text import Text
 
 from forficula.analysis import Outcome, Verdict
-from forficula.quantities import reading_unit
-from forficula.show.run.outcome_rows import (
-    TRANSITION_HEADINGS,
-    balance_rows,
-    state_rows,
-    states_reached,
-    transition_rows,
-)
+from forficula.quantities import reading_unit, show_value
+from forficula.show.run.outcome_rows import TRANSITION_HEADINGS, balance_rows, state_rows, transition_rows
+from forficula.show.run.state_names import states_reached
+from forficula.structure import Structure
 
 
-def outcome_table(name: str, outcome: Outcome) -> RenderableType:
-    """Lay out states by vein, transitions, and the energy balance."""
+def outcome_table(name: str, outcome: Outcome, structure: Structure) -> RenderableType:
+    """Lay out states by hinge and tendon, transitions, and the energy balance."""
     verdict = Text(f"{name}: {outcome.status}", style="bold")
     parts: list[RenderableType] = [verdict]
     if outcome.advice:
         parts.append(Text(outcome.advice))
-    parts += [Text(), _states(outcome), Text(), _transitions(outcome), Text(), _balance(outcome)]
+    if structure.states:
+        parts += [Text(), _states(outcome, structure)]
+    if structure.transitions:
+        parts += [Text(), _transitions(outcome, structure)]
+    parts += [Text(), _balance(outcome, structure)]
     return Group(*parts)
 
 
-def print_outcome(name: str, outcome: Outcome) -> None:
+def print_outcome(name: str, outcome: Outcome, structure: Structure) -> None:
     """Print the outcome, as wide as it is."""
-    Console(width=110, highlight=False).print(outcome_table(name, outcome))
+    Console(width=110, highlight=False).print(outcome_table(name, outcome, structure))
 
 
-def _states(outcome: Outcome) -> RenderableType:
-    there = states_reached(outcome)
+def _states(outcome: Outcome, structure: Structure) -> RenderableType:
+    there = states_reached(structure, outcome)
     if not there:
         return Text("States: none was reached.")
-    rows = state_rows(there)
+    rows = state_rows(structure, there)
+    if not rows.columns:
+        times = ", ".join(f"{name} at {show_value(state.time, 's')}" for name, state in there.items())
+        return Text(f"States: {times}.")
     time_unit, time = reading_unit("s", max(state.time for state in there.values()))
     table = Table(box=None, padding=(0, 2, 0, 0), title="States", title_justify="left")
-    table.add_column("vein")
+    table.add_column(rows.heading)
+    angles = [column for column in rows.columns if column.unit == "deg"]
     for name in there:
-        table.add_column(f"{name}:\nangle (deg)", justify="right")
-        table.add_column(f"tendon\n({rows.length_unit})", justify="right")
-        table.add_column(f"energy\n({rows.energy_unit})", justify="right")
-    for cells in [*rows.veins, ["sum", *rows.sums]]:
+        for place, column in enumerate(rows.columns):
+            # the only angle needs no name
+            title = "angle" if [column] == angles else column.title
+            gap = " " if title == "angle" else "\n"
+            heading = f"{name}:\n{title}{gap}({column.unit})" if place == 0 else f"{title}\n({column.unit})"
+            table.add_column(heading, justify="right")
+    sums = [] if rows.sums is None else [["sum", *rows.sums]]
+    for cells in [*rows.parts, *sums]:
         table.add_row(*cells)
+    empty = [""] * (len(rows.columns) - 1)
     table.add_row(
-        "time", *(cell for state in there.values() for cell in (f"{time * state.time:#.4g} {time_unit}", "", ""))
+        "time", *(cell for state in there.values() for cell in (f"{time * state.time:#.4g} {time_unit}", *empty))
     )
     return table
 
 
-def _transitions(outcome: Outcome) -> Table:
+def _transitions(outcome: Outcome, structure: Structure) -> Table:
     table = Table(box=None, padding=(0, 2, 0, 0), title="Transitions", title_justify="left")
     for heading in TRANSITION_HEADINGS:
         table.add_column(heading, justify="left" if not heading else "right")
-    for cells in transition_rows(outcome):
+    for cells in transition_rows(structure, outcome):
         table.add_row(*cells)
     return table
 
 
-def _balance(outcome: Outcome) -> RenderableType:
+def _balance(outcome: Outcome, structure: Structure) -> RenderableType:
     balance = outcome.energy_balance
     if outcome.verdict is Verdict.DIVERGED or not balance.residual <= 1:
         return Text("Energy balance: it does not close; the numbers mean nothing.")
     table = Table(box=None, padding=(0, 2, 0, 0), title="Energy balance", title_justify="left", show_header=False)
     table.add_column("")
     table.add_column("", justify="right")
-    for label, value in balance_rows(balance):
+    for label, value in balance_rows(structure, balance):
         table.add_row(label, value)
     return table

@@ -1,4 +1,4 @@
-"""Distal angles and energies over time: the whole run, and folding and unfolding close up."""
+"""Angles, distances and energies over time: the whole run, and its driven stages close up."""
 
 from __future__ import annotations
 
@@ -8,8 +8,12 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from forficula.analysis import Outcome
+from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
 from forficula.quantities import reading_unit, show_value
+from forficula.show.run.outcome_rows import state_angles
+from forficula.show.run.state_names import state_letters
+from forficula.show.structure.labels import counted, measure_labels, shown_angles, shown_distances, title_of
 from forficula.show.style import (
     BLACK,
     BLUE,
@@ -24,34 +28,44 @@ from forficula.show.style import (
     figure_style,
     is_narrow,
 )
+from forficula.structure import Measure, Structure
 
 Array = NDArray[np.float64]
 
-_VEIN_COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK)
+_COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK)
 # before and after a driven stage, as a share of it
 _LEAD = 0.15
+# of an axis of angles, deg: to one side where hinges go beyond a right angle, at least, and by where they stop
+_HALF_TURN, _LEAST_ROOM, _ROOM = 200.0, 25.0, 1.2
+_STEPS, _MOST_STEPS = (5, 10, 15, 30, 45, 90), 6
 
 
 def draw_angles(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) -> Figure:
-    """Draw the distal angles over time with the three states marked, in a figure of a width in inch."""
+    """Draw angles and distances over time with the states marked, in a figure of a width in inch."""
+    rows_of = _readings(record.structure)
     with figure_style():
-        figure, rows = _layout(record, ["distal angle (deg)"], width, height=2.5)
-        for axes, (start, scale) in zip(rows[0], _spans(record), strict=True):
-            time = _time(record, start, scale)
-            for vein, angle in enumerate(np.degrees(record.data["distal_angle"].values.T)):
-                axes.plot(time, angle, _line(vein), color=_colour(vein), label=f"vein {vein}")
-            axes.axhline(0, color="0.6", lw=0.5, zorder=0)
-            axes.set_ylim(-200, max(25, 1.2 * np.degrees(record.design.hinge.overbend)))
-            axes.set_yticks(np.arange(-180, 1, 45))
-            _shade_stages(axes, record, start, scale)
-        _mark_states(rows[0][0], outcome, _run_unit(record)[1])
-        _legend(rows[0], width, columns=4)
+        labels = [_row_label(record, measures) for measures in rows_of]
+        figure, rows = _layout(record, labels, width, height=2.5 if len(labels) == 1 else 2.2 * len(labels))
+        for axes_row, measures in zip(rows, rows_of, strict=True):
+            lines = _lines(record, measures)
+            for axes, (start, scale) in zip(axes_row, _spans(record), strict=True):
+                time = _time(record, start, scale)
+                for line, (name, values) in enumerate(lines.items()):
+                    axes.plot(time, values, _line(line), color=_colour(line), label=name)
+                axes.axhline(0, color="0.6", lw=0.5, zorder=0)
+                if measures[0].kind == "angle":
+                    _scale_degrees(axes, record, measures)
+                _shade_stages(axes, record, start, scale)
+            if list(lines) != [title_of(measures[0])]:
+                _legend(axes_row, width, columns=4)
+        if rows_of:
+            _mark_states(rows[0][0], record, outcome, rows_of[0], _run_unit(record)[1])
         return describe(figure, _tell_angles(record, outcome))
 
 
 def draw_energies(record: Record, width: float = PAGE_WIDTH) -> Figure:
     """Draw stored energies over time, and under them the work done and where it went; the width is in inch."""
-    tables = {"stored energy": _stored(record), "work since the start": _accounts(record)}
+    tables = {"stored energy": stored_energies(record), "work since the start": _accounts(record)}
     with figure_style():
         figure, rows = _layout(record, list(tables), width, height=4.4)
         for axes_row, (label, series) in zip(rows, tables.items(), strict=True):
@@ -66,30 +80,34 @@ def draw_energies(record: Record, width: float = PAGE_WIDTH) -> Figure:
         return describe(figure, _tell_energies(record))
 
 
-def _stored(record: Record) -> dict[str, tuple[Array, str]]:
-    """Energies by what stores them, J, (time,), and their colours."""
-    series = record.series
-    stored = {
-        "tendons": (series["tendon_energy"].sum(axis=1), BLUE),
-        "membrane": (series["membrane_energy"], ORANGE),
-        "kinetic": (series["kinetic_energy"], VERMILION),
-    }
+def stored_energies(record: Record) -> dict[str, tuple[Array, str]]:
+    """Energies by what stores them, of what the structure has, J, (time,), and their colours."""
+    series, structure = record.series, record.structure
+    stored: dict[str, tuple[Array, str]] = {}
+    if structure.tendons:
+        stored["tendons"] = (series["tendon_energy"].sum(axis=1), BLUE)
+    if structure.membranes:
+        stored["membrane"] = (series["membrane_energy"], ORANGE)
+    if "hinge_energy" in series:
+        stored["hinges"] = (series["hinge_energy"].sum(axis=1), SKY)
+    stored["kinetic"] = (series["kinetic_energy"], VERMILION)
     if "branch_energy" in series:
         stored["Maxwell branches"] = (series["branch_energy"].sum(axis=1), GREEN)
-    if record.design.protocol.gravity:
+    if structure.gravity:
         stored["gravitational"] = (series["gravitational_energy"], PURPLE)
     return stored
 
 
 def _accounts(record: Record) -> dict[str, tuple[Array, str]]:
     """The work done and where it went, J, (time,), and their colours."""
-    series = record.series
-    accounts = {
-        "done by torques": (series["proximal_work"] + series["distal_work"], BLACK),
-        "taken by hinge damping": (-series["hinge_damping_work"], GREEN),
-        "taken by stops": (-series["stop_work"], VERMILION),
-        "taken by other damping": (-series["elastic_damping_work"], SKY),
-    }
+    series, structure = record.series, record.structure
+    accounts: dict[str, tuple[Array, str]] = {}
+    if structure.motors:
+        accounts["done by torques"] = (record.work, BLACK)
+    accounts["taken by hinge damping"] = (-series["hinge_damping_work"], GREEN)
+    accounts["taken by stops"] = (-series["stop_work"], VERMILION)
+    if structure.tendons or structure.membranes:
+        accounts["taken by other damping"] = (-series["elastic_damping_work"], SKY)
     for name, words, colour in (
         ("branch_damping_work", "taken by Maxwell branches", ORANGE),
         ("letting_go_work", "branches that gave way", PURPLE),
@@ -100,37 +118,86 @@ def _accounts(record: Record) -> dict[str, tuple[Array, str]]:
     return accounts
 
 
+def _readings(structure: Structure) -> list[tuple[Measure, ...]]:
+    """What is drawn in each row: a measure of several hinges by itself, those of one hinge together, and distances."""
+    angles, distances = shown_angles(structure), shown_distances(structure)
+    rows = [(measure,) for measure in angles if len(measure.hinges) > 1]
+    single = tuple(measure for measure in angles if len(measure.hinges) == 1)
+    return [*rows, *(group for group in (single, distances) if group)]
+
+
+def _row_label(record: Record, measures: tuple[Measure, ...]) -> str:
+    kind, alone = measures[0].kind, len(measures) == 1
+    unit = "deg" if kind == "angle" else _length_unit(record, measures)[0]
+    return f"{title_of(measures[0]) if alone else kind} ({unit})"
+
+
+def _length_unit(record: Record, measures: tuple[Measure, ...]) -> tuple[str, float]:
+    every = [np.abs(record.measured(measure.name)).max(initial=0.0) for measure in measures]
+    return reading_unit("m", float(np.nanmax([*every, 0.0])) or record.structure.span)
+
+
+def _lines(record: Record, measures: tuple[Measure, ...]) -> dict[str, Array]:
+    """The lines of a row in its unit, (time,), by name."""
+    factor = _length_unit(record, measures)[1]
+    lines: dict[str, Array] = {}
+    for measure in measures:
+        values = record.measured(measure.name).T
+        scaled = np.degrees(values) if measure.kind == "angle" else factor * values
+        alone = len(scaled) == 1 and len(measures) > 1
+        names = [title_of(measure)] if alone else measure_labels(record.structure, measure)
+        lines |= dict(zip(names, scaled, strict=True))
+    return lines
+
+
+def _scale_degrees(axes: Axes, record: Record, measures: tuple[Measure, ...]) -> None:
+    """From stop to stop with some room, and no further than a turn of half a circle needs."""
+    low, high = (_room(record, measures, side) for side in (-1, 1))
+    axes.set_ylim(-low, high)
+    step = next(step for step in _STEPS if low + high <= _MOST_STEPS * step)
+    axes.set_yticks(np.arange(-step * (low // step), high, step))
+
+
+def _room(record: Record, measures: tuple[Measure, ...], side: int) -> float:
+    """How far an axis of angles goes to one side, deg, beyond all stops there, or where there are none all angles."""
+    reach = 0.0
+    for measure in measures:
+        angles = side * record.measured(measure.name)
+        seen = angles.max(axis=0, initial=0.0, where=np.isfinite(angles))
+        for number, sign, most in zip(measure.hinges, measure.signs, seen, strict=True):
+            hinge = record.structure.hinges[number]
+            stop = hinge.upper if sign * side > 0 else -hinge.lower
+            reach = max(reach, float(np.degrees(min(stop, np.pi) if np.isfinite(stop) else min(most, np.pi))))
+    return _HALF_TURN if reach > _HALF_TURN / 2 else max(_LEAST_ROOM, _ROOM * reach)
+
+
 def _tell_angles(record: Record, outcome: Outcome) -> str:
     """What the angles do, in words."""
-    states = {
-        outcome.flat_name: outcome.flat,
-        outcome.folded_name: outcome.folded_state,
-        outcome.opened_name: outcome.opened_state,
-    }
-    told = [
-        f"{name} {np.degrees(state.distal_angle.mean()):.1f} deg at {show_value(state.time, 's')}"
-        for name, state in states.items()
-        if state is not None
-    ]
-    veins = record.series["distal_angle"].shape[1]
-    means = f" Means over the veins: {', '.join(told)}." if told else ""
-    return f"Distal angles of {veins} veins over the time of a run of {record.design.name}: {outcome.status}.{means}"
+    structure, told = record.structure, []
+    first = next(iter(shown_angles(structure)), None)
+    for name, state in outcome.states.items():
+        if state is not None and first is not None:
+            mean = np.degrees(state_angles(state, first).mean())
+            told.append(f"{outcome.state_names[name]} {mean:.1f} deg at {show_value(state.time, 's')}")
+    hinges = [] if first is None else measure_labels(structure, first)
+    means = f" Means over the {counted(hinges, 'hinge').partition(' ')[2]}: {', '.join(told)}." if told else ""
+    what = "Angles" if first is None else f"{title_of(first)[:1].upper()}{title_of(first)[1:]}s"
+    run = f"the time of a run of {record.design.name}: {outcome.status}."
+    return f"{what} of {counted(hinges, 'hinge')} over {run}{means}"
 
 
 def _tell_energies(record: Record) -> str:
     """What the energies come to, in words."""
     largest = ", ".join(
-        f"{name} {show_value(float(values.max()), 'J')}" for name, (values, _) in _stored(record).items()
+        f"{name} {show_value(float(values.max()), 'J')}" for name, (values, _) in stored_energies(record).items()
     )
-    work = show_value(float(_accounts(record)["done by torques"][0][-1]), "J")
-    name = record.design.name
-    return (
-        f"Stored energies and work over the time of a run of {name}. Largest: {largest}; work of the torques: {work}."
-    )
+    name, structure = record.design.name, record.structure
+    work = f"; work of the torques: {show_value(float(record.work[-1]), 'J')}" if structure.motors else ""
+    return f"Stored energies and work over the time of a run of {name}. Largest: {largest}{work}."
 
 
 def _driven(record: Record) -> list[StageEnd]:
-    return [end for end in record.stages if end.stage.drive != "none"]
+    return [end for end in record.stages if stage_drives(end.stage)]
 
 
 def _spans(record: Record) -> list[tuple[float, float]]:
@@ -206,23 +273,25 @@ def _shade_stages(axes: Axes, record: Record, start: float, scale: float) -> Non
             axes.text(seen, 1.01, end.stage.name, transform=place, ha="center", va="bottom", fontsize=7)
 
 
-def _mark_states(axes: Axes, outcome: Outcome, scale: float) -> None:
-    reached = {
-        "a": outcome.flat,
-        "b": outcome.folded_state if outcome.folded else None,
-        "c": outcome.opened_state if outcome.opened else None,
-    }
-    for letter, state in reached.items():
-        if state is not None:
-            angle = float(np.degrees(state.distal_angle.mean()))
-            time = scale * state.time
-            axes.plot(time, angle, "o", color="white", mec="black", mew=0.8, ms=9, zorder=5, clip_on=False)
-            axes.text(time, angle, letter, ha="center", va="center_baseline", fontsize=7, zorder=6)
+def _mark_states(axes: Axes, record: Record, outcome: Outcome, measures: tuple[Measure, ...], scale: float) -> None:
+    """Letters where the states are, at the mean of what the first measure reads; none for a state that was missed."""
+    measure = measures[0]
+    for name, letter in state_letters(record.structure).items():
+        state = outcome.states[name]
+        if state is None or outcome.holds.get(name, True) is not True:
+            continue
+        if measure.kind == "angle":
+            value = float(np.degrees(state_angles(state, measure).mean()))
+        else:
+            value = _length_unit(record, measures)[1] * float(state.readings[measure.name].mean[0])
+        time = scale * state.time
+        axes.plot(time, value, "o", color="white", mec="black", mew=0.8, ms=9, zorder=5, clip_on=False)
+        axes.text(time, value, letter, ha="center", va="center_baseline", fontsize=7, zorder=6)
 
 
-def _colour(vein: int) -> str:
-    return _VEIN_COLOURS[vein % len(_VEIN_COLOURS)]
+def _colour(line: int) -> str:
+    return _COLOURS[line % len(_COLOURS)]
 
 
-def _line(vein: int) -> str:
-    return LINE_STYLES[vein % len(LINE_STYLES)]
+def _line(line: int) -> str:
+    return LINE_STYLES[line % len(LINE_STYLES)]

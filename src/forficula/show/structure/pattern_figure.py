@@ -1,67 +1,137 @@
-"""The crease pattern with its tendons."""
+"""The crease pattern with its tendons; where there is no pattern, what is built, seen from above."""
 
 from __future__ import annotations
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from numpy.typing import NDArray
 
-from forficula.design import Design
-from forficula.design.places import tendon_ends
-from forficula.pattern import CreasePattern, earwig_pattern, hub_points, ring_vertices, tips
+from forficula.pattern import CreasePattern
 from forficula.quantities import reading_unit, show_value
+from forficula.show.structure.labels import counted, label_of, parts_of, shown_angles
+from forficula.show.structure.painted_shape import BAR
 from forficula.show.style import BLACK, BLUE, ORANGE, PAGE_WIDTH, VERMILION, describe, figure_style, is_narrow
+from forficula.structure import Hinge, Structure, built_hinges, built_points
 
-_STYLES = {"M": (VERMILION, "-.", "mountain"), "V": (BLUE, "--", "valley"), "B": (BLACK, "-", "border")}
+Array = NDArray[np.float64]
+
+_STYLES = {
+    "M": (VERMILION, "-.", "mountain"),
+    "V": (BLUE, "--", "valley"),
+    "B": (BLACK, "-", "border"),
+    "C": (BLACK, ":", "cut"),
+    "F": ("0.6", "-", "flat"),
+    "U": ("0.6", "-.", "unassigned"),
+}
 _WIDEST = 4.6  # inch: it has one part, which a page would only blow up
+_ON_AXIS = 1e-6  # by the size of the whole
 
 
-def draw_pattern(design: Design, width: float = PAGE_WIDTH) -> Figure:
-    """Draw the crease pattern of a design, its hub circle and its tendons, at most as wide as `width` in inch."""
-    fan = design.fan
-    pattern = earwig_pattern(fan)
-    unit, factor = reading_unit("m", float(np.abs(pattern.vertices_coords).max()))
-    points = factor * pattern.vertices_coords[:, :2]
+def draw_pattern(structure: Structure, width: float = PAGE_WIDTH) -> Figure:
+    """Draw the crease pattern of a structure, the circles behind it and its tendons, at most `width` wide, inch."""
+    pattern, points = structure.appearance.pattern, built_points(structure)
+    places = points if pattern is None else pattern.vertices_coords
+    unit, factor = reading_unit("m", float(np.abs(places).max(initial=structure.span)))
     with figure_style():
-        extent = np.ptp(points, axis=0)
+        extent = np.maximum(np.ptp(factor * places[:, :2], axis=0), 1e-9 * factor * structure.span)
         width = min(width, _WIDEST)
         tall = min(2.0, max(0.3, extent[1] / extent[0]))
         figure = Figure(figsize=(width, (width - 0.5) * tall + 0.9), layout="constrained")
         axes = figure.subplots()
-        for (start, end), assignment in zip(pattern.edges_vertices, pattern.edges_assignment, strict=True):
-            colour, style, _ = _STYLES[assignment]
-            axes.plot(*points[[start, end]].T, style, color=colour, lw=1.1)
+        handles = _draw_built(axes, structure, factor) if pattern is None else _draw_creases(axes, pattern, factor)
         angle = np.linspace(0, 2 * np.pi, 200)
-        radius = factor * fan.hub_radius
-        axes.plot(radius * np.cos(angle), radius * np.sin(angle), ":", color="0.5", lw=0.8)
-        for start, end in zip(*tendon_ends(hub_points(fan), ring_vertices(fan), tips(fan), design), strict=True):
-            axes.plot(*factor * np.column_stack([start, end])[:2], "o-", color=ORANGE, ms=3.5, lw=3, alpha=0.6)
-        for vein, tip in enumerate(factor * tips(fan)[:, :2]):
-            outwards = tip / np.linalg.norm(tip)
-            axes.annotate(f"{vein}", tip, 8 * outwards, textcoords="offset points", ha="center", va="center")
+        for radius in (factor * each for each in structure.appearance.circles.values()):
+            axes.plot(radius * np.cos(angle), radius * np.sin(angle), ":", color="0.5", lw=0.8)
+        for tendon in structure.tendons:
+            ends = factor * points[list(tendon.points)]
+            axes.plot(*ends.T[:2], "o-", color=ORANGE, ms=3.5, lw=3, alpha=0.6)
+        _number(axes, structure, factor)
         axes.set_aspect("equal")
         axes.set_xlabel(f"x ({unit})")
         axes.set_ylabel(f"y ({unit})")
         axes.margins(0.06)
-        handles = [Line2D([], [], color=colour, ls=style, label=name) for colour, style, name in _STYLES.values()]
-        handles.append(Line2D([], [], color=ORANGE, marker="o", ms=3.5, lw=3, alpha=0.6, label="tendon"))
-        handles.append(Line2D([], [], color="0.5", ls=":", label="hub"))
+        if structure.tendons:
+            handles.append(Line2D([], [], color=ORANGE, marker="o", ms=3.5, lw=3, alpha=0.6, label="tendon"))
+        handles += [Line2D([], [], color="0.5", ls=":", label=name) for name in structure.appearance.circles]
         figure.legend(handles=handles, loc="outside upper center", ncols=3 if is_narrow(width) else 5)
-        return describe(figure, _tell(design, pattern))
+        return describe(figure, _tell(structure))
 
 
-def _tell(design: Design, pattern: CreasePattern) -> str:
+def _draw_creases(axes: Axes, pattern: CreasePattern, factor: float) -> list[Line2D]:
+    """The edges of a pattern; returns what they mean."""
+    points = factor * pattern.vertices_coords[:, :2]
+    for (start, end), assignment in zip(pattern.edges_vertices, pattern.edges_assignment, strict=True):
+        colour, style, _ = _STYLES[assignment]
+        axes.plot(*points[[start, end]].T, style, color=colour, lw=1.1)
+    return [
+        Line2D([], [], color=colour, ls=style, label=name)
+        for letter, (colour, style, name) in _STYLES.items()
+        if letter in pattern.edges_assignment
+    ]
+
+
+def _draw_built(axes: Axes, structure: Structure, factor: float) -> list[Line2D]:
+    """Plates and bars as built; returns what they mean."""
+    points, handles = factor * built_points(structure)[:, :2], []
+    for plate in structure.plates:
+        axes.plot(*points[[*plate.points, plate.points[0]]].T, "-", color=BLACK, lw=1.1)
+    if structure.plates:
+        handles.append(Line2D([], [], color=BLACK, lw=1.1, label="edge of a plate"))
+    for bar in structure.bars:
+        axes.plot(*points[list(bar.points)].T, "-", color=BAR, lw=2.2)
+    if structure.bars:
+        handles.append(Line2D([], [], color=BAR, lw=2.2, label=structure.appearance.bar))
+    return handles
+
+
+def _number(axes: Axes, structure: Structure, factor: float) -> None:
+    """Say which of the hinges that figures show is which: at the end of its bar, or on its line."""
+    hinges = list(dict.fromkeys(hinge for measure in shown_angles(structure) for hinge in measure.hinges))
+    names = parts_of([label_of(structure.hinges[hinge]) for hinge in hinges]).names
+    points, (origins, directions) = built_points(structure), built_hinges(structure)
+    for hinge, name in zip(hinges, names, strict=True):
+        bar = next((bar for bar in structure.bars if bar.body == structure.hinges[hinge].body), None)
+        if bar is not None:
+            place = factor * points[bar.points[1], :2]
+            outwards = place / max(float(np.linalg.norm(place)), 1e-300)
+            axes.annotate(
+                name,
+                (place[0], place[1]),
+                (8 * outwards[0], 8 * outwards[1]),
+                textcoords="offset points",
+                ha="center",
+                va="center",
+            )
+            continue
+        place = factor * _middle(structure, structure.hinges[hinge], points, origins[hinge], directions[hinge])[:2]
+        box = {"boxstyle": "round,pad=0.15", "fc": "white", "ec": "none"}
+        axes.text(place[0], place[1], name, ha="center", va="center", bbox=box)
+
+
+def _middle(structure: Structure, hinge: Hinge, points: Array, origin: Array, direction: Array) -> Array:
+    """The middle of the side by which a plate hangs on its hinge, m, (3,)."""
+    for plate in structure.plates:
+        if plate.body == hinge.body:
+            corners = points[list(plate.points)]
+            along = (corners - origin) @ direction
+            beside = np.linalg.norm(corners - origin - along[:, np.newaxis] * direction, axis=1)
+            on_axis = along[beside < _ON_AXIS * structure.span]
+            if len(on_axis):
+                return np.asarray(origin + (on_axis.min() + on_axis.max()) / 2 * direction)
+    return origin
+
+
+def _tell(structure: Structure) -> str:
     """The pattern in words."""
-    counts = {name: sum(each == kind for each in pattern.edges_assignment) for kind, (_, _, name) in _STYLES.items()}
-    creases = f"{counts['mountain']} mountain and {counts['valley']} valley creases"
-    lengths = ", ".join(
-        f"{name} {show_value(length, 'm')}"
-        for name, length in (
-            ("proximal length", design.pattern.proximal_length),
-            ("distal length", design.pattern.distal_length),
-            ("hub radius", design.pattern.hub_radius),
-        )
-    )
-    return (
-        f"Crease pattern of {design.name}: {design.fan.vein_count} veins, {creases}. {lengths[0].upper()}{lengths[1:]}."
-    )
+    pattern = structure.appearance.pattern
+    hinges = {hinge for measure in shown_angles(structure) for hinge in measure.hinges}
+    count = counted([label_of(structure.hinges[hinge]) for hinge in sorted(hinges)], "hinge")
+    if pattern is None:
+        return f"{structure.name} as built, seen from above: {count}."
+    letters = pattern.edges_assignment
+    creases = f"{letters.count('M')} mountain and {letters.count('V')} valley creases"
+    lengths = ", ".join(f"{name} {show_value(length, 'm')}" for name, length in structure.appearance.sizes.items())
+    sizes = f" {lengths[:1].upper()}{lengths[1:]}." if lengths else ""
+    return f"Crease pattern of {structure.name}: {count}, {creases}.{sizes}"

@@ -7,28 +7,18 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.figure import Figure
 
-from forficula.show.study.map_page import (
-    NOT_BUILT,
-    NOT_FOLDED,
-    NOT_OPENED,
-    NOT_TRIED,
-    Panel,
-    View,
-    draw_page,
-    map_style,
-)
+from forficula.show.study.map_page import Panel, View, draw_page, map_style
 from forficula.show.study.maps import table_view
 from forficula.show.style import PAGE_WIDTH, is_narrow
+from forficula.study.outcome_kinds import Kind, table_transitions, word_of
 from forficula.study.static_map import NOT_SIMULATED, compare_maps, simulated_values
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
 
-_TORQUES = {"least_fold_torque": ("folds", NOT_FOLDED), "least_unfold_torque": ("opens", NOT_OPENED)}
-
 
 def draw_static_maps(statics: Dataset, simulated: Dataset | None = None, width: float = PAGE_WIDTH) -> Figure:
-    """Draw the least slowly growing torques that fold and that open, over the first two factors.
+    """Draw the least slowly growing torques of every transition, over the first two factors.
 
     Args:
         statics: from `static_map`.
@@ -39,41 +29,44 @@ def draw_static_maps(statics: Dataset, simulated: Dataset | None = None, width: 
     Raises:
         InputError: the tables have different factors.
     """
+    torques = {each.least: f"{each.wording.verb}s" for each in table_transitions(statics) if each.least in statics}
     with map_style():
         if simulated is None:
             view = table_view(statics)
-            panels = [_panel(view, name, f"{verb} under a slow torque") for name, (verb, _) in _TORQUES.items()]
+            panels = [_panel(view, name, f"{verb} under a slow torque") for name, verb in torques.items()]
             return draw_page(view, panels, quantity="torque", one_scale=True, width=width)
         extra = {}
-        for name in _TORQUES:
+        for name in torques:
             extra[f"simulated_{name}"] = simulated_values(statics, simulated, name)
             extra[f"verdict_{name}"] = compare_maps(statics, simulated, name)
         # where nothing is known of a wing it was not run at all
-        energies = simulated_values(statics, simulated, "flat_energy")
+        energies = simulated_values(statics, simulated, f"{statics.attrs['start_state']}_energy")
         extra["simulated"] = energies.copy(data=np.isfinite(energies.values))
         view = table_view(statics.assign(extra))
         panels = []
-        for name, (verb, _) in _TORQUES.items():
+        for name, verb in torques.items():
             panels += [
                 _panel(view, name, f"{verb} under a slow torque"),
                 _panel(view, name, f"{verb}, simulated", simulated=True),
                 _verdicts(view, name, verb),
             ]
-        if is_narrow(width):  # folding in the left column, opening in the right one
-            panels = [panels[place] for place in (0, 3, 1, 4, 2, 5)]
+        if is_narrow(width):  # a column for each transition
+            panels = [panels[place] for row in range(3) for place in range(row, len(panels), 3)]
         return draw_page(view, panels, quantity="torque", one_scale=True, width=width)
 
 
 def _panel(view: View, name: str, title: str, simulated: bool = False) -> Panel:
     table = view.table
     values = table[f"simulated_{name}"] if simulated else table[name]
-    why = np.full(values.shape, _TORQUES[name][1], dtype=object)
+    first = name == table_transitions(table)[0].least
+    why = np.full(values.shape, word_of(table, Kind.STUCK if first else Kind.STUCK_LATER), dtype=object)
     if simulated:
         verdict = table[f"verdict_{name}"].values
-        why[verdict == NOT_SIMULATED] = NOT_TRIED
+        why[verdict == NOT_SIMULATED] = word_of(table, Kind.NOT_TRIED)
         why[~table["simulated"].values] = NOT_SIMULATED
     else:
-        why[table["outcome"].values == NOT_BUILT] = NOT_BUILT
+        not_built = word_of(table, Kind.NOT_BUILT)
+        why[table["outcome"].values == not_built] = not_built
     return Panel(title=title, values=values, reasons=values.copy(data=why), unit="N m")
 
 

@@ -1,4 +1,4 @@
-/** The drawn wing: the sheet, and round bars for veins, creases and tendons. */
+/** The drawn structure: sheets and plates, and round bars for bars, creases and tendons. */
 
 import {
   BufferAttribute,
@@ -13,25 +13,27 @@ import {
   MeshLambertMaterial,
   SphereGeometry,
 } from "three";
-import { DISTAL, MOUNTAIN, PROXIMAL, VALLEY, energyColour, styleColour } from "./scheme.js";
+import { TENDONS } from "./clip.js";
+import { MOUNTAIN, VALLEY, energyColour, regionTint, styleColour } from "./scheme.js";
 
 const OPACITY = 0.88;
+const LINES = ["crease", "rim", "edge"];
 
-/** A wing of a clip; `pose` moves it, `sort` prepares it for a camera. */
-export function makeWing(clip, largestEnergy) {
+/** The structure of a clip; `pose` moves it, `sort` prepares it for a camera. */
+export function makeShape(clip, largestEnergy) {
   const { mesh } = clip;
   const vertices = new Float32Array(3 * mesh.share.length);
-  const energies = new Float32Array(clip.veins);
-  const thickest = Math.max(...mesh.tubes.map((tube) => tube.radius));
+  const energies = new Float32Array(clip.tendons);
+  const thickest = Math.max(0, ...mesh.tubes.map((tube) => tube.radius));
   const sheet = makeSheet(mesh);
-  const veins = makeTubes(
-    mesh.tubes.filter((tube) => tube.kind === "vein"),
+  const bars = makeTubes(
+    mesh.tubes.filter((tube) => tube.kind === "bar"),
     20,
     0,
   );
-  // lines on the sheet and tendons within the veins would be hidden: they are drawn as if a little nearer
+  // lines on sheets and tendons within bars would be hidden: they are drawn as if a little nearer
   const lines = makeTubes(
-    mesh.tubes.filter((tube) => tube.kind === "ring" || tube.kind === "rim"),
+    mesh.tubes.filter((tube) => LINES.includes(tube.kind)),
     8,
     0.4 * thickest,
   );
@@ -42,30 +44,30 @@ export function makeWing(clip, largestEnergy) {
   );
   const joints = makeJoints(mesh);
   const group = new Group();
-  group.add(veins.object, joints.object, lines.object, tendons.object, sheet.object);
+  group.add(bars.object, joints.object, lines.object, tendons.object, sheet.object);
   const colour = [0, 0, 0];
   const shade = new Color();
 
   function pose(moment) {
     clip.verticesAt(moment, vertices);
     sheet.pose(vertices);
-    for (const part of [veins, lines, tendons, joints]) part.pose(vertices);
-    clip.valuesAt("tendonEnergy", moment, energies);
-    for (let vein = 0; vein < clip.veins; vein++) {
-      energyColour(largestEnergy > 0 ? energies[vein] / largestEnergy : 0, colour);
-      tendons.object.setColorAt(vein, shade.setRGB(...colour, "srgb"));
+    for (const part of [bars, lines, tendons, joints]) part.pose(vertices);
+    clip.valuesAt(TENDONS, moment, energies);
+    for (let tendon = 0; tendon < clip.tendons; tendon++) {
+      energyColour(largestEnergy > 0 ? energies[tendon] / largestEnergy : 0, colour);
+      tendons.object.setColorAt(tendon, shade.setRGB(...colour, "srgb"));
     }
-    tendons.object.instanceColor.needsUpdate = true;
+    if (clip.tendons) tendons.object.instanceColor.needsUpdate = true;
   }
 
   /** Take the colours that depend on whether the page is light or dark. */
   function paint() {
-    for (const part of [veins, lines, joints]) part.paint();
+    for (const part of [bars, lines, joints]) part.paint();
   }
 
   function dispose() {
-    for (const part of [veins, lines, tendons, joints]) part.object.dispose();
-    for (const part of [sheet, veins, lines, tendons, joints]) {
+    for (const part of [bars, lines, tendons, joints]) part.object.dispose();
+    for (const part of [sheet, bars, lines, tendons, joints]) {
       part.object.geometry.dispose();
       part.object.material.dispose();
     }
@@ -74,15 +76,14 @@ export function makeWing(clip, largestEnergy) {
   return { group, pose, paint, sort: sheet.sort, vertices, dispose };
 }
 
-/** The sheet: flat triangles of two tints, a little translucent, its underside darker. */
+/** Sheets and plates: flat triangles, a tint for each region, a little translucent, their undersides darker. */
 function makeSheet(mesh) {
   const corners = mesh.triangles;
   const count = corners.length / 3;
   const positions = new BufferAttribute(new Float32Array(3 * corners.length), 3).setUsage(DynamicDrawUsage);
   const colours = new Float32Array(3 * corners.length);
-  const tints = [new Color(PROXIMAL), new Color(DISTAL)];
   for (let corner = 0; corner < corners.length; corner++)
-    tints[mesh.regions[Math.floor(corner / 3)]].toArray(colours, 3 * corner);
+    new Color(regionTint(mesh.regions[Math.floor(corner / 3)])).toArray(colours, 3 * corner);
   const order = new BufferAttribute(new Uint32Array(corners.length), 1).setUsage(DynamicDrawUsage);
   for (let corner = 0; corner < corners.length; corner++) order.array[corner] = corner;
   const geometry = new BufferGeometry();
@@ -152,9 +153,9 @@ function makeTubes(tubes, sides, nearer) {
   }
 
   function paint() {
-    const colours = { M: new Color(MOUNTAIN), V: new Color(VALLEY), B: new Color(styleColour("--vein")) };
+    const colours = { M: new Color(MOUNTAIN), V: new Color(VALLEY), B: new Color(styleColour("--bar")) };
     for (const [index, tube] of tubes.entries()) object.setColorAt(index, colours[tube.crease]);
-    object.instanceColor.needsUpdate = true;
+    if (tubes.length) object.instanceColor.needsUpdate = true;
   }
 
   return { object, pose, paint };

@@ -1,4 +1,4 @@
-"""A wing as flat polygons from back to front: what a picture without a depth buffer needs."""
+"""A structure as flat polygons from back to front: what a picture without a depth buffer needs."""
 
 from __future__ import annotations
 
@@ -8,28 +8,32 @@ from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.colors import to_rgb, to_rgba_array
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 from numpy.typing import ArrayLike, NDArray
 
-from forficula.design import Design
-from forficula.pattern import tips
-from forficula.show.structure.wing_surface import WingSurface
+from forficula.show.structure.shape import Shape
+from forficula.show.structure.surface import Surface
+from forficula.structure import Structure, outer_ends
 
 Array = NDArray[np.float64]
 
-PROXIMAL, DISTAL, VEIN = "#E3D2AC", "#93BBDA", "#3A3A3A"
+# of the regions of sheets and plates, in their order
+TINTS = ("#E3D2AC", "#93BBDA", "#B7CFA2", "#D6AEB9", "#BDB6DC", "#CFCFCF")
+BAR = "#3A3A3A"
 _CREASE, _CASING = "#6E6E6E", "#FFFFFF"
 _LIGHT = np.array([0.35, -0.25, 0.9])
-# the eye's height, and how far from the middle of the flat fan it looks
+# the eye's height, and how far from the middle of what lies flat it looks
 _ELEVATION, _ASIDE = np.radians(47.0), np.radians(80.0)
 # strips of a tube: from where to where beside its axis, in radii, and how light they are
 _STRIPS = ((-1.0, -0.35, 0.75), (-0.35, 0.35, 1.5), (0.35, 1.0, 0.6))
-# half widths in radii of a vein
+# half widths in radii of the thickest bar
 _TENDON, _CASED, _THIN = 0.62, 0.95, 0.14
 
 
 @dataclass(frozen=True, kw_only=True)
 class View:
-    """From where a wing is looked at, in parallel projection.
+    """From where a structure is looked at, in parallel projection.
 
     Attributes:
         right: across the picture, a unit vector, (axis,).
@@ -47,7 +51,7 @@ class View:
 
 
 @dataclass(frozen=True, kw_only=True)
-class PaintedWing:
+class PaintedShape:
     """What to paint, the farthest first.
 
     Attributes:
@@ -59,9 +63,10 @@ class PaintedWing:
     colours: Array
 
 
-def wing_view(design: Design) -> View:
-    """Look at a wing from above and from the side to which it folds."""
-    x, y, _ = tips(design.fan).mean(axis=0)
+def structure_view(structure: Structure) -> View:
+    """Look at a structure from above and from beside the way that it lies from the origin, built."""
+    ends = outer_ends(structure)
+    x, y, _ = ends.mean(axis=0) if len(ends) else np.zeros(3)
     azimuth = math.atan2(y, x) + _ASIDE
     right = np.array([-math.sin(azimuth), math.cos(azimuth), 0.0])
     level = np.array([math.cos(azimuth), math.sin(azimuth), 0.0])
@@ -69,45 +74,63 @@ def wing_view(design: Design) -> View:
     return View(right=right, up=np.cross(towards, right), towards=towards)
 
 
-def paint_wing(
-    surface: WingSurface, design: Design, view: View, tendon_colours: Sequence[str] | ArrayLike, *, cells: int = 40
-) -> PaintedWing:
-    """Cut a wing into small polygons, shade them and sort them by their distance.
+def paint_shape(
+    surface: Surface, view: View, tendon_colours: str | Sequence[str] | ArrayLike, *, cells: int = 40
+) -> PaintedShape:
+    """Cut a surface into small polygons, shade them and sort them by their distance.
 
     Args:
-        surface: the wing in space.
-        design: how thick and how long its veins are.
+        surface: in space.
         view: from where it is seen.
-        tendon_colours: one a vein.
-        cells: to the length of a vein; the more, the better is seen what hides what.
+        tendon_colours: one, or one a tendon.
+        cells: to the size of the whole; the more, the better is seen what hides what.
     """
-    radius = design.vein.diameter / 2
-    cell = (design.pattern.proximal_length + design.pattern.distal_length) / cells
-    # what lies on the membrane is in front of the cells beside it, whose middles may be nearer to the eye
+    radius, cell = surface.thickness / 2, surface.span / cells
+    # what lies on a face is in front of the cells beside it, whose middles may be nearer to the eye
     above = radius + cell / 2
-    bars = np.concatenate([surface.veins[:, :2], surface.veins[:, 1:]])
-    parts = [_membrane(surface, view, cell), _ribbons(_creases(surface), view, cell, _CREASE, _THIN * radius, cell / 2)]
+    parts = [_faces(surface, view, cell), _ribbons(surface.lines, view, cell, _CREASE, _THIN * radius, cell / 2)]
     for low, high, lustre in _STRIPS:
-        shade = to_rgba_array(VEIN) * [lustre, lustre, lustre, 1]
+        shade = to_rgba_array(BAR) * [lustre, lustre, lustre, 1]
         # the bright strip last, so that the ends of the others do not lie on it
         nearer = above + cell / 2 if lustre > 1 else above
-        parts.append(_ribbons(bars, view, cell, shade, (low * radius, high * radius), nearer))
+        for thick in np.unique(surface.radii):
+            bars = surface.bars[surface.radii == thick]
+            parts.append(_ribbons(bars, view, cell, shade, (low * thick, high * thick), nearer))
     # the casing shows on both sides of what lies on it
     for half, colours, nearer in ((_CASED, _CASING, 2 * radius), (_TENDON, tendon_colours, 2 * radius + cell / 2)):
         parts.append(_ribbons(surface.tendons, view, cell, colours, half * radius, above + nearer))
     depths, polygons, shades = (np.concatenate(each) for each in zip(*parts, strict=True))
     order = np.argsort(depths, kind="stable")
-    return PaintedWing(polygons=polygons[order], colours=np.clip(shades[order], 0, 1))
+    return PaintedShape(polygons=polygons[order], colours=np.clip(shades[order], 0, 1))
 
 
-def _membrane(surface: WingSurface, view: View, cell: float) -> tuple[Array, Array, Array]:
-    """Depths, polygons and colours of the membrane's cells."""
-    quads, tints = [], []
-    for quad, distal in zip(surface.quads, surface.distal, strict=True):
-        small = _cut(quad, cell)
-        quads.append(small)
-        tints.append(np.tile(to_rgb(DISTAL if distal else PROXIMAL), (len(small), 1)))
-    every = np.concatenate(quads)
+def tint(region: int) -> str:
+    """The colour of a region."""
+    return TINTS[region % len(TINTS)]
+
+
+def shape_handles(shape: Shape, structure: Structure, tendon_colour: ArrayLike, width: float) -> list[Patch | Line2D]:
+    """What the colours mean, for a legend whose lines are so many points wide."""
+    handles: list[Patch | Line2D] = [
+        Patch(facecolor=tint(region), label=name) for region, name in enumerate(shape.regions)
+    ]
+    if shape.bars:
+        handles.append(Line2D([], [], color=BAR, lw=width, label=structure.appearance.bar))
+    if shape.tendons:
+        handles.append(Line2D([], [], color=tendon_colour, lw=width, label="tendon"))  # type: ignore[arg-type]
+    return handles
+
+
+def _faces(surface: Surface, view: View, cell: float) -> tuple[Array, Array, Array]:
+    """Depths, polygons and colours of the cells of sheets and plates."""
+    if not len(surface.faces):
+        return np.zeros(0), np.zeros((0, 4, 2)), np.zeros((0, 4))
+    cells, tints = [], []
+    for face, region in zip(surface.faces, surface.regions.tolist(), strict=True):
+        small = _cut(face, cell)
+        cells.append(small)
+        tints.append(np.tile(to_rgb(tint(region)), (len(small), 1)))
+    every = np.concatenate(cells)
     shades = np.column_stack([np.concatenate(tints) * _facing(every)[:, np.newaxis], np.ones(len(every))])
     return every.mean(axis=1) @ view.towards, view.project(every), shades
 
@@ -137,15 +160,6 @@ def _facing(quads: Array) -> Array:
     return np.asarray(0.55 + 0.45 * np.abs(normals @ _LIGHT) / lengths / np.linalg.norm(_LIGHT))
 
 
-def _creases(surface: WingSurface) -> Array:
-    """Edges of the membrane that no vein covers: base, ring fold and tips, m, (edge, end, axis)."""
-    panels = len(surface.veins) - 1
-    quads = surface.quads.reshape(panels, -1, 2, 4, 3)  # panel, row, beside the vein or beyond its margin
-    ring = int(np.argmax(surface.distal[: quads.shape[1] * 2 : 2]))
-    edges = [quads[:, row][:, :, ends] for row, ends in ((0, (0, 3)), (ring, (0, 3)), (-1, (1, 2)))]
-    return np.concatenate(edges).reshape(-1, 2, 3)
-
-
 def _ribbons(
     lines: Array,
     view: View,
@@ -164,6 +178,8 @@ def _ribbons(
         width: half of the band's, or from where to where it lies beside the line, m.
         above: how much nearer than the line it is painted, m.
     """
+    if not len(lines):
+        return np.zeros(0), np.zeros((0, 4, 2)), np.zeros((0, 4))
     pieces = _pieces(max(_length(end - start) for start, end in lines), cell)
     shares = np.linspace(0, 1, pieces + 1)[:, np.newaxis]
     points = lines[:, :1] + shares * (lines[:, 1:] - lines[:, :1])

@@ -1,0 +1,38 @@
+"""The crease pattern of a design, whatever is built on it, and folded states of it."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.design.design import Design
+from forficula.design.fan import FanDesign
+from forficula.design.plates import PlatesDesign
+from forficula.errors import InputError
+from forficula.pattern import CreasePattern, earwig_pattern, folded_coordinates, folded_frames
+
+_SHARES = (0.25, 0.5, 0.75, 1.0)
+
+
+def design_pattern(design: Design) -> CreasePattern:
+    """The sheet of a design, in the units that its numbers are in.
+
+    Raises:
+        InputError: it has none.
+    """
+    if isinstance(design, FanDesign):
+        return earwig_pattern(design.fan)
+    if isinstance(design, PlatesDesign):
+        return design.sheet
+    raise InputError(f"{design.name}: has no crease pattern")
+
+
+def design_frames(design: Design) -> list[tuple[str, NDArray[np.float64], NDArray[np.float64]]]:
+    """Folded states of a design's sheet, from nearly open to flat-folded, as `write_fold` takes them."""
+    if isinstance(design, FanDesign):
+        return folded_frames(design.fan)
+    pattern, frames = design_pattern(design), []
+    for share in _SHARES:
+        angles = share * pattern.edges_fold_angle
+        frames.append((f"creases at {180 * share:g} deg", folded_coordinates(pattern, angles), angles))
+    return frames

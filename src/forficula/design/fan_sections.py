@@ -1,0 +1,113 @@
+"""Sections of a fan's design, but for its tendons and its protocol."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from forficula.design.part import (
+    ANGLE,
+    DENSITY,
+    HINGE_DAMPING,
+    INERTIA,
+    LENGTH,
+    MODULUS,
+    SHORT_TIME,
+    SMALL_LENGTH,
+    Part,
+    quantity,
+)
+from forficula.errors import InputError
+from forficula.quantities import show_quantity
+
+# beyond atoms and worlds, m: within, every power that a unit has of a length is a float
+_SMALLEST, _LARGEST = 1e-12, 1e12
+MOST_UNITS = 10_000
+
+
+class FanPatternSection(Part):
+    """The sheet: where it folds."""
+
+    kind: Annotated[Literal["earwig-fan"], Field(description="the family of crease patterns")]
+    proximal_length: float = quantity(LENGTH, "length of a vein from the hub to the ring fold", above=0)
+    distal_length: float = quantity(LENGTH, "length of a vein beyond the ring fold", above=0)
+    hub_radius: float = quantity(LENGTH, "radius of the circle that the veins are tangent to", at_least=0)
+    sector_angle: float = quantity(ANGLE, "angle between neighbouring veins", above=0, below=math.pi)
+    units: Annotated[int, Field(strict=True, ge=1, le=MOST_UNITS, description="fan units, of two panels each")]
+    tangent: Annotated[
+        Literal["left", "right"], Field(description="side of the hub on which the proximal veins pass, seen outwards")
+    ]
+
+    @model_validator(mode="after")
+    def _of_a_size(self) -> FanPatternSection:
+        for key, length, least in (
+            ("proximal_length", self.proximal_length, _SMALLEST),
+            ("distal_length", self.distal_length, _SMALLEST),
+            ("hub_radius", self.hub_radius, 0.0),
+        ):
+            if not least <= length <= _LARGEST:
+                raise InputError(
+                    f"pattern.{key}: need >= {show_quantity(least, LENGTH)} and <= {show_quantity(_LARGEST, LENGTH)},"
+                    f" got {show_quantity(length, LENGTH)}"
+                )
+        return self
+
+
+class VeinSection(Part):
+    """The bars."""
+
+    diameter: float = quantity(SMALL_LENGTH, "diameter of the bars", above=0)
+    density: float = quantity(DENSITY, "mass of the bars by volume", above=0)
+
+
+Share = Annotated[float, Field(strict=True)]
+
+
+class MembraneSection(Part):
+    """The sheet between the bars: stretch elasticity only."""
+
+    youngs_modulus: float = quantity(MODULUS, "Young's modulus", above=0)
+    thickness: float = quantity(SMALL_LENGTH, "thickness", above=0)
+    poisson_ratio: Annotated[float, Field(strict=True, ge=0, lt=0.5, description="Poisson's ratio")]
+    damping: float = quantity(SHORT_TIME, "relaxation time of its Kelvin-Voigt damping", at_least=0)
+    margin: float = quantity(LENGTH, "width of the strip of each panel that is glued to its vein", above=0)
+    margin_limit: Annotated[
+        float,
+        Field(
+            strict=True,
+            gt=0,
+            lt=1,
+            description="largest share of the panel's width that the margin takes, near the hub",
+        ),
+    ]
+    proximal_rows: Annotated[
+        tuple[Share, ...],
+        Field(min_length=1, description="rows of its mesh, in shares of the proximal length; the first is its edge"),
+    ]
+    distal_rows: Annotated[
+        tuple[Share, ...],
+        Field(description="rows of its mesh between ring fold and tip, in shares of the distal length"),
+    ]
+
+
+class HingeSection(Part):
+    """Joints of the veins at the base and at the ring fold."""
+
+    overbend: float = quantity(
+        ANGLE, "how far a distal hinge bends past straight, away from folding", at_least=0, below=math.pi / 2
+    )
+    fold_limit: float = quantity(ANGLE, "how far a distal hinge folds", above=0, at_most=math.pi)
+    turn_limit: float = quantity(ANGLE, "how far a vein turns about its axis while folding", above=0, at_most=math.pi)
+    turn_back: float = quantity(ANGLE, "how far a vein turns the other way", at_least=0, at_most=math.pi)
+    damping: float = quantity(HINGE_DAMPING, "viscous damping of every hinge", at_least=0)
+    armature: float = quantity(INERTIA, "inertia added to every hinge", at_least=0)
+
+
+class GuardSection(Part):
+    """The unstressed length limits between neighbouring tips."""
+
+    stretch: Annotated[
+        float, Field(strict=True, ge=1, description="largest distance between neighbouring tips, by the flat one")
+    ]

@@ -1,0 +1,107 @@
+"""A commented design file to start from."""
+
+from __future__ import annotations
+
+import difflib
+import os
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+import tomli_w
+from pydantic.fields import FieldInfo
+
+from forficula.design.design import Design
+from forficula.design.design_file import load_design
+from forficula.design.kinds import REFERENCES
+from forficula.design.part import Part, entry_part, field_quantity
+from forficula.design.tendon import TendonSection
+from forficula.errors import InputError
+from forficula.files import write_text
+from forficula.quantities import as_written
+
+
+def write_new_design(path: str | os.PathLike[str], kind: str = "earwig-fan") -> None:
+    """Write a commented design file to start from: the reference, every key with what it means.
+
+    Args:
+        path: of the file.
+        kind: of its pattern, such as "earwig-fan" or "pleats".
+
+    Raises:
+        InputError: no such kind, or the file exists already, or cannot be written.
+    """
+    path = Path(path)
+    if kind not in REFERENCES:
+        near = difflib.get_close_matches(kind, REFERENCES, n=1)
+        meant = f'; did you mean "{near[0]}"?' if near else ""
+        raise InputError(f"kind: need one of {', '.join(REFERENCES)}, got {as_written(kind)}{meant}")
+    reference = REFERENCES[kind]
+    if path.suffix != ".toml":
+        raise InputError(f"{path}: need a name that ends with .toml")
+    try:
+        exists = path.exists()
+    except OSError as error:
+        raise InputError(f"{path}: cannot be written: {error.strerror}") from None
+    if exists:
+        raise InputError(f"{path}: exists already; choose another name or remove it")
+    lines = [
+        "# A forficula design. Every key is optional but based_on; what is left out comes from there.",
+        f'based_on = "{reference}"',
+    ]
+    write_text(path, "\n".join([*lines, *_commented(load_design(reference))]) + "\n")
+
+
+def _commented(design: Design) -> Iterator[str]:
+    """The sections of a design, every key with its meaning; what is done to it comes last."""
+    for section in sorted(type(design).model_fields, key=lambda name: name == "protocol"):
+        part = getattr(design, section)
+        if isinstance(part, tuple):
+            yield from _commented_tables(section, part, type(design).model_fields[section])
+        if not isinstance(part, Part):
+            continue
+        values = part.as_tables()
+        yield f"\n[{section}]  # {(type(part).__doc__ or '').splitlines()[0].removesuffix('.')}"
+        for key, entry in type(part).model_fields.items():
+            if entry_part(entry) is not None:
+                # a table under a header of its own ends what stands under the section's
+                continue
+            if key not in values:
+                yield f"{'# ' + _example(key, entry):<40}  # {entry.description}"
+                continue
+            value = tomli_w.dumps({key: values[key]}).strip().replace("[\n    ", "[").replace(",\n]", "]")
+            yield f"{value:<40}  # {entry.description}"
+        if isinstance(part, TendonSection):
+            yield "# [[tendon]] with vein = 0 and what differs is the tendon of one vein; then a vein without has none."
+        for key, entry in type(part).model_fields.items():
+            if key == "stages":
+                yield from _commented_stages(values["stages"], entry.description)
+            elif entry_part(entry) is not None:
+                yield from _commented_tables(f"{section}.{key}", getattr(part, key), entry)
+
+
+def _example(key: str, entry: FieldInfo) -> str:
+    """A line for a value that is absent."""
+    reader = field_quantity(entry)
+    return tomli_w.dumps({key: reader.unit.example if reader else (entry.examples or [""])[0]}).strip()
+
+
+def _commented_tables(header: str, entries: Sequence[Part], field: FieldInfo) -> Iterator[str]:
+    """The entries of a list of tables, commented out, every key with its meaning; an example where there are none."""
+    yield f"\n# {field.description}; giving any replaces all of them."
+    model = entry_part(field)
+    for values in [part.as_tables() for part in entries] or [{}]:
+        yield f"# [[{header}]]"
+        for key, entry in ({} if model is None else model.model_fields).items():
+            if entries and key not in values:
+                continue
+            line = tomli_w.dumps({key: values[key]}).strip() if key in values else _example(key, entry)
+            yield f"{'# ' + line:<40}  # {entry.description}"
+
+
+def _commented_stages(stages: list[dict[str, Any]], description: str | None) -> Iterator[str]:
+    """The stages, commented out: a list of tables replaces the whole list."""
+    yield f"\n# {description}; giving any stage replaces all of them."
+    for stage in stages:
+        yield "# [[protocol.stages]]"
+        yield from (f"# {line}" for line in tomli_w.dumps(stage).strip().splitlines())

@@ -1,0 +1,125 @@
+"""Designs that are not allowed: one line that names the key, the rule and the value, and where the value stands."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from pydantic import ValidationError
+
+from forficula.design.design import Design
+from forficula.design.fan import BY_VEIN, ONE_FOR_ALL, FanDesign
+from forficula.design.keys import hint, is_key, known_keys, needed_keys, siblings
+from forficula.design.kinds import reference_of
+from forficula.design.tables import RejectedError, written_key
+from forficula.quantities import as_written
+
+# a file's name and the tables that stand in it
+File = tuple[str, dict[str, Any]]
+
+
+def rejected(error: ValidationError, model: type[Design]) -> RejectedError:
+    """What pydantic finds wrong with a design of a class, as one line: key, rule, value."""
+    # A wrong value hides what depends on it, so one error is enough; a misspelt key may be the missing one.
+    errors: list[Any] = list(error.errors(include_url=False))
+    worst = next((each for each in errors if each["type"] == "extra_forbidden"), errors[0])
+    place = [str(part) for part in worst["loc"] if part not in (ONE_FOR_ALL, BY_VEIN)]
+    key = written_key(place)
+    kind, value, bounds = worst["type"], worst["input"], worst.get("ctx", {})
+    if kind == "value_error":
+        return _of_a_check(place, str(bounds["error"]), model)
+    if kind == "extra_forbidden":
+        return RejectedError(place, f"{key}: unknown key; {hint(place, model)}")
+    if kind == "missing":
+        return RejectedError(place[:-1], f"{key}: is missing; {_remedy(place, model)}")
+    return RejectedError(place, f"{key}: need {_rule(place, kind, value, bounds, model)}, got {as_written(value)}")
+
+
+def origin(place: Sequence[str], files: Sequence[File], settings: Iterable[str]) -> str:
+    """The file where a value stands, or the design as a whole; nothing where it was set by hand.
+
+    Args:
+        place: of the value, part by part; empty for the design as a whole.
+        files: that a design is read from, the last one over all others.
+        settings: dotted keys of what was set by hand.
+    """
+    if not place:
+        return files[-1][0]
+    keys = [".".join(place)]
+    if place[0] == "tendon" and len(place) > 1 and place[1].isdecimal():
+        # what stands for all tendons
+        keys.append(".".join(["tendon", *place[2:]]))
+    for setting in settings:
+        if any(f"{key}.".startswith(f"{setting}.") or f"{setting}.".startswith(f"{key}.") for key in keys):
+            return ""
+    return next((where for where, tables in reversed(files) if _stands_in(tables, place)), files[-1][0])
+
+
+def _stands_in(tables: object, place: Sequence[str]) -> bool:
+    for part in place:
+        if isinstance(tables, list) and part.isdecimal():
+            # by the vein that they name, or one after another
+            entries = [(each.get("vein", at), each) for at, each in enumerate(tables) if isinstance(each, dict)]
+            tables = next((each for vein, each in entries if vein == int(part)), None)
+        elif isinstance(tables, dict) and part in tables:
+            tables = tables[part]
+        elif not (isinstance(tables, dict) and part.isdecimal()):
+            return False
+    return True
+
+
+def _of_a_check(place: list[str], message: str, model: type[Design]) -> RejectedError:
+    """What a check of a value, of a section or of the whole design has found."""
+    name = message.partition(":")[0]
+    if name in siblings([*place, ""], model) and place:
+        place, missing = [*place, name], message.endswith(": is missing")
+        remedy = f"; {_remedy(place, model)}" if missing else ""
+        return RejectedError(place[:-1] if missing else place, f"{written_key(place[:-1])}.{message}{remedy}")
+    if is_key(name, model):  # a check of several values, no one of them to blame
+        return RejectedError([], message)
+    return RejectedError(place, f"{written_key(place)}: {message}" if place else message)
+
+
+def _remedy(place: list[str], model: type[Design]) -> str:
+    """What to do about a key that is missing."""
+    reference = reference_of(model)
+    to_inherit = f'give it, or begin the file with based_on = "{reference}"' if reference else "give it"
+    if place[-2:-1] == ["law"]:
+        return 'give it, or name a material as in tendon.law = "tpu-82a"'
+    if model is FanDesign and place[0] == "tendon" and "law" not in place:
+        return to_inherit
+    if any(part.isdecimal() for part in place):
+        return f"needed here: {', '.join(needed_keys(place, model))}"
+    return to_inherit
+
+
+def _rule(place: list[str], kind: str, value: object, bounds: Mapping[str, Any], model: type[Design]) -> str:
+    """What is allowed, by pydantic's name of the error."""
+    header = ".".join(part for part in place if not part.isdecimal())
+    is_tables = any(key.startswith(f"{header}.0.") for key in known_keys(model))
+    bare = " without quotes" if isinstance(value, str) else ""
+    rules = {
+        "greater_than": "> {gt:g}",
+        "greater_than_equal": ">= {ge:g}",
+        "less_than": "< {lt:g}",
+        "less_than_equal": "<= {le:g}",
+        "literal_error": "{expected}",
+        "too_short": "at least {min_length} entry",
+        "too_long": "at most {max_length} entry",
+        "string_too_short": "some text",
+        "int": f"a whole number{bare}",
+        "float": f"a number{bare}",
+        "finite_number": "a finite number",
+        "string": "text in quotes",
+        "bool": f"true or false{bare}",
+        "tuple": f"a list of tables, each under [[{header}]]" if is_tables else "a list of numbers such as [0.3, 0.6]",
+        "model": _table_rule(header, is_list=is_tables),
+    }
+    rule = rules.get(kind) or next((text for name, text in rules.items() if kind.startswith(f"{name}_")), kind)
+    return rule.format(**bounds).replace("'", '"')
+
+
+def _table_rule(header: str, *, is_list: bool) -> str:
+    if header == "tendon.law":
+        return "the name of a material, the path of a law file, or a table under [tendon.law]"
+    return f"a table under [[{header}]]" if is_list else f"a table under [{header}]"

@@ -1,0 +1,195 @@
+"""Places on a sheet and groups of its creases, as a design file writes them."""
+
+from __future__ import annotations
+
+import difflib
+import math
+import re
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.errors import InputError
+from forficula.pattern import CreasePattern, facet_tree
+from forficula.quantities import as_written
+
+Array = NDArray[np.float64]
+
+_NUMBER = r"([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)"
+_VERTEX = re.compile(r"vertex (\d{1,9})(?: of facet (\d{1,9}))?")
+_EDGE = re.compile(rf"(?:edge|crease) (\d{{1,9}}) at {_NUMBER}")
+_FACET = re.compile(rf"facet (\d{{1,9}}) at (?:cent(?:re|er)|{_NUMBER}\s*,\s*{_NUMBER})")
+_WHOLE_FACET = re.compile(r"facet (\d{1,9})")
+_CREASE = re.compile(r"crease (\d{1,9})")
+_WRITTEN = '"vertex 4", "vertex 4 of facet 2", "edge 12 at 0.5", "facet 3 at centre" or "facet 3 at 0.5, 1"'
+# share of a facet's size by which a place may lie beside it: rounding
+_BESIDE = 1e-9
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SheetPlace:
+    """A place on a facet.
+
+    Attributes:
+        facet: that carries it.
+        position: in the flat sheet, m, (3,).
+    """
+
+    facet: int
+    position: Array
+
+
+def place_on(pattern: CreasePattern, text: str) -> SheetPlace:
+    """Find a place on a sheet.
+
+    "vertex 4" lies on the first facet that has it, "edge 12 at 0.5" half way along it on the first facet that it
+    borders, "facet 3 at centre" in its centre of area, "facet 3 at 0.5, 1" half way along what it takes of the x axis
+    and all the way along what it takes of the y axis.
+
+    Raises:
+        InputError: it is no such text, or there is no such place.
+    """
+    written = " ".join(text.split())
+    if found := _VERTEX.fullmatch(written):
+        return _at_vertex(pattern, int(found[1]), None if found[2] is None else int(found[2]))
+    if found := _EDGE.fullmatch(written):
+        return _on_edge(pattern, int(found[1]), float(found[2]))
+    if found := _FACET.fullmatch(written):
+        facet = _facet(pattern, int(found[1]))
+        if found[2] is None:
+            return SheetPlace(facet=facet, position=facet_centre(pattern, facet))
+        return _in_facet(pattern, facet, float(found[2]), float(found[3]))
+    raise InputError(f"need a place such as {_WRITTEN}, got {as_written(text)}")
+
+
+def facet_of(pattern: CreasePattern, text: str) -> int:
+    """The number of a facet written as "facet 0".
+
+    Raises:
+        InputError: it is no such text, or there is no such facet.
+    """
+    found = _WHOLE_FACET.fullmatch(" ".join(text.split()))
+    if found is None:
+        raise InputError(f'need a facet such as "facet 0", got {as_written(text)}')
+    return _facet(pattern, int(found[1]))
+
+
+def creases_of(pattern: CreasePattern, text: str) -> tuple[int, ...]:
+    """Numbers of the edges of a group of creases, rising.
+
+    "creases" are all, "mountains" and "valleys" those of that sense, "crease 2" is edge number 2, and a role stands for
+    all creases of that role.
+
+    Raises:
+        InputError: there are no such creases.
+    """
+    creases, written = fold_edges(pattern), " ".join(text.split())
+    if found := _CREASE.fullmatch(written):
+        edge = int(found[1])
+        if edge not in creases:
+            raise InputError(f"need a crease, one of edges {_listed(creases)}, got {as_written(text)}")
+        return (edge,)
+    groups = crease_groups(pattern)
+    if written not in groups:
+        near = difflib.get_close_matches(written, groups, n=1)
+        meant = f'; did you mean "{near[0]}"?' if near else ""
+        known = ", ".join(f'"{name}"' for name in groups)
+        example = f' or one such as "crease {creases[0]}"' if creases else ""
+        raise InputError(f"need {known}{example}, got {as_written(text)}{meant}")
+    return groups[written]
+
+
+def crease_groups(pattern: CreasePattern) -> dict[str, tuple[int, ...]]:
+    """The groups of creases that have a name, each with the numbers of its edges."""
+    creases = fold_edges(pattern)
+    groups = {"creases": creases}
+    for name, letter in (("mountains", "M"), ("valleys", "V")):
+        groups[name] = tuple(edge for edge in creases if pattern.edges_assignment[edge] == letter)
+    for role in dict.fromkeys(crease_role(pattern, edge) for edge in creases):
+        groups.setdefault(role, tuple(edge for edge in creases if crease_role(pattern, edge) == role))
+    return {name: edges for name, edges in groups.items() if edges}
+
+
+def crease_role(pattern: CreasePattern, edge: int) -> str:
+    """What a crease is called with others of its kind: "crease" where the pattern does not say."""
+    return pattern.edges_role[edge] or "crease"
+
+
+def fold_edges(pattern: CreasePattern) -> tuple[int, ...]:
+    """Numbers of the edges at which a sheet of plates folds: mountains and valleys between two facets, rising.
+
+    Raises:
+        InputError: its facets form no tree.
+    """
+    edges = (link.edge for link in facet_tree(pattern))
+    return tuple(sorted(edge for edge in edges if edge is not None and pattern.edges_assignment[edge] in "MV"))
+
+
+def facet_centre(pattern: CreasePattern, facet: int) -> Array:
+    """The centre of area of a flat facet, m, (3,) (shoelace formula)."""
+    corners = pattern.vertices_coords[list(pattern.faces_vertices[facet])]
+    away = corners - corners[0]
+    following = np.roll(away, -1, axis=0)
+    areas = away[:, 0] * following[:, 1] - following[:, 0] * away[:, 1]
+    centre: Array = corners[0] + (areas[:, None] * (away + following)).sum(axis=0) / (3 * areas.sum())
+    return centre
+
+
+def _at_vertex(pattern: CreasePattern, vertex: int, facet: int | None) -> SheetPlace:
+    if vertex >= len(pattern.vertices_coords):
+        raise InputError(f"need a vertex from 0 to {len(pattern.vertices_coords) - 1}, got {vertex}")
+    having = [number for number, corners in enumerate(pattern.faces_vertices) if vertex in corners]
+    if not having or (facet is not None and facet not in having):
+        of = "no facet" if not having else f"facets {_listed(having)}"
+        raise InputError(f"vertex {vertex} is a corner of {of}, got facet {facet}")
+    return SheetPlace(facet=having[0] if facet is None else facet, position=pattern.vertices_coords[vertex])
+
+
+def _on_edge(pattern: CreasePattern, edge: int, share: float) -> SheetPlace:
+    if edge >= len(pattern.edges_vertices):
+        raise InputError(f"need an edge from 0 to {len(pattern.edges_vertices) - 1}, got {edge}")
+    if not 0 <= share <= 1:
+        raise InputError(f"need a share of edge {edge} from 0 to 1, got {share:g}")
+    ends = pattern.edges_vertices[edge]
+    bordered = [number for number, corners in enumerate(pattern.faces_vertices) if set(ends.tolist()) <= set(corners)]
+    if not bordered:
+        raise InputError(f"edge {edge} borders no facet: need one that does")
+    tail, head = pattern.vertices_coords[ends]
+    return SheetPlace(facet=bordered[0], position=(1 - share) * tail + share * head)
+
+
+def _in_facet(pattern: CreasePattern, facet: int, along: float, across: float) -> SheetPlace:
+    corners = pattern.vertices_coords[list(pattern.faces_vertices[facet])]
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    shares = np.array([along, across, 0.0])
+    position = (1 - shares) * low + shares * high
+    if not _within(corners[:, :2], position[:2], _BESIDE * float(np.linalg.norm(high - low))):
+        raise InputError(
+            f"need a place on facet {facet}, in shares of its extent along x and y, got {along:g}, {across:g}, which"
+            " lies beside it"
+        )
+    return SheetPlace(facet=facet, position=position)
+
+
+def _within(corners: Array, point: Array, beside: float) -> bool:
+    """Whether a point lies in a polygon or on its border."""
+    following = np.roll(corners, -1, axis=0)
+    sides, away = following - corners, point - corners
+    shares = np.clip(np.sum(away * sides, axis=1) / np.sum(sides * sides, axis=1), 0, 1)
+    if np.linalg.norm(away - shares[:, None] * sides, axis=1).min() <= beside:
+        return True
+    angles = np.arctan2(away[:, 1], away[:, 0])
+    turns = np.diff(angles, append=angles[:1])
+    return abs(float(np.sum((turns + math.pi) % (2 * math.pi) - math.pi))) > math.pi
+
+
+def _facet(pattern: CreasePattern, facet: int) -> int:
+    if facet >= len(pattern.faces_vertices):
+        raise InputError(f"need a facet from 0 to {len(pattern.faces_vertices) - 1}, got {facet}")
+    return facet
+
+
+def _listed(numbers: tuple[int, ...] | list[int]) -> str:
+    shown = ", ".join(str(number) for number in numbers[:12])
+    return f"{shown}, ..." if len(numbers) > 12 else shown

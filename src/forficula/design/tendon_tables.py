@@ -1,0 +1,197 @@
+"""Tendons in the tables of design files: one for all or by vein, a spring or a law, laid over each other."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from forficula.design.fan_sections import MOST_UNITS
+from forficula.design.law import law_tables, tendon_material
+from forficula.design.part import field_quantity
+from forficula.design.tables import RejectedError, laid_over, written_key
+from forficula.design.tendon import TendonSection, small_extension
+from forficula.errors import InputError
+from forficula.material.law.material_law import MaterialLaw
+from forficula.quantities import as_written, format_quantity
+
+# in place of a law's name: no law
+NO_LAW = "none"
+_LAST_VEIN = 2 * MOST_UNITS
+
+
+def entries_by_vein(entries: list[Any]) -> dict[int, dict[str, Any]]:
+    """The tables of a list of tendons by the number of their vein, which they no longer name.
+
+    Raises:
+        InputError: an entry that is no table, or names no vein, or one that another one names.
+    """
+    found: dict[int, dict[str, Any]] = {}
+    for number, entry in enumerate(entries):
+        if not isinstance(entry, dict):
+            raise InputError(f"tendon: need tables, each under [[tendon]], got {as_written(entry)}")
+        if "vein" not in entry:
+            which = f"entry {number + 1} of {len(entries)}"
+            raise InputError(f"tendon.vein: is missing in {which} under [[tendon]]; name its vein, as in vein = 0")
+        vein = entry["vein"]
+        if isinstance(vein, bool) or not isinstance(vein, int) or not 0 <= vein <= _LAST_VEIN:
+            raise InputError(f"tendon.vein: need the number of a vein, from 0 on, got {as_written(vein)}")
+        if vein in found:
+            raise InputError(f"tendon.vein: need one [[tendon]] for each vein, got {vein} twice")
+        found[vein] = {key: value for key, value in entry.items() if key != "vein"}
+    return found
+
+
+def value_from_folder(key: str, value: object, folder: Path) -> object:
+    """A value of a design with the paths of law files that it holds starting from a folder.
+
+    Args:
+        key: of the value, dotted.
+        value: as a file has it, or a list of such values.
+        folder: of the file that it stands in.
+    """
+    if not f"{key}.".startswith("tendon."):
+        return value
+    if isinstance(value, list):
+        return [value_from_folder(key, each, folder) for each in value]
+    if key.endswith(".law"):
+        if isinstance(value, dict) and "based_on" in value:
+            return {**value, "based_on": value_from_folder(key, value["based_on"], folder)}
+        return str(folder / value) if isinstance(value, str) and value.lower().endswith(".toml") else value
+    if isinstance(value, dict):
+        return {name: value_from_folder(f"{key}.{name}", each, folder) for name, each in value.items()}
+    return value
+
+
+def tendons_over(below: object, own: object, *, veins: int, si: bool) -> object:
+    """Lay tendons over those below: a table over all of them, a list in place of them, a number over that of a vein.
+
+    Args:
+        below: the value of the key `tendon` so far: a table for all veins, a list of tables that name their veins, or
+            None.
+        own: what is laid over it, likewise; in a table a number may pick a vein. Entries of a list take what they leave
+            out from the table of their vein.
+        veins: of the fan.
+        si: whether numbers are SI floats instead of text.
+
+    Raises:
+        RejectedError: a vein that is not there or has no tendon, or what `entries_by_vein` refuses.
+    """
+    if isinstance(own, list):
+        before = _by_vein(below) if isinstance(below, list) else {}
+        return _as_list(
+            {
+                vein: tendon_over(before.get(vein, {}) if isinstance(below, list) else below, entry, f"{vein}", si=si)
+                for vein, entry in _by_vein(own).items()
+            }
+        )
+    if not isinstance(own, dict):
+        return own
+    shared = {key: value for key, value in own.items() if not key.isdecimal()}
+    numbered = {key: value for key, value in own.items() if key.isdecimal()}
+    if isinstance(below, list):
+        entries = {vein: tendon_over(entry, shared, f"{vein}", si=si) for vein, entry in _by_vein(below).items()}
+    else:
+        table = tendon_over(below, shared, "", si=si)
+        if not numbered:
+            return table
+        entries = dict.fromkeys(range(veins), table)
+    for number, value in numbered.items():
+        if number not in (str(vein) for vein in entries):
+            raise RejectedError(["tendon", number], _no_tendon(number, list(entries), veins))
+        if not isinstance(value, dict):
+            message = f"tendon.{number}: need a table under [tendon.{number}], got {as_written(value)}"
+            raise RejectedError(["tendon", number], message)
+        entries[int(number)] = tendon_over(entries[int(number)], value, number, si=si)
+    return _as_list(entries)
+
+
+def tendon_over(below: object, own: Mapping[str, Any], vein: str, *, si: bool) -> dict[str, Any]:
+    """Lay a tendon's values over those below: a spring takes off a law, a law a spring.
+
+    Args:
+        below: the table so far; what is none counts as empty.
+        own: what is laid over it; with "none" for a law the tendon keeps the spring that it had at small extension.
+        vein: number of its vein; empty for a table that stands for all.
+        si: whether numbers are SI floats instead of text.
+
+    Raises:
+        RejectedError: a law that cannot be read, a vein, or a key that goes on where there is a value.
+    """
+    place = ("tendon", vein) if vein else ("tendon",)
+    table = dict(below) if isinstance(below, dict) else {}
+    own = dict(own)
+    if "vein" in own:
+        rule = "unknown key; a tendon of one vein stands under [[tendon]], where it names its vein"
+        raise RejectedError((*place, "vein"), f"{written_key((*place, 'vein'))}: {rule}")
+    if own.get("law") == NO_LAW:
+        table = _without_law(table, si=si)
+        del own["law"]
+    elif "law" in own:
+        own["law"] = _law_over(table.get("law"), own["law"], (*place, "law"), si=si)
+        table = _but(table, "law", "stiffness", "damping")
+    elif "law" in table and "stiffness" in own:
+        table = _without_law(table, si=si)
+    elif "law" in table and {"area", "rest_length"} & own.keys():
+        # of a file that holds both: they follow from what changes
+        table = _but(table, "stiffness", "damping")
+    law = {"law": own.pop("law")} if "law" in own else {}
+    return {**laid_over(table, own, place), **law}
+
+
+def _law_over(below: object, own: object, place: tuple[str, ...], *, si: bool) -> object:
+    """Lay a law, by name or by its values, over another one; what is named is read where a value goes inside it."""
+    if isinstance(own, dict) and isinstance(own.get("based_on"), str | MaterialLaw):
+        below, own = own["based_on"], _but(own, "based_on")
+    if not isinstance(own, dict):
+        return own
+    table = {"based_on": below} if isinstance(below, str | MaterialLaw) else below
+    if not isinstance(table, dict):
+        return own
+    named = table.get("based_on")
+    if isinstance(named, str | MaterialLaw) and any(isinstance(value, dict) for value in own.values()):
+        try:
+            table = law_tables(tendon_material(named), si=si) | table
+        except InputError as error:
+            raise RejectedError(place, f"{written_key(place)}: {error}") from None
+    return laid_over(table, own, place)
+
+
+def _without_law(table: dict[str, Any], *, si: bool) -> dict[str, Any]:
+    """A tendon's table with its spring and damping at small extension instead of its law, if it is a right one."""
+    rest = _but(table, "law", "area")
+    if "law" not in table:
+        return rest
+    try:
+        tendon = TendonSection.model_validate(table, context={"si": si})
+    except ValidationError:  # whoever checks what is left says what is wrong with it
+        return rest
+    for key, value in small_extension(tendon).items():
+        reader = field_quantity(TendonSection.model_fields[key])
+        rest[key] = value if si or reader is None else format_quantity(value, reader.unit)
+    return rest
+
+
+def _by_vein(entries: list[Any]) -> dict[int, dict[str, Any]]:
+    try:
+        return entries_by_vein(entries)
+    except InputError as error:
+        raise RejectedError(["tendon"], str(error)) from None
+
+
+def _as_list(entries: Mapping[int, dict[str, Any]]) -> list[dict[str, Any]]:
+    return [{"vein": vein} | entries[vein] for vein in sorted(entries)]
+
+
+def _no_tendon(number: str, there: list[int], veins: int) -> str:
+    """Why a number picks no tendon."""
+    shown = ", ".join(map(str, there)) or "none"
+    if number in (str(vein) for vein in range(veins)):
+        return f"tendon.{number}: vein {number} has no tendon, those with one are {shown}; give it a [[tendon]] first"
+    return f"tendon.{number}: need the number of a vein with a tendon, {shown}, got {as_written(number)}"
+
+
+def _but(table: Mapping[str, Any], *keys: str) -> dict[str, Any]:
+    return {key: value for key, value in table.items() if key not in keys}

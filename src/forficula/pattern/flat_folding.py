@@ -1,0 +1,177 @@
+"""What a crease pattern is, and whether it folds flat, in sentences."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from forficula.errors import InputError
+from forficula.pattern.crease_pattern import (
+    ASSIGNMENTS,
+    CreasePattern,
+    big_little_big_residuals,
+    check_flat,
+    creases_inside,
+    kawasaki_residuals,
+    maekawa_residuals,
+)
+
+# of the alternating sum of sectors, rad: what files with seven digits leave, far below what a real sheet could tell
+_ALLOWED = 1e-6
+_ROUNDING = 256 * float(np.finfo(np.float64).eps)
+
+
+@dataclass(frozen=True, kw_only=True)
+class VertexCheck:
+    """How far an interior vertex is from folding flat; see `kawasaki_residuals` and the others.
+
+    Attributes:
+        vertex: its number.
+        creases: how many meet there, flat ones left out.
+        kawasaki: alternating sum of its sectors, rad; inf of an odd number of creases.
+        allowed: up to which that is rounding, rad.
+        maekawa: |mountains - valleys| - 2; None where a crease has no sense yet.
+        big_little_big: how many sectors are trapped between two larger ones.
+    """
+
+    vertex: int
+    creases: int
+    kawasaki: float
+    allowed: float
+    maekawa: int | None
+    big_little_big: int
+
+    @property
+    def folds_flat(self) -> bool:
+        """Whether nothing says that it does not fold flat."""
+        return abs(self.kawasaki) <= self.allowed and not self.maekawa and not self.big_little_big
+
+
+def vertex_checks(pattern: CreasePattern) -> tuple[VertexCheck, ...]:
+    """Check every interior vertex of a sheet, in the order of `interior_vertices`.
+
+    Raises:
+        InputError: the sheet is not flat.
+    """
+    coords, largest = pattern.vertices_coords, float(np.abs(pattern.vertices_coords).max())
+    checks = []
+    for (vertex, edges), kawasaki, maekawa, trapped in zip(
+        creases_inside(pattern),
+        kawasaki_residuals(pattern).tolist(),
+        maekawa_residuals(pattern).tolist(),
+        big_little_big_residuals(pattern).tolist(),
+        strict=True,
+    ):
+        ends = coords[pattern.edges_vertices[edges]]
+        shortest = float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).min()) if len(edges) else 1.0
+        unassigned = any(pattern.edges_assignment[edge] == "U" for edge in edges)
+        checks.append(
+            VertexCheck(
+                vertex=vertex,
+                creases=len(edges),
+                kawasaki=kawasaki,
+                allowed=max(_ALLOWED, _ROUNDING * len(edges) * largest / shortest),
+                maekawa=None if unassigned else maekawa,
+                big_little_big=trapped,
+            )
+        )
+    return tuple(checks)
+
+
+def flat_folding_faults(pattern: CreasePattern) -> list[str]:
+    """Why a sheet does not fold flat, a sentence for each condition that a vertex fails; none of a solid shape."""
+    try:
+        checks = vertex_checks(pattern)
+    except InputError:
+        return []
+    return [sentence for fails, sentence in (_kawasaki(checks), _maekawa(checks), _big_little_big(checks)) if fails]
+
+
+def pattern_text(pattern: CreasePattern) -> list[str]:
+    """What a pattern is and whether it folds flat, a sentence each."""
+    size = np.ptp(pattern.vertices_coords, axis=0) * 100
+    flat = not size[2] > 0
+    extent = " by ".join(f"{length:.4g} cm" for length in (size[:2] if flat else size).tolist())
+    counts = {letter: pattern.edges_assignment.count(letter) for letter in ASSIGNMENTS}
+    edges = ", ".join(_counted(count, ASSIGNMENTS[letter]) for letter, count in counts.items() if count)
+    roles = ", ".join(dict.fromkeys(role for role in pattern.edges_role if role))
+    sentences = [
+        f"{pattern.title or 'crease pattern'}: {_counted(len(pattern.vertices_coords), 'vertex', 'vertices')},"
+        f" {_counted(len(pattern.faces_vertices), 'facet', 'facets')}, {extent}.",
+        f"{_counted(len(pattern.edges_assignment), 'edge', 'edges')}: {edges}{f'; roles: {roles}' if roles else ''}.",
+    ]
+    try:
+        check_flat(pattern)
+    except InputError:
+        return [*sentences, "The sheet is not flat, so nothing is said of folding flat."]
+    checks = vertex_checks(pattern)
+    if not checks:
+        return [*sentences, "No interior vertex: every crease folds on its own."]
+    results = _kawasaki(checks), _maekawa(checks), _big_little_big(checks)
+    verdict = (
+        "It does not fold flat."
+        if any(fails for fails, _ in results)
+        else "Every vertex folds flat by itself; whether layers get into each other's way is not checked."
+    )
+    inside = _counted(len(checks), "interior vertex", "interior vertices")
+    return [*sentences, f"{inside}.", *(sentence for _, sentence in results), verdict]
+
+
+def _kawasaki(checks: Sequence[VertexCheck]) -> tuple[bool, str]:
+    """Whether sectors fail, and what is to say of them."""
+    odd = [check for check in checks if math.isinf(check.kawasaki)]
+    if odd:
+        creases = _counted(odd[0].creases, "crease", "creases")
+        return True, (
+            f"Kawasaki fails at {_places(odd)}: an odd number of creases never folds flat, vertex {odd[0].vertex}"
+            f" has {creases}."
+        )
+    worst = max(checks, key=lambda check: abs(check.kawasaki), default=None)
+    if worst is None:
+        return False, ""
+    failing = [check for check in checks if abs(check.kawasaki) > check.allowed]
+    residual = f"{math.degrees(abs(worst.kawasaki)):.3g} deg, at vertex {worst.vertex}"
+    if failing:
+        return True, f"Kawasaki fails at {_places(failing)}: the alternating sum of sectors is up to {residual}."
+    return False, f"Kawasaki holds: the alternating sum of sectors is 0, to {residual}."
+
+
+def _maekawa(checks: Sequence[VertexCheck]) -> tuple[bool, str]:
+    """Whether numbers of mountains and valleys fail, and what is to say of them."""
+    failing = [check for check in checks if check.maekawa]
+    unknown = [check for check in checks if check.maekawa is None]
+    if failing:
+        first = failing[0]
+        differ = (first.maekawa or 0) + 2
+        return True, (
+            f"Maekawa fails at {_places(failing)}: mountains and valleys must differ by 2, at vertex {first.vertex}"
+            f" they differ by {differ}."
+        )
+    if unknown:
+        return False, f"Maekawa says nothing of {_places(unknown)}, where creases are unassigned."
+    return False, "Maekawa holds: mountains and valleys differ by 2."
+
+
+def _big_little_big(checks: Sequence[VertexCheck]) -> tuple[bool, str]:
+    """Whether trapped sectors fail, and what is to say of them."""
+    failing = [check for check in checks if check.big_little_big]
+    if failing:
+        return True, (
+            f"Big-little-big fails at {_places(failing)}: a sector between two larger ones needs a mountain and a"
+            f" valley beside it, at vertex {failing[0].vertex} {failing[0].big_little_big} have not."
+        )
+    return False, "Big-little-big holds: no sector is trapped between two larger ones."
+
+
+def _places(checks: Sequence[VertexCheck]) -> str:
+    """Name the first few vertices."""
+    shown = ", ".join(str(check.vertex) for check in checks[:5])
+    more = f" and {len(checks) - 5} more" if len(checks) > 5 else ""
+    return f"{'vertex' if len(checks) == 1 else 'vertices'} {shown}{more}"
+
+
+def _counted(count: int, one: str, many: str | None = None) -> str:
+    return f"{count} {one if count == 1 or many is None else many}"

@@ -1,0 +1,148 @@
+"""How a structure is drawn in 3-D: few points that move, and everything drawn between them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.dynamics import Record
+from forficula.show.structure.shape import DrawnLine, Shape, shape_of
+from forficula.structure import Structure
+
+Array = NDArray[np.float64]
+
+# by diameter of the thickest bar: radius of a crease's line, of a rim, of the edge of a plate, of a tendon, of a joint,
+# length of a dash
+_CREASE, _RIM, _EDGE, _TENDON, _JOINT, _DASH = 0.16, 0.06, 0.1, 0.32, 0.68, 0.9
+_THINNEST = 0.004  # by length of the whole: a line that can still be seen
+_FINEST = 20  # dashes' lengths to a crease
+# dashes of a crease and the gaps after them, in lengths of a dash: dash-dotted mountains, dashed valleys
+_STROKES = {"M": ((2.4, 0.6), (0.5, 0.6)), "V": ((1.2, 0.9),), "B": ((1e9, 0.0),)}
+_DIGITS = 6  # of a share
+
+
+@dataclass(frozen=True, kw_only=True)
+class Tube:
+    """A straight round bar between two vertices.
+
+    Attributes:
+        kind: "bar", "crease", "rim", "edge" or "tendon".
+        crease: "M" mountain, "V" valley or "B" border; "B" of a tendon.
+        ends: two vertices.
+        radius: m.
+    """
+
+    kind: str
+    crease: str
+    ends: tuple[int, int]
+    radius: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class ShapeMesh:
+    """What is drawn, by vertices that each lie between two moving points.
+
+    Attributes:
+        anchors: the points that move: numbers of those of the structure and, counted on, of nodes of its membranes.
+        between: the two points of each vertex, places in `anchors`, (vertex, 2).
+        share: how far it is from the first to the second, 0 to 1, (vertex,).
+        triangles: three vertices each, counterclockwise seen from above the built shape, (triangle, 3).
+        regions: numbers of the regions, (triangle,).
+        names: of the regions, such as "distal panel".
+        tubes: bars, creases, rims of sheets, edges of plates, and last the tendons in the structure's order.
+        joints: vertices of the hinges at the ends of bars, (joint,).
+        joint_radius: m.
+    """
+
+    anchors: NDArray[np.int64]
+    between: NDArray[np.int64]
+    share: Array
+    triangles: NDArray[np.int64]
+    regions: NDArray[np.int64]
+    names: tuple[str, ...]
+    tubes: tuple[Tube, ...]
+    joints: NDArray[np.int64]
+    joint_radius: float
+
+
+def shape_mesh(structure: Structure) -> ShapeMesh:
+    """Lay out what is drawn of a structure."""
+    shape = shape_of(structure)
+    between, share = shape.between.tolist(), shape.share.tolist()
+    pieces = [
+        ((face[0], one, other), region)
+        for face, region in zip(shape.faces, shape.face_region.tolist(), strict=True)
+        for one, other in pairwise(face[1:])
+    ]
+    tubes = [Tube(kind="bar", crease=bar.crease, ends=bar.ends, radius=bar.radius) for bar in shape.bars]
+    for line in shape.lines:
+        if line.kind == "crease":
+            ends = _dashes(shape, line, between, share)
+            tubes += (Tube(kind="crease", crease=line.crease, ends=dash, radius=_thin(shape, _CREASE)) for dash in ends)
+        else:
+            radius = _thin(shape, _RIM if line.kind == "rim" else _EDGE)
+            tubes += (Tube(kind=line.kind, crease="B", ends=ends, radius=radius) for ends in pairwise(line.path))
+    tubes += (Tube(kind="tendon", crease="B", ends=ends, radius=_thin(shape, _TENDON)) for ends in shape.tendons)
+    return ShapeMesh(
+        anchors=shape.anchors,
+        between=np.array(between, dtype=np.int64).reshape(-1, 2),
+        share=np.array(share),
+        triangles=np.array([piece for piece, _ in pieces], dtype=np.int64).reshape(-1, 3),
+        regions=np.array([region for _, region in pieces], dtype=np.int64),
+        names=shape.regions,
+        tubes=tuple(tubes),
+        joints=shape.joints,
+        joint_radius=_JOINT * shape.thickness,
+    )
+
+
+def moving_points(record: Record, mesh: ShapeMesh) -> Array:
+    """Where the points of a mesh are, m, (time, point, 3)."""
+    points, nodes = record.series["point_position"], record.series["membrane_position"]
+    count = points.shape[1]
+    of_points, of_nodes = mesh.anchors[mesh.anchors < count], mesh.anchors[mesh.anchors >= count] - count
+    return np.concatenate([points[:, of_points], nodes[:, of_nodes]], axis=1)
+
+
+def _thin(shape: Shape, share: float) -> float:
+    """Radius of a line by diameter of the bars, m, but one that can be seen."""
+    return max(share * shape.thickness, share * _THINNEST * shape.span)
+
+
+def _dashes(shape: Shape, line: DrawnLine, between: list[list[int]], share: list[float]) -> list[tuple[int, int]]:
+    """Ends of the dashes along a crease, as long as in the built shape; those within a piece become vertices."""
+    lengths = [float(np.linalg.norm(shape.built[end] - shape.built[start])) for start, end in pairwise(line.path)]
+    corners = [0.0, *np.cumsum(lengths).tolist()]
+    width = corners[-1]
+    # not so fine that there are very many
+    unit = max(_DASH * shape.thickness, width / _FINEST)
+    dashes = []
+    start, stroke = 0.0, 0
+    while start < width:
+        dash, gap = (unit * part for part in _STROKES[line.crease][stroke % len(_STROKES[line.crease])])
+        end = min(start + dash, width)
+        for (one, other), (low, high) in zip(pairwise(line.path), pairwise(corners), strict=True):
+            first, last = max(start, low), min(end, high)
+            if first < last:
+                places = [round((place - low) / (high - low), _DIGITS) for place in (first, last)]
+                dashes.append(_dash(between, share, (one, other), places))
+        start, stroke = end + gap, stroke + 1
+    return dashes
+
+
+def _dash(between: list[list[int]], share: list[float], piece: tuple[int, int], places: list[float]) -> tuple[int, int]:
+    """Two vertices so far from one end of a straight piece to the other; its ends where these are no points."""
+    if any(share[end] for end in piece):
+        return piece
+    ends = []
+    for place in places:
+        if place in (0.0, 1.0):
+            ends.append(piece[int(place)])
+            continue
+        between.append([between[piece[0]][0], between[piece[1]][0]])
+        share.append(place)
+        ends.append(len(share) - 1)
+    return ends[0], ends[1]

@@ -1,0 +1,72 @@
+"""The drawn surface of a structure at a moment of a run."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.dynamics import Record
+from forficula.show.structure.shape import Shape, vertex_places
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Surface:
+    """A structure in space.
+
+    Attributes:
+        faces: of sheets and plates, m, (face, corner, axis); of three corners the last one stands twice.
+        regions: number of each one's region, (face,).
+        bars: ends of each, m, (bar, end, axis).
+        radii: of these, m, (bar,).
+        lines: ends of what folds and of what ends, m, (line, end, axis).
+        tendons: ends of each, m, (tendon, end, axis).
+        thickness: that lines are drawn by, m.
+        span: a length of the size of the whole, m.
+    """
+
+    faces: Array
+    regions: NDArray[np.int64]
+    bars: Array
+    radii: Array
+    lines: Array
+    tendons: Array
+    thickness: float
+    span: float
+
+
+def surface_at(record: Record, shape: Shape, time: float) -> Surface:
+    """Find the surface at a time.
+
+    Args:
+        record: what happened.
+        shape: of its structure.
+        time: s; between two samples positions are interpolated, outside of them it is as at the nearest.
+    """
+    moved = (at_time(record, name, time) for name in ("point_position", "membrane_position"))
+    vertices = vertex_places(shape, np.concatenate(list(moved))[shape.anchors])
+    corners = np.array([(*face, face[-1])[:4] for face in shape.faces], dtype=np.int64).reshape(-1, 4)
+    ends = [pair for line in shape.lines for pair in zip(line.path[:-1], line.path[1:], strict=True)]
+    return Surface(
+        faces=vertices[corners],
+        regions=shape.face_region,
+        bars=vertices[np.array([bar.ends for bar in shape.bars], dtype=np.int64).reshape(-1, 2)],
+        radii=np.array([bar.radius for bar in shape.bars]),
+        lines=vertices[np.array(ends, dtype=np.int64).reshape(-1, 2)],
+        tendons=vertices[np.array(shape.tendons, dtype=np.int64).reshape(-1, 2)],
+        thickness=shape.thickness,
+        span=shape.span,
+    )
+
+
+def at_time(record: Record, name: str, time: float) -> Array:
+    """A series at a time (s), interpolated between two samples, in SI, (...)."""
+    values, times = record.series[name], record.time
+    after = int(np.clip(np.searchsorted(times, time), 1, len(times) - 1)) if len(times) > 1 else 0
+    before = max(after - 1, 0)
+    gap = times[after] - times[before]
+    share = float(np.clip((time - times[before]) / gap, 0, 1)) if gap > 0 else 1.0
+    return np.asarray(values[before] + share * (values[after] - values[before]))

@@ -1,0 +1,74 @@
+"""Mass, centre and inertia of bodies, in closed form."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from forficula.structure.structure import Array, Bar, Plate, Structure
+
+
+def mass_of(structure: Structure, body: int) -> tuple[float, Array, Array]:
+    """Mass, centre and inertia of a body: of all bars and plates that it is.
+
+    Args:
+        structure: SI, or in other units.
+        body: its number.
+
+    Returns:
+        Mass, kg; centre of mass in the axes of the body, m, (3,); inertia about the centre in those axes, kg m^2,
+        (3, 3). All 0 where it is nothing.
+    """
+    parts = [_of_bar(bar) for bar in structure.bars if bar.body == body]
+    parts += [
+        _of_plate(plate, np.array([structure.points[point].place for point in plate.points]))
+        for plate in structure.plates
+        if plate.body == body
+    ]
+    mass = sum((part[0] for part in parts), 0.0)
+    if not mass:
+        return 0.0, np.zeros(3), np.zeros((3, 3))
+    if len(parts) == 1:
+        return parts[0]
+    centre = np.sum([weight * place for weight, place, _ in parts], axis=0) / mass
+    inertia = np.sum([own + weight * _of_point(place - centre) for weight, place, own in parts], axis=0)
+    return mass, centre, inertia
+
+
+def _of_bar(bar: Bar) -> tuple[float, Array, Array]:
+    """A solid cylinder from the origin to its end."""
+    length = float(np.linalg.norm(bar.end))
+    along, radius = bar.end / length, bar.diameter / 2
+    mass = bar.density * math.pi * radius**2 * length
+    axial, across = mass * radius**2 / 2, mass * (radius**2 / 4 + length**2 / 12)
+    return mass, bar.end / 2, across * np.eye(3) + (axial - across) * np.outer(along, along)
+
+
+def _of_plate(plate: Plate, corners: Array) -> tuple[float, Array, Array]:
+    """A prism over a flat polygon, which lies in its middle.
+
+    Area, first and second moments are sums over the triangles from the first corner to every side (Green's theorem).
+    """
+    away = corners - corners[0]
+    following = np.roll(away, -1, axis=0)
+    normals = np.cross(away, following)
+    normal = normals.sum(axis=0)
+    normal = normal / np.linalg.norm(normal)
+    areas = normals @ normal / 2
+    area = areas.sum()
+    first = (areas[:, None] * (away + following)).sum(axis=0) / 3
+    # of a triangle 0, a, b: area / 12 times (a + b) (a + b)' + a a' + b b'
+    both = away + following
+    second = np.einsum("t,ti,tj->ij", areas / 12, both, both)
+    second += np.einsum("t,ti,tj->ij", areas / 12, away, away)
+    second += np.einsum("t,ti,tj->ij", areas / 12, following, following)
+    mean = first / area
+    spread = second / area - np.outer(mean, mean) + plate.thickness**2 / 12 * np.outer(normal, normal)
+    mass = plate.density * plate.thickness * area
+    return float(mass), corners[0] + mean, mass * (np.trace(spread) * np.eye(3) - spread)
+
+
+def _of_point(place: Array) -> Array:
+    """Inertia of a unit mass at a place about the origin (Huygens and Steiner)."""
+    return np.asarray(place @ place * np.eye(3) - np.outer(place, place))

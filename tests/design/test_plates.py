@@ -1,0 +1,378 @@
+"""Designs of plates: files in and out, what is refused and how, and sheets of FOLD files."""
+
+import math
+import tomllib
+
+import numpy as np
+import pytest
+
+from forficula.design import (
+    PlatesDesign,
+    design_from_text,
+    design_pattern,
+    design_text,
+    in_units,
+    key_quantity,
+    key_value,
+    load_design,
+    put,
+    scale_design,
+    with_values,
+    write_new_design,
+)
+from forficula.design.keys import known_keys
+from forficula.design.plates import PleatsDesign
+from forficula.design.sheet_places import creases_of, place_on
+from forficula.errors import InputError
+from forficula.pattern import earwig_pattern, pleat_pattern, write_fold
+
+LETTER = load_design("letter-fold")
+BASED = 'based_on = "letter-fold"\n'
+
+
+@pytest.fixture
+def refusal(tmp_path, monkeypatch):
+    """Load text as the file letter.toml and return the error, one line."""
+    monkeypatch.chdir(tmp_path)
+
+    def load(text):
+        (tmp_path / "letter.toml").write_text(BASED + text, "utf-8")
+        with pytest.raises(InputError) as caught:
+            load_design("letter.toml")
+        message = str(caught.value)
+        assert len(message.splitlines()) == 1
+        return message.removeprefix("letter.toml: ")
+
+    return load
+
+
+def test_a_design_that_is_written_reads_the_same_to_the_bit():
+    odd = with_values(
+        LETTER,
+        {
+            "crease.stiffness": 1 / 3,
+            "pattern.panel_lengths": [0.1 / 3, 0.07],
+            "crease.group": [{"of": "crease 1", "start": 0.1 / 3}],
+            "drive.close.value": math.pi / 100,
+            "tendon.left.rest_length": 0.01 / 7,
+        },
+    )
+    again = design_from_text(design_text(odd))
+    assert again == odd
+    assert again.hash == odd.hash != LETTER.hash
+    assert again.crease.group[0].start == 0.1 / 3
+    assert isinstance(again, PlatesDesign)
+
+
+def test_every_number_goes_to_other_units_and_back():
+    there = in_units(LETTER, length=1e-2, mass=1e-3, time=1e-2)
+    assert there.pattern.panel_lengths == pytest.approx((9.9,))
+    assert there.drive[0].value == pytest.approx(3e-2 / (1e-3 * (1e-2 / 1e-2) ** 2))
+    # N m/rad/m
+    assert there.crease.stiffness == pytest.approx(2e-2 / (1e-3 * 1e-2 / 1e-2**2))
+    assert there.crease.start == LETTER.crease.start
+    back = in_units(there, length=1e2, mass=1e3, time=1e2)
+    assert back.pattern.panel_lengths == pytest.approx(LETTER.pattern.panel_lengths, rel=1e-15)
+    assert np.ptp(design_pattern(there).vertices_coords[:, 0]) == pytest.approx(29.7)
+
+
+def test_a_scaled_strip_is_stiff_as_its_cube():
+    """Torque by angle of a crease: its stiffness by length times its length goes with the cube of the size."""
+    large = scale_design(LETTER, 2.0)
+    width, other = LETTER.pattern.width, large.pattern.width
+    assert other == pytest.approx(2 * width)
+    assert large.crease.stiffness * other == pytest.approx(8 * LETTER.crease.stiffness * width)
+    assert large.drive[1].value == pytest.approx(8 * LETTER.drive[1].value)
+
+
+def test_entries_of_lists_go_by_number_or_by_name():
+    changed = with_values(LETTER, {"drive.open.value": -1.0, "tendon.1.stiffness": "7 N/cm"})
+    assert [drive.value for drive in changed.drive] == [0.03, -1.0]
+    assert key_value(changed, "tendon.right.stiffness") == key_value(changed, "tendon.1.stiffness") == 700
+    assert put(LETTER, "drive.close.value", 0.0).drive[0].value == 0.0
+    assert put(LETTER, "drive.0.value", 0.0).drive[0].value == 0.0
+    assert key_value(LETTER, "protocol.stages.release closed.time_limit") == 5.0
+
+
+@pytest.mark.parametrize(
+    ("key", "unit"),
+    [
+        ("drive.0.value", "N cm"),
+        ("drive.pull.value", "N cm"),
+        ("tendon.3.rest_length", "cm"),
+        ("crease.group.0.start", "deg"),
+        ("pattern.panel_lengths.0", "cm"),
+        ("protocol.stages.fold.hold", "s"),
+    ],
+)
+def test_a_key_of_plates_has_the_unit_of_its_field(key, unit):
+    assert key_quantity(key, PleatsDesign).unit.display == unit
+
+
+@pytest.mark.parametrize(
+    ("key", "message"),
+    [
+        ("drive.value", 'drive.value: need the number of an entry of drive, from 0 on, got "value"'),
+        ("drive.0.valeu", "drive.0.valeu: unknown key; did you mean drive.0.value?"),
+        ("tendon.stiffness", 'tendon.stiffness: need the number of an entry of tendon, from 0 on, got "stiffness"'),
+        ("vein.diameter", "vein.diameter: unknown key; "),
+    ],
+)
+def test_a_key_that_plates_have_not_is_refused(key, message):
+    with pytest.raises(InputError) as caught:
+        key_quantity(key, PleatsDesign)
+    assert str(caught.value).startswith(message)
+
+
+def test_every_key_that_a_file_has_is_known():
+    tables = tomllib.loads(design_text(LETTER))
+    known = set(known_keys(PleatsDesign))
+    for section, values in tables.items():
+        rows = values if isinstance(values, list) else [values]
+        number = ".0" if isinstance(values, list) else ""
+        for row in rows:
+            for key in row if isinstance(row, dict) else ():
+                assert f"{section}{number}.{key}" in known
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("[pattern]\npanels = 1", "pattern.panels: need >= 2, got 1"),
+        ("[pattern]\npanels = 2", "tendon.1.from: need a facet from 0 to 1, got 2"),
+        ('[pattern]\npanel_lengths = "9 cm"', 'pattern.panel_lengths: need a list such as ["12 cm"], got "9 cm"'),
+        ('[pattern]\npanel_lengths = ["9 cm", "0 cm"]', "pattern.panel_lengths: entry 1: need > 0, got 0 cm"),
+        ("[pattern]\npanel_lengths = []", "pattern.panel_lengths: need 1 to 3 lengths, one for each panel, got 0"),
+        ('[pattern]\nassignment = "VMV"', "pattern.assignment: need 1 to 2 letters, one for each crease, got 3"),
+        ('[pattern]\nassignment = "F"', 'pattern.assignment: need letters M (mountain) and V (valley), got "F"'),
+        (
+            '[pattern]\nkind = "plaets"',
+            'pattern.kind: need "earwig-fan", "pleats" or "fold-file", got "plaets"; did you',
+        ),
+        ("[pattern]\nkind = 3", 'pattern.kind: need "earwig-fan", "pleats" or "fold-file", got 3'),
+        ('[creases]\nstart = "1 deg"', "creases: unknown key; did you mean crease?"),
+        ('[crease]\nstifness = "1 N m/rad/m"', "crease.stifness: unknown key; did you mean crease.stiffness?"),
+        ('[crease]\nstart = "9 deg"\nfold_limit = "5 deg"', "crease.start: need >= -3 deg (-crease.back_limit) and"),
+        ('[[crease.group]]\nof = "mountains"', 'crease.group.0.of: need "creases", "valleys", "crease" or one such as'),
+        ('[[crease.group]]\nof = "crease 5"', 'crease.group.0.of: need a crease, one of edges 0, 1, got "crease 5"'),
+        ('[[support]]\nof = "facet 3"', "support.0.of: need a facet from 0 to 2, got 3"),
+        ('[[support]]\nof = "vertex 3"', 'support.0.of: need a facet such as "facet 0", got "vertex 3"'),
+        ('[[support]]\nof = "facet 0"\n[[support]]\nof = "facet 1"', "support: need at most 1 entry, got "),
+        ('[support]\nof = "facet 0"', "support: need a list of tables, each under [[support]], got "),
+        ('[[drive]]\nname = "close"', "drive.0.kind: is missing; needed here: name, kind, of, value"),
+        (
+            '[[drive]]\nname = "none"\nkind = "torque"\nof = "creases"\nvalue = "1 N m"',
+            'drive.0.name: need a name that means nothing yet, got "none"',
+        ),
+        (
+            '[[drive]]\nname = "a.b"\nkind = "torque"\nof = "creases"\nvalue = "1 N m"',
+            "drive.0.name: need a name of letters, digits, spaces, - and _ that begins with a letter",
+        ),
+        (
+            '[[drive]]\nname = "push"\nkind = "torque"\nof = "creases"\nvalue = "1 N m"',
+            'protocol.stages.1.drive: need "none" or "push", got "close"',
+        ),
+        (
+            '[[measure]]\nname = "valleys"\nkind = "fold-angle"\nof = "creases"',
+            'measure.0.name: need a name that means nothing yet, got "valleys"',
+        ),
+        (
+            '[[measure]]\nname = "crease"\nkind = "fold-angle"\nof = "creases"',
+            'measure.0.name: need a name of its own, got "crease" again',
+        ),
+        (
+            '[[measure]]\nname = "a"\nkind = "distance"\nfrom = "vertex 0"',
+            'measure.0: kind = "distance" needs from and to, and nothing else; got from',
+        ),
+        (
+            '[[measure]]\nname = "a"\nkind = "distance"\nfrom = "vertex 0"\nto = "edge 3 at 2"',
+            "measure.0.to: need a share of edge 3 from 0 to 1, got 2",
+        ),
+        ("[protocol]\ncontact = true", "protocol.contact: need false, for plates do not touch each other, got true"),
+        ('[protocol]\ntimestep = "1 h"', "protocol.timestep: need >= "),
+    ],
+)
+def test_what_cannot_be_is_refused_with_its_key_and_its_rule(refusal, text, message):
+    assert refusal(text).startswith(message)
+
+
+def stage(until, state=""):
+    head = '[[protocol.stages]]\nname = "a"\ndrive = "close"\nhold = "0 s"\ntime_limit = "1 s"\n'
+    return f'{head}until = "{until}"\n{state}\n'
+
+
+@pytest.mark.parametrize(
+    ("until", "message"),
+    [
+        ("closed", 'need "time" or "rest", got "closed", or a bound such as "creases < -150 deg"'),
+        ("crese > 90 deg", 'need a bound on "creases", "crease" or "mouth", got "crese"; did you mean "crease"?'),
+        ("creases > 3 cm", '"cm" is not a unit of the right kind; write it such as "15 deg", got "3 cm"'),
+        ("mouth < 3 deg", '"deg" is not a unit of the right kind; write it such as "12 cm", got "3 deg"'),
+        ("creases > 176 deg", "a stop keeps crease 0 from there: need a value <= 175 deg, got 176 deg"),
+        ("creases < -4 deg", "a stop keeps crease 0 from there: need a value >= -3 deg, got -4 deg"),
+    ],
+)
+def test_a_goal_that_cannot_be_is_refused(refusal, until, message):
+    assert refusal(stage(until)) == f"protocol.stages.0.until: {message}"
+
+
+def test_a_state_has_one_stage(refusal):
+    said = "need a name that no stage and no other state has, got"
+    text = stage("creases > 9 deg", 'state = "b"') * 2
+    assert refusal(text) == f'protocol.stages.1.state: {said} "b" again'
+    assert refusal(stage("creases > 9 deg", 'state = "a"')) == f'protocol.stages.0.state: {said} "a" again'
+
+
+def test_a_bound_on_a_mountain_by_a_measure_is_valley_positive():
+    """A mountain that folds by up to 175 deg has fold angles from -175 deg to 3 deg."""
+    measure = {"name": "hills", "kind": "fold-angle", "of": "mountains"}
+    ending = {"name": "a", "drive": "close", "hold": 0.0, "time_limit": 1.0}
+    values = {"pattern.assignment": "M", "measure": [measure]}
+    with_values(LETTER, values | {"protocol.stages": [ending | {"until": "hills < -174 deg"}]})
+    with pytest.raises(InputError, match="a stop keeps crease 0 from there: need a value <= 3 deg, got 90 deg"):
+        with_values(LETTER, values | {"protocol.stages": [ending | {"until": "hills > 90 deg"}]})
+
+
+def test_a_tendon_must_cross_something(refusal):
+    tendon = (
+        '[[tendon]]\nname = "t"\nfrom = "vertex 0"\nto = "facet 0 at 1, 1"\nstiffness = "1 N/cm"\nrest_length = "1 cm"'
+    )
+    assert refusal(tendon) == (
+        "tendon.0.to: need a place on another facet than tendon.0.from, or its length never changes, got facet 0 for"
+        " both"
+    )
+
+
+def test_a_design_of_another_kind_is_no_base(tmp_path):
+    path = tmp_path / "a.toml"
+    path.write_text('based_on = "binder2025"\n[pattern]\nkind = "pleats"\n')
+    with pytest.raises(InputError, match=r'of kind earwig-fan; begin with based_on = "letter-fold"$'):
+        load_design(path)
+    with pytest.raises(
+        InputError, match=r"pattern.kind: designs of kind pleats have other sections than those of kind"
+    ):
+        load_design("binder2025", {"pattern.kind": "pleats"})
+
+
+@pytest.mark.parametrize(
+    ("text", "facet", "place"),
+    [
+        ("vertex 5", 0, (0.1, 0.2)),
+        ("vertex 5 of facet 1", 1, (0.1, 0.2)),
+        ("edge 0 at 0.25", 0, (0.1, 0.05)),
+        ("crease 0 at 1", 0, (0.1, 0.2)),
+        ("facet 1 at centre", 1, (0.2, 0.1)),
+        (" facet  1 at center ", 1, (0.2, 0.1)),
+        ("facet 1 at 0.5, 1", 1, (0.2, 0.2)),
+        ("facet 0 at 0,0", 0, (0, 0)),
+    ],
+)
+def test_a_place_is_where_it_says(text, facet, place):
+    found = place_on(pleat_pattern([0.1, 0.2, 0.3], 0.2, "MV"), text)
+    assert found.facet == facet
+    assert found.position == pytest.approx([*place, 0], abs=1e-15)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["", "vertex", "vertex 99", "vertex -1", "facet 1", "facet 9 at centre", "vertex 0 of facet 2", "edge 0 at 1.1"],
+)
+def test_what_is_no_place_is_refused(text):
+    with pytest.raises(InputError):
+        place_on(pleat_pattern([0.1, 0.2, 0.3], 0.2, "MV"), text)
+
+
+def test_groups_of_creases():
+    strip = pleat_pattern([0.1] * 4, 0.2, "MVM")
+    assert [creases_of(strip, name) for name in ("creases", "mountains", "valleys", "crease", "crease 1")] == [
+        (0, 1, 2),
+        (0, 2),
+        (1,),
+        (0, 1, 2),
+        (1,),
+    ]
+
+
+def test_a_sheet_of_a_file_is_kept_as_what_it_holds(tmp_path):
+    sheet = pleat_pattern([0.1 / 3, 0.05, 0.07], 0.2, "MV")
+    write_fold(sheet, tmp_path / "strip.fold")
+    path = tmp_path / "design.toml"
+    path.write_text(
+        f'{BASED}tendon = []\nmeasure = []\nsupport = []\n[pattern]\nkind = "fold-file"\npath = "strip.fold"\n'
+    )
+    design = load_design(path)
+    (tmp_path / "strip.fold").unlink()
+    again = design_from_text(design_text(design))
+    assert again == design
+    for one in (design, again):
+        kept = design_pattern(one)
+        assert kept.vertices_coords.tobytes() == sheet.vertices_coords.tobytes()
+        assert kept.edges_vertices.tolist() == sheet.edges_vertices.tolist()
+        assert (kept.edges_assignment, kept.edges_role, kept.faces_vertices) == (
+            sheet.edges_assignment,
+            sheet.edges_role,
+            sheet.faces_vertices,
+        )
+    assert design.pattern.title == "strip of 3 panels"
+    assert design.pattern.path is None
+
+
+def test_a_sheet_of_a_file_is_named_by_a_setting(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    write_fold(pleat_pattern([0.1, 0.1, 0.1, 0.1], 0.2, "MVM"), "strip.fold")
+    values = {"pattern.kind": "fold-file", "pattern.path": "strip.fold"}
+    assert len(design_pattern(load_design("letter-fold", values)).faces_vertices) == 4
+    assert len(design_pattern(with_values(LETTER, values)).faces_vertices) == 4
+
+
+def test_a_sheet_whose_creases_close_a_loop_is_refused_with_the_reason(tmp_path):
+    fan = load_design("binder2025").fan
+    write_fold(earwig_pattern(fan), tmp_path / "fan.fold")
+    path = tmp_path / "a.toml"
+    path.write_text(f'{BASED}[pattern]\nkind = "fold-file"\npath = "fan.fold"\n')
+    with pytest.raises(InputError) as caught:
+        load_design(path)
+    assert str(caught.value) == (
+        f"{path}: pattern: edge 7 closes a loop of facets around vertex 4, which lies inside the sheet: need creases"
+        " that join the facets as a tree"
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (
+            'path = "no.fold"',
+            "pattern.path: {folder}/no.fold: need a file that can be read, got No such file or directory",
+        ),
+        ("", 'pattern.path: is missing; name a FOLD file, as in path = "sheet.fold"'),
+        ('vertices_x = ["1 cm"]', "pattern.vertices_y: need 1 entries, as pattern.vertices_x has, got 0"),
+        (
+            'vertices_x = ["1 cm"]\nvertices_y = ["1 cm"]\nedges = [[0, 0]]\nassignment = "B"',
+            "pattern: edges_vertices[0]: need two vertices apart, got 0 and 0 at one place",
+        ),
+    ],
+)
+def test_a_sheet_that_is_none_is_refused(tmp_path, text, message):
+    path = tmp_path / "a.toml"
+    path.write_text(f'{BASED}[pattern]\nkind = "fold-file"\n{text}\n')
+    with pytest.raises(InputError) as caught:
+        load_design(path)
+    assert str(caught.value) == f"{path}: {message.format(folder=tmp_path)}"
+
+
+def test_a_new_file_describes_every_key_and_is_the_design_it_began_with(tmp_path):
+    path = tmp_path / "letter.toml"
+    write_new_design(path, "pleats")
+    assert load_design(path).hash == LETTER.hash
+    # with the comment signs of all tables taken away, too
+    lines, inside = [], False
+    for line in path.read_text().splitlines():
+        inside = line.startswith("# [[") or (inside and line.startswith("# "))
+        lines.append(line.removeprefix("# ") if inside and "crease.group" not in line else line)
+    text = "\n".join(lines)
+    head, _, rest = text.partition("# [[crease.group]]")
+    rest = rest[rest.index("# springs") :]
+    path.write_text(head + rest)
+    assert "\n[[tendon]]" in path.read_text()
+    assert load_design(path).hash == LETTER.hash

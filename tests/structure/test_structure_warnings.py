@@ -1,0 +1,97 @@
+"""What is said of a structure before it runs."""
+
+from forficula.design import load_design, scale_design, with_values
+from forficula.structure import structure_of, structure_warnings
+
+REFERENCE = load_design("binder2025")
+TPU = {"tendon.area": "12.5 mm^2", "tendon.law": "tpu-82a"}
+
+
+def warnings(design):
+    return structure_warnings(design, structure_of(design))
+
+
+def test_veins_that_overlap_near_the_hub_are_only_warned_of():
+    # where a vein leaves the hub, the next one passes it at hub_radius x (1 - cos 20 deg) = 0.905 mm
+    assert warnings(with_values(REFERENCE, {"vein.diameter": 0.90e-3})) == []
+    (warning,) = warnings(with_values(REFERENCE, {"vein.diameter": 0.92e-3}))
+    assert warning.startswith("neighbouring veins of 0.92 mm overlap within ")
+
+
+def test_the_warning_says_how_far_from_the_hub_veins_overlap():
+    # axes are 5 mm apart at (5 mm + 0.905 mm) / sin 20 deg = 17.26 mm; found to a thousandth of the length, 0.12 mm
+    (warning,) = warnings(REFERENCE)
+    distance = float(warning.partition("within ")[2].partition(" mm")[0])
+    assert 17.26 - 0.12 <= distance <= 17.26
+
+
+def test_the_warning_reads_well_for_a_small_wing():
+    (warning,) = warnings(scale_design(REFERENCE, 1 / 22))
+    assert warning.startswith("neighbouring veins of 0.2273 mm overlap within 0.78 mm of the hub")
+
+
+def test_a_tendon_stretched_further_than_it_was_measured_is_a_warning():
+    def warned(rest_length):
+        told = warnings(load_design("binder2025", TPU | {"tendon.rest_length": rest_length}))
+        return [warning for warning in told if "measured" in warning]
+
+    # the flat tendon is 10.9 cm long
+    assert not warned("6 cm")
+    (warning,) = warned("5 cm")
+    assert warning.startswith("the flat wing stretches its tendons by 118 %, beyond the 100 % up to which tpu-82a was")
+
+
+def test_branches_that_push_are_warned_of_with_their_share():
+    def warned(**law):
+        law = {"linear_modulus": 4e6, "branches": [{"modulus": 1e6, "time": 0.002}]} | law
+        values = {"tendon.law": law, "tendon.rest_length": 0.09, "tendon.area": 12.5e-6}
+        return [each for each in warnings(with_values(load_design("binder2025"), values)) if "push" in each]
+
+    assert not warned()
+    assert not warned(quadratic_modulus=1e6, linear_viscosity=10.0)
+    assert not warned(quadratic_modulus=-1e6, cubic_modulus=1e6)
+    assert not warned(branches=[], yield_strain=0.2)
+    for law in ({"yield_strain": 0.2}, {"quadratic_viscosity": 1.0}):
+        (warning,) = warned(**law)
+        assert "25 % of the linear modulus" in warning
+
+
+def test_a_run_with_a_law_that_softens_is_said_to_be_a_first_pull():
+    def warned(**values):
+        law = {"linear_modulus": 4e6, "softening": {"r": 2.0, "m": 1e5}}
+        values = {"tendon.law": law, "tendon.rest_length": 0.09, "tendon.area": 12.5e-6} | values
+        return [each for each in warnings(with_values(load_design("binder2025"), values)) if "soften" in each]
+
+    (warning,) = warned()
+    assert "a first pull" in warning
+    assert "--cycles" in warning
+    # slack all the time
+    assert not warned(**{"tendon.rest_length": 0.12})
+    assert not warned(**{"tendon.law": {"linear_modulus": 4e6}})
+
+
+def test_branches_that_relax_while_the_wing_is_folded_are_warned_of():
+    def warned(*times, **values):
+        law = {"linear_modulus": 4e6, "branches": [{"modulus": 1e6, "time": time} for time in times]}
+        values = {"tendon.law": law, "tendon.rest_length": 0.09, "tendon.area": 12.5e-6} | values
+        return [each for each in warnings(with_values(load_design("binder2025"), values)) if "relax" in each]
+
+    (warning,) = warned(0.02, 77.0, 0.5)
+    assert warning.startswith("Maxwell branches of 20 ms, 0.5 s relax while the wing is folded")
+    # it is folded for 2 s at most
+    assert warned(1.9)
+    assert not warned(2.1)
+    assert not warned()
+    folding = load_design("binder2025").model_dump()["protocol"]["stages"][:3]
+    assert not warned(0.02, **{"protocol.stages": folding})
+
+
+def test_what_is_true_of_some_tendons_only_names_them():
+    short = {f"tendon.{vein}.rest_length": "5 cm" for vein in (0, 2)}
+    told = warnings(load_design("binder2025", TPU | {"tendon.rest_length": "6 cm"} | short))
+    (warning,) = [each for each in told if "measured" in each]
+    assert warning.startswith("tendon0, tendon2: the flat wing stretches its tendons by 118 %")
+
+
+def test_a_wing_without_tendons_has_nothing_said_of_them():
+    assert len(warnings(with_values(REFERENCE, {"tendon": []}))) == 1
