@@ -192,7 +192,7 @@ def _points(study: Study, table: Dataset, most: int) -> list[int]:
 def _worked(study: Study, table: Dataset) -> NDArray[np.bool_]:
     """Whether each point reached the first state that the study is about."""
     if study.search is not None:
-        return np.isfinite(table[study.search.first.least_name].values)
+        return np.asarray(np.isfinite(table[study.search.first.least_name].values))
     transitions = structure_of(study.base).transitions
     if not transitions:
         return np.ones(table["verdict"].shape, dtype=bool)
