@@ -5,8 +5,8 @@ from forficula.statics.hinge import (
     ideal_hinge,
     peak_opening_torque,
     slack_angle,
-    straight_barrier,
-    wing_hinges,
+    tendon_hinges,
+    top_barrier,
 )
 from forficula.statics.hinge_landscape import (
     HingeLandscape,
@@ -15,7 +15,7 @@ from forficula.statics.hinge_landscape import (
     hinge_remarks,
     hinge_states,
 )
-from forficula.statics.landscape import EnergyLandscape, StableState, barrier, energy_landscape, stable_states
+from forficula.statics.landscape import EnergyLandscape, Rest, StableState, barrier, energy_landscape, stable_states
 from forficula.statics.landscape_summary import landscape_summary
 from forficula.statics.snap import final_speed, fold_time, growth_rate, time_scale
 
@@ -24,6 +24,7 @@ __all__ = [
     "HingeLandscape",
     "HingeState",
     "PeakTorque",
+    "Rest",
     "StableState",
     "TendonHinge",
     "barrier",
@@ -40,7 +41,7 @@ __all__ = [
     "peak_opening_torque",
     "slack_angle",
     "stable_states",
-    "straight_barrier",
+    "tendon_hinges",
     "time_scale",
-    "wing_hinges",
+    "top_barrier",
 ]

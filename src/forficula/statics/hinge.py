@@ -1,7 +1,8 @@
 """One tendon across one hinge: its energy and its moment at every angle, in closed form.
 
-Angles are those of a distal hinge: 0 where the bars are straight (the flat wing), positive in the overbend, negative
-while folding.
+Angles are those of the hinge in its own sense: 0 where it is straight, as built, positive in the overbend, negative
+while folding. The tendon is longest at its top, at straight where its ends lie in one plane with the hinge's axis, and
+beside it where they are offset from that plane.
 """
 
 from __future__ import annotations
@@ -15,10 +16,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 
-from forficula.design import Design, tendon_law
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
-from forficula.pattern import hub_points, ring_vertices, tips
+from forficula.structure import Crossing, Structure, Tendon
 
 Array = NDArray[np.float64]
 
@@ -27,20 +27,20 @@ _SCAN = 361  # angles among which the largest torque is looked for before it is 
 
 @dataclass(frozen=True, kw_only=True)
 class TendonHinge:
-    """A tendon across a hinge between two bars.
+    """A tendon across a hinge.
 
-    Its ends turn about the hinge axis on two circles, `axial_offset` apart. With arms a and b and the offset c,
-    length^2 = a^2 + b^2 + c^2 + 2 a b cos(angle) (law of cosines; with c = 0 theory.md, section 3). Bars that meet the
-    axis at angles alpha and beta in the flat sheet, with the ends at distances p and d along them, have a = p sin
-    alpha, b = d sin beta and c = p cos alpha + d cos beta.
+    Its ends turn about the hinge axis on two circles, `axial_offset` apart. With arms a and b, the offset c and the
+    angle delta of the arms as built, length^2 = a^2 + b^2 + c^2 + 2 a b cos(angle + delta) (law of cosines; with c and
+    delta 0 theory.md, section 3); see `forficula.structure.Crossing`.
 
     The numbers may be arrays, for many hinges at once; see `stacked_hinges`.
 
     Attributes:
         law: of the tendon.
-        proximal_arm: distance of the tendon's end on the proximal bar from the hinge axis, m.
-        distal_arm: the same on the distal bar, m.
+        proximal_arm: distance of the tendon's end on the proximal side from the hinge axis, m.
+        distal_arm: the same on the side that turns, m.
         axial_offset: distance between the ends along the hinge axis, m; 0 where both bars are square to it.
+        offset_angle: delta, rad; 0 where the ends lie in one plane with the axis.
         overbend: how far the hinge bends past straight, rad.
         fold_limit: how far it folds, rad.
         inertia: of what turns about the hinge axis, kg m^2.
@@ -53,6 +53,7 @@ class TendonHinge:
     proximal_arm: float
     distal_arm: float
     axial_offset: float = 0.0
+    offset_angle: float = 0.0
     overbend: float
     fold_limit: float
     inertia: float
@@ -64,31 +65,60 @@ class TendonHinge:
                 raise InputError(f"{name}: need > 0, got {np.min(value):g} {unit}")
         if not np.all(np.isfinite(self.axial_offset)):
             raise InputError(f"axial_offset: need a finite number, got {np.min(self.axial_offset):g} m")
-        if not 0 <= self.overbend < math.pi / 2:
-            raise InputError(f"overbend: need >= 0 deg and < 90 deg, got {math.degrees(self.overbend):g} deg")
-        if not 0 < self.fold_limit <= math.pi:
-            raise InputError(f"fold_limit: need > 0 deg and <= 180 deg, got {math.degrees(self.fold_limit):g} deg")
+        for name, limit in (("overbend", math.pi), ("fold_limit", math.pi), ("offset_angle", math.pi)):
+            value, least = np.asarray(getattr(self, name)), -math.pi if name == "offset_angle" else 0.0
+            if not np.all((least <= value) & (value <= limit)):
+                wrong = math.degrees(float(value[~((least <= value) & (value <= limit))].ravel()[0]))
+                raise InputError(f"{name}: need >= {math.degrees(least):g} deg and <= 180 deg, got {wrong:g} deg")
+
+    @property
+    def top(self) -> float:
+        """Angle at which the tendon is longest, rad; it may lie beyond a stop."""
+        return 0.0 - self.offset_angle
+
+    @property
+    def top_to_overbend(self) -> float:
+        """How far the overbend stop is from the top, rad; negative where the top lies beyond the stop."""
+        return self.overbend + self.offset_angle
+
+    @property
+    def top_to_fold(self) -> float:
+        """How far the fold limit is from the top, rad; negative where the top lies beyond the limit."""
+        return self.fold_limit - self.offset_angle
+
+    @property
+    def nearest(self) -> float:
+        """How near to the top the hinge comes, rad; 0 where the top lies between its stops."""
+        return max(0.0, -self.top_to_overbend, -self.top_to_fold)
 
     @property
     def pulls(self) -> bool:
-        """Whether the tendon pulls at straight, where it is longest; if not, it is slack at every angle."""
-        return bool(self.law.force(self.length(0.0)) > 0)
+        """Whether the tendon pulls where the hinge is nearest to the top; if not, it is slack at every angle."""
+        return bool(self.law.force(self.length_from_top(self.nearest)) > 0)
 
     @property
     def slack_distance(self) -> float | None:
-        """How far from straight, either way, the tendon has its resting length, rad; None where it has it nowhere.
+        """How far from the top, either way, the tendon has its resting length, rad; None where it has it nowhere.
 
         With equal arms and no offset 2 acos(rest length / length at straight) (theory.md, section 3), here through
         half angles, which keep all digits at 0 and at 180 deg.
         """
-        offset, longest, rest = float(self.length(math.pi)), float(self.length(0.0)), self.law.rest_length
+        offset, longest, rest = (
+            float(self.length_from_top(math.pi)),
+            float(self.length_from_top(0.0)),
+            self.law.rest_length,
+        )
         if not offset <= rest <= longest:
             return None
         return 2 * math.atan2(math.sqrt(longest - rest) * math.sqrt(longest + rest), math.sqrt(rest**2 - offset**2))
 
     def length(self, angle: ArrayLike) -> Array:
         """Length of the tendon, m, in the shape of `angle` (rad); law of cosines."""
-        _, half_cosine = _half_angle(angle)
+        return self.length_from_top(np.asarray(angle, dtype=np.float64) + self.offset_angle)
+
+    def length_from_top(self, apart: ArrayLike) -> Array:
+        """Length of the tendon this far from the top, either way, m, in the shape of `apart` (rad)."""
+        _, half_cosine = _half_angle(apart)
         # a sum of squares keeps its digits where the ends meet
         shortest = np.hypot(self.axial_offset, self.proximal_arm - self.distal_arm)  # at 180 deg
         return np.asarray(np.hypot(shortest, 2 * np.sqrt(self.proximal_arm * self.distal_arm) * half_cosine))
@@ -96,11 +126,12 @@ class TendonHinge:
     def lever(self, angle: ArrayLike) -> Array:
         """Lever of the tendon about the hinge axis, -d length / d angle, m, in the shape of `angle` (rad).
 
-        a b sin(angle) / length (theory.md, section 3); 0 where the tendon's ends meet.
+        a b sin(angle + delta) / length (theory.md, section 3); 0 where the tendon's ends meet.
         """
-        half_sine, half_cosine = _half_angle(angle)
+        apart = np.asarray(angle, dtype=np.float64) + self.offset_angle
+        half_sine, half_cosine = _half_angle(apart)
         product = 2 * self.proximal_arm * self.distal_arm * half_sine * half_cosine
-        return _divide(product, self.length(angle))
+        return _divide(product, self.length_from_top(apart))
 
     def energy(self, angle: ArrayLike) -> Array:
         """Energy of the tendon, J, in the shape of `angle` (rad)."""
@@ -116,16 +147,24 @@ class TendonHinge:
     def stiffness(self, angle: ArrayLike) -> Array:
         """Second derivative of the energy by the angle, N m/rad, in the shape of `angle` (rad).
 
-        With force F, length L and lever q: (F' - F/L) q^2 - (F/L) a b cos(angle), the derivative of the moment above.
+        With force F, length L and lever q: (F' - F/L) q^2 - (F/L) a b cos(angle + delta), the derivative of the moment
+        above.
         """
-        half_sine, half_cosine = _half_angle(angle)
-        length = self.length(angle)
-        slope = self.law.stiffness(length)
+        return self.expansion(angle)[2]
+
+    def expansion(self, angle: ArrayLike) -> tuple[Array, Array, Array]:
+        """Energy, moment and stiffness at once, in the shape of `angle` (rad)."""
+        half_sine, half_cosine = _half_angle(np.asarray(angle, dtype=np.float64) + self.offset_angle)
+        product = self.proximal_arm * self.distal_arm
+        shortest = np.hypot(self.axial_offset, self.proximal_arm - self.distal_arm)
+        length = np.asarray(np.hypot(shortest, 2 * np.sqrt(product) * half_cosine))
+        lever = _divide(2 * product * half_sine * half_cosine, length)
+        force, slope = self.law.force(length), self.law.stiffness(length)
         # where the ends meet, force by length tends to the slope
-        by_length = np.where(length > 0, _divide(self.law.force(length), length), slope)
-        cosine = half_cosine**2 - half_sine**2
-        turned = by_length * self.proximal_arm * self.distal_arm * cosine
-        return np.asarray((slope - by_length) * self.lever(angle) ** 2 - turned)
+        by_length = np.where(length > 0, _divide(force, length), slope)
+        turned = by_length * self.proximal_arm * self.distal_arm * (half_cosine**2 - half_sine**2)
+        stiffness = np.asarray((slope - by_length) * lever**2 - turned)
+        return self.law.energy(length), np.asarray(force * lever), stiffness
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -134,45 +173,53 @@ class PeakTorque:
 
     Attributes:
         torque: N m, positive.
-        angle: where, rad, negative.
+        angle: where, rad.
     """
 
     torque: float
     angle: float
 
 
-def ideal_hinge(design: Design) -> TendonHinge:
-    """The hinge of a design with both bars square to its axis (theory.md, section 3).
+def ideal_hinge(structure: Structure) -> TendonHinge | None:
+    """The first tendon's hinge with both bars square to its axis (theory.md, section 3); None where there is no such.
 
     Of the tendon's law it takes the spring, as slow motions do: Maxwell branches are relaxed, and nothing yields.
-
-    The distal bar, a solid cylinder, turns about a diameter of its end: m (r^2 / 4 + l^2 / 3), and the armature.
     """
-    along, across = np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0])
-    return _hinge(design, across, along, along)
+    return next((_hinge(structure, each, each.ideal) for each in structure.tendons if each.ideal is not None), None)
 
 
-def wing_hinges(design: Design) -> tuple[TendonHinge, ...]:
-    """The distal hinges of a wing, each about its ring crease, with the proximal bar held still.
+def ideal_hinges(structure: Structure) -> tuple[TendonHinge, ...]:
+    """As `ideal_hinge`, of every tendon that has one."""
+    return tuple(_hinge(structure, each, each.ideal) for each in structure.tendons if each.ideal is not None)
 
-    Of the tendons' law they take the spring, as slow motions do: Maxwell branches are relaxed, and nothing yields.
 
-    The distal bar meets the crease at the angle beta: its inertia is m r^2 / 2 cos^2(beta) + m (r^2 / 4 + l^2 / 3)
-    sin^2(beta) (a solid cylinder's tensor at its end), and the armature.
+def tendon_hinges(structure: Structure) -> tuple[TendonHinge, ...]:
+    """The hinges that one tendon lies across, each about its own axis, with all others held still.
+
+    Of the tendons' laws they take the spring, as slow motions do: Maxwell branches are relaxed, and nothing yields.
 
     Returns:
-        One for each vein, counterclockwise; the last vein turns about the next crease of the pattern continued.
+        One for each tendon whose length depends on one hinge, in the order of the tendons.
     """
-    fan = design.fan
-    ring = ring_vertices(fan, continued=True)
-    places = zip(hub_points(fan), ring[:-1], tips(fan), np.diff(ring, axis=0), strict=True)
-    return tuple(
-        _hinge(design, _unit(crease), _unit(vertex - hub), _unit(tip - vertex)) for hub, vertex, tip, crease in places
+    return tuple(_hinge(structure, each, each.crossing) for each in structure.tendons if each.crossing is not None)
+
+
+def _hinge(structure: Structure, tendon: Tendon, crossing: Crossing) -> TendonHinge:
+    stops = structure.hinges[crossing.hinge]
+    return TendonHinge(
+        law=tendon.law.elastic,
+        proximal_arm=crossing.proximal_arm,
+        distal_arm=crossing.distal_arm,
+        axial_offset=crossing.axial_offset,
+        offset_angle=crossing.offset_angle,
+        overbend=min(stops.upper, math.pi),
+        fold_limit=min(-stops.lower, math.pi),
+        inertia=crossing.inertia,
     )
 
 
 def stacked_hinges(hinges: Sequence[Sequence[TendonHinge]]) -> TendonHinge:
-    """Hinges with the same stops as one, whose length, energy, moment and stiffness take angles of all, (row, hinge).
+    """Hinges as one, whose length, energy, moment and stiffness take angles of all, (row, hinge).
 
     Args:
         hinges: by row.
@@ -191,76 +238,85 @@ def stacked_hinges(hinges: Sequence[Sequence[TendonHinge]]) -> TendonHinge:
         proximal_arm=stacked(lambda hinge: hinge.proximal_arm),
         distal_arm=stacked(lambda hinge: hinge.distal_arm),
         axial_offset=stacked(lambda hinge: hinge.axial_offset),
-        overbend=hinges[0][0].overbend,
-        fold_limit=hinges[0][0].fold_limit,
+        offset_angle=stacked(lambda hinge: hinge.offset_angle),
+        overbend=stacked(lambda hinge: hinge.overbend),
+        fold_limit=stacked(lambda hinge: hinge.fold_limit),
         inertia=stacked(lambda hinge: hinge.inertia),
     )
 
 
-def straight_barrier(hinge: TendonHinge) -> float | None:
-    """Energy to climb from the overbend stop to straight, J; None where there is no overbend or no pull.
+def top_barrier(hinge: TendonHinge) -> float | None:
+    """Energy to climb from the overbend stop to the top, J; None where the stop is not beyond it, or nothing pulls.
 
     With equal arms, no offset and no resting length it is energy(0) sin^2(overbend / 2) (theory.md, section 3).
     """
-    if not hinge.pulls or hinge.overbend == 0:
+    if not hinge.pulls or hinge.top_to_overbend <= 0 or hinge.top_to_fold <= 0:
         return None
-    return float(released_energy(hinge, 0.0, hinge.overbend))
+    return float(released_energy(hinge, 0.0, hinge.top_to_overbend))
 
 
 def holding_torque(hinge: TendonHinge) -> float | None:
-    """Torque that presses the hinge onto its overbend stop, N m; None where there is no overbend or no pull.
+    """Torque that presses the hinge onto its overbend stop, N m; None where that is not beyond the top, or no pull.
 
     0 where the tendon is slack at the stop.
     """
-    if not hinge.pulls or hinge.overbend == 0:
+    if not hinge.pulls or hinge.top_to_overbend <= 0:
         return None
     return float(hinge.moment(hinge.overbend))
 
 
 def slack_angle(hinge: TendonHinge) -> float | None:
-    """Angle beyond which the folding hinge is free, rad, negative; None where it has none up to the fold limit.
+    """Angle beyond which the folding hinge is free, rad; None where it has none up to the fold limit.
 
     Where the tendon is slack at every angle there is none either.
     """
     distance = hinge.slack_distance
-    return -distance if hinge.pulls and distance is not None and distance <= hinge.fold_limit else None
+    if not hinge.pulls or distance is None or distance > hinge.top_to_fold:
+        return None
+    return -distance - hinge.offset_angle
 
 
 def peak_opening_torque(hinge: TendonHinge) -> PeakTorque | None:
-    """The largest moment towards folding between straight and the fold limit; None where there is no pull.
+    """The largest moment towards folding between the top and the fold limit; None where there is no pull.
 
     At the zero of the energy's second derivative (Brent 1973), or at the fold limit where the moment still grows
     there. With equal arms, no offset and a linear law that is cos(angle / 2) = (lambda + sqrt(lambda^2 + 8)) / 4,
     lambda being the resting length by the length at straight (set the derivative of theory.md's moment to 0).
     """
-    if not hinge.pulls:
+    if not hinge.pulls or hinge.top_to_fold <= 0:
         return None
     last = slack_angle(hinge)
-    folds = np.linspace(0, hinge.fold_limit if last is None else -last, _SCAN)
-    largest = int(np.argmax(-hinge.moment(-folds)))
+    first = max(0.0, -hinge.top_to_overbend)
+    folds = np.linspace(first, hinge.top_to_fold if last is None else -last - hinge.offset_angle, _SCAN)
+
+    def stiffness(fold: float) -> float:
+        return float(hinge.stiffness(-fold - hinge.offset_angle))
+
+    largest = int(np.argmax(-hinge.moment(-folds - hinge.offset_angle)))
     before, after = folds[max(largest - 1, 0)], folds[min(largest + 1, _SCAN - 1)]
     fold = float(folds[largest])
-    if hinge.stiffness(-before) < 0 < hinge.stiffness(-after):
-        fold = float(brentq(lambda x: float(hinge.stiffness(-x)), before, after, xtol=1e-15))
-    return PeakTorque(torque=float(-hinge.moment(-fold)), angle=-fold)
+    if stiffness(before) < 0 < stiffness(after):
+        fold = float(brentq(stiffness, before, after, xtol=1e-15))
+    angle = -fold - hinge.offset_angle
+    return PeakTorque(torque=float(-hinge.moment(angle)), angle=angle)
 
 
 def released_energy(hinge: TendonHinge, start: float, further: ArrayLike) -> Array:
-    """Energy that the tendon gives back as the hinge moves away from straight.
+    """Energy that the tendon gives back as the hinge moves away from the top.
 
     The shortening as a product, which keeps its digits where the way is short:
     L0^2 - L1^2 = 4 a b sin(further / 2) sin(start + further / 2).
 
     Args:
         hinge: the hinge.
-        start: distance from straight, either way, >= 0, rad.
-        further: by how much the distance grows, up to 180 deg in all, rad, any shape.
+        start: distance from the top, either way, >= 0, rad.
+        further: by how much the distance grows, up to 360 deg less `start` in all, rad, any shape.
 
     Returns:
         J, in the shape of `further`.
     """
     half = np.asarray(further, dtype=np.float64) / 2
-    longer, shorter = hinge.length(start), hinge.length(start + 2 * half)
+    longer, shorter = hinge.length_from_top(start), hinge.length_from_top(start + 2 * half)
     product = 4 * hinge.proximal_arm * hinge.distal_arm * np.sin(half) * np.sin(start + half)
     return hinge.law.released(longer, _divide(product, longer + shorter))
 
@@ -274,26 +330,3 @@ def _half_angle(angle: ArrayLike) -> tuple[Array, Array]:
 def _divide(numerator: Array, denominator: Array) -> Array:
     """Divide; 0 where the denominator is 0."""
     return np.asarray(np.divide(numerator, denominator, out=np.zeros_like(denominator), where=denominator > 0))
-
-
-def _unit(vector: Array) -> Array:
-    return np.asarray(vector / np.linalg.norm(vector))
-
-
-def _hinge(design: Design, axis: Array, proximal: Array, distal: Array) -> TendonHinge:
-    """A hinge about an axis, between bars that point outwards: unit vectors in the flat sheet."""
-    tendon, vein, length = design.tendon, design.vein, design.pattern.distal_length
-    along = float(distal @ axis)
-    across = float(np.linalg.norm(np.cross(distal, axis)))
-    radius = vein.diameter / 2
-    mass = vein.density * math.pi * radius**2 * length
-    bar = mass * (radius**2 / 2 * along**2 + (radius**2 / 4 + length**2 / 3) * across**2)
-    return TendonHinge(
-        law=tendon_law(design).elastic,
-        proximal_arm=tendon.proximal_attachment * float(np.linalg.norm(np.cross(proximal, axis))),
-        distal_arm=tendon.distal_attachment * across,
-        axial_offset=tendon.proximal_attachment * float(proximal @ axis) + tendon.distal_attachment * along,
-        overbend=design.hinge.overbend,
-        fold_limit=design.hinge.fold_limit,
-        inertia=bar + design.hinge.armature,
-    )

@@ -18,7 +18,7 @@ from forficula.statics.hinge import (
     holding_torque,
     peak_opening_torque,
     slack_angle,
-    straight_barrier,
+    top_barrier,
 )
 from forficula.statics.snap import FOLD_START, final_speed, fold_time, growth_rate, time_scale
 
@@ -32,8 +32,8 @@ class HingeState:
     Attributes:
         kind: "stop", pressed onto a stop; "minimum", at the least energy without a press; "neutral", a range over which
             the tendon is slack and nothing moves the hinge.
-        angle: rad; of a neutral range the end nearer to straight, or the overbend stop where the tendon never pulls.
-        far_angle: the other end of a neutral range, at a stop, rad; otherwise the angle.
+        angle: rad; of a neutral range the end nearer to the top, or the overbend stop where the tendon never pulls.
+        far_angle: the other end of a neutral range, rad; otherwise the angle.
         energy: J.
         holding_torque: that presses it onto its stop, N m; 0 unless the kind is "stop".
     """
@@ -51,18 +51,19 @@ class HingeLandscape:
 
     Attributes:
         hinge: whose landscape it is.
-        angle: falling from the overbend to the fold limit, rad, (angle,); holds both ends, straight, and where the
-            tendon goes slack.
+        angle: falling from the overbend to the fold limit, rad, (angle,); holds both ends, straight, the top, and where
+            the tendon goes slack.
         energy: J, (angle,).
         moment: positive towards the overbend, N m, (angle,).
-        barrier: from the overbend stop to straight, J.
+        barrier: from the overbend stop to the top, J.
+        barrier_angle: where the top is, rad: at straight, but for offsets of the tendon's ends.
         holding_torque: onto the overbend stop, N m.
         peak_opening: the largest moment against opening.
         slack_angle: beyond which the folding hinge is free, rad.
         states: the stable ones, from the overbend to the fold limit.
         time_scale: t*, s.
-        growth_rate: at straight, 1/s.
-        fold_start: from which the fold is let go, rad past straight.
+        growth_rate: at the top, 1/s.
+        fold_start: from which the fold is let go, rad past the top.
         fold_time: from there to the fold limit, s.
         final_speed: at the fold limit, rad/s.
         remarks: sentences on what does not exist and what to know of the rest.
@@ -73,6 +74,7 @@ class HingeLandscape:
     energy: Array
     moment: Array
     barrier: float | None
+    barrier_angle: float | None
     holding_torque: float | None
     peak_opening: PeakTorque | None
     slack_angle: float | None
@@ -91,20 +93,21 @@ def hinge_landscape(hinge: TendonHinge, points: int = 181, fold_start: float = F
     Args:
         hinge: the hinge.
         points: how many angles to aim at; a few more come, as every part between two special angles is divided evenly.
-        fold_start: how far past straight the fold of `fold_time` is let go, rad.
+        fold_start: how far past the top the fold of `fold_time` is let go, rad.
 
     Raises:
         InputError: fewer than 2 points, or a start that is not > 0.
     """
     if points < 2:
         raise InputError(f"points: need >= 2, got {points}")
-    angle = _angles(hinge, points)
+    angle, barrier = _angles(hinge, points), top_barrier(hinge)
     return HingeLandscape(
         hinge=hinge,
         angle=angle,
         energy=hinge.energy(angle),
         moment=hinge.moment(angle),
-        barrier=straight_barrier(hinge),
+        barrier=barrier,
+        barrier_angle=None if barrier is None else hinge.top,
         holding_torque=holding_torque(hinge),
         peak_opening=peak_opening_torque(hinge),
         slack_angle=slack_angle(hinge),
@@ -121,24 +124,30 @@ def hinge_landscape(hinge: TendonHinge, points: int = 181, fold_start: float = F
 def hinge_states(hinge: TendonHinge) -> tuple[HingeState, ...]:
     """Find where a hinge stays, from the overbend to the fold limit.
 
-    The energy falls from straight to both sides (the law pulls, and the tendon is longest there), so a state is at a
-    stop, or is the range up to it over which the tendon is slack. Straight is none, with or without an overbend.
+    The energy falls from the top to both sides for half a turn (the law pulls, and the tendon is longest there), so a
+    state is at a stop, or is the range up to it over which the tendon is slack; or, where an offset lets the hinge go
+    farther than that, half a turn from the top. The top is none, whether a stop is there or not.
     """
     if not hinge.pulls:
         return (_neutral(hinge.overbend, -hinge.fold_limit),)
-    return tuple(_state(hinge, stop) for stop in (hinge.overbend, -hinge.fold_limit) if stop)
+    sides = ((hinge.top_to_overbend, hinge.overbend, 1), (hinge.top_to_fold, -hinge.fold_limit, -1))
+    return tuple(_state(hinge, end, stop, side) for end, stop, side in sides if end > 0)
 
 
-def _state(hinge: TendonHinge, stop: float) -> HingeState:
+def _state(hinge: TendonHinge, end: float, stop: float, side: int) -> HingeState:
+    """The state on one side of the top, whose stop is this far from there."""
     slack = hinge.slack_distance
-    if slack is not None and slack < abs(stop):
-        return _neutral(math.copysign(slack, stop), stop)
-    torque = abs(float(hinge.moment(stop)))
+    if slack is not None and slack < end:
+        taut_again = 2 * math.pi - slack
+        far = stop if end <= taut_again else side * taut_again - hinge.offset_angle
+        return _neutral(side * slack - hinge.offset_angle, far)
+    angle = stop if end <= math.pi else side * math.pi - hinge.offset_angle
+    torque = abs(float(hinge.moment(angle))) if angle == stop else 0.0
     return HingeState(
         kind="stop" if torque else "minimum",
-        angle=stop,
-        far_angle=stop,
-        energy=float(hinge.energy(stop)),
+        angle=angle,
+        far_angle=angle,
+        energy=float(hinge.energy(angle)),
         holding_torque=torque,
     )
 
@@ -152,36 +161,45 @@ def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START) -> tuple[s
 
     Args:
         hinge: the hinge.
-        fold_start: how far past straight the fold of `fold_time` is let go, rad.
+        fold_start: how far past the top the fold of `fold_time` is let go, rad.
     """
     if not hinge.pulls:
         return (_why_no_pull(hinge),)
     remarks = []
-    slack, limit = hinge.slack_distance, hinge.fold_limit
-    if hinge.overbend == 0:
+    offset, limit = hinge.offset_angle, hinge.fold_limit
+    slack, past = hinge.slack_distance, "straight"
+    if offset:
+        past = _degrees(hinge.top)
+        remarks.append(f"the ends of the tendon are offset: it is longest at {past}, not at straight")
+    if hinge.top_to_overbend <= 0:
         remarks.append(
-            "the overbend is 0 deg: straight is no stable state, so there is no barrier and no holding torque;"
+            f"the tendon is longest at {past}, and the overbend of {_degrees(hinge.overbend)} is not beyond it, so"
+            " there is no barrier and no holding torque; a larger overbend gives both"
+            if offset
+            else "the overbend is 0 deg: straight is no stable state, so there is no barrier and no holding torque;"
             " an overbend > 0 deg gives both"
         )
-    elif slack is not None and slack < hinge.overbend:
+    elif slack is not None and slack < hinge.top_to_overbend:
         remarks.append(
-            f"the tendon is slack beyond {_degrees(slack)} of overbend: nothing holds the hinge at its stop of"
+            f"the tendon is slack beyond {_degrees(slack - offset)} of overbend: nothing holds the hinge at its stop of"
             f" {_degrees(hinge.overbend)}; a shorter resting length or a smaller overbend does"
         )
-    if slack is None or slack > limit:
+    if slack is None or slack > hinge.top_to_fold:
         remarks.append(f"the tendon pulls up to the fold limit of {_degrees(limit)} and nowhere goes slack")
-    elif slack < limit:
+    elif slack < hinge.top_to_fold:
+        far = max(-limit, slack - 2 * math.pi - offset)
         remarks.append(
-            f"the tendon is slack from {_degrees(-slack)} to {_degrees(-limit)}: nothing moves the folded hinge there"
+            f"the tendon is slack from {_degrees(-slack - offset)} to {_degrees(far)}: nothing moves the folded hinge"
+            " there"
         )
-    if fold_start >= limit:
+    if fold_start >= hinge.top_to_fold:
         remarks.append(
-            f"the fold limit of {_degrees(limit)} is not beyond {_degrees(fold_start)} past straight,"
+            f"the fold limit of {_degrees(limit)} is not beyond {_degrees(fold_start)} past {past},"
             " where the fold starts, so it has no time and no speed"
         )
     elif slack is not None and slack <= fold_start:
         remarks.append(
-            f"the tendon is slack {_degrees(fold_start)} past straight, where the fold starts, so it has no time and no"
+            f"the tendon is slack {_degrees(fold_start)} past {past}, where the fold starts, so it has no time and no"
             " speed; a shorter resting length gives them"
         )
     if not hinge.law.linear:
@@ -190,7 +208,7 @@ def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START) -> tuple[s
 
 
 def _why_no_pull(hinge: TendonHinge) -> str:
-    law, longest = hinge.law, float(hinge.length(0.0))
+    law, longest = hinge.law, float(hinge.length_from_top(hinge.nearest))
     free = "nothing moves the hinge, and there is no barrier"
     if law.rest_length < longest:
         return f"the tendon has no stiffness: {free}"
@@ -208,9 +226,9 @@ def _degrees(angle: float) -> str:
 def _angles(hinge: TendonHinge, points: int) -> Array:
     """Angles from the overbend to the fold limit, (angle,), with the special ones among them."""
     special = {hinge.overbend, 0.0, -hinge.fold_limit}
-    slack = hinge.slack_distance
-    if slack is not None:
-        special |= {angle for angle in (slack, -slack) if -hinge.fold_limit < angle < hinge.overbend}
+    slack, turn = hinge.slack_distance, 2 * math.pi
+    apart = {0.0} if slack is None else {0.0, slack, -slack, turn - slack, slack - turn}
+    special |= {angle for each in apart if -hinge.fold_limit < (angle := each - hinge.offset_angle) < hinge.overbend}
     ends = sorted(special, reverse=True)
     spacing = (ends[0] - ends[-1]) / (points - 1)
     parts = [np.linspace(high, low, math.ceil((high - low) / spacing), endpoint=False) for high, low in pairwise(ends)]

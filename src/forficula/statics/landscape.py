@@ -1,9 +1,10 @@
-"""Energy landscapes of a design: one tendon, the wing along its fold, its partly folded states."""
+"""Energy landscapes of a design: its tendons' hinges, where it rests, and what leads from state to state."""
 
 from __future__ import annotations
 
 import difflib
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
@@ -13,20 +14,51 @@ from numpy.typing import NDArray
 from forficula.design import TORQUE, Design
 from forficula.errors import InputError
 from forficula.quantities import show_quantity
-from forficula.statics.equilibrium import PathState, barrier_between
-from forficula.statics.fold_path import FoldPath, fold_path
-from forficula.statics.hinge import ideal_hinge, wing_hinges
+from forficula.statics.equilibrium import Equilibria, PathState, barrier_between
+from forficula.statics.fold_path import FoldPath, fold_path, rigid_fold
+from forficula.statics.hinge import ideal_hinge, tendon_hinges
 from forficula.statics.hinge_landscape import HingeLandscape, hinge_landscape
-from forficula.statics.partial_folds import PartialFold, fold_levels, partial_folds, single_hinge_barriers
-from forficula.statics.potential import FOLD, section
-from forficula.statics.quasi_static import flat_state, folded_state, least_slow_torque
+from forficula.statics.partial_folds import (
+    PartialFold,
+    fold_levels,
+    folding_hinges,
+    partial_folds,
+    single_hinge_barriers,
+)
+from forficula.statics.potential import Ensemble, ensemble
+from forficula.statics.quasi_static import (
+    SlowTransition,
+    at_goal,
+    crosses,
+    least_slow_torque,
+    start_state,
+    state_beyond,
+)
 from forficula.statics.tip_stiffness import TipStiffness, tip_stiffness
+from forficula.structure import Structure, Transition, drive_of, state_of, structure_of
 
 Array = NDArray[np.float64]
 
-# torques tried for opening, by the largest moment of a tendon against it
-_MOST_UNFOLD = 4.0
+# torques tried on hinges that tendons cross, by the largest moment of a tendon against it
+_MOST_OPENING = 4.0
 _STRAIGHT = math.radians(1)  # what counts as straight
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rest:
+    """Where a structure rests without torques.
+
+    Attributes:
+        name: of the state that a protocol names, such as "flat"; where it is none, what the protocol calls that.
+        angles: of all hinges, in their own senses, rad, (hinge,).
+        energy: J.
+        stable: whether it came to rest and no small push drives it on.
+    """
+
+    name: str
+    angles: Array
+    energy: float
+    stable: bool
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -35,45 +67,47 @@ class EnergyLandscape:
 
     Attributes:
         design: the design.
-        hinge: one ideal hinge, with both bars square to its axis.
-        tendons: every hinge of the wing about its true axis, the ring crease, by vein.
-        wing: the wing along its fold.
-        levels: energies of independent ideal hinges, none to all of them folded, J, (vein + 1,).
-        partial_folds: the wing let go with some hinges folded.
-        hinge_barriers: energy to climb until one hinge of the flat wing folds alone, J, (vein,).
-        fold_torque: least slowly growing torque on every proximal turn axis that folds the compliant wing, N m; None
-            where not even the protocol's does.
-        unfold_torque: least slowly growing torque on every distal hinge that opens it from folded, N m; None likewise.
-        tips: resistance to a load at the tips.
+        structure: what is built of it.
+        hinge: one ideal hinge, with both bars square to its axis; None where there are no bars to be so.
+        tendons: every hinge that one tendon lies across, about its true axis, by tendon.
+        wing: the structure along its fold; None where rigid panels have no one way to fold.
+        levels: energies of independent ideal hinges, none to all of them folded, J, (hinge + 1,).
+        partial_folds: let go with some hinges folded.
+        hinge_barriers: energy to climb until one hinge of the first state folds alone, J, (hinge,).
+        rests: where it rests when let go from where the protocol starts it, and from where each transition leads.
+        least_torques: by transition, the size of the least slowly growing torque that makes it, N m; None where not
+            even the largest that was tried does.
+        tips: resistance to a load at the tips; None where there is no one way to fold.
         remarks: sentences on what does not exist, and what to know of the rest.
     """
 
     design: Design
-    hinge: HingeLandscape
+    structure: Structure
+    hinge: HingeLandscape | None
     tendons: tuple[HingeLandscape, ...]
-    wing: FoldPath
+    wing: FoldPath | None
     levels: Array
     partial_folds: tuple[PartialFold, ...]
     hinge_barriers: Array
-    fold_torque: float | None
-    unfold_torque: float | None
-    tips: TipStiffness
+    rests: tuple[Rest, ...]
+    least_torques: Mapping[str, float | None]
+    tips: TipStiffness | None
     remarks: tuple[str, ...]
 
     @property
     def fold_barrier(self) -> float | None:
-        """Energy to climb from flat to folded along the fold, J; None where one of the two is no stable state."""
-        return _barrier_or_none(self, "flat", "folded")
+        """Energy to climb along the fold from its first state, J; None where one of its ends is no stable state."""
+        return _barrier_or_none(self, back=False)
 
     @property
     def unfold_barrier(self) -> float | None:
-        """Energy to climb from folded to flat along the fold, J; None where one of the two is no stable state."""
-        return _barrier_or_none(self, "folded", "flat")
+        """Energy to climb back along the fold, J; None where one of its ends is no stable state."""
+        return _barrier_or_none(self, back=True)
 
 
 @dataclass(frozen=True, kw_only=True)
 class StableState:
-    """A stable state of the wing along its fold.
+    """A stable state of a structure along its fold.
 
     Attributes:
         name: "flat", the first, where the wing is flat or cambered; "folded", the last; "partly folded" between them;
@@ -83,7 +117,7 @@ class StableState:
         far_pleat_angle: the other end of a neutral range, rad; otherwise the pleat angle.
         ring_angle: fold angle of the ring creases there, rad.
         energy: J.
-        holding_torque: on every proximal turn axis, that presses it onto the end of the path, N m.
+        holding_torque: on every hinge that turns, that presses it onto the end of the path, N m.
     """
 
     name: str
@@ -98,46 +132,65 @@ class StableState:
 def energy_landscape(design: Design, points: int = 181) -> EnergyLandscape:
     """Survey the statics of a design.
 
+    What hangs on the one way in which rigid panels fold is left out where there is none.
+
     Args:
         design: what to build; its protocol says what counts as folded and as opened, and the largest fold torque.
         points: places on every curve.
+
+    Raises:
+        InputError: it cannot be built, or a transition does not say where it leads.
     """
-    hinge = hinge_landscape(ideal_hinge(design), points)
-    tendons = tuple(hinge_landscape(each, points) for each in wing_hinges(design))
-    wing = fold_path(design, points)
-    wings = section([design])
-    flat = flat_state(wings)
-    fold = least_slow_torque(wings, flat, "fold", design.protocol.fold_torque)
+    structure = structure_of(design)
+    structures = ensemble([structure])
+    square = ideal_hinge(structure)
+    hinge = None if square is None else hinge_landscape(square, points)
+    tendons = tuple(hinge_landscape(each, points) for each in tendon_hinges(structure))
+    wing = None if structure.fold_path is None else fold_path(structures, points)
+    start = start_state(structures)
+    rests, slow, most = [_rest(structures, _first_state(structure), start)], {}, {}
     peak = max((each.peak_opening.torque for each in tendons if each.peak_opening is not None), default=0.0)
-    most = max(_MOST_UNFOLD * peak, design.protocol.unfold_torque)
-    unfold = least_slow_torque(wings, folded_state(wings), "distal", most)
-    fold_torque, unfold_torque = (_known(each.torque[0]) for each in (fold, unfold))
+    before = start
+    for transition in structure.transitions:
+        most[transition.name] = _largest_torque(structures, transition, peak)
+        slow[transition.name] = least_slow_torque(
+            structures, before.position, transition, most[transition.name], transition.slow_drive
+        )
+        before = state_beyond(structures, transition)
+        rests.append(_rest(structures, transition.state, before))
     return EnergyLandscape(
         design=design,
+        structure=structure,
         hinge=hinge,
         tendons=tendons,
         wing=wing,
-        levels=fold_levels(design),
-        partial_folds=partial_folds(design),
-        hinge_barriers=single_hinge_barriers(design),
-        fold_torque=fold_torque,
-        unfold_torque=unfold_torque,
-        tips=tip_stiffness(design),
+        levels=fold_levels(structure),
+        partial_folds=partial_folds(structures),
+        hinge_barriers=single_hinge_barriers(structures, start.position),
+        rests=tuple(rests),
+        least_torques={name: _known(each.torque[0]) for name, each in slow.items()},
+        tips=None if wing is None else tip_stiffness(structures, start.position),
         remarks=(
-            *hinge.remarks,
-            *_tendon_remarks(hinge, tendons[0]),
-            *wing.remarks,
-            *_flat_remarks(flat[0]),
-            *_fold_remarks(design, fold_torque, fold.position[0]),
-            *_unfold_remarks(most, unfold_torque),
+            *(() if hinge is None else hinge.remarks),
+            *_tendon_remarks(hinge, tendons),
+            *(() if wing is None else wing.remarks),
+            *_start_remarks(structure, start.position[0]),
+            *(
+                remark
+                for transition in structure.transitions
+                for remark in _slow_remarks(structure, transition, most[transition.name], slow[transition.name])
+            ),
         ),
     )
 
 
 def stable_states(landscape: EnergyLandscape) -> tuple[StableState, ...]:
-    """The stable states of the wing along its fold, from camber to folded."""
-    wing = landscape.wing
-    stable = [state for state in wing.states if state.stable]
+    """The stable states of a structure along its fold, from camber to folded.
+
+    Raises:
+        InputError: it has no one way to fold.
+    """
+    wing = _wing(landscape)
     return tuple(
         StableState(
             name=_name(state, landscape),
@@ -146,9 +199,10 @@ def stable_states(landscape: EnergyLandscape) -> tuple[StableState, ...]:
             far_pleat_angle=state.far_coordinate,
             ring_angle=float(np.interp(state.coordinate, wing.pleat_angle, wing.ring_angle)),
             energy=state.energy,
-            holding_torque=state.press * 2 / wing.veins,
+            holding_torque=state.press * 2 / wing.turns,
         )
-        for state in stable
+        for state in wing.states
+        if state.stable
     )
 
 
@@ -166,51 +220,92 @@ def barrier(landscape: EnergyLandscape, start: str, end: str) -> float:
         Up to the highest state between them; 0 where it is downhill all along.
 
     Raises:
-        InputError: the wing has no stable state of that name.
+        InputError: there is no stable state of that name.
     """
-    by_name = {state.name: state for state in stable_states(landscape)}
+    wing, by_name = _wing(landscape), {state.name: state for state in stable_states(landscape)}
     ends: list[PathState] = []
     for name in (start, end):
         if name not in by_name:
             near = difflib.get_close_matches(name, by_name, 1)
             meant = f', did you mean "{near[0]}"?' if near else ""
-            why = "" if near else "".join(f"; {remark}" for remark in landscape.wing.remarks)
+            why = "" if near else "".join(f"; {remark}" for remark in wing.remarks)
             known = ", ".join(by_name)
             raise InputError(
                 f'{landscape.design.name}: need a stable state of the wing ({known}), got "{name}"{meant}{why}'
             )
         place = by_name[name].pleat_angle
-        ends.append(next(state for state in landscape.wing.states if state.stable and state.coordinate == place))
-    return barrier_between(landscape.wing.states, *ends)
+        ends.append(next(state for state in wing.states if state.stable and state.coordinate == place))
+    return barrier_between(wing.states, *ends)
 
 
-def _barrier_or_none(landscape: EnergyLandscape, start: str, end: str) -> float | None:
+def _wing(landscape: EnergyLandscape) -> FoldPath:
+    """The path along the fold, or why there is none."""
+    rigid_fold(landscape.structure)
+    assert landscape.wing is not None
+    return landscape.wing
+
+
+def _barrier_or_none(landscape: EnergyLandscape, *, back: bool) -> float | None:
+    fold = landscape.structure.fold_path
+    if fold is None:
+        return None
+    ends = (fold.end, fold.start) if back else (fold.start, fold.end)
     names = {state.name for state in stable_states(landscape)}
-    return barrier(landscape, start, end) if {start, end} <= names else None
+    return barrier(landscape, *ends) if set(ends) <= names else None
 
 
 def _name(state: PathState, landscape: EnergyLandscape) -> str:
-    wing, folded = landscape.wing, landscape.design.protocol.folded_angle
+    wing, fold = _wing(landscape), rigid_fold(landscape.structure)
     ring = float(np.interp(state.far_coordinate, wing.pleat_angle, wing.ring_angle))
-    closed = ring >= folded or state.far_coordinate >= math.pi
+    folded = state_of(landscape.structure, fold.end)
+    enough = folded is not None and bool(np.all(-ring <= folded.bounds.most[list(fold.folds)]))
+    closed = enough or state.far_coordinate >= math.pi
     if state.coordinate <= 0:
-        return "anywhere" if closed else "flat"
-    return "folded" if closed else "partly folded"
+        return "anywhere" if closed else fold.start
+    return fold.end if closed else f"partly {fold.end}"
+
+
+def _first_state(structure: Structure) -> str:
+    """Name of the state in which a structure is before any transition; "" where none has a name."""
+    led_to = {transition.state for transition in structure.transitions}
+    return next((state.name for state in structure.states if state.name not in led_to), "")
+
+
+def _rest(structures: Ensemble, name: str, found: Equilibria) -> Rest:
+    state = state_of(structures.structure, name)
+    within = state is not None and bool(at_goal(structures, found.position[:1], state.bounds)[0])
+    return Rest(
+        name=name if within or state is None else state.missed,
+        angles=found.position[0],
+        energy=float(found.energy[0]),
+        stable=bool(found.rests[0] and found.stiffness[0] > 0),
+    )
+
+
+def _largest_torque(structures: Ensemble, transition: Transition, peak: float) -> float:
+    """The largest torque tried for a transition, N m: the drive's; of one on hinges that tendons cross, more."""
+    drive = transition.slow_drive or drive_of(structures.structure, transition.drive)
+    own = abs(drive.torque)
+    return max(_MOST_OPENING * peak, own) if crosses(structures, drive) else own
 
 
 def _known(value: float) -> float | None:
     return None if math.isnan(value) else float(value)
 
 
-def _tendon_remarks(ideal: HingeLandscape, tendon: HingeLandscape) -> tuple[str, ...]:
-    """What is said of the wing's tendons and not of the ideal one; where both are slack, the angles differ a little."""
-    if ideal.hinge.pulls == tendon.hinge.pulls:
+def _tendon_remarks(ideal: HingeLandscape | None, tendons: tuple[HingeLandscape, ...]) -> tuple[str, ...]:
+    """What is said of the tendons and not of the ideal one; where both are slack, the angles differ a little."""
+    if ideal is None:
+        return tuple(dict.fromkeys(remark for tendon in tendons for remark in tendon.remarks))
+    if not tendons or ideal.hinge.pulls == tendons[0].hinge.pulls:
         return ()
-    return tuple(f"about the wing's own hinge axes {remark}" for remark in tendon.remarks)
+    return tuple(f"about the wing's own hinge axes {remark}" for remark in tendons[0].remarks)
 
 
-def _flat_remarks(angles: Array) -> tuple[str, ...]:
-    least = float(angles[FOLD::4].min())
+def _start_remarks(structure: Structure, angles: Array) -> tuple[str, ...]:
+    if structure.fold_path is None:
+        return ()
+    least = float(angles[list(structure.fold_path.folds)].min())
     if least >= -_STRAIGHT:
         return ()
     return (
@@ -219,17 +314,24 @@ def _flat_remarks(angles: Array) -> tuple[str, ...]:
     )
 
 
-def _fold_remarks(design: Design, torque: float | None, angles: Array) -> tuple[str, ...]:
-    if torque is not None:
+def _slow_remarks(structure: Structure, transition: Transition, most: float, found: SlowTransition) -> tuple[str, ...]:
+    """What to say where no slowly growing torque makes a transition."""
+    if not math.isnan(found.torque[0]):
         return ()
-    reached = f"{math.degrees(float(angles[FOLD::4].max())):.4g} deg"
-    return (
-        f"no slowly growing torque up to {show_quantity(design.protocol.fold_torque, TORQUE)} folds it, the last hinge"
-        f" stops at {reached}: it folds by inertia or not at all, which a run tells",
+    verb, *rest = transition.wording.verb.split(maxsplit=1)
+    does, own = " ".join([f"{verb}s", *rest]), transition.slow_drive is None
+    makes = f"makes it {transition.wording.verb}" if rest else f"{does} it"
+    started = "" if transition is structure.transitions[0] else f" from {_before(structure, transition)}"
+    on = "" if transition.slow_drive is None else f" on the {transition.slow_drive.name} hinges"
+    folding = list(folding_hinges(structure))
+    stopped = (
+        f", the last hinge stops at {math.degrees(float(found.position[0, folding].max())):.4g} deg" if folding else ""
     )
+    # what a run can do beyond it
+    inertia = f"{stopped}: it {does} by inertia or not at all, which a run tells" if own else ""
+    return (f"no slowly growing torque up to {show_quantity(most, TORQUE)}{on} {makes}{started}{inertia}",)
 
 
-def _unfold_remarks(most: float, torque: float | None) -> tuple[str, ...]:
-    if torque is not None:
-        return ()
-    return (f"no slowly growing torque up to {show_quantity(most, TORQUE)} on the distal hinges opens it from folded",)
+def _before(structure: Structure, transition: Transition) -> str:
+    """Name of the state from which a transition starts, after the first one."""
+    return structure.transitions[structure.transitions.index(transition) - 1].state

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from forficula.statics.fold_path import FoldPath, rigid_fold
 from forficula.statics.hinge_landscape import HingeLandscape
 from forficula.statics.landscape import EnergyLandscape, stable_states
 from forficula.statics.partial_folds import PartialFold
@@ -13,15 +14,27 @@ from forficula.statics.partial_folds import PartialFold
 
 def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
     """A landscape as plain data with units in its keys, as `landscape.json` has it."""
-    tips = landscape.tips
+    hinge, tips = landscape.hinge, landscape.tips
     return {
         "design": landscape.design.name,
-        "hinge": _hinge_summary(landscape.hinge),
+        "hinge": None if hinge is None else _hinge_summary(hinge),
         "tendons": [_hinge_summary(hinge) for hinge in landscape.tendons],
-        "wing": _wing_summary(landscape),
+        "wing": None if landscape.wing is None else _wing_summary(landscape, landscape.wing),
         "levels_J": landscape.levels.tolist(),
         "partial_folds": [_partial_summary(state) for state in landscape.partial_folds],
-        "tips": {
+        "rests": [
+            {
+                "name": state.name,
+                "angles_deg": np.degrees(state.angles).tolist(),
+                "energy_J": state.energy,
+                "stable": state.stable,
+            }
+            for state in landscape.rests
+        ],
+        "least_torques_N_m": dict(landscape.least_torques),
+        "tips": None
+        if tips is None
+        else {
             "deflection_m": tips.deflection,
             "holding_force_N": tips.holding_force,
             "flat_along_N_per_m": tips.flat_along,
@@ -51,6 +64,7 @@ def _hinge_summary(hinge: HingeLandscape) -> dict[str, Any]:
             for state in hinge.states
         ],
         "barrier_J": hinge.barrier,
+        "barrier_angle_deg": None if hinge.barrier_angle is None else float(np.degrees(hinge.barrier_angle)),
         "holding_torque_N_m": hinge.holding_torque,
         "peak_opening_torque_N_m": None if peak is None else peak.torque,
         "peak_opening_angle_deg": None if peak is None else float(np.degrees(peak.angle)),
@@ -65,8 +79,8 @@ def _hinge_summary(hinge: HingeLandscape) -> dict[str, Any]:
     }
 
 
-def _wing_summary(landscape: EnergyLandscape) -> dict[str, Any]:
-    wing, states = landscape.wing, stable_states(landscape)
+def _wing_summary(landscape: EnergyLandscape, wing: FoldPath) -> dict[str, Any]:
+    states, first = stable_states(landscape), rigid_fold(landscape.structure).start
     climbs = [state for state in wing.states if not state.stable]
     return {
         "pleat_angle_deg": np.degrees(wing.pleat_angle).tolist(),
@@ -93,11 +107,10 @@ def _wing_summary(landscape: EnergyLandscape) -> dict[str, Any]:
         "barrier_J": landscape.fold_barrier,
         "single_hinge_barriers_J": landscape.hinge_barriers.tolist(),
         "opening_barrier_J": landscape.unfold_barrier,
-        "holding_torque_N_m": next((state.holding_torque for state in states if state.name == "flat"), None),
+        "holding_torque_N_m": next((state.holding_torque for state in states if state.name == first), None),
         "path_fold_torque_N_m": wing.fold_torque,
         "path_unfold_torque_N_m": wing.unfold_torque,
-        "least_fold_torque_N_m": landscape.fold_torque,
-        "least_unfold_torque_N_m": landscape.unfold_torque,
+        **{f"least_{name}_torque_N_m": torque for name, torque in landscape.least_torques.items()},
     }
 
 

@@ -1,4 +1,4 @@
-"""A wing with some of its hinges folded: which of these states stay, and what they store."""
+"""A structure with some of its hinges folded: which of these states stay, and what they store."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.design import Design
-from forficula.statics.hinge import ideal_hinge
-from forficula.statics.potential import FOLD, rest, section, straight_start
+from forficula.statics.hinge import ideal_hinges
+from forficula.statics.potential import Ensemble, potential, rest, sheet_torque
 from forficula.statics.sheet import sheet_energy
+from forficula.structure import Structure
 
 Array = NDArray[np.float64]
 
-# of so many veins every combination is tried; of more only those folded one after another, from one side
+# of so many hinges every combination is tried; of more only those folded one after another, from one side
 _EVERY_COMBINATION = 5
 # how far past straight a hinge starts: from there its tendon pulls it as far as neighbours and guards let it
 _START = math.radians(30)
@@ -26,15 +26,17 @@ _ROUNDING = 1e-6  # of the stiffest part
 
 @dataclass(frozen=True, kw_only=True)
 class PartialFold:
-    """A wing let go with some hinges folded and the others in the overbend.
+    """A structure let go with some hinges folded and the others in the overbend.
+
+    Of the folding hinges, see `folding_hinges`, the first has the number 0.
 
     Attributes:
-        folded: veins whose hinges start folded.
+        folded: hinges that start folded.
         stable: whether every hinge stays on the side of straight on which it starts, and no small push drives it on.
-        stays_folded: veins whose hinges are folded in the end.
-        distal_angle: of each vein in the end, rad, (vein,).
-        tendon_energy: of all tendons in the end, J.
-        sheet_energy: of membrane and guards in the end, J.
+        stays_folded: hinges that are folded in the end.
+        distal_angle: of each folding hinge in the end, rad, (folding hinge,).
+        tendon_energy: of all tendons, springs and weights in the end, J.
+        sheet_energy: of membranes and length limits in the end, J.
     """
 
     folded: tuple[int, ...]
@@ -46,65 +48,101 @@ class PartialFold:
 
     @property
     def energy(self) -> float:
-        """Of tendons, membrane and guards, J."""
+        """Of everything, J."""
         return self.tendon_energy + self.sheet_energy
 
 
-def fold_levels(design: Design) -> Array:
-    """Energies of independent ideal hinges, none of them folded to all of them, J, (vein + 1,).
+def folding_hinges(structure: Structure) -> tuple[int, ...]:
+    """Numbers of the hinges that fold: those of the rigid fold, or, where there is none, those that tendons cross."""
+    if structure.fold_path is not None:
+        return structure.fold_path.folds
+    crossings = [tendon.crossing for tendon in structure.tendons if tendon.crossing is not None]
+    return tuple(dict.fromkeys(crossing.hinge for crossing in crossings))
 
-    Sums of the energies at the overbend stop and at the fold limit (Binder et al. 2025, section 3.1).
+
+def fold_levels(structure: Structure) -> Array:
+    """Energies of independent ideal hinges, none of them folded to all of them, J, (hinge + 1,).
+
+    Sums of the energies at the overbend stop and at the fold limit (Binder et al. 2025, section 3.1), folded from the
+    first on.
     """
-    hinge, veins = ideal_hinge(design), design.fan.vein_count
-    flat, folded = float(hinge.energy(hinge.overbend)), float(hinge.energy(-hinge.fold_limit))
-    return np.array([(veins - count) * flat + count * folded for count in range(veins + 1)])
+    hinges = ideal_hinges(structure)
+    count = len(hinges)
+    flat, folded = (
+        [float(hinge.energy(angle)) for hinge, angle in zip(hinges, angles, strict=True)]
+        for angles in ([hinge.overbend for hinge in hinges], [-hinge.fold_limit for hinge in hinges])
+    )
+    if len(set(hinges)) == 1:
+        return np.array([(count - each) * flat[0] + each * folded[0] for each in range(count + 1)])
+    return np.array([sum(folded[:each]) + sum(flat[each:]) for each in range(count + 1)], dtype=np.float64)
 
 
-def single_hinge_barriers(design: Design) -> Array:
-    """Energy to climb until one hinge folds, the others left alone, J, (vein,).
+def single_hinge_barriers(structures: Ensemble, flat: Array) -> Array:
+    """Energy to climb until one hinge folds, the others left alone, J, (folding hinge,).
 
-    The hinge is led from where it rests in the flat wing to past straight, and everything else goes to where the
+    The hinge is led from where it rests in the flat state to past straight, and everything else goes to where the
     energy is least; 0 where it is downhill all along.
+
+    Args:
+        structures: of which the first case is taken.
+        flat: angles at rest without torques, rad, (1, hinge).
     """
-    one = section([design])
-    flat = rest(one, straight_start(one))
-    veins = one.veins
-    wings = one.only(np.zeros(veins * _WAYS, dtype=np.int64))
-    start = np.tile(flat.position, (veins * _WAYS, 1))
+    folding = folding_hinges(structures.structure)
+    count = len(folding)
+    if not count:
+        return np.zeros(0)
+    many = structures.repeated(count * _WAYS)
+    start = np.tile(flat, (count * _WAYS, 1))
     held = np.zeros(start.shape, dtype=bool)
-    for vein in range(veins):
-        rows, joint = slice(vein * _WAYS, (vein + 1) * _WAYS), 4 * vein + FOLD
-        here = flat.position[0, joint]
-        past = -min(_START, design.hinge.fold_limit)
-        start[rows, joint] = np.append(np.linspace(here, past, _WAYS - 1), 0.0)
-        held[rows, joint] = True
-    energy = rest(wings, start, held=held).energy.reshape(veins, _WAYS)
-    return np.asarray(np.maximum(0.0, energy.max(axis=1) - flat.energy[0]))
+    tops = _tops(structures)
+    for number, hinge in enumerate(folding):
+        rows = slice(number * _WAYS, (number + 1) * _WAYS)
+        past = max(tops[hinge] - _START, structures.lower[hinge])
+        start[rows, hinge] = np.append(np.linspace(flat[0, hinge], past, _WAYS - 1), tops[hinge])
+        held[rows, hinge] = True
+    energy = rest(many, start, held=held).energy.reshape(count, _WAYS)
+    level = potential(structures.repeated(1), flat)[0][0]
+    return np.asarray(np.maximum(0.0, energy.max(axis=1) - level))
 
 
-def partial_folds(design: Design) -> tuple[PartialFold, ...]:
-    """Let the wing go from every combination of folded hinges, fewest first.
+def _tops(structures: Ensemble) -> Array:
+    """Angles at which the tendons across single hinges are longest, within the stops, rad, (hinge,); else straight."""
+    tops = np.zeros(structures.size)
+    tops[structures.crossed] = 0.0 - np.asarray(structures.tendons.offset_angle)[0]
+    return np.clip(tops, structures.lower, structures.upper)
 
-    First the joints at the base and the turns go to where the membrane is stretched least, with the hinges held, then
-    everything is free. Of more than five veins only the combinations of neighbours from the first vein on are tried.
+
+def partial_folds(structures: Ensemble) -> tuple[PartialFold, ...]:
+    """Let a structure go from every combination of folded hinges, fewest first.
+
+    First all other hinges go to where the membrane is stretched least, with the folding ones held, then everything is
+    free. Of more than five hinges only the combinations of neighbours from the first one on are tried.
+
+    Args:
+        structures: of which the first case is taken.
     """
-    combinations = _combinations(design.fan.vein_count)
-    wings = section([design]).only(np.zeros(len(combinations), dtype=np.int64))
-    start = np.zeros((len(combinations), len(wings.lower)))
+    folding = np.array(folding_hinges(structures.structure), dtype=np.int64)
+    if not len(folding):
+        return ()
+    combinations = _combinations(len(folding))
+    many = structures.repeated(len(combinations))
+    start = np.zeros((len(combinations), many.size))
+    tops = _tops(structures)[folding]
+    closed = np.maximum(tops - _START, many.lower[folding])
+    opened = np.where(np.isfinite(many.upper[folding]), many.upper[folding], tops + _START)
     for row, folded in enumerate(combinations):
-        for vein in range(wings.veins):
-            start[row, 4 * vein + FOLD] = -min(_START, design.hinge.fold_limit) if vein in folded else wings.upper[FOLD]
-    aimed = rest(wings, start, fixed=(FOLD,)).position
-    found = rest(wings, aimed)
-    sheet, _, _ = sheet_energy(wings.sheet, found.position.reshape(len(start), wings.veins, 4))
-    states = []
+        start[row, folding] = np.where(np.isin(np.arange(len(folding)), folded), closed, opened)
+    aimed = rest(many, start, fixed=folding.tolist()).position
+    found = rest(many, aimed)
+    sheet, _, _ = sheet_energy(many.sheet, found.position)
+    soft, states = _soft(structures), []
     for row, folded in enumerate(combinations):
-        angle = found.position[row, FOLD::4]
-        stays = tuple(int(vein) for vein in np.flatnonzero(angle < 0))
+        angle = found.position[row, folding]
+        stays = tuple(int(each) for each in np.flatnonzero(angle < tops))
         states.append(
             PartialFold(
                 folded=folded,
-                stable=bool(found.rests[row] and found.stiffness[row] > -_soft(design)) and stays == folded,
+                stable=bool(found.rests[row] and found.stiffness[row] > -soft) and stays == folded,
                 stays_folded=stays,
                 distal_angle=angle,
                 tendon_energy=float(found.energy[row] - sheet[row]),
@@ -114,14 +152,14 @@ def partial_folds(design: Design) -> tuple[PartialFold, ...]:
     return tuple(states)
 
 
-def _soft(design: Design) -> float:
-    """Stiffness that counts as none, N m/rad: where nothing holds a wing, rounding makes it a little negative."""
-    membrane = design.membrane
-    sheet = membrane.youngs_modulus * membrane.thickness * membrane.margin**2
-    return _ROUNDING * max(sheet, abs(float(ideal_hinge(design).stiffness(0.0))))
+def _soft(structures: Ensemble) -> float:
+    """Stiffness that counts as none, N m/rad: where nothing holds a structure, rounding makes it a little negative."""
+    ideal = [abs(float(hinge.stiffness(hinge.top))) for hinge in ideal_hinges(structures.structure)]
+    springs = float(structures.stiffness.max(initial=0.0))
+    return _ROUNDING * max(sheet_torque(structures.structure), springs, *ideal, 0.0)
 
 
-def _combinations(veins: int) -> list[tuple[int, ...]]:
-    if veins > _EVERY_COMBINATION:
-        return [tuple(range(count)) for count in range(veins + 1)]
-    return [folded for count in range(veins + 1) for folded in itertools.combinations(range(veins), count)]
+def _combinations(hinges: int) -> list[tuple[int, ...]]:
+    if hinges > _EVERY_COMBINATION:
+        return [tuple(range(count)) for count in range(hinges + 1)]
+    return [folded for count in range(hinges + 1) for folded in itertools.combinations(range(hinges), count)]

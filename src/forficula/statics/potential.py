@@ -1,177 +1,240 @@
-"""The potential of a wing at rest: tendons, membrane, guards, and the torques that act, over all its joint angles."""
+"""The potential of a structure at rest: all that stores energy, less the work of the torques that act, over all angles.
+
+Coordinates are the angles of the structure's hinges, in its order, each in its own sense.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
-from typing import Literal
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from forficula.design import Design, key_value
 from forficula.errors import InputError
+from forficula.material import ElasticLaw
+from forficula.statics.elements import Expansion
 from forficula.statics.equilibrium import Cases, Equilibria, descend
-from forficula.statics.hinge import TendonHinge, stacked_hinges, wing_hinges
-from forficula.statics.sheet import Expansion, Sheet, sheet_energy, wing_sheet
-from forficula.statics.wing import FOLD, LIFT, SWEEP, TURN, flat_wing
+from forficula.statics.hinge import TendonHinge, stacked_hinges, tendon_hinges
+from forficula.statics.lines import Lines, largest_pull, line_energy, lines_of
+from forficula.statics.pose import Span, span, tree_of
+from forficula.statics.sheet import Sheet, sheet_energy, sheet_of
+from forficula.statics.weight import Weight, weight_energy, weight_of
+from forficula.structure import Structure, static_keys, structure_of
 
 Array = NDArray[np.float64]
-Drive = Literal["fold", "unfold", "distal"]
 
-# torque on every proximal turn axis and on every distal hinge, both towards folding, by unit of torque
-DRIVES: dict[Drive, tuple[float, float]] = {"fold": (1.0, 0.0), "unfold": (-1.0, -1.0), "distal": (0.0, -1.0)}
-
-# keys of a design that statics looks at beside the tendons
-SHARED = (
-    "pattern",
-    "membrane",
-    "hinge",
-    "guard",
-    "protocol.initial_overbend",
-    "protocol.folded_angle",
-    "protocol.opened_angle",
-)
-
-# Steps over which a wing is followed: shorter ones end in the same places.
+# Steps over which a structure is followed: shorter ones end in the same places.
 _LONGEST_STEP = 0.1  # rad
-_QUIET = 1e-6  # torque that counts as none, of what the stiffest tendon can exert
+_QUIET = 1e-6  # torque that counts as none, of what the stiffest part can exert
 
 
 @dataclass(frozen=True, kw_only=True)
-class Section:
-    """Wings that differ in their tendons at most, side by side.
+class Ensemble:
+    """Structures that differ in their tendons at most, side by side: what statics solves for.
 
     Attributes:
-        sheet: what joins the veins.
-        hinges: of the veins, by case.
-        lower: least joint angles, rad, (angle,); sweep, lift, turn and fold, vein by vein.
-        upper: largest ones, (angle,).
+        structure: of the first case; what it says of tendons holds for that case only.
+        sheet: membranes and length limits.
+        lines: tendons across several hinges; None for none.
+        weight: of the bodies; None without gravity.
+        crossed: numbers of the hinges that one tendon each lies across, by tendon.
+        crossings: by which what tendons do adds up to hinges, (tendon, hinge).
+        tendons: the hinges of these tendons as one, whose functions take angles (case, tendon).
+        stiffness: of the hinges' springs, N m/rad, (hinge,).
+        rest_angles: where these rest, rad, (hinge,).
+        motors: numbers of the hinges of every motor.
+        drives: by which torques of motors add up to those on hinges, (motor, hinge).
+        lower: least angles, rad, (hinge,).
+        upper: largest ones, (hinge,).
+        cases: how many.
     """
 
+    structure: Structure
     sheet: Sheet
-    hinges: tuple[tuple[TendonHinge, ...], ...]
+    lines: Lines | None
+    weight: Weight | None
+    crossed: Span
+    crossings: Array
+    tendons: TendonHinge
+    stiffness: Array
+    rest_angles: Array
+    motors: tuple[Span, ...]
+    drives: Array
     lower: Array
     upper: Array
+    cases: int
 
     @property
-    def veins(self) -> int:
-        """How many veins."""
-        return len(self.sheet.wing.hub)
+    def size(self) -> int:
+        """How many hinges."""
+        return len(self.lower)
 
-    @cached_property
-    def tendons(self) -> TendonHinge:
-        """The hinges of all wings as one, whose functions take angles (case, vein)."""
-        return stacked_hinges(self.hinges)
+    def only(self, cases: NDArray[np.int64]) -> Ensemble:
+        """Some of the cases, by number, any of them once or more."""
+        lines = None if self.lines is None else self.lines.only(cases)
+        return replace(self, tendons=_rows(self.tendons, cases), lines=lines, cases=len(cases))
 
-    def only(self, cases: NDArray[np.int64]) -> Section:
-        """Some of the wings, by number, any of them once or more."""
-        return replace(self, hinges=tuple(self.hinges[case] for case in cases.tolist()))
+    def repeated(self, count: int) -> Ensemble:
+        """The first case, so many times."""
+        return self.only(np.zeros(count, dtype=np.int64))
 
 
-def section(designs: Sequence[Design]) -> Section:
-    """Lay out wings that differ in their tendons at most.
+def ensemble_of(designs: Sequence[Design]) -> Ensemble:
+    """Lay out designs that differ in their tendons at most.
 
     Raises:
         InputError: they differ in more.
     """
     first = designs[0]
     for design in designs[1:]:
-        differs = [key for key in SHARED if key_value(design, key) != key_value(first, key)]
+        differs = [key for key in static_keys(first) if key_value(design, key) != key_value(first, key)]
         if differs:
             raise InputError(f"{design.name}: need wings that differ in their tendons only, got another {differs[0]}")
-    hinge = first.hinge
-    veins = first.fan.vein_count
-    return Section(
-        sheet=wing_sheet(flat_wing(first)),
-        hinges=tuple(wing_hinges(design) for design in designs),
-        lower=np.tile([-np.inf, -np.inf, -hinge.turn_back, -hinge.fold_limit], veins),
-        upper=np.tile([np.inf, np.inf, hinge.turn_limit, hinge.overbend], veins),
+    return ensemble([structure_of(design) for design in designs])
+
+
+def ensemble(structures: Sequence[Structure]) -> Ensemble:
+    """Lay out structures that differ in their tendons at most; only those are taken of all but the first.
+
+    Raises:
+        InputError: their tendons lie across other hinges.
+    """
+    first, size = structures[0], len(structures[0].hinges)
+    crossed = _crossed(first)
+    for other in structures[1:]:
+        if len(other.hinges) != size or _crossed(other) != crossed:
+            raise InputError(f"{other.name}: need structures that differ in their tendons' laws and places only")
+    tree = tree_of(first)
+    unit = np.eye(size)
+    drives = np.array([unit[list(motor.hinges)].sum(axis=0) for motor in first.motors]).reshape(-1, size)
+    return Ensemble(
+        structure=first,
+        sheet=sheet_of(first, tree),
+        lines=lines_of(structures, tree),
+        weight=weight_of(first, tree),
+        crossed=span(crossed),
+        crossings=unit[crossed],
+        tendons=stacked_hinges([tendon_hinges(each) for each in structures]),
+        stiffness=np.array([hinge.stiffness for hinge in first.hinges]),
+        rest_angles=np.array([hinge.rest_angle for hinge in first.hinges]),
+        motors=tuple(span(motor.hinges) for motor in first.motors),
+        drives=drives,
+        lower=np.array([hinge.lower for hinge in first.hinges]),
+        upper=np.array([hinge.upper for hinge in first.hinges]),
+        cases=len(structures),
     )
 
 
-def potential(wings: Section, angles: Array, proximal: Array, distal: Array) -> Expansion:
+def _crossed(structure: Structure) -> list[int]:
+    return [tendon.crossing.hinge for tendon in structure.tendons if tendon.crossing is not None]
+
+
+def _rows(tendons: TendonHinge, cases: NDArray[np.int64]) -> TendonHinge:
+    """Some rows of stacked hinges."""
+    law: Any = {name: getattr(tendons.law, name)[cases] for name in ("rest_length", "linear", "quadratic", "cubic")}
+    names = ("proximal_arm", "distal_arm", "axial_offset", "offset_angle", "overbend", "fold_limit", "inertia")
+    numbers: Any = {name: getattr(tendons, name)[cases] for name in names}
+    return TendonHinge(law=ElasticLaw(**law), **numbers)
+
+
+def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> Expansion:
     """Energy stored, less the work of the torques.
 
     Args:
-        wings: side by side.
-        angles: rad, (case, angle).
-        proximal: torque on every proximal turn axis towards folding, N m, (case,).
-        distal: torque on every distal hinge towards folding, alike.
+        structures: side by side.
+        angles: rad, (case, hinge).
+        torques: of every motor, N m, (motor,), or by case, (case, motor).
 
     Returns:
-        J, (case,); its slope, N m, (case, angle); its curvature, N m/rad, (case, angle, angle).
+        J, (case,); its slope, N m, (case, hinge); its curvature, N m/rad, (case, hinge, hinge).
     """
-    by_vein = angles.reshape(len(angles), wings.veins, 4)
-    energy, slope, curvature = sheet_energy(wings.sheet, by_vein)
-    turn, fold, places = by_vein[:, :, TURN], by_vein[:, :, FOLD], np.arange(FOLD, angles.shape[1], 4)
-    tendons = wings.tendons
-    energy += tendons.energy(fold).sum(axis=1) - proximal * turn.sum(axis=1) + distal * fold.sum(axis=1)
-    slope[:, TURN::4] -= proximal[:, None]
-    slope[:, FOLD::4] += distal[:, None] - tendons.moment(fold)
-    curvature[:, places, places] += tendons.stiffness(fold)
+    energy, slope, curvature = sheet_energy(structures.sheet, angles)
+    for part in _further(structures, angles):
+        energy, slope, curvature = energy + part[0], slope + part[1], curvature + part[2]
+    tendons, crossing = structures.tendons, angles[:, structures.crossed]
+    tendon_energy, moment, stiffness = tendons.expansion(crossing)
+    stored = tendon_energy.sum(axis=1)
+    torques = np.broadcast_to(torques, (len(angles), len(structures.motors)))
+    for motor, hinges in enumerate(structures.motors):
+        stored = stored - torques[:, motor] * angles[:, hinges].sum(axis=1)
+    energy += stored
+    slope += -(torques @ structures.drives) - moment @ structures.crossings
+    diagonal = np.arange(structures.size)
+    curvature[:, diagonal, diagonal] += stiffness @ structures.crossings
+    if structures.stiffness.any():
+        turned = structures.stiffness * (angles - structures.rest_angles)
+        energy += np.sum(turned * (angles - structures.rest_angles), axis=1) / 2
+        slope += turned
+        curvature[:, diagonal, diagonal] += structures.stiffness
     return energy, slope, curvature
 
 
+def _further(structures: Ensemble, angles: Array) -> list[Expansion]:
+    """What not every structure has: tendons across several hinges, and weight."""
+    parts = [] if structures.lines is None else [line_energy(structures.lines, angles)]
+    return parts if structures.weight is None else [*parts, weight_energy(structures.weight, angles)]
+
+
 def rest(
-    wings: Section,
+    structures: Ensemble,
     start: Array,
-    proximal: ArrayLike = 0.0,
-    distal: ArrayLike = 0.0,
+    torques: ArrayLike = 0.0,
     *,
     fixed: Sequence[int] = (),
     held: ArrayLike = False,
     within: float = np.inf,
 ) -> Equilibria:
-    """Let wings go from where they are, slowly, to where they rest under torques.
+    """Let structures go from where they are, slowly, to where they rest under torques.
 
     Args:
-        wings: side by side.
-        start: joint angles, rad, (case, angle).
-        proximal: torque on every proximal turn axis towards folding, N m, one or by case.
-        distal: torque on every distal hinge towards folding, alike.
-        fixed: which of a vein's four joints are held where they start: SWEEP, LIFT, TURN, FOLD.
-        held: which single joints are held where they start, (case, angle).
-        within: how far each joint may turn, rad.
+        structures: side by side.
+        start: angles, rad, (case, hinge).
+        torques: of every motor, N m, (motor,), or by case, (case, motor).
+        fixed: numbers of hinges that are held where they start.
+        held: which single ones are held where they start, (case, hinge).
+        within: how far each hinge may turn, rad.
     """
     count = len(start)
-    torques = np.stack([np.broadcast_to(torque, (count,)) for torque in (proximal, distal)])
-    lower, upper = np.maximum(wings.lower, start - within), np.minimum(wings.upper, start + within)
-    for joint in fixed:
-        lower[:, joint::4] = upper[:, joint::4] = start[:, joint::4]
+    torques = np.broadcast_to(torques, (count, len(structures.motors)))
+    lower, upper = np.maximum(structures.lower, start - within), np.minimum(structures.upper, start + within)
+    fixed = list(fixed)
+    lower[:, fixed] = upper[:, fixed] = start[:, fixed]
     lower, upper = np.where(held, start, lower), np.where(held, start, upper)
-    law = wings.sheet.wing.design.membrane
-    strongest = float(np.abs(wings.tendons.moment(np.full((count, wings.veins), -np.pi / 2))).max())
-    scale = max(strongest, law.youngs_modulus * law.thickness * law.margin**2)
-    some, which = wings, np.arange(count)
+    some, which = structures, np.arange(count)
 
     def energy(angles: Array, cases: Cases) -> Expansion:
         nonlocal some, which
         if not np.array_equal(cases, which):
-            some, which = wings.only(cases), cases
-        return potential(some, angles, *torques[:, cases])
+            some, which = structures.only(cases), cases
+        return potential(some, angles, torques[cases])
 
-    return descend(energy, start, lower, upper, longest_step=_LONGEST_STEP, force=_QUIET * scale)
-
-
-def straight_start(wings: Section) -> Array:
-    """Joint angles of the flat wings with their hinges where the protocol starts them, rad, (case, angle)."""
-    angles = np.zeros((len(wings.hinges), 4 * wings.veins))
-    angles[:, FOLD::4] = wings.sheet.wing.design.protocol.initial_overbend
-    return angles
+    return descend(energy, start, lower, upper, longest_step=_LONGEST_STEP, force=_QUIET * torque_scale(structures))
 
 
-__all__ = [
-    "DRIVES",
-    "FOLD",
-    "LIFT",
-    "SWEEP",
-    "TURN",
-    "Drive",
-    "Section",
-    "potential",
-    "rest",
-    "section",
-    "straight_start",
-]
+def torque_scale(structures: Ensemble) -> float:
+    """Torque of the size of what the parts exert, N m: of tendons, membranes, springs, or weight."""
+    tendons = structures.tendons
+    quarter = -np.pi / 2 - np.asarray(tendons.offset_angle)
+    scales = [float(np.abs(tendons.moment(quarter)).max(initial=0.0)), sheet_torque(structures.structure)]
+    if structures.lines is not None:
+        scales.append(largest_pull(structures.lines, structures.structure))
+    scales.append(float(structures.stiffness.max(initial=0.0)))
+    if structures.weight is not None:
+        scales.append(float(structures.weight.forces.sum()) * structures.structure.span)
+    return max(scales)
+
+
+def sheet_torque(structure: Structure) -> float:
+    """Torque that a membrane's margin exerts at a strain of 1, the largest of all, N m; 0 without a membrane."""
+    return max(
+        (membrane.law.youngs_modulus * membrane.law.thickness * membrane.margin**2 for membrane in structure.membranes),
+        default=0.0,
+    )
+
+
+def start_angles(structures: Ensemble) -> Array:
+    """Angles of the built structures with their hinges where the protocol starts them, rad, (case, hinge)."""
+    return np.tile([hinge.start for hinge in structures.structure.hinges], (structures.cases, 1))

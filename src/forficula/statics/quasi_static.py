@@ -1,4 +1,4 @@
-"""How wings give way to slowly growing torques: the least ones that fold and open, without any help by inertia."""
+"""How structures give way to slowly growing torques: the least ones that take them to a goal, without any inertia."""
 
 from __future__ import annotations
 
@@ -7,120 +7,168 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from forficula.statics.potential import DRIVES, FOLD, TURN, Drive, Section, rest, straight_start
+from forficula.errors import InputError
+from forficula.statics.equilibrium import Equilibria
+from forficula.statics.pose import carried_points, places_of, pose
+from forficula.statics.potential import Ensemble, rest, start_angles
+from forficula.structure import Drive, Goal, Structure, Transition, distances_of, drive_of, goal_of
 
 Array = NDArray[np.float64]
 
-_LEAD_IN = 4  # halvings of the first torque that folds
+_LEAD_IN = 4  # halvings of the first torque
 _ACCURACY = 0.01  # of a least torque
 _FIRST_STEP = 1e-4  # of the largest torque tried, which no step is shorter than
-_NEAR = 0.3  # rad, by which the joints of a wing turn at most without a snap from step to step
+_NEAR = 0.3  # rad, by which hinges turn at most without a snap from step to step
 
 
 @dataclass(frozen=True, kw_only=True)
 class SlowTransition:
-    """What a slowly growing torque does to wings.
+    """What a slowly growing torque does to structures.
 
     Attributes:
-        torque: the least that brings each to its goal, N m, nan where none of those tried does, (case,).
-        position: joint angles under the least torque, or under the largest one tried, rad, (case, angle).
+        torque: size of the least that brings each to its goal, N m, nan where none of those tried does, (case,).
+        position: angles under the least torque, or under the largest one tried, rad, (case, hinge).
     """
 
     torque: Array
     position: Array
 
 
-def flat_state(wings: Section) -> Array:
-    """Joint angles of the wings at rest without torques, from flat, rad, (case, angle)."""
-    return rest(wings, straight_start(wings)).position
+def start_state(structures: Ensemble) -> Equilibria:
+    """Where structures rest without torques when let go from where the protocol starts them."""
+    return rest(structures, start_angles(structures))
 
 
-def folded_state(wings: Section) -> Array:
-    """Joint angles of the wings at rest without torques, from folded as far as the stops allow, rad, (case, angle)."""
-    start = straight_start(wings)
-    start[:, FOLD::4], start[:, TURN::4] = wings.lower[FOLD], wings.upper[TURN]
-    closed = rest(wings, start, fixed=(TURN, FOLD))
-    return rest(wings, closed.position).position
+def state_beyond(structures: Ensemble, transition: Transition) -> Equilibria:
+    """Where structures rest without torques when let go from where a transition leads, as far as stops allow.
+
+    Hinges that its goal bounds start at their stops on that side, hinges that its drive turns at the stops that it
+    turns them to. With these held, the others go to where they rest, and then all do.
+
+    Raises:
+        InputError: neither goal nor drive says where that is.
+    """
+    built = structures.structure
+    goal, drive = goal_of(built, transition.goal), drive_of(built, transition.drive)
+    start = np.zeros((structures.cases, structures.size))
+    pushed = _by_unit(drive) @ structures.drives
+    count, ends = structures.size, np.full(structures.size, np.nan)
+    for towards, stops in ((pushed < 0, structures.lower), (pushed > 0, structures.upper)):
+        ends[towards] = stops[towards]
+    for bounded, bounds, stops in (
+        (np.isfinite(goal.most[:count]), goal.most[:count], structures.lower),
+        (np.isfinite(goal.least[:count]), goal.least[:count], structures.upper),
+    ):
+        ends[bounded] = np.where(np.isfinite(stops), stops, bounds)[bounded]
+    placed = np.flatnonzero(np.isfinite(ends))
+    if not len(placed):
+        raise InputError(
+            f"{built.name}: nothing says where {transition.name} leads: need a goal that bounds hinges, or a drive of"
+            " hinges with stops"
+        )
+    start[:, placed] = ends[placed]
+    closed = rest(structures, start, fixed=placed.tolist())
+    return rest(structures, closed.position)
 
 
-def folds_beyond(position: Array, angle: float) -> NDArray[np.bool_]:
-    """Whether every distal hinge is folded by an angle (rad) or more, (case,)."""
-    return np.asarray(np.all(position[:, FOLD::4] <= -angle, axis=1))
+def at_goal(structures: Ensemble, position: Array, goal: Goal) -> NDArray[np.bool_]:
+    """Whether every hinge and distance is within a goal's bounds, (case,)."""
+    watched = np.concatenate([position, _distances(structures.structure, structures, position)], axis=1)
+    return np.asarray(np.all((watched >= goal.least) & (watched <= goal.most), axis=1))
 
 
-def opened_to(position: Array, angle: float) -> NDArray[np.bool_]:
-    """Whether every distal hinge is at an angle (rad) or past it, on the overbend side, (case,)."""
-    return np.asarray(np.all(position[:, FOLD::4] >= angle, axis=1))
+def _distances(structure: Structure, structures: Ensemble, position: Array) -> Array:
+    """Distances that are measured, m, (case, distance)."""
+    ends = [measure.points for measure in distances_of(structure) if measure.points is not None]
+    if not ends:
+        return np.zeros((len(position), 0))
+    tree, points = structures.sheet.laid.tree, [structure.points[number] for pair in ends for number in pair]
+    carried = carried_points(tree, [point.body for point in points], np.array([point.place for point in points]))
+    places = places_of(carried, pose(tree, position))
+    return np.asarray(np.linalg.norm(places[:, :, 1::2] - places[:, :, ::2], axis=0))
 
 
-def slow_transition(wings: Section, start: Array, drive: Drive, torques: ArrayLike) -> SlowTransition:
-    """Let the torque grow from step to step, wait for the wing to rest at each, and see when it gets to its goal.
+def slow_transition(structures: Ensemble, start: Array, transition: Transition, torques: ArrayLike) -> SlowTransition:
+    """Let a transition's torque grow from step to step, wait for rest at each, and see when it gets to its goal.
 
-    Goals are the protocol's: folded_angle where the torque folds, opened_angle where it opens. A torque that comes at
-    once may lead elsewhere than one that grows: it chooses which veins of a flat wing turn, as hardly anything holds
-    them. So where it folds, smaller ones come before the first.
+    A torque that comes at once may lead elsewhere than one that grows: it chooses which hinges turn where hardly
+    anything holds them. So where it acts on hinges that no tendon crosses, smaller ones come before the first.
 
     Args:
-        wings: side by side.
-        start: joint angles at rest without torques, rad, (case, angle).
-        drive: "fold", on every proximal turn axis; "distal", on every distal hinge; "unfold", on both.
-        torques: rising, N m, (step,).
+        structures: side by side.
+        start: angles at rest without torques, rad, (case, hinge).
+        transition: whose drive and goal.
+        torques: sizes, rising, N m, (step,); the sign is that of the drive's.
     """
+    goal, drive = goal_of(structures.structure, transition.goal), drive_of(structures.structure, transition.drive)
     position, least = start.copy(), np.full(len(start), np.nan)
     steps = np.asarray(torques, dtype=np.float64)
-    before = steps[0] / 2.0 ** np.arange(_LEAD_IN, 0, -1) if drive == "fold" else []
+    before = [] if crosses(structures, drive) else steps[0] / 2.0 ** np.arange(_LEAD_IN, 0, -1)
     for torque in [*before, *steps]:
         left = np.flatnonzero(np.isnan(least))
         if not len(left):
             break
-        position[left] = _pushed(wings, left, position[left], drive, np.full(len(left), torque))
-        least[left[_at_goal(wings, position[left], drive)]] = max(torque, steps[0])
+        position[left] = _pushed(structures, left, position[left], drive, np.full(len(left), torque))
+        least[left[at_goal(structures, position[left], goal)]] = max(torque, steps[0])
     return SlowTransition(torque=least, position=position)
 
 
-def least_slow_torque(wings: Section, start: Array, drive: Drive, most: ArrayLike) -> SlowTransition:
-    """Find the least slowly growing torque that brings each wing to its goal, to 1 % of it.
+def crosses(structures: Ensemble, drive: Drive) -> bool:
+    """Whether a drive acts on a hinge that a tendon lies across."""
+    return bool((structures.crossings @ (np.array(drive.shares) @ structures.drives)).any())
 
-    A step of the torque under which the wing would leave its surroundings is halved. Where it does so after a step of
+
+def least_slow_torque(
+    structures: Ensemble, start: Array, transition: Transition, most: ArrayLike, drive: Drive | None = None
+) -> SlowTransition:
+    """Find the least slowly growing torque that brings each structure to a transition's goal, to 1 % of it.
+
+    A step of the torque under which it would leave its surroundings is halved. Where it does so after a step of
     1 % of the torque, too, it snaps: it is let go to where it rests, and the torque grows on from there. The first
     step is 1e-4 of the largest torque, and no shorter ones are tried.
 
     Args:
-        wings: side by side.
-        start: joint angles at rest without torques, rad, (case, angle).
-        drive: as in `slow_transition`.
-        most: largest torque tried, N m, one or by case.
+        structures: side by side.
+        start: angles at rest without torques, rad, (case, hinge).
+        transition: whose goal, and whose drive where none is given.
+        most: size of the largest torque tried, N m, one or by case.
+        drive: of the torque, whose sign it has.
     """
+    goal = goal_of(structures.structure, transition.goal)
+    drive = drive or drive_of(structures.structure, transition.drive)
     most = np.broadcast_to(np.asarray(most, dtype=np.float64), (len(start),))
     position, torque, step = start.copy(), np.zeros(len(start)), _FIRST_STEP * most
-    least = np.where(_at_goal(wings, start, drive), 0.0, np.nan)
+    least = np.where(at_goal(structures, start, goal), 0.0, np.nan)
     while True:
         left = np.flatnonzero(np.isnan(least) & (torque < most))
         if not len(left):
             return SlowTransition(torque=least, position=position)
         tried = np.minimum(torque[left] + step[left], most[left])
-        found = _pushed(wings, left, position[left], drive, tried, within=_NEAR)
+        found = _pushed(structures, left, position[left], drive, tried, within=_NEAR)
         leaves = np.abs(found - position[left]).max(axis=1) > 0.99 * _NEAR
         snaps = leaves & (step[left] <= np.maximum(_ACCURACY * tried, _FIRST_STEP * most[left]))
         if snaps.any():
-            found[snaps] = _pushed(wings, left[snaps], found[snaps], drive, tried[snaps])
+            found[snaps] = _pushed(structures, left[snaps], found[snaps], drive, tried[snaps])
         kept = ~leaves | snaps
         torque[left[kept]], position[left[kept]] = tried[kept], found[kept]
-        arrived = kept & _at_goal(wings, found, drive)
+        arrived = kept & at_goal(structures, found, goal)
         least[left[arrived]] = tried[arrived]
         step[left] *= np.where(snaps, 1.0, np.where(leaves, 0.5, 2.0))
 
 
-def _at_goal(wings: Section, position: Array, drive: Drive) -> NDArray[np.bool_]:
-    protocol = wings.sheet.wing.design.protocol
-    if drive == "fold":
-        return folds_beyond(position, protocol.folded_angle)
-    return opened_to(position, protocol.opened_angle)
-
-
 def _pushed(
-    wings: Section, cases: NDArray[np.int64], start: Array, drive: Drive, torque: Array, within: float = np.inf
+    structures: Ensemble,
+    cases: NDArray[np.int64],
+    start: Array,
+    drive: Drive,
+    torque: Array,
+    within: float = np.inf,
 ) -> Array:
-    """Joint angles at which some wings rest under a torque, no farther away than that."""
-    on_proximal, on_distal = DRIVES[drive]
-    return rest(wings.only(cases), start, on_proximal * torque, on_distal * torque, within=within).position
+    """Angles at which some structures rest under a torque, no farther away than that."""
+    torques = torque[:, None] * _by_unit(drive)
+    return rest(structures.only(cases), start, torques, within=within).position
+
+
+def _by_unit(drive: Drive) -> Array:
+    """Torques of all motors by the size of a drive's, (motor,)."""
+    return np.array(drive.shares) * (-1.0 if drive.torque < 0 else 1.0)

@@ -12,9 +12,9 @@ import math
 from scipy.integrate import quad
 
 from forficula.errors import InputError
-from forficula.statics.hinge import TendonHinge, released_energy, slack_angle
+from forficula.statics.hinge import TendonHinge, released_energy
 
-FOLD_START = math.radians(1)  # past straight, where the hinge is let go
+FOLD_START = math.radians(1)  # past the top, where the hinge is let go
 _ACCURACY = 1e-10  # of the quadrature, relative
 
 
@@ -29,55 +29,67 @@ def time_scale(hinge: TendonHinge) -> float | None:
 
 
 def growth_rate(hinge: TendonHinge) -> float | None:
-    """Rate at which the hinge leaves straight, 1/s: the angle grows with cosh(rate time).
+    """Rate at which the hinge leaves the top, 1/s: the angle from there grows with cosh(rate time).
 
-    sqrt(-stiffness(0) / I), which for a linear law is sqrt(1 - lambda) / t*, lambda being the resting length by the
-    length at straight (theory.md, section 3). None where the tendon does not pull.
+    sqrt(-stiffness / I) at the top, which for a linear law is sqrt(1 - lambda) / t*, lambda being the resting length by
+    the length there (theory.md, section 3). None where the tendon does not pull, or the hinge does not get there.
     """
-    return math.sqrt(-float(hinge.stiffness(0.0)) / hinge.inertia) if hinge.pulls else None
+    if not hinge.pulls or hinge.nearest > 0:
+        return None
+    return math.sqrt(-float(hinge.stiffness(hinge.top)) / hinge.inertia)
 
 
 def fold_time(hinge: TendonHinge, start: float = FOLD_START) -> float | None:
-    """Time from rest past straight to the fold limit, s.
+    """Time from rest past the top to the fold limit, s.
 
-    The integral of d angle / sqrt(2 (released energy) / I) (conservation of energy). With angle = start cosh(y) the
-    integrand is finite at the start, where the speed is zero, and near straight it is constant. Once the tendon is
-    slack the hinge coasts. For equal arms, no offset, no resting length, a linear law and a fold limit of 180 deg it is
-    t* K(m), m = cos^2(start / 2), K the complete elliptic integral of the first kind (theory.md, section 3).
+    The integral of d angle / sqrt(2 (released energy) / I) (conservation of energy). With an angle of start cosh(y)
+    from the top the integrand is finite at the start, where the speed is zero, and near the top it is constant. Once
+    the tendon is slack the hinge coasts. For equal arms, no offset, no resting length, a linear law and a fold limit of
+    180 deg it is t* K(m), m = cos^2(start / 2), K the complete elliptic integral of the first kind (theory.md,
+    section 3).
 
     Args:
         hinge: the hinge.
-        start: how far past straight it is let go, rad.
+        start: how far past the top it is let go, rad; at the overbend stop where that is farther.
 
     Returns:
         None where nothing folds it from there: the tendon is slack, or the fold limit is not beyond the start.
 
     Raises:
-        InputError: the start is not > 0; from straight itself nothing moves.
+        InputError: the start is not > 0; from the top itself nothing moves.
     """
     speed = final_speed(hinge, start)
     if speed is None:
         return None
+    start = _let_go(hinge, start)
 
     def slowness(y: float) -> float:
         turned = 2 * start * math.sinh(y / 2) ** 2
         return start * math.sinh(y) / math.sqrt(2 * float(released_energy(hinge, start, turned)) / hinge.inertia)
 
-    slack = slack_angle(hinge)
-    end = hinge.fold_limit if slack is None else -slack
-    taut = quad(slowness, 0, math.acosh(max(end / start, 1.0)), epsabs=0, epsrel=_ACCURACY, limit=200)[0]
-    return float(taut) + (hinge.fold_limit - end) / speed
+    def taut(before: float, after: float) -> float:
+        ends = (math.acosh(max(each / start, 1.0)) for each in (before, after))
+        return float(quad(slowness, *ends, epsabs=0, epsrel=_ACCURACY, limit=200)[0])
+
+    end, slack = hinge.top_to_fold, hinge.slack_distance
+    if slack is None or slack > end:
+        return taut(start, end)
+    taut_again = 2 * math.pi - slack
+    if end <= taut_again:
+        return taut(start, slack) + (end - slack) / speed
+    coasting = math.sqrt(2 * float(released_energy(hinge, start, slack - start)) / hinge.inertia)
+    return taut(start, slack) + (taut_again - slack) / coasting + taut(taut_again, end)
 
 
 def final_speed(hinge: TendonHinge, start: float = FOLD_START) -> float | None:
-    """Angular speed at the fold limit after a fold from rest past straight, rad/s.
+    """Angular speed at the fold limit after a fold from rest past the top, rad/s.
 
     sqrt(2 (released energy) / I); times t* it is 2 cos(start / 2) - rest length / a for equal arms a, no offset, a
     linear law and a fold limit at which the tendon is slack (theory.md, section 3).
 
     Args:
         hinge: the hinge.
-        start: how far past straight it is let go, rad.
+        start: how far past the top it is let go, rad; at the overbend stop where that is farther.
 
     Returns:
         None where nothing folds it from there.
@@ -87,7 +99,13 @@ def final_speed(hinge: TendonHinge, start: float = FOLD_START) -> float | None:
     """
     if not start > 0:
         raise InputError(f"start: need > 0 deg, past straight, got {math.degrees(start):g} deg")
-    if not start < hinge.fold_limit or not hinge.law.force(hinge.length(start)) > 0:
+    start = _let_go(hinge, start)
+    if not start < hinge.top_to_fold or not hinge.law.force(hinge.length_from_top(start)) > 0:
         return None
-    released = float(released_energy(hinge, start, hinge.fold_limit - start))
-    return math.sqrt(2 * released / hinge.inertia) or None
+    released = float(released_energy(hinge, start, hinge.top_to_fold - start))
+    return math.sqrt(2 * released / hinge.inertia) if released > 0 else None
+
+
+def _let_go(hinge: TendonHinge, start: float) -> float:
+    """How far past the top the hinge is let go, rad: no nearer than its overbend stop."""
+    return max(start, -hinge.top_to_overbend)

@@ -1,5 +1,6 @@
 from forficula.structure.appearance import Appearance
-from forficula.structure.build import drive_keys, structure_of, with_protocol
+from forficula.structure.build import drive_keys, static_keys, structure_of, with_protocol
+from forficula.structure.crossing import bar_crossing, tendon_crossing
 from forficula.structure.goals import (
     distances_of,
     drive_of,
@@ -9,11 +10,12 @@ from forficula.structure.goals import (
     state_of,
     transition_of,
 )
-from forficula.structure.mass import mass_of
+from forficula.structure.mass import inertia_about, mass_of
 from forficula.structure.structure import (
     GROUND,
     Bar,
     Body,
+    Crossing,
     Drive,
     Goal,
     Hinge,
@@ -25,6 +27,7 @@ from forficula.structure.structure import (
     Plate,
     Point,
     RestState,
+    RigidFold,
     Structure,
     Tendon,
     Transition,
@@ -33,6 +36,7 @@ from forficula.structure.structure import (
 from forficula.structure.structure_warnings import structure_warnings
 from forficula.structure.tree import (
     ancestry,
+    built_frames,
     built_hinges,
     built_lengths,
     built_points,
@@ -48,6 +52,7 @@ __all__ = [
     "Appearance",
     "Bar",
     "Body",
+    "Crossing",
     "Drive",
     "Goal",
     "Hinge",
@@ -59,11 +64,14 @@ __all__ = [
     "Plate",
     "Point",
     "RestState",
+    "RigidFold",
     "Structure",
     "Tendon",
     "Transition",
     "Wording",
     "ancestry",
+    "bar_crossing",
+    "built_frames",
     "built_hinges",
     "built_lengths",
     "built_points",
@@ -75,13 +83,16 @@ __all__ = [
     "goal_of",
     "hinges_between",
     "hinges_of",
+    "inertia_about",
     "mass_of",
     "measure_of",
     "outer_ends",
     "state_of",
+    "static_keys",
     "structure_of",
     "structure_warnings",
     "tendon_arms",
+    "tendon_crossing",
     "transition_of",
     "with_protocol",
 ]

@@ -39,5 +39,14 @@ def drive_keys(design: Design) -> tuple[str, ...]:
     raise _no_way(design)
 
 
+def static_keys(design: Design) -> tuple[str, ...]:
+    """Keys, or starts of keys, of what matters to where a design rests, but for its tendons."""
+    if isinstance(design, FanDesign):
+        return veins.static_keys(design)
+    if isinstance(design, PlatesDesign):
+        return plates.static_keys(design)
+    raise _no_way(design)
+
+
 def _no_way(design: Design) -> InputError:
     return InputError(f"{design.name}: there is no way to build it")

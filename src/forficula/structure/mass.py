@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from forficula.structure.structure import Array, Bar, Plate, Structure
+from forficula.structure.tree import ancestry, built_frames
 
 
 def mass_of(structure: Structure, body: int) -> tuple[float, Array, Array]:
@@ -72,3 +73,34 @@ def _of_plate(plate: Plate, corners: Array) -> tuple[float, Array, Array]:
 def _of_point(place: Array) -> Array:
     """Inertia of a unit mass at a place about the origin (Huygens and Steiner)."""
     return np.asarray(place @ place * np.eye(3) - np.outer(place, place))
+
+
+def end_inertia(*, diameter: float, density: float, length: float, along: float, across: float) -> float:
+    """Inertia of a solid cylinder about an axis through the middle of its end, kg m^2.
+
+    m r^2 / 2 cos^2 + m (r^2 / 4 + l^2 / 3) sin^2 of the angle between axis and bar.
+
+    Args:
+        diameter: m.
+        density: kg/m^3.
+        length: m.
+        along: cosine of that angle.
+        across: its sine.
+    """
+    radius = diameter / 2
+    mass = density * math.pi * radius**2 * length
+    return mass * (radius**2 / 2 * along**2 + (radius**2 / 4 + length**2 / 3) * across**2)
+
+
+def inertia_about(structure: Structure, hinge: int) -> float:
+    """Inertia about a hinge's axis of all that turns with it as built, with its armature, kg m^2."""
+    origins, frames = built_frames(structure)
+    body = structure.hinges[hinge].body
+    axis, total = frames[body] @ structure.hinges[hinge].axis, structure.hinges[hinge].armature
+    for number in range(len(structure.bodies)):
+        if body in ancestry(structure, number):
+            mass, centre, own = mass_of(structure, number)
+            way = origins[number] + frames[number] @ centre - origins[body]
+            inertia = frames[number] @ own @ frames[number].T + mass * _of_point(way)
+            total += float(axis @ inertia @ axis)
+    return total

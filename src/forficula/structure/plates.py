@@ -14,6 +14,7 @@ from forficula.design.sheet_places import SheetPlace, crease_role, creases_of, p
 from forficula.errors import InputError
 from forficula.material.law.tendon_law import TendonLaw
 from forficula.pattern import CreasePattern, FacetLink, facet_tree
+from forficula.structure.crossing import tendon_crossing
 from forficula.structure.goals import goal_of
 from forficula.structure.mass import mass_of
 from forficula.structure.structure import (
@@ -32,6 +33,9 @@ from forficula.structure.structure import (
     Transition,
     Wording,
 )
+
+# keys that matter to where plates rest beside those of their tendons
+_STATIC_KEYS = ("pattern", "crease", "support", "measure", "protocol.stages", "protocol.gravity")
 
 
 def plate_structure(design: PlatesDesign) -> Structure:
@@ -89,7 +93,6 @@ def plate_structure(design: PlatesDesign) -> Structure:
     for place, chosen in enumerate(design.tendon):
         ends = _ends(pattern, chosen)
         crossed = _edges_between(links, ends[0].facet, ends[1].facet)
-        hinged = [edges[edge] for edge in crossed if edge in edges]
         tendons.append(
             Tendon(
                 name=chosen.name,
@@ -101,7 +104,6 @@ def plate_structure(design: PlatesDesign) -> Structure:
                     damping=(chosen.damping, 0.0, 0.0),
                 ),
                 longest=_longest(pattern, ends, crossed),
-                hinge=hinged[0] if len(hinged) == 1 else None,
                 gauge_length=chosen.rest_length,
                 key=f"tendon.{place}",
             )
@@ -130,7 +132,8 @@ def plate_structure(design: PlatesDesign) -> Structure:
         mass=1.0,
         gravity=design.protocol.gravity,
     )
-    return with_protocol(replace(built, mass=_largest_mass(design, built)), design)
+    crossed_by = [replace(tendon, crossing=tendon_crossing(built, tendon.points)) for tendon in tendons]
+    return with_protocol(replace(built, tendons=tuple(crossed_by), mass=_largest_mass(design, built)), design)
 
 
 def with_protocol(structure: Structure, design: PlatesDesign) -> Structure:
@@ -190,6 +193,12 @@ def with_protocol(structure: Structure, design: PlatesDesign) -> Structure:
 def drive_keys(design: PlatesDesign) -> tuple[str, ...]:
     """Keys of the values that say how strong the drives are."""
     return tuple(f"drive.{number}.value" for number in range(len(design.drive)))
+
+
+def static_keys(design: PlatesDesign) -> tuple[str, ...]:
+    """Keys of what matters to where the plates rest, but for their tendons."""
+    # without gravity they rest where they rest, however heavy they are
+    return (*_STATIC_KEYS, "facet") if design.protocol.gravity else _STATIC_KEYS
 
 
 def _wording(state: str, done: str, key: str) -> Wording:
@@ -313,7 +322,7 @@ def _driven(structure: Structure, design: PlatesDesign) -> tuple[tuple[Motor, ..
     return tuple(motors), tuple(
         Drive(
             name=drive.name,
-            torques=tuple(drive.value if number in drives else 0.0 for drives in shared),
+            shares=tuple(1.0 if number in drives else 0.0 for drives in shared),
             rise=rises[number],
             key=f"drive.{number}.value",
             torque=drive.value,

@@ -135,6 +135,31 @@ class Hinge:
     label: str = ""
 
 
+@dataclass(frozen=True, kw_only=True)
+class Crossing:
+    """How a tendon lies across a hinge, where its length depends on that hinge alone.
+
+    Its ends turn about the hinge's axis on two circles with radii A and B, an offset c apart along the axis:
+    length^2 = A^2 + B^2 + c^2 + 2 A B cos(angle + delta), with the hinge's angle in its own sense.
+
+    Attributes:
+        hinge: number of the hinge.
+        proximal_arm: A, distance of the end on the side of the hinge's parent from the axis, m.
+        distal_arm: B, the same of the end on the side that turns, m.
+        axial_offset: c, m; 0 where the ends lie in one plane square to the axis.
+        offset_angle: delta, rad; the tendon is longest where the hinge's angle is -delta. 0 where axis and ends lie in
+            one plane as built.
+        inertia: of what turns about the axis as built, with the hinge's armature, kg m^2.
+    """
+
+    hinge: int
+    proximal_arm: float
+    distal_arm: float
+    axial_offset: float = 0.0
+    offset_angle: float = 0.0
+    inertia: float
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Tendon:
     """A spring between two points that pulls and never pushes.
@@ -145,8 +170,9 @@ class Tendon:
         points: numbers of its ends.
         law: force against length, rate and past, in the structure's units.
         longest: the length beyond which it is never stretched, m.
-        hinge: number of the hinge that it lies across, the only one that its length depends on; None where it depends
-            on others, or on several.
+        crossing: how it lies across the only hinge that its length depends on; None where it depends on several.
+        ideal: the same with both bars square to the hinge's axis, as closed forms have it; None where there are no
+            bars to be so.
         gauge_length: by which its extension is a strain, m: the resting length that it had before any set.
         material: whose law it has, in the structure's units; None where it is a spring of no material.
         key: of the design's section that it comes from, such as "tendon", or "tendon.1" where others differ.
@@ -158,7 +184,8 @@ class Tendon:
     points: tuple[int, int]
     law: TendonLaw
     longest: float
-    hinge: int | None = None
+    crossing: Crossing | None = None
+    ideal: Crossing | None = None
     gauge_length: float = 0.0
     material: MaterialLaw | None = None
     key: str = ""
@@ -244,7 +271,7 @@ class Drive:
 
     Attributes:
         name: as stages call it.
-        torques: of every motor of the structure, in their order, N m.
+        shares: by which `torque` is on the hinges of every motor of the structure, in their order.
         rise: time over which they rise evenly from 0, s; 0: at once.
         key: of the design's value that makes it stronger, such as "protocol.fold_torque".
         torque: that value, N m.
@@ -254,13 +281,18 @@ class Drive:
     """
 
     name: str
-    torques: tuple[float, ...]
+    shares: tuple[float, ...]
     rise: float
     key: str
     torque: float
     tries: str = ""
     large: str = ""
     where: str = ""
+
+    @property
+    def torques(self) -> tuple[float, ...]:
+        """Of every motor of the structure, in their order, N m."""
+        return tuple(share * self.torque for share in self.shares)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -362,6 +394,7 @@ class Transition:
             state must keep its own.
         measure: name of the measure that tells how far it got.
         kind: of that measure.
+        slow_drive: what statics lets grow in the drive's place, where that moves more than it must; None for the drive.
         furthest: which of the measure's readings is furthest from the goal.
         begun: reading beyond which it has begun for good; None where sentences do not tell how far it got.
         wording: for sentences.
@@ -378,6 +411,41 @@ class Transition:
     begun: float | None
     wording: Wording
     kind: Literal["angle", "distance"] = "angle"
+    slow_drive: Drive | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class RigidFold:
+    """The one way in which the panels fold if they are rigid, along the angle of their pleats.
+
+    Hinges in `turns` turn by half the pleat angle. Those in `folds` fold to the negative of the ring angle,
+    tan(ring / 2) = ratio tan(pleat / 2). All others go where the sheets between the panels are stretched least.
+
+    Attributes:
+        turns: numbers of hinges.
+        folds: numbers of hinges.
+        ratio: of the tangents; 0 where the ring stays straight until the pleats are closed.
+        first: pleat angle at which the folds are at their upper stops, rad, negative; None where they never are.
+        last: pleat angle at which a stop ends the fold, rad.
+        base_length: length of the bars up to the folds, m.
+        tip_length: length of the bars beyond them, m.
+        tips: numbers of the points at the ends of these, one for each of `folds`.
+        start: name of the state before it folds.
+        end: name of the state at its end.
+        remarks: sentences on what keeps the panels from it.
+    """
+
+    turns: tuple[int, ...]
+    folds: tuple[int, ...]
+    ratio: float
+    first: float | None
+    last: float
+    base_length: float
+    tip_length: float
+    tips: tuple[int, ...]
+    start: str
+    end: str
+    remarks: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -401,6 +469,7 @@ class Structure:
         states: by name.
         stage_states: names of the states that the stages of the protocol end in, "" where one ends in none, (stage,).
         transitions: in the order in which a protocol takes them.
+        fold_path: how its panels fold if they are rigid; None where there is no such way, or several.
         span: a length of the size of the whole, m.
         mass: of the size of its bodies' mass, kg.
         contact: whether bars that touch push each other apart.
@@ -424,6 +493,7 @@ class Structure:
     states: tuple[RestState, ...] = ()
     stage_states: tuple[str, ...] = ()
     transitions: tuple[Transition, ...] = ()
+    fold_path: RigidFold | None = None
     span: float
     mass: float
     contact: bool = False

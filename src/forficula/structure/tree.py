@@ -24,7 +24,7 @@ def hinges_between(structure: Structure, one: int, other: int) -> tuple[int, ...
 
 def built_points(structure: Structure) -> Array:
     """Where all points are in the built shape, m, (point, 3)."""
-    origins, frames = _built_frames(structure)
+    origins, frames = built_frames(structure)
     return np.array(
         [
             point.place if point.body == GROUND else origins[point.body] + frames[point.body] @ point.place
@@ -54,7 +54,7 @@ def built_strains(structure: Structure) -> Array:
 
 def built_hinges(structure: Structure) -> tuple[Array, Array]:
     """Where the hinges are in the built shape, m, (hinge, 3), and unit vectors along their axes, (hinge, 3)."""
-    origins, frames = _built_frames(structure)
+    origins, frames = built_frames(structure)
     bodies = [hinge.body for hinge in structure.hinges]
     axes = [frames[hinge.body] @ hinge.axis for hinge in structure.hinges]
     return origins[bodies].reshape(-1, 3), np.array(axes).reshape(-1, 3)
@@ -81,7 +81,7 @@ def tendon_arms(structure: Structure, tendon: Tendon) -> tuple[tuple[int, float]
 
     That is the distance of its nearer end from the hinge's body's origin: the pull is no further from there.
     """
-    origins, _ = _built_frames(structure)
+    origins, _ = built_frames(structure)
     bodies = [structure.points[point].body for point in tendon.points]
     places = built_points(structure)[list(tendon.points)]
     return tuple(
@@ -90,7 +90,7 @@ def tendon_arms(structure: Structure, tendon: Tendon) -> tuple[tuple[int, float]
     )
 
 
-def _built_frames(structure: Structure) -> tuple[Array, Array]:
+def built_frames(structure: Structure) -> tuple[Array, Array]:
     """Origins, (body, 3), and rotations from the axes of bodies to those of the ground, (body, 3, 3), as built."""
     origins, frames = np.zeros((len(structure.bodies), 3)), np.zeros((len(structure.bodies), 3, 3))
     for number, body in enumerate(structure.bodies):

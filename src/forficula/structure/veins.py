@@ -16,11 +16,15 @@ from forficula.errors import InputError
 from forficula.pattern import CreasePattern, earwig_pattern, ring_vertices
 from forficula.quantities import show_value
 from forficula.structure.appearance import Appearance
+from forficula.structure.crossing import bar_crossing, sine_between
+from forficula.structure.fan_fold import fan_fold
+from forficula.structure.mass import end_inertia
 from forficula.structure.structure import (
     GROUND,
     Array,
     Bar,
     Body,
+    Crossing,
     Drive,
     Goal,
     Hinge,
@@ -79,6 +83,19 @@ _APPEARANCE = Appearance(
 )
 # the hinges of a vein in this order: sweep and lift aim it, turn is about its own axis
 _AIMS = (("sweep", (0.0, 0.0, 1.0)), ("lift", (0.0, 1.0, 0.0)), ("turn", (1.0, 0.0, 0.0)))
+# axis and bars of a hinge with both bars square to it
+_SQUARE = (np.array([0.0, 1.0, 0.0]), (np.array([1.0, 0.0, 0.0]), np.array([1.0, 0.0, 0.0])))
+# keys that matter to where a fan rests beside those of its tendons
+_STATIC_KEYS = (
+    "pattern",
+    "membrane",
+    "hinge",
+    "guard",
+    "protocol.initial_overbend",
+    "protocol.folded_angle",
+    "protocol.opened_angle",
+    "protocol.gravity",
+)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -135,7 +152,7 @@ def vein_structure(design: FanDesign) -> Structure:
     )
     circles = {"hub": chosen.hub_radius}
     appearance = replace(built.appearance, text=text, sizes=sizes, pattern=pattern, circles=circles)
-    return replace(built, appearance=appearance)
+    return replace(built, appearance=appearance, fold_path=fan_fold(design, built))
 
 
 def veins_on(pattern: CreasePattern, beyond: Array) -> tuple[Vein, ...]:
@@ -206,7 +223,8 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
                 law=tendon_law(choice),
                 longest=math.hypot(choice.proximal_attachment, choice.proximal_offset, choice.proximal_aside)
                 + math.hypot(choice.distal_attachment, choice.distal_offset, choice.distal_aside),
-                hinge=len(hinges) - 1,
+                crossing=_crossing(design, choice, len(hinges) - 1, vein.ring_direction, _bars(vein)),
+                ideal=_crossing(design, choice, len(hinges) - 1, *_SQUARE),
                 gauge_length=choice.rest_length,
                 material=None if choice.law is None else choice.law.material,
                 key=f"tendon.{index}" if isinstance(design.tendon, tuple) else "tendon",
@@ -249,7 +267,7 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
         drives=(
             Drive(
                 name="fold",
-                torques=(fold, 0.0),
+                shares=(1.0, 0.0),
                 rise=protocol.rise,
                 key="protocol.fold_torque",
                 torque=fold,
@@ -259,7 +277,7 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
             ),
             Drive(
                 name="unfold",
-                torques=(-unfold, unfold),
+                shares=(-1.0, 1.0),
                 rise=protocol.rise,
                 key="protocol.unfold_torque",
                 torque=unfold,
@@ -299,6 +317,14 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
                 state="opened",
                 released=opened,
                 measure="distal_angle",
+                # the distal hinges alone are what has to give
+                slow_drive=Drive(
+                    name="distal",
+                    shares=(0.0, 1.0),
+                    rise=protocol.rise,
+                    key="protocol.unfold_torque",
+                    torque=unfold,
+                ),
                 furthest="largest",
                 begun=None,
                 wording=_in_terms_of(design, _UNFOLD),
@@ -339,6 +365,12 @@ def drive_keys(design: FanDesign) -> tuple[str, ...]:  # noqa: ARG001
     return ("protocol.fold_torque", "protocol.unfold_torque")
 
 
+def static_keys(design: FanDesign) -> tuple[str, ...]:
+    """Keys of what matters to where the fan rests, but for its tendons: those of one layout have it in common."""
+    # without gravity it rests where it rests, however heavy it is
+    return (*_STATIC_KEYS, "vein") if design.protocol.gravity else _STATIC_KEYS
+
+
 def _of_role(hinges: Sequence[Hinge], role: str) -> tuple[int, ...]:
     return tuple(number for number, hinge in enumerate(hinges) if hinge.role == role)
 
@@ -376,6 +408,33 @@ def _hinges(design: FanDesign, index: int, vein: Vein) -> list[Hinge]:
         label=f"vein {index}",
     )
     return [*aims, ring]
+
+
+def _bars(vein: Vein) -> tuple[Array, Array]:
+    """Unit vectors along the proximal and the distal bar, outwards."""
+    proximal, distal = vein.ring_vertex - vein.hub_point, vein.tip - vein.ring_vertex
+    return proximal / np.linalg.norm(proximal), distal / np.linalg.norm(distal)
+
+
+def _crossing(design: FanDesign, tendon: TendonSection, hinge: int, axis: Array, bars: tuple[Array, Array]) -> Crossing:
+    """How a tendon lies across a distal hinge about an axis, between bars that point outwards in the flat sheet."""
+    distal = bars[1]
+    inertia = end_inertia(
+        diameter=design.vein.diameter,
+        density=design.vein.density,
+        length=design.pattern.distal_length,
+        along=float(distal @ axis),
+        across=sine_between(distal, axis),
+    )
+    return bar_crossing(
+        hinge=hinge,
+        axis=axis,
+        bars=bars,
+        attachments=(tendon.proximal_attachment, tendon.distal_attachment),
+        offsets=(tendon.proximal_offset, tendon.distal_offset),
+        asides=(tendon.proximal_aside, tendon.distal_aside),
+        inertia=inertia + design.hinge.armature,
+    )
 
 
 def _attachments(tendon: TendonSection, index: int, vein: Vein) -> list[Point]:

@@ -1,4 +1,4 @@
-"""How much more torque a protocol has than its wings need when torques grow slowly."""
+"""How much more torque a protocol has than its structures need when torques grow slowly."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.design import Design
-from forficula.statics.potential import Drive, Section, section
-from forficula.statics.quasi_static import flat_state, folded_state, least_slow_torque
+from forficula.statics.potential import Ensemble, ensemble_of
+from forficula.statics.quasi_static import least_slow_torque, start_state, state_beyond
+from forficula.structure import Transition, drive_of
 
 Array = NDArray[np.float64]
 
@@ -17,33 +18,38 @@ Array = NDArray[np.float64]
 _MORE = 10.0
 
 
-def least_slow_torques(designs: Sequence[Design]) -> tuple[Array, Array]:
-    """The least slowly growing torques that fold and that open, to 1 %, up to ten times the protocol's.
+def least_slow_torques(designs: Sequence[Design]) -> tuple[Array, ...]:
+    """The least slowly growing torques of every transition, to 1 %, up to ten times the protocol's.
 
     Statics without inertia. In a simulation the least torque that folds is no smooth function of the design: swinging
-    helps one wing and hinders the next.
+    helps one structure and hinders the next.
 
     Args:
         designs: that differ in their tendons only.
 
     Returns:
-        Of folding from flat and of opening from folded, N m, nan where none does or the protocol does not try,
+        By transition, each from where the one before leads, N m, nan where none makes it or the protocol does not try,
         (design,).
     """
-    wings, protocol = section(designs), designs[0].protocol
-    folding = _least(wings, flat_state(wings), "fold", protocol.fold_torque)
-    if all(stage.drive != "unfold" for stage in protocol.stages):
-        return folding, np.full(len(designs), np.nan)
-    return folding, _least(wings, folded_state(wings), "unfold", protocol.unfold_torque)
+    structures = ensemble_of(designs)
+    start = start_state(structures).position
+    found = []
+    for transition in structures.structure.transitions:
+        tried = transition.stage is not None
+        found.append(_least(structures, start, transition) if tried else np.full(len(designs), np.nan))
+        if transition is not structures.structure.transitions[-1]:
+            start = state_beyond(structures, transition).position
+    return tuple(found)
 
 
-def _least(wings: Section, start: Array, drive: Drive, own: float) -> Array:
+def _least(structures: Ensemble, start: Array, transition: Transition) -> Array:
+    own = abs(drive_of(structures.structure, transition.drive).torque)
     least = np.full(len(start), np.nan)
     # what the protocol's torque moves is found more finely without the larger ones
     for most in (own, _MORE * own) if own > 0 else ():
         left = np.flatnonzero(np.isnan(least))
         if len(left):
-            least[left] = least_slow_torque(wings.only(left), start[left], drive, most).torque
+            least[left] = least_slow_torque(structures.only(left), start[left], transition, most).torque
     return least
 
 

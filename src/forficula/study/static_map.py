@@ -9,13 +9,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from forficula.analysis import Ending, Verdict, ending_text, ending_word
-from forficula.design import Design, key_value
+from forficula.design import TORQUE, Design, key_value
 from forficula.errors import InputError
-from forficula.statics.potential import FOLD, SHARED, Section, section
-from forficula.statics.quasi_static import flat_state, folded_state, slow_transition
+from forficula.statics.lines import line_energy
+from forficula.statics.potential import Ensemble, ensemble_of
+from forficula.statics.quasi_static import slow_transition, start_state, state_beyond
+from forficula.structure import Transition, static_keys, structure_of
 from forficula.study.factors import read_factor
 from forficula.study.search import point_design
-from forficula.study.study import Search, Study, grid_points, read_torque_search
+from forficula.study.study import Search, Study, grid_points, read_search
 from forficula.study.table import table_axes
 
 if TYPE_CHECKING:
@@ -25,14 +27,6 @@ if TYPE_CHECKING:
 _MOST_POINTS = 100_000
 # more are hardly faster, and say nothing for longer
 _SIDE_BY_SIDE = 256
-
-# name: (unit, what it is)
-_NUMBERS = {
-    "least_fold_torque": ("N m", "least slowly growing torque that folds"),
-    "least_unfold_torque": ("N m", "least slowly growing torque that opens"),
-    "flat_energy": ("J", "energy of the tendons, flat"),
-    "folded_energy": ("J", "energy of the tendons, folded"),
-}
 
 
 def map_study(design: Design, over: Mapping[str, object], search: Search | None = None) -> Study:
@@ -46,15 +40,16 @@ def map_study(design: Design, over: Mapping[str, object], search: Search | None 
     Raises:
         InputError: an unknown key, values that are not allowed, or a distribution.
     """
-    factors = tuple(read_factor(key, values) for key, values in over.items())
+    factors = tuple(read_factor(key, values, type(design)) for key, values in over.items())
     count = math.prod(len(factor.values) for factor in factors)
     if count > _MOST_POINTS:
         raise InputError(f"{', '.join(over)}: need at most {_MOST_POINTS} points of a static map, got {count}")
+    matter = static_keys(design)
     for factor in factors:
-        if not factor.key.startswith(("tendon.", *SHARED)):
+        if not factor.key.startswith(("tendon.", *matter)):
             raise InputError(
                 f"{factor.key}: changes nothing under slowly growing torques; need a key of the tendon, or of"
-                f" {', '.join(SHARED)}"
+                f" {', '.join(matter)}"
             )
         if factor.distribution is not None:
             raise InputError(f'{factor.key}: need a list or a range such as "10..60 N/cm step 10", got a distribution')
@@ -65,19 +60,19 @@ def map_study(design: Design, over: Mapping[str, object], search: Search | None 
         factors=factors,
         points=tuple(grid_points(factors)),
         sampled=False,
-        search=search or read_torque_search({}),
+        search=search or read_search("least-torques", {}, design),
     )
 
 
 def static_map(study: Study, progress: Callable[[int, int], None] | None = None) -> xarray.Dataset:
-    """Let the torques grow step by step on every wing of a study: the least that fold from flat and open from folded.
+    """Let torques grow step by step on every design of a study: the least that make the transitions it asks for.
 
-    Every torque of the study's search above 0 is tried, with all inertia left out. Wings that differ in their tendons
+    Every torque of the study's search above 0 is tried, with all inertia left out. Designs that differ in their tendons
     only go side by side.
 
     Args:
         study: a grid with a search for the least torques.
-        progress: called now and then with the wings that are done, and all of them.
+        progress: called now and then with the designs that are done, and all of them.
 
     Returns:
         Dimensions are the factors; variables as in the table of a search for the least torques.
@@ -87,7 +82,8 @@ def static_map(study: Study, progress: Callable[[int, int], None] | None = None)
     """
     import xarray
 
-    if study.search is None or study.sampled:
+    search = study.search
+    if search is None or study.sampled or any(step.unit is not TORQUE for step in search.steps):
         raise InputError(f'{study.name}: need a grid and ask = "least-torques" for a static map')
     results: list[dict[str, float | str]] = [{} for _ in study.points]
     groups: dict[str, list[tuple[int, Design]]] = {}
@@ -97,12 +93,14 @@ def static_map(study: Study, progress: Callable[[int, int], None] | None = None)
         except InputError as error:
             results[number] = {**_told(Ending(verdict=Verdict.NOT_BUILT, why=str(error)))}
         else:
-            groups.setdefault(repr([key_value(design, key) for key in SHARED]), []).append((number, design))
+            groups.setdefault(repr([key_value(design, key) for key in static_keys(design)]), []).append(
+                (number, design)
+            )
     done = 0
     for group in groups.values():
         for first in range(0, len(group), _SIDE_BY_SIDE):
             part = group[first : first + _SIDE_BY_SIDE]
-            rows = _rows([design for _, design in part], study.search)
+            rows = _rows([design for _, design in part], search)
             for (number, _), row in zip(part, rows, strict=True):
                 results[number] = row
             done += len(part)
@@ -111,7 +109,7 @@ def static_map(study: Study, progress: Callable[[int, int], None] | None = None)
     coordinates, dimensions, shape = table_axes(study)
     variables: dict[str, Any] = {
         name: (dimensions, _column(results, name).reshape(shape), {"units": unit, "long_name": meaning})
-        for name, (unit, meaning) in _NUMBERS.items()
+        for name, (unit, meaning) in _numbers(study.base, search).items()
     }
     for name in ("status", "verdict", "outcome"):
         words = np.array([result[name] for result in results], dtype=object).reshape(shape)
@@ -119,42 +117,81 @@ def static_map(study: Study, progress: Callable[[int, int], None] | None = None)
     return xarray.Dataset(
         variables,
         coordinates,
-        {"name": study.name, "design": study.base.name, "design_hash": study.base.hash, "ask": "statics"},
+        {
+            "name": study.name,
+            "design": study.base.name,
+            "design_hash": study.base.hash,
+            "ask": "statics",
+            "transitions": [step.transition for step in search.steps],
+            "states": [step.state for step in search.steps],
+            "least": [step.least_name for step in search.steps],
+        },
     )
 
 
+def _numbers(design: Design, search: Search) -> dict[str, tuple[str, str]]:
+    """Unit and what it is, by name."""
+    verbs = {each.name: each.wording.verb for each in structure_of(design).transitions}
+    steps = {
+        step.least_name: ("N m", f"least slowly growing torque that {_does(verbs[step.transition])}")
+        for step in search.steps
+    }
+    return steps | {f"{state}_energy": ("J", f"energy of the tendons, {state}") for state in _states(search)}
+
+
+def _does(verb: str) -> str:
+    """A verb such as "fold" in the third person."""
+    first, *rest = verb.split(maxsplit=1)
+    return " ".join([f"{first}s", *rest])
+
+
+def _states(search: Search) -> tuple[str, str]:
+    """Names of the states before and after the first transition."""
+    return search.start_state or "first", search.first.state
+
+
 def _rows(designs: Sequence[Design], search: Search) -> list[dict[str, float | str]]:
-    """Rows of wings that go side by side."""
-    wings = section(designs)
-    flat, folded = flat_state(wings), folded_state(wings)
-    fold = slow_transition(wings, flat, "fold", [torque for torque in search.fold_torques if torque > 0]).torque
-    unfold = slow_transition(wings, folded, "unfold", [torque for torque in search.unfold_torques if torque > 0]).torque
+    """Rows of designs that go side by side."""
+    structures = ensemble_of(designs)
+    transitions = {each.name: each for each in structures.structure.transitions}
+    asked = [transitions[step.transition] for step in search.steps]
+    positions = [start_state(structures).position, state_beyond(structures, asked[0]).position]
+    energies = [_tendon_energies(structures, position) for position in positions]
+    least = [
+        slow_transition(structures, position, transition, [torque for torque in step.values if torque > 0]).torque
+        for step, transition, position in zip(search.steps, asked, positions, strict=False)
+    ]
     return [
         {
-            "least_fold_torque": float(fold[case]),
-            "least_unfold_torque": float(unfold[case]),
-            "flat_energy": _tendon_energy(wings, case, flat),
-            "folded_energy": _tendon_energy(wings, case, folded),
-            **_told(_ending(folds=fold[case], opens=unfold[case])),
+            **{step.least_name: float(torques[case]) for step, torques in zip(search.steps, least, strict=True)},
+            **{f"{name}_energy": each[case] for name, each in zip(_states(search), energies, strict=True)},
+            **_told(_ending(asked, [bool(np.isfinite(torques[case])) for torques in least])),
         }
         for case in range(len(designs))
     ]
 
 
-def _tendon_energy(wings: Section, case: int, position: np.ndarray) -> float:
-    angles = position[case, FOLD::4]
-    return float(sum(hinge.energy(angle) for hinge, angle in zip(wings.hinges[case], angles, strict=True)))
+def _tendon_energies(structures: Ensemble, position: np.ndarray) -> list[float]:
+    """Energy of all tendons, J, (case,)."""
+    stored = structures.tendons.energy(position[:, structures.crossed])
+    energies = [float(sum(each)) for each in stored]
+    if structures.lines is None:
+        return energies
+    return [
+        one + other for one, other in zip(energies, line_energy(structures.lines, position)[0].tolist(), strict=True)
+    ]
 
 
 def _told(ending: Ending) -> dict[str, str]:
     return {"status": ending_text(ending), "verdict": ending.verdict.value, "outcome": ending_word(ending)}
 
 
-def _ending(*, folds: float, opens: float) -> Ending:
-    """What a wing comes to for which these torques, nan where there is none, are the least that fold and open."""
-    reached = np.isfinite([folds, opens])
-    goal = "unfold" if reached[0] else "fold"
-    return Ending(verdict=Verdict.REACHED if reached.all() else Verdict.STUCK, goal=goal)
+def _ending(asked: Sequence[Transition], made: Sequence[bool]) -> Ending:
+    """What a structure comes to for which some torque makes these transitions, and none those."""
+    missed = [transition for transition, did in zip(asked, made, strict=True) if not did]
+    if missed:
+        return Ending(verdict=Verdict.STUCK, transition=missed[0])
+    return Ending(verdict=Verdict.REACHED, transition=asked[-1])
 
 
 def _column(results: Sequence[Mapping[str, float | str]], name: str) -> np.ndarray:
@@ -179,7 +216,7 @@ def compare_maps(statics: xarray.Dataset, simulated: xarray.Dataset, name: str) 
     Args:
         statics: from `static_map`.
         simulated: table of a search for the least torques, with the same factors; other values of them are left out.
-        name: "least_fold_torque" or "least_unfold_torque".
+        name: of a least torque, such as "least_fold_torque".
 
     Returns:
         Words, over the factors of the static map.
@@ -226,12 +263,14 @@ def simulated_values(statics: xarray.Dataset, simulated: xarray.Dataset, name: s
 
 
 def _tried(simulated: xarray.Dataset, name: str) -> xarray.DataArray:
-    """1 where a simulation tells of this torque: opening is tried where some torque folds."""
-    folds, outcome = simulated["least_fold_torque"], simulated["outcome"]
-    if name == "least_fold_torque":
-        return folds.copy(data=_tells(simulated.get("fold_outcome", outcome)).astype(np.float64))
-    tells = np.isfinite(folds.values) & _tells(outcome)
-    return folds.copy(data=tells.astype(np.float64))
+    """1 where a simulation tells of this torque: that of the second transition is tried where some makes the first."""
+    outcome = simulated["outcome"]
+    first, *_ = np.atleast_1d(simulated.attrs.get("least", "least_fold_torque")).tolist()
+    if name == first:
+        transition, *_ = np.atleast_1d(simulated.attrs.get("transitions", "fold")).tolist()
+        return outcome.copy(data=_tells(simulated.get(f"{transition}_outcome", outcome)).astype(np.float64))
+    tells = np.isfinite(simulated[first].values) & _tells(outcome)
+    return outcome.copy(data=tells.astype(np.float64))
 
 
 def _tells(outcomes: xarray.DataArray) -> np.ndarray:

@@ -1,0 +1,240 @@
+"""What stretches between bodies: sides that add up from points, and how slopes and curvatures by sides add up again.
+
+A membrane's triangle has two sides, the columns of its deformation gradient; a tendon or a length limit has one, the
+way from one end to the other. Elements that join the same hinges have a dense block of the curvature together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.statics.pose import Carried, Pose, Span, Tree, carried_points, pulled, span
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+# energy, slope and curvature
+Expansion = tuple[Array, Array, Array]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Piece:
+    """Something that stretches, before it is laid out.
+
+    Attributes:
+        points: numbers of the carried points that it hangs on, (point,).
+        sides: by which these add up to its sides, (side, point).
+    """
+
+    points: tuple[int, ...]
+    sides: Array
+
+
+@dataclass(frozen=True, kw_only=True)
+class Group:
+    """Pieces of one shape side by side.
+
+    Attributes:
+        pieces: their numbers.
+        points: numbers of the points that each hangs on, one piece after another, as a slice where no point is shared.
+        gathers: by which forces on the points of pieces add up to those on points, (piece x point, point); None where
+            none is shared.
+        sides: by which points add up to sides, (piece, side, point).
+        pairs: numbers of the pairs of points and hinges that move the sides, one piece after another.
+        turns: by which the moves of these add up to those of the sides by the hinges of the block,
+            (piece, pair, side x hinge).
+        size: of the blocks, how many hinges.
+        blocks: number of the block of each piece among those of this size.
+    """
+
+    pieces: Span
+    points: Span
+    gathers: Array | None
+    sides: Array
+    pairs: Span
+    turns: Array
+    size: int
+    blocks: Span
+
+
+@dataclass(frozen=True, kw_only=True)
+class Elements:
+    """What stretches between the bodies of a tree.
+
+    Attributes:
+        tree: of bodies.
+        carried: the points that everything hangs on.
+        groups: of pieces.
+        blocks: by how many hinges they have: where in the curvature each block is, rows and columns.
+    """
+
+    tree: Tree
+    carried: Carried
+    groups: tuple[Group, ...]
+    blocks: dict[int, tuple[tuple[Span, Span], ...]]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Stretch:
+    """The sides of a group in some poses.
+
+    Attributes:
+        sides: m or 1, (case, piece, side, 3).
+        moves: how they move with the hinges of their block, (case, piece, side, 3, hinge).
+    """
+
+    sides: Array
+    moves: Array
+
+
+def elements(tree: Tree, bodies: Sequence[int], places: Array, pieces: Sequence[Piece]) -> Elements:
+    """Lay out pieces on points.
+
+    Args:
+        tree: of bodies.
+        bodies: that carry the points, (point,).
+        places: of the points in the axes of these bodies, m, (point, 3).
+        pieces: that hang on them.
+    """
+    carried = carried_points(tree, bodies, places)
+    joined = [_joined(tree, [bodies[point] for point in piece.points]) for piece in pieces]
+    known: dict[int, dict[tuple[int, ...], int]] = {}
+    shapes: dict[tuple[int, ...], list[int]] = {}
+    seen: dict[tuple[tuple[int, ...], tuple[int, ...]], int] = {}
+    for number, (piece, hinges) in enumerate(zip(pieces, joined, strict=True)):
+        of_size = known.setdefault(len(hinges), {})
+        of_size.setdefault(hinges, len(of_size))
+        shape = (*piece.sides.shape, len(hinges), len(_pairs(carried, piece.points, hinges)))
+        # pieces of a group have blocks of their own
+        again = seen[shape, hinges] = seen.get((shape, hinges), -1) + 1
+        shapes.setdefault((*shape, again), []).append(number)
+    blocks = {size: tuple(_rows(hinges) for hinges in of_size) for size, of_size in known.items()}
+    groups = tuple(_group(carried, pieces, joined, numbers, known) for numbers in shapes.values())
+    return Elements(tree=tree, carried=carried, groups=groups, blocks=blocks)
+
+
+def _joined(tree: Tree, bodies: Sequence[int]) -> tuple[int, ...]:
+    """Hinges that move some of these bodies and not others."""
+    chains = [set(tree.chain(body)) for body in bodies]
+    every = chains[0].union(*chains)
+    return tuple(sorted(every - chains[0].intersection(*chains)))
+
+
+def _rows(hinges: tuple[int, ...]) -> tuple[Span, Span]:
+    rows = span(hinges)
+    if isinstance(rows, slice):
+        return rows, rows
+    return rows[:, None], rows
+
+
+def _group(
+    carried: Carried,
+    pieces: Sequence[Piece],
+    joined: Sequence[tuple[int, ...]],
+    numbers: list[int],
+    known: dict[int, dict[tuple[int, ...], int]],
+) -> Group:
+    points = np.array([pieces[number].points for number in numbers])
+    sides = np.array([pieces[number].sides for number in numbers])
+    size = len(joined[numbers[0]])
+    pairs = [_pairs(carried, pieces[number].points, joined[number]) for number in numbers]
+    turns = np.zeros((*pairs[0].shape, sides.shape[1], size))[None].repeat(len(numbers), axis=0)
+    for turn, its, each, number in zip(turns, pairs, sides, numbers, strict=True):
+        columns = [pieces[number].points.index(point) for point in carried.pairs[0, its]]
+        hinges = [joined[number].index(hinge) for hinge in carried.pairs[1, its]]
+        turn[np.arange(len(its)), :, hinges] = each[:, columns].T
+    flat = points.ravel()
+    every = span(flat)
+    own = isinstance(every, slice) and every.step == 1
+    return Group(
+        pieces=span(numbers),
+        points=every,
+        gathers=None if own else np.asarray(flat[:, None] == np.arange(len(carried.bodies)), dtype=np.float64),
+        sides=sides,
+        pairs=span(np.concatenate(pairs)),
+        turns=turns.reshape(len(numbers), len(pairs[0]), -1),
+        size=size,
+        blocks=span([known[size][joined[number]] for number in numbers]),
+    )
+
+
+def _pairs(carried: Carried, points: Sequence[int], hinges: Sequence[int]) -> Indices:
+    """Numbers of the pairs of some points with some hinges."""
+    return np.flatnonzero(np.isin(carried.pairs[0], points) & np.isin(carried.pairs[1], hinges))
+
+
+def stretch(group: Group, places: Array, moves: Array) -> Stretch:
+    """The sides of a group, and how they move.
+
+    Args:
+        group: of pieces.
+        places: of all points, m, (3, case, point).
+        moves: of all pairs of points and hinges, m, (3, case, pair).
+    """
+    cases = places.shape[1]
+    count, length, _ = group.sides.shape
+    sides = _by_piece(places[:, :, group.points], count) @ np.swapaxes(group.sides, 1, 2)
+    turned = _by_piece(moves[:, :, group.pairs], count) @ group.turns
+    return Stretch(
+        sides=np.transpose(sides.reshape(count, 3, cases, length), (2, 0, 3, 1)),
+        moves=np.ascontiguousarray(np.transpose(turned.reshape(count, 3, cases, length, group.size), (2, 0, 3, 1, 4))),
+    )
+
+
+def _by_piece(vectors: Array, count: int) -> Array:
+    """Vectors of all pieces, (3, case, piece x part), as (piece, 3 x case, part)."""
+    cases = vectors.shape[1]
+    return np.transpose(vectors.reshape(3, cases, count, -1), (2, 0, 1, 3)).reshape(count, 3 * cases, -1)
+
+
+def _block(moves: Array, stiffness: Array) -> Array:
+    """Stiffness of what sides stretch, by the hinges of blocks, (case, piece, hinge, hinge).
+
+    Args:
+        moves: of the sides, (case, piece, side, 3, hinge).
+        stiffness: (case, piece, element, coordinate, coordinate).
+    """
+    joints = moves.shape[-1]
+    by_element = moves.reshape(*stiffness.shape[:4], joints)
+    by_piece = (*stiffness.shape[:2], -1, joints)
+    pulls = (stiffness @ by_element).reshape(by_piece)
+    return np.asarray(np.swapaxes(by_element.reshape(by_piece), 2, 3) @ pulls)
+
+
+def assembled(
+    laid: Elements, at: Pose, places: Array, stretches: Sequence[Stretch], expansions: Sequence[Expansion]
+) -> Expansion:
+    """Energy of all groups, its slope and its curvature by the hinges' angles.
+
+    Args:
+        laid: what stretches.
+        at: the tree in space.
+        places: of all points, m, (3, case, point).
+        stretches: of every group.
+        expansions: of every group: energy, J, (case,); slope by the sides, (case, piece, side, 3); curvature by the
+            sides of each element, (case, piece, element, coordinate, coordinate).
+
+    Returns:
+        J, (case,); N m, (case, hinge); N m/rad, (case, hinge, hinge).
+    """
+    cases = places.shape[1]
+    blocks = {size: np.zeros((cases, len(each), size, size)) for size, each in laid.blocks.items()}
+    forces, total = np.zeros(places.shape), np.zeros(cases)
+    for group, its, (energy, pull, stiffness) in zip(laid.groups, stretches, expansions, strict=True):
+        total += energy
+        blocks[group.size][:, group.blocks] += _block(its.moves, stiffness)
+        count, length, points = group.sides.shape
+        by_piece = np.transpose(pull, (1, 3, 0, 2)).reshape(count, -1, length) @ group.sides
+        on_points = np.transpose(by_piece.reshape(count, 3, cases, points), (1, 2, 0, 3)).reshape(3, cases, -1)
+        if group.gathers is None:
+            forces[:, :, group.points] += on_points
+        else:
+            forces += on_points @ group.gathers
+    slope, curvature = pulled(laid.tree, laid.carried, at, places, forces)
+    for size, rows in laid.blocks.items():
+        for number, (row, column) in enumerate(rows):
+            curvature[:, row, column] += blocks[size][:, number]
+    return total, slope, curvature

@@ -1,0 +1,255 @@
+"""Where the angles of its hinges take a tree of bodies, and what carried points do there."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.structure import GROUND, Structure
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+# numbers of parts, evenly spaced ones as a slice, which numpy takes without a copy
+Span = slice | Indices
+
+
+@dataclass(frozen=True, kw_only=True)
+class Level:
+    """Bodies at one depth of the tree with as many hinges each, which are placed together.
+
+    Attributes:
+        bodies: their numbers.
+        parents: numbers of what they hang on; None for the ground.
+        hinges: numbers of their first hinges, of their second ones, and so on.
+        positions: of their origins in the axes of their parents, m, (body, 3).
+        frames: from their axes to those of their parents, (body, 3, 3); None where they are the same.
+    """
+
+    bodies: Span
+    parents: Span | None
+    hinges: tuple[Span, ...]
+    positions: Array
+    frames: Array | None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Tree:
+    """Bodies on hinges.
+
+    Attributes:
+        levels: parents before their children.
+        chains: hinges that move each body, from the ground on.
+        carriers: number of the body that each hinge turns, (hinge,).
+        axes: of the hinges in the axes of their bodies, in their own senses: unit vectors, (hinge, 3).
+        spins: their cross products as matrices, (hinge, 3, 3).
+        squares: of these, alike.
+        outer: 1 where a hinge, by row, is another one, by column, or turns its axis, else 0, (hinge, hinge).
+        further: 1 where it turns its axis and is another one, alike.
+    """
+
+    levels: tuple[Level, ...]
+    chains: tuple[tuple[int, ...], ...]
+    carriers: Indices
+    axes: Array
+    spins: Array
+    squares: Array
+    outer: Array
+    further: Array
+
+    @property
+    def size(self) -> int:
+        """How many hinges."""
+        return len(self.carriers)
+
+    def chain(self, body: int) -> tuple[int, ...]:
+        """Hinges that move a body, from the ground on; none of the ground."""
+        return () if body == GROUND else self.chains[body]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Carried:
+    """Points that bodies carry.
+
+    Attributes:
+        bodies: number of the body that carries each, or GROUND, (point,).
+        places: in the axes of the body, m, (3, point).
+        moved: 1 where a hinge moves a point, else 0, (point, hinge).
+        pairs: all points with all hinges that move them, one point after another: number of the point, number of the
+            hinge, (2, pair).
+    """
+
+    bodies: Indices
+    places: Array
+    moved: Array
+    pairs: Indices
+
+
+@dataclass(frozen=True, kw_only=True)
+class Pose:
+    """A tree in space, for some cases side by side.
+
+    Attributes:
+        origins: of all bodies, and of the ground, m, (case, body, 3).
+        frames: from their axes to those of the ground, (case, body, 3, 3).
+        axes: unit vectors of all hinges, in their own senses, (3, case, hinge).
+        pivots: places that these pass through, m, (3, case, hinge).
+    """
+
+    origins: Array
+    frames: Array
+    axes: Array
+    pivots: Array
+
+
+def span(numbers: Sequence[int] | Indices) -> Span:
+    """Numbers to index by."""
+    steps = np.unique(np.diff(numbers))
+    if len(numbers) and len(steps) <= 1 and (not len(steps) or steps[0] > 0):
+        step = int(steps[0]) if len(steps) else 1
+        return slice(int(numbers[0]), int(numbers[-1]) + 1, step)
+    return np.asarray(numbers, dtype=np.int64)
+
+
+def tree_of(structure: Structure) -> Tree:
+    """The tree of a structure."""
+    own: list[list[int]] = [[] for _ in structure.bodies]
+    for number, hinge in enumerate(structure.hinges):
+        own[hinge.body].append(number)
+    chains: list[tuple[int, ...]] = []
+    depths: list[int] = []
+    groups: dict[tuple[int, int], list[int]] = {}
+    for number, body in enumerate(structure.bodies):
+        grounded = body.parent == GROUND
+        chains.append((*(() if grounded else chains[body.parent]), *own[number]))
+        depths.append(0 if grounded else depths[body.parent] + 1)
+        groups.setdefault((depths[number], len(own[number])), []).append(number)
+    axes = np.array([hinge.sense * hinge.axis for hinge in structure.hinges]).reshape(-1, 3)
+    spins = np.cross(np.eye(3), axes[:, None, :])
+    outer = np.zeros((len(axes), len(axes)))
+    for chain in chains:
+        for place, inner in enumerate(chain):
+            outer[list(chain[: place + 1]), inner] = 1.0
+    return Tree(
+        levels=tuple(_level(structure, groups[key], own) for key in sorted(groups)),
+        chains=tuple(chains),
+        carriers=np.array([hinge.body for hinge in structure.hinges], dtype=np.int64),
+        axes=axes,
+        spins=spins,
+        squares=spins @ spins,
+        outer=outer,
+        further=np.triu(outer, 1),
+    )
+
+
+def _level(structure: Structure, numbers: list[int], own: list[list[int]]) -> Level:
+    bodies = [structure.bodies[number] for number in numbers]
+    frames = np.array([body.frame for body in bodies])
+    grounded = bodies[0].parent == GROUND
+    return Level(
+        bodies=span(numbers),
+        parents=None if grounded else span([body.parent for body in bodies]),
+        hinges=tuple(span(each) for each in zip(*(own[number] for number in numbers), strict=True)),
+        positions=np.array([body.position for body in bodies]),
+        frames=frames if grounded or not np.array_equal(frames, np.broadcast_to(np.eye(3), frames.shape)) else None,
+    )
+
+
+def carried_points(tree: Tree, bodies: Sequence[int] | Indices, places: Array) -> Carried:
+    """Points by the bodies that carry them, or GROUND, and by their places in these bodies' axes, m, (point, 3)."""
+    moved = np.zeros((len(bodies), tree.size))
+    for point, body in enumerate(bodies):
+        moved[point, list(tree.chain(int(body)))] = 1.0
+    return Carried(
+        bodies=np.asarray(bodies, dtype=np.int64),
+        places=np.ascontiguousarray(np.asarray(places, dtype=np.float64).reshape(-1, 3).T),
+        moved=moved,
+        pairs=np.array(np.nonzero(moved), dtype=np.int64),
+    )
+
+
+def pose(tree: Tree, angles: Array) -> Pose:
+    """Place the bodies.
+
+    Args:
+        tree: of bodies.
+        angles: of all hinges, in their own senses, rad, (case, hinge).
+    """
+    cases, count = len(angles), len(tree.chains) + 1
+    turns = _turned(tree, angles)
+    # the last one is the ground, which has the number -1
+    frames, origins = np.empty((cases, count, 3, 3)), np.zeros((cases, count, 3))
+    frames[:, GROUND] = np.eye(3)
+    after = np.empty_like(turns)
+    for level in tree.levels:
+        if level.parents is None:
+            current = np.eye(3) if level.frames is None else level.frames
+            origins[:, level.bodies] = level.positions
+        else:
+            current = frames[:, level.parents]
+            origins[:, level.bodies] = origins[:, level.parents] + (current @ level.positions[..., None])[..., 0]
+            if level.frames is not None:
+                current = current @ level.frames
+        for hinges in level.hinges:
+            current = current @ turns[:, hinges]
+            after[:, hinges] = current
+        frames[:, level.bodies] = current
+    axes = np.einsum("chij,hj->ich", after, tree.axes)
+    pivots = np.ascontiguousarray(np.transpose(origins[:, tree.carriers], (2, 0, 1)))
+    return Pose(origins=origins, frames=frames, axes=axes, pivots=pivots)
+
+
+def places_of(carried: Carried, at: Pose) -> Array:
+    """Where carried points are, m, (3, case, point)."""
+    start = np.transpose(at.origins[:, carried.bodies], (2, 0, 1))
+    return np.asarray(start + np.einsum("cpij,jp->icp", at.frames[:, carried.bodies], carried.places))
+
+
+def moves_of(carried: Carried, at: Pose, places: Array) -> Array:
+    """Velocity of points by the speed of the hinges that move them, m, (3, case, pair)."""
+    points, hinges = carried.pairs
+    axes, arms = at.axes[:, :, hinges], places[:, :, points] - at.pivots[:, :, hinges]
+    moves = np.empty_like(arms)
+    for one, other, last in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        np.multiply(axes[other], arms[last], out=moves[one])
+        moves[one] -= axes[last] * arms[other]
+    return moves
+
+
+def pulled(tree: Tree, carried: Carried, at: Pose, places: Array, forces: Array) -> tuple[Array, Array]:
+    """What a slope of an energy by the places of points is by the hinges' angles.
+
+    With the arms r from a hinge to the points p that it moves, and K = sum r f^T, the slope is the hinge's axis times
+    sum r x f, the skew part of K. A hinge i turns the axis a of another one, j, further on: the velocity a x r changes,
+    which adds a_i . sum (a x r) x f = a_i . (K - tr K) a.
+
+    Args:
+        tree: of bodies.
+        carried: the points.
+        at: the tree in space.
+        places: of the points, m, (3, case, point).
+        forces: slope of the energy by these, N, alike.
+
+    Returns:
+        The slope, N m, (case, hinge), and what comes to the curvature of the points' ways being curved, N m/rad,
+        (case, hinge, hinge).
+    """
+    cases, count = forces.shape[1:]
+    parts = np.empty((4, 3, cases, count))
+    np.multiply(places[:, None], forces, out=parts[:3])
+    parts[3] = forces
+    sums = (parts.reshape(-1, count) @ carried.moved).reshape(4, 3, cases, -1)
+    k, axes = sums[:3] - at.pivots[:, None] * sums[3], at.axes
+    slope = axes[0] * (k[1, 2] - k[2, 1]) + axes[1] * (k[2, 0] - k[0, 2]) + axes[2] * (k[0, 1] - k[1, 0])
+    bent = np.sum(k * axes, axis=1) - (k[0, 0] + k[1, 1] + k[2, 2]) * axes
+    turned = np.transpose(axes, (1, 2, 0)) @ np.transpose(bent, (1, 0, 2))
+    # by pairs of an outer hinge and one that it turns, and the same the other way round
+    return np.asarray(slope), turned * tree.outer + np.swapaxes(turned * tree.further, 1, 2)
+
+
+def _turned(tree: Tree, angles: Array) -> Array:
+    """Rotations about the hinges (Rodrigues' formula), (case, hinge, 3, 3)."""
+    sine, half = np.sin(angles)[..., None, None], np.sin(angles / 2)[..., None, None]
+    return np.asarray(np.eye(3) + sine * tree.spins + 2 * half**2 * tree.squares)
