@@ -83,13 +83,13 @@ def test_tendons_are_attached_as_far_from_the_ring_as_the_design_says():
             assert points[point] == pytest.approx(rings[place] + distance * along, abs=1e-15)
         # the hinge that it lies across, and how far its nearer end is from there
         ((hinge, arm),) = tendon_arms(structure, tendon)
-        assert hinge == tendon.hinge == hinges_of(structure, "ring")[place]
+        assert hinge == tendon.crossing.hinge == hinges_of(structure, "ring")[place]
         assert arm == pytest.approx(0.04, rel=1e-12)
 
 
 def test_a_tendon_from_tip_to_tip_crosses_both_veins_with_arms_up_to_its_nearer_end():
     first, second = numbers(STRUCTURE, "tip")[:2]
-    across = replace(STRUCTURE.tendons[0], name="across", points=(first, second), hinge=None)
+    across = replace(STRUCTURE.tendons[0], name="across", points=(first, second), crossing=None)
     points = built_points(STRUCTURE)
     arms = dict(tendon_arms(STRUCTURE, across))
     assert named(arms) == ["sweep0", "lift0", "turn0", "fold0", "sweep1", "lift1", "turn1", "fold1"]
