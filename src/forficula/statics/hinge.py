@@ -1,15 +1,15 @@
 """One tendon across one hinge: its energy and its moment at every angle, in closed form.
 
-Angles are those of the hinge in its own sense: 0 where it is straight, as built, positive in the overbend, negative
-while folding. The tendon is longest at its top, at straight where its ends lie in one plane with the hinge's axis, and
-beside it where they are offset from that plane.
+Angles are 0 where the hinge is straight, as built, positive in the overbend, negative while folding, which is the way
+in which the hinge goes farther. The tendon is longest at its top: at straight where its ends lie in one plane with the
+hinge's axis, and beside it where they are offset from that plane.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -18,7 +18,7 @@ from scipy.optimize import brentq
 
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
-from forficula.structure import Crossing, Structure, Tendon
+from forficula.structure import Crossing, Hinge, Structure, Tendon
 
 Array = NDArray[np.float64]
 
@@ -44,6 +44,7 @@ class TendonHinge:
         overbend: how far the hinge bends past straight, rad.
         fold_limit: how far it folds, rad.
         inertia: of what turns about the hinge axis, kg m^2.
+        sense: +1 or -1, by which angles here are multiplied to be those of the structure's hinge in its own sense.
 
     Raises:
         InputError: a number out of its bounds or not finite.
@@ -57,6 +58,7 @@ class TendonHinge:
     overbend: float
     fold_limit: float
     inertia: float
+    sense: int = 1
 
     def __post_init__(self) -> None:
         for name, unit in (("proximal_arm", "m"), ("distal_arm", "m"), ("inertia", "kg m^2")):
@@ -204,9 +206,19 @@ def tendon_hinges(structure: Structure) -> tuple[TendonHinge, ...]:
     return tuple(_hinge(structure, each, each.crossing) for each in structure.tendons if each.crossing is not None)
 
 
+def hinges_in_own_senses(structure: Structure) -> tuple[TendonHinge, ...]:
+    """As `tendon_hinges`, with angles in the hinges' own senses, whichever way they fold."""
+    return tuple(each if each.sense > 0 else _turned_round(each) for each in tendon_hinges(structure))
+
+
+def folding_sense(hinge: Hinge) -> int:
+    """+1 where a hinge goes farther to negative angles, so that these fold it; -1 where it goes farther to positive."""
+    return 1 if hinge.upper <= -hinge.lower else -1
+
+
 def _hinge(structure: Structure, tendon: Tendon, crossing: Crossing) -> TendonHinge:
     stops = structure.hinges[crossing.hinge]
-    return TendonHinge(
+    own = TendonHinge(
         law=tendon.law.elastic,
         proximal_arm=crossing.proximal_arm,
         distal_arm=crossing.distal_arm,
@@ -215,6 +227,18 @@ def _hinge(structure: Structure, tendon: Tendon, crossing: Crossing) -> TendonHi
         overbend=min(stops.upper, math.pi),
         fold_limit=min(-stops.lower, math.pi),
         inertia=crossing.inertia,
+    )
+    return own if folding_sense(stops) > 0 else _turned_round(own)
+
+
+def _turned_round(hinge: TendonHinge) -> TendonHinge:
+    """The hinge with its angles counted the other way."""
+    return replace(
+        hinge,
+        offset_angle=0.0 - hinge.offset_angle,
+        overbend=hinge.fold_limit,
+        fold_limit=hinge.overbend,
+        sense=-hinge.sense,
     )
 
 

@@ -52,7 +52,7 @@ class HingeLandscape:
     Attributes:
         hinge: whose landscape it is.
         angle: falling from the overbend to the fold limit, rad, (angle,); holds both ends, straight, the top, and where
-            the tendon goes slack.
+            the tendon goes slack, or is shortest between the ends.
         energy: J, (angle,).
         moment: positive towards the overbend, N m, (angle,).
         barrier: from the overbend stop to the top, J.
@@ -227,7 +227,9 @@ def _angles(hinge: TendonHinge, points: int) -> Array:
     """Angles from the overbend to the fold limit, (angle,), with the special ones among them."""
     special = {hinge.overbend, 0.0, -hinge.fold_limit}
     slack, turn = hinge.slack_distance, 2 * math.pi
-    apart = {0.0} if slack is None else {0.0, slack, -slack, turn - slack, slack - turn}
+    apart = {0.0, math.pi, -math.pi}
+    if slack is not None:
+        apart |= {slack, -slack, turn - slack, slack - turn}
     special |= {angle for each in apart if -hinge.fold_limit < (angle := each - hinge.offset_angle) < hinge.overbend}
     ends = sorted(special, reverse=True)
     spacing = (ends[0] - ends[-1]) / (points - 1)

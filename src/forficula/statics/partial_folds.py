@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.statics.hinge import ideal_hinges
+from forficula.statics.hinge import folding_sense, ideal_hinges, tendon_hinges
 from forficula.statics.potential import Ensemble, potential, rest, sheet_torque
 from forficula.statics.sheet import sheet_energy
 from forficula.structure import Structure
@@ -34,7 +35,7 @@ class PartialFold:
         folded: hinges that start folded.
         stable: whether every hinge stays on the side of straight on which it starts, and no small push drives it on.
         stays_folded: hinges that are folded in the end.
-        distal_angle: of each folding hinge in the end, rad, (folding hinge,).
+        distal_angle: of each folding hinge in the end, in its own sense, rad, (folding hinge,).
         tendon_energy: of all tendons, springs and weights in the end, J.
         sheet_energy: of membranes and length limits in the end, J.
     """
@@ -64,9 +65,9 @@ def fold_levels(structure: Structure) -> Array:
     """Energies of independent ideal hinges, none of them folded to all of them, J, (hinge + 1,).
 
     Sums of the energies at the overbend stop and at the fold limit (Binder et al. 2025, section 3.1), folded from the
-    first on.
+    first on. Of a structure without ideal hinges they are those of its own ones.
     """
-    hinges = ideal_hinges(structure)
+    hinges = ideal_hinges(structure) or tendon_hinges(structure)
     count = len(hinges)
     flat, folded = (
         [float(hinge.energy(angle)) for hinge, angle in zip(hinges, angles, strict=True)]
@@ -94,22 +95,48 @@ def single_hinge_barriers(structures: Ensemble, flat: Array) -> Array:
     many = structures.repeated(count * _WAYS)
     start = np.tile(flat, (count * _WAYS, 1))
     held = np.zeros(start.shape, dtype=bool)
-    tops = _tops(structures)
+    places = _places(structures, folding)
     for number, hinge in enumerate(folding):
         rows = slice(number * _WAYS, (number + 1) * _WAYS)
-        past = max(tops[hinge] - _START, structures.lower[hinge])
-        start[rows, hinge] = np.append(np.linspace(flat[0, hinge], past, _WAYS - 1), tops[hinge])
+        way = np.linspace(flat[0, hinge], places.folded[number], _WAYS - 1)
+        start[rows, hinge] = np.append(way, places.top[number])
         held[rows, hinge] = True
     energy = rest(many, start, held=held).energy.reshape(count, _WAYS)
     level = potential(structures.repeated(1), flat)[0][0]
     return np.asarray(np.maximum(0.0, energy.max(axis=1) - level))
 
 
-def _tops(structures: Ensemble) -> Array:
-    """Angles at which the tendons across single hinges are longest, within the stops, rad, (hinge,); else straight."""
+@dataclass(frozen=True, kw_only=True)
+class _Places:
+    """Of the folding hinges, rad, (folding hinge,).
+
+    Attributes:
+        senses: +1 where negative angles fold them, else -1.
+        top: where their tendons are longest, within the stops; straight where they have none.
+        folded: a little beyond, from where they fold by themselves.
+        opened: their stops on the other side, or as far from the top where there is none.
+    """
+
+    senses: Array
+    top: Array
+    folded: Array
+    opened: Array
+
+
+def _places(structures: Ensemble, folding: Sequence[int]) -> _Places:
+    hinges = [structures.structure.hinges[number] for number in folding]
+    senses = np.array([folding_sense(hinge) for hinge in hinges], dtype=np.float64)
     tops = np.zeros(structures.size)
     tops[structures.crossed] = 0.0 - np.asarray(structures.tendons.offset_angle)[0]
-    return np.clip(tops, structures.lower, structures.upper)
+    lower, upper = structures.lower[list(folding)], structures.upper[list(folding)]
+    top = np.clip(tops[list(folding)], lower, upper)
+    stops = np.where(senses > 0, upper, lower)
+    return _Places(
+        senses=senses,
+        top=top,
+        folded=np.clip(top - senses * _START, lower, upper),
+        opened=np.where(np.isfinite(stops), stops, top + senses * _START),
+    )
 
 
 def partial_folds(structures: Ensemble) -> tuple[PartialFold, ...]:
@@ -127,18 +154,16 @@ def partial_folds(structures: Ensemble) -> tuple[PartialFold, ...]:
     combinations = _combinations(len(folding))
     many = structures.repeated(len(combinations))
     start = np.zeros((len(combinations), many.size))
-    tops = _tops(structures)[folding]
-    closed = np.maximum(tops - _START, many.lower[folding])
-    opened = np.where(np.isfinite(many.upper[folding]), many.upper[folding], tops + _START)
+    places = _places(structures, folding.tolist())
     for row, folded in enumerate(combinations):
-        start[row, folding] = np.where(np.isin(np.arange(len(folding)), folded), closed, opened)
+        start[row, folding] = np.where(np.isin(np.arange(len(folding)), folded), places.folded, places.opened)
     aimed = rest(many, start, fixed=folding.tolist()).position
     found = rest(many, aimed)
     sheet, _, _ = sheet_energy(many.sheet, found.position)
     soft, states = _soft(structures), []
     for row, folded in enumerate(combinations):
         angle = found.position[row, folding]
-        stays = tuple(int(each) for each in np.flatnonzero(angle < tops))
+        stays = tuple(int(each) for each in np.flatnonzero(places.senses * (angle - places.top) < 0))
         states.append(
             PartialFold(
                 folded=folded,
