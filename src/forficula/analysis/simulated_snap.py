@@ -10,12 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.analysis.outcome import measure
-from forficula.design import Design, shortest_sample_interval, with_values
+from forficula.design import Design, shortest_sample_interval, stage_drives, with_values
 from forficula.dynamics import Record
 from forficula.names import ordinal
-from forficula.statics import TendonHinge, fold_time, ideal_hinge, wing_hinges
+from forficula.statics import TendonHinge, fold_time, ideal_hinge, tendon_hinges
 from forficula.statics.snap import FOLD_START, final_speed
-from forficula.structure import structure_of
+from forficula.structure import Structure, goal_of, structure_of
 
 Array = NDArray[np.float64]
 
@@ -79,22 +79,23 @@ def predicted_snap(hinge: TendonHinge, folded_angle: float, fold_start: float = 
 
 def finely_sampled(design: Design) -> Design:
     """The design with rows so close to each other that the snap of one hinge can be timed; the motion is the same."""
-    predicted = fold_time(ideal_hinge(design))
-    interval = design.protocol.sample_interval
+    structure, interval = structure_of(design), design.protocol.sample_interval
+    hinge = ideal_hinge(structure)
+    predicted = None if hinge is None else fold_time(hinge)
     if predicted is None or predicted / _ROWS >= interval:
         return design
-    wanted = max(predicted / _ROWS, min(shortest_sample_interval(design, len(structure_of(design).tendons)), interval))
+    wanted = max(predicted / _ROWS, min(shortest_sample_interval(design, len(structure.tendons)), interval))
     return with_values(design, {"protocol.sample_interval": wanted})
 
 
 def simulated_snap(record: Record, vein: int = INNER_VEIN, fold_start: float = FOLD_START) -> SimulatedSnap | None:
     """Time the fold of a hinge, from where it last passes `fold_start` to where it first arrives.
 
-    Looks at all before the unfolding stage; between rows the angle is taken as straight.
+    Looks at all before the stage of a second transition; between rows the angle is taken as straight.
 
     Args:
-        record: of a wing.
-        vein: whose hinge.
+        record: of a structure whose first transition folds it.
+        vein: number of the hinge, among those that one tendon lies across.
         fold_start: past straight, rad.
 
     Returns:
@@ -102,13 +103,13 @@ def simulated_snap(record: Record, vein: int = INNER_VEIN, fold_start: float = F
     """
     if record.diverged_at is not None:
         return None
-    opening = [end.start for end in record.stages if end.stage.drive == "unfold"]
+    structure, hinge = record.structure, _crossed(record.structure)[vein]
+    later = {each.drive for each in structure.transitions[1:]}
+    opening = [end.start for end in record.stages if later.intersection(stage_drives(end.stage))]
     before = record.time <= min(opening, default=math.inf)
-    time, fold = record.time[before], -record.measured("distal_angle")[before, vein]
-    arrivals = [
-        _snap_time(time, fold, fold_start, end)
-        for end in (record.design.protocol.folded_angle, record.design.hinge.fold_limit)
-    ]
+    time, fold = record.time[before], -record.series["hinge_angle"][before, hinge]
+    ends = (_folded_angle(structure, vein), -structure.hinges[hinge].lower)
+    arrivals = [_snap_time(time, fold, fold_start, end) for end in ends]
     leaves = _passes(time, fold, fold_start)
     moving = time >= leaves[0] if len(leaves) else np.zeros(len(time), dtype=bool)
     return SimulatedSnap(
@@ -120,6 +121,16 @@ def simulated_snap(record: Record, vein: int = INNER_VEIN, fold_start: float = F
         peak_speed=float(np.max(np.diff(fold[moving]) / np.diff(time[moving]))) if moving.sum() > 1 else None,
         sample_interval=float(np.median(np.diff(time))) if len(time) > 1 else 0.0,
     )
+
+
+def _crossed(structure: Structure) -> list[int]:
+    """Numbers of the hinges that one tendon each lies across, by tendon."""
+    return [tendon.crossing.hinge for tendon in structure.tendons if tendon.crossing is not None]
+
+
+def _folded_angle(structure: Structure, vein: int) -> float:
+    """How far past straight such a hinge must fold for the first transition, rad."""
+    return -float(goal_of(structure, structure.transitions[0].goal).most[_crossed(structure)[vein]])
 
 
 def _snap_time(time: Array, fold: Array, start: float, end: float) -> float | None:
@@ -141,9 +152,9 @@ def _passes(time: Array, fold: Array, angle: float) -> Array:
 
 def simulation_summary(record: Record, vein: int = INNER_VEIN) -> dict[str, Any]:
     """What a run says of the snap of one vein's hinge, beside its prediction, as plain data with units in its keys."""
-    design, outcome, snap = record.design, measure(record), simulated_snap(record, vein)
-    folded_angle = design.protocol.folded_angle
-    hinges = {"ideal_hinge": ideal_hinge(design), f"{ordinal(vein)}_hinge": wing_hinges(design)[vein]}
+    structure, outcome, snap = record.structure, measure(record), simulated_snap(record, vein)
+    folded_angle = _folded_angle(structure, vein)
+    hinges = {"ideal_hinge": ideal_hinge(structure), f"{ordinal(vein)}_hinge": tendon_hinges(structure)[vein]}
     return {
         "status": outcome.status,
         "advice": outcome.advice,
@@ -162,6 +173,7 @@ def simulation_summary(record: Record, vein: int = INNER_VEIN) -> dict[str, Any]
                 "final_speed_rad_per_s": predicted.final_speed,
             }
             for name, hinge in hinges.items()
+            if hinge is not None
             for predicted in [predicted_snap(hinge, folded_angle)]
         },
     }
