@@ -194,7 +194,7 @@ def with_protocol(structure: Structure, design: PlatesDesign) -> Structure:
 
 def drive_keys(design: PlatesDesign) -> tuple[str, ...]:
     """Keys of the values that say how strong the drives are."""
-    return tuple(f"drive.{number}.value" for number in range(len(design.drive)))
+    return tuple(f"drive.{drive.name}.value" for drive in design.drive)
 
 
 def static_keys(design: PlatesDesign) -> tuple[str, ...]:
@@ -328,7 +328,7 @@ def _driven(structure: Structure, design: PlatesDesign) -> tuple[tuple[Motor, ..
             name=drive.name,
             shares=tuple(1.0 if number in drives else 0.0 for drives in shared),
             rise=rises[number],
-            key=f"drive.{number}.value",
+            key=f"drive.{drive.name}.value",
             torque=drive.value,
             where=f"on {drive.of}" if drive.of.startswith("crease ") else f"on the {drive.of}",
         )
