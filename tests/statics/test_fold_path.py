@@ -10,11 +10,17 @@ from scipy.integrate import cumulative_trapezoid
 
 from forficula.design import load_design, with_values
 from forficula.pattern import earwig_pattern, fan_fold_angles
-from forficula.statics import wing_hinges
-from forficula.statics.fold_path import camber_angle, fold_path
+from forficula.statics import fold_path as module
+from forficula.statics import tendon_hinges
 from forficula.statics.hinge import holding_torque, peak_opening_torque
+from forficula.statics.potential import ensemble_of
+from forficula.structure import structure_of
 
 REFERENCE = load_design("binder2025")
+
+
+def fold_path(design, points=181):
+    return module.fold_path(ensemble_of([design]), points)
 
 
 def design(hub=0.015, sector=20.0, rest=0.09, stiffness=1000.0):
@@ -35,8 +41,8 @@ designs = st.builds(design, st.floats(0.005, 0.03), st.floats(12, 30), st.floats
 @settings(deadline=None, max_examples=15)
 @given(designs)
 def test_the_energy_is_that_of_the_hinges_and_what_little_the_membrane_stretches(wing):
-    path, hinges = fold_path(wing, 21), wing_hinges(wing)
-    assert (path.pleat_angle[0], path.pleat_angle[-1]) == (camber_angle(wing), math.pi)
+    path, hinges = fold_path(wing, 21), tendon_hinges(structure_of(wing))
+    assert (path.pleat_angle[0], path.pleat_angle[-1]) == (structure_of(wing).fold_path.first, math.pi)
     by_hinge = sum(hinge.energy(-path.ring_angle) for hinge in hinges)
     assert path.tendon_energy == pytest.approx(by_hinge, rel=1e-9, abs=1e-12)
     assert (path.sheet_energy >= -1e-15).all()
@@ -75,7 +81,7 @@ def test_the_moment_is_what_the_energy_loses_by_the_pleat_angle(wing):
 def test_a_cambered_wing_is_pressed_on_its_overbend_and_climbs_to_flat(hub, sector, rest, stiffness):
     """Panels hardly stretch: the torques are the tendons', by how the ring moves with the pleats."""
     wing = design(hub, sector, rest, stiffness)
-    path, hinge = fold_path(wing, 181), wing_hinges(wing)[0]
+    path, hinge = fold_path(wing, 181), tendon_hinges(structure_of(wing))[0]
     first, second = path.states[:2]
     assert (first.kind, second.kind) == ("stop", "maximum")
     assert second.coordinate == pytest.approx(0, abs=1e-6)

@@ -17,10 +17,11 @@ from forficula.statics import (
     ideal_hinge,
     peak_opening_torque,
     slack_angle,
-    straight_barrier,
-    wing_hinges,
+    tendon_hinges,
+    top_barrier,
 )
 from forficula.statics.hinge import released_energy
+from forficula.structure import structure_of
 
 REFERENCE = load_design("binder2025")
 ANGLES = st.floats(-math.pi, math.radians(30))
@@ -123,7 +124,7 @@ FANS = st.fixed_dictionaries(
 def test_the_length_is_that_of_a_distal_vein_turned_about_its_ring_crease(values, angle):
     design = with_values(REFERENCE, values)
     ring = ring_vertices(design.fan, continued=True)
-    hinges = wing_hinges(design)
+    hinges = tendon_hinges(structure_of(design))
     assert len(hinges) == design.fan.vein_count
     for vein, hinge in enumerate(hinges):
         vertex = ring[vein]
@@ -154,7 +155,7 @@ def test_the_length_is_that_of_the_pattern_folded_along_its_ring(fold):
         vertex + tendon.distal_attachment * unit(tip - vertex),
     )
     # rounding
-    assert wing_hinges(design)[0].length(fold) == pytest.approx(np.linalg.norm(ends[0] - ends[1]), abs=1e-14)
+    assert tendon_hinges(structure_of(design))[0].length(fold) == pytest.approx(np.linalg.norm(ends[0] - ends[1]), abs=1e-14)
 
 
 def test_the_bar_turns_with_the_inertia_of_its_volume():
@@ -171,7 +172,7 @@ def test_the_bar_turns_with_the_inertia_of_its_volume():
     points = along[..., None] * bar + out[..., None] * (
         np.cos(turn)[..., None] * beside + np.sin(turn)[..., None] * np.array([0, 0, 1])
     )
-    for hinge, axis in ((wing_hinges(design)[0], unit(after - vertex)), (ideal_hinge(design), beside)):
+    for hinge, axis in ((tendon_hinges(structure_of(design))[0], unit(after - vertex)), (ideal_hinge(structure_of(design)), beside)):
         inertia = density * np.sum(volume * np.sum(np.cross(points, axis) ** 2, axis=-1))
         # the rule is exact
         assert hinge.inertia == pytest.approx(inertia, rel=1e-13)
@@ -179,12 +180,13 @@ def test_the_bar_turns_with_the_inertia_of_its_volume():
 
 def test_the_armature_is_added():
     design = with_values(REFERENCE, {"hinge.armature": 1.0})
-    assert ideal_hinge(design).inertia == pytest.approx(1, rel=1e-4)
-    assert wing_hinges(design)[0].inertia == pytest.approx(1, rel=1e-4)
+    assert ideal_hinge(structure_of(design)).inertia == pytest.approx(1, rel=1e-4)
+    assert tendon_hinges(structure_of(design))[0].inertia == pytest.approx(1, rel=1e-4)
 
 
 def test_without_hub_the_crease_is_slanted_by_half_a_sector():
-    hinge = wing_hinges(with_values(REFERENCE, {"pattern.hub_radius": 0.0, "pattern.sector_angle": 0.4}))[1]
+    pointed = with_values(REFERENCE, {"pattern.hub_radius": 0.0, "pattern.sector_angle": 0.4})
+    hinge = tendon_hinges(structure_of(pointed))[1]
     assert abs(hinge.axial_offset) == pytest.approx(0.11 * math.sin(0.2))
     assert hinge.proximal_arm == pytest.approx(0.055 * math.cos(0.2))
     assert hinge.distal_arm == pytest.approx(0.055 * math.cos(0.2))
@@ -196,7 +198,7 @@ def test_the_barrier_of_a_tendon_without_resting_length_is_its_energy_times_a_sq
     hinge = equal_arms(arm=arm, overbend=overbend)
     closed_form = float(hinge.energy(0)) * math.sin(overbend / 2) ** 2
     # rounding, also of small overbends
-    assert straight_barrier(hinge) == pytest.approx(closed_form, rel=1e-13)
+    assert top_barrier(hinge) == pytest.approx(closed_form, rel=1e-13)
 
 
 @given(hinges())
@@ -206,7 +208,7 @@ def test_the_barrier_is_the_work_of_the_moment_on_the_way_to_straight(hinge):
     end = hinge.overbend if slack is None else min(slack, hinge.overbend)
     work = end / 2 * weights @ hinge.moment((nodes + 1) / 2 * end)
     # rounding of extensions of at least a hundredth
-    assert straight_barrier(hinge) == pytest.approx(work, rel=1e-9, abs=1e-13 * float(hinge.energy(0)))
+    assert top_barrier(hinge) == pytest.approx(work, rel=1e-9, abs=1e-13 * float(hinge.energy(0)))
     assert holding_torque(hinge) == hinge.moment(hinge.overbend) >= 0
 
 
@@ -267,12 +269,12 @@ def test_a_scaled_design_has_energy_and_torque_by_the_cube(factor):
     """theory.md, section 4: k goes with the size, U and torque with its cube, I with its fifth power."""
     scaled = scale_design(REFERENCE, factor)
     pairs = [
-        (ideal_hinge(REFERENCE), ideal_hinge(scaled)),
-        *zip(wing_hinges(REFERENCE), wing_hinges(scaled), strict=True),
+        (ideal_hinge(structure_of(REFERENCE)), ideal_hinge(structure_of(scaled))),
+        *zip(tendon_hinges(structure_of(REFERENCE)), tendon_hinges(structure_of(scaled)), strict=True),
     ]
     for hinge, larger in pairs:
         # rounding of extensions of a fifth, and of the position of the peak
-        assert straight_barrier(larger) == pytest.approx(factor**3 * straight_barrier(hinge), rel=1e-12)
+        assert top_barrier(larger) == pytest.approx(factor**3 * top_barrier(hinge), rel=1e-12)
         assert holding_torque(larger) == pytest.approx(factor**3 * holding_torque(hinge), rel=1e-12)
         assert peak_opening_torque(larger).torque == pytest.approx(
             factor**3 * peak_opening_torque(hinge).torque, rel=1e-12
@@ -292,7 +294,7 @@ def test_energy_and_torque_keep_the_shape_of_the_angles():
 def test_a_tendon_that_is_slack_throughout_has_nothing(rest_length):
     hinge = equal_arms(rest_length)
     assert not hinge.pulls
-    for number in (straight_barrier, holding_torque, peak_opening_torque, slack_angle):
+    for number in (top_barrier, holding_torque, peak_opening_torque, slack_angle):
         assert number(hinge) is None
 
 
@@ -303,8 +305,9 @@ def test_a_tendon_that_is_slack_throughout_has_nothing(rest_length):
         ({"distal_arm": math.nan}, "distal_arm: need > 0, got nan m"),
         ({"axial_offset": math.inf}, "axial_offset: need a finite number, got inf m"),
         ({"inertia": -1.0}, r"inertia: need > 0, got -1 kg m\^2"),
-        ({"overbend": -0.1}, "overbend: need >= 0 deg and < 90 deg, got -5.72958 deg"),
-        ({"fold_limit": 4.0}, "fold_limit: need > 0 deg and <= 180 deg, got 229.183 deg"),
+        ({"offset_angle": math.nan}, "offset_angle: need >= -180 deg and <= 180 deg, got nan deg"),
+        ({"overbend": -0.1}, "overbend: need >= 0 deg and <= 180 deg, got -5.72958 deg"),
+        ({"fold_limit": 4.0}, "fold_limit: need >= 0 deg and <= 180 deg, got 229.183 deg"),
     ],
 )
 def test_a_hinge_that_is_none_is_refused(numbers, message):

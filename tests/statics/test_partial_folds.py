@@ -8,8 +8,20 @@ import numpy as np
 import pytest
 
 from forficula.design import load_design
-from forficula.statics.hinge import straight_barrier, wing_hinges
-from forficula.statics.partial_folds import partial_folds, single_hinge_barriers
+from forficula.statics import partial_folds as module
+from forficula.statics.hinge import tendon_hinges, top_barrier
+from forficula.statics.potential import ensemble_of
+from forficula.statics.quasi_static import start_state
+from forficula.structure import structure_of
+
+
+def partial_folds(design):
+    return module.partial_folds(ensemble_of([design]))
+
+
+def single_hinge_barriers(design):
+    structures = ensemble_of([design])
+    return module.single_hinge_barriers(structures, start_state(structures).position)
 
 
 def test_every_combination_of_three_hinges_is_tried(reference):
@@ -42,7 +54,7 @@ def test_of_many_veins_neighbours_from_the_first_on_are_tried():
 
 def test_a_membrane_that_the_overbend_stretches_takes_from_the_barrier(reference):
     """A single hinge climbs what its tendon does, less what a stiffer membrane gives back on the way to straight."""
-    alone = straight_barrier(wing_hinges(reference)[1])
+    alone = top_barrier(tendon_hinges(structure_of(reference))[1])
     climbs = [
         single_hinge_barriers(load_design("binder2025", {"membrane.youngs_modulus": modulus}))[1]
         for modulus in ("0.01 MPa", "1 MPa", "30 MPa", "100 MPa")

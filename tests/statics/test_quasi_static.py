@@ -5,11 +5,12 @@ import pytest
 
 from forficula.design import load_design, with_values
 from forficula.statics import potential as potential_module
+from forficula.statics import quasi_static, tendon_hinges
 from forficula.statics import sheet as sheet_module
-from forficula.statics import wing_hinges
 from forficula.statics.hinge import peak_opening_torque
-from forficula.statics.potential import FOLD, section
-from forficula.statics.quasi_static import flat_state, folded_state, least_slow_torque, slow_transition
+from forficula.statics.potential import ensemble_of
+from forficula.statics.quasi_static import start_state, state_beyond
+from forficula.structure import Drive, hinges_of, structure_of
 
 REFERENCE = load_design("binder2025")
 # stiffness in N/cm, resting length in cm: on both sides of the edges of the map
@@ -22,9 +23,31 @@ DESIGNS = [
 ]
 
 
+FOLDS_AT = list(hinges_of(structure_of(REFERENCE), "ring"))
+FOLD, UNFOLD = structure_of(REFERENCE).transitions
+BY_NAME = {"fold": FOLD, "unfold": UNFOLD}
+DISTAL = UNFOLD.slow_drive
+
+
+def flat_state(wings):
+    return start_state(wings).position
+
+
+def folded_state(wings):
+    return state_beyond(wings, FOLD).position
+
+
+def slow_transition(wings, start, name, torques):
+    return quasi_static.slow_transition(wings, start, BY_NAME[name], torques)
+
+
+def least_slow_torque(wings, start, name, most):
+    return quasi_static.least_slow_torque(wings, start, BY_NAME[name], most)
+
+
 def least(drive, steps):
     """N cm, None where none of the torques does."""
-    wings = section(DESIGNS)
+    wings = ensemble_of(DESIGNS)
     start = flat_state(wings) if drive == "fold" else folded_state(wings)
     torques = slow_transition(wings, start, drive, np.array(steps) / 100).torque
     return [None if np.isnan(torque) else float(torque) * 100 for torque in torques]
@@ -53,19 +76,23 @@ def test_what_folds_and_opens_does_not_depend_on_the_steps_or_on_the_guards_stif
 
 def test_the_least_torque_on_the_distal_hinges_is_the_largest_moment_of_their_tendons():
     """Where all hinges open alike, a panel is in no other's way: theory.md, section 3, the largest moment."""
-    wings = section([REFERENCE])
+    wings = ensemble_of([REFERENCE])
     folded = folded_state(wings)
-    peak = peak_opening_torque(wing_hinges(REFERENCE)[0]).torque
-    found = least_slow_torque(wings, folded, "distal", 4 * peak)
+    peak = peak_opening_torque(tendon_hinges(structure_of(REFERENCE))[0]).torque
+    assert DISTAL is not None
+    found = quasi_static.least_slow_torque(wings, folded, UNFOLD, 4 * peak, DISTAL)
     # 1 % of the search, always upwards
     assert 0.99 * peak < found.torque[0] < 1.02 * peak
-    assert (found.position[0, FOLD::4] > 0).all()
-    ramp = slow_transition(wings, folded, "distal", [0.98 * peak, 1.02 * peak])
-    assert ramp.torque == pytest.approx([1.02 * peak])
+    assert (found.position[0, FOLDS_AT] > 0).all()
+    below, above = (
+        quasi_static.least_slow_torque(wings, folded, UNFOLD, share * peak, DISTAL).torque for share in (0.98, 1.02)
+    )
+    assert np.isnan(below).all()
+    assert above == pytest.approx([peak], rel=0.02)
 
 
 def test_the_least_fold_torque_is_that_of_small_equal_steps():
-    wings = section([REFERENCE])
+    wings = ensemble_of([REFERENCE])
     flat = flat_state(wings)
     found = least_slow_torque(wings, flat, "fold", 0.5).torque[0]
     ramp = slow_transition(wings, flat, "fold", np.arange(0.0001, 0.01, 0.0001)).torque[0]
@@ -75,19 +102,30 @@ def test_the_least_fold_torque_is_that_of_small_equal_steps():
 
 def test_wings_side_by_side_have_the_least_torques_that_they_have_alone():
     pair = [DESIGNS[3], DESIGNS[5]]
-    wings = section(pair)
+    wings = ensemble_of(pair)
     together = least_slow_torque(wings, flat_state(wings), "fold", 0.2).torque
     assert np.isfinite(together).all()
     for case, design in enumerate(pair):
-        alone = section([design])
+        alone = ensemble_of([design])
         torque = least_slow_torque(alone, flat_state(alone), "fold", 0.2).torque
         assert torque == pytest.approx(together[case : case + 1], rel=0.02)
 
 
 def test_a_wing_at_its_goal_needs_no_torque_and_one_that_never_gets_there_has_none():
-    wings = section([REFERENCE, with_values(REFERENCE, {"tendon.rest_length": 0.03})])
+    wings = ensemble_of([REFERENCE, with_values(REFERENCE, {"tendon.rest_length": 0.03})])
     folded, flat = folded_state(wings), flat_state(wings)
     assert least_slow_torque(wings, folded, "fold", 0.5).torque.tolist() == [0, 0]
     assert least_slow_torque(wings, flat, "unfold", 0.5).torque.tolist() == [0, 0]
     assert np.isnan(least_slow_torque(wings, flat, "fold", 0.001).torque).all()
     assert np.isnan(slow_transition(wings, flat, "fold", [0.001]).torque).all()
+
+
+def test_a_negative_torque_goes_the_other_way():
+    """The fold's drive turned round twice is the fold's drive."""
+    wings = ensemble_of([REFERENCE])
+    flat = flat_state(wings)
+    turned = Drive(name="turned", shares=(-1.0, 0.0), rise=0.0, key="", torque=-0.5)
+    there = quasi_static.least_slow_torque(wings, flat, FOLD, 0.2)
+    back = quasi_static.least_slow_torque(wings, flat, FOLD, 0.2, turned)
+    assert there.torque == back.torque
+    assert there.position == pytest.approx(back.position)

@@ -1,6 +1,7 @@
 """Energy of membrane and guards, against numerical differentiation, the simulator's, and rigid motions."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,8 +9,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from forficula.design import load_design, with_values
-from forficula.statics.sheet import sheet_energy, wing_sheet
-from forficula.statics.wing import FOLD, TURN, flat_wing, pose
+from forficula.statics.pose import places_of, pose, tree_of
+from forficula.statics.sheet import sheet_energy
+from forficula.statics.sheet import sheet_of as laid_out
+from forficula.structure import hinges_of, structure_of
+from tests.statics.trees import tree
 
 REFERENCE = load_design("binder2025")
 DENSE = with_values(
@@ -21,21 +25,27 @@ DENSE = with_values(
         "membrane.distal_rows": [0.5],
     },
 )
-JOINTS = ("sweep_angle", "lift_angle", "turn_angle", "distal_angle")
+BUILT = structure_of(REFERENCE)
+SWEEPS, TURNS, FOLDS = (list(hinges_of(BUILT, role)) for role in ("sweep", "turn", "ring"))
 
 
-def sheet_of(design):
-    return wing_sheet(flat_wing(design))
+def sheet_of(structure):
+    return laid_out(structure, tree_of(structure))
 
 
-SHEETS = [sheet_of(REFERENCE), sheet_of(DENSE)]
+SHEETS = [sheet_of(structure_of(design)) for design in (REFERENCE, DENSE)]
+TREES = [sheet_of(tree(seed, limit=limit)) for seed, limit in ((1, 10.0), (2, 10.0), (5, 1.0), (8, 1.0))]
 
 
-@settings(deadline=None, max_examples=20)
-@given(st.sampled_from(SHEETS), st.integers(0, 1000), st.floats(0.01, 1))
+def size_of(sheet):
+    return sheet.laid.tree.size
+
+
+@settings(deadline=None, max_examples=40)
+@given(st.sampled_from([*SHEETS, *TREES]), st.integers(0, 1000), st.floats(0.01, 1))
 def test_slope_and_curvature_are_derivatives_of_the_energy(sheet, seed, spread):
-    veins, small = sheet.panels + 1, 1e-4
-    angles = np.random.default_rng(seed).uniform(-spread, spread, (1, veins, 4))
+    small = 1e-4
+    angles = np.random.default_rng(seed).uniform(-spread, spread, (1, size_of(sheet)))
     _, slope, curvature = sheet_energy(sheet, angles)
     slopes, curvatures, pulls = zip(*(differences(sheet, angles, step) for step in (small, small / 2)), strict=True)
     stiff = np.abs(curvature).max()
@@ -49,21 +59,27 @@ def test_slope_and_curvature_are_derivatives_of_the_energy(sheet, seed, spread):
 
 def differences(sheet, angles, step):
     """Central differences of energy and slope, and whether a guard begins to pull between them."""
-    steps = step * np.eye(angles.size).reshape(-1, *angles.shape[1:])
+    steps = step * np.eye(angles.size)
     ahead, behind = sheet_energy(sheet, angles + steps), sheet_energy(sheet, angles - steps)
     begins = guards_begin(sheet, np.concatenate([angles + steps, angles - steps]))
     return (ahead[0] - behind[0]) / (2 * step), (ahead[1] - behind[1]) / (2 * step), begins
 
 
 def guards_begin(sheet, angles):
-    tips = pose(sheet.wing, angles).points[:, sheet.wing.tips]
-    pulls = np.linalg.norm(np.diff(tips, axis=1), axis=2) > sheet.guard_lengths
-    return (pulls != pulls[0]).any()
+    pulls = [apart > lengths for apart, lengths in zip(apart_at(sheet, angles), sheet.lengths, strict=True)]
+    return any((each != each[0]).any() for each in pulls)
+
+
+def apart_at(sheet, angles):
+    """Distances of the ends of all limits, m, (case, limit), by group."""
+    places = places_of(sheet.laid.carried, pose(sheet.laid.tree, angles))
+    ends = [places[:, :, group.points] for group in sheet.laid.groups[len(sheet.patches) :]]
+    return [np.linalg.norm(each[:, :, 1::2] - each[:, :, ::2], axis=0) for each in ends]
 
 
 @pytest.mark.parametrize("sheet", SHEETS)
 def test_the_flat_wing_stores_nothing_and_nothing_moves_it(sheet):
-    energy, slope, curvature = sheet_energy(sheet, np.zeros((1, sheet.panels + 1, 4)))
+    energy, slope, curvature = sheet_energy(sheet, np.zeros((1, size_of(sheet))))
     # rounding of a strain of 1e-16
     assert energy[0] == pytest.approx(0, abs=1e-25)
     assert slope[0] == pytest.approx(0, abs=1e-12)
@@ -71,9 +87,9 @@ def test_the_flat_wing_stores_nothing_and_nothing_moves_it(sheet):
 
 
 def test_all_along_the_reference_the_membrane_has_the_energy_of_the_record(reference_run):
-    sheet = sheet_of(with_values(reference_run.design, {"guard.stretch": 10.0}))
-    energy = sheet_energy(sheet, np.stack([reference_run.series[name] for name in JOINTS], axis=2))[0]
-    record = reference_run.series["membrane_energy"]
+    sheet = sheet_of(structure_of(with_values(reference_run.design, {"guard.stretch": 10.0})))
+    energy = sheet_energy(sheet, reference_run.data["hinge_angle"].values)[0]
+    record = reference_run.data["membrane_energy"].values
     assert record.max() > 1e-3
     # rounding
     assert energy == pytest.approx(record, rel=1e-9, abs=1e-12)
@@ -82,26 +98,48 @@ def test_all_along_the_reference_the_membrane_has_the_energy_of_the_record(refer
 @given(st.floats(-math.pi, math.pi))
 def test_what_turns_as_a_whole_stores_what_it_did(angle):
     """Without a hub all veins start at one point: a sweep of all is a rigid motion."""
-    sheet = sheet_of(with_values(REFERENCE, {"pattern.hub_radius": 0.0}))
-    angles = np.random.default_rng(1).uniform(-0.3, 0.3, (1, 3, 4))
-    turned = angles + np.array([angle, 0, 0, 0])
+    sheet = sheet_of(structure_of(with_values(REFERENCE, {"pattern.hub_radius": 0.0})))
+    angles = np.random.default_rng(1).uniform(-0.3, 0.3, (1, 12))
+    turned = angles.copy()
+    turned[:, SWEEPS] += angle
     energy, slope, curvature = sheet_energy(sheet, angles)
     other = sheet_energy(sheet, turned)
     # rounding
     assert other[0] == pytest.approx(energy, rel=1e-11)
     assert other[1] == pytest.approx(slope, abs=1e-11 * np.abs(slope).max())
     assert other[2] == pytest.approx(curvature, abs=1e-11 * np.abs(curvature).max())
-    assert slope[0, 0::4].sum() == pytest.approx(0, abs=1e-11 * np.abs(slope).max())
+    assert slope[0, SWEEPS].sum() == pytest.approx(0, abs=1e-11 * np.abs(slope).max())
+
+
+@given(st.integers(0, 1000), st.floats(-math.pi, math.pi))
+def test_a_hinge_that_carries_all_nodes_moves_no_energy(seed, angle):
+    """Sheets in any plane, on bodies one above another: what is below them all turns them rigidly."""
+    built = tree(seed)
+    root = next(number for number, hinge in enumerate(built.hinges) if hinge.body == 0)
+    carried = [each for each in range(len(built.bodies)) if root in tree_of(built).chain(each)]
+    random = np.random.default_rng(seed)
+    membranes = tuple(
+        replace(membrane, bodies=random.choice(carried, len(membrane.bodies))) for membrane in built.membranes
+    )
+    sheet = sheet_of(replace(built, membranes=membranes, limits=()))
+    angles = random.uniform(-0.5, 0.5, (1, size_of(sheet)))
+    turned = angles.copy()
+    turned[0, root] += angle
+    (energy, slope, _), other = sheet_energy(sheet, angles), sheet_energy(sheet, turned)
+    # rounding
+    assert other[0] == pytest.approx(energy, rel=1e-11)
+    least = 1e-11 * (np.abs(slope).max() + energy[0])
+    assert other[1] == pytest.approx(slope, abs=least)
+    assert slope[0, root] == pytest.approx(0, abs=least)
 
 
 def test_a_guard_pulls_beyond_its_length_only():
     """Two tips spread by sweeping an outer vein: the distance of the tips, less the guard's length, on a spring."""
     soft = with_values(REFERENCE, {"membrane.youngs_modulus": 1e6})
-    slack, taut = sheet_of(with_values(soft, {"guard.stretch": 10.0})), sheet_of(soft)
-    angles = np.zeros((2, 3, 4))
-    angles[:, 2, 0] = [0.001, 0.1]
-    tips = pose(taut.wing, angles).points[:, taut.wing.tips]
-    beyond = np.linalg.norm(tips[:, 2] - tips[:, 1], axis=1) - taut.guard_lengths[1]
+    slack, taut = (sheet_of(structure_of(with_values(soft, {"guard.stretch": stretch}))) for stretch in (10.0, 1.02))
+    angles = np.zeros((2, 12))
+    angles[:, SWEEPS[2]] = [0.001, 0.1]
+    beyond = (apart_at(taut, angles)[0] - taut.lengths[0])[:, 1]
     assert beyond[0] < 0 < beyond[1]
     more = sheet_energy(taut, angles)[0] - sheet_energy(slack, angles)[0]
     spring = 100 * 1e6 * REFERENCE.membrane.thickness
@@ -111,9 +149,10 @@ def test_a_guard_pulls_beyond_its_length_only():
 @settings(deadline=None)
 @given(st.floats(0.3, 3))
 def test_energy_goes_with_the_modulus_and_the_thickness(factor):
-    angles = np.zeros((1, 3, 4))
-    angles[..., TURN], angles[..., FOLD] = 0.7, -1.2
+    angles = np.zeros((1, 12))
+    angles[:, TURNS], angles[:, FOLDS] = 0.7, -1.2
     energy = sheet_energy(SHEETS[0], angles)[0]
     for key in ("youngs_modulus", "thickness"):
         stiffer = {f"membrane.{key}": factor * getattr(REFERENCE.membrane, key)}
-        assert sheet_energy(sheet_of(with_values(REFERENCE, stiffer)), angles)[0] == pytest.approx(factor * energy)
+        found = sheet_energy(sheet_of(structure_of(with_values(REFERENCE, stiffer))), angles)[0]
+        assert found == pytest.approx(factor * energy)

@@ -12,7 +12,8 @@ from scipy.special import ellipk
 from forficula.design import load_design, scale_design
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
-from forficula.statics import TendonHinge, final_speed, fold_time, growth_rate, time_scale, wing_hinges
+from forficula.statics import TendonHinge, final_speed, fold_time, growth_rate, tendon_hinges, time_scale
+from forficula.structure import structure_of
 
 REFERENCE = load_design("binder2025")
 DEGREE = math.radians(1)
@@ -107,7 +108,7 @@ def test_the_fold_takes_longer_by_one_growth_time_for_every_e_fold_nearer_to_str
 @given(st.floats(1e-3, 1e3))
 def test_a_scaled_wing_folds_in_a_time_in_proportion_to_its_size(factor):
     """theory.md, section 4."""
-    small, large = (wing_hinges(design)[0] for design in (REFERENCE, scale_design(REFERENCE, factor)))
+    small, large = (tendon_hinges(structure_of(design))[0] for design in (REFERENCE, scale_design(REFERENCE, factor)))
     for number, power in ((time_scale, 1), (fold_time, 1), (final_speed, -1), (growth_rate, -1)):
         # rounding, and the quadrature
         assert number(large) == pytest.approx(factor**power * number(small), rel=1e-9)

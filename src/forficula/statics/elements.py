@@ -117,10 +117,8 @@ def elements(tree: Tree, bodies: Sequence[int], places: Array, pieces: Sequence[
 
 
 def _joined(tree: Tree, bodies: Sequence[int]) -> tuple[int, ...]:
-    """Hinges that move some of these bodies and not others."""
-    chains = [set(tree.chain(body)) for body in bodies]
-    every = chains[0].union(*chains)
-    return tuple(sorted(every - chains[0].intersection(*chains)))
+    """Hinges that move some of these bodies; sides turn with those that move all of them."""
+    return tuple(sorted({hinge for body in bodies for hinge in tree.chain(body)}))
 
 
 def _rows(hinges: tuple[int, ...]) -> tuple[Span, Span]:
@@ -155,7 +153,7 @@ def _group(
         gathers=None if own else np.asarray(flat[:, None] == np.arange(len(carried.bodies)), dtype=np.float64),
         sides=sides,
         pairs=span(np.concatenate(pairs)),
-        turns=turns.reshape(len(numbers), len(pairs[0]), -1),
+        turns=turns.reshape(len(numbers), len(pairs[0]), sides.shape[1] * size),
         size=size,
         blocks=span([known[size][joined[number]] for number in numbers]),
     )
@@ -186,8 +184,9 @@ def stretch(group: Group, places: Array, moves: Array) -> Stretch:
 
 def _by_piece(vectors: Array, count: int) -> Array:
     """Vectors of all pieces, (3, case, piece x part), as (piece, 3 x case, part)."""
-    cases = vectors.shape[1]
-    return np.transpose(vectors.reshape(3, cases, count, -1), (2, 0, 1, 3)).reshape(count, 3 * cases, -1)
+    cases, each = vectors.shape[1], vectors.shape[2] // count
+    by_piece = np.transpose(vectors.reshape(3, cases, count, each), (2, 0, 1, 3))
+    return by_piece.reshape(count, 3 * cases, each)
 
 
 def _block(moves: Array, stiffness: Array) -> Array:
@@ -199,7 +198,7 @@ def _block(moves: Array, stiffness: Array) -> Array:
     """
     joints = moves.shape[-1]
     by_element = moves.reshape(*stiffness.shape[:4], joints)
-    by_piece = (*stiffness.shape[:2], -1, joints)
+    by_piece = (*stiffness.shape[:2], stiffness.shape[2] * stiffness.shape[3], joints)
     pulls = (stiffness @ by_element).reshape(by_piece)
     return np.asarray(np.swapaxes(by_element.reshape(by_piece), 2, 3) @ pulls)
 

@@ -240,7 +240,7 @@ def pulled(tree: Tree, carried: Carried, at: Pose, places: Array, forces: Array)
     parts = np.empty((4, 3, cases, count))
     np.multiply(places[:, None], forces, out=parts[:3])
     parts[3] = forces
-    sums = (parts.reshape(-1, count) @ carried.moved).reshape(4, 3, cases, -1)
+    sums = (parts.reshape(12 * cases, count) @ carried.moved).reshape(4, 3, cases, tree.size)
     k, axes = sums[:3] - at.pivots[:, None] * sums[3], at.axes
     slope = axes[0] * (k[1, 2] - k[2, 1]) + axes[1] * (k[2, 0] - k[0, 2]) + axes[2] * (k[0, 1] - k[1, 0])
     bent = np.sum(k * axes, axis=1) - (k[0, 0] + k[1, 1] + k[2, 2]) * axes
