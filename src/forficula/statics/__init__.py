@@ -1,15 +1,21 @@
+from forficula.statics.fold_path import FoldPath
 from forficula.statics.hinge import (
     PeakTorque,
     TendonHinge,
+    fold_sense,
+    folding_down,
     holding_torque,
     ideal_hinge,
+    ideal_hinges,
     peak_opening_torque,
     slack_angle,
+    tendon_hinge,
     tendon_hinges,
     top_barrier,
 )
 from forficula.statics.hinge_landscape import (
     HingeLandscape,
+    HingeSpring,
     HingeState,
     hinge_landscape,
     hinge_remarks,
@@ -17,12 +23,16 @@ from forficula.statics.hinge_landscape import (
 )
 from forficula.statics.landscape import EnergyLandscape, Rest, StableState, barrier, energy_landscape, stable_states
 from forficula.statics.landscape_summary import landscape_summary
+from forficula.statics.partial_folds import PartialFold, folding_hinges
 from forficula.statics.snap import final_speed, fold_time, growth_rate, time_scale
 
 __all__ = [
     "EnergyLandscape",
+    "FoldPath",
     "HingeLandscape",
+    "HingeSpring",
     "HingeState",
+    "PartialFold",
     "PeakTorque",
     "Rest",
     "StableState",
@@ -30,17 +40,22 @@ __all__ = [
     "barrier",
     "energy_landscape",
     "final_speed",
+    "fold_sense",
     "fold_time",
+    "folding_down",
+    "folding_hinges",
     "growth_rate",
     "hinge_landscape",
     "hinge_remarks",
     "hinge_states",
     "holding_torque",
     "ideal_hinge",
+    "ideal_hinges",
     "landscape_summary",
     "peak_opening_torque",
     "slack_angle",
     "stable_states",
+    "tendon_hinge",
     "tendon_hinges",
     "time_scale",
     "top_barrier",

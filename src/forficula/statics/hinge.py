@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -18,7 +18,7 @@ from scipy.optimize import brentq
 
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
-from forficula.structure import Crossing, Structure, Tendon
+from forficula.structure import Crossing, Hinge, Structure, Tendon
 
 Array = NDArray[np.float64]
 
@@ -185,12 +185,12 @@ def ideal_hinge(structure: Structure) -> TendonHinge | None:
 
     Of the tendon's law it takes the spring, as slow motions do: Maxwell branches are relaxed, and nothing yields.
     """
-    return next((_hinge(structure, each, each.ideal) for each in structure.tendons if each.ideal is not None), None)
+    return next(iter(ideal_hinges(structure)), None)
 
 
 def ideal_hinges(structure: Structure) -> tuple[TendonHinge, ...]:
     """As `ideal_hinge`, of every tendon that has one."""
-    return tuple(_hinge(structure, each, each.ideal) for each in structure.tendons if each.ideal is not None)
+    return tuple(tendon_hinge(structure, each, each.ideal) for each in structure.tendons if each.ideal is not None)
 
 
 def tendon_hinges(structure: Structure) -> tuple[TendonHinge, ...]:
@@ -201,10 +201,35 @@ def tendon_hinges(structure: Structure) -> tuple[TendonHinge, ...]:
     Returns:
         One for each tendon whose length depends on one hinge, in the order of the tendons.
     """
-    return tuple(_hinge(structure, each, each.crossing) for each in structure.tendons if each.crossing is not None)
+    crossed = ((each, each.crossing) for each in structure.tendons)
+    return tuple(tendon_hinge(structure, each, crossing) for each, crossing in crossed if crossing is not None)
 
 
-def _hinge(structure: Structure, tendon: Tendon, crossing: Crossing) -> TendonHinge:
+def fold_sense(stops: Hinge) -> int:
+    """-1 where a hinge folds towards negative angles of its own sense, +1 towards positive ones: its wider range."""
+    return 1 if stops.upper > -stops.lower else -1
+
+
+def folding_down(hinge: TendonHinge, sense: int) -> TendonHinge:
+    """A hinge with its angles counted so that folding is negative.
+
+    Args:
+        hinge: the hinge.
+        sense: the sense of its own angles in which it folds, see `fold_sense`.
+    """
+    if sense < 0:
+        return hinge
+    return replace(hinge, overbend=hinge.fold_limit, fold_limit=hinge.overbend, offset_angle=0.0 - hinge.offset_angle)
+
+
+def tendon_hinge(structure: Structure, tendon: Tendon, crossing: Crossing) -> TendonHinge:
+    """The hinge that a tendon lies across, as one of its crossings has it.
+
+    Args:
+        structure: whose tendon.
+        tendon: the tendon.
+        crossing: its own, or its ideal one.
+    """
     stops = structure.hinges[crossing.hinge]
     return TendonHinge(
         law=tendon.law.elastic,

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.statics.hinge import ideal_hinges
+from forficula.statics.hinge import fold_sense, folding_down, ideal_hinges, tendon_hinge
 from forficula.statics.potential import Ensemble, potential, rest, sheet_torque
 from forficula.statics.sheet import sheet_energy
 from forficula.structure import Structure
@@ -34,9 +35,11 @@ class PartialFold:
         folded: hinges that start folded.
         stable: whether every hinge stays on the side of straight on which it starts, and no small push drives it on.
         stays_folded: hinges that are folded in the end.
-        distal_angle: of each folding hinge in the end, rad, (folding hinge,).
+        distal_angle: of each folding hinge in the end, in its own sense, rad, (folding hinge,).
         tendon_energy: of all tendons, springs and weights in the end, J.
         sheet_energy: of membranes and length limits in the end, J.
+        independent_energy: of as many ideal hinges that nothing couples, those folded at their limits and the others at
+            their overbend stops, J; None where a tendon has no ideal hinge.
     """
 
     folded: tuple[int, ...]
@@ -45,6 +48,7 @@ class PartialFold:
     distal_angle: Array
     tendon_energy: float
     sheet_energy: float
+    independent_energy: float | None = None
 
     @property
     def energy(self) -> float:
@@ -97,7 +101,8 @@ def single_hinge_barriers(structures: Ensemble, flat: Array) -> Array:
     tops = _tops(structures)
     for number, hinge in enumerate(folding):
         rows = slice(number * _WAYS, (number + 1) * _WAYS)
-        past = max(tops[hinge] - _START, structures.lower[hinge])
+        past = tops[hinge] + _senses(structures.structure, (hinge,))[0] * _START
+        past = min(max(past, structures.lower[hinge]), structures.upper[hinge])
         start[rows, hinge] = np.append(np.linspace(flat[0, hinge], past, _WAYS - 1), tops[hinge])
         held[rows, hinge] = True
     energy = rest(many, start, held=held).energy.reshape(count, _WAYS)
@@ -110,6 +115,11 @@ def _tops(structures: Ensemble) -> Array:
     tops = np.zeros(structures.size)
     tops[structures.crossed] = 0.0 - np.asarray(structures.tendons.offset_angle)[0]
     return np.clip(tops, structures.lower, structures.upper)
+
+
+def _senses(structure: Structure, hinges: Sequence[int]) -> Array:
+    """Sign of the angles to which hinges fold, in their own senses, (hinge,)."""
+    return np.array([fold_sense(structure.hinges[hinge]) for hinge in hinges], dtype=np.float64)
 
 
 def partial_folds(structures: Ensemble) -> tuple[PartialFold, ...]:
@@ -128,17 +138,20 @@ def partial_folds(structures: Ensemble) -> tuple[PartialFold, ...]:
     many = structures.repeated(len(combinations))
     start = np.zeros((len(combinations), many.size))
     tops = _tops(structures)[folding]
-    closed = np.maximum(tops - _START, many.lower[folding])
-    opened = np.where(np.isfinite(many.upper[folding]), many.upper[folding], tops + _START)
+    senses = _senses(structures.structure, folding.tolist())
+    lower, upper = many.lower[folding], many.upper[folding]
+    closed = np.clip(tops + senses * _START, lower, upper)
+    stops = np.where(senses < 0, upper, lower)
+    opened = np.where(np.isfinite(stops), stops, tops - senses * _START)
     for row, folded in enumerate(combinations):
         start[row, folding] = np.where(np.isin(np.arange(len(folding)), folded), closed, opened)
     aimed = rest(many, start, fixed=folding.tolist()).position
     found = rest(many, aimed)
     sheet, _, _ = sheet_energy(many.sheet, found.position)
-    soft, states = _soft(structures), []
+    soft, states, independent = _soft(structures), [], _independent(structures.structure, folding.tolist())
     for row, folded in enumerate(combinations):
         angle = found.position[row, folding]
-        stays = tuple(int(each) for each in np.flatnonzero(angle < tops))
+        stays = tuple(int(each) for each in np.flatnonzero(senses * angle > senses * tops))
         states.append(
             PartialFold(
                 folded=folded,
@@ -147,9 +160,33 @@ def partial_folds(structures: Ensemble) -> tuple[PartialFold, ...]:
                 distal_angle=angle,
                 tendon_energy=float(found.energy[row] - sheet[row]),
                 sheet_energy=float(sheet[row]),
+                independent_energy=None
+                if independent is None
+                else sum(float(energies[int(place in folded)]) for place, energies in enumerate(independent)),
             )
         )
     return tuple(states)
+
+
+def _independent(structure: Structure, folding: Sequence[int]) -> list[tuple[float, float]] | None:
+    """Energies of the ideal hinges at their overbend stops and at their fold limits, J, by folding hinge.
+
+    0 where no tendon lies across one; None where one has no ideal hinge.
+    """
+    energies = dict.fromkeys(folding, (0.0, 0.0))
+    for tendon in structure.tendons:
+        if tendon.crossing is None or tendon.crossing.hinge not in energies:
+            continue
+        if tendon.ideal is None:
+            return None
+        hinge, crossed = tendon_hinge(structure, tendon, tendon.ideal), tendon.crossing.hinge
+        down = folding_down(hinge, fold_sense(structure.hinges[crossed]))
+        before = energies[crossed]
+        energies[crossed] = (
+            before[0] + float(down.energy(down.overbend)),
+            before[1] + float(down.energy(-down.fold_limit)),
+        )
+    return list(energies.values()) if structure.tendons else None
 
 
 def _soft(structures: Ensemble) -> float:

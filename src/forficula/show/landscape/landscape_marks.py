@@ -1,4 +1,4 @@
-"""What the landscape figures share: marks of stable states, barriers close up, and sentences in free places."""
+"""What the landscape figures share: marks of stable states, barriers close up, sentences in free places, names."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from forficula.show.style import BLACK, GREEN, in_column
 from forficula.statics import EnergyLandscape
+from forficula.structure import Measure, Structure, measure_of
 
 _KINDS = {"stop": "s", "minimum": "o", "neutral": "o"}
 _NAMES = {
@@ -26,7 +27,41 @@ _ROUNDING = 1e-6  # of a tendon's largest moment
 
 def rounding_torque(landscape: EnergyLandscape) -> float:
     """Torque up to which one is rounding, N m."""
-    return _ROUNDING * float(np.abs(landscape.hinge.moment).max())
+    hinges = landscape.tendons if landscape.hinge is None else (landscape.hinge,)
+    return _ROUNDING * max((float(np.abs(hinge.moment).max()) for hinge in hinges), default=0.0)
+
+
+def hinge_measure(structure: Structure, hinge: int) -> Measure:
+    """The first measure of angles that has a hinge in it; else that of its role."""
+    for measure in structure.measures:
+        if hinge in measure.hinges:
+            return measure
+    found = measure_of(structure, structure.hinges[hinge].role)
+    assert found is not None  # the hinge itself has the role
+    return found
+
+
+def springy_parts(structure: Structure) -> str:
+    """What stores energy beside membranes and guards."""
+    has = (
+        ("tendons", bool(structure.tendons)),
+        ("springs", any(hinge.stiffness for hinge in structure.hinges)),
+        ("weight", bool(structure.gravity)),
+    )
+    return _joined([name for name, there in has if there])
+
+
+def sheet_parts(structure: Structure) -> str:
+    """What is stretched beside tendons; empty where there is nothing."""
+    has = (
+        (f"membrane{'s' * (not structure.limits)}", bool(structure.membranes)),
+        ("guards", bool(structure.limits)),
+    )
+    return _joined([name for name, there in has if there])
+
+
+def _joined(words: list[str]) -> str:
+    return " and ".join(filter(None, [", ".join(words[:-1]), *words[-1:]]))
 
 
 def mark_state(axes: Axes, kind: str, place: float, energy: float, range_x: ArrayLike, range_y: ArrayLike) -> None:
