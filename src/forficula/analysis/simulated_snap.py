@@ -28,7 +28,7 @@ class SimulatedSnap:
 
     Attributes:
         tendon: number of the one that lies across the hinge.
-        fold_start: from which times count, rad past straight.
+        fold_start: from which times count, rad past straight, or past where the tendon is longest.
         folded_time: from the start to the angle that the protocol calls folded, s.
         fold_time: from the start to the fold limit, s.
         largest_fold: how far it folded, rad past straight.
@@ -80,12 +80,22 @@ def crossed_hinge(structure: Structure, tendon: int) -> int:
     return _crossing(structure, tendon).hinge
 
 
+def folding_transition(structure: Structure, hinge: int) -> Transition | None:
+    """The first transition whose goal bounds a hinge on the side to which it folds; None where none does."""
+    up = fold_sense(structure.hinges[hinge]) > 0
+    for transition in structure.transitions:
+        goal = goal_of(structure, transition.goal)
+        if 0 < (goal.least[hinge] if up else -goal.most[hinge]) < math.inf:
+            return transition
+    return None
+
+
 def folded_angle(structure: Structure, hinge: int) -> float | None:
     """How far past straight a hinge counts as folded, rad: what the first transition that folds it asks of it.
 
     None where no transition does.
     """
-    folding = _folding(structure, hinge)
+    folding = folding_transition(structure, hinge)
     if folding is None:
         return None
     goal = goal_of(structure, folding.goal)
@@ -104,7 +114,7 @@ def predicted_snap(hinge: TendonHinge, folded_angle: float | None, fold_start: f
     Args:
         hinge: the hinge, folding towards negative angles.
         folded_angle: past straight, that counts as folded, rad; None where none does.
-        fold_start: past straight, where it is let go, rad.
+        fold_start: past where the tendon is longest, where it is let go, rad.
     """
     so_far = None if folded_angle is None else replace(hinge, fold_limit=min(folded_angle, hinge.fold_limit))
     return PredictedSnap(
@@ -132,7 +142,7 @@ def folding_rows(record: Record, hinge: int) -> NDArray[np.bool_]:
 
 def opening_time(record: Record, hinge: int) -> float:
     """When the first stage begins whose drive makes another transition than that which folds a hinge, s; else inf."""
-    folding = _folding(record.structure, hinge)
+    folding = folding_transition(record.structure, hinge)
     if folding is None:
         return math.inf
     others = {each.drive for each in record.structure.transitions} - {folding.drive}
@@ -147,7 +157,7 @@ def simulated_snap(record: Record, tendon: int | None = None, fold_start: float 
     Args:
         record: what happened.
         tendon: number of the tendon that lies across the hinge; an inner one if not given.
-        fold_start: past straight, rad.
+        fold_start: past where the tendon is longest, rad; at the overbend stop where that is farther.
 
     Returns:
         None where the run diverged, or no tendon lies across one hinge.
@@ -159,19 +169,25 @@ def simulated_snap(record: Record, tendon: int | None = None, fold_start: float 
     hinge = crossed_hinge(structure, tendon)
     before = folding_rows(record, hinge)
     time, fold = record.time[before], fold_sense(structure.hinges[hinge]) * record.series["hinge_angle"][before, hinge]
-    folded = folded_angle(structure, hinge)
-    folded_time = None if folded is None else _snap_time(time, fold, fold_start, folded)
-    leaves = _passes(time, fold, fold_start)
+    folded, start = folded_angle(structure, hinge), _start(structure, tendon, fold_start)
+    folded_time = None if folded is None else _snap_time(time, fold, start, folded)
+    leaves = _passes(time, fold, start)
     moving = time >= leaves[0] if len(leaves) else np.zeros(len(time), dtype=bool)
     return SimulatedSnap(
         tendon=tendon,
         fold_start=fold_start,
         folded_time=folded_time,
-        fold_time=_snap_time(time, fold, fold_start, fold_limit(structure, hinge)),
+        fold_time=_snap_time(time, fold, start, fold_limit(structure, hinge)),
         largest_fold=float(fold.max()),
         peak_speed=float(np.max(np.diff(fold[moving]) / np.diff(time[moving]))) if moving.sum() > 1 else None,
         sample_interval=float(np.median(np.diff(time))) if len(time) > 1 else 0.0,
     )
+
+
+def _start(structure: Structure, tendon: int, fold_start: float) -> float:
+    """How far past straight the fold of a tendon's hinge counts from, rad."""
+    own = _true_hinge(structure, tendon)
+    return max(fold_start - own.top, -own.overbend)
 
 
 def _snap_time(time: Array, fold: Array, start: float, end: float) -> float | None:
@@ -226,27 +242,18 @@ def simulation_summary(record: Record, tendon: int | None = None) -> dict[str, A
 
 def _predictable(structure: Structure, tendon: int) -> dict[str, TendonHinge]:
     """The ideal hinge of a tendon, where it has one, and its true one, folding towards negative angles, by name."""
-    chosen, own = structure.tendons[tendon], _crossing(structure, tendon)
-    sense = fold_sense(structure.hinges[own.hinge])
-    crossings = {
-        "ideal_hinge": chosen.ideal,
-        hinge_name(structure, tendon).replace(" ", "_"): own,
-    }
-    return {
-        name: folding_down(tendon_hinge(structure, chosen, crossing), sense)
-        for name, crossing in crossings.items()
-        if crossing is not None
-    }
+    chosen, sense = structure.tendons[tendon], fold_sense(structure.hinges[crossed_hinge(structure, tendon)])
+    hinges = {}
+    if chosen.ideal is not None:
+        hinges["ideal_hinge"] = folding_down(tendon_hinge(structure, chosen, chosen.ideal), sense)
+    return {**hinges, hinge_name(structure, tendon).replace(" ", "_"): _true_hinge(structure, tendon)}
 
 
-def _folding(structure: Structure, hinge: int) -> Transition | None:
-    """The first transition whose goal bounds a hinge on the side to which it folds."""
-    up = fold_sense(structure.hinges[hinge]) > 0
-    for transition in structure.transitions:
-        goal = goal_of(structure, transition.goal)
-        if 0 < (goal.least[hinge] if up else -goal.most[hinge]) < math.inf:
-            return transition
-    return None
+def _true_hinge(structure: Structure, tendon: int) -> TendonHinge:
+    """The hinge that a tendon lies across, folding towards negative angles."""
+    crossing = _crossing(structure, tendon)
+    sense = fold_sense(structure.hinges[crossing.hinge])
+    return folding_down(tendon_hinge(structure, structure.tendons[tendon], crossing), sense)
 
 
 def _crossing(structure: Structure, tendon: int) -> Crossing:

@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from forficula.errors import InputError
 from forficula.quantities import reading_unit
@@ -113,6 +113,14 @@ class HingeLandscape:
         if self.spring is None:
             return np.zeros_like(self.angle)
         return np.asarray(self.spring.stiffness / 2 * (self.angle - self.spring.rest_angle) ** 2)
+
+    def stored_energy(self, angle: ArrayLike) -> Array:
+        """Of the tendon and the hinge's spring, J, in the shape of `angle` (rad, folding negative)."""
+        energy = self.hinge.energy(angle)
+        if self.spring is None:
+            return energy
+        turned = np.asarray(angle, dtype=np.float64) - self.spring.rest_angle
+        return np.asarray(energy + self.spring.stiffness / 2 * turned**2)
 
     @property
     def spring_moment(self) -> Array:

@@ -275,5 +275,6 @@ def _tell(landscape: EnergyLandscape) -> str:
     ]
     return (
         f"Energy of the {landscape.structure.appearance.whole} {landscape.design.name} along its fold, with that of its"
-        f" membrane and the moment about the pleats beneath. Stable states: {'; '.join(states) or 'none'}. Saddles: {'; '.join(saddles) or 'none'}."
+        " membrane and the moment about the pleats beneath."
+        f" Stable states: {'; '.join(states) or 'none'}. Saddles: {'; '.join(saddles) or 'none'}."
     )

@@ -9,11 +9,13 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from forficula.show.style import BLACK, GREEN, in_column
 from forficula.statics import EnergyLandscape
-from forficula.structure import Measure, Structure, measure_of
+from forficula.structure import Measure, Structure, Transition, drive_of, measure_of
+
+Array = NDArray[np.float64]
 
 _KINDS = {"stop": "s", "minimum": "o", "neutral": "o"}
 _NAMES = {
@@ -39,6 +41,22 @@ def hinge_measure(structure: Structure, hinge: int) -> Measure:
     found = measure_of(structure, structure.hinges[hinge].role)
     assert found is not None  # the hinge itself has the role
     return found
+
+
+def torque_words(structure: Structure, transition: Transition) -> str:
+    """Where the torque of a transition acts, as tables say it, such as "on every distal hinge"."""
+    drive = transition.slow_drive or drive_of(structure, transition.drive)
+    if drive.part:
+        return f"on every {drive.part}"
+    motors = [motor.name for motor, share in zip(structure.motors, drive.shares, strict=True) if share]
+    return drive.where or f"on {', '.join(motors)}"
+
+
+def show_angles(measure: Measure, angles: Array) -> str:
+    """The reading of a measure of all angles (rad), from the least to the largest where its hinges differ."""
+    read = [sign * angles[hinge] for hinge, sign in zip(measure.hinges, measure.signs, strict=True)]
+    low, high = show_angle(min(read)), show_angle(max(read))
+    return low if low == high else f"{low} to {high}"
 
 
 def springy_parts(structure: Structure) -> str:
