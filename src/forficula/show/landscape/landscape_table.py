@@ -137,7 +137,8 @@ def _torques(landscape: EnergyLandscape) -> Table:
         slow = _least(landscape.least_torques[transition.name], rounding)
         along = [] if path is None or fold is None else [_least(_along(path, fold, transition), rounding)]
         where = torque_words(landscape.structure, transition)
-        table.add_row(f"that {transition.wording.verb}, {where}", *along, slow)
+        verb = transition.wording.verb
+        table.add_row(f"that {'make it ' * (' ' in verb)}{verb}, {where}", *along, slow)
     return table
 
 
@@ -228,7 +229,14 @@ def _sentence(remark: str) -> str:
 
 
 def _table(title: str, *headings: str) -> Table:
-    table = Table(box=None, padding=(0, 2, 0, 0), title=title, title_justify="left", show_header=any(headings))
+    table = Table(
+        box=None,
+        padding=(0, 2, 0, 0),
+        title=title,
+        title_justify="left",
+        show_header=any(headings),
+        min_width=len(title),
+    )
     for number, heading in enumerate(headings):
         table.add_column(heading, justify="right" if number and heading else "left")
     return table

@@ -115,11 +115,11 @@ def _order(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> str:
     labels = [label for measure in measures for label in measure_labels(landscape.structure, measure)]
     named = parts_of(labels)
     on = dict.fromkeys(torque_words(landscape.structure, each) for each in landscape.structure.transitions)
-    torques = f"torques above {', '.join(on)}" if on else ""
+    torques = f"torques above act {', '.join(on)}" if on else ""
     if not 1 < len(labels) <= _NAMED:
         return torques
-    order = f"from left to right {named.heading} {', '.join(named.names)}".replace("  ", " ")
-    return "; ".join(filter(None, (order, torques)))
+    order = " ".join(filter(None, ("from left to right", named.heading, ", ".join(named.names))))
+    return ";\n".join(filter(None, (order, torques)))
 
 
 def _handles(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> list[Line2D | Patch]:

@@ -228,11 +228,14 @@ def _mark_moments(axes: Axes, hinge: HingeLandscape, unit: str, factor: float) -
         axes.plot(*place, "o", color=BLUE, ms=4)
         words = f"presses onto its stop: {factor * hinge.holding_torque:.4g} {unit}"
         # in a column above the words on the slack range, which begins near
-        axes.annotate(words, place, xytext=(10, 12) if column else (16, 7), **beside)
+        # and above a spring's line
+        above = 9 if hinge.spring is not None else 0
+        axes.annotate(words, place, xytext=(10, 12 + above) if column else (16, 7 + above), **beside)
     if slack is not None and -slack < limit - math.radians(0.1):
         place = (float(_place(hinge, slack)), 0.0)
         axes.plot(*place, "o", color=BLUE, ms=4)
-        axes.annotate(f"slack beyond {show_angle(hinge.sense * slack)}", place, xytext=(4, 9), **beside)
+        words = f"slack beyond {show_angle(hinge.sense * slack)}"
+        axes.annotate(words, place, xytext=(4, 9 if hinge.spring is None else -9), **beside)
 
 
 def _close_up(axes: Axes, landscape: EnergyLandscape, shown: ShownHinge) -> None:
