@@ -21,8 +21,9 @@ import numpy as np
 from mujoco.batch import Batch
 
 import forficula as ff
-from forficula.design import Design, with_values
+from forficula.design import Design, Stage, stage_drives, with_values
 from forficula.dynamics import Model, compile_model, simulate, versions
+from forficula.structure import drive_of, goal_of, hinges_of
 from forficula.study.journal import Row
 from forficula.study.search import first_design, second_design
 from forficula.study.study import Search, Study
@@ -168,8 +169,8 @@ def _grid_designs(study: Study) -> list[Design]:
         run
         for design in designs
         for run in [
-            *(first_design(design, torque) for torque in search.fold_torques),
-            *(second_design(design, search.fold_with, torque) for torque in search.unfold_torques),
+            *(first_design(design, search, torque) for torque in search.first.values),
+            *(second_design(design, search, torque) for torque in (search.second.values if search.second else ())),
         ]
     ]
 
@@ -187,25 +188,31 @@ def _step_counts(design: Design) -> np.ndarray[Any, np.dtype[np.int64]]:
 def _plain_run(design: Design) -> int:
     """Compile a wing, take it through its stages, look at every state as one who wants to know when it folded."""
     wing = compile_model(design)
-    engine, protocol = wing.engine, wing.in_units.protocol
-    data = mujoco.MjData(engine)
-    folds = wing.joints[:, 3]
-    data.qpos[folds] = wing.senses * protocol.initial_overbend
-    turn_motors, fold_motors = wing.motors.T
-    turn_motors = turn_motors[turn_motors >= 0]
+    engine, data = wing.engine, mujoco.MjData(wing.engine)
+    data.qpos[:] = _start(wing)
+    folds = list(hinges_of(wing.structure, "ring"))
+    folded = goal_of(wing.in_units, "folded").most[folds]
     steps, folded_at = 0, None
-    for stage, count in zip(protocol.stages, _step_counts(design), strict=True):
-        data.ctrl[:] = 0
-        if stage.drive == "fold":
-            data.ctrl[turn_motors] = protocol.fold_torque
-        elif stage.drive == "unfold":
-            data.ctrl[turn_motors], data.ctrl[fold_motors] = -protocol.unfold_torque, protocol.unfold_torque
+    for stage, count in zip(design.protocol.stages, _step_counts(design), strict=True):
+        data.ctrl[:] = _controls(wing, stage)
         for _ in range(count):
             mujoco.mj_step(engine, data)
-            if folded_at is None and (wing.senses * data.qpos[folds]).max() <= -protocol.folded_angle:
+            if folded_at is None and (wing.senses[folds] * data.qpos[folds] <= folded).all():
                 folded_at = data.time
         steps += int(count)
     return steps
+
+
+def _start(wing: Model) -> np.ndarray[Any, np.dtype[np.float64]]:
+    return np.array([hinge.sense * hinge.start for hinge in wing.in_units.hinges])
+
+
+def _controls(wing: Model, stage: Stage) -> np.ndarray[Any, np.dtype[np.float64]]:
+    """What drives a stage, (control,)."""
+    torques = np.zeros(len(wing.in_units.motors))
+    for name in stage_drives(stage):
+        torques += drive_of(wing.in_units, name).torques
+    return torques[wing.motors]
 
 
 def _driven_wings(study: Study) -> list[Model]:
@@ -216,7 +223,8 @@ def _driven_wings(study: Study) -> list[Model]:
     for index in range(_WINGS):
         design = with_values(study.base, dict(study.points[index % len(study.points)]))
         # torques that differ by less than matters, or alike wings would be run once
-        torque = search.fold_torques[index % len(search.fold_torques)] * (1 + 1e-6 * index) + 1e-6 * index
+        values = search.first.values
+        torque = values[index % len(values)] * (1 + 1e-6 * index) + 1e-6 * index
         protocol = design.protocol.model_copy(update={"fold_torque": torque, "stages": (stage,)})
         wings.append(compile_model(design.model_copy(update={"protocol": protocol})))
     return wings
@@ -234,10 +242,8 @@ def _bare(wings: Sequence[Model], engines: Sequence[mujoco.MjModel]) -> None:
     batch = Batch(engines[0], len(wings), 2)
     batch.set_models(engines)
     for row, wing in enumerate(wings):
-        protocol = wing.in_units.protocol
-        turn_motors = wing.motors[:, 0]
-        batch.bind("qpos")[row, wing.joints[:, 3]] = wing.senses * protocol.initial_overbend
-        batch.bind("ctrl")[row, turn_motors[turn_motors >= 0]] = protocol.fold_torque
+        batch.bind("qpos")[row] = _start(wing)
+        batch.bind("ctrl")[row] = _controls(wing, wing.design.protocol.stages[0])
     batch.step(nstep=round(_BENCH_TIME / float(wings[0].design.protocol.timestep)))
 
 

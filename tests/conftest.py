@@ -11,8 +11,8 @@ from hypothesis import settings
 import forficula as ff
 from forficula.design import Design, with_values
 from forficula.dynamics import Model, Record, simulate
-from forficula.structure.veins import Vein, structure_of_veins
-from tests.structures import compiled
+from forficula.structure.veins import structure_of_veins
+from tests.structures import compiled, straight_vein
 
 # how long an example takes says more of the machine than of the code
 settings.register_profile("forficula", deadline=None)
@@ -34,19 +34,6 @@ def reference_run(reference) -> Record:
 @pytest.fixture(scope="session")
 def reference_outcome(reference_run) -> ff.Outcome:
     return ff.measure(reference_run)
-
-
-def straight_vein(design: Design) -> Vein:
-    """A vein along x, its proximal bar fixed, that folds about y, in the units of its design."""
-    ring = design.pattern.proximal_length
-    return Vein(
-        hub_point=np.zeros(3),
-        ring_vertex=np.array([ring, 0, 0]),
-        tip=np.array([ring + design.pattern.distal_length, 0, 0]),
-        ring_direction=np.array([0.0, 1.0, 0.0]),
-        sense=1,
-        fixed_base=True,
-    )
 
 
 @dataclass(frozen=True, kw_only=True)

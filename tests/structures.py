@@ -2,15 +2,18 @@
 
 from collections.abc import Callable
 
-from forficula.design import Design
+import numpy as np
+
+from forficula.design import FanDesign
 from forficula.dynamics import Model, compile_structure, design_in_model_units
 from forficula.dynamics.units import ModelUnits, model_units
 from forficula.structure import Structure
+from forficula.structure.veins import Vein
 
 _SI = ModelUnits(length=1.0, mass=1.0, time=1.0)
 
 
-def compiled(design: Design, build: Callable[[Design, ModelUnits], Structure]) -> Model:
+def compiled(design: FanDesign, build: Callable[[FanDesign, ModelUnits], Structure]) -> Model:
     """Compile what a way of building makes of a design.
 
     Args:
@@ -20,3 +23,16 @@ def compiled(design: Design, build: Callable[[Design, ModelUnits], Structure]) -
     structure = build(design, _SI)
     units = model_units(structure)
     return compile_structure(design, structure, build(design_in_model_units(design, units), units), units)
+
+
+def straight_vein(design: FanDesign) -> Vein:
+    """A vein along x, its proximal bar fixed, that folds about y, in the units of its design."""
+    ring = design.pattern.proximal_length
+    return Vein(
+        hub_point=np.zeros(3),
+        ring_vertex=np.array([ring, 0, 0]),
+        tip=np.array([ring + design.pattern.distal_length, 0, 0]),
+        ring_direction=np.array([0.0, 1.0, 0.0]),
+        sense=1,
+        fixed_base=True,
+    )

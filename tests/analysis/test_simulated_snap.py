@@ -8,7 +8,7 @@ from scipy.special import ellipk
 import forficula as ff
 from forficula.analysis.simulated_snap import finely_sampled, predicted_snap, simulated_snap
 from forficula.statics import ideal_hinge
-from forficula.structure import hinges_of
+from forficula.structure import hinges_of, structure_of
 
 
 def folding(record, angle):
@@ -51,7 +51,7 @@ def test_a_run_that_diverged_has_no_snap(reference_run):
 
 
 def test_the_prediction_to_the_limit_is_the_elliptic_integral(reference):
-    hinge = ideal_hinge(ff.load_design("binder2025", {"tendon.rest_length": "0 cm"}))
+    hinge = ideal_hinge(structure_of(ff.load_design("binder2025", {"tendon.rest_length": "0 cm"})))
     scale = math.sqrt(hinge.inertia / (1000 * 0.055**2))
     # theory.md, section 3: t* K(m), m = cos^2(start / 2)
     predicted = predicted_snap(hinge, reference.protocol.folded_angle)

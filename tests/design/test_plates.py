@@ -204,7 +204,7 @@ def stage(until, state=""):
 @pytest.mark.parametrize(
     ("until", "message"),
     [
-        ("closed", 'need "time" or "rest", got "closed", or a bound such as "creases < -150 deg"'),
+        ("closed", 'need "time", "rest" or a bound such as "creases < -150 deg", got "closed"'),
         ("crese > 90 deg", 'need a bound on "creases", "crease" or "mouth", got "crese"; did you mean "crease"?'),
         ("creases > 3 cm", '"cm" is not a unit of the right kind; write it such as "15 deg", got "3 cm"'),
         ("mouth < 3 deg", '"deg" is not a unit of the right kind; write it such as "12 cm", got "3 deg"'),

@@ -10,6 +10,7 @@ from forficula.material.characterisation import characterise
 from forficula.material.law.law_family import family_forms
 from forficula.statics import EnergyLandscape, energy_landscape
 from tests.material.synthetic import cyclic_test, tpu
+from tests.show.plates import PARTS, plates_run
 
 SETTINGS = {
     "reference": {},
@@ -51,3 +52,9 @@ def elastic_material():
 def lawless_material(tpu_material):
     """As tpu_material, but the data tell no law."""
     return replace(tpu_material, fit=None, law=None, remarks=("there is no law: too few rows",))
+
+
+@pytest.fixture(scope="session")
+def plates_runs():
+    """Runs of plates with what they are made of in part, and their outcomes, by what is told of these parts."""
+    return {name: plates_run(**parts) for name, parts in PARTS.items()}

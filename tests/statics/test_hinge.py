@@ -155,7 +155,9 @@ def test_the_length_is_that_of_the_pattern_folded_along_its_ring(fold):
         vertex + tendon.distal_attachment * unit(tip - vertex),
     )
     # rounding
-    assert tendon_hinges(structure_of(design))[0].length(fold) == pytest.approx(np.linalg.norm(ends[0] - ends[1]), abs=1e-14)
+    assert tendon_hinges(structure_of(design))[0].length(fold) == pytest.approx(
+        np.linalg.norm(ends[0] - ends[1]), abs=1e-14
+    )
 
 
 def test_the_bar_turns_with_the_inertia_of_its_volume():
@@ -172,7 +174,10 @@ def test_the_bar_turns_with_the_inertia_of_its_volume():
     points = along[..., None] * bar + out[..., None] * (
         np.cos(turn)[..., None] * beside + np.sin(turn)[..., None] * np.array([0, 0, 1])
     )
-    for hinge, axis in ((tendon_hinges(structure_of(design))[0], unit(after - vertex)), (ideal_hinge(structure_of(design)), beside)):
+    for hinge, axis in (
+        (tendon_hinges(structure_of(design))[0], unit(after - vertex)),
+        (ideal_hinge(structure_of(design)), beside),
+    ):
         inertia = density * np.sum(volume * np.sum(np.cross(points, axis) ** 2, axis=-1))
         # the rule is exact
         assert hinge.inertia == pytest.approx(inertia, rel=1e-13)

@@ -68,7 +68,9 @@ def test_points_of_any_tree_are_where_one_rotation_after_another_takes_them(seed
 def test_without_angles_points_are_where_they_are_built(seed):
     structure = tree(seed)
     # rounding
-    assert placed(structure, np.zeros((1, len(structure.hinges))))[0] == pytest.approx(built_points(structure), abs=1e-15)
+    assert placed(structure, np.zeros((1, len(structure.hinges))))[0] == pytest.approx(
+        built_points(structure), abs=1e-15
+    )
 
 
 @given(st.integers(0, 10_000))

@@ -85,8 +85,7 @@ def test_the_energy_of_a_tree_is_that_of_its_tendons_springs_and_weights(seed):
         one, other = tendon.points
         expected += float(tendon.law.elastic.energy(np.linalg.norm(points[other] - points[one])))
     expected += sum(
-        hinge.stiffness / 2 * (angle - hinge.rest_angle) ** 2
-        for hinge, angle in zip(built.hinges, angles, strict=True)
+        hinge.stiffness / 2 * (angle - hinge.rest_angle) ** 2 for hinge, angle in zip(built.hinges, angles, strict=True)
     )
     fixed = {number for number in range(len(built.bodies)) if not tree_of(built).chain(number)}
     for number in range(len(built.bodies)):

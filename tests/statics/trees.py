@@ -67,7 +67,7 @@ def tree(seed, bodies=6, *, gravity=0.0, membranes=True, law=None, limit=10.0):
         bodies=tuple(built),
         points=tuple(points),
         bars=(Bar(body=bodies - 1, end=random.uniform(0.05, 0.1, 3), diameter=0.01, density=1000.0, points=(0, 1)),),
-        plates=(_plate(points, random),),
+        plates=(_plate(random),),
         hinges=tuple(hinges),
         span=0.3,
         mass=0.1,
@@ -95,7 +95,7 @@ def tree(seed, bodies=6, *, gravity=0.0, membranes=True, law=None, limit=10.0):
     return Structure(**{**{name: getattr(structure, name) for name in structure.__dataclass_fields__}, **parts})
 
 
-def _plate(points, random):
+def _plate(random):
     """A triangle on the first body."""
     return Plate(body=0, points=(4, 5, 6), thickness=float(random.uniform(1e-3, 3e-3)), density=1000.0)
 
@@ -104,7 +104,9 @@ def _sheet(structure, random, number):
     """Two triangles, or three, in a skew plane, on some bodies."""
     count = 4 + number % 2
     axes = rotation(random)[:, :2]
-    flat = np.array([[0, 0], [0.05, 0], [0, 0.06], [0.05, 0.05], [0.09, 0.04]])[:count] + random.uniform(0, 0.01, (count, 2))
+    flat = np.array([[0, 0], [0.05, 0], [0, 0.06], [0.05, 0.05], [0.09, 0.04]])[:count] + random.uniform(
+        0, 0.01, (count, 2)
+    )
     triangles = np.array([[0, 1, 2], [1, 3, 2], [1, 4, 3]])[: count - 2]
     return Membrane(
         name=f"m{number}",

@@ -128,14 +128,14 @@ def test_a_tendon_is_never_longer_than_the_way_over_the_sheet():
     assert max(lengths) <= across.longest
     # the straight line of the flat sheet, Pythagoras: panels of 10, 12, 8, 10, 12 cm
     assert across.longest == pytest.approx(math.hypot(0.01 - 0.4 - 0.8 * 0.12, 0.7 * 0.21), rel=1e-12)
-    assert across.hinge is None
+    assert across.crossing is None
     assert [structure.hinges[hinge].name for hinge, _ in tendon_arms(structure, across)] == [
         f"crease{k}" for k in (1, 0, 2, 3)
     ]
-    assert one.hinge is not None
-    assert structure.hinges[one.hinge].name == "crease2"
+    assert one.crossing is not None
+    assert structure.hinges[one.crossing.hinge].name == "crease2"
     bodies = [structure.points[number].body for number in one.points]
-    assert hinges_between(structure, *bodies) == (one.hinge,)
+    assert hinges_between(structure, *bodies) == (one.crossing.hinge,)
 
 
 def test_flat_edges_weld_and_a_way_across_them_goes_on(tmp_path):
@@ -152,7 +152,7 @@ def test_flat_edges_weld_and_a_way_across_them_goes_on(tmp_path):
     structure = structure_of(design)
     assert [hinge.name for hinge in structure.hinges] == ["crease1"]
     assert len(structure.bodies) == 3
-    assert structure.tendons[0].hinge == 0
+    assert structure.tendons[0].crossing.hinge == 0
     assert structure.tendons[0].longest == pytest.approx(0.198)
 
 

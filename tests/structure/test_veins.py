@@ -21,7 +21,7 @@ def built(**settings):
 
 def ends(structure, tendon):
     """Ends of a tendon from its hinge on, in the axes of the bars, and the hinge."""
-    hinge = structure.hinges[tendon.hinge]
+    hinge = structure.hinges[tendon.crossing.hinge]
     before, beyond = (structure.points[point] for point in tendon.points)
     return before.place - structure.bodies[hinge.body].position, beyond.place, hinge
 
@@ -39,7 +39,7 @@ def closed_form(structure, tendon, angle, tall, beside):
     p, d: distances from the hinge; alpha, beta: angles of the bars to its axis.
     """
     (h_p, h_d), (s_p, s_d) = tall, beside
-    hinge = structure.hinges[tendon.hinge]
+    hinge = structure.hinges[tendon.crossing.hinge]
     distal = structure.bodies[hinge.body]
     proximal_bar, distal_bar = distal.position, next(bar.end for bar in structure.bars if bar.body == hinge.body)
     alpha, beta = (math.acos(bar @ hinge.axis / np.linalg.norm(bar)) for bar in (proximal_bar, distal_bar))

@@ -132,7 +132,7 @@ def test_progress_counts_the_runs_whatever_meshes_they_have(short):
 def test_a_timestep_that_diverges_is_too_long(short):
     found = converge(with_values(short, {"protocol.timestep": 5e-3}), TIMESTEP, [5e-3, 2e-4])
     assert found.fine is False
-    assert found.verdict.startswith("5 ms is too long: the wing diverged at t = ")
+    assert found.verdict.startswith("5 ms is too long: it diverged at t = ")
     assert found.verdict.endswith("; at 0.2 ms it does not.")
 
 

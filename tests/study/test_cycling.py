@@ -82,7 +82,7 @@ def test_the_cycle_at_which_a_softening_wing_stops_folding_is_found():
     assert "cycles beyond 4 are extrapolated: the tests saw cycles 1 to 4" in cycling.remarks
     assert [run.measured for run in cycling.runs] == [n <= 4 for n in range(1, 13)]
     # a softer tendon yields to a smaller torque
-    margins = [run.fold_margin for run in cycling.runs]
+    margins = [run.margins["fold"] for run in cycling.runs]
     assert margins == sorted(margins)
     assert margins[0] > 1
 
@@ -119,7 +119,7 @@ def test_a_wing_that_never_folds_does_so_at_none_of_the_cycles():
     design = with_values(folding(replace(LAW, stiffness_drift=FADING)), resting)
     cycling = run_cycles(design, 2)
     assert cycling.verdict == "folds at none of the 2 cycles: did not fold"
-    assert [run.fold_margin for run in cycling.runs] == [None, None]
+    assert [run.margins["fold"] for run in cycling.runs] == [None, None]
 
 
 def test_a_wing_that_folds_and_never_opens_is_told_of_both():
@@ -130,7 +130,7 @@ def test_a_wing_that_folds_and_never_opens_is_told_of_both():
     assert cycling.verdict == "opens at none of the 2 cycles; still folds after 2 cycles"
     assert cycling.first_failure is None
     # so small a torque opens slowly neither
-    assert all(run.unfold_margin is None or run.unfold_margin < 1 for run in cycling.runs)
+    assert all(run.margins["unfold"] is None or run.margins["unfold"] < 1 for run in cycling.runs)
 
 
 @pytest.mark.parametrize(

@@ -116,7 +116,6 @@ def test_laws_are_a_factor_by_their_names():
         ("tendon", "holds several values; name one of them: tendon.stiffness, tendon.rest_length, "),
         ("protocol.stages", "holds several values; name one of them: protocol.stages.0.name, "),
         ("protocol.stages.3", "holds several values; name one of them: protocol.stages.3.name, "),
-        ("protocol.stages.fold.hold", 'need the number of an entry of protocol.stages, from 0 on, got "fold"'),
         ("protocol.stages.0.hodl", r"unknown key; did you mean protocol.stages.0.hold\?"),
         ("protocol.stages.time_limit", "need the number of an entry of protocol.stages"),
         ("tendon.stiffness.x", r"unknown key; did you mean tendon.stiffness\?"),

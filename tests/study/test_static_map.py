@@ -8,8 +8,8 @@ import xarray
 
 from forficula.design import load_design
 from forficula.errors import InputError
-from forficula.statics.potential import section
-from forficula.statics.quasi_static import flat_state, folded_state, slow_transition
+from forficula.statics.potential import ensemble_of
+from forficula.statics.quasi_static import slow_transition, start_state, state_beyond
 from forficula.study import load_study
 from forficula.study.static_map import (
     BOTH,
@@ -45,9 +45,11 @@ def test_longer_tendons_open_at_lower_torques(statics):
 
 
 def test_a_wing_of_a_map_is_the_wing_alone(statics, reference):
-    wings = section([reference])
-    alone = slow_transition(wings, flat_state(wings), "fold", np.arange(0.1, 0.51, 0.1)).torque[0]
-    opened = slow_transition(wings, folded_state(wings), "unfold", np.arange(0.1, 1.01, 0.1)).torque[0]
+    wings = ensemble_of([reference])
+    fold, unfold = wings.structure.transitions
+    flat, folded = start_state(wings).position, state_beyond(wings, fold).position
+    alone = slow_transition(wings, flat, fold, np.arange(0.1, 0.51, 0.1)).torque[0]
+    opened = slow_transition(wings, folded, unfold, np.arange(0.1, 1.01, 0.1)).torque[0]
     wing = statics.sel(tendon_stiffness=1000, tendon_rest_length=0.09)
     assert float(wing["least_fold_torque"]) == pytest.approx(alone)
     assert float(wing["least_unfold_torque"]) == pytest.approx(opened)

@@ -99,10 +99,20 @@ def test_an_entry_of_a_list_of_shares_is_drawn_as_any_number(study_file):
     assert all(0.2 <= share <= 0.4 for share in shares)
 
 
-def test_a_stage_that_the_design_does_not_have_is_refused_with_those_it_has(study_file):
-    words = r"protocol\.stages\.5\.hold: need one of the numbers 0 \(settle\), 1 \(fold\), .* in it, got \"5\""
+@pytest.mark.parametrize("stage", ["5", "flod"])
+def test_a_stage_that_the_design_does_not_have_is_refused_with_those_it_has(study_file, stage):
+    words = (
+        rf"protocol\.stages\.{stage}\.hold: need one of the numbers 0 \(settle\), 1 \(fold\), .* in it, got \"{stage}\""
+    )
     with pytest.raises(InputError, match=words):
-        load_study(study_file('"protocol.stages.5.hold" = ["1 ms"]'))
+        load_study(study_file(f'"protocol.stages.{stage}.hold" = ["1 ms"]'))
+
+
+def test_a_stage_may_be_named_by_its_name(study_file):
+    named, numbered = (load_study(study_file(f'"protocol.stages.{stage}.hold" = ["1 ms"]')) for stage in ("fold", "1"))
+    designs = [point_design(study.base, study.points[0]) for study in (named, numbered)]
+    assert designs[0] == designs[1]
+    assert designs[0].protocol.stages[1].hold == 1e-3
 
 
 @pytest.mark.parametrize("method", ["random", "sobol"])

@@ -231,8 +231,18 @@ def summary_of(record: Record) -> Numbers:
 
 
 def landscape_numbers(landscape: EnergyLandscape) -> Numbers:
-    """Every number of a landscape."""
-    return dict(_fields(landscape))
+    """Every number of a landscape, but for where it rests, which is new."""
+    numbers = {
+        name: value
+        for name, value in _fields(landscape)
+        if not name.startswith(("structure.", "rests.", "least_torques.", "wing.turns", "wing.folds"))
+    }
+    assert landscape.wing is not None
+    return {
+        **numbers,
+        "wing.veins": landscape.wing.turns,
+        **{f"{name}_torque": torque for name, torque in landscape.least_torques.items()},
+    }
 
 
 def landscape_summary_of(landscape: EnergyLandscape) -> Numbers:

@@ -16,11 +16,12 @@ import pytest
 
 import forficula as ff
 from forficula.design import with_values
-from forficula.statics.potential import DRIVES, rest, section
-from forficula.statics.quasi_static import flat_state, folds_beyond, least_slow_torque, opened_to
+from forficula.statics.potential import ensemble_of, rest
+from forficula.statics.quasi_static import at_goal, least_slow_torque, start_state
 from forficula.statics.sheet import sheet_energy
+from forficula.structure import drive_of, goal_of, hinges_of
 
-ROLES = ("sweep", "lift", "turn", "ring")
+FOLDED = math.radians(160)
 
 
 def stage(name, drive, until, time_limit):
@@ -39,7 +40,7 @@ def damped(reference, stages, damping, timestep=5e-4, **torques):
                 "protocol.timestep": timestep,
                 "protocol.sample_interval": 0.1,
                 "protocol.rest_speed": 1e-5,  # slower than it creeps on its way
-                "protocol.folded_angle": math.radians(160),
+                "protocol.folded_angle": FOLDED,
                 "protocol.stages": [stage("settle", "none", "time", 1.0), *stages],
                 **{f"protocol.{name}": torque for name, torque in torques.items()},
             },
@@ -53,30 +54,48 @@ def end_of(run, number):
 
 
 def angles(run, row):
-    """rad, (1, angle)."""
-    return np.stack([run.angles(role)[row] for role in ROLES], axis=1).reshape(1, -1)
+    """rad, (1, hinge)."""
+    return run.series["hinge_angle"][row][None]
 
 
 def energies(wings, position):
     """Of the tendons, and of the membrane, J."""
-    by_vein = position.reshape(1, -1, 4)
-    return wings.tendons.energy(by_vein[:, :, 3]).sum(), sheet_energy(wings.sheet, by_vein)[0][0]
+    return wings.tendons.energy(position[:, wings.crossed]).sum(), sheet_energy(wings.sheet, position)[0][0]
 
 
-def least_at_once(wings, start, drive, arrived, most):
+def rings(wings, position):
+    """Angles of the ring hinges, rad, (1, hinge)."""
+    return position[:, list(hinges_of(wings.structure, "ring"))]
+
+
+def driven(wings, name, torque):
+    """Torques of a drive of this size on every motor, N m."""
+    drive = drive_of(wings.structure, name)
+    return torque / drive.torque * np.array(drive.torques)
+
+
+def gets_to(wings, goal, position):
+    return at_goal(wings, position, goal_of(wings.structure, goal)).all()
+
+
+def least_at_once(wings, start, drive, goal, most):
     """The least torque that brings a wing to its goal when it comes at once, to 1 %."""
     low, high = 0.0, most
     while high - low > 0.01 * high:
         torque = (low + high) / 2
-        on_proximal, on_distal = DRIVES[drive]
-        there = arrived(rest(wings, start, on_proximal * torque, on_distal * torque).position).all()
+        there = gets_to(wings, goal, rest(wings, start, driven(wings, drive, torque)).position)
         low, high = (low, torque) if there else (torque, high)
     return high
 
 
 @pytest.fixture(scope="module")
 def wings(reference):
-    return section([reference])
+    return ensemble_of([with_values(reference, {"protocol.folded_angle": FOLDED})])
+
+
+@pytest.fixture(scope="module")
+def flat(wings):
+    return start_state(wings).position
 
 
 @pytest.fixture(scope="module")
@@ -88,12 +107,11 @@ def pushed(reference):
     ]
 
 
-def test_the_flat_wing_is_pressed_on_its_stops_alike(wings, pushed):
-    flat = flat_state(wings)
+def test_the_flat_wing_is_pressed_on_its_stops_alike(wings, flat, pushed):
     off = []
     for run in pushed:
         row = end_of(run, 0)
-        off.append(np.abs(angles(run, row) - flat)[:, 3::4].max())
+        off.append(np.abs(rings(wings, angles(run, row) - flat)).max())
         energy = run.series["tendon_energy"][row].sum()
         # the stops give by 0.01 deg, against a moment of 0.03 N m of each tendon
         assert energy == pytest.approx(energies(wings, flat)[0], abs=3 * 0.03 * off[-1])
@@ -101,8 +119,8 @@ def test_the_flat_wing_is_pressed_on_its_stops_alike(wings, pushed):
     assert off[0] / off[1] == pytest.approx(4, rel=0.1)
 
 
-def test_the_pushed_wing_rests_at_the_same_angles_with_the_same_energies(wings, pushed):
-    static = rest(wings, flat_state(wings), 0.0035)
+def test_the_pushed_wing_rests_at_the_same_angles_with_the_same_energies(wings, flat, pushed):
+    static = rest(wings, flat, driven(wings, "fold", 0.0035))
     tendons, membrane = energies(wings, static.position)
     off = []
     for run in pushed:
@@ -117,10 +135,9 @@ def test_the_pushed_wing_rests_at_the_same_angles_with_the_same_energies(wings, 
     assert off[1] < off[0] / 2
 
 
-def test_the_least_fold_torque_is_that_of_a_damped_wing(reference, wings):
-    flat = flat_state(wings)
-    least = least_slow_torque(wings, flat, "fold", 0.5).torque[0]
-    at_once = least_at_once(wings, flat, "fold", lambda position: folds_beyond(position, math.radians(160)), 0.5)
+def test_the_least_fold_torque_is_that_of_a_damped_wing(reference, wings, flat):
+    least = least_slow_torque(wings, flat, wings.structure.transitions[0], 0.5).torque[0]
+    at_once = least_at_once(wings, flat, "fold", "folded", 0.5)
     # 1 % each
     assert at_once == pytest.approx(least, rel=0.02)
     for share, folds in ((0.97, False), (1.03, True)):
@@ -135,20 +152,20 @@ def test_the_least_torque_that_opens_is_that_of_a_damped_wing_and_below_it_the_w
     fold = stage("fold", "fold", "folded", 60.0)
     opening = [fold, stage("unfold", "unfold", "time", 8.0), stage("release", "none", "time", 15.0)]
     folded = angles(damped(reference, [fold], 0.03, fold_torque=0.06), -1)
-    assert folds_beyond(folded, math.radians(159)).all()
-    least = least_at_once(wings, folded, "unfold", lambda position: opened_to(position, 0.0), 0.5)
+    assert rings(wings, folded).max() < -math.radians(159)
+    least = least_at_once(wings, folded, "unfold", "opened", 0.5)
     below, above = (
         damped(reference, opening, 0.03, fold_torque=0.06, unfold_torque=share * least) for share in (0.97, 1.03)
     )
     assert angles(below, end_of(below, 1)) == pytest.approx(folded, abs=1e-12)
     opened = angles(above, end_of(above, 2))
-    assert opened_to(opened, 0.0).all()
+    assert gets_to(wings, "opened", opened)
     under_torque = angles(below, end_of(below, 2))
-    assert not opened_to(under_torque, 0.0).all()
+    assert not gets_to(wings, "opened", under_torque)
 
-    static = rest(wings, folded, -0.97 * least, -0.97 * least)
-    assert ((under_torque < 0) == (static.position < 0))[:, 3::4].all()
-    assert (static.position[:, 3::4] < 0).sum() == 1
+    static = rest(wings, folded, driven(wings, "unfold", 0.97 * least))
+    assert ((rings(wings, under_torque) < 0) == (rings(wings, static.position) < 0)).all()
+    assert (rings(wings, static.position) < 0).sum() == 1
     assert energies(wings, under_torque)[0] == pytest.approx(energies(wings, static.position)[0], rel=0.01)
 
     released = rest(wings, static.position)

@@ -25,7 +25,7 @@ export function makeShape(clip, largestEnergy) {
   const vertices = new Float32Array(3 * mesh.share.length);
   const energies = new Float32Array(clip.tendons);
   const thickest = Math.max(0, ...mesh.tubes.map((tube) => tube.radius));
-  const sheet = makeSheet(mesh);
+  const [sheet, plates] = [false, true].map((solid) => makeFaces(mesh, solid));
   const bars = makeTubes(
     mesh.tubes.filter((tube) => tube.kind === "bar"),
     20,
@@ -44,13 +44,14 @@ export function makeShape(clip, largestEnergy) {
   );
   const joints = makeJoints(mesh);
   const group = new Group();
-  group.add(bars.object, joints.object, lines.object, tendons.object, sheet.object);
+  group.add(plates.object, bars.object, joints.object, lines.object, tendons.object, sheet.object);
   const colour = [0, 0, 0];
   const shade = new Color();
 
   function pose(moment) {
     clip.verticesAt(moment, vertices);
     sheet.pose(vertices);
+    plates.pose(vertices);
     for (const part of [bars, lines, tendons, joints]) part.pose(vertices);
     clip.valuesAt(TENDONS, moment, energies);
     for (let tendon = 0; tendon < clip.tendons; tendon++) {
@@ -67,7 +68,7 @@ export function makeShape(clip, largestEnergy) {
 
   function dispose() {
     for (const part of [bars, lines, tendons, joints]) part.object.dispose();
-    for (const part of [sheet, bars, lines, tendons, joints]) {
+    for (const part of [sheet, plates, bars, lines, tendons, joints]) {
       part.object.geometry.dispose();
       part.object.material.dispose();
     }
@@ -76,14 +77,15 @@ export function makeShape(clip, largestEnergy) {
   return { group, pose, paint, sort: sheet.sort, vertices, dispose };
 }
 
-/** Sheets and plates: flat triangles, a tint for each region, a little translucent, their undersides darker. */
-function makeSheet(mesh) {
-  const corners = mesh.triangles;
-  const count = corners.length / 3;
+/** Sheets, a little translucent, or plates: flat triangles, a tint for each region, their undersides darker. */
+function makeFaces(mesh, solid) {
+  const chosen = mesh.regions.flatMap((region, triangle) => (mesh.solid[region] === solid ? [triangle] : []));
+  const corners = chosen.flatMap((triangle) => mesh.triangles.slice(3 * triangle, 3 * triangle + 3));
+  const count = chosen.length;
   const positions = new BufferAttribute(new Float32Array(3 * corners.length), 3).setUsage(DynamicDrawUsage);
   const colours = new Float32Array(3 * corners.length);
   for (let corner = 0; corner < corners.length; corner++)
-    new Color(regionTint(mesh.regions[Math.floor(corner / 3)])).toArray(colours, 3 * corner);
+    new Color(regionTint(mesh.regions[chosen[Math.floor(corner / 3)]])).toArray(colours, 3 * corner);
   const order = new BufferAttribute(new Uint32Array(corners.length), 1).setUsage(DynamicDrawUsage);
   for (let corner = 0; corner < corners.length; corner++) order.array[corner] = corner;
   const geometry = new BufferGeometry();
@@ -94,9 +96,9 @@ function makeSheet(mesh) {
     vertexColors: true,
     side: DoubleSide,
     flatShading: true,
-    transparent: true,
-    opacity: OPACITY,
-    depthWrite: false,
+    transparent: !solid,
+    opacity: solid ? 1 : OPACITY,
+    depthWrite: solid,
     forceSinglePass: true,
   });
   material.onBeforeCompile = (shader) => {
@@ -107,7 +109,7 @@ function makeSheet(mesh) {
   };
   const object = new Mesh(geometry, material);
   object.frustumCulled = false;
-  object.renderOrder = 1;
+  object.renderOrder = solid ? 0 : 1;
 
   function pose(vertices) {
     for (let corner = 0; corner < corners.length; corner++) {

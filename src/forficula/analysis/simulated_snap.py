@@ -13,7 +13,7 @@ from forficula.analysis.outcome import measure
 from forficula.design import Design, shortest_sample_interval, stage_drives, with_values
 from forficula.dynamics import Record
 from forficula.names import ordinal
-from forficula.statics import TendonHinge, fold_sense, fold_time, folding_down, ideal_hinges, tendon_hinge
+from forficula.statics import TendonHinge, fold_time, folding_sense, ideal_hinges, tendon_hinge
 from forficula.statics.snap import FOLD_START, final_speed
 from forficula.structure import Crossing, Structure, Transition, crossing_tendons, goal_of, structure_of
 
@@ -82,7 +82,7 @@ def crossed_hinge(structure: Structure, tendon: int) -> int:
 
 def folding_transition(structure: Structure, hinge: int) -> Transition | None:
     """The first transition whose goal bounds a hinge on the side to which it folds; None where none does."""
-    up = fold_sense(structure.hinges[hinge]) > 0
+    up = folding_sense(structure.hinges[hinge]) < 0
     for transition in structure.transitions:
         goal = goal_of(structure, transition.goal)
         if 0 < (goal.least[hinge] if up else -goal.most[hinge]) < math.inf:
@@ -99,13 +99,13 @@ def folded_angle(structure: Structure, hinge: int) -> float | None:
     if folding is None:
         return None
     goal = goal_of(structure, folding.goal)
-    return float(goal.least[hinge] if fold_sense(structure.hinges[hinge]) > 0 else -goal.most[hinge])
+    return float(goal.least[hinge] if folding_sense(structure.hinges[hinge]) < 0 else -goal.most[hinge])
 
 
 def fold_limit(structure: Structure, hinge: int) -> float:
     """How far past straight a hinge can fold, rad."""
     stops = structure.hinges[hinge]
-    return min(stops.upper if fold_sense(stops) > 0 else -stops.lower, math.pi)
+    return min(stops.upper if folding_sense(stops) < 0 else -stops.lower, math.pi)
 
 
 def predicted_snap(hinge: TendonHinge, folded_angle: float | None, fold_start: float = FOLD_START) -> PredictedSnap:
@@ -168,7 +168,10 @@ def simulated_snap(record: Record, tendon: int | None = None, fold_start: float 
         return None
     hinge = crossed_hinge(structure, tendon)
     before = folding_rows(record, hinge)
-    time, fold = record.time[before], fold_sense(structure.hinges[hinge]) * record.series["hinge_angle"][before, hinge]
+    time, fold = (
+        record.time[before],
+        -folding_sense(structure.hinges[hinge]) * record.series["hinge_angle"][before, hinge],
+    )
     folded, start = folded_angle(structure, hinge), _start(structure, tendon, fold_start)
     folded_time = None if folded is None else _snap_time(time, fold, start, folded)
     leaves = _passes(time, fold, start)
@@ -241,19 +244,16 @@ def simulation_summary(record: Record, tendon: int | None = None) -> dict[str, A
 
 
 def _predictable(structure: Structure, tendon: int) -> dict[str, TendonHinge]:
-    """The ideal hinge of a tendon, where it has one, and its true one, folding towards negative angles, by name."""
-    chosen, sense = structure.tendons[tendon], fold_sense(structure.hinges[crossed_hinge(structure, tendon)])
-    hinges = {}
+    """The ideal hinge of a tendon, where it has one, and its true one, by name."""
+    chosen, hinges = structure.tendons[tendon], {}
     if chosen.ideal is not None:
-        hinges["ideal_hinge"] = folding_down(tendon_hinge(structure, chosen, chosen.ideal), sense)
+        hinges["ideal_hinge"] = tendon_hinge(structure, chosen, chosen.ideal)
     return {**hinges, hinge_name(structure, tendon).replace(" ", "_"): _true_hinge(structure, tendon)}
 
 
 def _true_hinge(structure: Structure, tendon: int) -> TendonHinge:
-    """The hinge that a tendon lies across, folding towards negative angles."""
-    crossing = _crossing(structure, tendon)
-    sense = fold_sense(structure.hinges[crossing.hinge])
-    return folding_down(tendon_hinge(structure, structure.tendons[tendon], crossing), sense)
+    """The hinge that a tendon lies across, about its own axis."""
+    return tendon_hinge(structure, structure.tendons[tendon], _crossing(structure, tendon))
 
 
 def _crossing(structure: Structure, tendon: int) -> Crossing:

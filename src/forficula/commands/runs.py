@@ -42,7 +42,7 @@ def run(
     ] = None,
     tolerate: Tolerate = False,
 ) -> int:
-    """Fold and open a wing: energies, work, times, a verdict, and pictures."""
+    """Take a design through its protocol: energies, work, times, a verdict, and pictures."""
     from forficula.design import load_design
 
     chosen = load_design(design, read_settings(settings))
@@ -62,7 +62,7 @@ def run(
     from forficula.study.runs import run as run_design
 
     tell_replaced(folder, "run")
-    with waiting("working out the timestep that the wing allows"):
+    with waiting("working out the timestep that it allows"):
         warnings = structure_warnings(chosen, structure_of(chosen)) + timestep_warnings(chosen)
     for warning in warnings:
         print(f"warning: {warning}", file=sys.stderr)
@@ -72,7 +72,7 @@ def run(
         print(f"warning: {warning}", file=sys.stderr)
     outcome = measure(record)
     write_run(record, outcome, folder)
-    print_outcome(chosen.name, outcome)
+    print_outcome(chosen.name, outcome, record.structure)
     verdicts = [outcome.verdict, *_cycle(chosen, cycles, folder)]
     print(f"\nwritten to {folder}")
     return exit_status(verdicts, tolerate=tolerate)

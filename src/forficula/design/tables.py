@@ -38,13 +38,19 @@ def nested(settings: Mapping[str, object]) -> dict[str, Any]:
         table = tables
         for depth, section in enumerate(sections, start=1):
             inside = table.setdefault(section, {})
+            if isinstance(inside, list):
+                # a list that is given, too, with a value in an entry of it
+                within = nested({".".join([*sections[depth:], last]): value})
+                table[section] = laid_over(inside, within, tuple(sections[:depth]))
+                break
             if not isinstance(inside, dict):
                 # a law that is named takes values, too
                 if section != "law":
                     raise _nothing_inside(key.split("."), depth)
                 inside = table[section] = {"based_on": inside}
             table = inside
-        table[last] = merged(table.get(last), _copied(value))
+        else:
+            table[last] = merged(table.get(last), _copied(value))
     return tables
 
 

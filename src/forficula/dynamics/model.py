@@ -5,7 +5,6 @@ from __future__ import annotations
 import itertools
 import warnings
 from dataclasses import dataclass
-from functools import cached_property
 
 import mujoco
 import numpy as np
@@ -51,6 +50,8 @@ class Model:
         motors: number of the structure's motor that each control follows, (control,); -1 for none.
         sites: index of the site of each point, (point,); -1 where it is the origin of its body.
         carriers: index of the body of each point, (point,).
+        elastic: the springs of the tendons, as one law of arrays (tendon,), in the model's units.
+        lets_go: whether each tendon lets go where its branches would push, (tendon,).
     """
 
     design: Design
@@ -69,16 +70,8 @@ class Model:
     motors: Indices
     sites: Indices
     carriers: Indices
-
-    @cached_property
-    def elastic(self) -> ElasticLaw:
-        """The springs of the tendons, as one law of arrays (tendon,), in the model's units."""
-        return stacked_laws([tendon.law.elastic for tendon in self.in_units.tendons])
-
-    @cached_property
-    def lets_go(self) -> NDArray[np.bool_]:
-        """Whether each tendon lets go where its branches would push, (tendon,)."""
-        return np.array([tendon.law.lets_go for tendon in self.in_units.tendons], dtype=bool)
+    elastic: ElasticLaw
+    lets_go: NDArray[np.bool_]
 
     def levers(self, tendon: int) -> tuple[slice, Indices]:
         """Where in the engine's ten_J the change of a tendon's length by joint is, and the joints."""
@@ -178,6 +171,8 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
         sites=np.array(sites, dtype=np.int64),
         # 0 is the ground
         carriers=np.array([0 if point.body < 0 else bodies[point.body] for point in in_units.points], dtype=np.int64),
+        elastic=stacked_laws([tendon.law.elastic for tendon in in_units.tendons]),
+        lets_go=np.array([tendon.law.lets_go for tendon in in_units.tendons], dtype=bool),
     )
 
 

@@ -15,7 +15,7 @@ def successors(models: Sequence[Model]) -> dict[int, int]:
     following: dict[int, int] = {}
     last: dict[tuple[int, str], int] = {}
     for row, model in enumerate(models):
-        key = id(model.engine), but_last_drive(model.design, model.structure)
+        key = id(model.engine), _but_last_drive(model)
         if key in last:
             following[last[key]] = row
         last[key] = row
@@ -45,12 +45,28 @@ def but_last_drive(design: Design, structure: Structure) -> str:
     return design.hash
 
 
+def _but_last_drive(model: Model) -> str:
+    """The same of models of one engine, which differ in their protocols and drives at most."""
+    structure = model.structure
+    last = [transition.drive for transition in structure.transitions[-1:]]
+    others = [drive.torque for drive in structure.drives if drive.name not in last]
+    keys = [drive_of(structure, name).key for name in last]
+    return f"{_but_drives(model, keys)} {others}"
+
+
 def _all_but_stages(model: Model) -> str:
-    """What names a design but for its stages and the strengths of their drives."""
-    design = put(model.design, "protocol.stages", ())
-    for drive in model.structure.drives:
-        design = put(design, drive.key, 0.0)
-    return design.hash
+    """What names a protocol but for its stages and the strengths of their drives."""
+    return _but_drives(model, [drive.key for drive in model.structure.drives], stages=False)
+
+
+def _but_drives(model: Model, keys: Sequence[str], *, stages: bool = True) -> str:
+    """A protocol without some of its values, as text."""
+    protocol = model.design.protocol if stages else put(model.design.protocol, "stages", ())
+    for key in keys:
+        section, _, name = key.partition(".")
+        if section == "protocol":
+            protocol = put(protocol, name, 0.0)
+    return protocol.model_dump_json()
 
 
 def _way(model: Model) -> list[tuple[Stage, tuple[tuple[float, ...], float]]]:

@@ -1,8 +1,8 @@
 """One tendon across one hinge: its energy and its moment at every angle, in closed form.
 
-Angles are those of the hinge in its own sense: 0 where it is straight, as built, positive in the overbend, negative
-while folding. The tendon is longest at its top, at straight where its ends lie in one plane with the hinge's axis, and
-beside it where they are offset from that plane.
+Angles are 0 where the hinge is straight, as built, positive in the overbend, negative while folding, which is the way
+in which the hinge goes farther. The tendon is longest at its top: at straight where its ends lie in one plane with the
+hinge's axis, and beside it where they are offset from that plane.
 """
 
 from __future__ import annotations
@@ -44,6 +44,7 @@ class TendonHinge:
         overbend: how far the hinge bends past straight, rad.
         fold_limit: how far it folds, rad.
         inertia: of what turns about the hinge axis, kg m^2.
+        sense: +1 or -1, by which angles here are multiplied to be those of the structure's hinge in its own sense.
 
     Raises:
         InputError: a number out of its bounds or not finite.
@@ -57,6 +58,7 @@ class TendonHinge:
     overbend: float
     fold_limit: float
     inertia: float
+    sense: int = 1
 
     def __post_init__(self) -> None:
         for name, unit in (("proximal_arm", "m"), ("distal_arm", "m"), ("inertia", "kg m^2")):
@@ -205,33 +207,20 @@ def tendon_hinges(structure: Structure) -> tuple[TendonHinge, ...]:
     return tuple(tendon_hinge(structure, each, crossing) for each, crossing in crossed if crossing is not None)
 
 
-def fold_sense(stops: Hinge) -> int:
-    """-1 where a hinge folds towards negative angles of its own sense, +1 towards positive ones: its wider range."""
-    return 1 if stops.upper > -stops.lower else -1
+def hinges_in_own_senses(structure: Structure) -> tuple[TendonHinge, ...]:
+    """As `tendon_hinges`, with angles in the hinges' own senses, whichever way they fold."""
+    return tuple(each if each.sense > 0 else _turned_round(each) for each in tendon_hinges(structure))
 
 
-def folding_down(hinge: TendonHinge, sense: int) -> TendonHinge:
-    """A hinge with its angles counted so that folding is negative.
-
-    Args:
-        hinge: the hinge.
-        sense: the sense of its own angles in which it folds, see `fold_sense`.
-    """
-    if sense < 0:
-        return hinge
-    return replace(hinge, overbend=hinge.fold_limit, fold_limit=hinge.overbend, offset_angle=0.0 - hinge.offset_angle)
+def folding_sense(hinge: Hinge) -> int:
+    """+1 where a hinge goes farther to negative angles, so that these fold it; -1 where it goes farther to positive."""
+    return 1 if hinge.upper <= -hinge.lower else -1
 
 
 def tendon_hinge(structure: Structure, tendon: Tendon, crossing: Crossing) -> TendonHinge:
-    """The hinge that a tendon lies across, as one of its crossings has it.
-
-    Args:
-        structure: whose tendon.
-        tendon: the tendon.
-        crossing: its own, or its ideal one.
-    """
+    """The hinge that a tendon lies across, as one of its crossings has it: its own, or its ideal one."""
     stops = structure.hinges[crossing.hinge]
-    return TendonHinge(
+    own = TendonHinge(
         law=tendon.law.elastic,
         proximal_arm=crossing.proximal_arm,
         distal_arm=crossing.distal_arm,
@@ -240,6 +229,18 @@ def tendon_hinge(structure: Structure, tendon: Tendon, crossing: Crossing) -> Te
         overbend=min(stops.upper, math.pi),
         fold_limit=min(-stops.lower, math.pi),
         inertia=crossing.inertia,
+    )
+    return own if folding_sense(stops) > 0 else _turned_round(own)
+
+
+def _turned_round(hinge: TendonHinge) -> TendonHinge:
+    """The hinge with its angles counted the other way."""
+    return replace(
+        hinge,
+        offset_angle=0.0 - hinge.offset_angle,
+        overbend=hinge.fold_limit,
+        fold_limit=hinge.overbend,
+        sense=-hinge.sense,
     )
 
 

@@ -69,7 +69,7 @@ class HingeLandscape:
     Attributes:
         hinge: whose landscape it is.
         angle: falling from the overbend to the fold limit, rad, (angle,); holds both ends, straight, the top, and where
-            the tendon goes slack.
+            the tendon goes slack, or is shortest between the ends.
         energy: J, (angle,).
         moment: positive towards the overbend, N m, (angle,).
         barrier: from the overbend stop to the top, J.
@@ -84,7 +84,6 @@ class HingeLandscape:
         fold_time: from there to the fold limit, s.
         final_speed: at the fold limit, rad/s.
         remarks: sentences on what does not exist and what to know of the rest.
-        sense: +1 where folding is negative in the hinge's own sense, too; -1 where it is positive there.
         spring: of the hinge; None for none.
     """
 
@@ -104,8 +103,12 @@ class HingeLandscape:
     fold_time: float | None
     final_speed: float | None
     remarks: tuple[str, ...]
-    sense: int = 1
     spring: HingeSpring | None = None
+
+    @property
+    def sense(self) -> int:
+        """+1 or -1, by which angles here are multiplied to be those of the structure's hinge in its own sense."""
+        return self.hinge.sense
 
     @property
     def spring_energy(self) -> Array:
@@ -130,16 +133,13 @@ class HingeLandscape:
         return np.asarray(self.spring.stiffness * (self.spring.rest_angle - self.angle))
 
 
-def hinge_landscape(
-    hinge: TendonHinge, points: int = 181, fold_start: float = FOLD_START, sense: int = 1
-) -> HingeLandscape:
+def hinge_landscape(hinge: TendonHinge, points: int = 181, fold_start: float = FOLD_START) -> HingeLandscape:
     """Survey a hinge.
 
     Args:
         hinge: the hinge.
         points: how many angles to aim at; a few more come, as every part between two special angles is divided evenly.
         fold_start: how far past the top the fold of `fold_time` is let go, rad.
-        sense: +1 where folding is negative in the hinge's own sense, too; -1 where it is positive there.
 
     Raises:
         InputError: fewer than 2 points, or a start that is not > 0.
@@ -161,8 +161,7 @@ def hinge_landscape(
         fold_start=fold_start,
         fold_time=fold_time(hinge, fold_start),
         final_speed=final_speed(hinge, fold_start),
-        remarks=hinge_remarks(hinge, fold_start, sense),
-        sense=sense,
+        remarks=hinge_remarks(hinge, fold_start),
     )
 
 
@@ -201,31 +200,32 @@ def _neutral(angle: float, far_angle: float) -> HingeState:
     return HingeState(kind="neutral", angle=angle, far_angle=far_angle, energy=0.0, holding_torque=0.0)
 
 
-def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START, sense: int = 1) -> tuple[str, ...]:
+def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START) -> tuple[str, ...]:
     """Say in a sentence each what a hinge lacks, and where its tendon is slack.
 
     Args:
         hinge: the hinge.
         fold_start: how far past the top the fold of `fold_time` is let go, rad.
-        sense: by which angles are multiplied in the sentences; see `HingeLandscape`.
     """
     if not hinge.pulls:
         return (why_no_pull(hinge, "nothing moves the hinge, and there is no barrier"),)
     remarks = []
-    offset, limit = hinge.offset_angle, hinge.fold_limit
+    # sentences have angles in the hinge's own sense
+    sense, offset, limit = hinge.sense, hinge.offset_angle, hinge.fold_limit
     slack, past = hinge.slack_distance, "straight"
     if offset:
         past = degrees(sense * hinge.top)
-        remarks.append(f"the ends of the tendon are offset: it is longest at {past}, not at straight")
     if hinge.top_to_overbend <= 0:
         remarks.append(
-            f"the tendon is longest at {past}, and the overbend of {degrees(hinge.overbend)} is not beyond it, so"
-            " there is no barrier and no holding torque; a larger overbend gives both"
+            f"the ends of the tendon are offset: it is longest at {past}, and the overbend of {degrees(hinge.overbend)}"
+            " is not beyond it, so there is no barrier and no holding torque; a larger overbend gives both"
             if offset
             else "the overbend is 0 deg: straight is no stable state, so there is no barrier and no holding torque;"
             " an overbend > 0 deg gives both"
         )
-    elif slack is not None and slack < hinge.top_to_overbend:
+    elif offset:
+        remarks.append(f"the ends of the tendon are offset: it is longest at {past}, not at straight")
+    if hinge.top_to_overbend > 0 and slack is not None and slack < hinge.top_to_overbend:
         remarks.append(
             f"the tendon is slack beyond {degrees(slack - offset)} of overbend: nothing holds the hinge at its stop of"
             f" {degrees(hinge.overbend)}; a shorter resting length or a smaller overbend does"
@@ -280,7 +280,9 @@ def special_angles(hinge: TendonHinge, points: int) -> Array:
         raise InputError(f"points: need >= 2, got {points}")
     special = {hinge.overbend, 0.0, -hinge.fold_limit}
     slack, turn = hinge.slack_distance, 2 * math.pi
-    apart = {0.0} if slack is None else {0.0, slack, -slack, turn - slack, slack - turn}
+    apart = {0.0, math.pi, -math.pi}
+    if slack is not None:
+        apart |= {slack, -slack, turn - slack, slack - turn}
     special |= {angle for each in apart if -hinge.fold_limit < (angle := each - hinge.offset_angle) < hinge.overbend}
     ends = sorted(special, reverse=True)
     spacing = (ends[0] - ends[-1]) / (points - 1)

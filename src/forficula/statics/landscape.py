@@ -17,7 +17,7 @@ from forficula.errors import InputError
 from forficula.quantities import show_quantity
 from forficula.statics.equilibrium import Equilibria, PathState, barrier_between
 from forficula.statics.fold_path import FoldPath, fold_path, rigid_fold
-from forficula.statics.hinge import TendonHinge, fold_sense, folding_down, tendon_hinge
+from forficula.statics.hinge import TendonHinge, tendon_hinge
 from forficula.statics.hinge_landscape import HingeLandscape, HingeSpring, hinge_landscape
 from forficula.statics.partial_folds import (
     PartialFold,
@@ -306,27 +306,20 @@ def _tendon_landscapes(
     """Every hinge that one tendon lies across, and its ideal one, by tendon; those that are alike are surveyed once."""
 
     @cache
-    def survey(hinge: TendonHinge, spring: HingeSpring | None, sense: int) -> HingeLandscape:
-        if spring is None:
-            return hinge_landscape(hinge, points, sense=-sense)
-        return sprung_landscape(hinge, spring, points, sense=-sense)
+    def survey(hinge: TendonHinge, spring: HingeSpring | None) -> HingeLandscape:
+        return hinge_landscape(hinge, points) if spring is None else sprung_landscape(hinge, spring, points)
 
     own: list[HingeLandscape] = []
     ideal: list[HingeLandscape | None] = []
     for tendon in structure.tendons:
         if tendon.crossing is None:
             continue
-        crossed = structure.hinges[tendon.crossing.hinge]
-        sense = fold_sense(crossed)
-        spring = (
-            HingeSpring(stiffness=crossed.stiffness, rest_angle=-sense * crossed.rest_angle)
-            if crossed.stiffness
-            else None
-        )
-        about = folding_down(tendon_hinge(structure, tendon, tendon.crossing), sense)
-        own.append(survey(about, spring, sense))
-        square = None if tendon.ideal is None else folding_down(tendon_hinge(structure, tendon, tendon.ideal), sense)
-        ideal.append(None if square is None else survey(square, spring, sense))
+        crossed, hinge = structure.hinges[tendon.crossing.hinge], tendon_hinge(structure, tendon, tendon.crossing)
+        spring = HingeSpring(stiffness=crossed.stiffness, rest_angle=hinge.sense * crossed.rest_angle)
+        sprung = spring if spring.stiffness else None
+        own.append(survey(hinge, sprung))
+        square = None if tendon.ideal is None else tendon_hinge(structure, tendon, tendon.ideal)
+        ideal.append(None if square is None else survey(square, sprung))
     return tuple(own), tuple(ideal)
 
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.statics.hinge import fold_sense, folding_down, ideal_hinges, tendon_hinge
+from forficula.statics.hinge import folding_sense, ideal_hinges, tendon_hinge, tendon_hinges
 from forficula.statics.potential import Ensemble, potential, rest, sheet_torque
 from forficula.statics.sheet import sheet_energy
 from forficula.structure import Structure
@@ -38,8 +38,8 @@ class PartialFold:
         distal_angle: of each folding hinge in the end, in its own sense, rad, (folding hinge,).
         tendon_energy: of all tendons, springs and weights in the end, J.
         sheet_energy: of membranes and length limits in the end, J.
-        independent_energy: of as many ideal hinges that nothing couples, those folded at their limits and the others at
-            their overbend stops, J; None where a tendon has no ideal hinge.
+        independent_energy: of as many hinges that nothing couples, those folded at their limits and the others at their
+            overbend stops, J; ideal ones where there are such; None where springs hold them elsewhere.
     """
 
     folded: tuple[int, ...]
@@ -68,9 +68,9 @@ def fold_levels(structure: Structure) -> Array:
     """Energies of independent ideal hinges, none of them folded to all of them, J, (hinge + 1,).
 
     Sums of the energies at the overbend stop and at the fold limit (Binder et al. 2025, section 3.1), folded from the
-    first on.
+    first on. Of a structure without ideal hinges they are those of its own ones.
     """
-    hinges = ideal_hinges(structure)
+    hinges = ideal_hinges(structure) or tendon_hinges(structure)
     count = len(hinges)
     flat, folded = (
         [float(hinge.energy(angle)) for hinge, angle in zip(hinges, angles, strict=True)]
@@ -98,28 +98,48 @@ def single_hinge_barriers(structures: Ensemble, flat: Array) -> Array:
     many = structures.repeated(count * _WAYS)
     start = np.tile(flat, (count * _WAYS, 1))
     held = np.zeros(start.shape, dtype=bool)
-    tops = _tops(structures)
+    places = _places(structures, folding)
     for number, hinge in enumerate(folding):
         rows = slice(number * _WAYS, (number + 1) * _WAYS)
-        past = tops[hinge] + _senses(structures.structure, (hinge,))[0] * _START
-        past = min(max(past, structures.lower[hinge]), structures.upper[hinge])
-        start[rows, hinge] = np.append(np.linspace(flat[0, hinge], past, _WAYS - 1), tops[hinge])
+        way = np.linspace(flat[0, hinge], places.folded[number], _WAYS - 1)
+        start[rows, hinge] = np.append(way, places.top[number])
         held[rows, hinge] = True
     energy = rest(many, start, held=held).energy.reshape(count, _WAYS)
     level = potential(structures.repeated(1), flat)[0][0]
     return np.asarray(np.maximum(0.0, energy.max(axis=1) - level))
 
 
-def _tops(structures: Ensemble) -> Array:
-    """Angles at which the tendons across single hinges are longest, within the stops, rad, (hinge,); else straight."""
+@dataclass(frozen=True, kw_only=True)
+class _Places:
+    """Of the folding hinges, rad, (folding hinge,).
+
+    Attributes:
+        senses: +1 where negative angles fold them, else -1.
+        top: where their tendons are longest, within the stops; straight where they have none.
+        folded: a little beyond, from where they fold by themselves.
+        opened: their stops on the other side, or as far from the top where there is none.
+    """
+
+    senses: Array
+    top: Array
+    folded: Array
+    opened: Array
+
+
+def _places(structures: Ensemble, folding: Sequence[int]) -> _Places:
+    hinges = [structures.structure.hinges[number] for number in folding]
+    senses = np.array([folding_sense(hinge) for hinge in hinges], dtype=np.float64)
     tops = np.zeros(structures.size)
     tops[structures.crossed] = 0.0 - np.asarray(structures.tendons.offset_angle)[0]
-    return np.clip(tops, structures.lower, structures.upper)
-
-
-def _senses(structure: Structure, hinges: Sequence[int]) -> Array:
-    """Sign of the angles to which hinges fold, in their own senses, (hinge,)."""
-    return np.array([fold_sense(structure.hinges[hinge]) for hinge in hinges], dtype=np.float64)
+    lower, upper = structures.lower[list(folding)], structures.upper[list(folding)]
+    top = np.clip(tops[list(folding)], lower, upper)
+    stops = np.where(senses > 0, upper, lower)
+    return _Places(
+        senses=senses,
+        top=top,
+        folded=np.clip(top - senses * _START, lower, upper),
+        opened=np.where(np.isfinite(stops), stops, top + senses * _START),
+    )
 
 
 def partial_folds(structures: Ensemble) -> tuple[PartialFold, ...]:
@@ -137,21 +157,16 @@ def partial_folds(structures: Ensemble) -> tuple[PartialFold, ...]:
     combinations = _combinations(len(folding))
     many = structures.repeated(len(combinations))
     start = np.zeros((len(combinations), many.size))
-    tops = _tops(structures)[folding]
-    senses = _senses(structures.structure, folding.tolist())
-    lower, upper = many.lower[folding], many.upper[folding]
-    closed = np.clip(tops + senses * _START, lower, upper)
-    stops = np.where(senses < 0, upper, lower)
-    opened = np.where(np.isfinite(stops), stops, tops - senses * _START)
+    places = _places(structures, folding.tolist())
     for row, folded in enumerate(combinations):
-        start[row, folding] = np.where(np.isin(np.arange(len(folding)), folded), closed, opened)
+        start[row, folding] = np.where(np.isin(np.arange(len(folding)), folded), places.folded, places.opened)
     aimed = rest(many, start, fixed=folding.tolist()).position
     found = rest(many, aimed)
     sheet, _, _ = sheet_energy(many.sheet, found.position)
     soft, states, independent = _soft(structures), [], _independent(structures.structure, folding.tolist())
     for row, folded in enumerate(combinations):
         angle = found.position[row, folding]
-        stays = tuple(int(each) for each in np.flatnonzero(senses * angle > senses * tops))
+        stays = tuple(int(each) for each in np.flatnonzero(places.senses * (angle - places.top) < 0))
         states.append(
             PartialFold(
                 folded=folded,
@@ -162,31 +177,30 @@ def partial_folds(structures: Ensemble) -> tuple[PartialFold, ...]:
                 sheet_energy=float(sheet[row]),
                 independent_energy=None
                 if independent is None
-                else sum(float(energies[int(place in folded)]) for place, energies in enumerate(independent)),
+                else sum(energies[int(place in folded)] for place, energies in enumerate(independent)),
             )
         )
     return tuple(states)
 
 
 def _independent(structure: Structure, folding: Sequence[int]) -> list[tuple[float, float]] | None:
-    """Energies of the ideal hinges at their overbend stops and at their fold limits, J, by folding hinge.
+    """Energies of the tendons across each folding hinge at its overbend stop and at its fold limit, J.
 
-    0 where no tendon lies across one; None where one has no ideal hinge.
+    Those of ideal hinges, where there are such; None where there are no tendons, or springs hold a hinge elsewhere.
     """
     energies = dict.fromkeys(folding, (0.0, 0.0))
+    if not structure.tendons or any(structure.hinges[hinge].stiffness for hinge in folding):
+        return None
     for tendon in structure.tendons:
-        if tendon.crossing is None or tendon.crossing.hinge not in energies:
-            continue
-        if tendon.ideal is None:
-            return None
-        hinge, crossed = tendon_hinge(structure, tendon, tendon.ideal), tendon.crossing.hinge
-        down = folding_down(hinge, fold_sense(structure.hinges[crossed]))
-        before = energies[crossed]
-        energies[crossed] = (
-            before[0] + float(down.energy(down.overbend)),
-            before[1] + float(down.energy(-down.fold_limit)),
-        )
-    return list(energies.values()) if structure.tendons else None
+        if tendon.crossing is not None and tendon.crossing.hinge in energies:
+            hinge = tendon_hinge(structure, tendon, tendon.ideal or tendon.crossing)
+            opened, closed = energies[tendon.crossing.hinge]
+            opened, closed = (
+                opened + float(hinge.energy(hinge.overbend)),
+                closed + float(hinge.energy(-hinge.fold_limit)),
+            )
+            energies[tendon.crossing.hinge] = opened, closed
+    return list(energies.values())
 
 
 def _soft(structures: Ensemble) -> float:

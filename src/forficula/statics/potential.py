@@ -17,7 +17,7 @@ from forficula.errors import InputError
 from forficula.material import ElasticLaw
 from forficula.statics.elements import Expansion
 from forficula.statics.equilibrium import Cases, Equilibria, descend
-from forficula.statics.hinge import TendonHinge, stacked_hinges, tendon_hinges
+from forficula.statics.hinge import TendonHinge, hinges_in_own_senses, stacked_hinges
 from forficula.statics.lines import Lines, largest_pull, line_energy, lines_of
 from forficula.statics.pose import Span, span, tree_of
 from forficula.statics.sheet import Sheet, sheet_energy, sheet_of
@@ -117,7 +117,7 @@ def ensemble(structures: Sequence[Structure]) -> Ensemble:
         weight=weight_of(first, tree),
         crossed=span(crossed),
         crossings=unit[crossed],
-        tendons=stacked_hinges([tendon_hinges(each) for each in structures]),
+        tendons=stacked_hinges([hinges_in_own_senses(each) for each in structures]),
         stiffness=np.array([hinge.stiffness for hinge in first.hinges]),
         rest_angles=np.array([hinge.rest_angle for hinge in first.hinges]),
         motors=tuple(span(motor.hinges) for motor in first.motors),

@@ -28,7 +28,7 @@ _QUIET = 1e-9  # of the largest moment, what counts as none
 _FINE = 1801  # angles among which states are looked for
 
 
-def sprung_landscape(hinge: TendonHinge, spring: HingeSpring, points: int = 181, sense: int = 1) -> HingeLandscape:
+def sprung_landscape(hinge: TendonHinge, spring: HingeSpring, points: int = 181) -> HingeLandscape:
     """Survey a hinge with a spring of its own, whose moment no closed form has: all is found along the angle.
 
     The barrier is that from the first state, towards the overbend, to the next one; its top is where the sum of both
@@ -38,7 +38,6 @@ def sprung_landscape(hinge: TendonHinge, spring: HingeSpring, points: int = 181,
         hinge: the hinge, folding towards negative angles.
         spring: of the hinge, its angles counted alike.
         points: how many angles to aim at.
-        sense: +1 where folding is negative in the hinge's own sense, too; -1 where it is positive there.
 
     Raises:
         InputError: fewer than 2 points.
@@ -67,8 +66,7 @@ def sprung_landscape(hinge: TendonHinge, spring: HingeSpring, points: int = 181,
         fold_start=FOLD_START,
         fold_time=None,
         final_speed=None,
-        remarks=_remarks(hinge, stable, slack, sense),
-        sense=sense,
+        remarks=_remarks(hinge, stable, slack),
         spring=spring,
     )
 
@@ -134,19 +132,19 @@ def _hinge_state(state: PathState) -> HingeState:
     )
 
 
-def _remarks(hinge: TendonHinge, stable: list[PathState], slack: float | None, sense: int) -> tuple[str, ...]:
+def _remarks(hinge: TendonHinge, stable: list[PathState], slack: float | None) -> tuple[str, ...]:
     if not hinge.pulls:
         return (why_no_pull(hinge, "the spring of its hinge is all that moves it, and there is no barrier"),)
     remarks = []
     if len(stable) == 1:
         remarks.append(
             "the tendon and the spring of its hinge let it rest at one place only,"
-            f" {degrees(-sense * stable[0].coordinate)}, so there is no barrier; a shorter or stiffer tendon, or a"
+            f" {degrees(-hinge.sense * stable[0].coordinate)}, so there is no barrier; a shorter or stiffer tendon, or a"
             " softer spring, gives one"
         )
     if slack is not None:
         remarks.append(
-            f"the tendon is slack beyond {degrees(sense * slack)} of the fold: the spring of its hinge is all that"
+            f"the tendon is slack beyond {degrees(hinge.sense * slack)} of the fold: the spring of its hinge is all that"
             " moves it there"
         )
     return tuple(remarks)

@@ -14,6 +14,7 @@ from forficula.design.sheet_places import SheetPlace, crease_role, creases_of, p
 from forficula.errors import InputError
 from forficula.material.law.tendon_law import TendonLaw
 from forficula.pattern import CreasePattern, FacetLink, facet_tree
+from forficula.structure.appearance import Appearance
 from forficula.structure.crossing import tendon_crossing
 from forficula.structure.goals import goal_of
 from forficula.structure.mass import mass_of
@@ -131,6 +132,7 @@ def plate_structure(design: PlatesDesign) -> Structure:
         span=float(np.ptp(pattern.vertices_coords, axis=0).max()),
         mass=1.0,
         gravity=design.protocol.gravity,
+        appearance=Appearance(pattern=pattern),
     )
     crossed_by = [replace(tendon, crossing=tendon_crossing(built, tendon.points)) for tendon in tendons]
     return with_protocol(replace(built, tendons=tuple(crossed_by), mass=_largest_mass(design, built)), design)
@@ -192,7 +194,7 @@ def with_protocol(structure: Structure, design: PlatesDesign) -> Structure:
 
 def drive_keys(design: PlatesDesign) -> tuple[str, ...]:
     """Keys of the values that say how strong the drives are."""
-    return tuple(f"drive.{number}.value" for number in range(len(design.drive)))
+    return tuple(f"drive.{drive.name}.value" for drive in design.drive)
 
 
 def static_keys(design: PlatesDesign) -> tuple[str, ...]:
@@ -210,6 +212,7 @@ def _wording(state: str, done: str, key: str) -> Wording:
         stays=state,
         time=f"time to get {state}",
         noun=f"getting {state}",
+        did=f"got {state}",
         if_stuck=f"Take a stronger drive ({key}), or lower what holds it back: crease.stiffness, or the tendons.",
         if_lost=(
             f"It got {state} under torque and did not stay so when released: tendons that pull it there or springs that"
@@ -251,6 +254,7 @@ def _hinges(
                 rest_angle=crease.rest_angle,
                 damping=crease.damping * length,
                 start=crease.start,
+                label=f"crease {link.edge}",
             )
         )
     return tuple(hinges), numbers
@@ -324,8 +328,9 @@ def _driven(structure: Structure, design: PlatesDesign) -> tuple[tuple[Motor, ..
             name=drive.name,
             shares=tuple(1.0 if number in drives else 0.0 for drives in shared),
             rise=rises[number],
-            key=f"drive.{number}.value",
+            key=f"drive.{drive.name}.value",
             torque=drive.value,
+            where=f"on {drive.of}" if drive.of.startswith("crease ") else f"on the {drive.of}",
         )
         for number, drive in enumerate(design.drive)
     )

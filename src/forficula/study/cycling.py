@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -12,7 +12,7 @@ from forficula.design import Design, with_values
 from forficula.errors import InputError
 from forficula.material.law.law_cycle import change_at_cycle, drifts_of, law_at_cycle, stretched_before
 from forficula.material.law.material_law import MaterialLaw
-from forficula.structure import built_strains, structure_of
+from forficula.structure import Transition, built_strains, drive_of, structure_of
 from forficula.study.evaluate import evaluate, row_key
 from forficula.study.journal import Row
 from forficula.study.slow_margin import least_slow_torques, margin
@@ -34,9 +34,8 @@ class CycleRun:
         stiffness: of the tendons by that of the first cycle, but for softening: value, 95 % confidence interval.
         residual_strain: of the tendons, the largest.
         row: outcome of the run, as `outcome_row` has it.
-        fold_margin: the protocol's fold torque by the least that folds when it grows slowly, see `least_slow_torques`;
-            None where none up to ten times it folds.
-        unfold_margin: likewise of opening.
+        margins: by transition, the protocol's torque by the least that makes it when it grows slowly, see
+            `least_slow_torques`; None where none up to ten times it does.
     """
 
     cycle: int
@@ -44,8 +43,7 @@ class CycleRun:
     stiffness: tuple[float, float, float]
     residual_strain: float
     row: Row
-    fold_margin: float | None
-    unfold_margin: float | None
+    margins: Mapping[str, float | None]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -56,7 +54,7 @@ class Cycling:
         design: at the first cycle.
         runs: in the order of cycles.
         seen: first and last cycle that the tests of the material saw; None where they do not tell.
-        opens: whether the protocol opens the wing, too.
+        transitions: that the protocol drives.
         verdict: in a sentence.
         remarks: what a person should know, one sentence each.
     """
@@ -64,13 +62,13 @@ class Cycling:
     design: Design
     runs: tuple[CycleRun, ...]
     seen: tuple[int, int] | None
-    opens: bool
+    transitions: tuple[Transition, ...]
     verdict: str
     remarks: tuple[str, ...]
 
     def works(self, run: CycleRun) -> bool:
-        """Whether a cycle did what the protocol asks for: folded, and opened where it opens."""
-        return bool(run.row.get("opened" if self.opens else "folded"))
+        """Whether a cycle did what the protocol asks for: its last transition."""
+        return bool(self.transitions and run.row.get(self.transitions[-1].state))
 
     @property
     def first_failure(self) -> int | None:
@@ -146,8 +144,8 @@ def run_cycles(design: Design, last: int, progress: Progress | None = None) -> C
         rows[str(row["key"])] = row
         if progress is not None:
             progress(len(rows), len(distinct), row)
-    folding, opening = least_slow_torques(list(distinct.values()))
-    least = dict(zip(distinct, zip(folding.tolist(), opening.tolist(), strict=True), strict=True))
+    by_transition = [each.tolist() for each in least_slow_torques(list(distinct.values()))]
+    least = dict(zip(distinct, zip(*by_transition, strict=True), strict=True))
     cycling = Cycling(
         design=design,
         runs=tuple(
@@ -155,7 +153,7 @@ def run_cycles(design: Design, last: int, progress: Progress | None = None) -> C
             for cycle, each in zip(counts, designs, strict=True)
         ),
         seen=_seen(_material(design)),
-        opens=any(stage.drive == "unfold" for stage in design.protocol.stages),
+        transitions=driven_transitions(design),
         verdict="",
         remarks=tuple(_remarks(design, counts)),
     )
@@ -172,8 +170,14 @@ def check_cycles(design: Design, last: int) -> None:
     cycle_counts(last)
     if _strained(design):
         _material(design)
-    if all(stage.drive != "fold" for stage in design.protocol.stages):
-        raise InputError('need a stage with drive = "fold" in protocol.stages, got none')
+    if not driven_transitions(design):
+        drives = " or ".join(f'"{drive.name}"' for drive in structure_of(design).drives[:1])
+        raise InputError(f"need a stage with drive = {drives} in protocol.stages, got none")
+
+
+def driven_transitions(design: Design) -> tuple[Transition, ...]:
+    """The transitions that a design's protocol drives."""
+    return tuple(each for each in structure_of(design).transitions if each.stage is not None)
 
 
 def _strained(design: Design) -> dict[str, float]:
@@ -212,18 +216,21 @@ def _laws_at(design: Design, cycle: int) -> dict[str, tuple[MaterialLaw, float]]
     return laws
 
 
-def _run_at(design: Design, cycle: int, own: Design, row: Row, least: tuple[float, float]) -> CycleRun:
+def _run_at(design: Design, cycle: int, own: Design, row: Row, least: Sequence[float]) -> CycleRun:
     """A cycle, its design and what became of it."""
     seen, drift = _seen(_material(design)), _material(design).stiffness_drift
-    sets = [each.material.residual_strain for each in structure_of(own).tendons if each.material is not None]
+    structure = structure_of(own)
+    sets = [each.material.residual_strain for each in structure.tendons if each.material is not None]
     return CycleRun(
         cycle=cycle,
         measured=seen is not None and seen[0] <= cycle <= seen[1],
         stiffness=(1.0, 1.0, 1.0) if drift is None else change_at_cycle(drift, cycle),
         residual_strain=max(sets, default=0.0),
         row=row,
-        fold_margin=margin(own.protocol.fold_torque, least[0]),
-        unfold_margin=margin(own.protocol.unfold_torque, least[1]),
+        margins={
+            each.name: margin(abs(drive_of(structure, each.drive).torque), torque)
+            for each, torque in zip(structure.transitions, least, strict=True)
+        },
     )
 
 
@@ -276,12 +283,14 @@ def _unsettled(cycling: Cycling) -> Iterator[str]:
 
 def _beside_statics(cycling: Cycling) -> Iterator[str]:
     """What a margin means where the simulation says something else."""
-    for goal, name in (("folded", "fold"), ("opened", "unfold")):
-        margins = [getattr(run, f"{name}_margin") for run in cycling.runs if run.row.get(goal)]
+    for place, transition in enumerate(cycling.transitions):
+        name, goal = transition.name, transition.state
+        margins = [run.margins[name] for run in cycling.runs if run.row.get(goal)]
         if any(each is None or each < 1 for each in margins):
             yield f"its {name} torque, grown slowly, is too small at some cycles: there it is inertia that carries it"
-        left = [run for run in cycling.runs if not run.row.get(goal) and (name == "fold" or run.row.get("folded"))]
-        if any((getattr(run, f"{name}_margin") or 0) > 1 for run in left):
+        before = cycling.transitions[place - 1].state if place else None
+        left = [run for run in cycling.runs if not run.row.get(goal) and (before is None or run.row.get(before))]
+        if any((run.margins[name] or 0) > 1 for run in left):
             yield (
                 f"at some cycles its {name} torque fails where a slow one succeeds: it comes at once and leads"
                 " elsewhere, or its stage is too short"
@@ -290,11 +299,12 @@ def _beside_statics(cycling: Cycling) -> Iterator[str]:
 
 def _verdict(cycling: Cycling) -> str:
     """Whether the wing still works after the last cycle, and up to which or from which on where it does not."""
-    folded = [bool(run.row.get("folded")) for run in cycling.runs]
-    if cycling.opens and any(folded) and not any(run.row.get("opened") for run in cycling.runs):
-        return f"opens at none of the {_cycles(cycling.runs[-1].cycle)}; {_course(cycling, folded, 'folds')}"
-    goal = "folds and opens" if cycling.opens else "folds"
-    return _course(cycling, [cycling.works(run) for run in cycling.runs], goal)
+    first, last = cycling.transitions[0], cycling.transitions[-1]
+    began = [bool(run.row.get(first.state)) for run in cycling.runs]
+    verbs = [f"{each.wording.verb}s" for each in cycling.transitions]
+    if first is not last and any(began) and not any(run.row.get(last.state) for run in cycling.runs):
+        return f"{verbs[-1]} at none of the {_cycles(cycling.runs[-1].cycle)}; {_course(cycling, began, verbs[0])}"
+    return _course(cycling, [cycling.works(run) for run in cycling.runs], " and ".join(verbs))
 
 
 def _course(cycling: Cycling, works: Sequence[bool], goal: str) -> str:

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from forficula.analysis import Outcome, Verdict, measure
 from forficula.analysis.run_files import holds_run, read_run, remove_run, write_run_files
@@ -100,7 +101,7 @@ def runs_to_keep(study: Study, table: Dataset, most: int = MOST_POINTS) -> list[
     runs = []
     for point in _points(study, table, most):
         try:
-            design = point_design(study.base, study.points[point])
+            design = point_design(study.base, study.points[point], study.search)
         except InputError:  # its row says why
             continue
         for part, each in _parts(study, table, point, design):
@@ -183,10 +184,19 @@ def _points(study: Study, table: Dataset, most: int) -> list[int]:
     """Numbers of the points whose runs are kept."""
     if len(study.points) <= most:
         return list(range(len(study.points)))
-    folded = np.isfinite(table["least_fold_torque"].values) if study.search else table["folded"].values
-    numbers = np.flatnonzero(folded.ravel())
+    numbers = np.flatnonzero(_worked(study, table).ravel())
     chosen = np.unique(np.linspace(0, len(numbers) - 1, min(len(numbers), most)).round().astype(int))
     return [int(number) for number in numbers[chosen]]
+
+
+def _worked(study: Study, table: Dataset) -> NDArray[np.bool_]:
+    """Whether each point reached the first state that the study is about."""
+    if study.search is not None:
+        return np.asarray(np.isfinite(table[study.search.first.least_name].values))
+    transitions = structure_of(study.base).transitions
+    if not transitions:
+        return np.ones(table["verdict"].shape, dtype=bool)
+    return np.asarray(table[transitions[0].state].values, dtype=bool)
 
 
 def _parts(study: Study, table: Dataset, point: int, design: Design) -> Iterator[tuple[str, Design]]:

@@ -159,7 +159,7 @@ def _designs(
 def _design(study: Study, number: int) -> Design | str:
     """The design at a point, or why there is none."""
     try:
-        return point_design(study.base, study.points[number])
+        return point_design(study.base, study.points[number], study.search)
     except InputError as error:
         return str(error)
 

@@ -8,6 +8,7 @@ from typing import Any
 from forficula.analysis import Verdict
 from forficula.design import Design, Stage, put, stage_drives, with_values
 from forficula.quantities import show_quantity
+from forficula.structure import drive_keys
 from forficula.study.evaluate import row_key
 from forficula.study.journal import Row
 from forficula.study.study import Search, SearchStep
@@ -163,10 +164,13 @@ def _first_driven(stages: Sequence[Stage], drive: str) -> int:
 
 
 def _with(design: Design, stages: Sequence[Stage], values: Mapping[str, float]) -> Design:
-    """Replace what was checked when it was read."""
+    """Replace stages and strengths of drives, which were checked when they were read, and whatever else as it is set.
+
+    With another value than a drive's others may follow, as a stiffness follows its law.
+    """
     design = put(design, "protocol.stages", tuple(stages))
     for key, value in values.items():
-        design = put(design, key, value)
+        design = put(design, key, value) if key in drive_keys(design) else with_values(design, {key: value})
     return design
 
 
@@ -190,10 +194,20 @@ def _least(found: Mapping[float, Row | None], goal: str) -> float | None:
     return next((value for value, row in found.items() if row is not None and row.get(goal)), None)
 
 
-def point_design(base: Design, point: Mapping[str, object]) -> Design:
+def point_design(base: Design, point: Mapping[str, object], search: Search | None = None) -> Design:
     """The design at a point of a study.
+
+    Args:
+        base: that is varied.
+        point: values by key.
+        search: whose values the design must be able to take, too.
 
     Raises:
         InputError: the values do not fit together there.
     """
-    return with_values(base, dict(point))
+    design = with_values(base, dict(point))
+    for step in search.steps if search is not None else ():
+        if step.key not in drive_keys(design):
+            for value in step.values:
+                with_values(design, {step.key: value})
+    return design

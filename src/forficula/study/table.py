@@ -13,7 +13,7 @@ from forficula.analysis import Ending, Verdict
 from forficula.csv_text import csv_text
 from forficula.design import TORQUE, Design
 from forficula.quantities import as_written, parse_quantity
-from forficula.structure import Structure, structure_of
+from forficula.structure import Structure, drive_keys, structure_of
 from forficula.study.choices import CHOICE, choice_label, own_value
 from forficula.study.evaluate import ending_row, row_key
 from forficula.study.factors import Factor
@@ -74,7 +74,7 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         "source": study.source,
         "design": study.base.name,
         "design_hash": study.base.hash,
-        "ask": "run" if search is None else "least-torques",
+        "ask": _asked(study),
         "tendons": len(structure.tendons),
         "transitions": transitions_text(structure, search),
         "start_state": _start_state(structure),
@@ -100,6 +100,12 @@ def _numbers(study: Study, structure: Structure) -> dict[str, tuple[str, str]]:
         numbers[f"{state}_energy"] = ("J", f"energy of the tendons, {state}")
     numbers["residual"] = ("", "largest share of the energy that is missing in a run")
     return numbers
+
+
+def _asked(study: Study) -> str:
+    if study.search is None:
+        return "run"
+    return "least-torques" if study.search.first.key in drive_keys(study.base) else "least-value"
 
 
 def _start_state(structure: Structure) -> str:

@@ -14,7 +14,8 @@ from forficula.errors import InputError
 from forficula.show.film.film import check_film, write_film
 from forficula.show.film.film_clock import film_cuts, moment
 from forficula.show.film.film_frame import FilmFrame
-from forficula.show.structure.wing_surface import wing_surface
+from forficula.show.structure.shape import shape_of
+from forficula.show.structure.surface import surface_at
 from forficula.study.runs import run
 
 SIZE, RATE = (320, 180), 4
@@ -40,11 +41,11 @@ def state(cuts, words):
 def test_the_wing_is_drawn_where_the_record_has_it(frame, cuts, reference_run, words):
     cut = state(cuts, words)
     with_wing = frame.draw(cut, cut.first).astype(int)
-    surface = wing_surface(reference_run, cut.first)
-    radius = reference_run.design.vein.diameter / 2
-    places = frame._view.project(np.concatenate([surface.veins.reshape(-1, 3), surface.quads.reshape(-1, 3)]))
-    pixels = frame._wing.transData.transform(places)
-    thick = np.ptp(frame._wing.transData.transform([[0, 0], [radius, 0]])[:, 0]) + 2
+    surface = surface_at(reference_run, shape_of(reference_run.structure), cut.first)
+    radius = surface.radii[0]
+    places = frame._view.project(np.concatenate([surface.bars.reshape(-1, 3), surface.faces.reshape(-1, 3)]))
+    pixels = frame._axes.transData.transform(places)
+    thick = np.ptp(frame._axes.transData.transform([[0, 0], [radius, 0]])[:, 0]) + 2
     # of the wing alone: without the plots below, the words above and the scale bar
     there = np.argwhere(with_wing[::-1].sum(axis=2) < 720)[:, ::-1]
     left, right = pixels[:, 0].min() - thick, pixels[:, 0].max() + thick
@@ -53,7 +54,7 @@ def test_the_wing_is_drawn_where_the_record_has_it(frame, cuts, reference_run, w
     assert inside.min(axis=0) == pytest.approx(pixels.min(axis=0), abs=thick)
     assert inside.max(axis=0) == pytest.approx(pixels.max(axis=0), abs=thick)
     # every tip is a dark vein, at the height and place that the record gives it
-    for tip in frame._wing.transData.transform(frame._view.project(surface.veins[:, 2])):
+    for tip in frame._axes.transData.transform(frame._view.project(surface.bars[1::2, 1])):
         column, row = round(tip[0]), round(tip[1])
         around = with_wing[::-1][row - 3 : row + 4, column - 3 : column + 4]
         assert around.sum(axis=2).min() < 3 * 100

@@ -19,9 +19,8 @@ def cuts(reference_run, reference_outcome):
 def test_a_film_holds_the_three_states_and_slows_down_the_two_moves_between_them(cuts, reference_outcome):
     held = {cut.words: cut.first for cut in cuts if cut.first == cut.last}
     assert held == {
-        "a flat": reference_outcome.flat.time,
-        "b folded": reference_outcome.folded_state.time,
-        "c opened": reference_outcome.opened_state.time,
+        f"{letter} {name}": reference_outcome.states[name].time
+        for letter, name in zip("abc", ("flat", "folded", "opened"), strict=True)
     }
     moves = [cut for cut in cuts if cut.slowed is not None]
     assert [cut.words for cut in moves] == ["fold", "unfold"]
@@ -45,7 +44,7 @@ def test_when_a_move_ends_the_hinges_are_near_where_they_come_to_rest(cuts, refe
     for cut, state in zip((cut for cut in cuts if cut.slowed), ("b folded", "c opened"), strict=True):
         rest = next(each.first for each in cuts if each.words == state)
         before, now, then = (
-            np.degrees(reference_run.series["distal_angle"][np.searchsorted(reference_run.time, time)])
+            np.degrees(reference_run.angles("ring")[np.searchsorted(reference_run.time, time)])
             for time in (cut.first, cut.last, rest)
         )
         # it is 95 % of the way on average over the turns of the veins, too

@@ -9,7 +9,7 @@ import forficula as ff
 from forficula.show.folder.cycling_folder import CYCLING_FILES, print_cycling, write_cycling
 from forficula.show.folder.run_folder import write_run
 from forficula.show.run.cycling_figure import draw_cycling
-from forficula.study.cycling import CycleRun, Cycling
+from forficula.study.cycling import CycleRun, Cycling, driven_transitions
 
 
 def run(cycle, **row):
@@ -21,8 +21,7 @@ def run(cycle, **row):
         stiffness=(1 / cycle, 0.9 / cycle, 1.1 / cycle),
         residual_strain=0.01,
         row=works | {"fold_work_J": 1.0, "unfold_time_s": 0.01, "unfold_work_J": 2.0} | row,
-        fold_margin=70.0 * cycle,
-        unfold_margin=4.0 * cycle,
+        margins={"fold": 70.0 * cycle, "unfold": 4.0 * cycle},
     )
 
 
@@ -38,7 +37,12 @@ def cycling(reference):
     """Six cycles that the tests saw in part, the last two of which fail."""
     runs = (*(run(cycle) for cycle in range(1, 5)), *(run(cycle, **STUCK) for cycle in (5, 6)))
     return Cycling(
-        design=reference, runs=runs, seen=(2, 4), opens=True, verdict="up to cycle 4", remarks=("[2] to 4 seen",)
+        design=reference,
+        runs=runs,
+        seen=(2, 4),
+        transitions=driven_transitions(reference),
+        verdict="up to cycle 4",
+        remarks=("[2] to 4 seen",),
     )
 
 
@@ -70,7 +74,7 @@ def test_few_cycles_without_a_failure_can_be_drawn(cycling, count):
             cycling, runs=tuple(replace(each, measured=seen is not None) for each in cycling.runs[:count]), seen=seen
         )
         FigureCanvasAgg(draw_cycling(few)).draw()
-    nothing = replace(cycling, runs=tuple(run(n, **STUCK) for n in (1, 2)), opens=False)
+    nothing = replace(cycling, runs=tuple(run(n, **STUCK) for n in (1, 2)), transitions=cycling.transitions[:1])
     FigureCanvasAgg(draw_cycling(nothing)).draw()
 
 

@@ -21,7 +21,7 @@ from forficula.show.study.maps import map_drawings
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, figure_files, save_figure
 from forficula.study.convergence import converge
 from forficula.study.convergence_file import load_convergence, save_convergence
-from forficula.study.cycling import Cycling
+from forficula.study.cycling import Cycling, driven_transitions
 from forficula.study.refinement import TIMESTEP
 from forficula.study.static_map import map_study, static_map
 from tests.show.folder.test_cycling_folder import STUCK
@@ -37,7 +37,10 @@ STAGES = [
 @pytest.fixture(scope="module")
 def cycling(reference):
     runs = (cycle(1), cycle(2, fold_time_s=None), cycle(3, **STUCK))
-    return Cycling(design=reference, runs=runs, seen=(2, 4), opens=True, verdict="Up to cycle 2.", remarks=("Seen.",))
+    driven = driven_transitions(reference)
+    return Cycling(
+        design=reference, runs=runs, seen=(2, 4), transitions=driven, verdict="Up to cycle 2.", remarks=("Seen.",)
+    )
 
 
 @pytest.fixture(scope="module")
@@ -140,7 +143,8 @@ def test_cycles_are_read_as_they_were_written(folders, cycling):
     read = read_cycling(folders / "run")
     rows = [replace(run, row={name: run.row.get(name) for name in read.runs[0].row}) for run in cycling.runs]
     assert read.runs == tuple(rows)
-    assert (read.seen, read.opens, read.verdict, read.remarks) == ((2, 4), True, "Up to cycle 2.", ("Seen.",))
+    assert [each.name for each in read.transitions] == ["fold", "unfold"]
+    assert (read.seen, read.verdict, read.remarks) == ((2, 4), "Up to cycle 2.", ("Seen.",))
 
 
 @pytest.mark.parametrize(("width", "points"), [(COLUMN_WIDTH, "252pt"), (PAGE_WIDTH, "511.2pt"), (None, "252pt")])

@@ -48,10 +48,10 @@ def test_wings_stand_side_by_side_without_a_request_or_a_word_on_the_console(ope
 def test_one_clock_moves_all_wings_each_by_the_time_since_it_began_to_fold(opened, short_run, slow_run):
     show(opened, "folding", 0.02)
     for view, record in enumerate((short_run, slow_run)):
-        tips = record.series["vein_position"][:, :, 2]
+        tips = record.series["point_position"][:, [point.role == "tip" for point in record.structure.points]]
         moment = record.stages[1].start + 0.02
         expected = [np.interp(moment, record.time, column) for column in tips.reshape(len(record.time), -1).T]
-        vertices = opened.page.evaluate(f"Array.from(forficula.player.stage.views[{view}].wing.vertices)")
+        vertices = opened.page.evaluate(f"Array.from(forficula.player.stage.views[{view}].shape.vertices)")
         away = np.linalg.norm(np.array(vertices).reshape(-1, 3)[:, None] - np.reshape(expected, (-1, 3)), axis=2)
         assert away.min(axis=0).max() < 1e-6
 

@@ -63,7 +63,7 @@ def test_what_is_left_out_is_within_the_tolerance_or_the_rows_are_as_many_as_ask
 
 
 def test_more_rows_never_draw_the_wing_worse(short_run):
-    points = short_run.series["vein_position"].reshape(len(short_run.time), -1, 3)
+    points = short_run.series["point_position"]
     rows = [kept_frames(short_run.time, points, [], most=most, tolerance=0.0) for most in (10, 30, 100)]
     errors = [furthest(short_run.time, points, each) for each in rows]
     assert errors == sorted(errors, reverse=True)

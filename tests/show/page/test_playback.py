@@ -9,7 +9,7 @@ from forficula.analysis import measure, summary
 from forficula.design import load_design
 from forficula.show.page.playback import clip_data, make_clip
 from forficula.show.page.run_page import run_page
-from forficula.show.page.wing_mesh import moving_points
+from forficula.show.page.shape_mesh import moving_points, shape_mesh
 from forficula.study.runs import run
 
 MEGABYTE = 1_000_000
@@ -28,7 +28,7 @@ def data(short_run, short_outcome):
 def test_the_wing_between_the_frames_is_where_the_record_has_it_to_a_micrometre(data, short_run):
     time = unpacked(data["time"], "f8")
     points = unpacked(data["points"], "f4").reshape(len(time), -1)
-    recorded = moving_points(short_run).reshape(len(short_run.time), -1)
+    recorded = moving_points(short_run, shape_mesh(short_run.structure)).reshape(len(short_run.time), -1)
     drawn = np.stack([np.interp(short_run.time, time, column) for column in points.T], axis=1)
     assert np.abs(drawn - recorded).max() < 1e-6
 
@@ -37,19 +37,19 @@ def test_angles_and_energies_are_those_of_the_record(data, short_run):
     time = unpacked(data["time"], "f8")
     rows = np.searchsorted(short_run.time, time)
     assert np.array_equal(short_run.time[rows], time)
-    for key, name, factor in (
-        ("distalAngle_deg", "distal_angle", 180 / np.pi),
-        ("turnAngle_deg", "turn_angle", 180 / np.pi),
-        ("tendonEnergy_J", "tendon_energy", 1.0),
+    readings = {each["name"]: each["values"] for each in data["readings"]}
+    for values, expected in (
+        (readings["distal_angle"], np.degrees(short_run.angles("ring"))),
+        (readings["turn"], np.degrees(short_run.angles("turn"))),
+        (data["tendonEnergy_J"], short_run.series["tendon_energy"]),
     ):
-        shown = unpacked(data[key], "f4").reshape(len(time), -1)
-        assert np.allclose(shown, factor * short_run.series[name][rows], rtol=1e-6, atol=1e-9)
+        shown = unpacked(values, "f4").reshape(len(time), -1)
+        assert np.allclose(shown, expected[rows], rtol=1e-6, atol=1e-9)
 
 
 def test_states_and_ends_of_stages_are_frames(data, short_run, short_outcome):
     time = set(unpacked(data["time"], "f8"))
-    states = (short_outcome.flat, short_outcome.folded_state, short_outcome.opened_state)
-    assert [mark["time"] for mark in data["marks"]] == [state.time for state in states]
+    assert [mark["time"] for mark in data["marks"]] == [state.time for state in short_outcome.states.values()]
     assert [mark["name"] for mark in data["marks"]] == ["flat", "folded", "opened"]
     assert {end.end for end in short_run.stages} <= time
 
@@ -73,7 +73,7 @@ def test_a_state_that_was_not_reached_is_not_called_by_its_name():
 def test_a_run_that_diverged_is_shown_up_to_where_its_hinges_pass_their_stops_by_a_turn_and_says_so():
     record = run(load_design("binder2025", {"protocol.timestep": "5 ms"}))
     # it ends before a hinge is 10 deg beyond its stop
-    assert np.degrees(np.abs(record.series["distal_angle"]).max()) < 190
+    assert np.degrees(np.abs(record.angles("ring")).max()) < 190
     page = run_page(record, measure(record))
     assert "diverged at t = 0.035 s" in page
     assert "are not shown." not in page
@@ -83,14 +83,15 @@ def test_a_run_that_diverged_is_shown_up_to_where_its_hinges_pass_their_stops_by
     # what other versions recorded
     shown = len(record.time) // 2
     series = {name: values.copy() for name, values in record.series.items()}
-    series["turn_angle"][shown:] = 7.0
+    turn = record.structure.motors[0].hinges
+    series["hinge_angle"][shown:, turn] = 7.0
     turned = replace(record, series=series)
     assert "in which a hinge has passed its stops by a full turn, are not shown." in run_page(turned, measure(turned))
     clip = make_clip(turned, measure(turned))
     assert clip.time[-1] == record.time[shown - 1]
     # 0 and 1 are not beyond a turn, but come after nonsense
     series = {name: values.copy() for name, values in record.series.items()}
-    series["distal_angle"][1], series["turn_angle"][2] = np.nan, np.inf
+    series["hinge_angle"][1], series["hinge_angle"][2] = np.nan, np.inf
     broken = replace(record, series=series)
     assert len(make_clip(broken, measure(broken)).time) == 1
     assert "diverged" in run_page(broken, measure(broken))
@@ -100,10 +101,10 @@ def test_marks_have_the_angles_and_energies_that_the_summary_states(data, short_
     stated = summary(short_run, short_outcome, {})["states"]
     for mark in data["marks"]:
         state = stated[mark["name"]]
-        assert mark["distalAngle_deg"] == state["distal_angle_deg"]
+        assert mark["readings"]["distal_angle"]["mean"] == state["distal_angle_deg"]
         assert mark["tendonEnergy_J"] == state["tendon_energy_J"]
         swing = np.subtract(state["distal_angle_high_deg"], state["distal_angle_low_deg"]) / 2
-        assert mark["distalSwing_deg"] == pytest.approx(swing, abs=1e-9)
+        assert mark["readings"]["distal_angle"]["swing"] == pytest.approx(swing, abs=1e-9)
 
 
 def test_five_seconds_of_a_wing_of_five_units_that_never_rests_take_less_than_five_megabytes(large_record):

@@ -12,6 +12,7 @@ from forficula.design import load_design
 from forficula.dynamics import versions
 from forficula.show.page import write_run_page
 from forficula.show.page.words import angle_range
+from forficula.structure import drawn_points
 from forficula.study.runs import run
 from tests.show.page.appearance import check_look
 from tests.show.page.conftest import until
@@ -67,13 +68,13 @@ def readout(page, row):
 
 def drawn(page):
     """Vertices that are drawn now, m, (vertex, 3)."""
-    vertices = page.evaluate("Array.from(forficula.player.stage.views[0].wing.vertices)")
+    vertices = page.evaluate("Array.from(forficula.player.stage.views[0].shape.vertices)")
     return np.array(vertices).reshape(-1, 3)
 
 
 def record_points(record, row):
-    positions = (record.series[name][row].reshape(-1, 3) for name in ("vein_position", "membrane_position"))
-    return np.concatenate(list(positions))
+    points = record.series["point_position"][row, drawn_points(record.structure)]
+    return np.concatenate([points, record.series["membrane_position"][row]])
 
 
 def furthest(points, vertices):
@@ -158,13 +159,13 @@ def test_dragging_along_the_time_line_scrubs_to_the_same_place(opened, short_out
     page = opened.page
     track = page.get_by_role("slider", name="time").bounding_box()
     start, end = (page.evaluate(f"forficula.clock.span.{name}") for name in ("start", "end"))
-    share = (short_outcome.folded_state.time - start) / (end - start)
+    share = (short_outcome.states["folded"].time - start) / (end - start)
     page.mouse.move(track["x"] + 20, track["y"] + track["height"] / 2)
     page.mouse.down()
     page.mouse.move(track["x"] + 9 + share * (track["width"] - 18), track["y"] + track["height"] / 2, steps=4)
     page.mouse.up()
     opened.settle()
-    assert time(page) == pytest.approx(short_outcome.folded_state.time, abs=2e-3 * (end - start))
+    assert time(page) == pytest.approx(short_outcome.states["folded"].time, abs=2e-3 * (end - start))
     assert max(readout(page, "distal angle (deg)")) < -140
 
 
@@ -188,12 +189,11 @@ def test_the_keyboard_plays_steps_goes_to_the_states_turns_and_zooms(opened, sho
     page = opened.page
     page.locator("canvas").first.focus()
     eye = "forficula.player.stage.eye.camera.position.toArray()"
-    states = (short_outcome.flat, short_outcome.folded_state, short_outcome.opened_state)
-    for key, state in zip("123", states, strict=True):
+    for key, state in zip("123", short_outcome.states.values(), strict=True):
         page.keyboard.press(key)
         assert time(page) == pytest.approx(state.time)
     page.keyboard.press("ArrowLeft")
-    assert time(page) < short_outcome.opened_state.time
+    assert time(page) < short_outcome.states["opened"].time
     page.keyboard.press("Home")
     assert time(page) == 0
     page.keyboard.press("End")
@@ -352,7 +352,7 @@ def test_the_work_for_a_frame_leaves_most_of_it_to_the_graphics_chip(opened):
           clock.seek(span.start + (step / 100) * (span.end - span.start));
           const begin = performance.now();
           stage.pose();
-          for (const view of stage.views) view.wing.sort(stage.eye.camera.position);
+          for (const view of stage.views) view.shape.sort(stage.eye.camera.position);
           for (const chart of plots.charts) chart.valToPos(clock.time, "x");
           return performance.now() - begin;
         }); }"""

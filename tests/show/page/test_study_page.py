@@ -63,7 +63,7 @@ def test_the_states_are_among_the_frames_however_few_there_are(study, kept, refe
     clip = data(study_page(study, many_ends(), [kept(0)], 500))["runs"][0]["play"]["clips"][0]
     times = [mark["time"] for mark in clip["marks"]]
     outcome = reference_outcome
-    assert times == [outcome.flat.time, outcome.folded_state.time, outcome.opened_state.time]
+    assert times == [state.time for state in outcome.states.values()]
 
 
 def test_every_run_says_which_point_it_is_what_it_did_and_where_it_lies(study, kept):

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from forficula.show.page.study_page import write_study_page
+from forficula.structure import drawn_points
 from forficula.study import load_study, run_study, table_csv
 from forficula.study.kept_runs import kept_runs, runs_to_keep
 from tests.show.page.appearance import check_look
@@ -136,9 +137,9 @@ def test_a_click_on_a_cell_plays_the_run_that_was_kept_of_it(opened, small, part
         for moment in times[[0, len(times) // 2, -1]]:
             page.evaluate("(moment) => { forficula.panel.playing.clock.seek(moment); }", float(moment))
             opened.settle()
-            vertices = page.evaluate("Array.from(forficula.panel.playing.player.stage.views[0].wing.vertices)")
+            vertices = page.evaluate("Array.from(forficula.panel.playing.player.stage.views[0].shape.vertices)")
             drawn = np.array(vertices).reshape(-1, 3)
-            tips = record.series["vein_position"][np.searchsorted(record.time, moment)].reshape(-1, 3)
+            tips = record.series["point_position"][np.searchsorted(record.time, moment)][drawn_points(record.structure)]
             assert np.linalg.norm(tips[:, None] - drawn[None], axis=2).min(axis=1).max() < EXACT
 
 
@@ -150,7 +151,7 @@ def test_scrubbed_to_folded_a_kept_run_has_the_angles_of_its_outcome(opened, sma
         page.locator(f".parts [data-part={part}]").click()
     page.get_by_role("button", name="b folded").click()
     opened.settle()
-    angles = np.degrees(kept.outcome.folded_state.distal_angle)
+    angles = np.degrees(kept.outcome.states["folded"].readings["distal_angle"].mean)
     shown = page.locator(".readout tr", has_text="distal angle").locator("td").all_inner_texts()
     assert np.allclose([float(text.replace("−", "-").partition(" ")[0]) for text in shown], angles, atol=2)
 

@@ -5,39 +5,61 @@ import pytest
 
 from forficula.analysis import measure
 from forficula.show.page.playback import make_clip
-from forficula.show.page.words import angle_range, angle_text, energy_text, outcome_remarks, outcome_sentence
+from forficula.show.page.words import (
+    angle_range,
+    energy_text,
+    outcome_remarks,
+    outcome_sentence,
+    reading_range,
+    reading_text,
+    structure_text,
+)
 
 
-def test_a_wing_that_folded_and_opened_is_told_in_one_sentence_with_its_numbers(short_outcome):
-    sentence = outcome_sentence("wing", short_outcome)
-    assert sentence.startswith(f"wing folded in {1e3 * short_outcome.fold.time:.4g} ms with 50 N cm on every proximal")
-    assert f"opened again in {1e3 * short_outcome.unfold.time:.4g} ms with 100 N cm on every joint" in sentence
-    assert sentence.endswith("stayed open.")
+@pytest.fixture
+def told(short_run, short_outcome):
+    """The sentence on a short run whose outcome is another one in part."""
+
+    def tell(status=short_outcome.status, **changed):
+        both = {name: {**getattr(short_outcome, name), **value} for name, value in changed.items()}
+        return outcome_sentence("wing", replace(short_outcome, status=status, **both), short_run.structure)
+
+    return tell
 
 
-def test_what_failed_is_told_with_its_torque(short_outcome):
-    stuck = replace(short_outcome, status="stuck at -40.0 deg", folded=False, opened=False)
-    assert outcome_sentence("wing", stuck) == "wing: stuck at -40.0 deg, with 50 N cm on every proximal joint."
-    shut = replace(short_outcome, status="did not open", opened=False)
-    end = "stayed folded when released, and did not open with 100 N cm on every joint."
-    assert outcome_sentence("wing", shut).endswith(end)
-    assert outcome_sentence("wing", replace(short_outcome, unfold=None)).endswith("and stayed folded when released.")
-    assert outcome_sentence("wing", replace(short_outcome, fold=None, status="settled")) == "wing: settled."
+def test_a_wing_that_folded_and_opened_is_told_in_one_sentence_with_its_numbers(told, short_outcome):
+    fold, unfold = short_outcome.transitions.values()
+    sentence = told()
+    assert sentence.startswith(f"wing folded in {1e3 * fold.time:.4g} ms with 50 N cm on every proximal joint (")
+    assert f"opened again in {1e3 * unfold.time:.4g} ms with 100 N cm on every joint" in sentence
+    assert "stayed folded when released, opened" in sentence
+    assert sentence.endswith(" of work), and stayed open.")
+
+
+def test_what_failed_is_told_with_its_torque(told):
+    stuck = told("stuck at -40.0 deg", holds={"folded": False, "opened": False})
+    assert stuck == "wing: stuck at -40.0 deg, with 50 N cm on every proximal joint."
+    shut = told("did not open", holds={"opened": False})
+    assert shut.endswith("stayed folded when released, and did not open with 100 N cm on every joint.")
+    assert told(transitions={"unfold": None}).endswith(" of work) and stayed folded when released.")
+    assert told("settled", transitions={"fold": None, "unfold": None}) == "wing: settled."
 
 
 def test_remarks_tell_what_to_try_what_swings_and_what_the_balance_misses(short_run, short_outcome):
-    state = replace(short_outcome.folded_state, distal_angle_high=short_outcome.folded_state.distal_angle_low + 0.1)
-    odd = replace(short_outcome, status="did not open", advice="Raise it.", folded_state=state)
+    states = {**short_outcome.states, "folded": replace(short_outcome.states["folded"], swings=True)}
+    odd = replace(short_outcome, status="did not open", advice="Raise it.", states=states)
     remarks = outcome_remarks(short_run, odd)
     assert remarks[0] == "Did not open. Raise it."
     assert any(remark.startswith("Where the folded state is taken, hinges still swing") for remark in remarks)
     series = {name: values.copy() for name, values in short_run.series.items()}
     series["stop_work"][-1] += 1.0  # J
     unsound = replace(short_run, series=series)
-    (remark, *_) = outcome_remarks(unsound, measure(unsound))
+    outcome = measure(unsound)
+    (remark, *_) = outcome_remarks(unsound, outcome)
     assert remark.startswith("Not to be trusted: the energy balance misses ")
     assert "Take a timestep of about " in remark
-    assert outcome_sentence("wing", measure(unsound)).startswith("wing: not to be trusted: the energy balance misses ")
+    sentence = outcome_sentence("wing", outcome, unsound.structure)
+    assert sentence.startswith("wing: not to be trusted: the energy balance misses ")
 
 
 def test_a_wing_that_never_rests_is_told(short_run, short_outcome):
@@ -48,13 +70,21 @@ def test_a_wing_that_never_rests_is_told(short_run, short_outcome):
 
 def test_plots_are_told_by_the_values_in_the_states(short_run, short_outcome):
     clip = make_clip(short_run, short_outcome)
-    states = (short_outcome.flat, short_outcome.folded_state, short_outcome.opened_state)
-    text = angle_text("distal hinge angle", [np.degrees(state.distal_angle) for state in states], clip)
-    assert f"{angle_range(np.degrees(states[1].distal_angle))} folded" in text
+    angles = [np.degrees(state.readings["distal_angle"].mean) for state in short_outcome.states.values()]
+    text = reading_text(clip.readings[0], angles, clip)
+    assert f"{angle_range(angles[1])} folded" in text
     assert text.startswith("Distal hinge angle of 3 veins: ")
     assert text.count("°") >= 3
     assert [text.find(name) > 0 for name in ("flat", "folded", "opened")] == [True, True, True]
     assert "0 J folded" in energy_text(clip)
+
+
+def test_a_structure_is_told_by_what_it_is_or_by_its_parts(short_run):
+    told = "A fan of 3 veins and 2 membrane panels, each vein 12 cm long up to the ring fold and 10 cm beyond it, which"
+    assert structure_text(short_run.structure).startswith(told)
+    nameless = replace(short_run.structure, appearance=replace(short_run.structure.appearance, text=""))
+    counted = "A wing of 6 bars, 2 membranes, 12 hinges and 3 tendons, 22 cm in size, which moves with the time."
+    assert structure_text(nameless) == counted
 
 
 @pytest.mark.parametrize(
@@ -63,3 +93,8 @@ def test_plots_are_told_by_the_values_in_the_states(short_run, short_outcome):
 )
 def test_angles_are_a_range_with_a_real_minus_sign_and_no_negative_zero(angles, text):
     assert angle_range(np.array(angles)) == text
+
+
+def test_lengths_are_a_range_with_their_unit():
+    assert reading_range(np.array([4.5821, 12.0]), "cm") == "4.582 to 12 cm"
+    assert reading_range(np.array([3.0]), "mm") == "3 mm"

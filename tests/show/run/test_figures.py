@@ -6,6 +6,7 @@ from rich.console import Console
 from forficula.analysis import measure
 from forficula.design import load_design, scale_design
 from forficula.show import draw_angles, draw_energies, draw_folding, draw_pattern, outcome_table
+from forficula.structure import structure_of
 from forficula.study.runs import run
 
 STAGE = {"hold": "0 s", "drive": "none", "until": "time"}
@@ -49,7 +50,7 @@ def test_the_three_states_are_marked_where_they_are(runs):
     outcome = measure(record)
     axes = draw_angles(record, outcome).axes[0]
     marks = {text.get_text(): text.get_position() for text in axes.texts if text.get_text() in ("a", "b", "c")}
-    expected = {"a": outcome.flat, "b": outcome.folded_state, "c": outcome.opened_state}
+    expected = dict(zip("abc", outcome.states.values(), strict=True))
     assert {letter: place[0] for letter, place in marks.items()} == {
         letter: state.time for letter, state in expected.items()
     }
@@ -63,7 +64,7 @@ def small():
 
 def test_the_figures_of_a_small_wing_are_in_millimetres_and_milliseconds(small):
     outcome = measure(small)
-    assert draw_pattern(small.design).axes[0].get_xlabel() == "x (mm)"
+    assert draw_pattern(small.structure).axes[0].get_xlabel() == "x (mm)"
     assert draw_angles(small, outcome).axes[0].get_xlabel() == "time (ms)"
     assert draw_energies(small).axes[0].get_ylabel() == "stored energy (mJ)"
     folding = draw_folding(small, outcome).axes
@@ -83,7 +84,7 @@ def test_the_times_of_two_moments_are_told_apart(runs, small, name):
 def test_the_table_of_a_small_wing_reads_well(small):
     console = Console(width=110)
     with console.capture() as capture:
-        console.print(outcome_table("small", measure(small)))
+        console.print(outcome_table("small", measure(small), small.structure))
     header, times = (
         next(line for line in capture.get().splitlines() if line.startswith(word)) for word in ("vein", "time")
     )
@@ -101,7 +102,8 @@ def test_a_wing_that_did_not_fold_has_no_mark_for_folded(runs):
 
 @pytest.mark.parametrize("units", [1, 2, 5])
 def test_the_pattern_shows_every_crease_and_tendon_of_a_fan(units):
-    figure = draw_pattern(load_design("binder2025", {"pattern.units": units, "pattern.sector_angle": "12 deg"}))
+    design = load_design("binder2025", {"pattern.units": units, "pattern.sector_angle": "12 deg"})
+    figure = draw_pattern(structure_of(design))
     veins = 2 * units + 1
     # proximal, distal, ring, hub and outer edges, then the hub circle and the tendons
     edges = 2 * veins + 3 * (veins - 1)

@@ -51,8 +51,10 @@ def film_cuts(record: Record, outcome: Outcome, slowed: float | None = None) -> 
     if not driven:
         return (_move("the whole run", 0.0, end, slowed, None),)
     held = sorted(lettered_states(record.structure, outcome), key=lambda each: each[1].time)
+    # half a step either way, for times are multiples of the timestep up to rounding
+    half = float(record.design.protocol.timestep) / 2
     cuts: list[Cut] = []
-    for name, state in [each for each in held if each[1].time <= driven[0].start][-1:]:
+    for name, state in [each for each in held if each[1].time <= driven[0].start + half][-1:]:
         cuts.append(_hold(name, state.time))
         if state.time < driven[0].start:
             skipped = Cut(words=name, first=state.time, last=driven[0].start, length=_SKIP)
@@ -64,7 +66,7 @@ def film_cuts(record: Record, outcome: Outcome, slowed: float | None = None) -> 
         cuts.append(_move(stage.stage.name, stage.start, still, slowed, stage))
         since = still
         for name, state in held:
-            if stage.start < state.time <= limit:
+            if stage.start + half < state.time <= limit + half:
                 cuts += _state(state, name, since, _last_stage(record, state.time))
                 since = max(since, state.time)
     return tuple(cuts)

@@ -15,15 +15,11 @@ from forficula.errors import InputError
 from forficula.files import replacing_all, write_text
 from forficula.show.run.cycling_figure import draw_cycling
 from forficula.show.style import Drawing, figure_files, save_figures
-from forficula.study.cycling import CycleRun, Cycling
+from forficula.structure import Structure, structure_of
+from forficula.study.cycling import CycleRun, Cycling, driven_transitions
 
 CYCLING_FILES = ("cycles.csv", "cycles.json", *figure_files("cycles"))
 _STIFFNESS = ("stiffness_by_first", "stiffness_by_first_low_95", "stiffness_by_first_high_95")
-_OUTCOME = ("status", "folded", "opened")
-_NUMBERS = (
-    *("flat_energy_J", "folded_energy_J", "opened_energy_J"),
-    *("fold_time_s", "fold_work_J", "unfold_time_s", "unfold_work_J"),
-)
 
 
 def write_cycling(cycling: Cycling, folder: Path) -> None:
@@ -50,17 +46,28 @@ def cycling_drawings(cycling: Cycling) -> dict[str, Drawing]:
 
 def cycling_rows(cycling: Cycling) -> list[dict[str, Any]]:
     """A row for every cycle as plain data with units in its keys; None where there is no number."""
+    structure = structure_of(cycling.design)
     return [
         {
             "cycle": run.cycle,
             "measured": run.measured,
             **dict(zip(_STIFFNESS, run.stiffness, strict=True)),
             "residual_strain": run.residual_strain,
-            **{name: run.row.get(name) for name in (*_OUTCOME, *_NUMBERS)},
-            "fold_margin": run.fold_margin,
-            "unfold_margin": run.unfold_margin,
+            **{name: run.row.get(name) for name in _columns(structure)},
+            **{f"{each.name}_margin": run.margins.get(each.name) for each in structure.transitions},
         }
         for run in cycling.runs
+    ]
+
+
+def _columns(structure: Structure) -> list[str]:
+    """What is kept of the row of a run: its status, which states it came to, energies, times and works."""
+    transitions = structure.transitions
+    return [
+        "status",
+        *(each.state for each in transitions),
+        *(f"{state.name}_energy_J" for state in structure.states),
+        *(f"{each.name}_{number}" for each in transitions for number in ("time_s", "work_J")),
     ]
 
 
@@ -79,8 +86,7 @@ def cycling_summary(cycling: Cycling) -> dict[str, Any]:
         "remarks": list(cycling.remarks),
         "seen_cycles": None if cycling.seen is None else list(cycling.seen),
         "first_failure": cycling.first_failure,
-        "fold_torque_N_m": cycling.design.protocol.fold_torque,
-        "unfold_torque_N_m": cycling.design.protocol.unfold_torque,
+        **{f"{drive.name}_torque_N_m": drive.torque for drive in structure_of(cycling.design).drives},
         "cycles": cycling_rows(cycling),
         "versions": versions(),
     }
@@ -96,7 +102,8 @@ def read_cycling(folder: Path) -> Cycling:
     design = load_design(str(folder / "design.toml"))
     try:
         content = json.loads(path.read_text("utf-8"))
-        runs = tuple(_cycle_run(row) for row in content["cycles"])
+        structure = structure_of(design)
+        runs = tuple(_cycle_run(row, structure) for row in content["cycles"])
         same = content["design_hash"] == design.hash
         seen = None if content["seen_cycles"] is None else tuple(content["seen_cycles"])
         verdict, remarks = content["verdict"], tuple(content["remarks"])
@@ -104,19 +111,24 @@ def read_cycling(folder: Path) -> Cycling:
         raise InputError(f"{path}: not cycles of forficula: {' '.join(str(error).split())}") from None
     if not same:
         raise InputError(f"{path}: of another design than {folder / 'design.toml'}")
-    opens = any(stage.drive == "unfold" for stage in design.protocol.stages)
-    return Cycling(design=design, runs=runs, seen=seen, opens=opens, verdict=verdict, remarks=remarks)
+    return Cycling(
+        design=design,
+        runs=runs,
+        seen=seen,
+        transitions=driven_transitions(design),
+        verdict=verdict,
+        remarks=remarks,
+    )
 
 
-def _cycle_run(row: dict[str, Any]) -> CycleRun:
+def _cycle_run(row: dict[str, Any], structure: Structure) -> CycleRun:
     return CycleRun(
         cycle=row["cycle"],
         measured=row["measured"],
         stiffness=tuple(row[name] for name in _STIFFNESS),
         residual_strain=row["residual_strain"],
-        row={name: row[name] for name in (*_OUTCOME, *_NUMBERS)},
-        fold_margin=row["fold_margin"],
-        unfold_margin=row["unfold_margin"],
+        row={name: row[name] for name in _columns(structure)},
+        margins={each.name: row[f"{each.name}_margin"] for each in structure.transitions},
     )
 
 
@@ -125,8 +137,9 @@ def print_cycling(cycling: Cycling) -> None:
     console = Console(width=110, highlight=False)
     console.print(f"\nCycles: {cycling.verdict}", markup=False)
     runs = cycling.runs
-    for name in ("fold", "unfold") if cycling.opens else ("fold",):
-        first, last = (getattr(run, f"{name}_margin") for run in (runs[0], runs[-1]))
+    for each in cycling.transitions:
+        name = each.name
+        first, last = (run.margins[name] for run in (runs[0], runs[-1]))
         if first is not None and last is not None:
             text = f"{first:.3g} at cycle 1, {last:.3g} at cycle {runs[-1].cycle}"
             console.print(f"  margin of the {name} torque over the least slow one: {text}")

@@ -174,10 +174,11 @@ def _close_up(axes: Axes, landscape: EnergyLandscape) -> None:
     climb = saddle.energy - start.energy
     unit, factor = reading_unit("J", climb)
     reach = saddle.coordinate - start.coordinate
-    places = (wing.pleat_angle >= start.coordinate) & (wing.pleat_angle <= saddle.coordinate + 1.6 * reach)
+    last = min(saddle.coordinate + 1.6 * reach, float(wing.pleat_angle[-1]))
+    places = (wing.pleat_angle >= start.coordinate) & (wing.pleat_angle <= last)
     near.plot(np.degrees(wing.pleat_angle[places]), factor * (wing.energy[places] - start.energy), color=BLACK)
     near.set_ylim(-0.75 * factor * climb, 1.25 * factor * climb)
-    near.set_xlim(math.degrees(start.coordinate - 0.12 * reach), math.degrees(saddle.coordinate + 1.6 * reach))
+    near.set_xlim(math.degrees(start.coordinate - 0.12 * reach), math.degrees(last))
     words = f"barrier {factor * climb:.4g} {unit}"
     mark_barrier(near, math.degrees(saddle.coordinate), factor * climb, words)
     first = landscape.structure.fold_path

@@ -50,7 +50,7 @@ def draw_levels(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure
             if level is not None:
                 top.plot([left, right], [factor * level, factor * level], "--", color=BLACK, lw=1.2, zorder=5)
             narrow = right - left < _NARROW * (places[-1] - places[0])
-            words = None if level is None else f"{factor * level:.3g} {unit}"
+            words = None if level is None or None in levels.values() else f"{factor * level:.3g} {unit}"
             top.text(
                 (left + right) / 2,
                 1.02,
@@ -60,8 +60,8 @@ def draw_levels(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure
                 va="bottom",
                 fontsize=7,
             )
-        for energy, place in zip(alone, places.tolist(), strict=True):
-            if energy is not None and None in levels.values():
+        for energy, count, place in zip(alone, counts.tolist(), places.tolist(), strict=True):
+            if energy is not None and levels[count] is None:
                 ends = [place - 0.5, place + 0.5]
                 top.plot(ends, [factor * energy, factor * energy], "--", color=BLACK, lw=1.2, zorder=5)
         lowest = min(0.0, *(min(fold.energy, fold.tendon_energy) for fold in folds))
@@ -129,7 +129,7 @@ def _handles(landscape: EnergyLandscape) -> list[Line2D | Patch]:
     handles: list[Line2D | Patch] = []
     if compared:
         numbered = " (number above)" * all(_level(landscape, len(fold.folded)) is not None for fold in folds)
-        handles.append(Line2D([], [], color=BLACK, ls="--", lw=1.2, label=f"independent ideal hinges{numbered}"))
+        handles.append(Line2D([], [], color=BLACK, ls="--", lw=1.2, label=f"{_independent(landscape)}{numbered}"))
     handles.append(Line2D([], [], color=BLACK, lw=1.6, label=f"coupled {whole}" if compared else whole))
     handles.append(Patch(facecolor=BLUE, alpha=0.75, label=f"of it {springy_parts(landscape.structure)}"))
     if stretched:
@@ -140,6 +140,10 @@ def _handles(landscape: EnergyLandscape) -> list[Line2D | Patch]:
             Line2D([], [], ls="none", marker="o", mfc="none", mec=BLACK, ms=7, label="this hinge changes sides"),
         ]
     return handles
+
+
+def _independent(landscape: EnergyLandscape) -> str:
+    return f"independent {'ideal ' * (landscape.hinge is not None)}hinges"
 
 
 def _tell(landscape: EnergyLandscape) -> str:
@@ -153,4 +157,4 @@ def _tell(landscape: EnergyLandscape) -> str:
         ends = [show_value(end(fold.energy for fold in folds), "J", 3) for end in (min, max)]
         return f"{told}; they store from {ends[0]} to {ends[1]}."
     levels = ", ".join(show_value(float(level), "J", 3) for level in landscape.levels)
-    return f"{told}; independent ideal hinges store {levels} with none to all of them folded."
+    return f"{told}; {_independent(landscape)} store {levels} with none to all of them folded."

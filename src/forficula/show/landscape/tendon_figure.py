@@ -10,6 +10,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
+from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike, NDArray
 
 from forficula.analysis.simulated_snap import folding_rows
@@ -52,6 +53,7 @@ _ALIKE = 1e-6  # relative difference of energies up to which two hinges are draw
 _APART = 12.0  # between two points of the simulation, deg
 _INSET = (0.62, 0.58, 0.34, 0.40)
 _WIDE_BOWL = 50.0  # of a moment, beside or within which there is room for words, deg
+_CROSSING = 0.15  # of the largest moment, by which another hinge's curve crosses such words
 _WIDEST = math.radians(60)  # from the overbend stop to a barrier that needs no close-up
 _SPRING: dict[str, Any] = {"color": ORANGE, "ls": "--", "lw": 1.2, "zorder": 2}
 _BOTH: dict[str, Any] = {"color": BLACK, "ls": "-", "lw": 1.6, "zorder": 3}
@@ -92,7 +94,8 @@ def draw_tendon(
             mark_state(top, state.kind, float(_place(own, state.angle)), energy_factor * state.energy, *ends)
         if record is not None:
             _plot_simulation(top, record, shown, energy_factor)
-        _mark_moments(bottom, own, torque_unit, torque_factor)
+        others = [hinge for hinge, *_ in curves if hinge is not own]
+        _mark_moments(bottom, own, others, torque_unit, torque_factor)
         _close_up(top, landscape, shown)
         _shade_stops(own, top, bottom)
         title = title_of(hinge_measure(landscape.structure, shown.hinge))
@@ -200,7 +203,7 @@ def _spread(angle: Array, shift: float) -> NDArray[np.int64]:
     return np.sort(first)
 
 
-def _mark_moments(axes: Axes, hinge: HingeLandscape, unit: str, factor: float) -> None:
+def _mark_moments(axes: Axes, hinge: HingeLandscape, others: list[HingeLandscape], unit: str, factor: float) -> None:
     """Holding torque, peak torque against opening, and where the tendon goes slack."""
     axes.axhline(0, color="0.6", lw=0.5, zorder=0)
     peak, slack, limit = hinge.peak_opening, hinge.slack_angle, hinge.hinge.fold_limit
@@ -218,7 +221,11 @@ def _mark_moments(axes: Axes, hinge: HingeLandscape, unit: str, factor: float) -
     end = -math.degrees(limit if slack is None else -slack)
     words = f"peak against opening:\n{largest:.4g} {unit}\nat {show_angle(hinge.sense * peak.angle)}"
     column = in_column(axes)
-    if -end > _WIDE_BOWL * (2 if column else 1):
+    # in its bowl, where no other hinge's is above it
+    folding = hinge.angle[hinge.angle < 0]
+    moment = hinge.hinge.moment(folding)
+    free = all(float((other.hinge.moment(folding) - moment).max()) < _CROSSING * peak.torque for other in others)
+    if free and -end > _WIDE_BOWL * (2 if column else 1):
         axes.text(at, -0.55 * largest, words, ha="center", va="center", fontsize=7)
     else:
         axes.text(hinge.sense * (end - 3), -0.7 * largest, words, ha="left", va="center", fontsize=7)
@@ -271,6 +278,8 @@ def _close_up(axes: Axes, landscape: EnergyLandscape, shown: ShownHinge) -> None
     near.set_ylabel(f"above the stop ({unit})", fontsize=7, labelpad=2)
     near.set_xlabel(f"{title_of(hinge_measure(landscape.structure, shown.hinge))} (deg)", fontsize=7, labelpad=1)
     near.tick_params(labelsize=6)
+    if own.hinge.offset_angle:
+        near.xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
 
 
 def _shade_stops(hinge: HingeLandscape, *rows: Axes) -> None:

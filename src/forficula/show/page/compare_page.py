@@ -219,16 +219,22 @@ def _outcome_rows(runs: Sequence[ComparedRun]) -> list[list[str]]:
                 time = "—" if transition.time is None else readable(transition.time, "s")
                 tried[index] = f"{readable(transition.torque, 'N m')}, {time}, {readable(transition.work, 'J')}"
         rows.append(tried)
-    measures = {each.name: each for run in runs for each in shown_angles(run.record.structure)}
-    measures |= {each.name: each for run in runs for each in shown_distances(run.record.structure)}
+    measures = [
+        {each.name: each for each in (*shown_angles(built), *shown_distances(built))}
+        for built in (run.record.structure for run in runs)
+    ]
+    titles = {name: title_of(own[name]) + "s" * (len(own[name].hinges) > 1) for own in measures for name in own}
     tendons = any(run.record.structure.tendons for run in runs)
     for name, called in _states(runs).items():
         states = [run.outcome.states.get(name) for run in runs]
-        for watched in measures.values():
-            title = f"{title_of(watched)}{'s' * (len(watched.hinges) > 1)} {called}"
-            rows.append([title, *(_read(state, watched) for state in states)])
+        for watched, title in titles.items():
+            cells = [_read(state, own.get(watched)) for state, own in zip(states, measures, strict=True)]
+            rows.append([f"{title} {called}", *cells])
         if tendons:
-            energies = ["—" if state is None else readable(float(state.tendon_energy.sum()), "J") for state in states]
+            energies = [
+                "—" if state is None or not len(state.tendon_energy) else readable(state.tendon_energy.sum(), "J")
+                for state in states
+            ]
             rows.append([f"tendon energy {called}", *energies])
     return rows
 
@@ -236,22 +242,21 @@ def _outcome_rows(runs: Sequence[ComparedRun]) -> list[list[str]]:
 def _states(runs: Sequence[ComparedRun]) -> dict[str, str]:
     """What rows call the states, by name: those that transitions lead to by when they are looked for."""
     called: dict[str, str] = {}
-    for structure in (run.record.structure for run in runs):
-        led_to = {transition.state for transition in structure.transitions}
-        called |= {state.name: state.unknown if state.name in led_to else state.name for state in structure.states}
+    structures = [run.record.structure for run in runs]
+    led_to = {transition.state for structure in structures for transition in structure.transitions}
+    for structure in structures:
+        for state in structure.states:
+            called.setdefault(state.name, state.unknown if state.name in led_to else state.name)
     return called
 
 
-def _read(state: State | None, measure: Measure) -> str:
+def _read(state: State | None, watched: Measure | None) -> str:
     """What a measure reads in a state, from the least to the most of its hinges."""
-    if state is None:
+    if state is None or watched is None:
         return "—"
-    if measure.kind == "angle":
-        if measure.hinges and max(measure.hinges) >= len(state.coordinates):
-            return "—"
-        return angle_range(np.degrees(state_angles(state, measure)))
-    reading = state.readings.get(measure.name)
-    return "—" if reading is None else readable(float(reading.mean[0]), "m")
+    if watched.kind == "angle":
+        return angle_range(np.degrees(state_angles(state, watched)))
+    return readable(float(state.readings[watched.name].mean[0]), "m")
 
 
 def _designs(labels: Sequence[str], designs: Sequence[Design]) -> list[str]:

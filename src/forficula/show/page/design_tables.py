@@ -70,5 +70,7 @@ def _list(name: str, rows: list[DesignRow], design: Design, base: Design | None)
         for _, entry in sorted(entries.items(), key=lambda item: int(item[0]))
     ]
     headings = [key.replace("_", " ") for key in keys]
-    title = f"{inside.capitalize()} of the protocol" if inside else section_title(name, design)
-    return table(f"{title} ({name})", headings, cells, numbers=False)
+    if inside:
+        return table(f"{inside.capitalize()} of the protocol ({name})", headings, cells, numbers=False)
+    meaning = type(design).model_fields[name].description or section_title(name, design)
+    return table(f"{_NAMES.get(name, f'{name.capitalize()}s')}: {meaning}", headings, cells, numbers=False)

@@ -197,6 +197,7 @@ def clip_data(clip: Clip) -> dict[str, Any]:
         "share": mesh.share.tolist(),
         "triangles": mesh.triangles.ravel().tolist(),
         "regions": mesh.regions.tolist(),
+        "solid": list(mesh.solid),
         "tubes": [
             {"kind": tube.kind, "crease": tube.crease, "ends": tube.ends, "radius": tube.radius} for tube in mesh.tubes
         ],

@@ -52,6 +52,7 @@ class ShapeMesh:
         triangles: three vertices each, counterclockwise seen from above the built shape, (triangle, 3).
         regions: numbers of the regions, (triangle,).
         names: of the regions, such as "distal panel".
+        solid: whether each is of plates rather than of a sheet, (region,).
         tubes: bars, creases, rims of sheets, edges of plates, and last the tendons in the structure's order.
         joints: vertices of the hinges at the ends of bars, (joint,).
         joint_radius: m.
@@ -63,6 +64,7 @@ class ShapeMesh:
     triangles: NDArray[np.int64]
     regions: NDArray[np.int64]
     names: tuple[str, ...]
+    solid: tuple[bool, ...]
     tubes: tuple[Tube, ...]
     joints: NDArray[np.int64]
     joint_radius: float
@@ -93,6 +95,7 @@ def shape_mesh(structure: Structure) -> ShapeMesh:
         triangles=np.array([piece for piece, _ in pieces], dtype=np.int64).reshape(-1, 3),
         regions=np.array([region for _, region in pieces], dtype=np.int64),
         names=shape.regions,
+        solid=shape.solid,
         tubes=tuple(tubes),
         joints=shape.joints,
         joint_radius=_JOINT * shape.thickness,

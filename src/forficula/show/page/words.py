@@ -78,7 +78,7 @@ def _counted_parts(structure: Structure) -> str:
 
 
 def reading_text(readings: Readings, in_states: Sequence[Array], clip: Clip) -> str:
-    """A plot of angles or distances in a sentence: what they are in every state, in their unit, (state, reading)."""
+    """A plot of readings in a sentence: what they are in every state, in their unit, (state, reading)."""
     parts = [
         f"{reading_range(values, readings.unit)} {mark.name}"
         for values, mark in zip(in_states, clip.marks, strict=True)

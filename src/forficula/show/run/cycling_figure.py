@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable, Sequence
-from operator import attrgetter
 from typing import Any
 
 from matplotlib.axes import Axes
@@ -14,10 +14,23 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
 from forficula.quantities import reading_unit
-from forficula.show.style import BLUE, GREEN, PAGE_WIDTH, VERMILION, describe, figure_style, in_column, is_narrow
+from forficula.show.style import (
+    BLUE,
+    GREEN,
+    ORANGE,
+    PAGE_WIDTH,
+    PURPLE,
+    VERMILION,
+    describe,
+    figure_style,
+    in_column,
+    is_narrow,
+)
+from forficula.structure import structure_of
 from forficula.study.cycling import CycleRun, Cycling
 
-_STATES = {"flat": (BLUE, "-", "o"), "folded": (VERMILION, "--", "s"), "opened": (GREEN, ":", "^")}
+_STYLES = ((BLUE, "-", "o"), (VERMILION, "--", "s"), (GREEN, ":", "^"), (PURPLE, "-.", "v"), (ORANGE, "-", "D"))
+_MARKERS = ("o", "D", "s", "v")
 _EXTRAPOLATED = "0.9"
 _FAILED: dict[str, Any] = {"ls": "none", "marker": "x", "color": VERMILION, "ms": 4.5, "mew": 1.2}
 
@@ -44,9 +57,15 @@ def draw_cycling(cycling: Cycling, width: float = PAGE_WIDTH) -> Figure:
         return describe(figure, _tell(cycling))
 
 
+def _states(cycling: Cycling) -> dict[str, tuple[str, str, str]]:
+    """The states, each with colour, line and marker."""
+    names = [state.name for state in structure_of(cycling.design).states]
+    return dict(zip(names, itertools.cycle(_STYLES)))
+
+
 def _reached(run: CycleRun, state: str) -> bool:
-    """Whether a run came to a state, not only to the end of the stage."""
-    return state == "flat" or bool(run.row.get(state))
+    """Whether a run came to a state, not only to the end of the stage; to what no transition leads it always does."""
+    return bool(run.row.get(state, True))
 
 
 def _values(runs: Sequence[CycleRun], value: Callable[[CycleRun], float | None]) -> list[float]:
@@ -57,39 +76,43 @@ def _energy(state: str) -> Callable[[CycleRun], float | None]:
     return lambda run: run.row.get(f"{state}_energy_J") if _reached(run, state) else None
 
 
+def _margin(name: str) -> Callable[[CycleRun], float | None]:
+    return lambda run: run.margins.get(name)
+
+
 def _draw_energies(axes: Axes, cycling: Cycling) -> None:
     cycles = [run.cycle for run in cycling.runs]
-    by_state = {state: _values(cycling.runs, _energy(state)) for state in _STATES}
+    by_state = {state: _values(cycling.runs, _energy(state)) for state in _states(cycling)}
     largest = max((each for values in by_state.values() for each in values if math.isfinite(each)), default=0.0)
     unit, factor = reading_unit("J", largest or 1.0)
-    for state, (colour, style, marker) in _STATES.items():
-        # flat and opened lie on each other: one is seen through the other
-        face = "white" if state == "flat" else colour
+    for state, (colour, style, marker) in _states(cycling).items():
+        # the first state and the last lie on each other where it opens again: one is seen through the other
+        first = (colour, style, marker) == _STYLES[0]
+        face = "white" if first else colour
         scaled = [factor * each for each in by_state[state]]
-        size = 5.5 if state == "flat" else 3.2
+        size = 5.5 if first else 3.2
         axes.plot(cycles, scaled, style, color=colour, marker=marker, mfc=face, markersize=size, linewidth=1.0)
     axes.set_ylabel(f"energy of the tendons ({unit})")
     axes.set_ylim(-0.05 * factor * (largest or 1.0), 1.1 * factor * (largest or 1.0))
 
 
 def _draw_times(axes: Axes, cycling: Cycling) -> None:
-    values = _values(cycling.runs, lambda run: run.row.get("fold_time_s"))
+    values = _values(cycling.runs, lambda run: run.row.get(f"{cycling.transitions[0].name}_time_s"))
     finite = [each for each in values if math.isfinite(each)]
     unit, factor = reading_unit("s", max(finite, default=1.0))
     _plot(axes, cycling, [factor * each for each in values])
-    axes.set_ylabel(f"fold time ({unit})")
+    axes.set_ylabel(f"{cycling.transitions[0].wording.time} ({unit})")
     if finite:
         axes.set_ylim(0, 1.2 * factor * max(finite))
 
 
 def _draw_margins(axes: Axes, cycling: Cycling) -> None:
-    """Both margins on one axis, folding from flat and opening from folded."""
+    """The margins of all transitions on one axis, each from where the one before leads."""
     finite = [1.0]
-    for name in ("fold", "unfold") if cycling.opens else ("fold",):
-        values = _values(cycling.runs, attrgetter(f"{name}_margin"))
+    for transition, marker in zip(cycling.transitions, itertools.cycle(_MARKERS)):
+        values = _values(cycling.runs, _margin(transition.name))
         finite += [value for value in values if math.isfinite(value)]
-        marker, label = {"fold": ("o", "folding"), "unfold": ("D", "opening")}[name]
-        _plot(axes, cycling, values, marker, label)
+        _plot(axes, cycling, values, marker, transition.wording.doing)
     axes.axhline(1, color="black", linewidth=0.8, linestyle="--", zorder=1)
     axes.set_yscale("log")
     axes.set_ylim(min(finite) / 1.6, max(finite) * 2.5)
@@ -129,14 +152,14 @@ def _draw_counts(axes: Axes, cycling: Cycling) -> None:
 
 def _handles(cycling: Cycling) -> list[Line2D | Patch]:
     handles: list[Line2D | Patch] = []
-    for state, (colour, style, marker) in _STATES.items():
+    for state, (colour, style, marker) in _states(cycling).items():
         if any(math.isfinite(each) for each in _values(cycling.runs, _energy(state))):
-            face, size = ("white", 5.5) if state == "flat" else (colour, 3.2)
+            face, size = ("white", 5.5) if (colour, style, marker) == _STYLES[0] else (colour, 3.2)
             line = Line2D([], [], color=colour, ls=style, marker=marker, mfc=face, ms=size, lw=1.0, label=state)
             handles.append(line)
     if cycling.seen is not None and not all(run.measured for run in cycling.runs):
         handles.append(Patch(color=_EXTRAPOLATED, lw=0, label="not seen in the tests"))
-    words = "fold and open" if cycling.opens else "fold"
+    words = " and ".join(each.wording.verb for each in cycling.transitions)
     if cycling.first_failure is not None:
         label = f"first failure, cycle {cycling.first_failure}"
         handles.append(Line2D([], [], color=VERMILION, ls="-.", lw=1.0, label=label))
@@ -148,5 +171,6 @@ def _handles(cycling: Cycling) -> list[Line2D | Patch]:
 def _tell(cycling: Cycling) -> str:
     """What becomes of the wing, in words."""
     last = cycling.runs[-1].cycle
-    what = f"Energy, fold time and torque margins of {cycling.design.name} over the cycles from 1 to {last}"
+    time, name = cycling.transitions[0].wording.time, cycling.design.name
+    what = f"Energy, {time} and torque margins of {name} over the cycles from 1 to {last}"
     return f"{what}. {cycling.verdict}"

@@ -21,6 +21,7 @@ from forficula.structure import Structure
 
 Array = NDArray[np.float64]
 
+_LEGEND_HEIGHT = 0.9  # inch
 _CELLS = 16  # to the size of the whole: the more, the larger the file
 
 
@@ -41,7 +42,7 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) ->
         drawn = [paint_shape(surface_at(record, shape, time), view, ORANGE, cells=_CELLS) for _, time in moments]
         corners = np.concatenate([painted.polygons.reshape(-1, 2) for painted in drawn])
         low, high = corners.min(axis=0), corners.max(axis=0)
-        height = width / columns * (high - low)[1] / (high - low)[0]
+        height = max(width / columns * (high - low)[1] / (high - low)[0], _LEGEND_HEIGHT)
         figure = Figure(figsize=(width, rows * (height + 0.25)), layout="constrained")
         for axes, (name, time), painted in zip(
             np.ravel(figure.subplots(rows, columns, squeeze=False)), moments, drawn, strict=False

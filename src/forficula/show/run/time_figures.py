@@ -37,6 +37,7 @@ _COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK)
 _LEAD = 0.15
 # of an axis of angles, deg: to one side where hinges go beyond a right angle, at least, and by where they stop
 _HALF_TURN, _LEAST_ROOM, _ROOM = 200.0, 25.0, 1.2
+_SHORT = 12  # letters of a label, of which three fit beside one another in a column
 _STEPS, _MOST_STEPS = (5, 10, 15, 30, 45, 90), 6
 
 
@@ -76,7 +77,8 @@ def draw_energies(record: Record, width: float = PAGE_WIDTH) -> Figure:
                     style = LINE_STYLES[index % len(LINE_STYLES)]
                     axes.plot(_time(record, start, scale), values * factor, style, color=colour, label=name)
                 _shade_stages(axes, record, start, scale)
-            _legend(axes_row, width, columns=3 if len(series) == 3 else 2)
+            short = len(series) == 3 and max(map(len, series)) <= _SHORT
+            _legend(axes_row, width, columns=3 if short else 2)
         return describe(figure, _tell_energies(record))
 
 
@@ -107,7 +109,8 @@ def _accounts(record: Record) -> dict[str, tuple[Array, str]]:
     accounts["taken by hinge damping"] = (-series["hinge_damping_work"], GREEN)
     accounts["taken by stops"] = (-series["stop_work"], VERMILION)
     if structure.tendons or structure.membranes:
-        accounts["taken by other damping"] = (-series["elastic_damping_work"], SKY)
+        name = "taken by other damping" if structure.membranes else "taken by tendons"
+        accounts[name] = (-series["elastic_damping_work"], SKY)
     for name, words, colour in (
         ("branch_damping_work", "taken by Maxwell branches", ORANGE),
         ("letting_go_work", "branches that gave way", PURPLE),

@@ -26,6 +26,7 @@ _STYLES = {
     "U": ("0.6", "-.", "unassigned"),
 }
 _WIDEST = 4.6  # inch: it has one part, which a page would only blow up
+_LOW = 0.5  # height by width
 _ON_AXIS = 1e-6  # by the size of the whole
 
 
@@ -38,7 +39,9 @@ def draw_pattern(structure: Structure, width: float = PAGE_WIDTH) -> Figure:
         extent = np.maximum(np.ptp(factor * places[:, :2], axis=0), 1e-9 * factor * structure.span)
         width = min(width, _WIDEST)
         tall = min(2.0, max(0.3, extent[1] / extent[0]))
-        figure = Figure(figsize=(width, (width - 0.5) * tall + 0.9), layout="constrained")
+        # a low one has no room to spare for a second row of the legend
+        room = 0.9 if tall > _LOW else 1.1
+        figure = Figure(figsize=(width, (width - 0.5) * tall + room), layout="constrained")
         axes = figure.subplots()
         handles = _draw_built(axes, structure, factor) if pattern is None else _draw_creases(axes, pattern, factor)
         angle = np.linspace(0, 2 * np.pi, 200)
@@ -129,7 +132,7 @@ def _tell(structure: Structure) -> str:
     hinges = {hinge for measure in shown_angles(structure) for hinge in measure.hinges}
     count = counted([label_of(structure.hinges[hinge]) for hinge in sorted(hinges)], "hinge")
     if pattern is None:
-        return f"{structure.name} as built, seen from above: {count}."
+        return f"{structure.name} as built, seen from above: {count}, {show_value(structure.span, 'm')} in size."
     letters = pattern.edges_assignment
     creases = f"{letters.count('M')} mountain and {letters.count('V')} valley creases"
     lengths = ", ".join(f"{name} {show_value(length, 'm')}" for name, length in structure.appearance.sizes.items())

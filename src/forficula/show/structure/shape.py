@@ -65,6 +65,7 @@ class Shape:
         faces: of sheets and plates, three or four vertices each, counterclockwise seen from above the built shape.
         face_region: number of each one's region, (face,).
         regions: what these are called, such as "distal panel".
+        solid: whether a region is of plates rather than of a sheet, (region,).
         bars: of the structure, in its order.
         lines: rims, creases and edges of plates.
         tendons: two vertices each, in the structure's order.
@@ -80,6 +81,7 @@ class Shape:
     faces: tuple[tuple[int, ...], ...]
     face_region: Indices
     regions: tuple[str, ...]
+    solid: tuple[bool, ...]
     bars: tuple[DrawnBar, ...]
     lines: tuple[DrawnLine, ...]
     tendons: tuple[tuple[int, int], ...]
@@ -116,7 +118,7 @@ def shape_of(structure: Structure) -> Shape:
         for ends, count in _sides(faces).items()
         if count == 1 and not _along_bar(structure, (keys[end] for end in ends))
     ]
-    edges: list[DrawnLine] = []
+    sheets, edges = set(names), list[DrawnLine]()
     anchors = np.concatenate([built_points(structure), *(membrane.built for membrane in structure.membranes)])
     for plate in structure.plates:
         corners = [vertices.at(point, point, 0.0) for point in plate.points]
@@ -145,6 +147,7 @@ def shape_of(structure: Structure) -> Shape:
         faces=tuple(faces),
         face_region=np.array([regions.index(name) for name in names], dtype=np.int64),
         regions=regions,
+        solid=tuple(region not in sheets for region in regions),
         bars=tuple(
             DrawnBar(
                 ends=(vertices.at(bar.points[0], bar.points[0], 0.0), vertices.at(bar.points[1], bar.points[1], 0.0)),

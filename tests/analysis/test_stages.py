@@ -1,0 +1,91 @@
+"""What became of every stage: its drive, its goal, how long it took, and what its torques did."""
+
+import json
+from dataclasses import replace
+
+import pytest
+
+import forficula as ff
+from forficula.analysis import measure, summary
+from forficula.design import with_values
+from tests.analysis.test_outcome import ENDS, FOLDS_AND_OPENS, REFERENCE, planted
+
+NAMES = ["settle", "fold", "release folded", "unfold", "release opened"]
+
+
+def test_every_stage_of_the_reference_says_its_drive_its_goal_and_its_time(reference_run, reference_outcome):
+    stages = reference_outcome.stages
+    assert [stage.name for stage in stages] == NAMES
+    assert [stage.drive for stage in stages] == [(), ("fold",), (), ("unfold",), ()]
+    assert [stage.goal for stage in stages] == ["time", "folded", "rest", "opened", "rest"]
+    assert [stage.reached for stage in stages] == [None, True, True, True, True]
+    for stage, end in zip(stages, reference_run.stages, strict=True):
+        moment = end.end if end.goal_time is None else end.goal_time
+        assert stage.time == moment - end.start
+    assert [stages[place].time for place in (1, 3)] == [
+        reference_outcome.transitions[name].time for name in ("fold", "unfold")
+    ]
+
+
+def test_the_works_of_the_stages_add_up_to_that_of_the_balance(reference_outcome):
+    works = [stage.work for stage in reference_outcome.stages]
+    assert [works[place] for place in (0, 2, 4)] == [0, 0, 0]
+    assert works[1] == reference_outcome.transitions["fold"].work
+    assert works[3] == reference_outcome.transitions["unfold"].work
+    # rounding of sums over 1e4 steps
+    assert sum(works) == pytest.approx(reference_outcome.energy_balance.work, rel=1e-12)
+
+
+def test_the_summary_has_every_stage_under_its_name(reference_run, reference_outcome):
+    plain = json.loads(json.dumps(summary(reference_run, reference_outcome, {}), allow_nan=False))
+    assert list(plain["stages"]) == NAMES
+    for stage in reference_outcome.stages:
+        assert plain["stages"][stage.name] == {
+            "drive": stage.drive[0] if stage.drive else "none",
+            "goal": stage.goal,
+            "reached": stage.reached,
+            "time_s": stage.time,
+            "work_J": stage.work,
+        }
+    assert sum(each["work_J"] for each in plain["stages"].values()) == pytest.approx(
+        plain["energy_balance"]["work_J"], rel=1e-12
+    )
+
+
+def test_a_stage_that_missed_its_goal_has_no_time_and_those_after_it_are_not_there():
+    outcome = measure(planted((0.3, 0.4), (0, -4), ends=ENDS[:2], goals=(None, None)))
+    assert [stage.name for stage in outcome.stages] == NAMES[:2]
+    settle, fold = outcome.stages
+    # what ends by the time took that time
+    assert (settle.reached, settle.time) == (None, pytest.approx(0.3))
+    assert (fold.reached, fold.time) == (False, None)
+
+
+def test_the_time_of_a_stage_is_until_its_goal_and_not_until_its_end():
+    outcome = measure(planted(**FOLDS_AND_OPENS, goals=(None, 0.35, 0.6, 0.8, 1.1)))
+    assert [stage.time for stage in outcome.stages] == pytest.approx([0.3, 0.05, 0.2, 0.1, 0.2])
+
+
+def test_nothing_is_said_of_goals_where_nothing_is_to_be_trusted():
+    doubtful = replace(planted(**FOLDS_AND_OPENS), doubt="its outcome still changes with the timestep")
+    assert [stage.reached for stage in measure(doubtful).stages] == [None] * 5
+
+
+def test_a_stage_with_a_list_of_drives_says_all_of_them():
+    design = with_values(REFERENCE, {"protocol.stages.1.drive": ["fold"]})
+    record = planted(**FOLDS_AND_OPENS, design=design)
+    assert summary(record, measure(record), {})["stages"]["fold"]["drive"] == "fold"
+    # two at once, which a fan does not have
+    fold = record.stages[1].stage.model_copy(update={"drive": ("fold", "unfold")})
+    both = replace(record, stages=(record.stages[0], replace(record.stages[1], stage=fold), *record.stages[2:]))
+    outcome = measure(both)
+    assert outcome.stages[1].drive == ("fold", "unfold")
+    assert summary(both, outcome, {})["stages"]["fold"]["drive"] == ["fold", "unfold"]
+
+
+@pytest.mark.parametrize("torque", ["5 N cm", "500 N cm"])
+def test_works_add_up_where_not_all_goes_as_planned(torque):
+    values = {"protocol.fold_torque": torque, "protocol.stages.1.time_limit": "0.1 s", "protocol.timestep": "0.1 ms"}
+    outcome = measure(ff.run(with_values(REFERENCE, values)))
+    works = [stage.work for stage in outcome.stages]
+    assert sum(works) == pytest.approx(outcome.energy_balance.work, rel=1e-12)

@@ -1,0 +1,58 @@
+"""Whether the words of a figure can be read: large enough, inside it, and not on one another."""
+
+import itertools
+from unittest import mock
+
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.text import Text
+from matplotlib.transforms import Affine2D
+
+from forficula.show.style import description
+
+_FINE = 3
+SMALLEST = 6.0  # pt, below which journals refuse
+# what is drawn on purpose over something else, or as one word
+OVER = ("a", "b", "c")
+
+
+def check_words(figure, width):
+    """Check the words of a figure of at most a width, inch, and the text that stands for it."""
+    assert figure.get_figwidth() <= width
+    boxes = words(figure)
+    assert boxes
+    assert min(text.get_fontsize() for text, _ in boxes) >= SMALLEST
+    across, upwards = 72 * figure.get_size_inches()
+    for text, box in boxes:
+        outside = max(-box.x0, box.x1 - across, -box.y0, box.y1 - upwards)
+        assert outside < 2, f"{text.get_text()!r} sticks out by {outside:.1f} pt"
+    for (one, first), (other, second) in itertools.combinations(boxes, 2):
+        if one.get_text() in OVER or other.get_text() in OVER:
+            continue
+        common = (
+            min(first.x1, second.x1) - max(first.x0, second.x0),
+            min(first.y1, second.y1) - max(first.y0, second.y0),
+        )
+        assert min(common) < 1.5, f"{one.get_text()!r} lies on {other.get_text()!r}"
+    told = description(figure)
+    assert told.endswith(".")
+    assert len(told) > 60
+    assert any(letter.isdigit() for letter in told)
+
+
+def words(figure):
+    """Every text that is drawn, and its box in points from the lower left corner."""
+    # finer than points: at one pixel a point letters are rounded to whole ones, and lines of them are longer
+    figure.set_dpi(72 * _FINE)
+    canvas = FigureCanvasAgg(figure)
+    seen, draw = [], Text.draw
+
+    def note(text, renderer, *others):
+        if text.get_visible() and text.get_text().strip():
+            seen.append(text)
+        return draw(text, renderer, *others)
+
+    with mock.patch.object(Text, "draw", note):
+        canvas.draw()
+    shrink = Affine2D().scale(1 / _FINE)
+    boxes = [Text.get_window_extent(text, canvas.get_renderer()) for text in dict.fromkeys(seen)]
+    return [(text, box.transformed(shrink)) for text, box in zip(dict.fromkeys(seen), boxes, strict=True)]

@@ -1,0 +1,78 @@
+"""Painting from back to front: what is nearer to the eye is painted later, whatever it is."""
+
+import numpy as np
+import pytest
+from matplotlib.colors import to_rgba
+
+from forficula.design import load_design
+from forficula.show.structure.painted_shape import View, paint_shape, structure_view
+from forficula.show.structure.shape import shape_of
+from forficula.show.structure.surface import Surface, surface_at
+from forficula.structure import structure_of
+
+FROM_ABOVE = View(right=np.array([1.0, 0, 0]), up=np.array([0, 1.0, 0]), towards=np.array([0, 0, 1.0]))
+RED = to_rgba("#ff0000")
+
+
+def planted(sheet_height):
+    """A square of 10 cm by 10 cm at a height, between two bars along x, and a tendon on each of them."""
+    square = np.array([[0, 0], [0.1, 0], [0.1, 0.1], [0, 0.1]])
+    faces = [np.column_stack([square[:, 0] + shift, square[:, 1], np.full(4, sheet_height)]) for shift in (0, 0.1)]
+    bars = [[[x, y, 0], [x + 0.1, y, 0]] for y in (0.05, 0.1) for x in (0, 0.1)]
+    return Surface(
+        faces=np.array(faces),
+        regions=np.array([0, 1]),
+        bars=np.array(bars),
+        radii=np.full(4, 2.5e-3),
+        lines=np.zeros((0, 2, 3)),
+        tendons=np.array([[[0.02, y, 0], [0.18, y, 0]] for y in (0.05, 0.1)]),
+        thickness=5e-3,
+        span=0.2,
+    )
+
+
+def last_at(painted, x, y):
+    """The colour on top at a place: that of the last polygon around it."""
+    corners = painted.polygons - [x, y]
+    turns = corners[:, :, 0] * np.roll(corners[:, :, 1], -1, 1) - corners[:, :, 1] * np.roll(corners[:, :, 0], -1, 1)
+    inside = (turns > 0).all(axis=1) | (turns < 0).all(axis=1)
+    return painted.colours[np.flatnonzero(inside)[-1]]
+
+
+@pytest.mark.parametrize(("height", "seen"), [(-0.05, True), (0.0, True), (0.05, False)])
+def test_a_tendon_is_seen_on_and_above_a_sheet_and_not_through_it(height, seen):
+    painted = paint_shape(planted(height), FROM_ABOVE, [RED, RED])
+    assert (tuple(last_at(painted, 0.0551, 0.0501)) == RED) == seen
+
+
+def test_regions_differ_and_both_sides_look_alike():
+    painted = paint_shape(planted(0.0), FROM_ABOVE, RED)
+    one, other = last_at(painted, 0.0551, 0.0251), last_at(painted, 0.1551, 0.0251)
+    assert abs(one - other).max() > 0.1
+    below = View(right=FROM_ABOVE.right, up=-FROM_ABOVE.up, towards=-FROM_ABOVE.towards)
+    turned = paint_shape(planted(0.0), below, RED)
+    assert last_at(turned, 0.0551, -0.0251) == pytest.approx(one)
+
+
+def test_the_finer_the_cells_the_more_polygons_and_all_of_the_structure_at_any_number(reference_run):
+    structure = reference_run.structure
+    surface, view = surface_at(reference_run, shape_of(structure), 0.32), structure_view(structure)
+    coarse, fine = (paint_shape(surface, view, RED, cells=cells).polygons for cells in (4, 40))
+    assert len(fine) > 5 * len(coarse)
+    places = view.project(np.concatenate([surface.faces.reshape(-1, 3), surface.bars.reshape(-1, 3)]))
+    for polygons in (coarse, fine):
+        corners = polygons.reshape(-1, 2)
+        assert np.all(corners.min(axis=0) <= places.min(axis=0) + 1e-12)
+        assert corners.max(axis=0) == pytest.approx(places.max(axis=0), abs=1.01 * surface.radii[0])
+
+
+@pytest.mark.parametrize("settings", [{}, {"pattern.units": 5, "pattern.sector_angle": "12 deg"}])
+def test_the_eye_sees_lengths_in_the_picture_as_they_are(settings):
+    view = structure_view(structure_of(load_design("binder2025", settings)))
+    axes = np.array([view.right, view.up, view.towards])
+    assert axes @ axes.T == pytest.approx(np.eye(3), abs=1e-12)
+    assert np.linalg.det(axes) == pytest.approx(1)
+    assert view.project(np.array([0.3 * view.right + 0.2 * view.up + 7 * view.towards])) == pytest.approx(
+        np.array([[0.3, 0.2]])
+    )
+    assert view.towards[2] > 0.5  # from above

@@ -1,0 +1,106 @@
+"""Landscapes of what has no one way to fold: plates on hinges with springs, and tendons between them."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import numpy as np
+import pytest
+from scipy.optimize import minimize
+
+import forficula as ff
+from forficula.errors import InputError
+from forficula.statics import landscape_summary, stable_states
+from forficula.statics.potential import ensemble, potential
+from forficula.structure import structure_of
+
+
+@pytest.fixture(scope="module")
+def landscape():
+    return ff.energy_landscape(ff.load_design("letter-fold"), points=61)
+
+
+def test_it_rests_flat_closed_and_opened(landscape):
+    assert [(state.name, state.stable) for state in landscape.rests] == [
+        ("flat", True),
+        ("closed", True),
+        ("opened", True),
+    ]
+    flat, closed, opened = landscape.rests
+    # on the stops that keep it from bending back
+    assert flat.angles == pytest.approx(np.full(2, -math.radians(3)))
+    assert opened.angles == pytest.approx(flat.angles)
+    assert closed.energy < flat.energy
+
+
+def test_where_it_rests_another_minimiser_does(landscape):
+    structures = ensemble([structure_of(ff.load_design("letter-fold"))])
+    for state in landscape.rests:
+        found = minimize(
+            lambda angles: potential(structures, angles[None])[0][0],
+            state.angles,
+            jac=lambda angles: potential(structures, angles[None])[1][0],
+            bounds=list(zip(structures.lower, structures.upper, strict=True)),
+            method="L-BFGS-B",
+            options={"ftol": 1e-15, "gtol": 1e-12},
+        )
+        # L-BFGS-B stops at the rounding of the energy, the square of the position's
+        assert state.angles == pytest.approx(found.x, abs=1e-5)
+        assert state.energy <= found.fun + 1e-12
+
+
+def test_a_hinge_is_told_by_the_way_in_which_it_goes_farther(landscape):
+    for tendon in landscape.tendons:
+        assert math.degrees(tendon.hinge.overbend) == pytest.approx(3)
+        assert math.degrees(tendon.hinge.fold_limit) == pytest.approx(175)
+        # a crease counts as positive while it folds
+        assert tendon.hinge.sense == -1
+        assert tendon.barrier > 0
+    # the spring of a crease is at rest on the barrier and bent at the stop, so it helps across
+    springs = np.array([hinge.stiffness for hinge in landscape.structure.hinges]) / 2 * math.radians(3) ** 2
+    alone = np.array([each.barrier for each in landscape.tendons])
+    assert landscape.hinge_barriers == pytest.approx(alone - springs, rel=1e-3)
+
+
+def test_both_hinges_fold_alone_and_together(landscape):
+    assert [state.folded for state in landscape.partial_folds] == [(), (0,), (1,), (0, 1)]
+    assert all(state.stable for state in landscape.partial_folds)
+    by_count = [state.energy for state in landscape.partial_folds]
+    assert by_count[0] > by_count[1] == pytest.approx(by_count[2])
+    assert by_count[1] > by_count[3]
+
+
+def test_the_least_torque_that_closes_it_is_the_steepest_climb(landscape):
+    """Both creases alike: d energy / d angle of a tendon and a spring, largest from the stop on, to 1 %."""
+    hinge, structure = landscape.tendons[0].hinge, landscape.structure
+    folds = np.linspace(-math.radians(3), math.radians(100), 4001)
+    spring = structure.hinges[0].stiffness * (folds - structure.hinges[0].rest_angle)
+    steepest = float(np.max(hinge.moment(-folds) + spring))
+    assert 0.99 * steepest < landscape.least_torques["close"] < 1.03 * steepest
+    assert landscape.least_torques["open"] > landscape.least_torques["close"]
+
+
+def test_what_needs_one_way_to_fold_is_left_out_or_says_so(landscape):
+    assert (landscape.wing, landscape.tips, landscape.hinge) == (None, None, None)
+    assert landscape.fold_barrier is None
+    with pytest.raises(InputError, match="letter-fold: has no one way in which rigid panels fold"):
+        stable_states(landscape)
+    with pytest.raises(InputError, match="no one way in which rigid panels fold"):
+        ff.barrier(landscape, "flat", "closed")
+    summary = landscape_summary(landscape)
+    assert summary["wing"] is None
+    assert [state["name"] for state in summary["rests"]] == ["flat", "closed", "opened"]
+    json.dumps(summary, allow_nan=False)
+
+
+def test_heavy_panels_hang_down():
+    """In a plane that lies level, held at the middle panel: the outer ones bend back as far as they may."""
+    light, heavy = (
+        ff.energy_landscape(
+            ff.load_design("letter-fold", {"protocol.gravity": gravity, "crease.back_limit": "80 deg"}), points=11
+        )
+        for gravity in ("0 m/s^2", "9.81 m/s^2")
+    )
+    assert heavy.rests[0].energy != light.rests[0].energy
+    assert (heavy.rests[0].angles < light.rests[0].angles + 1e-12).all()
