@@ -168,10 +168,8 @@ def simulated_snap(record: Record, tendon: int | None = None, fold_start: float 
         return None
     hinge = crossed_hinge(structure, tendon)
     before = folding_rows(record, hinge)
-    time, fold = (
-        record.time[before],
-        -folding_sense(structure.hinges[hinge]) * record.series["hinge_angle"][before, hinge],
-    )
+    angle = record.series["hinge_angle"][before, hinge]
+    time, fold = record.time[before], -folding_sense(structure.hinges[hinge]) * angle
     folded, start = folded_angle(structure, hinge), _start(structure, tendon, fold_start)
     folded_time = None if folded is None else _snap_time(time, fold, start, folded)
     leaves = _passes(time, fold, start)

@@ -139,12 +139,12 @@ def _remarks(hinge: TendonHinge, stable: list[PathState], slack: float | None) -
     if len(stable) == 1:
         remarks.append(
             "the tendon and the spring of its hinge let it rest at one place only,"
-            f" {degrees(-hinge.sense * stable[0].coordinate)}, so there is no barrier; a shorter or stiffer tendon, or a"
-            " softer spring, gives one"
+            f" {degrees(-hinge.sense * stable[0].coordinate)}, so there is no barrier; a stiffer or shorter tendon, or"
+            " a softer spring, gives one"
         )
     if slack is not None:
         remarks.append(
-            f"the tendon is slack beyond {degrees(hinge.sense * slack)} of the fold: the spring of its hinge is all that"
-            " moves it there"
+            f"the tendon is slack beyond {degrees(hinge.sense * slack)} of the fold: the spring of its hinge is all"
+            " that moves it there"
         )
     return tuple(remarks)
