@@ -1,4 +1,4 @@
-"""How one hinge of a simulated wing snaps shut, to be read beside the closed form of one hinge alone."""
+"""How one hinge of a simulated structure snaps shut, to be read beside the closed form of one hinge alone."""
 
 from __future__ import annotations
 
@@ -13,13 +13,12 @@ from forficula.analysis.outcome import measure
 from forficula.design import Design, shortest_sample_interval, stage_drives, with_values
 from forficula.dynamics import Record
 from forficula.names import ordinal
-from forficula.statics import TendonHinge, fold_time, ideal_hinge, tendon_hinges
+from forficula.statics import TendonHinge, fold_time, folding_sense, ideal_hinges, tendon_hinge
 from forficula.statics.snap import FOLD_START, final_speed
-from forficula.structure import Structure, goal_of, structure_of
+from forficula.structure import Crossing, Structure, Transition, crossing_tendons, goal_of, structure_of
 
 Array = NDArray[np.float64]
 
-INNER_VEIN = 1  # the first with a panel on either side
 _ROWS = 200  # that a fold should have in a record
 
 
@@ -28,16 +27,16 @@ class SimulatedSnap:
     """A fold of one hinge in a run. What did not happen is None.
 
     Attributes:
-        vein: whose hinge.
-        fold_start: from which times count, rad past straight.
-        folded_time: from the start to the protocol's folded angle, s.
+        tendon: number of the one that lies across the hinge.
+        fold_start: from which times count, rad past straight, or past where the tendon is longest.
+        folded_time: from the start to the angle that the protocol calls folded, s.
         fold_time: from the start to the fold limit, s.
         largest_fold: how far it folded, rad past straight.
         peak_speed: the largest mean speed between two rows of the record, while folding, rad/s.
         sample_interval: between the rows, s.
     """
 
-    vein: int
+    tendon: int
     fold_start: float
     folded_time: float | None
     fold_time: float | None
@@ -51,7 +50,7 @@ class PredictedSnap:
     """A fold of one hinge alone, without damping, let go at rest. What does not happen is None.
 
     Attributes:
-        folded_time: from the start to the protocol's folded angle, s.
+        folded_time: from the start to the angle that the protocol calls folded, s.
         fold_time: from the start to the fold limit, s.
         final_speed: at the fold limit, rad/s.
     """
@@ -61,17 +60,65 @@ class PredictedSnap:
     final_speed: float | None
 
 
-def predicted_snap(hinge: TendonHinge, folded_angle: float, fold_start: float = FOLD_START) -> PredictedSnap:
+def inner_tendon(structure: Structure) -> int | None:
+    """Number of the tendon that stands for those across one hinge each: the first that has others on either side.
+
+    The first of all where there are fewer than three; None where there are none.
+    """
+    crossing = crossing_tendons(structure)
+    return crossing[1] if len(crossing) > 2 else next(iter(crossing), None)
+
+
+def hinge_name(structure: Structure, tendon: int) -> str:
+    """What sentences call the hinge that a tendon lies across: "second hinge" of "vein 1", otherwise by its name."""
+    _, number = _numbered(structure, tendon)
+    return f"{_label(structure, tendon) if number is None else ordinal(number)} hinge"
+
+
+def crossed_hinge(structure: Structure, tendon: int) -> int:
+    """Number of the only hinge that a tendon lies across."""
+    return _crossing(structure, tendon).hinge
+
+
+def folding_transition(structure: Structure, hinge: int) -> Transition | None:
+    """The first transition whose goal bounds a hinge on the side to which it folds; None where none does."""
+    up = folding_sense(structure.hinges[hinge]) < 0
+    for transition in structure.transitions:
+        goal = goal_of(structure, transition.goal)
+        if 0 < (goal.least[hinge] if up else -goal.most[hinge]) < math.inf:
+            return transition
+    return None
+
+
+def folded_angle(structure: Structure, hinge: int) -> float | None:
+    """How far past straight a hinge counts as folded, rad: what the first transition that folds it asks of it.
+
+    None where no transition does.
+    """
+    folding = folding_transition(structure, hinge)
+    if folding is None:
+        return None
+    goal = goal_of(structure, folding.goal)
+    return float(goal.least[hinge] if folding_sense(structure.hinges[hinge]) < 0 else -goal.most[hinge])
+
+
+def fold_limit(structure: Structure, hinge: int) -> float:
+    """How far past straight a hinge can fold, rad."""
+    stops = structure.hinges[hinge]
+    return min(stops.upper if folding_sense(stops) < 0 else -stops.lower, math.pi)
+
+
+def predicted_snap(hinge: TendonHinge, folded_angle: float | None, fold_start: float = FOLD_START) -> PredictedSnap:
     """Predict the fold of a hinge from rest.
 
     Args:
-        hinge: the hinge.
-        folded_angle: past straight, that counts as folded, rad.
-        fold_start: past straight, where it is let go, rad.
+        hinge: the hinge, folding towards negative angles.
+        folded_angle: past straight, that counts as folded, rad; None where none does.
+        fold_start: past where the tendon is longest, where it is let go, rad.
     """
-    so_far = replace(hinge, fold_limit=min(folded_angle, hinge.fold_limit))
+    so_far = None if folded_angle is None else replace(hinge, fold_limit=min(folded_angle, hinge.fold_limit))
     return PredictedSnap(
-        folded_time=fold_time(so_far, fold_start),
+        folded_time=None if so_far is None else fold_time(so_far, fold_start),
         fold_time=fold_time(hinge, fold_start),
         final_speed=final_speed(hinge, fold_start),
     )
@@ -79,58 +126,69 @@ def predicted_snap(hinge: TendonHinge, folded_angle: float, fold_start: float = 
 
 def finely_sampled(design: Design) -> Design:
     """The design with rows so close to each other that the snap of one hinge can be timed; the motion is the same."""
-    structure, interval = structure_of(design), design.protocol.sample_interval
-    hinge = ideal_hinge(structure)
-    predicted = None if hinge is None else fold_time(hinge)
+    structure = structure_of(design)
+    predicted = min((time for each in ideal_hinges(structure) if (time := fold_time(each)) is not None), default=None)
+    interval = design.protocol.sample_interval
     if predicted is None or predicted / _ROWS >= interval:
         return design
     wanted = max(predicted / _ROWS, min(shortest_sample_interval(design, len(structure.tendons)), interval))
     return with_values(design, {"protocol.sample_interval": wanted})
 
 
-def simulated_snap(record: Record, vein: int = INNER_VEIN, fold_start: float = FOLD_START) -> SimulatedSnap | None:
+def folding_rows(record: Record, hinge: int) -> NDArray[np.bool_]:
+    """Which rows of a record come before anything opens a hinge again, (row,)."""
+    return np.asarray(record.time <= opening_time(record, hinge))
+
+
+def opening_time(record: Record, hinge: int) -> float:
+    """When the first stage begins whose drive makes another transition than that which folds a hinge, s; else inf."""
+    folding = folding_transition(record.structure, hinge)
+    if folding is None:
+        return math.inf
+    others = {each.drive for each in record.structure.transitions} - {folding.drive}
+    return min((end.start for end in record.stages if others & {*stage_drives(end.stage)}), default=math.inf)
+
+
+def simulated_snap(record: Record, tendon: int | None = None, fold_start: float = FOLD_START) -> SimulatedSnap | None:
     """Time the fold of a hinge, from where it last passes `fold_start` to where it first arrives.
 
-    Looks at all before the stage of a second transition; between rows the angle is taken as straight.
+    Looks at all before another drive than the one that folds it; between rows the angle is taken as straight.
 
     Args:
-        record: of a structure whose first transition folds it.
-        vein: number of the hinge, among those that one tendon lies across.
-        fold_start: past straight, rad.
+        record: what happened.
+        tendon: number of the tendon that lies across the hinge; an inner one if not given.
+        fold_start: past where the tendon is longest, rad; at the overbend stop where that is farther.
 
     Returns:
-        None where the run diverged.
+        None where the run diverged, or no tendon lies across one hinge.
     """
-    if record.diverged_at is not None:
+    structure = record.structure
+    tendon = inner_tendon(structure) if tendon is None else tendon
+    if record.diverged_at is not None or tendon is None:
         return None
-    structure, hinge = record.structure, _crossed(record.structure)[vein]
-    later = {each.drive for each in structure.transitions[1:]}
-    opening = [end.start for end in record.stages if later.intersection(stage_drives(end.stage))]
-    before = record.time <= min(opening, default=math.inf)
-    time, fold = record.time[before], -record.series["hinge_angle"][before, hinge]
-    ends = (_folded_angle(structure, vein), -structure.hinges[hinge].lower)
-    arrivals = [_snap_time(time, fold, fold_start, end) for end in ends]
-    leaves = _passes(time, fold, fold_start)
+    hinge = crossed_hinge(structure, tendon)
+    before = folding_rows(record, hinge)
+    angle = record.series["hinge_angle"][before, hinge]
+    time, fold = record.time[before], -folding_sense(structure.hinges[hinge]) * angle
+    folded, start = folded_angle(structure, hinge), _start(structure, tendon, fold_start)
+    folded_time = None if folded is None else _snap_time(time, fold, start, folded)
+    leaves = _passes(time, fold, start)
     moving = time >= leaves[0] if len(leaves) else np.zeros(len(time), dtype=bool)
     return SimulatedSnap(
-        vein=vein,
+        tendon=tendon,
         fold_start=fold_start,
-        folded_time=arrivals[0],
-        fold_time=arrivals[1],
+        folded_time=folded_time,
+        fold_time=_snap_time(time, fold, start, fold_limit(structure, hinge)),
         largest_fold=float(fold.max()),
         peak_speed=float(np.max(np.diff(fold[moving]) / np.diff(time[moving]))) if moving.sum() > 1 else None,
         sample_interval=float(np.median(np.diff(time))) if len(time) > 1 else 0.0,
     )
 
 
-def _crossed(structure: Structure) -> list[int]:
-    """Numbers of the hinges that one tendon each lies across, by tendon."""
-    return [tendon.crossing.hinge for tendon in structure.tendons if tendon.crossing is not None]
-
-
-def _folded_angle(structure: Structure, vein: int) -> float:
-    """How far past straight such a hinge must fold for the first transition, rad."""
-    return -float(goal_of(structure, structure.transitions[0].goal).most[_crossed(structure)[vein]])
+def _start(structure: Structure, tendon: int, fold_start: float) -> float:
+    """How far past straight the fold of a tendon's hinge counts from, rad."""
+    own = _true_hinge(structure, tendon)
+    return max(fold_start - own.top, -own.overbend)
 
 
 def _snap_time(time: Array, fold: Array, start: float, end: float) -> float | None:
@@ -150,17 +208,22 @@ def _passes(time: Array, fold: Array, angle: float) -> Array:
     return np.asarray(time[rows] + share * (time[rows + 1] - time[rows]))
 
 
-def simulation_summary(record: Record, vein: int = INNER_VEIN) -> dict[str, Any]:
-    """What a run says of the snap of one vein's hinge, beside its prediction, as plain data with units in its keys."""
-    structure, outcome, snap = record.structure, measure(record), simulated_snap(record, vein)
-    folded_angle = _folded_angle(structure, vein)
-    hinges = {"ideal_hinge": ideal_hinge(structure), f"{ordinal(vein)}_hinge": tendon_hinges(structure)[vein]}
+def simulation_summary(record: Record, tendon: int | None = None) -> dict[str, Any]:
+    """What a run says of the snap of one hinge, beside its prediction, as plain data with units in its keys."""
+    structure, outcome = record.structure, measure(record)
+    tendon = inner_tendon(structure) if tendon is None else tendon
+    told: dict[str, Any] = {"status": outcome.status, "advice": outcome.advice}
+    if tendon is None:
+        return told
+    snap, hinge = simulated_snap(record, tendon), crossed_hinge(structure, tendon)
+    folded = folded_angle(structure, hinge)
+    hinges = {} if structure.hinges[hinge].stiffness else _predictable(structure, tendon)
+    word, number = _numbered(structure, tendon)
     return {
-        "status": outcome.status,
-        "advice": outcome.advice,
-        "vein": vein,
+        **told,
+        **({"tendon": structure.tendons[tendon].name} if number is None else {word: number}),
         "fold_start_deg": math.degrees(FOLD_START),
-        "folded_angle_deg": math.degrees(folded_angle),
+        "folded_angle_deg": None if folded is None else math.degrees(folded),
         "folded_time_s": None if snap is None else snap.folded_time,
         "fold_time_s": None if snap is None else snap.fold_time,
         "largest_fold_deg": None if snap is None else math.degrees(snap.largest_fold),
@@ -172,8 +235,37 @@ def simulation_summary(record: Record, vein: int = INNER_VEIN) -> dict[str, Any]
                 "fold_time_s": predicted.fold_time,
                 "final_speed_rad_per_s": predicted.final_speed,
             }
-            for name, hinge in hinges.items()
-            if hinge is not None
-            for predicted in [predicted_snap(hinge, folded_angle)]
+            for name, each in hinges.items()
+            for predicted in [predicted_snap(each, folded)]
         },
     }
+
+
+def _predictable(structure: Structure, tendon: int) -> dict[str, TendonHinge]:
+    """The ideal hinge of a tendon, where it has one, and its true one, by name."""
+    chosen, hinges = structure.tendons[tendon], {}
+    if chosen.ideal is not None:
+        hinges["ideal_hinge"] = tendon_hinge(structure, chosen, chosen.ideal)
+    return {**hinges, hinge_name(structure, tendon).replace(" ", "_"): _true_hinge(structure, tendon)}
+
+
+def _true_hinge(structure: Structure, tendon: int) -> TendonHinge:
+    """The hinge that a tendon lies across, about its own axis."""
+    return tendon_hinge(structure, structure.tendons[tendon], _crossing(structure, tendon))
+
+
+def _crossing(structure: Structure, tendon: int) -> Crossing:
+    crossing = structure.tendons[tendon].crossing
+    assert crossing is not None
+    return crossing
+
+
+def _label(structure: Structure, tendon: int) -> str:
+    chosen = structure.tendons[tendon]
+    return chosen.label or chosen.name
+
+
+def _numbered(structure: Structure, tendon: int) -> tuple[str, int | None]:
+    """The word and the number that a tendon is called by, such as "vein" and 1; None where it has another name."""
+    word, _, number = _label(structure, tendon).rpartition(" ")
+    return word, int(number) if word and number.isdigit() else None

@@ -85,17 +85,18 @@ def _survey(design: Design, folder: Path, simulation: bool) -> Verdict | None:
     from forficula.structure import structure_of, structure_warnings
     from forficula.study.landscape_and_run import landscape_and_run
 
-    vein = shown_tendon(design)
+    tendon, structure = shown_tendon(design), structure_of(design)
+    whole = structure.appearance.whole
     tell_replaced(folder, "landscape")
-    for warning in structure_warnings(design, structure_of(design)):
+    for warning in structure_warnings(design, structure):
         print(f"warning: {warning}", file=sys.stderr)
     if simulation:
-        with waiting("working out the timestep that the wing allows"):
+        with waiting(f"working out the timestep that the {whole} allows"):
             warnings = timestep_warnings(design)
         for warning in warnings:
             print(f"warning: {warning}", file=sys.stderr)
-    with run_progress("building the wing" if simulation else "surveying its energy") as progress:
+    with run_progress(f"building the {whole}" if simulation else "surveying its energy") as progress:
         landscape, record = landscape_and_run(design, simulation=simulation, progress=progress)
-    write_landscape(landscape, folder, record, vein)
-    print_landscape(landscape, record, vein)
+    write_landscape(landscape, folder, record, tendon)
+    print_landscape(landscape, record, tendon)
     return None if record is None else measure(record).verdict

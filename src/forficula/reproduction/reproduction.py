@@ -22,8 +22,8 @@ class Reproduction:
         short: the paper in a title.
         authors: by their family names.
         published: where and when.
-        tendon: number of the vein, from 0, whose tendon its figures of one tendon show.
-        hinge: number of the vein, from 0, whose distal hinge its figures of one hinge show.
+        tendon: number of the hinge that folds, from 0, whose tendon its figures of one tendon show.
+        hinge: number of the hinge that folds, from 0, that its figures of one hinge show.
         fold_count: how many of its wings fold; None where it does not say.
         check: refuses a study that does not ask what the claims are about, by an InputError, before it runs.
         claims: all of its claims beside the table of such a study, in the paper's order.

@@ -1,15 +1,20 @@
+from forficula.statics.fold_path import FoldPath
 from forficula.statics.hinge import (
     PeakTorque,
     TendonHinge,
+    folding_sense,
     holding_torque,
     ideal_hinge,
+    ideal_hinges,
     peak_opening_torque,
     slack_angle,
+    tendon_hinge,
     tendon_hinges,
     top_barrier,
 )
 from forficula.statics.hinge_landscape import (
     HingeLandscape,
+    HingeSpring,
     HingeState,
     hinge_landscape,
     hinge_remarks,
@@ -17,12 +22,16 @@ from forficula.statics.hinge_landscape import (
 )
 from forficula.statics.landscape import EnergyLandscape, Rest, StableState, barrier, energy_landscape, stable_states
 from forficula.statics.landscape_summary import landscape_summary
+from forficula.statics.partial_folds import PartialFold, folding_hinges
 from forficula.statics.snap import final_speed, fold_time, growth_rate, time_scale
 
 __all__ = [
     "EnergyLandscape",
+    "FoldPath",
     "HingeLandscape",
+    "HingeSpring",
     "HingeState",
+    "PartialFold",
     "PeakTorque",
     "Rest",
     "StableState",
@@ -31,16 +40,20 @@ __all__ = [
     "energy_landscape",
     "final_speed",
     "fold_time",
+    "folding_hinges",
+    "folding_sense",
     "growth_rate",
     "hinge_landscape",
     "hinge_remarks",
     "hinge_states",
     "holding_torque",
     "ideal_hinge",
+    "ideal_hinges",
     "landscape_summary",
     "peak_opening_torque",
     "slack_angle",
     "stable_states",
+    "tendon_hinge",
     "tendon_hinges",
     "time_scale",
     "top_barrier",

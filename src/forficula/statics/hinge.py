@@ -187,12 +187,12 @@ def ideal_hinge(structure: Structure) -> TendonHinge | None:
 
     Of the tendon's law it takes the spring, as slow motions do: Maxwell branches are relaxed, and nothing yields.
     """
-    return next((_hinge(structure, each, each.ideal) for each in structure.tendons if each.ideal is not None), None)
+    return next(iter(ideal_hinges(structure)), None)
 
 
 def ideal_hinges(structure: Structure) -> tuple[TendonHinge, ...]:
     """As `ideal_hinge`, of every tendon that has one."""
-    return tuple(_hinge(structure, each, each.ideal) for each in structure.tendons if each.ideal is not None)
+    return tuple(tendon_hinge(structure, each, each.ideal) for each in structure.tendons if each.ideal is not None)
 
 
 def tendon_hinges(structure: Structure) -> tuple[TendonHinge, ...]:
@@ -203,7 +203,8 @@ def tendon_hinges(structure: Structure) -> tuple[TendonHinge, ...]:
     Returns:
         One for each tendon whose length depends on one hinge, in the order of the tendons.
     """
-    return tuple(_hinge(structure, each, each.crossing) for each in structure.tendons if each.crossing is not None)
+    crossed = ((each, each.crossing) for each in structure.tendons)
+    return tuple(tendon_hinge(structure, each, crossing) for each, crossing in crossed if crossing is not None)
 
 
 def hinges_in_own_senses(structure: Structure) -> tuple[TendonHinge, ...]:
@@ -216,7 +217,8 @@ def folding_sense(hinge: Hinge) -> int:
     return 1 if hinge.upper <= -hinge.lower else -1
 
 
-def _hinge(structure: Structure, tendon: Tendon, crossing: Crossing) -> TendonHinge:
+def tendon_hinge(structure: Structure, tendon: Tendon, crossing: Crossing) -> TendonHinge:
+    """The hinge that a tendon lies across, as one of its crossings has it: its own, or its ideal one."""
     stops = structure.hinges[crossing.hinge]
     own = TendonHinge(
         law=tendon.law.elastic,

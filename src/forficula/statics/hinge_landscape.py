@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from forficula.errors import InputError
 from forficula.quantities import reading_unit
@@ -46,8 +46,25 @@ class HingeState:
 
 
 @dataclass(frozen=True, kw_only=True)
+class HingeSpring:
+    """The spring of a hinge itself.
+
+    Attributes:
+        stiffness: N m/rad.
+        rest_angle: rad.
+    """
+
+    stiffness: float
+    rest_angle: float
+
+
+@dataclass(frozen=True, kw_only=True)
 class HingeLandscape:
     """A hinge over its whole range. What does not exist is None, and the remarks say why.
+
+    Folding is negative in all angles here; those that the structure has are these times `sense`. With a spring of the
+    hinge, see `forficula.statics.sprung_hinge`, the energy and the moment are still those of the tendon, and everything
+    else is of both.
 
     Attributes:
         hinge: whose landscape it is.
@@ -67,6 +84,7 @@ class HingeLandscape:
         fold_time: from there to the fold limit, s.
         final_speed: at the fold limit, rad/s.
         remarks: sentences on what does not exist and what to know of the rest.
+        spring: of the hinge; None for none.
     """
 
     hinge: TendonHinge
@@ -85,6 +103,34 @@ class HingeLandscape:
     fold_time: float | None
     final_speed: float | None
     remarks: tuple[str, ...]
+    spring: HingeSpring | None = None
+
+    @property
+    def sense(self) -> int:
+        """+1 or -1, by which angles here are multiplied to be those of the structure's hinge in its own sense."""
+        return self.hinge.sense
+
+    @property
+    def spring_energy(self) -> Array:
+        """Of the hinge's spring, J, (angle,)."""
+        if self.spring is None:
+            return np.zeros_like(self.angle)
+        return np.asarray(self.spring.stiffness / 2 * (self.angle - self.spring.rest_angle) ** 2)
+
+    def stored_energy(self, angle: ArrayLike) -> Array:
+        """Of the tendon and the hinge's spring, J, in the shape of `angle` (rad, folding negative)."""
+        energy = self.hinge.energy(angle)
+        if self.spring is None:
+            return energy
+        turned = np.asarray(angle, dtype=np.float64) - self.spring.rest_angle
+        return np.asarray(energy + self.spring.stiffness / 2 * turned**2)
+
+    @property
+    def spring_moment(self) -> Array:
+        """Of the hinge's spring, positive towards the overbend, N m, (angle,)."""
+        if self.spring is None:
+            return np.zeros_like(self.angle)
+        return np.asarray(self.spring.stiffness * (self.spring.rest_angle - self.angle))
 
 
 def hinge_landscape(hinge: TendonHinge, points: int = 181, fold_start: float = FOLD_START) -> HingeLandscape:
@@ -98,9 +144,7 @@ def hinge_landscape(hinge: TendonHinge, points: int = 181, fold_start: float = F
     Raises:
         InputError: fewer than 2 points, or a start that is not > 0.
     """
-    if points < 2:
-        raise InputError(f"points: need >= 2, got {points}")
-    angle, barrier = _angles(hinge, points), top_barrier(hinge)
+    angle, barrier = special_angles(hinge, points), top_barrier(hinge)
     return HingeLandscape(
         hinge=hinge,
         angle=angle,
@@ -164,42 +208,44 @@ def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START) -> tuple[s
         fold_start: how far past the top the fold of `fold_time` is let go, rad.
     """
     if not hinge.pulls:
-        return (_why_no_pull(hinge),)
+        return (why_no_pull(hinge, "nothing moves the hinge, and there is no barrier"),)
     remarks = []
-    offset, limit = hinge.offset_angle, hinge.fold_limit
+    # sentences have angles in the hinge's own sense
+    sense, offset, limit = hinge.sense, hinge.offset_angle, hinge.fold_limit
     slack, past = hinge.slack_distance, "straight"
     if offset:
-        past = _degrees(hinge.top)
-        remarks.append(f"the ends of the tendon are offset: it is longest at {past}, not at straight")
+        past = degrees(sense * hinge.top)
     if hinge.top_to_overbend <= 0:
         remarks.append(
-            f"the tendon is longest at {past}, and the overbend of {_degrees(hinge.overbend)} is not beyond it, so"
-            " there is no barrier and no holding torque; a larger overbend gives both"
+            f"the ends of the tendon are offset: it is longest at {past}, and the overbend of {degrees(hinge.overbend)}"
+            " is not beyond it, so there is no barrier and no holding torque; a larger overbend gives both"
             if offset
             else "the overbend is 0 deg: straight is no stable state, so there is no barrier and no holding torque;"
             " an overbend > 0 deg gives both"
         )
-    elif slack is not None and slack < hinge.top_to_overbend:
+    elif offset:
+        remarks.append(f"the ends of the tendon are offset: it is longest at {past}, not at straight")
+    if hinge.top_to_overbend > 0 and slack is not None and slack < hinge.top_to_overbend:
         remarks.append(
-            f"the tendon is slack beyond {_degrees(slack - offset)} of overbend: nothing holds the hinge at its stop of"
-            f" {_degrees(hinge.overbend)}; a shorter resting length or a smaller overbend does"
+            f"the tendon is slack beyond {degrees(slack - offset)} of overbend: nothing holds the hinge at its stop of"
+            f" {degrees(hinge.overbend)}; a shorter resting length or a smaller overbend does"
         )
     if slack is None or slack > hinge.top_to_fold:
-        remarks.append(f"the tendon pulls up to the fold limit of {_degrees(limit)} and nowhere goes slack")
+        remarks.append(f"the tendon pulls up to the fold limit of {degrees(limit)} and nowhere goes slack")
     elif slack < hinge.top_to_fold:
         far = max(-limit, slack - 2 * math.pi - offset)
         remarks.append(
-            f"the tendon is slack from {_degrees(-slack - offset)} to {_degrees(far)}: nothing moves the folded hinge"
-            " there"
+            f"the tendon is slack from {degrees(sense * (-slack - offset))} to {degrees(sense * far)}: nothing moves"
+            " the folded hinge there"
         )
     if fold_start >= hinge.top_to_fold:
         remarks.append(
-            f"the fold limit of {_degrees(limit)} is not beyond {_degrees(fold_start)} past {past},"
+            f"the fold limit of {degrees(limit)} is not beyond {degrees(fold_start)} past {past},"
             " where the fold starts, so it has no time and no speed"
         )
     elif slack is not None and slack <= fold_start:
         remarks.append(
-            f"the tendon is slack {_degrees(fold_start)} past {past}, where the fold starts, so it has no time and no"
+            f"the tendon is slack {degrees(fold_start)} past {past}, where the fold starts, so it has no time and no"
             " speed; a shorter resting length gives them"
         )
     if not hinge.law.linear:
@@ -207,24 +253,31 @@ def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START) -> tuple[s
     return tuple(remarks)
 
 
-def _why_no_pull(hinge: TendonHinge) -> str:
+def why_no_pull(hinge: TendonHinge, then: str) -> str:
+    """Say why a tendon is slack at every angle, and what comes of that."""
     law, longest = hinge.law, float(hinge.length_from_top(hinge.nearest))
-    free = "nothing moves the hinge, and there is no barrier"
     if law.rest_length < longest:
-        return f"the tendon has no stiffness: {free}"
+        return f"the tendon has no stiffness: {then}"
     unit, factor = reading_unit("m", law.rest_length)
     return (
-        f"the tendon is slack at every angle: {free}; take a resting length below {factor * longest:.6g} {unit},"
-        f" its length at straight, not {factor * law.rest_length:.6g} {unit}"
+        f"the tendon is slack at every angle: {then}; take a resting length below {factor * longest:.6g} {unit},"
+        f" its {'longest' if hinge.offset_angle else 'length at straight'}, not {factor * law.rest_length:.6g} {unit}"
     )
 
 
-def _degrees(angle: float) -> str:
+def degrees(angle: float) -> str:
+    """An angle (rad) as sentences have it."""
     return f"{math.degrees(angle):.4g} deg"
 
 
-def _angles(hinge: TendonHinge, points: int) -> Array:
-    """Angles from the overbend to the fold limit, (angle,), with the special ones among them."""
+def special_angles(hinge: TendonHinge, points: int) -> Array:
+    """Angles from the overbend to the fold limit, (angle,), even between those that are special: see `HingeLandscape`.
+
+    Raises:
+        InputError: fewer than 2 points.
+    """
+    if points < 2:
+        raise InputError(f"points: need >= 2, got {points}")
     special = {hinge.overbend, 0.0, -hinge.fold_limit}
     slack, turn = hinge.slack_distance, 2 * math.pi
     apart = {0.0, math.pi, -math.pi}

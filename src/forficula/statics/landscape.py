@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import difflib
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Literal
 
 import numpy as np
@@ -16,8 +17,8 @@ from forficula.errors import InputError
 from forficula.quantities import show_quantity
 from forficula.statics.equilibrium import Equilibria, PathState, barrier_between
 from forficula.statics.fold_path import FoldPath, fold_path, rigid_fold
-from forficula.statics.hinge import ideal_hinge, tendon_hinges
-from forficula.statics.hinge_landscape import HingeLandscape, hinge_landscape
+from forficula.statics.hinge import TendonHinge, tendon_hinge
+from forficula.statics.hinge_landscape import HingeLandscape, HingeSpring, hinge_landscape
 from forficula.statics.partial_folds import (
     PartialFold,
     fold_levels,
@@ -25,7 +26,7 @@ from forficula.statics.partial_folds import (
     partial_folds,
     single_hinge_barriers,
 )
-from forficula.statics.potential import Ensemble, ensemble
+from forficula.statics.potential import Ensemble, ensemble, stored_energy
 from forficula.statics.quasi_static import (
     SlowTransition,
     at_goal,
@@ -34,6 +35,7 @@ from forficula.statics.quasi_static import (
     start_state,
     state_beyond,
 )
+from forficula.statics.sprung_hinge import sprung_landscape
 from forficula.statics.tip_stiffness import TipStiffness, tip_stiffness
 from forficula.structure import Structure, Transition, drive_of, state_of, structure_of
 
@@ -52,12 +54,15 @@ class Rest:
         name: of the state that a protocol names, such as "flat"; where it is none, what the protocol calls that.
         angles: of all hinges, in their own senses, rad, (hinge,).
         energy: J.
+        stored: the same by what stores it: "tendons", "springs", "membranes" with length limits, "weight"; what the
+            structure does not have is left out.
         stable: whether it came to rest and no small push drives it on.
     """
 
     name: str
     angles: Array
     energy: float
+    stored: Mapping[str, float]
     stable: bool
 
 
@@ -69,7 +74,8 @@ class EnergyLandscape:
         design: the design.
         structure: what is built of it.
         hinge: one ideal hinge, with both bars square to its axis; None where there are no bars to be so.
-        tendons: every hinge that one tendon lies across, about its true axis, by tendon.
+        tendons: every hinge that one tendon lies across, about its true axis, by tendon; with the hinge's spring.
+        ideal_hinges: the same with both bars square to the axis; None for those that have no bars to be so.
         wing: the structure along its fold; None where rigid panels have no one way to fold.
         levels: energies of independent ideal hinges, none to all of them folded, J, (hinge + 1,).
         partial_folds: let go with some hinges folded.
@@ -85,6 +91,7 @@ class EnergyLandscape:
     structure: Structure
     hinge: HingeLandscape | None
     tendons: tuple[HingeLandscape, ...]
+    ideal_hinges: tuple[HingeLandscape | None, ...]
     wing: FoldPath | None
     levels: Array
     partial_folds: tuple[PartialFold, ...]
@@ -143,9 +150,8 @@ def energy_landscape(design: Design, points: int = 181) -> EnergyLandscape:
     """
     structure = structure_of(design)
     structures = ensemble([structure])
-    square = ideal_hinge(structure)
-    hinge = None if square is None else hinge_landscape(square, points)
-    tendons = tuple(hinge_landscape(each, points) for each in tendon_hinges(structure))
+    tendons, ideal_hinges = _tendon_landscapes(structure, points)
+    hinge = next((each for each in ideal_hinges if each is not None), None)
     wing = None if structure.fold_path is None else fold_path(structures, points)
     start = start_state(structures)
     rests, slow, most = [_rest(structures, _first_state(structure), start)], {}, {}
@@ -163,6 +169,7 @@ def energy_landscape(design: Design, points: int = 181) -> EnergyLandscape:
         structure=structure,
         hinge=hinge,
         tendons=tendons,
+        ideal_hinges=ideal_hinges,
         wing=wing,
         levels=fold_levels(structure),
         partial_folds=partial_folds(structures),
@@ -171,8 +178,7 @@ def energy_landscape(design: Design, points: int = 181) -> EnergyLandscape:
         least_torques={name: _known(each.torque[0]) for name, each in slow.items()},
         tips=None if wing is None else tip_stiffness(structures, start.position),
         remarks=(
-            *(() if hinge is None else hinge.remarks),
-            *_tendon_remarks(hinge, tendons),
+            *_tendon_remarks(structure, ideal_hinges, tendons),
             *(() if wing is None else wing.remarks),
             *_start_remarks(structure, start.position[0]),
             *(
@@ -278,6 +284,7 @@ def _rest(structures: Ensemble, name: str, found: Equilibria) -> Rest:
         name=name if within or state is None else state.missed,
         angles=found.position[0],
         energy=float(found.energy[0]),
+        stored={part: float(energy[0]) for part, energy in stored_energy(structures, found.position[:1]).items()},
         stable=bool(found.rests[0] and found.stiffness[0] > 0),
     )
 
@@ -293,13 +300,49 @@ def _known(value: float) -> float | None:
     return None if math.isnan(value) else float(value)
 
 
-def _tendon_remarks(ideal: HingeLandscape | None, tendons: tuple[HingeLandscape, ...]) -> tuple[str, ...]:
-    """What is said of the tendons and not of the ideal one; where both are slack, the angles differ a little."""
-    if ideal is None:
-        return tuple(dict.fromkeys(remark for tendon in tendons for remark in tendon.remarks))
-    if not tendons or ideal.hinge.pulls == tendons[0].hinge.pulls:
-        return ()
-    return tuple(f"about the wing's own hinge axes {remark}" for remark in tendons[0].remarks)
+def _tendon_landscapes(
+    structure: Structure, points: int
+) -> tuple[tuple[HingeLandscape, ...], tuple[HingeLandscape | None, ...]]:
+    """Every hinge that one tendon lies across, and its ideal one, by tendon; those that are alike are surveyed once."""
+
+    @cache
+    def survey(hinge: TendonHinge, spring: HingeSpring | None) -> HingeLandscape:
+        return hinge_landscape(hinge, points) if spring is None else sprung_landscape(hinge, spring, points)
+
+    own: list[HingeLandscape] = []
+    ideal: list[HingeLandscape | None] = []
+    for tendon in structure.tendons:
+        if tendon.crossing is None:
+            continue
+        crossed, hinge = structure.hinges[tendon.crossing.hinge], tendon_hinge(structure, tendon, tendon.crossing)
+        spring = HingeSpring(stiffness=crossed.stiffness, rest_angle=hinge.sense * crossed.rest_angle)
+        sprung = spring if spring.stiffness else None
+        own.append(survey(hinge, sprung))
+        square = None if tendon.ideal is None else tendon_hinge(structure, tendon, tendon.ideal)
+        ideal.append(None if square is None else survey(square, sprung))
+    return tuple(own), tuple(ideal)
+
+
+def _tendon_remarks(
+    structure: Structure, ideal: Sequence[HingeLandscape | None], tendons: Sequence[HingeLandscape]
+) -> tuple[str, ...]:
+    """What is said of the tendons' hinges: of the ideal ones, and of the true ones where those are slack otherwise.
+
+    What holds for some tendons only is said with their names.
+    """
+    labels = [tendon.label or tendon.name for tendon in structure.tendons if tendon.crossing is not None]
+    of: dict[str, list[str]] = {}
+    for label, square, hinge in zip(labels, ideal, tendons, strict=True):
+        remarks = hinge.remarks if square is None else square.remarks
+        # where both are slack, the angles differ a little
+        if square is not None and square.hinge.pulls != hinge.hinge.pulls:
+            whose = structure.appearance.whole
+            remarks = (*remarks, *(f"about the {whose}'s own hinge axes {remark}" for remark in hinge.remarks))
+        for remark in remarks:
+            of.setdefault(remark, []).append(label)
+    return tuple(
+        remark if len(names) == len(labels) else f"{', '.join(names)}: {remark}" for remark, names in of.items()
+    )
 
 
 def _start_remarks(structure: Structure, angles: Array) -> tuple[str, ...]:

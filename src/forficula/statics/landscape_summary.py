@@ -5,11 +5,13 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from forficula.statics.fold_path import FoldPath, rigid_fold
 from forficula.statics.hinge_landscape import HingeLandscape
 from forficula.statics.landscape import EnergyLandscape, stable_states
 from forficula.statics.partial_folds import PartialFold
+from forficula.structure import Structure
 
 
 def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
@@ -18,7 +20,10 @@ def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
     return {
         "design": landscape.design.name,
         "hinge": None if hinge is None else _hinge_summary(hinge),
-        "tendons": [_hinge_summary(hinge) for hinge in landscape.tendons],
+        "tendons": [
+            {"tendon": tendon, "hinge": hinge} | _hinge_summary(surveyed)
+            for (tendon, hinge), surveyed in zip(_crossed(landscape.structure), landscape.tendons, strict=True)
+        ],
         "wing": None if landscape.wing is None else _wing_summary(landscape, landscape.wing),
         "levels_J": landscape.levels.tolist(),
         "partial_folds": [_partial_summary(state) for state in landscape.partial_folds],
@@ -27,6 +32,7 @@ def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
                 "name": state.name,
                 "angles_deg": np.degrees(state.angles).tolist(),
                 "energy_J": state.energy,
+                "stored_J": dict(state.stored),
                 "stable": state.stable,
             }
             for state in landscape.rests
@@ -47,28 +53,46 @@ def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
     }
 
 
+def _crossed(structure: Structure) -> list[tuple[str, str]]:
+    """Names of the tendons that lie across one hinge, and of their hinges."""
+    return [
+        (tendon.name, structure.hinges[tendon.crossing.hinge].name)
+        for tendon in structure.tendons
+        if tendon.crossing is not None
+    ]
+
+
 def _hinge_summary(hinge: HingeLandscape) -> dict[str, Any]:
+    """A hinge with its angles and moments in its own sense."""
+
+    def degrees(angle: ArrayLike) -> Any:
+        # 0 keeps its sign
+        return np.degrees(angle) if hinge.sense > 0 else 0.0 - np.degrees(angle)
+
     peak = hinge.peak_opening
+    sprung = hinge.spring is not None
     return {
-        "angle_deg": np.degrees(hinge.angle).tolist(),
+        "angle_deg": degrees(hinge.angle).tolist(),
         "energy_J": hinge.energy.tolist(),
-        "moment_N_m": hinge.moment.tolist(),
+        "moment_N_m": (hinge.sense * hinge.moment).tolist(),
+        **({"spring_energy_J": hinge.spring_energy.tolist()} if sprung else {}),
+        **({"spring_moment_N_m": (hinge.sense * hinge.spring_moment).tolist()} if sprung else {}),
         "stable_states": [
             {
                 "kind": state.kind,
-                "angle_deg": float(np.degrees(state.angle)),
-                "far_angle_deg": float(np.degrees(state.far_angle)),
+                "angle_deg": float(degrees(state.angle)),
+                "far_angle_deg": float(degrees(state.far_angle)),
                 "energy_J": state.energy,
                 "holding_torque_N_m": state.holding_torque,
             }
             for state in hinge.states
         ],
         "barrier_J": hinge.barrier,
-        "barrier_angle_deg": None if hinge.barrier_angle is None else float(np.degrees(hinge.barrier_angle)),
+        "barrier_angle_deg": None if hinge.barrier_angle is None else float(degrees(hinge.barrier_angle)),
         "holding_torque_N_m": hinge.holding_torque,
         "peak_opening_torque_N_m": None if peak is None else peak.torque,
-        "peak_opening_angle_deg": None if peak is None else float(np.degrees(peak.angle)),
-        "slack_angle_deg": None if hinge.slack_angle is None else float(np.degrees(hinge.slack_angle)),
+        "peak_opening_angle_deg": None if peak is None else float(degrees(peak.angle)),
+        "slack_angle_deg": None if hinge.slack_angle is None else float(degrees(hinge.slack_angle)),
         "time_scale_s": hinge.time_scale,
         "growth_rate_per_s": hinge.growth_rate,
         "fold_start_deg": float(np.degrees(hinge.fold_start)),
@@ -123,4 +147,5 @@ def _partial_summary(state: PartialFold) -> dict[str, Any]:
         "energy_J": state.energy,
         "tendon_energy_J": state.tendon_energy,
         "membrane_energy_J": state.sheet_energy,
+        "independent_energy_J": state.independent_energy,
     }

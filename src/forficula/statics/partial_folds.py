@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.statics.hinge import folding_sense, ideal_hinges, tendon_hinges
+from forficula.statics.hinge import folding_sense, ideal_hinges, tendon_hinge, tendon_hinges
 from forficula.statics.potential import Ensemble, potential, rest, sheet_torque
 from forficula.statics.sheet import sheet_energy
 from forficula.structure import Structure
@@ -38,6 +38,8 @@ class PartialFold:
         distal_angle: of each folding hinge in the end, in its own sense, rad, (folding hinge,).
         tendon_energy: of all tendons, springs and weights in the end, J.
         sheet_energy: of membranes and length limits in the end, J.
+        independent_energy: of as many hinges that nothing couples, those folded at their limits and the others at their
+            overbend stops, J; ideal ones where there are such; None where springs hold them elsewhere.
     """
 
     folded: tuple[int, ...]
@@ -46,6 +48,7 @@ class PartialFold:
     distal_angle: Array
     tendon_energy: float
     sheet_energy: float
+    independent_energy: float | None = None
 
     @property
     def energy(self) -> float:
@@ -160,7 +163,7 @@ def partial_folds(structures: Ensemble) -> tuple[PartialFold, ...]:
     aimed = rest(many, start, fixed=folding.tolist()).position
     found = rest(many, aimed)
     sheet, _, _ = sheet_energy(many.sheet, found.position)
-    soft, states = _soft(structures), []
+    soft, states, independent = _soft(structures), [], _independent(structures.structure, folding.tolist())
     for row, folded in enumerate(combinations):
         angle = found.position[row, folding]
         stays = tuple(int(each) for each in np.flatnonzero(places.senses * (angle - places.top) < 0))
@@ -172,9 +175,32 @@ def partial_folds(structures: Ensemble) -> tuple[PartialFold, ...]:
                 distal_angle=angle,
                 tendon_energy=float(found.energy[row] - sheet[row]),
                 sheet_energy=float(sheet[row]),
+                independent_energy=None
+                if independent is None
+                else sum(energies[int(place in folded)] for place, energies in enumerate(independent)),
             )
         )
     return tuple(states)
+
+
+def _independent(structure: Structure, folding: Sequence[int]) -> list[tuple[float, float]] | None:
+    """Energies of the tendons across each folding hinge at its overbend stop and at its fold limit, J.
+
+    Those of ideal hinges, where there are such; None where there are no tendons, or springs hold a hinge elsewhere.
+    """
+    energies = dict.fromkeys(folding, (0.0, 0.0))
+    if not structure.tendons or any(structure.hinges[hinge].stiffness for hinge in folding):
+        return None
+    for tendon in structure.tendons:
+        if tendon.crossing is not None and tendon.crossing.hinge in energies:
+            hinge = tendon_hinge(structure, tendon, tendon.ideal or tendon.crossing)
+            opened, closed = energies[tendon.crossing.hinge]
+            opened, closed = (
+                opened + float(hinge.energy(hinge.overbend)),
+                closed + float(hinge.energy(-hinge.fold_limit)),
+            )
+            energies[tendon.crossing.hinge] = opened, closed
+    return list(energies.values())
 
 
 def _soft(structures: Ensemble) -> float:

@@ -172,6 +172,31 @@ def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> 
     return energy, slope, curvature
 
 
+def stored_energy(structures: Ensemble, angles: Array) -> dict[str, Array]:
+    """Energy by what stores it; what a structure does not have is left out.
+
+    Args:
+        structures: side by side.
+        angles: rad, (case, hinge).
+
+    Returns:
+        J, (case,), of "tendons", "springs" of hinges, "membranes" with length limits, and "weight", which is 0 where
+        all centres are at z = 0.
+    """
+    parts: dict[str, Array] = {}
+    if structures.structure.tendons:
+        parts["tendons"] = structures.tendons.energy(angles[:, structures.crossed]).sum(axis=1)
+        if structures.lines is not None:
+            parts["tendons"] = parts["tendons"] + line_energy(structures.lines, angles)[0]
+    if structures.stiffness.any():
+        parts["springs"] = np.sum(structures.stiffness * (angles - structures.rest_angles) ** 2, axis=1) / 2
+    if structures.structure.membranes or structures.structure.limits:
+        parts["membranes"] = sheet_energy(structures.sheet, angles)[0]
+    if structures.weight is not None:
+        parts["weight"] = weight_energy(structures.weight, angles)[0]
+    return parts
+
+
 def _further(structures: Ensemble, angles: Array) -> list[Expansion]:
     """What not every structure has: tendons across several hinges, and weight."""
     parts = [] if structures.lines is None else [line_energy(structures.lines, angles)]

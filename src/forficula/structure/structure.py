@@ -278,6 +278,7 @@ class Drive:
         tries: what a search for the least value tries where it is not told, as text.
         large: alike, what it takes to see whether the next transition works, as text.
         where: what it acts on, as sentences say it, such as "on every proximal joint".
+        part: what each of its torques is on, as tables say it, such as "distal hinge"; empty where `where` is enough.
     """
 
     name: str
@@ -288,6 +289,7 @@ class Drive:
     tries: str = ""
     large: str = ""
     where: str = ""
+    part: str = ""
 
     @property
     def torques(self) -> tuple[float, ...]:

@@ -76,6 +76,11 @@ def outer_ends(structure: Structure) -> Array:
     return built_points(structure)[chosen]
 
 
+def crossing_tendons(structure: Structure) -> tuple[int, ...]:
+    """Numbers of the tendons that lie across one hinge each."""
+    return tuple(number for number, tendon in enumerate(structure.tendons) if tendon.crossing is not None)
+
+
 def tendon_arms(structure: Structure, tendon: Tendon) -> tuple[tuple[int, float], ...]:
     """The hinges that a tendon crosses, and the longest lever that it can have about each, m.
 

@@ -274,6 +274,7 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
                 tries="0..50 N cm step 10",
                 large="500 N cm",
                 where="on every proximal joint",
+                part="proximal turn axis",
             ),
             Drive(
                 name="unfold",
@@ -324,6 +325,7 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
                     rise=protocol.rise,
                     key="protocol.unfold_torque",
                     torque=unfold,
+                    part="distal hinge",
                 ),
                 furthest="largest",
                 begun=None,

@@ -64,5 +64,5 @@ def test_a_landscape_leaves_all_files_or_none(surveyed, tmp_path):
         write_landscape(landscape, blocked)
     assert [path.name for path in blocked.iterdir()] == ["wing.png"]
     with pytest.raises(IndexError):  # a landscape that cannot be drawn, halfway through the files
-        write_landscape(replace(landscape, tendons=()), tmp_path / "broken")
+        write_landscape(replace(landscape, ideal_hinges=()), tmp_path / "broken")
     assert [path.name for path in tmp_path.iterdir()] == ["blocked"]

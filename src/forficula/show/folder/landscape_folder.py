@@ -5,19 +5,20 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from forficula.analysis.simulated_snap import INNER_VEIN, simulation_summary
+from forficula.analysis.simulated_snap import inner_tendon, simulation_summary
 from forficula.design import save_design
 from forficula.dynamics import Record, versions
 from forficula.files import replacing_all, write_text
 from forficula.show.landscape.landscape_figure import draw_wing
 from forficula.show.landscape.levels_figure import draw_levels
+from forficula.show.landscape.rests_figure import draw_rests
 from forficula.show.landscape.tendon_figure import draw_tendon
 from forficula.show.style import Drawing, save_figures
 from forficula.statics import EnergyLandscape, landscape_summary
 
 
 def write_landscape(
-    landscape: EnergyLandscape, folder: Path, record: Record | None = None, vein: int = INNER_VEIN
+    landscape: EnergyLandscape, folder: Path, record: Record | None = None, tendon: int | None = None
 ) -> None:
     """Write design, landscape and figures; all of them, or none.
 
@@ -25,34 +26,43 @@ def write_landscape(
         landscape: what to write.
         folder: made where it is missing; what an earlier landscape left there is replaced.
         record: a run of the design, to be shown beside; one that diverged is named and not drawn.
-        vein: number of the one, from 0, whose tendon stands for those of the wing.
+        tendon: number of the one that stands for all; an inner one if not given.
 
     Raises:
         InputError: the folder cannot be written.
     """
     with replacing_all(folder) as unfinished:
-        _write_files(landscape, unfinished, record, vein)
+        _write_files(landscape, unfinished, record, tendon)
 
 
-def _write_files(landscape: EnergyLandscape, folder: Path, record: Record | None, vein: int) -> None:
+def _write_files(landscape: EnergyLandscape, folder: Path, record: Record | None, tendon: int | None) -> None:
     save_design(landscape.design, folder / "design.toml")
     content = landscape_summary(landscape) | {
-        "simulation": None if record is None else simulation_summary(record, vein),
+        "simulation": None if record is None else simulation_summary(record, tendon),
         "versions": versions(),
     }
     # what does not exist is null; not every reader of JSON knows NaN
     text = json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False)
     write_text(folder / "landscape.json", text + "\n")
-    save_figures(landscape_drawings(landscape, record, vein), folder)
+    save_figures(landscape_drawings(landscape, record, tendon), folder)
 
 
 def landscape_drawings(
-    landscape: EnergyLandscape, record: Record | None = None, vein: int = INNER_VEIN
+    landscape: EnergyLandscape, record: Record | None = None, tendon: int | None = None
 ) -> dict[str, Drawing]:
-    """What draws a landscape, by the stem of its file; a run that diverged is not drawn beside it."""
+    """What draws a landscape, by the stem of its file; a run that diverged is not drawn beside it.
+
+    What the structure does not have is left out: no tendon across one hinge, no way to fold, no hinge that folds. Where
+    it has no one way to fold, the states in which it rests stand in place of the path.
+    """
     drawn = record if record is not None and record.diverged_at is None else None
-    return {
-        "tendon": lambda width: draw_tendon(landscape, drawn, width, vein),
-        "wing": lambda width: draw_wing(landscape, width),
-        "levels": lambda width: draw_levels(landscape, width),
-    }
+    drawings: dict[str, Drawing] = {}
+    if inner_tendon(landscape.structure) is not None:
+        drawings["tendon"] = lambda width: draw_tendon(landscape, drawn, width, tendon)
+    if landscape.wing is not None:
+        drawings["wing"] = lambda width: draw_wing(landscape, width)
+    else:
+        drawings["rests"] = lambda width: draw_rests(landscape, width)
+    if landscape.partial_folds:
+        drawings["levels"] = lambda width: draw_levels(landscape, width)
+    return drawings

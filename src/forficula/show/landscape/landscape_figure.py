@@ -1,4 +1,4 @@
-"""Energy and moment of the wing along its fold."""
+"""Energy and moment of a structure along its rigid fold."""
 
 from __future__ import annotations
 
@@ -9,12 +9,16 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from forficula.errors import InputError
 from forficula.quantities import reading_unit
 from forficula.show.landscape.landscape_marks import (
+    hinge_measure,
     mark_barrier,
     mark_state,
     rounding_torque,
+    sheet_parts,
     show_angle,
+    springy_parts,
     state_handles,
     write_note,
 )
@@ -29,7 +33,8 @@ from forficula.show.style import (
     in_column,
     is_narrow,
 )
-from forficula.statics import EnergyLandscape, StableState, stable_states
+from forficula.statics import EnergyLandscape, FoldPath, StableState, folding_hinges, stable_states
+from forficula.structure import Structure
 
 _RING_TICKS = (0, 2, 5, 10, 20, 40, 60, 90, 120, 150, 180)  # deg
 _TICK_GAP = 0.06  # between two of them, as a share of the axis
@@ -41,8 +46,17 @@ _BESIDE = math.radians(15)  # before a state, where the curve is low where it ca
 
 
 def draw_wing(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
-    """Draw energy and moment of a wing over its pleat angle, from camber through flat to folded; the width in inch."""
-    wing = landscape.wing
+    """Draw energy and moment over the pleat angle, from camber through flat to folded.
+
+    Args:
+        landscape: of a design whose rigid panels have one way to fold.
+        width: of the figure, inch.
+
+    Raises:
+        InputError: they have none, or several.
+    """
+    wing = fold_path_of(landscape)
+    pulling, stretched = springy_parts(landscape.structure), sheet_parts(landscape.structure)
     pleat, moment, sheet_energy = np.degrees(wing.pleat_angle), wing.moment, wing.sheet_energy
     rounding = rounding_torque(landscape)
     if float(np.abs(moment).max()) <= rounding:
@@ -55,8 +69,8 @@ def draw_wing(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
         figure = Figure(figsize=(width, 5.4), layout="constrained")
         top, middle, bottom = figure.subplots(3, 1, sharex=True, height_ratios=[2.0, 0.75, 1.15])
         top.plot(pleat, energy * wing.energy, color=BLACK, lw=2.2, alpha=0.35, label="total")
-        top.plot(pleat, energy * wing.tendon_energy, "--", color=BLUE, label="tendons")
-        middle.plot(pleat, sheet * sheet_energy, color=ORANGE, label="membrane and guards")
+        top.plot(pleat, energy * wing.tendon_energy, "--", color=BLUE, label=pulling)
+        middle.plot(pleat, sheet * sheet_energy, color=ORANGE, label=stretched)
         bottom.plot(pleat, torque * moment, color=BLACK, lw=1.0)
         for state in states:
             _mark(top, landscape, state, energy)
@@ -94,7 +108,7 @@ def draw_wing(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
             if not np.any(curve):
                 axes.set_yticks([0])
         top.set_ylabel(f"stored energy ({energy_unit})")
-        middle.set_ylabel(f"membrane,\nguards ({sheet_unit})")
+        middle.set_ylabel(f"{stretched.replace(' and ', f',{chr(10)}')} ({sheet_unit})")
         bottom.set_ylabel(f"moment about the\npleats ({torque_unit})")
         bottom.set_xlabel("pleat angle (deg): camber < 0, flat 0, folding > 0")
         handles = [handle for axes in (top, middle) for handle in axes.get_legend_handles_labels()[0]]
@@ -103,9 +117,20 @@ def draw_wing(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
         return describe(figure, _tell(landscape))
 
 
+def fold_path_of(landscape: EnergyLandscape) -> FoldPath:
+    """The path along the fold.
+
+    Raises:
+        InputError: there is none.
+    """
+    if landscape.wing is None:
+        raise InputError(f"{landscape.design.name}: rigid panels have no one way to fold")
+    return landscape.wing
+
+
 def _mark(axes: Axes, landscape: EnergyLandscape, state: StableState, factor: float) -> None:
     """Mark a stable state, with its name and energy."""
-    wing, place = landscape.wing, math.degrees(state.pleat_angle)
+    wing, place = fold_path_of(landscape), math.degrees(state.pleat_angle)
     band = (wing.pleat_angle >= state.pleat_angle) & (wing.pleat_angle <= state.far_pleat_angle)
     ends = np.degrees(wing.pleat_angle[band]), factor * wing.energy[band]
     mark_state(axes, state.kind, place, factor * state.energy, *ends)
@@ -114,7 +139,8 @@ def _mark(axes: Axes, landscape: EnergyLandscape, state: StableState, factor: fl
     height = factor * state.energy
     offsets: dict[str, Any] = {"textcoords": "offset points", "va": "center", "fontsize": 7}
     largest = factor * float(wing.energy.max())
-    if state.name == "flat":
+    first = landscape.structure.fold_path
+    if first is not None and state.name == first.start:
         axes.annotate(words, (place, height), xytext=(7, -12 if height > 0.2 * largest else 12), ha="left", **offsets)
         return
     before = float(np.interp(state.far_pleat_angle - _BESIDE, wing.pleat_angle, factor * wing.energy))
@@ -133,7 +159,7 @@ def reading(energy: float) -> str:
 
 def _close_up(axes: Axes, landscape: EnergyLandscape) -> None:
     """The saddle after the first stable state, by energy above that state; a sentence where there is none."""
-    wing = landscape.wing
+    wing = fold_path_of(landscape)
     left, low, width, height = _free_place(landscape)
     if in_column(axes) and left == _LOWER_LEFT[0]:
         left += _INWARDS
@@ -148,20 +174,23 @@ def _close_up(axes: Axes, landscape: EnergyLandscape) -> None:
     climb = saddle.energy - start.energy
     unit, factor = reading_unit("J", climb)
     reach = saddle.coordinate - start.coordinate
-    places = (wing.pleat_angle >= start.coordinate) & (wing.pleat_angle <= saddle.coordinate + 1.6 * reach)
+    last = min(saddle.coordinate + 1.6 * reach, float(wing.pleat_angle[-1]))
+    places = (wing.pleat_angle >= start.coordinate) & (wing.pleat_angle <= last)
     near.plot(np.degrees(wing.pleat_angle[places]), factor * (wing.energy[places] - start.energy), color=BLACK)
     near.set_ylim(-0.75 * factor * climb, 1.25 * factor * climb)
-    near.set_xlim(math.degrees(start.coordinate - 0.12 * reach), math.degrees(saddle.coordinate + 1.6 * reach))
+    near.set_xlim(math.degrees(start.coordinate - 0.12 * reach), math.degrees(last))
     words = f"barrier {factor * climb:.4g} {unit}"
     mark_barrier(near, math.degrees(saddle.coordinate), factor * climb, words)
-    near.set_ylabel(f"above {'flat' if start.coordinate <= 0 else 'it'} ({unit})", fontsize=7, labelpad=2)
+    first = landscape.structure.fold_path
+    name = first.start if first is not None and start.coordinate <= 0 else "it"
+    near.set_ylabel(f"above {name} ({unit})", fontsize=7, labelpad=2)
     near.set_xlabel("pleat angle (deg)", fontsize=7, labelpad=1)
     near.tick_params(labelsize=6)
 
 
 def _free_place(landscape: EnergyLandscape) -> tuple[float, float, float, float]:
     """The first place that the curve leaves free, or the one that it crosses least."""
-    wing = landscape.wing
+    wing = fold_path_of(landscape)
     share = (wing.pleat_angle - wing.pleat_angle[0]) / (wing.pleat_angle[-1] - wing.pleat_angle[0])
     height = wing.energy / (1.12 * float(wing.energy.max()))
     rooms = {}
@@ -174,23 +203,23 @@ def _free_place(landscape: EnergyLandscape) -> tuple[float, float, float, float]
 
 
 def _why_no_saddle(landscape: EnergyLandscape) -> str:
-    wing, tendon = landscape.wing, landscape.tendons[0]
-    if not np.any(wing.ring_angle):
+    wing = fold_path_of(landscape)
+    if not np.any(wing.ring_angle) and wing.remarks:
         return wing.remarks[0]
-    if tendon.barrier is None:
-        return tendon.remarks[0]
+    if landscape.tendons and all(tendon.barrier is None for tendon in landscape.tendons):
+        return landscape.tendons[0].remarks[0]
     return "no saddle: along the fold the energy nowhere rises and then falls"
 
 
 def _mark_climbs(axes: Axes, landscape: EnergyLandscape, factor: float, rounding: float) -> None:
     """Where the moment most resists folding and opening, and the torques that this takes."""
-    wing = landscape.wing
-    places = [(int(np.argmin(wing.moment)), "folding", wing.fold_torque, "vein", -9)]
+    wing = fold_path_of(landscape)
+    places = [(int(np.argmin(wing.moment)), "folding", wing.fold_torque, landscape.structure.appearance.bar, -9)]
     if wing.unfold_torque is not None:
         moves = wing.fold_slope > 0
         by_ring = np.where(moves, wing.moment, 0.0) / np.where(moves, wing.fold_slope, 1.0)
         place = int(np.argmax(by_ring))
-        places.append((place, "opening", wing.unfold_torque, "distal hinge", 5))
+        places.append((place, "opening", wing.unfold_torque, folding_hinge(landscape.structure), 5))
     middle = (wing.pleat_angle[0] + wing.pleat_angle[-1]) / 2
     for place, name, torque, where, up in places:
         angle = wing.pleat_angle[place]
@@ -207,9 +236,16 @@ def _mark_climbs(axes: Axes, landscape: EnergyLandscape, factor: float, rounding
         axes.annotate(words, at, xytext=(across, up), textcoords="offset points", ha=side, va="center", fontsize=7)
 
 
+def folding_hinge(structure: Structure) -> str:
+    """What sentences call a hinge that folds: by the title of its angle, such as "distal hinge"."""
+    measure = hinge_measure(structure, folding_hinges(structure)[0])
+    title = structure.appearance.titles.get(measure.name, "")
+    return title.removesuffix(" angle") or "hinge that folds"
+
+
 def _ring_axis(axes: Axes, landscape: EnergyLandscape) -> None:
     """The angle of the ring creases along the top, where it changes."""
-    wing = landscape.wing
+    wing = fold_path_of(landscape)
     if not np.any(wing.ring_angle):
         return
     pleats, rings = np.degrees(wing.pleat_angle), np.degrees(wing.ring_angle)
@@ -235,10 +271,11 @@ def _tell(landscape: EnergyLandscape) -> str:
     ]
     saddles = [
         f"{reading(state.energy)} at {show_angle(state.coordinate)}"
-        for state in landscape.wing.states
+        for state in fold_path_of(landscape).states
         if not state.stable
     ]
     return (
-        f"Energy of the wing {landscape.design.name} along its fold, with that of its membrane and the moment about the"
-        f" pleats beneath. Stable states: {'; '.join(states) or 'none'}. Saddles: {'; '.join(saddles) or 'none'}."
+        f"Energy of the {landscape.structure.appearance.whole} {landscape.design.name} along its fold, with that of its"
+        " membrane and the moment about the pleats beneath."
+        f" Stable states: {'; '.join(states) or 'none'}. Saddles: {'; '.join(saddles) or 'none'}."
     )

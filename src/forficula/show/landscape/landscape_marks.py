@@ -1,4 +1,4 @@
-"""What the landscape figures share: marks of stable states, barriers close up, and sentences in free places."""
+"""What the landscape figures share: marks of stable states, barriers close up, sentences in free places, names."""
 
 from __future__ import annotations
 
@@ -9,10 +9,13 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from forficula.show.style import BLACK, GREEN, in_column
 from forficula.statics import EnergyLandscape
+from forficula.structure import Measure, Structure, Transition, drive_of, measure_of
+
+Array = NDArray[np.float64]
 
 _KINDS = {"stop": "s", "minimum": "o", "neutral": "o"}
 _NAMES = {
@@ -26,7 +29,57 @@ _ROUNDING = 1e-6  # of a tendon's largest moment
 
 def rounding_torque(landscape: EnergyLandscape) -> float:
     """Torque up to which one is rounding, N m."""
-    return _ROUNDING * float(np.abs(landscape.hinge.moment).max())
+    hinges = landscape.tendons if landscape.hinge is None else (landscape.hinge,)
+    return _ROUNDING * max((float(np.abs(hinge.moment).max()) for hinge in hinges), default=0.0)
+
+
+def hinge_measure(structure: Structure, hinge: int) -> Measure:
+    """The first measure of angles that has a hinge in it; else that of its role."""
+    for measure in structure.measures:
+        if hinge in measure.hinges:
+            return measure
+    found = measure_of(structure, structure.hinges[hinge].role)
+    assert found is not None  # the hinge itself has the role
+    return found
+
+
+def torque_words(structure: Structure, transition: Transition) -> str:
+    """Where the torque of a transition acts, as tables say it, such as "on every distal hinge"."""
+    drive = transition.slow_drive or drive_of(structure, transition.drive)
+    if drive.part:
+        return f"on every {drive.part}"
+    motors = [motor.name for motor, share in zip(structure.motors, drive.shares, strict=True) if share]
+    return drive.where or f"on {', '.join(motors)}"
+
+
+def show_angles(measure: Measure, angles: Array) -> str:
+    """The reading of a measure of all angles (rad), from the least to the largest where its hinges differ."""
+    read = [sign * angles[hinge] for hinge, sign in zip(measure.hinges, measure.signs, strict=True)]
+    low, high = show_angle(min(read)), show_angle(max(read))
+    return low if low == high else f"{low} to {high}"
+
+
+def springy_parts(structure: Structure) -> str:
+    """What stores energy beside membranes and guards."""
+    has = (
+        ("tendons", bool(structure.tendons)),
+        ("springs", any(hinge.stiffness for hinge in structure.hinges)),
+        ("weight", bool(structure.gravity)),
+    )
+    return _joined([name for name, there in has if there])
+
+
+def sheet_parts(structure: Structure) -> str:
+    """What is stretched beside tendons; empty where there is nothing."""
+    has = (
+        (f"membrane{'s' * (not structure.limits)}", bool(structure.membranes)),
+        ("guards", bool(structure.limits)),
+    )
+    return _joined([name for name, there in has if there])
+
+
+def _joined(words: list[str]) -> str:
+    return " and ".join(filter(None, [", ".join(words[:-1]), *words[-1:]]))
 
 
 def mark_state(axes: Axes, kind: str, place: float, energy: float, range_x: ArrayLike, range_y: ArrayLike) -> None:

@@ -9,35 +9,56 @@ from rich.table import Table
 from rich.text import Text
 
 from forficula.analysis import measure
-from forficula.analysis.simulated_snap import INNER_VEIN, SimulatedSnap, predicted_snap, simulated_snap
+from forficula.analysis.simulated_snap import (
+    SimulatedSnap,
+    fold_limit,
+    folded_angle,
+    folding_transition,
+    predicted_snap,
+    simulated_snap,
+)
 from forficula.dynamics import Record
-from forficula.names import ordinal
 from forficula.quantities import reading_unit
-from forficula.show.landscape.landscape_marks import rounding_torque, show_angle
-from forficula.statics import EnergyLandscape, stable_states
+from forficula.show.landscape.landscape_marks import rounding_torque, show_angle, show_angles, torque_words
+from forficula.show.landscape.shown_hinge import ShownHinge, shown_hinge
+from forficula.show.structure.labels import shown_angles, title_of
+from forficula.statics import EnergyLandscape, FoldPath, HingeLandscape, stable_states
+from forficula.statics.snap import FOLD_START
+from forficula.statics.tip_stiffness import TipStiffness
+from forficula.structure import RigidFold, Transition
 
 _KINDS = {"stop": "on its stop", "minimum": "minimum", "neutral": "range without force"}
 _NONE = "none"
 
 
-def print_landscape(landscape: EnergyLandscape, record: Record | None = None, vein: int = INNER_VEIN) -> None:
+def print_landscape(landscape: EnergyLandscape, record: Record | None = None, tendon: int | None = None) -> None:
     """Print a landscape, and a run of the same design beside its prediction; args are those of `landscape_table`."""
-    Console(width=110, highlight=False).print(landscape_table(landscape, record, vein))
+    Console(width=110, highlight=False).print(landscape_table(landscape, record, tendon))
 
 
-def landscape_table(landscape: EnergyLandscape, record: Record | None = None, vein: int = INNER_VEIN) -> RenderableType:
+def landscape_table(
+    landscape: EnergyLandscape, record: Record | None = None, tendon: int | None = None
+) -> RenderableType:
     """Lay out stable states, barriers, torques, stiffness and snap, and the remarks as sentences.
+
+    What the structure does not have is left out.
 
     Args:
         landscape: what to show.
         record: a run of its design.
-        vein: number of the one, from 0, whose hinge stands for those of the wing.
+        tendon: number of the one whose hinge stands for all; an inner one if not given.
     """
-    parts: list[RenderableType] = [Text(_verdict(landscape), style="bold"), Text()]
-    for table in (_states(landscape, vein), _barriers(landscape, vein), _torques(landscape), _tips(landscape)):
-        parts += [table, Text()]
-    parts.append(_snap(landscape, record, vein))
-    remarks = [*_simulation_remarks(record, vein), *landscape.remarks]
+    shown = shown_hinge(landscape, tendon)
+    parts: list[RenderableType] = [Text(_verdict(landscape), style="bold")]
+    tables = [_states(landscape, shown), _barriers(landscape, shown), _torques(landscape)]
+    if landscape.tips is not None:
+        tables.append(_tips(landscape.tips))
+    if shown is not None:
+        tables.append(_snap(landscape, record, shown))
+    for table in tables:
+        if table.row_count:
+            parts += [Text(), table]
+    remarks = [*_simulation_remarks(record, shown), *landscape.remarks]
     if remarks:
         parts += [Text(), *(Text(_sentence(remark)) for remark in remarks)]
     return Group(*parts)
@@ -45,57 +66,92 @@ def landscape_table(landscape: EnergyLandscape, record: Record | None = None, ve
 
 def _verdict(landscape: EnergyLandscape) -> str:
     folds = landscape.partial_folds
-    names = [state.name for state in stable_states(landscape)]
-    along = f"stable along its fold: {', '.join(names)}" if names else "no stable state along its fold"
+    if landscape.wing is None:
+        names = [each.name or "at the start" for each in landscape.rests if each.stable]
+        told = f"rests stably: {', '.join(names)}" if names else "rests nowhere stably"
+    else:
+        names = [state.name for state in stable_states(landscape)]
+        told = f"stable along its fold: {', '.join(names)}" if names else "no stable state along its fold"
     stable = sum(fold.stable for fold in folds)
-    return f"{landscape.design.name}: {along}; {stable} of {len(folds)} states with some hinges folded stay"
+    partly = f"; {stable} of {len(folds)} states with some hinges folded stay" if folds else ""
+    return f"{landscape.design.name}: {told}{partly}"
 
 
-def _states(landscape: EnergyLandscape, vein: int) -> Table:
+def _states(landscape: EnergyLandscape, shown: ShownHinge | None) -> Table:
+    whole = landscape.structure.appearance.whole
     table = _table("Stable states", "", "", "at", "energy", "held by")
-    hinges = (("ideal hinge", landscape.hinge), (f"{ordinal(vein)} hinge of the wing", landscape.tendons[vein]))
-    for name, hinge in hinges:
+    for name, hinge in () if shown is None else shown.columns:
         for state in hinge.states:
             held = _torque(state.holding_torque) if state.kind == "stop" else ""
-            at = _range(state.angle, state.far_angle)
+            at = _range(hinge.sense * state.angle, hinge.sense * state.far_angle)
             table.add_row(name, _KINDS[state.kind], at, _energy(state.energy), held)
-    for each in stable_states(landscape):
-        at = f"pleats {_range(each.pleat_angle, each.far_pleat_angle)}"
-        held = f"{_torque(each.holding_torque)} a vein" if each.kind == "stop" else ""
-        table.add_row(f"wing, {each.name}", _KINDS[each.kind], at, _energy(each.energy), held)
+    if landscape.wing is not None:
+        for each in stable_states(landscape):
+            at = f"pleats {_range(each.pleat_angle, each.far_pleat_angle)}"
+            bar = landscape.structure.appearance.bar
+            held = f"{_torque(each.holding_torque)} a {bar}" if each.kind == "stop" else ""
+            table.add_row(f"{whole}, {each.name}", _KINDS[each.kind], at, _energy(each.energy), held)
+        return table
+    measures = shown_angles(landscape.structure)
+    for rest in landscape.rests:
+        at = ", ".join(f"{title_of(each)} {show_angles(each, rest.angles)}" for each in measures)
+        kind = "rests" if rest.stable else "not stable"
+        table.add_row(f"{whole}, {rest.name or 'at the start'}", kind, at, _energy(rest.energy), "")
     return table
 
 
-def _barriers(landscape: EnergyLandscape, vein: int) -> Table:
-    table = _table("Barriers", "", "energy")
-    for name, value in (
-        ("ideal hinge, overbend to straight", landscape.hinge.barrier),
-        (f"{ordinal(vein)} hinge of the wing, overbend to straight", landscape.tendons[vein].barrier),
-        ("wing, flat until its easiest hinge folds alone", float(landscape.hinge_barriers.min())),
-        ("wing, flat to folded, all hinges together", landscape.fold_barrier),
-        ("wing, folded to flat, all hinges together", landscape.unfold_barrier),
-    ):
+def _barriers(landscape: EnergyLandscape, shown: ShownHinge | None) -> Table:
+    table, whole = _table("Barriers", "", "energy"), landscape.structure.appearance.whole
+    columns = () if shown is None else shown.columns
+    rows = [(f"{name}, {_way(hinge)}", hinge.barrier) for name, hinge in columns]
+    fold = landscape.structure.fold_path
+    start = (landscape.rests[0].name if fold is None else fold.start) or "at the start"
+    if len(landscape.hinge_barriers):
+        easiest = float(landscape.hinge_barriers.min())
+        rows.append((f"{whole}, {start} until its easiest hinge folds alone", easiest))
+    if fold is not None:
+        rows += [
+            (f"{whole}, {fold.start} to {fold.end}, all hinges together", landscape.fold_barrier),
+            (f"{whole}, {fold.end} to {fold.start}, all hinges together", landscape.unfold_barrier),
+        ]
+    for name, value in rows:
         table.add_row(name, _NONE if value is None else _energy(value))
     return table
 
 
+def _way(hinge: HingeLandscape) -> str:
+    """From where to where a hinge's barrier is climbed."""
+    top = hinge.barrier_angle
+    start = "overbend"
+    if hinge.spring is not None and top is not None:
+        start = show_angle(hinge.sense * hinge.states[0].angle)
+    return f"{start} to {show_angle(hinge.sense * top) if top else 'straight'}"
+
+
 def _torques(landscape: EnergyLandscape) -> Table:
-    wing, rounding = landscape.wing, rounding_torque(landscape)
-    table = _table("Least slow torques, without help by inertia", "", "rigid panels", "compliant wing")
-    for name, path, slow in (
-        ("that fold, on every proximal turn axis", wing.fold_torque, landscape.fold_torque),
-        ("that open, on every distal hinge", wing.unfold_torque, landscape.unfold_torque),
-    ):
-        table.add_row(name, *(_least(torque, rounding) for torque in (path, slow)))
+    path, fold, rounding = landscape.wing, landscape.structure.fold_path, rounding_torque(landscape)
+    whole = landscape.structure.appearance.whole
+    columns = [whole] if path is None else ["rigid panels", f"compliant {whole}"]
+    table = _table("Least slow torques, without help by inertia", "", *columns)
+    for transition in landscape.structure.transitions:
+        slow = _least(landscape.least_torques[transition.name], rounding)
+        along = [] if path is None or fold is None else [_least(_along(path, fold, transition), rounding)]
+        where = torque_words(landscape.structure, transition)
+        verb = transition.wording.verb
+        table.add_row(f"that {'make it ' * (' ' in verb)}{verb}, {where}", *along, slow)
     return table
+
+
+def _along(path: FoldPath, fold: RigidFold, transition: Transition) -> float | None:
+    """The torque that takes rigid panels along their fold, where a transition leads to its end, or else back."""
+    return path.fold_torque if transition.state == fold.end else path.unfold_torque
 
 
 def _least(torque: float | None, rounding: float) -> str:
     return _NONE if torque is None else _torque(torque if torque > rounding else 0.0)
 
 
-def _tips(landscape: EnergyLandscape) -> Table:
-    tips = landscape.tips
+def _tips(tips: TipStiffness) -> Table:
     unit, factor = reading_unit("m", tips.deflection)
     deflection = f"{factor * tips.deflection:.3g} {unit}"
     table = _table("Stiffness at every tip", "", "along folding", "against folding")
@@ -105,27 +161,39 @@ def _tips(landscape: EnergyLandscape) -> Table:
     return table
 
 
-def _snap(landscape: EnergyLandscape, record: Record | None, vein: int) -> Table:
-    design = landscape.design
-    folded, limit = design.protocol.folded_angle, design.hinge.fold_limit
-    snap = None if record is None else simulated_snap(record, vein)
-    hinges = (landscape.hinge, landscape.tendons[vein])
+def _snap(landscape: EnergyLandscape, record: Record | None, shown: ShownHinge) -> Table:
+    """How fast one hinge snaps: predicted where it has no spring of its own, and in the run where there is one."""
+    structure = landscape.structure
+    folded, limit = folded_angle(structure, shown.hinge), fold_limit(structure, shown.hinge)
+    snap = None if record is None else simulated_snap(record, shown.tendon)
+    hinges = [each for _, each in shown.columns if each.spring is None]
     predicted = [predicted_snap(each.hinge, folded) for each in hinges]
-    headings = ["", "ideal hinge", f"{ordinal(vein)} hinge"] + (["in the simulated wing"] if snap else [])
-    table = _table("Snap of one hinge alone, without damping", *headings)
-    start = show_angle(landscape.hinge.fold_start)
-    table.add_row("time scale t*", *(_time(each.time_scale) for each in hinges))
-    table.add_row("growth rate at straight", *(_rate(each.growth_rate) for each in hinges))
-    ways = [f"from {start} past straight to {show_angle(angle)}" for angle in (folded, limit)]
-    to_folded = [ways[0], *(_time(each.folded_time) for each in predicted)]
-    to_limit = [ways[1], *(_time(each.fold_time) for each in predicted)]
-    speed = ["final speed", *(_speed(each.final_speed) for each in predicted)]
+    names = (["ideal hinge"] if shown.ideal is not None else []) + [shown.name] if hinges else []
+    headings = ["", *names] + ([f"in the simulated {shown.whole}"] if snap else [])
+    kind = "Snap of one hinge alone, without damping" if hinges else f"Snap of the {shown.name}"
+    table = _table(kind, *headings)
+    if not hinges and snap is None:
+        return table
+    top = "its top" if shown.own.hinge.offset_angle else "straight"
+    if hinges:
+        table.add_row("time scale t*", *(_time(each.time_scale) for each in hinges))
+        table.add_row(f"growth rate at {top}", *(_rate(each.growth_rate) for each in hinges))
+    start = f"from {show_angle(FOLD_START)} past {top}"
+    rows: list[list[str]] = []
+    for angle, of, simulated in (
+        (folded, [each.folded_time for each in predicted], None if snap is None else snap.folded_time),
+        (limit, [each.fold_time for each in predicted], None if snap is None else snap.fold_time),
+    ):
+        if angle is None:
+            continue
+        rows.append([f"{start} to {show_angle(angle)}", *map(_time, of)])
+        if snap is not None:
+            rows[-1].append(_simulated_time(snap, simulated))
+    speed = ["final speed" if hinges else "largest speed", *(_speed(each.final_speed) for each in predicted)]
     if snap is not None:
-        to_folded.append(_simulated_time(snap, snap.folded_time))
-        to_limit.append(_simulated_time(snap, snap.fold_time))
-        speed[0] += "; simulated: the largest"
+        speed[0] += "; simulated: the largest" * bool(hinges)
         speed.append(_speed(snap.peak_speed))
-    for row in (to_folded, to_limit, speed):
+    for row in (*rows, speed):
         table.add_row(*row)
     return table
 
@@ -134,17 +202,23 @@ def _simulated_time(snap: SimulatedSnap, time: float | None) -> str:
     return f"folds to {show_angle(snap.largest_fold)} only" if time is None else _time(time)
 
 
-def _simulation_remarks(record: Record | None, vein: int) -> Iterator[str]:
+def _simulation_remarks(record: Record | None, shown: ShownHinge | None) -> Iterator[str]:
     """What became of the simulation, and how finely it was sampled."""
     if record is None:
         return
-    outcome, snap = measure(record), simulated_snap(record, vein)
-    yield f"the simulated wing: {outcome.status}. {outcome.advice}".strip()
-    if snap is not None:
-        yield (
-            f"its {ordinal(vein)} hinge is sampled every {_time(snap.sample_interval)}; it is driven by the fold"
-            " torque, damped, and tied to the membrane, which the prediction is not"
-        )
+    outcome, structure = measure(record), record.structure
+    snap = None if shown is None else simulated_snap(record, shown.tendon)
+    yield f"the simulated {structure.appearance.whole}: {outcome.status}. {outcome.advice}".strip()
+    if snap is None or shown is None:
+        return
+    sampled = f"its {shown.name} is sampled every {_time(snap.sample_interval)}"
+    if shown.own.spring is not None:
+        yield sampled
+        return
+    folding = folding_transition(structure, shown.hinge)
+    driven = "it is driven" if folding is None else f"it is driven by the {folding.drive} torque"
+    others = ", damped, and tied to the membrane" if structure.membranes else " and damped"
+    yield f"{sampled}; {driven}{others}, which the prediction is not"
 
 
 def _sentence(remark: str) -> str:
@@ -155,7 +229,14 @@ def _sentence(remark: str) -> str:
 
 
 def _table(title: str, *headings: str) -> Table:
-    table = Table(box=None, padding=(0, 2, 0, 0), title=title, title_justify="left", show_header=any(headings))
+    table = Table(
+        box=None,
+        padding=(0, 2, 0, 0),
+        title=title,
+        title_justify="left",
+        show_header=any(headings),
+        min_width=len(title),
+    )
     for number, heading in enumerate(headings):
         table.add_column(heading, justify="right" if number and heading else "left")
     return table

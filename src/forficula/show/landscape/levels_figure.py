@@ -1,4 +1,4 @@
-"""What a wing stores with some of its tendons folded: independent hinges beside the coupled wing."""
+"""What a structure stores with some of its hinges folded, and independent hinges beside it."""
 
 from __future__ import annotations
 
@@ -9,65 +9,87 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from forficula.quantities import reading_unit, show_value
-from forficula.show.landscape.landscape_marks import write_note
+from forficula.show.landscape.landscape_marks import sheet_parts, springy_parts, write_note
+from forficula.show.structure.labels import label_of
 from forficula.show.style import BLACK, BLUE, ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
-from forficula.statics import EnergyLandscape
-from forficula.statics.partial_folds import PartialFold
+from forficula.statics import EnergyLandscape, PartialFold, folding_hinges
 
 _NARROW = 0.03  # share of all bars' width in which no words have room
+_ALIKE = 1e-9  # relative difference of energies that count as one
 _GAP = 0.8  # between groups, in bars
 _WORDS = {0: "none folded", 1: "one", 2: "two", 3: "three", 4: "four", 5: "five"}
 
 
 def draw_levels(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
-    """Draw the energies of independent hinges, and of the wing let go with these hinges folded.
+    """Draw the energies of independent hinges, and of the structure let go with these hinges folded.
 
-    Under every bar stand its veins, one above the other: filled where the hinge started folded, ringed where it came
-    to rest on the other side of straight.
+    Under every bar stand its hinges, one above the other: filled where the hinge started folded, ringed where it came
+    to rest on the other side of straight. Independent hinges are left out where a tendon has no ideal one.
 
     Args:
-        landscape: of a design.
+        landscape: of a design with hinges that fold.
         width: of the figure, inch.
     """
     folds = landscape.partial_folds
-    veins = len(landscape.tendons)
+    hinges = [label_of(landscape.structure.hinges[hinge]) for hinge in folding_hinges(landscape.structure)]
     counts = np.array([len(fold.folded) for fold in folds])
     groups = np.unique(counts)
     places = np.arange(len(folds)) + _GAP * np.searchsorted(groups, counts)
-    largest = max(float(landscape.levels.max()), *(fold.energy for fold in folds))
+    alone = [fold.independent_energy for fold in folds]
+    known = [energy for energy in alone if energy is not None]
+    levels = {int(group): _level(landscape, int(group)) for group in groups}
+    largest = max(*known, *(fold.energy for fold in folds))
     unit, factor = reading_unit("J", largest)
     with figure_style():
-        figure = Figure(figsize=(width, 3.1 + 0.13 * veins), layout="constrained")
-        top, bottom = figure.subplots(2, 1, sharex=True, height_ratios=[2.6, 0.13 * veins + 0.1])
+        figure = Figure(figsize=(width, 3.1 + 0.13 * len(hinges)), layout="constrained")
+        top, bottom = figure.subplots(2, 1, sharex=True, height_ratios=[2.6, 0.13 * len(hinges) + 0.1])
         _plot_bars(top, folds, places, factor)
-        for group in groups:
+        for group, level in levels.items():
             inside = places[counts == group]
             left, right = inside.min() - 0.6, inside.max() + 0.6
-            level = factor * float(landscape.levels[group])
-            top.plot([left, right], [level, level], "--", color=BLACK, lw=1.2, zorder=5)
+            if level is not None:
+                top.plot([left, right], [factor * level, factor * level], "--", color=BLACK, lw=1.2, zorder=5)
+            narrow = right - left < _NARROW * (places[-1] - places[0])
+            words = None if level is None or None in levels.values() else f"{factor * level:.3g} {unit}"
             top.text(
                 (left + right) / 2,
                 1.02,
-                _heading(int(group), f"{level:.3g} {unit}", narrow=right - left < _NARROW * (places[-1] - places[0])),
+                _heading(group, words, narrow=narrow),
                 transform=top.get_xaxis_transform(),
                 ha="center",
                 va="bottom",
                 fontsize=7,
             )
-        top.set_ylim(0, 1.08 * factor * largest or 1)
-        if not landscape.hinge.hinge.pulls:
+        for energy, count, place in zip(alone, counts.tolist(), places.tolist(), strict=True):
+            if energy is not None and levels[count] is None:
+                ends = [place - 0.5, place + 0.5]
+                top.plot(ends, [factor * energy, factor * energy], "--", color=BLACK, lw=1.2, zorder=5)
+        lowest = min(0.0, *(min(fold.energy, fold.tendon_energy) for fold in folds))
+        top.set_ylim(1.08 * factor * lowest, 1.08 * factor * largest or 1)
+        if landscape.hinge is not None and not any(hinge.hinge.pulls for hinge in landscape.tendons):
             write_note(top, (0.3, 0.75), landscape.hinge.remarks[0])
         top.set_ylabel(f"stored energy ({unit})")
         top.tick_params(axis="x", length=0)
-        _plot_veins(bottom, folds, places, veins)
+        _plot_hinges(bottom, folds, places, hinges)
         top.set_xlim(places[0] - 1, places[-1] + 1)
-        figure.legend(handles=_handles(folds), loc="outside upper center", ncols=1 if is_narrow(width) else 3)
+        figure.legend(handles=_handles(landscape), loc="outside upper center", ncols=1 if is_narrow(width) else 3)
         return describe(figure, _tell(landscape))
 
 
-def _heading(count: int, level: str, *, narrow: bool) -> str:
+def _level(landscape: EnergyLandscape, count: int) -> float | None:
+    """What independent hinges store with so many of them folded, J; None where it matters which, or is not known."""
+    group = [fold for fold in landscape.partial_folds if len(fold.folded) == count]
+    energies = [fold.independent_energy for fold in group if fold.independent_energy is not None]
+    if len(energies) < len(group) or not np.allclose(energies, energies[0], rtol=_ALIKE, atol=0):
+        return None
+    every = len(landscape.levels) == len(group[0].distal_angle) + 1
+    return float(landscape.levels[count]) if every else energies[0]
+
+
+def _heading(count: int, level: str | None, *, narrow: bool) -> str:
     """How many are folded and what that many independent hinges store; a number alone where there is no room."""
-    return f"{count}\n" if narrow else f"{_WORDS.get(count, str(count))}\n{level}"
+    words = str(count) if narrow else _WORDS.get(count, str(count))
+    return f"{words}\n" if narrow or level is None else f"{words}\n{level}"
 
 
 def _plot_bars(axes: Axes, folds: tuple[PartialFold, ...], places: np.ndarray, factor: float) -> None:
@@ -81,18 +103,18 @@ def _plot_bars(axes: Axes, folds: tuple[PartialFold, ...], places: np.ndarray, f
         axes.plot([place - 0.4, place + 0.4], [total, total], color=BLACK if fold.stable else "0.45", lw=1.6)
 
 
-def _plot_veins(axes: Axes, folds: tuple[PartialFold, ...], places: np.ndarray, veins: int) -> None:
-    """A column of dots for every state, vein by vein."""
+def _plot_hinges(axes: Axes, folds: tuple[PartialFold, ...], places: np.ndarray, names: list[str]) -> None:
+    """A column of dots for every state, hinge by hinge."""
     size = 4.5 if len(folds) <= 40 else 2.0
-    for vein in range(veins):
-        started = np.array([vein in fold.folded for fold in folds])
-        ended = np.array([vein in fold.stays_folded for fold in folds])
-        height = np.full(len(folds), float(vein))
+    for hinge in range(len(names)):
+        started = np.array([hinge in fold.folded for fold in folds])
+        ended = np.array([hinge in fold.stays_folded for fold in folds])
+        height = np.full(len(folds), float(hinge))
         axes.plot(places[~started], height[~started], "o", color="0.88", ms=size, mew=0)
         axes.plot(places[started], height[started], "o", color="0.15", ms=size, mew=0)
         axes.plot(places[started != ended], height[started != ended], "o", mfc="none", mec=BLACK, mew=0.8, ms=size + 3)
-    axes.set_ylim(-0.7, veins - 0.3)
-    axes.set_yticks(range(veins), [f"vein {vein}" for vein in range(veins)], fontsize=6)
+    axes.set_ylim(-0.7, len(names) - 0.3)
+    axes.set_yticks(range(len(names)), names, fontsize=6)
     axes.set_xticks([])
     axes.tick_params(length=0)
     for side in ("left", "bottom"):
@@ -100,13 +122,18 @@ def _plot_veins(axes: Axes, folds: tuple[PartialFold, ...], places: np.ndarray, 
     axes.set_xlabel("hinges that start folded, the others in the overbend")
 
 
-def _handles(folds: tuple[PartialFold, ...]) -> list[Line2D | Patch]:
-    handles: list[Line2D | Patch] = [
-        Line2D([], [], color=BLACK, ls="--", lw=1.2, label="independent ideal hinges (number above)"),
-        Line2D([], [], color=BLACK, lw=1.6, label="coupled wing"),
-        Patch(facecolor=BLUE, alpha=0.75, label="of it tendons"),
-        Patch(facecolor=ORANGE, alpha=0.75, label="of it membrane and guards"),
-    ]
+def _handles(landscape: EnergyLandscape) -> list[Line2D | Patch]:
+    folds, whole = landscape.partial_folds, landscape.structure.appearance.whole
+    stretched = sheet_parts(landscape.structure)
+    compared = folds[0].independent_energy is not None
+    handles: list[Line2D | Patch] = []
+    if compared:
+        numbered = " (number above)" * all(_level(landscape, len(fold.folded)) is not None for fold in folds)
+        handles.append(Line2D([], [], color=BLACK, ls="--", lw=1.2, label=f"{_independent(landscape)}{numbered}"))
+    handles.append(Line2D([], [], color=BLACK, lw=1.6, label=f"coupled {whole}" if compared else whole))
+    handles.append(Patch(facecolor=BLUE, alpha=0.75, label=f"of it {springy_parts(landscape.structure)}"))
+    if stretched:
+        handles.append(Patch(facecolor=ORANGE, alpha=0.75, label=f"of it {stretched}"))
     if not all(fold.stable for fold in folds):
         handles += [
             Patch(facecolor="white", edgecolor="0.45", hatch="/////", label="not stable: where it ends"),
@@ -115,12 +142,19 @@ def _handles(folds: tuple[PartialFold, ...]) -> list[Line2D | Patch]:
     return handles
 
 
+def _independent(landscape: EnergyLandscape) -> str:
+    return f"independent {'ideal ' * (landscape.hinge is not None)}hinges"
+
+
 def _tell(landscape: EnergyLandscape) -> str:
     """The levels in words."""
-    folds = landscape.partial_folds
-    levels = ", ".join(show_value(float(level), "J", 3) for level in landscape.levels)
-    return (
-        f"Energy that the wing {landscape.design.name} stores with some of its hinges folded. Of {len(folds)} ways to"
-        f" fold some of {len(landscape.tendons)} hinges {sum(fold.stable for fold in folds)} are stable; independent"
-        f" ideal hinges store {levels} with none to all of them folded."
+    folds, whole = landscape.partial_folds, landscape.structure.appearance.whole
+    told = (
+        f"Energy that the {whole} {landscape.design.name} stores with some of its hinges folded. Of {len(folds)} ways"
+        f" to fold some of {len(folds[0].distal_angle)} hinges {sum(fold.stable for fold in folds)} are stable"
     )
+    if folds[0].independent_energy is None:
+        ends = [show_value(end(fold.energy for fold in folds), "J", 3) for end in (min, max)]
+        return f"{told}; they store from {ends[0]} to {ends[1]}."
+    levels = ", ".join(show_value(float(level), "J", 3) for level in landscape.levels)
+    return f"{told}; {_independent(landscape)} store {levels} with none to all of them folded."

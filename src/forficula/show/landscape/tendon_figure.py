@@ -1,4 +1,4 @@
-"""Energy and moment of one tendon over its distal angle, as in Binder et al. 2025, Figure 5."""
+"""Energy and moment of one tendon over the angle of its hinge, as in Binder et al. 2025, Figure 5."""
 
 from __future__ import annotations
 
@@ -10,15 +10,28 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
-from numpy.typing import NDArray
+from matplotlib.ticker import MaxNLocator
+from numpy.typing import ArrayLike, NDArray
 
-from forficula.analysis.simulated_snap import INNER_VEIN
+from forficula.analysis.simulated_snap import folding_rows
 from forficula.dynamics import Record
+from forficula.errors import InputError
 from forficula.quantities import reading_unit, show_value
-from forficula.show.landscape.landscape_marks import mark_barrier, mark_state, show_angle, state_handles, write_note
+from forficula.show.landscape.landscape_marks import (
+    hinge_measure,
+    mark_barrier,
+    mark_state,
+    show_angle,
+    state_handles,
+    write_note,
+)
+from forficula.show.landscape.shown_hinge import ShownHinge, shown_hinge
+from forficula.show.structure.labels import label_of, parts_of, title_of
 from forficula.show.style import (
+    BLACK,
     BLUE,
     GREEN,
+    LINE_STYLES,
     ORANGE,
     PAGE_WIDTH,
     PURPLE,
@@ -30,6 +43,7 @@ from forficula.show.style import (
     is_narrow,
 )
 from forficula.statics import EnergyLandscape, HingeLandscape
+from forficula.structure import crossing_tendons
 
 Array = NDArray[np.float64]
 
@@ -39,68 +53,116 @@ _ALIKE = 1e-6  # relative difference of energies up to which two hinges are draw
 _APART = 12.0  # between two points of the simulation, deg
 _INSET = (0.62, 0.58, 0.34, 0.40)
 _WIDE_BOWL = 50.0  # of a moment, beside or within which there is room for words, deg
+_CROSSING = 0.15  # of the largest moment, by which another hinge's curve crosses such words
+_WIDEST = math.radians(60)  # from the overbend stop to a barrier that needs no close-up
+_SPRING: dict[str, Any] = {"color": ORANGE, "ls": "--", "lw": 1.2, "zorder": 2}
+_BOTH: dict[str, Any] = {"color": BLACK, "ls": "-", "lw": 1.6, "zorder": 3}
 
 
 def draw_tendon(
-    landscape: EnergyLandscape, record: Record | None = None, width: float = PAGE_WIDTH, vein: int = INNER_VEIN
+    landscape: EnergyLandscape, record: Record | None = None, width: float = PAGE_WIDTH, tendon: int | None = None
 ) -> Figure:
-    """Draw energy and moment of one tendon over its distal angle.
+    """Draw energy and moment of one tendon over the angle of the hinge that it lies across.
+
+    Where the hinge has a spring, that is drawn, too, and what both come to.
 
     Args:
-        landscape: of a design.
+        landscape: of a design with a tendon that lies across one hinge.
         record: a run of it, whose tendon is drawn on top; it must not have diverged.
         width: of the figure, inch.
-        vein: number of the one, from 0, whose tendon it is.
+        tendon: number of the tendon; an inner one if not given.
+
+    Raises:
+        InputError: no tendon lies across one hinge.
     """
-    wing = landscape.tendons[vein]
-    energy_unit, energy_factor = reading_unit("J", float(landscape.hinge.energy.max()))
-    torque_unit, torque_factor = reading_unit("N m", float(np.abs(landscape.hinge.moment).max()))
+    shown = shown_hinge(landscape, tendon)
+    if shown is None:
+        raise InputError(f"{landscape.design.name}: no tendon lies across one hinge")
+    own, curves = shown.own, list(_curves(landscape, shown))
+    energy_unit, energy_factor = reading_unit("J", max(float(energy.max()) for _, energy, _, _, _ in curves))
+    torque_unit, torque_factor = reading_unit("N m", max(float(np.abs(moment).max()) for *_, moment, _, _ in curves))
     with figure_style():
         figure = Figure(figsize=(width, 5.0), layout="constrained")
         top, bottom = figure.subplots(2, 1, sharex=True, height_ratios=[1.3, 1])
-        for hinge, name, style in _curves(landscape):
-            angle = np.degrees(hinge.angle)
-            top.plot(angle, energy_factor * hinge.energy, label=name, **style)
-            bottom.plot(angle, torque_factor * hinge.moment, **style)
-        for state in wing.states:
-            band = _between(wing, state.angle, state.far_angle)
-            ends = np.degrees(wing.angle[band]), energy_factor * wing.energy[band]
-            mark_state(top, state.kind, math.degrees(state.angle), energy_factor * state.energy, *ends)
+        for hinge, energy, moment, name, style in curves:
+            top.plot(_place(hinge, hinge.angle), energy_factor * energy, label=name, **style)
+            bottom.plot(_place(hinge, hinge.angle), torque_factor * moment, **style)
+        stored = own.stored_energy(own.angle)
+        for state in own.states:
+            band = _between(own, state.angle, state.far_angle)
+            ends = _place(own, own.angle[band]), energy_factor * stored[band]
+            mark_state(top, state.kind, float(_place(own, state.angle)), energy_factor * state.energy, *ends)
         if record is not None:
-            _plot_simulation(top, record, vein, energy_factor)
-        _mark_moments(bottom, wing, torque_unit, torque_factor)
-        _close_up(top, landscape, vein)
-        _shade_stops(wing, top, bottom)
-        top.set_ylabel(f"tendon energy ({energy_unit})")
+            _plot_simulation(top, record, shown, energy_factor)
+        others = [hinge for hinge, *_ in curves if hinge is not own]
+        _mark_moments(bottom, own, others, torque_unit, torque_factor)
+        _close_up(top, landscape, shown)
+        _shade_stops(own, top, bottom)
+        title = title_of(hinge_measure(landscape.structure, shown.hinge))
+        top.set_ylabel(f"{'tendon' if own.spring is None else 'stored'} energy ({energy_unit})")
         bottom.set_ylabel(f"moment about the hinge,\npositive opens ({torque_unit})")
         meaning = "overbend > 0, straight 0, folding < 0"
-        bottom.set_xlabel(f"distal angle (deg){':' if not is_narrow(width) else chr(10)} {meaning}")
+        if own.sense < 0:
+            meaning = "folding > 0, straight 0, overbend < 0"
+        bottom.set_xlabel(f"{title} (deg){':' if not is_narrow(width) else chr(10)} {meaning}")
         handles, _ = top.get_legend_handles_labels()
         simulated = [handle for handle in handles if handle.get_label().startswith("simulated")]
-        curves = [handle for handle in handles if handle not in simulated]
+        lines = [handle for handle in handles if handle not in simulated]
         stops = Patch(color=_STOP, label="beyond the stops")
-        handles = [*curves, stops, *simulated, *state_handles({state.kind for state in wing.states})]
+        handles = [*lines, stops, *simulated, *state_handles({state.kind for state in own.states})]
         figure.legend(handles=handles, loc="outside upper center", ncols=1 if is_narrow(width) else 3)
-        return describe(figure, _tell(landscape, vein))
+        return describe(figure, _tell(landscape, shown, title))
 
 
-def _curves(landscape: EnergyLandscape) -> Iterator[tuple[HingeLandscape, str, dict[str, Any]]]:
-    """Hinges to draw, their names and line styles: the ideal one, and of the wing's those that differ."""
-    yield landscape.hinge, "ideal hinge, bars square to its axis", {"color": ORANGE, "ls": "--", "lw": 1.4, "zorder": 3}
-    groups: list[list[int]] = []
-    for vein, hinge in enumerate(landscape.tendons):
+def _place(hinge: HingeLandscape, angle: ArrayLike) -> Array:
+    """Where an angle at which folding is negative (rad) is drawn: in the sense of the hinge itself, deg."""
+    return np.asarray(hinge.sense * np.degrees(angle))
+
+
+def _curves(
+    landscape: EnergyLandscape, shown: ShownHinge
+) -> Iterator[tuple[HingeLandscape, Array, Array, str, dict[str, Any]]]:
+    """Hinges to draw, with energy, moment, name and line style: the ideal one, and of the true ones those that differ.
+
+    Of a hinge with a spring the tendon alone comes first, then the spring, then both.
+    """
+    if shown.ideal is not None:
+        ideal_style = {"color": ORANGE, "ls": "--", "lw": 1.4, "zorder": 3}
+        name = "ideal hinge, bars square to its axis"
+        yield shown.ideal, shown.ideal.energy, shown.ideal.moment, name, ideal_style
+    structure = landscape.structure
+    labels = parts_of([label_of(structure.tendons[tendon]) for tendon in crossing_tendons(structure)])
+    crease = "" if shown.ideal is None else f", its {structure.hinges[shown.hinge].role} crease"
+    whose = f"hinge of the {shown.whole}{crease}" if shown.own.spring is None else "tendon"
+    for number, (group, names) in enumerate(_groups(landscape.tendons, labels.names)):
+        if len(names) < len(labels.names):
+            which = f"{labels.heading} {', '.join(names)}".strip()
+        elif len(names) > 1:
+            which = f"all {labels.heading}s alike" if labels.heading else f"{', '.join(names)} alike"
+        else:
+            which = f"{labels.heading} {names[0]}".strip()
+        line = LINE_STYLES[number // len(_COLOURS) % len(LINE_STYLES)]
+        style = {"color": _COLOURS[number % len(_COLOURS)], "ls": line, "zorder": 2}
+        yield group, group.energy, group.moment, f"{whose} ({which})", style
+    own = shown.own
+    if own.spring is not None:
+        yield own, own.spring_energy, own.spring_moment, "spring of the hinge", _SPRING
+        yield own, own.stored_energy(own.angle), own.moment + own.spring_moment, "tendon and spring", _BOTH
+
+
+def _groups(hinges: tuple[HingeLandscape, ...], names: tuple[str, ...]) -> list[tuple[HingeLandscape, list[str]]]:
+    """Hinges that store alike, the first of each kind with the names of all."""
+    groups: list[tuple[HingeLandscape, list[str]]] = []
+    for hinge, name in zip(hinges, names, strict=True):
         largest = float(hinge.energy.max())
-        for group in groups:
-            other = landscape.tendons[group[0]].energy
+        for first, alike in groups:
+            other = first.energy
             if other.shape == hinge.energy.shape and np.allclose(other, hinge.energy, rtol=0, atol=_ALIKE * largest):
-                group.append(vein)
+                alike.append(name)
                 break
         else:
-            groups.append([vein])
-    for number, group in enumerate(groups):
-        names = "all veins alike" if len(groups) == 1 else f"vein {', '.join(str(vein) for vein in group)}"
-        style = {"color": _COLOURS[number % len(_COLOURS)], "ls": "-", "zorder": 2}
-        yield landscape.tendons[group[0]], f"hinge of the wing, its ring crease ({names})", style
+            groups.append((hinge, [name]))
+    return groups
 
 
 def _between(hinge: HingeLandscape, start: float, end: float) -> NDArray[np.bool_]:
@@ -108,14 +170,14 @@ def _between(hinge: HingeLandscape, start: float, end: float) -> NDArray[np.bool
     return np.asarray((hinge.angle >= low - 1e-12) & (hinge.angle <= high + 1e-12))
 
 
-def _plot_simulation(axes: Axes, record: Record, vein: int, factor: float) -> None:
-    """Points of a vein's simulated tendon, evenly spaced over its angle, folding and opening apart."""
-    opening = min((end.start for end in record.stages if end.stage.drive == "unfold"), default=math.inf)
-    angle = np.degrees(record.series["distal_angle"][:, vein])
-    energy = factor * record.series["tendon_energy"][:, vein]
+def _plot_simulation(axes: Axes, record: Record, shown: ShownHinge, factor: float) -> None:
+    """Points of a simulated tendon, evenly spaced over the angle of its hinge, folding and opening apart."""
+    folding = folding_rows(record, shown.hinge)
+    angle = np.degrees(record.series["hinge_angle"][:, shown.hinge])
+    energy = factor * record.series["tendon_energy"][:, shown.tendon]
     for part, marker, colour, name, shift in (
-        (record.time <= opening, "v", VERMILION, "simulated, folding", 0.0),
-        (record.time > opening, "^", PURPLE, "simulated, opening", 0.5),
+        (folding, "v", VERMILION, "simulated, folding", 0.0),
+        (~folding, "^", PURPLE, "simulated, opening", 0.5),
     ):
         rows = _spread(angle[part], shift)
         if len(rows):
@@ -141,83 +203,113 @@ def _spread(angle: Array, shift: float) -> NDArray[np.int64]:
     return np.sort(first)
 
 
-def _mark_moments(axes: Axes, hinge: HingeLandscape, unit: str, factor: float) -> None:
+def _mark_moments(axes: Axes, hinge: HingeLandscape, others: list[HingeLandscape], unit: str, factor: float) -> None:
     """Holding torque, peak torque against opening, and where the tendon goes slack."""
     axes.axhline(0, color="0.6", lw=0.5, zorder=0)
     peak, slack, limit = hinge.peak_opening, hinge.slack_angle, hinge.hinge.fold_limit
     if peak is None:
-        axes.set(ylim=(-1, 1), yticks=[0])
+        if hinge.spring is None:
+            axes.set(ylim=(-1, 1), yticks=[0])
         return
-    largest, at = factor * peak.torque, math.degrees(peak.angle)
-    axes.set_ylim(-1.12 * largest, max(0.42 * largest, 1.3 * factor * (hinge.holding_torque or 0)))
+    largest, at = factor * peak.torque, float(_place(hinge, peak.angle))
+    low, high = -1.12 * largest, max(0.42 * largest, 1.3 * factor * (hinge.holding_torque or 0))
+    if hinge.spring is not None:
+        parts = factor * np.array([hinge.moment, hinge.spring_moment, hinge.moment + hinge.spring_moment])
+        low, high = min(low, 1.1 * float(parts.min())), max(high, 1.1 * float(parts.max()))
+    axes.set_ylim(low, high)
     axes.plot(at, -largest, "o", color=BLUE, ms=4)
     end = -math.degrees(limit if slack is None else -slack)
-    words = f"peak against opening:\n{largest:.4g} {unit}\nat {show_angle(peak.angle)}"
+    words = f"peak against opening:\n{largest:.4g} {unit}\nat {show_angle(hinge.sense * peak.angle)}"
     column = in_column(axes)
-    if -end > _WIDE_BOWL * (2 if column else 1):
+    # in its bowl, where no other hinge's is above it
+    folding = hinge.angle[hinge.angle < 0]
+    moment = hinge.hinge.moment(folding)
+    free = all(float((other.hinge.moment(folding) - moment).max()) < _CROSSING * peak.torque for other in others)
+    if free and -end > _WIDE_BOWL * (2 if column else 1):
         axes.text(at, -0.55 * largest, words, ha="center", va="center", fontsize=7)
     else:
-        axes.text(end - 3, -0.7 * largest, words, ha="left", va="center", fontsize=7)
+        axes.text(hinge.sense * (end - 3), -0.7 * largest, words, ha="left", va="center", fontsize=7)
     beside: dict[str, Any] = {"textcoords": "offset points", "ha": "left", "va": "center", "fontsize": 7}
     if hinge.holding_torque is not None:
-        place = (math.degrees(hinge.hinge.overbend), factor * hinge.holding_torque)
+        place = (float(_place(hinge, hinge.hinge.overbend)), factor * hinge.holding_torque)
         axes.plot(*place, "o", color=BLUE, ms=4)
         words = f"presses onto its stop: {factor * hinge.holding_torque:.4g} {unit}"
         # in a column above the words on the slack range, which begins near
-        axes.annotate(words, place, xytext=(10, 12) if column else (16, 7), **beside)
+        # and above a spring's line
+        above = 9 if hinge.spring is not None else 0
+        axes.annotate(words, place, xytext=(10, 12 + above) if column else (16, 7 + above), **beside)
     if slack is not None and -slack < limit - math.radians(0.1):
-        axes.plot(math.degrees(slack), 0, "o", color=BLUE, ms=4)
-        axes.annotate(f"slack beyond {show_angle(slack)}", (math.degrees(slack), 0), xytext=(4, 9), **beside)
+        place = (float(_place(hinge, slack)), 0.0)
+        axes.plot(*place, "o", color=BLUE, ms=4)
+        words = f"slack beyond {show_angle(hinge.sense * slack)}"
+        axes.annotate(words, place, xytext=(4, 9 if hinge.spring is None else -9), **beside)
 
 
-def _close_up(axes: Axes, landscape: EnergyLandscape, vein: int) -> None:
-    """The few degrees about straight, by energy above the overbend stop; a sentence where there is no barrier."""
-    wing = landscape.tendons[vein]
+def _close_up(axes: Axes, landscape: EnergyLandscape, shown: ShownHinge) -> None:
+    """The few degrees about the top, by energy above the overbend stop; a sentence where there is no barrier."""
+    own = shown.own
     left, low, width, height = _INSET
-    if wing.barrier is None:
-        write_note(axes, (left + width / 2, low + height / 2), wing.remarks[0])
+    if own.barrier is None or own.barrier_angle is None:
+        if own.remarks:
+            write_note(axes, (left + width / 2, low + height / 2), own.remarks[0])
         return
-    overbend = wing.hinge.overbend
+    curves = [(hinge, style) for hinge, _, _, _, style in _curves(landscape, shown)]
+    if own.spring is not None:
+        curves = [(own, _BOTH)]
+    overbend = own.hinge.overbend
+    unit, factor = reading_unit("J", own.barrier)
+    tops = [hinge.barrier_angle for hinge, _ in curves if hinge.barrier_angle is not None]
+    reach = overbend - min(tops)
+    if reach > _WIDEST:
+        at = show_angle(own.sense * own.barrier_angle)
+        write_note(axes, (left + width / 2, low + height / 2), f"barrier {factor * own.barrier:.4g} {unit} at {at}")
+        return
     near = axes.inset_axes(_INSET)
-    unit, factor = reading_unit("J", wing.barrier)
-    for hinge, _, style in _curves(landscape):
-        angle = np.linspace(overbend, -1.5 * overbend, 121)
-        near.plot(np.degrees(angle), factor * (hinge.hinge.energy(angle) - hinge.hinge.energy(overbend)), **style)
-    top = factor * max(wing.barrier, landscape.hinge.barrier or 0.0)
+    last = max(overbend - 2.5 * reach, -own.hinge.fold_limit)
+    for hinge, style in curves:
+        angle = np.linspace(overbend, last, 121)
+        above = hinge.stored_energy(angle) - hinge.stored_energy(overbend)
+        near.plot(_place(hinge, angle), factor * above, **style)
+    top = factor * max(hinge.barrier or 0.0 for hinge, _ in curves)
     near.set_ylim(-0.75 * top, 1.25 * top)
-    near.set_xlim(1.12 * math.degrees(overbend), -1.5 * math.degrees(overbend))
-    mark_barrier(near, 0.0, factor * wing.barrier, f"barrier {factor * wing.barrier:.4g} {unit}")
+    near.set_xlim(float(_place(own, overbend + 0.12 * reach)), float(_place(own, last)))
+    place = float(_place(own, own.barrier_angle))
+    mark_barrier(near, place, factor * own.barrier, f"barrier {factor * own.barrier:.4g} {unit}")
     near.set_ylabel(f"above the stop ({unit})", fontsize=7, labelpad=2)
-    near.set_xlabel("distal angle (deg)", fontsize=7, labelpad=1)
+    near.set_xlabel(f"{title_of(hinge_measure(landscape.structure, shown.hinge))} (deg)", fontsize=7, labelpad=1)
     near.tick_params(labelsize=6)
+    if own.hinge.offset_angle:
+        near.xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
 
 
 def _shade_stops(hinge: HingeLandscape, *rows: Axes) -> None:
     """Grey beyond the stops."""
     stop, limit = math.degrees(hinge.hinge.overbend), -math.degrees(hinge.hinge.fold_limit)
-    margin = 0.03 * (stop - limit)
+    margin, sense = 0.03 * (stop - limit), hinge.sense
     for axes in rows:
-        axes.axvspan(stop, stop + margin, color=_STOP, lw=0, zorder=-1)
-        axes.axvspan(limit, limit - margin, color=_STOP, lw=0, zorder=-1)
+        axes.axvspan(sense * stop, sense * (stop + margin), color=_STOP, lw=0, zorder=-1)
+        axes.axvspan(sense * limit, sense * (limit - margin), color=_STOP, lw=0, zorder=-1)
         axes.axvline(0, color="0.6", lw=0.5, ls=":", zorder=0)
-        axes.set_xlim(stop + margin, limit - margin)
-        axes.set_xticks([tick for tick in range(0, -181, -30) if tick >= limit])
+        axes.set_xlim(sense * (stop + margin), sense * (limit - margin))
+        axes.set_xticks([sense * tick for tick in range(180, -181, -30) if limit <= tick <= max(stop, 0.0)])
     rows[0].set_ylim(bottom=0)
-    if not hinge.hinge.pulls:
+    if not hinge.hinge.pulls and hinge.spring is None:
         rows[0].set(ylim=(0, 1), yticks=[0])
 
 
-def _tell(landscape: EnergyLandscape, vein: int) -> str:
+def _tell(landscape: EnergyLandscape, shown: ShownHinge, title: str) -> str:
     """One tendon in words."""
-    hinge = landscape.tendons[vein]
-    told = [f"up to {show_value(float(hinge.energy.max()), 'J')} are stored"]
-    if hinge.barrier is not None:
-        told.append(f"the barrier from the overbend stop to straight is {show_value(hinge.barrier, 'J')}")
+    hinge, sprung = shown.own, shown.own.spring is not None
+    told = [f"up to {show_value(float(hinge.stored_energy(hinge.angle).max()), 'J')} are stored"]
+    if hinge.barrier is not None and hinge.barrier_angle is not None:
+        at = show_angle(hinge.sense * hinge.barrier_angle) if hinge.barrier_angle else "straight"
+        told.append(f"the barrier from the overbend stop to {at} is {show_value(hinge.barrier, 'J')}")
     if hinge.holding_torque is not None:
         told.append(f"the holding torque onto that stop {show_value(hinge.holding_torque, 'N m')}")
-    states = ", ".join(show_angle(state.angle) for state in hinge.states) or "none"
-    name = landscape.design.name
+    states = ", ".join(show_angle(hinge.sense * state.angle) for state in hinge.states) or "none"
+    name, whole = landscape.design.name, shown.whole
+    with_spring = " and of the spring of its hinge" * sprung
     return (
-        f"Energy and moment of one tendon of {name} over its distal angle. In the wing {', '.join(told)};"
+        f"Energy and moment of one tendon of {name}{with_spring} over its {title}. In the {whole} {', '.join(told)};"
         f" stable states: {states}."
     )
