@@ -65,11 +65,16 @@ def _list(name: str, rows: list[DesignRow], design: Design, base: Design | None)
         number, key = row.key.removeprefix(f"{inside}.").split(".", 1)
         entries.setdefault(number, {})[key] = row
     keys = list(dict.fromkeys(key for entry in entries.values() for key in entry))
+    # an entry without a name is known by its number
+    named = "name" in keys
     cells = [
-        [_value(entry[key], base) if key in entry else Cell(text=ABSENT) for key in keys]
-        for _, entry in sorted(entries.items(), key=lambda item: int(item[0]))
+        [
+            *([] if named else [Cell(text=number)]),
+            *(_value(entry[key], base) if key in entry else Cell(text=ABSENT) for key in keys),
+        ]
+        for number, entry in sorted(entries.items(), key=lambda item: int(item[0]))
     ]
-    headings = [key.replace("_", " ") for key in keys]
+    headings = [*([] if named else [""]), *(key.replace("_", " ") for key in keys)]
     if inside:
         return table(f"{inside.capitalize()} of the protocol ({name})", headings, cells, numbers=False)
     meaning = type(design).model_fields[name].description or section_title(name, design)
