@@ -54,7 +54,7 @@ def test_plates_leave_where_they_rest_and_their_hinges_in_their_own_senses(surve
         # d energy / d angle, turned round
         angle, energy = np.radians(tendon["angle_deg"]), np.array(tendon["energy_J"]) + tendon["spring_energy_J"]
         moment = np.array(tendon["moment_N_m"]) + tendon["spring_moment_N_m"]
-        assert energy[-1] - energy[0] == pytest.approx(-np.trapezoid(moment, angle), rel=1e-3)
+        assert energy[-1] - energy[0] == pytest.approx(-np.trapezoid(moment, angle), rel=2e-3)
     for rest in content["rests"]:
         assert sum(rest["stored_J"].values()) == pytest.approx(rest["energy_J"])
     simulation = content["simulation"]
