@@ -11,7 +11,8 @@ from forficula.design.part import ANGLE, LENGTH
 from forficula.design.protocol import GoalText, read_goal
 from forficula.errors import InputError
 from forficula.quantities import as_written, parse_quantity
-from forficula.structure.structure import Drive, Goal, Measure, RestState, Structure, Transition
+from forficula.structure.course import Drive, Goal, Measure, RestState, Transition
+from forficula.structure.structure import Structure
 
 
 def drive_of(structure: Structure, name: str) -> Drive:

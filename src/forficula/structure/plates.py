@@ -15,25 +15,12 @@ from forficula.errors import InputError
 from forficula.material.law.tendon_law import TendonLaw
 from forficula.pattern import CreasePattern, FacetLink, facet_tree
 from forficula.structure.appearance import Appearance
+from forficula.structure.course import Drive, Goal, Measure, Motor, RestState, Transition, Wording
 from forficula.structure.crossing import tendon_crossing
 from forficula.structure.goals import goal_of
 from forficula.structure.mass import mass_of
-from forficula.structure.structure import (
-    GROUND,
-    Body,
-    Drive,
-    Goal,
-    Hinge,
-    Measure,
-    Motor,
-    Plate,
-    Point,
-    RestState,
-    Structure,
-    Tendon,
-    Transition,
-    Wording,
-)
+from forficula.structure.parts import GROUND, Body, Hinge, Plate, Point, Tendon
+from forficula.structure.structure import Structure
 
 # keys that matter to where plates rest beside those of their tendons
 _STATIC_KEYS = ("pattern", "crease", "support", "measure", "protocol.stages", "protocol.gravity")
