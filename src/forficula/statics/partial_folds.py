@@ -163,7 +163,7 @@ def partial_folds(structures: Ensemble) -> tuple[PartialFold, ...]:
     aimed = rest(many, start, fixed=folding.tolist()).position
     found = rest(many, aimed)
     sheet, _, _ = sheet_energy(many.sheet, found.position)
-    soft, states, independent = _soft(structures), [], _independent(structures.structure, folding.tolist())
+    soft, states, independent = soft_stiffness(structures), [], _independent(structures.structure, folding.tolist())
     for row, folded in enumerate(combinations):
         angle = found.position[row, folding]
         stays = tuple(int(each) for each in np.flatnonzero(places.senses * (angle - places.top) < 0))
@@ -203,11 +203,12 @@ def _independent(structure: Structure, folding: Sequence[int]) -> list[tuple[flo
     return list(energies.values())
 
 
-def _soft(structures: Ensemble) -> float:
+def soft_stiffness(structures: Ensemble) -> float:
     """Stiffness that counts as none, N m/rad: where nothing holds a structure, rounding makes it a little negative."""
-    ideal = [abs(float(hinge.stiffness(hinge.top))) for hinge in ideal_hinges(structures.structure)]
+    hinges = ideal_hinges(structures.structure) or tendon_hinges(structures.structure)
+    tops = [abs(float(hinge.stiffness(hinge.top))) for hinge in hinges]
     springs = float(structures.stiffness.max(initial=0.0))
-    return _ROUNDING * max(sheet_torque(structures.structure), springs, *ideal, 0.0)
+    return _ROUNDING * max(sheet_torque(structures.structure), springs, *tops, 0.0)
 
 
 def _combinations(hinges: int) -> list[tuple[int, ...]]:
