@@ -26,7 +26,7 @@ from forficula.statics.partial_folds import (
     partial_folds,
     single_hinge_barriers,
 )
-from forficula.statics.potential import Ensemble, ensemble, stored_energy
+from forficula.statics.potential import Ensemble, ensemble, no_stiffness, stored_energy
 from forficula.statics.quasi_static import (
     SlowTransition,
     at_goal,
@@ -77,7 +77,8 @@ class EnergyLandscape:
         tendons: every hinge that one tendon lies across, about its true axis, by tendon; with the hinge's spring.
         ideal_hinges: the same with both bars square to the axis; None for those that have no bars to be so.
         wing: the structure along its fold; None where rigid panels have no one way to fold.
-        levels: energies of independent ideal hinges, none to all of them folded, J, (hinge + 1,).
+        levels: energies of independent hinges, ideal ones where there are such, none to all of them folded, J,
+            (folding hinge + 1,); None where those of single hinges do not add up.
         partial_folds: let go with some hinges folded.
         hinge_barriers: energy to climb until one hinge of the first state folds alone, J, (hinge,).
         rests: where it rests when let go from where the protocol starts it, and from where each transition leads.
@@ -93,7 +94,7 @@ class EnergyLandscape:
     tendons: tuple[HingeLandscape, ...]
     ideal_hinges: tuple[HingeLandscape | None, ...]
     wing: FoldPath | None
-    levels: Array
+    levels: Array | None
     partial_folds: tuple[PartialFold, ...]
     hinge_barriers: Array
     rests: tuple[Rest, ...]
@@ -285,7 +286,7 @@ def _rest(structures: Ensemble, name: str, found: Equilibria) -> Rest:
         angles=found.position[0],
         energy=float(found.energy[0]),
         stored={part: float(energy[0]) for part, energy in stored_energy(structures, found.position[:1]).items()},
-        stable=bool(found.rests[0] and found.stiffness[0] > 0),
+        stable=bool(found.rests[0] and found.stiffness[0] > -no_stiffness(structures)),
     )
 
 
