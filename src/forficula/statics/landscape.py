@@ -118,8 +118,8 @@ class StableState:
     """A stable state of a structure along its fold.
 
     Attributes:
-        name: "flat", the first, where the wing is flat or cambered; "folded", the last; "partly folded" between them;
-            "anywhere" where nothing moves it all along.
+        name: the start of the fold, such as "flat", the first, where it is flat or cambered; its end, such as
+            "folded", the last; "partly folded" between them; "anywhere" where nothing moves it all along.
         kind: "stop", pressed onto the end of the path; "minimum"; "neutral", a range without any force.
         pleat_angle: rad; of a neutral range the end nearer to flat.
         far_pleat_angle: the other end of a neutral range, rad; otherwise the pleat angle.
@@ -216,7 +216,7 @@ def stable_states(landscape: EnergyLandscape) -> tuple[StableState, ...]:
 def barrier(landscape: EnergyLandscape, start: str, end: str) -> float:
     """Energy to climb along the fold from one stable state to another, J, all hinges together.
 
-    A wing may climb less where one hinge goes before the others: see `EnergyLandscape.hinge_barriers`.
+    A structure may climb less where one hinge goes before the others: see `EnergyLandscape.hinge_barriers`.
 
     Args:
         landscape: of a design.
@@ -230,6 +230,7 @@ def barrier(landscape: EnergyLandscape, start: str, end: str) -> float:
         InputError: there is no stable state of that name.
     """
     wing, by_name = _wing(landscape), {state.name: state for state in stable_states(landscape)}
+    whole = landscape.structure.appearance.whole
     ends: list[PathState] = []
     for name in (start, end):
         if name not in by_name:
@@ -238,7 +239,7 @@ def barrier(landscape: EnergyLandscape, start: str, end: str) -> float:
             why = "" if near else "".join(f"; {remark}" for remark in wing.remarks)
             known = ", ".join(by_name)
             raise InputError(
-                f'{landscape.design.name}: need a stable state of the wing ({known}), got "{name}"{meant}{why}'
+                f'{landscape.design.name}: need a stable state of the {whole} ({known}), got "{name}"{meant}{why}'
             )
         place = by_name[name].pleat_angle
         ends.append(next(state for state in wing.states if state.stable and state.coordinate == place))
@@ -353,7 +354,8 @@ def _start_remarks(structure: Structure, angles: Array) -> tuple[str, ...]:
     if least >= -_STRAIGHT:
         return ()
     return (
-        f"let go flat, the compliant wing does not stay so: a hinge goes to {math.degrees(least):.4g} deg;"
+        f"let go flat, the compliant {structure.appearance.whole} does not stay so: a hinge goes to"
+        f" {math.degrees(least):.4g} deg;"
         " its flat state, and what is said of it, is that",
     )
 

@@ -41,7 +41,7 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         grid that is repeated there where factors are varied one at a time, the base first; coordinates in SI with
         `units`, `display` and `key`. Of every transition of the base there are time and work, of every state the energy
         of the tendons, in a search of every transition the least value; the attribute `transitions` names them, see
-        `table_transitions`.
+        `table_transitions`, and `whole` is what sentences call the structure.
     """
     import xarray
 
@@ -78,6 +78,7 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         "tendons": len(structure.tendons),
         "transitions": transitions_text(structure, search),
         "start_state": _start_state(structure),
+        "whole": structure.appearance.whole,
         **({"reproduces": study.reproduces} if study.reproduces is not None else {}),
     }
     return xarray.Dataset(variables, coordinates, attributes)
