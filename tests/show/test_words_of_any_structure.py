@@ -61,7 +61,9 @@ def test_structures_side_by_side_are_called_what_they_are():
 
 def test_a_table_carries_the_word():
     assert whole_of(xarray.Dataset(attrs={"whole": "flower"})) == "flower"
-    assert maps_text("", ["a", "b"], [], [], whole="flower").startswith("Map of what became of every flower over a and b")
+    assert maps_text("", ["a", "b"], [], [], whole="flower").startswith(
+        "Map of what became of every flower over a and b"
+    )
 
 
 def test_a_static_map_counts_structures(capsys):

@@ -10,10 +10,10 @@ from typing import Annotated, Literal
 
 from pydantic import Field, field_validator
 
-from forficula.design.part import ACCELERATION, ANGULAR_SPEED, SHORT_TIME, TIME, Part, quantity
+from forficula.design.part import ACCELERATION, ANGLE, ANGULAR_SPEED, SHORT_TIME, TIME, Part, quantity
 from forficula.errors import InputError
 from forficula.names import shown_name
-from forficula.quantities import Unit, as_written, parse_quantity
+from forficula.quantities import Unit, as_written, parse_quantity, show_quantity
 
 _WRITTEN = re.compile(r"\s*(?P<name>.+?)\s*(?P<relation>[<>])=?\s*(?P<value>[^<>=]+?)\s*")
 
@@ -156,6 +156,32 @@ def check_states(protocol: Protocol, states: Sequence[str]) -> None:
         if stage.state in given:
             raise InputError(f"{key}: need a name of its own, got {as_written(stage.state)} again")
         given.append(stage.state)
+
+
+def check_bounds(protocol: Protocol, stops: dict[str, tuple[float, float]]) -> None:
+    """Refuse bounds on angles that stops keep hinges from.
+
+    Args:
+        protocol: its stages have been checked by `check_stages`.
+        stops: rad, the least and the largest angle of what a stage may bound; what is not there has no stops.
+
+    Raises:
+        InputError: which stage, and what it may bound.
+    """
+    for number, stage in enumerate(protocol.stages):
+        written = read_goal(stage.until)
+        if written is not None and written.name in stops:
+            check_bound(f"protocol.stages.{number}.until", written, *stops[written.name], whose=written.name)
+
+
+def check_bound(key: str, written: GoalText, low: float, high: float, *, whose: str) -> None:
+    """Refuse a bound on an angle, between its stops in rad, that they keep from being met."""
+    value, above = parse_quantity(written.value, ANGLE), written.relation == ">"
+    if value > high if above else value < low:
+        bound = f"<= {show_quantity(high, ANGLE)}" if above else f">= {show_quantity(low, ANGLE)}"
+        raise InputError(
+            f"{key}: a stop keeps {whose} from there: need a value {bound}, got {show_quantity(value, ANGLE)}"
+        )
 
 
 def _one_of(names: Sequence[str] | dict[str, Unit], got: str, others: Sequence[str] = ()) -> str:

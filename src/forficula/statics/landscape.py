@@ -25,8 +25,9 @@ from forficula.statics.partial_folds import (
     folding_hinges,
     partial_folds,
     single_hinge_barriers,
+    soft_stiffness,
 )
-from forficula.statics.potential import Ensemble, ensemble, no_stiffness, stored_energy
+from forficula.statics.potential import Ensemble, ensemble, stored_energy
 from forficula.statics.quasi_static import (
     SlowTransition,
     at_goal,
@@ -287,7 +288,7 @@ def _rest(structures: Ensemble, name: str, found: Equilibria) -> Rest:
         angles=found.position[0],
         energy=float(found.energy[0]),
         stored={part: float(energy[0]) for part, energy in stored_energy(structures, found.position[:1]).items()},
-        stable=bool(found.rests[0] and found.stiffness[0] > -no_stiffness(structures)),
+        stable=bool(found.rests[0] and found.stiffness[0] > -soft_stiffness(structures)),
     )
 
 

@@ -10,8 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.statics.hinge import folding_sense, tendon_hinge
-from forficula.statics.potential import Ensemble, no_stiffness, potential, rest
+from forficula.statics.hinge import folding_sense, ideal_hinges, tendon_hinge, tendon_hinges
+from forficula.statics.lines import largest_pull
+from forficula.statics.potential import Ensemble, potential, rest, sheet_torque
 from forficula.statics.sheet import sheet_energy
 from forficula.structure import Structure
 
@@ -22,6 +23,7 @@ _EVERY_COMBINATION = 5
 # how far past straight a hinge starts: from there its tendon pulls it as far as neighbours and guards let it
 _START = math.radians(30)
 _WAYS = 45  # places on the way of one hinge, straight among them
+_ROUNDING = 1e-6  # of the stiffest part
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -165,7 +167,7 @@ def partial_folds(structures: Ensemble) -> tuple[PartialFold, ...]:
     aimed = rest(many, start, fixed=folding.tolist()).position
     found = rest(many, aimed)
     sheet, _, _ = sheet_energy(many.sheet, found.position)
-    soft, states, independent = no_stiffness(structures), [], _independent(structures.structure, folding.tolist())
+    soft, states, independent = soft_stiffness(structures), [], _independent(structures.structure, folding.tolist())
     for row, folded in enumerate(combinations):
         angle = found.position[row, folding]
         stays = tuple(int(each) for each in np.flatnonzero(places.senses * (angle - places.top) < 0))
@@ -203,6 +205,19 @@ def _independent(structure: Structure, folding: Sequence[int]) -> list[tuple[flo
             closed + float(hinge.energy(-hinge.fold_limit)),
         )
     return list(energies.values())
+
+
+def soft_stiffness(structures: Ensemble) -> float:
+    """Stiffness that counts as none, N m/rad: where nothing holds a structure, rounding makes it a little negative.
+
+    It is a share of that of the stiffest part, of a tendon's hinge where that is longest: ideal ones where there are.
+    """
+    hinges = ideal_hinges(structures.structure) or tendon_hinges(structures.structure)
+    tops = [abs(float(hinge.stiffness(hinge.top))) for hinge in hinges]
+    if structures.lines is not None:
+        tops.append(largest_pull(structures.lines, structures.structure))
+    springs = float(structures.stiffness.max(initial=0.0))
+    return _ROUNDING * max(sheet_torque(structures.structure), springs, *tops, 0.0)
 
 
 def _combinations(hinges: int) -> list[tuple[int, ...]]:

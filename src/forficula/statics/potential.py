@@ -17,7 +17,7 @@ from forficula.errors import InputError
 from forficula.material import ElasticLaw
 from forficula.statics.elements import Expansion
 from forficula.statics.equilibrium import Cases, Equilibria, descend
-from forficula.statics.hinge import TendonHinge, hinges_in_own_senses, ideal_hinges, stacked_hinges, tendon_hinges
+from forficula.statics.hinge import TendonHinge, hinges_in_own_senses, stacked_hinges
 from forficula.statics.lines import Lines, largest_pull, line_energy, lines_of
 from forficula.statics.pose import Span, span, tree_of
 from forficula.statics.sheet import Sheet, sheet_energy, sheet_of
@@ -29,7 +29,6 @@ Array = NDArray[np.float64]
 # Steps over which a structure is followed: shorter ones end in the same places.
 _LONGEST_STEP = 0.1  # rad
 _QUIET = 1e-6  # torque that counts as none, of what the stiffest part can exert
-_ROUNDING = 1e-6  # of the stiffest part
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -254,20 +253,6 @@ def torque_scale(structures: Ensemble) -> float:
     if structures.weight is not None:
         scales.append(float(structures.weight.forces.sum()) * structures.structure.span)
     return max(scales)
-
-
-def no_stiffness(structures: Ensemble) -> float:
-    """Stiffness that counts as none, N m/rad: where nothing holds a structure, rounding makes it a little negative.
-
-    It is a share of that of the stiffest part, of a tendon's hinge where that is longest: ideal ones where there are.
-    """
-    hinges = ideal_hinges(structures.structure) or tendon_hinges(structures.structure)
-    parts = [abs(float(hinge.stiffness(hinge.top))) for hinge in hinges]
-    if structures.lines is not None:
-        parts.append(largest_pull(structures.lines, structures.structure))
-    return _ROUNDING * max(
-        sheet_torque(structures.structure), float(structures.stiffness.max(initial=0.0)), *parts, 0.0
-    )
 
 
 def sheet_torque(structure: Structure) -> float:

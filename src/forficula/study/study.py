@@ -50,6 +50,7 @@ class SearchStep:
         key: of the design's value that is tried, such as "protocol.fold_torque".
         values: that are tried, SI, rising; none where it is not asked for.
         unit: of the values.
+        sign: by which a value is multiplied before it is the key's: that of the drive.
     """
 
     transition: str
@@ -59,6 +60,7 @@ class SearchStep:
     key: str
     values: tuple[float, ...]
     unit: Unit
+    sign: float = 1.0
 
     @property
     def value_name(self) -> str:
@@ -346,6 +348,11 @@ def read_search(ask: str, given: Mapping[str, Any], base: Design) -> Search:
     steps = [
         _torque_step(each, drive_of(structure, each.drive), given, none=each is not first) for each in (first, *others)
     ]
+    if len({step.key for step in steps}) < len(steps):
+        raise InputError(
+            f'ask: "least-torques" needs transitions with drives of their own, got {steps[0].key} for both'
+            f' {first.name} and {others[0].name}; ask "least-value" of one'
+        )
     large = given.get(f"{first.name}_with", drive_of(structure, first.drive).large or _shown(steps[0].values[-1]))
     return Search(
         first=steps[0],
@@ -392,8 +399,9 @@ def _torque_step(transition: Transition, drive: Drive, given: Mapping[str, Any],
         state=transition.state,
         done=transition.wording.done,
         key=drive.key,
-        values=_torques(name, given.get(name, drive.tries or [_shown(drive.torque)]), none=none),
+        values=_torques(name, given.get(name, drive.tries or [_shown(abs(drive.torque))]), none=none),
         unit=TORQUE,
+        sign=-1.0 if drive.torque < 0 else 1.0,
     )
 
 
@@ -424,6 +432,6 @@ def _rising(key: str, given: object, like: str, unit: Unit, *, none: bool) -> tu
         numbers = tuple(parse_quantity(value, unit) for value in values)
     except InputError as error:
         raise InputError(f"search.{key}: {error}") from None
-    if list(numbers) != sorted(set(numbers)) or min(numbers, default=0.0) < 0:
-        raise InputError(f"search.{key}: need rising {what} >= 0, got {given!r}")
+    if list(numbers) != sorted(set(numbers)) or (unit is TORQUE and min(numbers, default=0.0) < 0):
+        raise InputError(f"search.{key}: need rising {what}{' >= 0' if unit is TORQUE else ''}, got {given!r}")
     return numbers

@@ -113,7 +113,7 @@ def test_a_landscape_is_surveyed_again_with_its_run_where_its_figure_shows_one(
         asked.append((design.hash, simulation))
         return surveyed("reference"), reference_run if simulation else None
 
-    monkeypatch.setattr(figure_kinds, "survey", survey)
+    monkeypatch.setattr(figure_kinds, "landscape_and_run", survey)
     save_design(reference, tmp_path / "design.toml")
     write_text(tmp_path / "landscape.json", f'{{"simulation": {simulation}}}')
     drawings = landscape_drawings(surveyed("reference"), reference_run if runs else None)

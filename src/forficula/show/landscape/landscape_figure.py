@@ -43,6 +43,7 @@ _TICK_GAP = 0.06  # between two of them, as a share of the axis
 _LOWER_LEFT, _UPPER_LEFT, _UPPER_RIGHT = (0.09, 0.20, 0.34, 0.50), (0.09, 0.50, 0.34, 0.44), (0.66, 0.50, 0.32, 0.44)
 _LABELS = 0.15  # room that ticks and labels take below and beside such a place, alike
 _INWARDS = 0.1  # in a column, where the names of axes need a larger share
+_WORDS = math.radians(22)  # how far the words on a state reach
 _BESIDE = math.radians(15)  # before a state, where the curve is low where it came down early
 
 
@@ -147,7 +148,9 @@ def _mark(axes: Axes, landscape: EnergyLandscape, state: StableState, factor: fl
     before = float(np.interp(state.far_pleat_angle - _BESIDE, wing.pleat_angle, factor * wing.energy))
     corner = (math.degrees(state.far_pleat_angle), height)
     if before < 0.1 * largest:  # the curve has come down before: room above the mark
-        axes.annotate(last_words, corner, xytext=(0, 24), ha="right", **offsets)
+        where_words_begin = float(np.interp(state.far_pleat_angle - _WORDS, wing.pleat_angle, factor * wing.energy))
+        above = 24 if where_words_begin < 0.15 * largest else 44
+        axes.annotate(last_words, corner, xytext=(0, above), ha="right", **offsets)
     else:
         axes.annotate(last_words, corner, xytext=(-10, 6), ha="right", **offsets)
 
