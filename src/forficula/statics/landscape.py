@@ -38,7 +38,7 @@ from forficula.statics.quasi_static import (
 )
 from forficula.statics.sprung_hinge import sprung_landscape
 from forficula.statics.tip_stiffness import TipStiffness, tip_stiffness
-from forficula.structure import Structure, Transition, drive_of, state_of, structure_of
+from forficula.structure import Structure, Transition, drive_of, first_state, state_of, structure_of
 
 Array = NDArray[np.float64]
 
@@ -156,7 +156,8 @@ def energy_landscape(design: Design, points: int = 181) -> EnergyLandscape:
     hinge = next((each for each in ideal_hinges if each is not None), None)
     wing = None if structure.fold_path is None else fold_path(structures, points)
     start = start_state(structures)
-    rests, slow, most = [_rest(structures, _first_state(structure), start)], {}, {}
+    first = first_state(structure, [state.name for state in structure.states])
+    rests, slow, most = [_rest(structures, first, start)], {}, {}
     peak = max((each.peak_opening.torque for each in tendons if each.peak_opening is not None), default=0.0)
     before = start
     for transition in structure.transitions:
@@ -272,12 +273,6 @@ def _name(state: PathState, landscape: EnergyLandscape) -> str:
     if state.coordinate <= 0:
         return "anywhere" if closed else fold.start
     return fold.end if closed else f"partly {fold.end}"
-
-
-def _first_state(structure: Structure) -> str:
-    """Name of the state in which a structure is before any transition; "" where none has a name."""
-    led_to = {transition.state for transition in structure.transitions}
-    return next((state.name for state in structure.states if state.name not in led_to), "")
 
 
 def _rest(structures: Ensemble, name: str, found: Equilibria) -> Rest:
