@@ -13,7 +13,7 @@ from forficula.analysis.simulated_snap import (
     predicted_snap,
     simulated_snap,
 )
-from forficula.statics import ideal_hinge
+from forficula.statics import ideal_hinges
 from forficula.structure import hinges_of, structure_of
 
 
@@ -57,7 +57,7 @@ def test_a_run_that_diverged_has_no_snap(reference_run):
 
 
 def test_the_prediction_to_the_limit_is_the_elliptic_integral(reference):
-    hinge = ideal_hinge(structure_of(ff.load_design("binder2025", {"tendon.rest_length": "0 cm"})))
+    hinge = ideal_hinges(structure_of(ff.load_design("binder2025", {"tendon.rest_length": "0 cm"})))[0]
     scale = math.sqrt(hinge.inertia / (1000 * 0.055**2))
     # theory.md, section 3: t* K(m), m = cos^2(start / 2)
     predicted = predicted_snap(hinge, reference.protocol.folded_angle)

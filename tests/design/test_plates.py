@@ -385,3 +385,35 @@ def test_a_new_file_describes_every_key_and_is_the_design_it_began_with(tmp_path
     path.write_text(head + rest)
     assert "\n[[tendon]]" in path.read_text()
     assert load_design(path).hash == LETTER.hash
+
+
+@pytest.mark.parametrize(
+    ("start", "end", "why"),
+    [
+        ("facet 0 at 0.5, 0.5", "facet 1 at 0.5, 0.5", "no crease lies between them"),
+        ("facet 1 at 0.5, 0.5", "vertex 2 of facet 2", "it lies on the axis of every crease between them"),
+        ("edge 1 at 0.3", "facet 2 at 0.5, 0.5", "it lies on the axis of every crease between them"),
+    ],
+)
+def test_a_tendon_that_nothing_stretches_is_refused(tmp_path, start, end, why):
+    """Facets 0 and 1 are one plate, for the edge between them is flat; a place on an axis stays where it turns."""
+    path = tmp_path / "strip.fold"
+    write_fold(pleat_pattern([0.1, 0.1, 0.1], 0.2, "VV"), path)
+    path.write_text(path.read_text().replace('"V"', '"F"', 1).replace("180.0", "0.0", 1))
+    sheet = {"pattern.kind": "fold-file", "pattern.path": str(path), "measure": [], "support": []}
+    tendon = {"name": "a", "from": start, "to": end, "stiffness": "1 N/cm", "rest_length": "1 cm"}
+    with pytest.raises(InputError) as caught:
+        load_design("letter-fold", sheet | {"tendon": [tendon]})
+    assert str(caught.value).endswith(
+        "tendon.0.to: need a place that creases move against tendon.0.from, or its length never changes, got"
+        f' "{end}": {why}'
+    )
+
+
+def test_a_tendon_from_one_axis_to_the_next_is_refused():
+    tendon = {"name": "a", "from": "vertex 1 of facet 0", "to": "vertex 2 of facet 2", "rest_length": "1 cm"}
+    with pytest.raises(InputError, match="it lies on the axis of every crease between them"):
+        load_design("letter-fold", {"tendon": [tendon | {"stiffness": "1 N/cm"}]})
+    # from the axis of one crease across the other one
+    tendon |= {"to": "facet 2 at 0.5, 0.5", "stiffness": "1 N/cm"}
+    assert load_design("letter-fold", {"tendon": [tendon]}).tendon[0].name == "a"

@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 
 from forficula.design import load_design
-from forficula.statics import HingeSpring, hinge_landscape, ideal_hinge
+from forficula.statics import HingeSpring, hinge_landscape, ideal_hinges
 from forficula.statics.sprung_hinge import sprung_landscape
 from forficula.structure import structure_of
 
 
 @pytest.fixture(scope="module")
 def hinge():
-    return ideal_hinge(structure_of(load_design("binder2025")))
+    return ideal_hinges(structure_of(load_design("binder2025")))[0]
 
 
 def test_a_spring_that_is_hardly_there_changes_hardly_anything(hinge):

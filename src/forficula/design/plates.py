@@ -24,7 +24,16 @@ from forficula.design.part import (
     quantity,
 )
 from forficula.design.protocol import GoalText, check_bound, check_stages, read_goal
-from forficula.design.sheet_places import crease_groups, crease_role, creases_of, facet_of, fold_edges, place_on
+from forficula.design.sheet_places import (
+    crease_groups,
+    crease_role,
+    creases_between,
+    creases_of,
+    facet_of,
+    fold_edges,
+    keeps_distance,
+    place_on,
+)
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, facet_tree, pleat_pattern
 from forficula.quantities import Unit, as_written, parse_quantity, show_quantity
@@ -294,6 +303,13 @@ class PlatesDesign(Design):
                 raise InputError(
                     f"tendon.{number}.to: need a place on another facet than tendon.{number}.from, or its length never"
                     f" changes, got facet {one.facet} for both"
+                )
+            if keeps_distance(sheet, one, other):
+                between = creases_between(sheet, one.facet, other.facet)
+                why = "it lies on the axis of every crease between them" if between else "no crease lies between them"
+                raise InputError(
+                    f"tendon.{number}.to: need a place that creases move against tendon.{number}.from, or its length"
+                    f" never changes, got {as_written(getattr(tendon, 'to'))}: {why}"  # noqa: B009
                 )
         for number, drive in enumerate(self.drive):
             _keyed(f"drive.{number}.of", creases_of, sheet, drive.of)

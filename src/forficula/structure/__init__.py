@@ -5,6 +5,7 @@ from forficula.structure.crossing import bar_crossing, tendon_crossing
 from forficula.structure.goals import (
     distances_of,
     drive_of,
+    first_state,
     goal_of,
     hinges_of,
     measure_of,
@@ -75,6 +76,7 @@ __all__ = [
     "drawn_points",
     "drive_keys",
     "drive_of",
+    "first_state",
     "goal_of",
     "hinges_between",
     "hinges_of",

@@ -10,7 +10,6 @@ from dataclasses import dataclass, field
 from forficula.structure.appearance import Appearance
 from forficula.structure.course import Drive, Goal, Measure, Motor, RestState, RigidFold, Transition
 from forficula.structure.parts import (
-    GROUND,
     Bar,
     Body,
     Hinge,
@@ -73,11 +72,3 @@ class Structure:
     contact: bool = False
     gravity: float = 0.0
     appearance: Appearance = field(default_factory=Appearance)
-
-    @property
-    def supports(self) -> tuple[int, ...]:
-        """Numbers of the bodies that are held: those on the ground without a hinge."""
-        hinged = {hinge.body for hinge in self.hinges}
-        return tuple(
-            number for number, body in enumerate(self.bodies) if body.parent == GROUND and number not in hinged
-        )

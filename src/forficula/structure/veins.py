@@ -39,6 +39,7 @@ _APPEARANCE = Appearance(
     whole="wing",
     bar="vein",
     crease="ring fold",
+    bodies="two for every vein",
     titles={"distal_angle": "distal hinge angle", "turn": "turn about its own axis"},
 )
 # the hinges of a vein in this order: sweep and lift aim it, turn is about its own axis

@@ -82,6 +82,11 @@ def table_transitions(table: Dataset) -> tuple[TableTransition, ...]:
     )
 
 
+def whole_of(table: Dataset) -> str:
+    """What sentences call the structure that a table is of."""
+    return str(table.attrs.get("whole", "structure"))
+
+
 def not_tried_word(transitions: Sequence[TableTransition]) -> str:
     """What a table says of a later transition where the first was not done."""
     return f"not tried: did not {transitions[0].wording.verb}" if transitions else "not tried"

@@ -15,7 +15,7 @@ from forficula.design import TORQUE, Design, key_quantity, key_value, load_desig
 from forficula.errors import InputError
 from forficula.names import folder_name
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity
-from forficula.structure import Drive, Structure, Transition, drive_of, structure_of
+from forficula.structure import Drive, Structure, Transition, drive_of, first_state, structure_of
 from forficula.study.choices import one_at_a_time, with_own_word
 from forficula.study.factors import MOST_VALUES, Factor, drawn_values, range_values, read_factor
 from forficula.toml_text import parse_toml
@@ -338,8 +338,7 @@ def read_search(ask: str, given: Mapping[str, Any], base: Design) -> Search:
     structure = structure_of(base)
     if not structure.transitions:
         raise InputError(f'ask: "{ask}" needs a design that a protocol drives to a state, got {base.name}')
-    reached = {transition.state for transition in structure.transitions}
-    start = next((state for state in structure.stage_states if state and state not in reached), "")
+    start = first_state(structure, structure.stage_states)
     if ask == "least-value":
         return _value_search(given, base, structure, start)
     first, *others = structure.transitions[:2]

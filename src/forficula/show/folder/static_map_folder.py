@@ -74,13 +74,19 @@ def static_map_drawings(table: Dataset, simulated: Dataset | None = None) -> dic
     return {"map": lambda width: draw_static_maps(table, simulated, width)}
 
 
-def print_static_map(table: Dataset, simulated: Dataset | None = None) -> None:
-    """Say how many wings fold and open slowly, and where a simulation differs."""
+def print_static_map(table: Dataset, whole: str, simulated: Dataset | None = None) -> None:
+    """Say how many structures fold and open slowly, and where a simulation differs.
+
+    Args:
+        table: from `static_map`.
+        whole: what sentences call the structure.
+        simulated: table of a simulated study with the same factors.
+    """
     count = table["outcome"].size
     print()
     verbs = {each.least: each.wording.verb for each in table_transitions(table) if each.least in table}
     for name, verb in verbs.items():
-        print(f"{int(np.isfinite(table[name]).sum())} of {count} wings {verb} under slowly growing torques")
+        print(f"{int(np.isfinite(table[name]).sum())} of {count} {whole}s {verb} under slowly growing torques")
         if simulated is not None:
             words, numbers = np.unique(compare_maps(table, simulated, name).values.astype(str), return_counts=True)
             parts = [f"{number} {word}" for word, number in zip(words.tolist(), numbers.tolist(), strict=True)]

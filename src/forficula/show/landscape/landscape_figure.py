@@ -34,6 +34,7 @@ from forficula.show.style import (
     is_narrow,
 )
 from forficula.statics import EnergyLandscape, FoldPath, StableState, folding_hinges, stable_states
+from forficula.statics.fold_path import rigid_fold
 from forficula.structure import Structure
 
 _RING_TICKS = (0, 2, 5, 10, 20, 40, 60, 90, 120, 150, 180)  # deg
@@ -217,12 +218,13 @@ def _why_no_saddle(landscape: EnergyLandscape) -> str:
 def _mark_climbs(axes: Axes, landscape: EnergyLandscape, factor: float, rounding: float) -> None:
     """Where the moment most resists folding and opening, and the torques that this takes."""
     wing = fold_path_of(landscape)
-    places = [(int(np.argmin(wing.moment)), "folding", wing.fold_torque, landscape.structure.appearance.bar, -9)]
+    there, back = _ways(landscape.structure)
+    places = [(int(np.argmin(wing.moment)), there, wing.fold_torque, landscape.structure.appearance.bar, -9)]
     if wing.unfold_torque is not None:
         moves = wing.fold_slope > 0
         by_ring = np.where(moves, wing.moment, 0.0) / np.where(moves, wing.fold_slope, 1.0)
         place = int(np.argmax(by_ring))
-        places.append((place, "opening", wing.unfold_torque, folding_hinge(landscape.structure), 5))
+        places.append((place, back, wing.unfold_torque, folding_hinge(landscape.structure), 5))
     middle = (wing.pleat_angle[0] + wing.pleat_angle[-1]) / 2
     for place, name, torque, where, up in places:
         angle = wing.pleat_angle[place]
@@ -237,6 +239,15 @@ def _mark_climbs(axes: Axes, landscape: EnergyLandscape, factor: float, rounding
         axes.plot(*at, "o", color=VERMILION, ms=4)
         words = f"{name} takes {reads * torque:.3g} {unit}{chr(10) if in_column(axes) else ' '}on every {where}"
         axes.annotate(words, at, xytext=(across, up), textcoords="offset points", ha=side, va="center", fontsize=7)
+
+
+def _ways(structure: Structure) -> tuple[str, str]:
+    """What goes on along the fold and back, such as "folding" and "opening"."""
+    fold, doing = rigid_fold(structure), [transition.wording.doing for transition in structure.transitions]
+    states = [transition.state for transition in structure.transitions]
+    place = states.index(fold.end) if fold.end in states else len(states)
+    ways = doing[place : place + 2]
+    return ways[0] if ways else f"getting {fold.end}", ways[1] if len(ways) > 1 else f"getting {fold.start}"
 
 
 def folding_hinge(structure: Structure) -> str:
@@ -267,7 +278,7 @@ def _ring_axis(axes: Axes, landscape: EnergyLandscape) -> None:
 
 
 def _tell(landscape: EnergyLandscape) -> str:
-    """The wing along its fold in words."""
+    """The structure along its fold in words."""
     states = [
         f"{state.name} at a pleat angle of {show_angle(state.pleat_angle)} with {reading(state.energy)}"
         for state in stable_states(landscape)

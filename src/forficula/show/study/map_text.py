@@ -12,7 +12,12 @@ if TYPE_CHECKING:
 
 
 def maps_text(
-    quantity: str, factors: Sequence[str], panels: Sequence[Panel], units: Sequence[tuple[str, float]]
+    quantity: str,
+    factors: Sequence[str],
+    panels: Sequence[Panel],
+    units: Sequence[tuple[str, float]],
+    *,
+    whole: str,
 ) -> str:
     """Tell what maps show.
 
@@ -21,8 +26,9 @@ def maps_text(
         factors: names of the factors that they are drawn over.
         panels: that are drawn.
         units: of each, in which its values are told, and their factors from SI.
+        whole: what sentences call what was run.
     """
-    what = f"Maps of the {quantity}" if quantity else "Map of what became of every wing"
+    what = f"Maps of the {quantity}" if quantity else f"Map of what became of every {whole}"
     told = "; ".join(_panel_text(panel, *unit) for panel, unit in zip(panels, units, strict=True))
     return f"{what} over {' and '.join(factors)}. {told[:1].upper()}{told[1:]}."
 
