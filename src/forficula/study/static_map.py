@@ -16,6 +16,7 @@ from forficula.statics.potential import Ensemble, ensemble_of
 from forficula.statics.quasi_static import slow_transition, start_state, state_beyond
 from forficula.structure import Transition, static_keys, structure_of
 from forficula.study.factors import read_factor
+from forficula.study.outcome_kinds import TableTransition, table_transitions, transitions_text
 from forficula.study.search import point_design
 from forficula.study.study import Search, Study, grid_points, read_search
 from forficula.study.table import table_axes
@@ -122,9 +123,8 @@ def static_map(study: Study, progress: Callable[[int, int], None] | None = None)
             "design": study.base.name,
             "design_hash": study.base.hash,
             "ask": "statics",
-            "transitions": [step.transition for step in search.steps],
-            "states": [step.state for step in search.steps],
-            "least": [step.least_name for step in search.steps],
+            "transitions": transitions_text(structure_of(study.base), search),
+            "start_state": search.start_state,
         },
     )
 
@@ -225,8 +225,9 @@ def compare_maps(statics: xarray.Dataset, simulated: xarray.Dataset, name: str) 
         InputError: the tables have different factors, or no wing in common.
     """
     there = simulated_values(statics, simulated, name).values
+    first, *_ = table_transitions(statics)
     found = np.isfinite(there)
-    tried = simulated_values(statics, simulated.assign(tried=_tried(simulated, name)), "tried").values == 1
+    tried = simulated_values(statics, simulated.assign(tried=_tried(simulated, name, first)), "tried").values == 1
     slow = np.isfinite(statics[name].values)
     words = np.full(found.shape, NEITHER, dtype=object)
     with np.errstate(invalid="ignore"):
@@ -262,14 +263,12 @@ def simulated_values(statics: xarray.Dataset, simulated: xarray.Dataset, name: s
     return values.reindex({factor: statics[factor] for factor in factors})
 
 
-def _tried(simulated: xarray.Dataset, name: str) -> xarray.DataArray:
+def _tried(simulated: xarray.Dataset, name: str, first: TableTransition) -> xarray.DataArray:
     """1 where a simulation tells of this torque: that of the second transition is tried where some makes the first."""
     outcome = simulated["outcome"]
-    first, *_ = np.atleast_1d(simulated.attrs.get("least", "least_fold_torque")).tolist()
-    if name == first:
-        transition, *_ = np.atleast_1d(simulated.attrs.get("transitions", "fold")).tolist()
-        return outcome.copy(data=_tells(simulated.get(f"{transition}_outcome", outcome)).astype(np.float64))
-    tells = np.isfinite(simulated[first].values) & _tells(outcome)
+    if name == first.least:
+        return outcome.copy(data=_tells(simulated.get(f"{first.name}_outcome", outcome)).astype(np.float64))
+    tells = np.isfinite(simulated[first.least].values) & _tells(outcome)
     return outcome.copy(data=tells.astype(np.float64))
 
 
