@@ -10,11 +10,16 @@ from forficula.study.study import read_search
 
 @cache
 def transitions_of_reference(ask: str = "least-torques") -> dict[str, str]:
-    """Attributes of a table of the reference: its transitions and the state before them.
+    """Attributes of a table of the reference: its transitions, the state before them, and what it is called.
 
     Args:
         ask: "least-torques", or "run" for plain runs.
     """
     reference = load_design("binder2025")
     search = read_search(ask, {}, reference) if ask != "run" else None
-    return {"transitions": transitions_text(structure_of(reference), search), "start_state": "flat"}
+    structure = structure_of(reference)
+    return {
+        "transitions": transitions_text(structure, search),
+        "start_state": "flat",
+        "whole": structure.appearance.whole,
+    }

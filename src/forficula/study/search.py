@@ -107,7 +107,7 @@ def _decided(found: Mapping[float, Row], goal: str) -> tuple[float | None, Row]:
             return None, row
         if value == least:
             return least, row
-    return None, found[max(found)] if found else {}
+    return None, [*found.values()][-1] if found else {}
 
 
 def _reference(search: Search, row: Row) -> str:
@@ -140,7 +140,7 @@ def first_design(design: Design, search: Search, value: float) -> Design:
     """The design with a value, SI, of the first transition; where another follows, its protocol ends with the first."""
     stages = design.protocol.stages
     if search.next_drive is not None:
-        stages = stages[: _first_driven(stages, search.first.drive) + 1]
+        stages = _ended(stages, _first_driven(stages, search.first.drive))
     return _with(design, stages, {search.first.key: value})
 
 
@@ -156,6 +156,15 @@ def second_design(design: Design, search: Search, value: float) -> Design:
         return design
     values = {search.first.key: search.reference, search.second.key: value}
     return _with(design, design.protocol.stages, values)
+
+
+def _ended(stages: Sequence[Stage], number: int) -> tuple[Stage, ...]:
+    """Stages up to a driven one, which ends in the state that its release would."""
+    *before, last = stages[: number + 1]
+    released = next(iter(stages[number + 1 :]), last)
+    if last.state is None and not stage_drives(released):
+        last = last.model_copy(update={"state": released.state})
+    return (*before, last)
 
 
 def _first_driven(stages: Sequence[Stage], drive: str) -> int:

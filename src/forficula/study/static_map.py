@@ -68,7 +68,7 @@ def map_study(design: Design, over: Mapping[str, object], search: Search | None 
 def static_map(study: Study, progress: Callable[[int, int], None] | None = None) -> xarray.Dataset:
     """Let torques grow step by step on every design of a study: the least that make the transitions it asks for.
 
-    Every torque of the study's search above 0 is tried, with all inertia left out. Designs that differ in their tendons
+    Every torque of the study's search but 0 is tried, with all inertia left out. Designs that differ in their tendons
     only go side by side.
 
     Args:
@@ -125,24 +125,19 @@ def static_map(study: Study, progress: Callable[[int, int], None] | None = None)
             "ask": "statics",
             "transitions": transitions_text(structure_of(study.base), search),
             "start_state": search.start_state,
+            "whole": structure_of(study.base).appearance.whole,
         },
     )
 
 
 def _numbers(design: Design, search: Search) -> dict[str, tuple[str, str]]:
     """Unit and what it is, by name."""
-    verbs = {each.name: each.wording.verb for each in structure_of(design).transitions}
+    wordings = {each.name: each.wording for each in structure_of(design).transitions}
     steps = {
-        step.least_name: ("N m", f"least slowly growing torque that {_does(verbs[step.transition])}")
+        step.least_name: ("N m", f"least slowly growing torque that {wordings[step.transition].does}")
         for step in search.steps
     }
     return steps | {f"{state}_energy": ("J", f"energy of the tendons, {state}") for state in _states(search)}
-
-
-def _does(verb: str) -> str:
-    """A verb such as "fold" in the third person."""
-    first, *rest = verb.split(maxsplit=1)
-    return " ".join([f"{first}s", *rest])
 
 
 def _states(search: Search) -> tuple[str, str]:
@@ -158,7 +153,7 @@ def _rows(designs: Sequence[Design], search: Search) -> list[dict[str, float | s
     positions = [start_state(structures).position, state_beyond(structures, asked[0]).position]
     energies = [_tendon_energies(structures, position) for position in positions]
     least = [
-        slow_transition(structures, position, transition, [torque for torque in step.values if torque > 0]).torque
+        slow_transition(structures, position, transition, [torque for torque in step.values if torque]).torque
         for step, transition, position in zip(search.steps, asked, positions, strict=False)
     ]
     return [

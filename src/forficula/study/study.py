@@ -48,7 +48,8 @@ class SearchStep:
         state: name of the state that it leads to, such as "folded".
         done: what it comes to where it succeeds, in a word.
         key: of the design's value that is tried, such as "protocol.fold_torque".
-        values: that are tried, SI, rising; none where it is not asked for.
+        values: that are tried, SI, rising, or falling from 0 where its drive turns the other way; none where it is not
+            asked for.
         unit: of the values.
     """
 
@@ -346,11 +347,12 @@ def read_search(ask: str, given: Mapping[str, Any], base: Design) -> Search:
     steps = [
         _torque_step(each, drive_of(structure, each.drive), given, none=each is not first) for each in (first, *others)
     ]
-    large = given.get(f"{first.name}_with", drive_of(structure, first.drive).large or _shown(steps[0].values[-1]))
+    drive = drive_of(structure, first.drive)
+    large = given.get(f"{first.name}_with", drive.large or _shown(steps[0].values[-1]))
     return Search(
         first=steps[0],
         second=next((step for step in steps[1:] if step.values), None),
-        reference=_torques(f"{first.name}_with", [large])[0],
+        reference=_torques(f"{first.name}_with", [large], drive)[0],
         next_drive=next((each.drive for each in others), None),
         start_state=start,
         refinements=_refinements(given),
@@ -370,13 +372,14 @@ def _value_search(given: Mapping[str, Any], base: Design, structure: Structure, 
     if quantity is None:
         raise InputError(f"search.key: need a key whose value has a unit, got {key}")
     transition = states[state]
+    below = any(drive.torque < 0 for drive in structure.drives if drive.key == key)
     step = SearchStep(
         transition=transition.name,
         drive=transition.drive,
         state=state,
         done=transition.wording.done,
         key=key,
-        values=_rising("values", given.get("values"), key, quantity.unit, none=False),
+        values=_rising("values", given.get("values"), key, quantity.unit, none=False, below=below),
         unit=quantity.unit,
     )
     return Search(
@@ -392,7 +395,7 @@ def _torque_step(transition: Transition, drive: Drive, given: Mapping[str, Any],
         state=transition.state,
         done=transition.wording.done,
         key=drive.key,
-        values=_torques(name, given.get(name, drive.tries or [_shown(drive.torque)]), none=none),
+        values=_torques(name, given.get(name, drive.tries or [_shown(drive.torque)]), drive, none=none),
         unit=TORQUE,
     )
 
@@ -408,12 +411,12 @@ def _refinements(given: Mapping[str, Any]) -> int:
     return refinements
 
 
-def _torques(key: str, given: object, *, none: bool = False) -> tuple[float, ...]:
-    return _rising(key, given, _TORQUE_KEY, TORQUE, none=none)
+def _torques(key: str, given: object, drive: Drive, *, none: bool = False) -> tuple[float, ...]:
+    return _rising(key, given, _TORQUE_KEY, TORQUE, none=none, below=drive.torque < 0)
 
 
-def _rising(key: str, given: object, like: str, unit: Unit, *, none: bool) -> tuple[float, ...]:
-    """Read rising values, a list or a range, of a key like another one."""
+def _rising(key: str, given: object, like: str, unit: Unit, *, none: bool, below: bool) -> tuple[float, ...]:
+    """Read rising values, a list or a range, of a key like another one; falling ones where they are to be below 0."""
     what = "torques" if unit is TORQUE else "values"
     values = range_values(like, given) if isinstance(given, str) else given
     if not isinstance(values, list | tuple) or not (values or none):
@@ -424,6 +427,8 @@ def _rising(key: str, given: object, like: str, unit: Unit, *, none: bool) -> tu
         numbers = tuple(parse_quantity(value, unit) for value in values)
     except InputError as error:
         raise InputError(f"search.{key}: {error}") from None
-    if list(numbers) != sorted(set(numbers)) or min(numbers, default=0.0) < 0:
-        raise InputError(f"search.{key}: need rising {what} >= 0, got {given!r}")
+    sizes = [-number if below else number for number in numbers]
+    if sizes != sorted(set(sizes)) or min(sizes, default=0.0) < 0:
+        order = "falling" if below else "rising"
+        raise InputError(f"search.{key}: need {order} {what} {'<=' if below else '>='} 0, got {given!r}")
     return numbers

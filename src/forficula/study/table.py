@@ -41,7 +41,7 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         grid that is repeated there where factors are varied one at a time, the base first; coordinates in SI with
         `units`, `display` and `key`. Of every transition of the base there are time and work, of every state the energy
         of the tendons, in a search of every transition the least value; the attribute `transitions` names them, see
-        `table_transitions`.
+        `table_transitions`, `start_state` the state before them, and `whole` what the structure is called.
     """
     import xarray
 
@@ -78,6 +78,7 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         "tendons": len(structure.tendons),
         "transitions": transitions_text(structure, search),
         "start_state": _start_state(structure),
+        "whole": structure.appearance.whole,
         **({"reproduces": study.reproduces} if study.reproduces is not None else {}),
     }
     return xarray.Dataset(variables, coordinates, attributes)
@@ -91,9 +92,9 @@ def _numbers(study: Study, structure: Structure) -> dict[str, tuple[str, str]]:
     start = [state for state in [_start_state(structure)] if state]
     numbers: dict[str, tuple[str, str]] = {}
     for step in search.steps if search is not None else ():
-        verb = next(each.wording.verb for each in asked if each.drive == step.drive)
+        does = next(each.wording.does for each in asked if each.drive == step.drive)
         what = "torque" if step.unit is TORQUE else step.key
-        numbers[step.least_name] = (step.unit.si, f"least {what} that {verb}s")
+        numbers[step.least_name] = (step.unit.si, f"least {what} that {does}")
     numbers |= {f"{each.name}_time": ("s", each.wording.time) for each in asked}
     numbers |= {f"{each.name}_work": ("J", f"work of {each.wording.noun}") for each in asked}
     for state in dict.fromkeys([*start, *(each.state for each in asked)]):

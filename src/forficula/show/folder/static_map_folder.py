@@ -13,7 +13,7 @@ from forficula.files import replacing_all, write_bytes, write_text
 from forficula.show.study.static_maps import draw_static_maps
 from forficula.show.style import PAGE_WIDTH, Drawing, save_figures
 from forficula.study import Study, table_csv
-from forficula.study.outcome_kinds import table_transitions
+from forficula.study.outcome_kinds import table_transitions, whole_word
 from forficula.study.static_map import compare_maps
 
 if TYPE_CHECKING:
@@ -76,11 +76,11 @@ def static_map_drawings(table: Dataset, simulated: Dataset | None = None) -> dic
 
 def print_static_map(table: Dataset, simulated: Dataset | None = None) -> None:
     """Say how many wings fold and open slowly, and where a simulation differs."""
-    count = table["outcome"].size
+    count, whole = table["outcome"].size, whole_word(table)
     print()
     verbs = {each.least: each.wording.verb for each in table_transitions(table) if each.least in table}
     for name, verb in verbs.items():
-        print(f"{int(np.isfinite(table[name]).sum())} of {count} wings {verb} under slowly growing torques")
+        print(f"{int(np.isfinite(table[name]).sum())} of {count} {whole}s {verb} under slowly growing torques")
         if simulated is not None:
             words, numbers = np.unique(compare_maps(table, simulated, name).values.astype(str), return_counts=True)
             parts = [f"{number} {word}" for word, number in zip(words.tolist(), numbers.tolist(), strict=True)]

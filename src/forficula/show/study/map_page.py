@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from forficula.show.study.factor_text import display_values, factor_label, number_text, plain_name
 from forficula.show.study.map_text import maps_text
 from forficula.show.style import BLUE, ORANGE, PAGE_WIDTH, PURPLE, SKY, describe, figure_style, is_narrow
-from forficula.study.outcome_kinds import Kind, outcome_kinds
+from forficula.study.outcome_kinds import Kind, outcome_kinds, whole_word
 from forficula.study.static_map import BOTH, BOTH_LESS, BOTH_MORE, NEITHER, ONLY_SIMULATED, ONLY_STATIC
 
 if TYPE_CHECKING:
@@ -191,7 +191,10 @@ def draw_page(
         figure.suptitle(text, fontsize=8)
     _legend(figure, view, panels, cells=cells)
     factors = [plain_name(view.table[name]) for name in (view.y, view.x) if name]
-    return describe(figure, maps_text(quantity, factors, panels, [(scale.unit, scale.factor) for scale in scales]))
+    return describe(
+        figure,
+        maps_text(whole_word(view.table), quantity, factors, panels, [(scale.unit, scale.factor) for scale in scales]),
+    )
 
 
 def _empty_page(view: View, count: int, columns: int, width: float, cells: bool) -> tuple[Figure, list[Axes]]:

@@ -12,17 +12,18 @@ if TYPE_CHECKING:
 
 
 def maps_text(
-    quantity: str, factors: Sequence[str], panels: Sequence[Panel], units: Sequence[tuple[str, float]]
+    whole: str, quantity: str, factors: Sequence[str], panels: Sequence[Panel], units: Sequence[tuple[str, float]]
 ) -> str:
     """Tell what maps show.
 
     Args:
+        whole: what a structure is called.
         quantity: that they show; empty where they show verdicts.
         factors: names of the factors that they are drawn over.
         panels: that are drawn.
         units: of each, in which its values are told, and their factors from SI.
     """
-    what = f"Maps of the {quantity}" if quantity else "Map of what became of every wing"
+    what = f"Maps of the {quantity}" if quantity else f"Map of what became of every {whole}"
     told = "; ".join(_panel_text(panel, *unit) for panel, unit in zip(panels, units, strict=True))
     return f"{what} over {' and '.join(factors)}. {told[:1].upper()}{told[1:]}."
 
