@@ -136,13 +136,13 @@ def reading_unit(unit: str, largest: float) -> tuple[str, float]:
     """Choose the unit in which values read well.
 
     Args:
-        unit: the SI unit of the values: "J", "N m", "m" or "s".
+        unit: the SI unit of the values; there are others to choose from for "J", "N m", "m" and "s".
         largest: of the values, in it.
 
     Returns:
         The unit's name and its factor from SI; a torque's is in N cm, as the field has it.
     """
-    names = _READING[unit]
+    names = _READING.get(unit, ((unit, 1.0, 0.0),))
     fitting = (entry for entry in names if largest >= entry[2] or largest == 0)
     return next(fitting, names[-1])[:2]
 

@@ -170,7 +170,7 @@ def test_creases_that_the_same_drives_act_on_share_a_motor():
     assert [motor.name for motor in structure.motors] == ["crease1, crease3", "crease 0", "crease2"]
     assert [drive.torques for drive in structure.drives] == [(1, 1, 1), (0, -2, -2), (0, 4, 0)]
     assert [drive.rise for drive in structure.drives] == [0.5, 0.25, 0.25]
-    assert drive_keys(design) == ("drive.0.value", "drive.1.value", "drive.2.value")
+    assert drive_keys(design) == ("drive.all.value", "drive.hills.value", "drive.one.value")
     for drive, key in zip(structure.drives, drive_keys(design), strict=True):
         assert (drive.key, drive.torque) == (key, key_value(design, key))
     assert [motor.name for motor in structure_of(LETTER).motors] == ["creases"]
@@ -214,7 +214,7 @@ def test_states_and_transitions_come_from_the_stages_and_read_as_sentences():
     assert f"still {words.doing}" == "still getting closed"
     assert f"did not {words.verb}" == "did not get closed"
     assert f"did not stay {words.stays}" == "did not stay closed"
-    assert "drive.0.value" in words.if_stuck
+    assert "drive.close.value" in words.if_stuck
     assert (words.done, opening.wording.done) == ("closed", "closed and opened")
 
 

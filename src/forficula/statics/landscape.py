@@ -360,9 +360,8 @@ def _slow_remarks(structure: Structure, transition: Transition, most: float, fou
     """What to say where no slowly growing torque makes a transition."""
     if not math.isnan(found.torque[0]):
         return ()
-    verb, *rest = transition.wording.verb.split(maxsplit=1)
-    does, own = " ".join([f"{verb}s", *rest]), transition.slow_drive is None
-    makes = f"makes it {transition.wording.verb}" if rest else f"{does} it"
+    verb, does, own = transition.wording.verb, transition.wording.does, transition.slow_drive is None
+    makes = f"makes it {verb}" if " " in verb else f"{does} it"
     started = "" if transition is structure.transitions[0] else f" from {_before(structure, transition)}"
     on = "" if transition.slow_drive is None else f" on the {transition.slow_drive.name} hinges"
     folding = list(folding_hinges(structure))

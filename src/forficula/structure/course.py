@@ -137,6 +137,12 @@ class Wording:
     if_under_way: str = ""
     if_lost: str = ""
 
+    @property
+    def does(self) -> str:
+        """What it does, such as "folds"."""
+        first, *rest = self.verb.split(maxsplit=1)
+        return " ".join([f"{first}s", *rest])
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Transition:

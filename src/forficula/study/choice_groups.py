@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from forficula.analysis import Verdict
 from forficula.study.choices import CHOICE
-from forficula.study.outcome_kinds import table_transitions
+from forficula.study.outcome_kinds import asked_transitions, did_all
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
@@ -45,8 +45,13 @@ def choice_groups(table: Dataset) -> list[ChoiceGroup]:
 
 
 def wings_that_fold(table: Dataset) -> DataArray:
-    """Whether the first transition is done, with some value where these were searched, over the points' dimensions."""
-    first = table_transitions(table)[0]
+    """Whether the first transition is done, with some value where these were searched, over the points' dimensions.
+
+    Where there is no transition, whether a run came to its end.
+    """
+    if not (asked := asked_transitions(table)):
+        return table["verdict"] == str(Verdict.REACHED)
+    first = asked[0]
     # there is no least value where a lesser one was tried and is not to be trusted, and it is done all the same
     for by in ("torque", "value"):
         if (name := f"{first.state}_by_{by}") in table:
@@ -61,13 +66,13 @@ def count_folded(table: Dataset) -> NDArray[np.int_]:
 
 def count_opened(table: Dataset) -> NDArray[np.int_] | None:
     """How many of the grid do all transitions at each choice, shape (choices,); None where that is not asked."""
-    transitions = table_transitions(table)
+    transitions = asked_transitions(table)
     if len(transitions) < 2:
         return None
-    last, searched = transitions[-1], any(each.least for each in transitions)
-    if searched and last.least not in table:
+    last = transitions[-1]
+    if last.least and last.least not in table:
         return None
-    return _count(table[last.least].notnull() if searched else table[last.state].astype(bool))
+    return _count(table[last.least].notnull() if last.least else did_all(table, transitions))
 
 
 def _count(wings: DataArray) -> NDArray[np.int_]:

@@ -302,7 +302,7 @@ def _verdict(cycling: Cycling) -> str:
     """Whether it still works after the last cycle, and up to which or from which on where it does not."""
     first, last = cycling.transitions[0], cycling.transitions[-1]
     began = [bool(run.row.get(first.state)) for run in cycling.runs]
-    verbs = [f"{each.wording.verb}s" for each in cycling.transitions]
+    verbs = [each.wording.does for each in cycling.transitions]
     if first is not last and any(began) and not any(run.row.get(last.state) for run in cycling.runs):
         return f"{verbs[-1]} at none of the {_cycles(cycling.runs[-1].cycle)}; {_course(cycling, began, verbs[0])}"
     return _course(cycling, [cycling.works(run) for run in cycling.runs], " and ".join(verbs))

@@ -6,14 +6,16 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from enum import Enum
+from functools import reduce
+from operator import and_
 from typing import TYPE_CHECKING
 
 from forficula.analysis import Verdict, verdict_word
-from forficula.structure import Structure, Wording
+from forficula.structure import Appearance, Structure, Wording
 from forficula.study.study import Search
 
 if TYPE_CHECKING:
-    from xarray import Dataset
+    from xarray import DataArray, Dataset
 
 _ATTRIBUTE = "transitions"
 
@@ -82,9 +84,26 @@ def table_transitions(table: Dataset) -> tuple[TableTransition, ...]:
     )
 
 
+def asked_transitions(table: Dataset) -> tuple[TableTransition, ...]:
+    """The transitions whose least values were searched for, or all of them where none was."""
+    transitions = table_transitions(table)
+    return tuple(each for each in transitions if each.least) or transitions
+
+
+def did_all(table: Dataset, transitions: Sequence[TableTransition]) -> DataArray:
+    """Whether every one of some transitions was done in a plain run, over the points' dimensions."""
+    # what never left its first state may well be found in it after the way back
+    return reduce(and_, (table[each.state].astype(bool) for each in transitions))
+
+
+def asked_verbs(table: Dataset) -> list[str]:
+    """What is asked whether a structure does it, such as "fold"; "settle" where its protocol drives nothing."""
+    return [each.wording.verb for each in asked_transitions(table)] or ["settle"]
+
+
 def whole_of(table: Dataset) -> str:
     """What sentences call the structure that a table is of."""
-    return str(table.attrs.get("whole", "structure"))
+    return str(table.attrs.get("whole", Appearance().whole))
 
 
 def not_tried_word(transitions: Sequence[TableTransition]) -> str:

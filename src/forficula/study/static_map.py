@@ -16,7 +16,7 @@ from forficula.statics.potential import Ensemble, ensemble_of
 from forficula.statics.quasi_static import slow_transition, start_state, state_beyond
 from forficula.structure import Transition, static_keys, structure_of
 from forficula.study.factors import read_factor
-from forficula.study.outcome_kinds import table_transitions, transitions_text
+from forficula.study.outcome_kinds import TableTransition, table_transitions, transitions_text
 from forficula.study.search import point_design
 from forficula.study.study import Search, Study, grid_points, read_search
 from forficula.study.table import table_axes
@@ -124,25 +124,20 @@ def static_map(study: Study, progress: Callable[[int, int], None] | None = None)
             "design_hash": study.base.hash,
             "ask": "statics",
             "transitions": transitions_text(structure_of(study.base), search),
-            "start_state": _states(search)[0],
+            "start_state": search.start_state,
+            "whole": structure_of(study.base).appearance.whole,
         },
     )
 
 
 def _numbers(design: Design, search: Search) -> dict[str, tuple[str, str]]:
     """Unit and what it is, by name."""
-    verbs = {each.name: each.wording.verb for each in structure_of(design).transitions}
+    wordings = {each.name: each.wording for each in structure_of(design).transitions}
     steps = {
-        step.least_name: ("N m", f"least slowly growing torque that {_does(verbs[step.transition])}")
+        step.least_name: ("N m", f"least slowly growing torque that {wordings[step.transition].does}")
         for step in search.steps
     }
     return steps | {f"{state}_energy": ("J", f"energy of the tendons, {state}") for state in _states(search)}
-
-
-def _does(verb: str) -> str:
-    """A verb such as "fold" in the third person."""
-    first, *rest = verb.split(maxsplit=1)
-    return " ".join([f"{first}s", *rest])
 
 
 def _states(search: Search) -> tuple[str, str]:
@@ -225,8 +220,9 @@ def compare_maps(statics: xarray.Dataset, simulated: xarray.Dataset, name: str) 
         InputError: the tables have different factors, or no wing in common.
     """
     there = simulated_values(statics, simulated, name).values
+    first, *_ = table_transitions(statics)
     found = np.isfinite(there)
-    tried = simulated_values(statics, simulated.assign(tried=_tried(simulated, name)), "tried").values == 1
+    tried = simulated_values(statics, simulated.assign(tried=_tried(simulated, name, first)), "tried").values == 1
     slow = np.isfinite(statics[name].values)
     words = np.full(found.shape, NEITHER, dtype=object)
     with np.errstate(invalid="ignore"):
@@ -262,14 +258,11 @@ def simulated_values(statics: xarray.Dataset, simulated: xarray.Dataset, name: s
     return values.reindex({factor: statics[factor] for factor in factors})
 
 
-def _tried(simulated: xarray.Dataset, name: str) -> xarray.DataArray:
+def _tried(simulated: xarray.Dataset, name: str, first: TableTransition) -> xarray.DataArray:
     """1 where a simulation tells of this torque: that of the second transition is tried where some makes the first."""
     outcome = simulated["outcome"]
-    # the first transition is tried in any case
-    first = next((each for each in table_transitions(simulated) if each.least), None)
-    if first is None or name == first.least:
-        own = outcome if first is None else simulated.get(f"{first.name}_outcome", outcome)
-        return outcome.copy(data=_tells(own).astype(np.float64))
+    if name == first.least:
+        return outcome.copy(data=_tells(simulated.get(f"{first.name}_outcome", outcome)).astype(np.float64))
     tells = np.isfinite(simulated[first.least].values) & _tells(outcome)
     return outcome.copy(data=tells.astype(np.float64))
 

@@ -92,9 +92,9 @@ def _numbers(study: Study, structure: Structure) -> dict[str, tuple[str, str]]:
     start = [state for state in [first_state(structure, structure.stage_states)] if state]
     numbers: dict[str, tuple[str, str]] = {}
     for step in search.steps if search is not None else ():
-        verb = next(each.wording.verb for each in asked if each.drive == step.drive)
+        does = next(each.wording.does for each in asked if each.drive == step.drive)
         what = "torque" if step.unit is TORQUE else step.key
-        numbers[step.least_name] = (step.unit.si, f"least {what} that {verb}s")
+        numbers[step.least_name] = (step.unit.si, f"least {what} that {does}")
     numbers |= {f"{each.name}_time": ("s", each.wording.time) for each in asked}
     numbers |= {f"{each.name}_work": ("J", f"work of {each.wording.noun}") for each in asked}
     for state in dict.fromkeys([*start, *(each.state for each in asked)]):

@@ -130,9 +130,13 @@ def test_the_figures_of_a_convergence_study_are_drawn_again(folders, tmp_path, c
 
 def test_a_convergence_study_is_read_as_it_was_written(folders, convergence):
     read = load_convergence(folders / "converge" / "convergence.nc")
-    for name in ("values", "fold_times", "unfold_times", "fold_starts", "unfold_starts"):
-        assert np.array_equal(getattr(read, name), getattr(convergence, name), equal_nan=True)
-    for name in ("key", "own", "rows", "statuses", "fold_order", "unfold_order", "tolerance", "fine", "verdict"):
+    assert np.array_equal(read.values, convergence.values)
+    for name in ("transition_times", "starts"):
+        again, first = getattr(read, name), getattr(convergence, name)
+        assert list(again) == list(first) == ["fold", "unfold"]
+        for transition, times in first.items():
+            assert np.array_equal(again[transition], times, equal_nan=True)
+    for name in ("key", "own", "rows", "statuses", "orders", "tolerance", "fine", "verdict"):
         assert getattr(read, name) == getattr(convergence, name)
     assert read.design.hash == convergence.design.hash
     for again, curve in zip((*read.times, *read.angles), (*convergence.times, *convergence.angles), strict=True):

@@ -9,6 +9,7 @@ from forficula.show.folder.study_folder import study_drawings
 from forficula.show.study.choices_figure import draw_choices
 from forficula.show.study.maps import map_drawings
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, description
+from tests.show.tables import transitions_of_reference
 
 DAMPING = [1e-3, 1e-4, 1e-2, 1e-3, 1e-3]
 DIAMETER = [0.005, 0.005, 0.005, 0.003, 0.01]
@@ -42,7 +43,8 @@ def planted(name="mine", *, verdict="", outcome="", opens=False):
         "tendon_stiffness": ("tendon_stiffness", [1e3, 2e3], {"key": "tendon.stiffness"}),
         "tendon_rest_length": ("tendon_rest_length", [0.0, 0.03, 0.06], {"key": "tendon.rest_length"}),
     }
-    return xr.Dataset(variables, coordinates, {"name": name, "design": "binder2025", "ask": "least-torques"})
+    attributes = {"name": name, "design": "binder2025", "ask": "least-torques", **transitions_of_reference()}
+    return xr.Dataset(variables, coordinates, attributes)
 
 
 def single(table):

@@ -51,14 +51,14 @@ def test_all_timesteps_are_in_one_figure_told_apart_without_colour(studies):
 def test_the_drawn_angle_is_the_simulated_one_at_the_time_since_the_stage_began(studies):
     study = studies[TIMESTEP]
     line = draw_convergence_angles(study).axes[1].lines[3]
-    assert line.get_xdata() == pytest.approx(1e3 * (study.times[3] - study.fold_starts[3]))
+    assert line.get_xdata() == pytest.approx(1e3 * (study.times[3] - study.starts["fold"][3]))
     assert line.get_ydata() == pytest.approx(np.degrees(study.angles[3]))
 
 
 def test_the_law_is_drawn_through_its_limit(studies):
     study = studies[TIMESTEP]
     law = next(line for line in draw_convergence_times(study).axes[0].lines if "order" in line.get_label())
-    assert (law.get_xdata()[0], law.get_ydata()[0]) == (0, pytest.approx(1e3 * study.fold_order.limit))
+    assert (law.get_xdata()[0], law.get_ydata()[0]) == (0, pytest.approx(1e3 * study.orders["fold"].limit))
 
 
 def test_a_time_that_is_not_there_is_none_and_not_a_number(studies):

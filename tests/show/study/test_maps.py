@@ -16,6 +16,7 @@ from forficula.show.study.maps import (
     map_drawings,
 )
 from forficula.show.style import PAGE_WIDTH
+from tests.show.tables import transitions_of_reference
 
 COORDS = {
     "tendon_stiffness": ([1000.0, 2000.0, 3000.0], "tendon.stiffness", "N/m", "N/cm"),
@@ -95,7 +96,8 @@ def planted(factors, status=None, *, fold_outcome=None, sizes=None):
     variables["folded_by_torque"] = ((*factors, "fold_torque"), np.isfinite(times))
     by_torque = np.broadcast_to(fold_outcome[..., None], times.shape).astype(object)
     variables["fold_outcome_by_torque"] = ((*factors, "fold_torque"), by_torque)
-    table = xr.Dataset(variables, coords={**coords, "fold_torque": TORQUES}, attrs={"ask": "least-torques"})
+    attributes = {"ask": "least-torques", **transitions_of_reference()}
+    table = xr.Dataset(variables, coords={**coords, "fold_torque": TORQUES}, attrs=attributes)
     for name in factors:
         _, key, si, display = COORDS[name]
         table[name].attrs = {"key": key, "units": si, "display": display, "long_name": key}
@@ -134,7 +136,7 @@ def doubtful():
 def as_run(table):
     names = ["least_fold_torque", "least_unfold_torque", "fold_outcome", "reference_outcome"]
     by_torque = ["fold_time_by_torque", "folded_by_torque", "fold_outcome_by_torque", "fold_torque"]
-    return table.drop_vars(names + by_torque)
+    return table.drop_vars(names + by_torque).assign_attrs(ask="run", **transitions_of_reference("run"))
 
 
 def sampled(table):

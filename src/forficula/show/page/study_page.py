@@ -26,7 +26,7 @@ from forficula.structure import structure_of
 from forficula.study import Study, named_studies, table_csv
 from forficula.study.factors import Factor
 from forficula.study.kept_runs import KeptRun
-from forficula.study.outcome_kinds import TableTransition, table_transitions
+from forficula.study.outcome_kinds import TableTransition, asked_transitions, did_all
 from forficula.study.study import SearchStep
 
 if TYPE_CHECKING:
@@ -95,14 +95,15 @@ def _order(run: dict[str, Any]) -> tuple[int, int, str]:
 
 def study_sentence(study: Study, results: Dataset) -> str:
     """How many points there are and what became of them."""
-    count, transitions = f"{len(study.points)} points", table_transitions(results)
+    count, transitions = f"{len(study.points)} points", asked_transitions(results)
     if study.search is None:
         told = [
-            f"{int(results[each.state].sum())} {_can(transitions, place)}" for place, each in enumerate(transitions)
+            f"{int(did_all(results, transitions[: place + 1]).sum())} {_can(transitions, place)}"
+            for place in range(len(transitions))
         ]
         return f"{count}: {', '.join(told)}." if told else f"{count}."
     parts = []
-    for place, (step, each) in enumerate(zip(study.search.steps, transitions, strict=False)):
+    for place, (step, each) in enumerate(zip(study.search.steps, transitions, strict=True)):
         what = _can(transitions, place, again=False) if place == 0 else f"{each.wording.verb} again"
         values = results[step.least_name].values[np.isfinite(results[step.least_name].values)]
         if not len(values):

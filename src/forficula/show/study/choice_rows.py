@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from forficula.show.study.factor_text import value_text
 from forficula.study.choice_groups import choice_groups, count_folded, count_opened, count_unknown
 from forficula.study.choices import CHOICE
-from forficula.study.outcome_kinds import table_transitions
+from forficula.study.outcome_kinds import asked_verbs
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -34,5 +34,5 @@ def choice_rows(table: Dataset) -> tuple[list[str], list[list[str]]]:
                 counts[0] += f" to {folded[place] + unsure}"
             rows.append([value_text(table[group.factor], place) + own, *counts])
     count = table["status"].size // table.sizes[CHOICE]
-    verbs = [each.wording.verb for each in table_transitions(table)]
+    verbs = asked_verbs(table)
     return ["choice", f"{verbs[0]}, of {count}", *([f"{verbs[-1]} again"] if opened is not None else [])], rows

@@ -22,7 +22,7 @@ from forficula.show.study.maps import missing_reasons
 from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, SKY, VERMILION, describe, is_narrow
 from forficula.study.choice_groups import choice_groups, count_folded, count_opened, count_unknown
 from forficula.study.choices import CHOICE
-from forficula.study.outcome_kinds import table_transitions, whole_of
+from forficula.study.outcome_kinds import asked_verbs, table_transitions, whole_of
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -83,7 +83,10 @@ def draw_choices(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
 
 def _numbers(table: Dataset) -> dict[str, str]:
     """What of a single structure may be drawn, with its label: least values, the first time, works."""
-    transitions = table_transitions(table)
+    transitions, start = table_transitions(table), table.attrs.get("start_state")
+    if not transitions:
+        energy = {f"{start}_energy": f"tendons' energy when {start}"} if start else {}
+        return {**energy, "residual": "largest share of the energy that is missing"}
     return {
         **{each.least: each.least.replace("_", " ") for each in transitions if each.least},
         **{f"{each.name}_time": each.wording.time for each in transitions[:1]},
@@ -142,14 +145,15 @@ def _draw_counts(axes: Axes, table: Dataset, rows: Sequence[_Row]) -> None:
         ),
     ]
     if opened is not None:
-        handles.append(Line2D([], [], label=f"{_verbs(table)[-1]} again", **_OPENED))
+        handles.append(Line2D([], [], label=f"{asked_verbs(table)[-1]} again", **_OPENED))
     paper = named_reproduction(table.attrs.get("reproduces"))
     if paper is not None and (folds := paper.fold_count) is not None:
         line = axes.axvline(folds, color=VERMILION, ls="--", lw=1, zorder=2, label=f"the paper: {folds}")
         handles.append(line)
     # room for the numbers behind full bars
     axes.set(
-        xlim=(0, (1.12 if unknown else 1.06) * count), xlabel=f"{whole_of(table)}s that {_verbs(table)[0]}, of {count}"
+        xlim=(0, (1.12 if unknown else 1.06) * count),
+        xlabel=f"{whole_of(table)}s that {asked_verbs(table)[0]}, of {count}",
     )
     axes.set_xticks(np.unique(np.linspace(0, count, 7).round()))
     figure = axes.get_figure(root=True)
@@ -172,13 +176,10 @@ def _draw_numbers(axes: Axes, table: Dataset, name: str, rows: Sequence[_Row]) -
             axes.plot(factor * values[row.place], row.height, "o", ms=4, color=_colour(row.place), mec=BLUE, mew=0.6)
         else:
             axes.text(0.02, row.height, str(reasons[row.place]), transform=foot, va="center", fontsize=6, color=_INK)
-    axes.set_xlim(0, 1.08 * factor * float(np.nanmax(values, initial=0.0)) or 1)
+    # least values of a key may be below 0
+    low, high = (1.08 * factor * float(end(values, initial=0.0)) for end in (np.nanmin, np.nanmax))
+    axes.set_xlim(low, high or (0 if low else 1))
     axes.set_xlabel(f"{_numbers(table)[name]} ({unit})")
-
-
-def _verbs(table: Dataset) -> list[str]:
-    """What the transitions do, such as "fold"."""
-    return [each.wording.verb for each in table_transitions(table)]
 
 
 def _name_rows(grid: Sequence[Axes], rows: Sequence[_Row]) -> None:
@@ -206,7 +207,7 @@ def _tell(table: Dataset, rows: Sequence[_Row]) -> str:
     singles = table["status"].dims == (CHOICE,)
     folded, count = count_folded(table), table["status"].size // table.sizes[CHOICE]
     whole = whole_of(table)
-    what = f"Numbers of a {whole}" if singles else f"How many of {count} {whole}s {_verbs(table)[0]}"
+    what = f"Numbers of a {whole}" if singles else f"How many of {count} {whole}s {asked_verbs(table)[0]}"
     told, name = [], ""
     for row in rows:
         if row.place is None:

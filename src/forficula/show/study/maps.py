@@ -14,7 +14,7 @@ from forficula.show.study.factor_text import plain_name, value_text
 from forficula.show.study.map_page import OTHER, Panel, View, draw_page, map_style
 from forficula.show.style import PAGE_WIDTH, Drawing
 from forficula.study.choices import CHOICE
-from forficula.study.outcome_kinds import Kind, not_tried_word, outcome_kinds, table_transitions
+from forficula.study.outcome_kinds import Kind, asked_transitions, not_tried_word, outcome_kinds, table_transitions
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
@@ -230,7 +230,7 @@ def _unit(table: Dataset, name: str) -> str:
 
 @dataclass(frozen=True, kw_only=True)
 class TimesByValue:
-    """Names in a table of what became of the first transition with every value that was tried.
+    """Names in a table of what became of the first transition asked for with every value that was tried.
 
     Attributes:
         value: the dimension of the values, such as "fold_torque".
@@ -247,7 +247,7 @@ class TimesByValue:
 
 def times_by_value(table: Dataset) -> TimesByValue | None:
     """Find what a search tried for the first transition; None where the table is of none."""
-    for first in table_transitions(table)[:1]:
+    for first in asked_transitions(table)[:1]:
         for by in ("torque", "value"):
             times = f"{first.name}_time_by_{by}"
             if times in table:

@@ -29,7 +29,7 @@ def draw_static_maps(statics: Dataset, simulated: Dataset | None = None, width: 
     Raises:
         InputError: the tables have different factors.
     """
-    torques = {each.least: f"{each.wording.verb}s" for each in table_transitions(statics) if each.least in statics}
+    torques = {each.least: each.wording.does for each in table_transitions(statics) if each.least in statics}
     with map_style():
         if simulated is None:
             view = table_view(statics)
@@ -40,7 +40,7 @@ def draw_static_maps(statics: Dataset, simulated: Dataset | None = None, width: 
             extra[f"simulated_{name}"] = simulated_values(statics, simulated, name)
             extra[f"verdict_{name}"] = compare_maps(statics, simulated, name)
         # where nothing is known of a wing it was not run at all
-        energies = simulated_values(statics, simulated, f"{statics.attrs['start_state']}_energy")
+        energies = simulated_values(statics, simulated, _of_every_run(statics, simulated))
         extra["simulated"] = energies.copy(data=np.isfinite(energies.values))
         view = table_view(statics.assign(extra))
         panels = []
@@ -53,6 +53,12 @@ def draw_static_maps(statics: Dataset, simulated: Dataset | None = None, width: 
         if is_narrow(width):  # a column for each transition
             panels = [panels[place] for row in range(3) for place in range(row, len(panels), 3)]
         return draw_page(view, panels, quantity="torque", one_scale=True, width=width)
+
+
+def _of_every_run(statics: Dataset, simulated: Dataset) -> str:
+    """Name of a number that a simulated table has of whatever ran."""
+    start = f"{statics.attrs['start_state']}_energy"
+    return start if start in simulated else "residual"
 
 
 def _panel(view: View, name: str, title: str, simulated: bool = False) -> Panel:

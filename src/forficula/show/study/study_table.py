@@ -12,7 +12,7 @@ from rich.table import Table
 from forficula.quantities import show_quantity
 from forficula.show.study.choice_rows import choice_rows
 from forficula.study import Study
-from forficula.study.outcome_kinds import table_transitions
+from forficula.study.outcome_kinds import asked_transitions
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -37,7 +37,7 @@ def print_study(study: Study, table: Dataset) -> None:
         Console(width=110, highlight=False).print(by_choice)
     if study.search is None:
         return
-    for place, (step, each) in enumerate(zip(study.search.steps, table_transitions(table), strict=False)):
+    for place, (step, each) in enumerate(zip(study.search.steps, asked_transitions(table), strict=True)):
         what = f"{each.wording.verb} again" if place else each.wording.verb
         values = table[step.least_name].values[np.isfinite(table[step.least_name].values)]
         if len(values):

@@ -1,0 +1,25 @@
+"""What tables that tests plant say of their structure: that of binder2025, as a study of it writes it."""
+
+from functools import cache
+
+from forficula.design import load_design
+from forficula.structure import structure_of
+from forficula.study.outcome_kinds import transitions_text
+from forficula.study.study import read_search
+
+
+@cache
+def transitions_of_reference(ask: str = "least-torques") -> dict[str, str]:
+    """Attributes of a table of the reference: its transitions, the state before them, and what it is called.
+
+    Args:
+        ask: "least-torques", or "run" for plain runs.
+    """
+    reference = load_design("binder2025")
+    search = read_search(ask, {}, reference) if ask != "run" else None
+    structure = structure_of(reference)
+    return {
+        "transitions": transitions_text(structure, search),
+        "start_state": "flat",
+        "whole": structure.appearance.whole,
+    }
