@@ -34,7 +34,6 @@ _KEYS = (
     "search",
 )
 _MOST_TORQUES = 1000  # every one of them is a run of every point
-_TORQUE_KEY = "protocol.fold_torque"
 _SEARCHES = ("least-torques", "least-value")
 
 
@@ -382,7 +381,7 @@ def _value_search(given: Mapping[str, Any], base: Design, structure: Structure, 
         state=state,
         done=transition.wording.done,
         key=key,
-        values=_rising("values", given.get("values"), key, quantity.unit, none=False),
+        values=_rising("values", given.get("values"), quantity.unit, none=False),
         unit=quantity.unit,
     )
     return Search(
@@ -416,13 +415,13 @@ def _refinements(given: Mapping[str, Any]) -> int:
 
 
 def _torques(key: str, given: object, *, none: bool = False) -> tuple[float, ...]:
-    return _rising(key, given, _TORQUE_KEY, TORQUE, none=none)
+    return _rising(key, given, TORQUE, none=none)
 
 
-def _rising(key: str, given: object, like: str, unit: Unit, *, none: bool) -> tuple[float, ...]:
-    """Read rising values, a list or a range, of a key like another one."""
+def _rising(key: str, given: object, unit: Unit, *, none: bool) -> tuple[float, ...]:
+    """Read rising values, a list or a range."""
     what = "torques" if unit is TORQUE else "values"
-    values = range_values(like, given) if isinstance(given, str) else given
+    values = range_values(f"search.{key}", given) if isinstance(given, str) else given
     if not isinstance(values, list | tuple) or not (values or none):
         raise InputError(f'search.{key}: need {what} such as "0..50 {unit.display} step 10", got {given!r}')
     if len(values) > _MOST_TORQUES:
@@ -432,5 +431,6 @@ def _rising(key: str, given: object, like: str, unit: Unit, *, none: bool) -> tu
     except InputError as error:
         raise InputError(f"search.{key}: {error}") from None
     if list(numbers) != sorted(set(numbers)) or (unit is TORQUE and min(numbers, default=0.0) < 0):
-XX
+        size = f" >= 0; a drive's sign is its own" if unit is TORQUE else ""
+        raise InputError(f"search.{key}: need rising {what}{size}, got {as_written(given)}")
     return numbers
