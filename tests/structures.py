@@ -5,9 +5,9 @@ from collections.abc import Callable
 import numpy as np
 
 from forficula.design import FanDesign
-from forficula.dynamics import Model, compile_structure, design_in_model_units
+from forficula.dynamics import Model, Record, compile_structure, design_in_model_units
 from forficula.dynamics.units import ModelUnits, model_units
-from forficula.structure import Structure
+from forficula.structure import GROUND, Structure
 from forficula.structure.veins import Vein
 
 _SI = ModelUnits(length=1.0, mass=1.0, time=1.0)
@@ -36,3 +36,15 @@ def straight_vein(design: FanDesign) -> Vein:
         sense=1,
         fixed_base=True,
     )
+
+
+def supports(structure: Structure) -> list[str]:
+    """Names of the bodies that are held: those on the ground without a hinge."""
+    hinged = {hinge.body for hinge in structure.hinges}
+    bodies = enumerate(structure.bodies)
+    return [body.name for number, body in bodies if body.parent == GROUND and number not in hinged]
+
+
+def motor_work(record: Record, name: str) -> np.ndarray:
+    """Work of a motor since the start, J, (time,)."""
+    return record.series["motor_work"][:, [motor.name for motor in record.structure.motors].index(name)]

@@ -121,11 +121,7 @@ def read_stiffnesses(option: str, text: str) -> list[float]:
     from forficula.design.part import STIFFNESS
     from forficula.study.factors import range_values
 
-    key = "tendon.stiffness"
-    try:
-        texts = range_values(key, text) if ".." in text else (text,)
-    except InputError as error:
-        raise InputError(str(error).replace(key, option, 1)) from None
+    texts = range_values(option, text) if ".." in text else (text,)
     values = [read_quantity(option, each, STIFFNESS) for each in texts]
     if min(values) <= 0:
         raise InputError(f'{option}: need > 0, got "{text}"')

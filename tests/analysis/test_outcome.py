@@ -345,3 +345,21 @@ def test_a_goal_missed_is_no_success_whatever_the_angles_are():
     outcome = measure(missed)
     assert not outcome.holds["folded"]
     assert not outcome.holds["opened"]
+
+
+@pytest.mark.parametrize(("until", "status"), [("folded", "moving"), ("ring < -150 deg", "moving")])
+def test_a_bound_that_was_missed_is_missed_in_its_own_words_as_by_its_name(until, status):
+    """A hinge's weak push goes nowhere, and its stage runs out of time: no state is held, however it is written."""
+    design = with_values(REFERENCE, {"protocol.fold_torque": 0.01, "protocol.stages.1.until": until})
+    outcome = measure(ff.run(design))
+    assert outcome.verdict.value == status
+    assert not outcome.holds["folded"]
+
+
+def test_a_goal_in_its_own_words_tells_the_same_of_a_wing_as_by_its_name():
+    named, written = (
+        measure(ff.run(with_values(REFERENCE, {"protocol.stages.1.until": until})))
+        for until in ("folded", f"ring < {-math.degrees(REFERENCE.protocol.folded_angle)!r} deg")
+    )
+    assert (written.verdict, written.status, written.holds) == (named.verdict, named.status, named.holds)
+    assert written.transitions["fold"].time == pytest.approx(named.transitions["fold"].time, rel=1e-3)

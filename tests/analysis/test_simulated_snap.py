@@ -6,8 +6,14 @@ import pytest
 from scipy.special import ellipk
 
 import forficula as ff
-from forficula.analysis.simulated_snap import finely_sampled, predicted_snap, simulated_snap
-from forficula.statics import ideal_hinge
+from forficula.analysis.simulated_snap import (
+    finely_sampled,
+    hinge_name,
+    inner_tendon,
+    predicted_snap,
+    simulated_snap,
+)
+from forficula.statics import ideal_hinges
 from forficula.structure import hinges_of, structure_of
 
 
@@ -51,7 +57,7 @@ def test_a_run_that_diverged_has_no_snap(reference_run):
 
 
 def test_the_prediction_to_the_limit_is_the_elliptic_integral(reference):
-    hinge = ideal_hinge(structure_of(ff.load_design("binder2025", {"tendon.rest_length": "0 cm"})))
+    hinge = ideal_hinges(structure_of(ff.load_design("binder2025", {"tendon.rest_length": "0 cm"})))[0]
     scale = math.sqrt(hinge.inertia / (1000 * 0.055**2))
     # theory.md, section 3: t* K(m), m = cos^2(start / 2)
     predicted = predicted_snap(hinge, reference.protocol.folded_angle)
@@ -65,6 +71,35 @@ def test_finer_rows_leave_the_motion_as_it_is(reference, reference_run):
     rows = np.searchsorted(fine.time, reference_run.time - 1e-9)
     same = fine.angles("ring")[rows] == reference_run.angles("ring")
     assert same.all()
+
+
+def test_the_tendon_that_stands_for_all_is_an_inner_one_and_its_hinge_has_a_name(reference):
+    fan, letter = structure_of(reference), structure_of(ff.load_design("letter-fold"))
+    assert (inner_tendon(fan), hinge_name(fan, 1)) == (1, "second hinge")
+    # of two none is between others
+    assert (inner_tendon(letter), hinge_name(letter, 0)) == (0, "left hinge")
+    assert inner_tendon(replace(fan, tendons=())) is None
+
+
+def test_a_hinge_that_folds_to_positive_angles_is_timed_alike():
+    record = ff.run(ff.load_design("letter-fold"))
+    time = np.linspace(0, 0.2, 2001)
+    fold = np.minimum(10 * time, 1.7)
+    series = dict(record.series) | {"hinge_angle": np.stack([fold, fold], axis=1)}
+    snap = simulated_snap(replace(record, time=time, series=series, stages=record.stages[:2]))
+    # from 1 deg to the 90 deg that its protocol asks for, at 10 rad/s
+    assert snap.folded_time == pytest.approx(math.radians(89) / 10, abs=1e-9)
+    assert (snap.fold_time, snap.largest_fold) == (None, pytest.approx(1.7))
+
+
+def test_a_fold_counts_from_beside_where_an_offset_tendon_is_longest():
+    offset = {"tendon.proximal_offset": "2 mm", "tendon.distal_offset": "2 mm"}
+    record = ff.run(ff.load_design("binder2025", offset))
+    snap = simulated_snap(folding(record, lambda time: np.minimum(20 * time, math.pi)))
+    crossing = record.structure.tendons[1].crossing
+    # the top is the offset angle past straight, and 1 deg more is where it is let go
+    start = crossing.offset_angle + math.radians(1)
+    assert snap.folded_time == pytest.approx((math.radians(150) - start) / 20, abs=1e-9)
 
 
 def test_a_slack_tendon_is_sampled_as_the_protocol_says():

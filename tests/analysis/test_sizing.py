@@ -67,3 +67,15 @@ def test_without_any_length_there_is_no_strain():
 def test_a_length_beyond_any_world_is_refused(reference, length):
     with pytest.raises(InputError, match=r"^length: need >= 1e-09 mm and <= 1e\+15 mm, got "):
         size_tendons(reference, load_law("tpu-82a"), [1000.0], length=length)
+
+
+def test_each_resting_length_is_stretched_by_the_tendons_that_have_it():
+    vein = {"vein": 1, "proximal_attachment": "2.5 cm", "distal_attachment": "2.5 cm", "rest_length": "4 cm"}
+    design = load_design("binder2025", {"tendon": [{"vein": 0}, vein, {"vein": 2}]})
+    strains = {each.length: each.flat_strain for each in size_tendons(design, load_law("tpu-82a"), [1000.0])}
+    assert strains[0.04] == pytest.approx(0.240, abs=5e-4)
+    # 11 cm or a little less where the rest is 9 cm; of the specimens' 6 cm there is none, so the longest of all counts
+    assert strains[0.09] == pytest.approx(0.11 / 0.09 - 1, rel=0.1)
+    assert strains[0.06] == pytest.approx(0.11 / 0.06 - 1, rel=0.02)
+    (given, *_) = size_tendons(design, load_law("tpu-82a"), [1000.0], length=0.04)
+    assert given.flat_strain == pytest.approx(strains[0.04])

@@ -196,9 +196,9 @@ def test_what_cannot_be_is_refused_with_its_key_and_its_rule(refusal, text, mess
     assert refusal(text).startswith(message)
 
 
-def stage(until, state=""):
-    head = '[[protocol.stages]]\nname = "a"\ndrive = "close"\nhold = "0 s"\ntime_limit = "1 s"\n'
-    return f'{head}until = "{until}"\n{state}\n'
+def stage(until, more="", name="a"):
+    head = f'[[protocol.stages]]\nname = "{name}"\ndrive = "close"\nhold = "0 s"\ntime_limit = "1 s"\n'
+    return f'{head}until = "{until}"\n{more}\n'
 
 
 @pytest.mark.parametrize(
@@ -209,6 +209,7 @@ def stage(until, state=""):
         ("creases > 3 cm", '"cm" is not a unit of the right kind; write it such as "15 deg", got "3 cm"'),
         ("mouth < 3 deg", '"deg" is not a unit of the right kind; write it such as "12 cm", got "3 deg"'),
         ("creases > 176 deg", "a stop keeps crease 0 from there: need a value <= 175 deg, got 176 deg"),
+        ("mouth < 0 cm", 'need a distance > 0 m, got "mouth < 0 cm"'),
         ("creases < -4 deg", "a stop keeps crease 0 from there: need a value >= -3 deg, got -4 deg"),
     ],
 )
@@ -216,11 +217,19 @@ def test_a_goal_that_cannot_be_is_refused(refusal, until, message):
     assert refusal(stage(until)) == f"protocol.stages.0.until: {message}"
 
 
-def test_a_state_has_one_stage(refusal):
+def test_a_name_of_a_stage_or_of_a_state_is_given_once(refusal):
     said = "need a name that no stage and no other state has, got"
-    text = stage("creases > 9 deg", 'state = "b"') * 2
-    assert refusal(text) == f'protocol.stages.1.state: {said} "b" again'
+    one = stage("creases > 9 deg", 'state = "b"')
+    assert refusal(one + one.replace('"a"', '"c"')) == f'protocol.stages.1.state: {said} "b" again'
+    assert refusal(one + stage("rest")) == f'protocol.stages.1.name: {said} "a" again'
     assert refusal(stage("creases > 9 deg", 'state = "a"')) == f'protocol.stages.0.state: {said} "a" again'
+
+
+@pytest.mark.parametrize("name", ["verdict", "stages", "residual"])
+def test_what_tables_have_for_something_else_is_no_name(refusal, name):
+    said = f'need a name that tables have for nothing else, got "{name}"'
+    assert refusal(stage("rest", name=name)) == f"protocol.stages.0.name: {said}"
+    assert refusal(stage("rest", f'state = "{name}"')) == f"protocol.stages.0.state: {said}"
 
 
 def test_a_bound_on_a_mountain_by_a_measure_is_valley_positive():
@@ -376,3 +385,35 @@ def test_a_new_file_describes_every_key_and_is_the_design_it_began_with(tmp_path
     path.write_text(head + rest)
     assert "\n[[tendon]]" in path.read_text()
     assert load_design(path).hash == LETTER.hash
+
+
+@pytest.mark.parametrize(
+    ("start", "end", "why"),
+    [
+        ("facet 0 at 0.5, 0.5", "facet 1 at 0.5, 0.5", "no crease lies between them"),
+        ("facet 1 at 0.5, 0.5", "vertex 2 of facet 2", "it lies on the axis of every crease between them"),
+        ("edge 1 at 0.3", "facet 2 at 0.5, 0.5", "it lies on the axis of every crease between them"),
+    ],
+)
+def test_a_tendon_that_nothing_stretches_is_refused(tmp_path, start, end, why):
+    """Facets 0 and 1 are one plate, for the edge between them is flat; a place on an axis stays where it turns."""
+    path = tmp_path / "strip.fold"
+    write_fold(pleat_pattern([0.1, 0.1, 0.1], 0.2, "VV"), path)
+    path.write_text(path.read_text().replace('"V"', '"F"', 1).replace("180.0", "0.0", 1))
+    sheet = {"pattern.kind": "fold-file", "pattern.path": str(path), "measure": [], "support": []}
+    tendon = {"name": "a", "from": start, "to": end, "stiffness": "1 N/cm", "rest_length": "1 cm"}
+    with pytest.raises(InputError) as caught:
+        load_design("letter-fold", sheet | {"tendon": [tendon]})
+    assert str(caught.value).endswith(
+        "tendon.0.to: need a place that creases move against tendon.0.from, or its length never changes, got"
+        f' "{end}": {why}'
+    )
+
+
+def test_a_tendon_from_one_axis_to_the_next_is_refused():
+    tendon = {"name": "a", "from": "vertex 1 of facet 0", "to": "vertex 2 of facet 2", "rest_length": "1 cm"}
+    with pytest.raises(InputError, match="it lies on the axis of every crease between them"):
+        load_design("letter-fold", {"tendon": [tendon | {"stiffness": "1 N/cm"}]})
+    # from the axis of one crease across the other one
+    tendon |= {"to": "facet 2 at 0.5, 0.5", "stiffness": "1 N/cm"}
+    assert load_design("letter-fold", {"tendon": [tendon]}).tendon[0].name == "a"

@@ -32,6 +32,9 @@ MEASURES = '"ring", "turn", "lift", "sweep" or "distal_angle"'
         ("turn > 10 cm", '"cm" is not a unit of the right kind; write it such as "15 deg", got "10 cm"'),
         ("turn > 10", 'the unit is missing; write it such as "15 deg", got "10"'),
         ("turn > far deg", 'need a number and a unit such as "15 deg", got "far deg"'),
+        ("ring < -181 deg", "a stop keeps ring from there: need a value >= -180 deg, got -181 deg"),
+        ("distal_angle > 20 deg", "a stop keeps distal_angle from there: need a value <= 3 deg, got 20 deg"),
+        ("turn > 170 deg", "a stop keeps turn from there: need a value <= 90 deg, got 170 deg"),
         ("turn > nan deg", 'need a finite number with a unit such as "15 deg", got "nan deg"'),
     ],
 )

@@ -359,3 +359,18 @@ def test_a_strip_without_springs_tendons_or_drives_stays_where_it_is():
     record = run(strip(3, **{"crease.start": 0.5}))
     assert record.measured("creases")[-1] == pytest.approx([0.5, 0.5], abs=1e-12)
     assert energy_balance(record).residual == 0.0
+
+
+def test_the_drives_of_a_stage_rise_each_in_its_own_time():
+    """Without anything else the momentum is that of both: I w = T t + U (t - rise / 2)."""
+    at_once, slowly, rise, end = 1e-3, 2e-3, 0.1, 0.15
+    drives = [
+        {"name": "jerk", "kind": "torque", "of": "creases", "value": at_once, "rise": 0.0},
+        {"name": "swell", "kind": "torque", "of": "creases", "value": slowly, "rise": rise},
+    ]
+    record = run(strip(drive=drives, stages=[stage(drive=["jerk", "swell"], limit=end)]))
+    speed = np.gradient(record.measured("creases")[:, 0], record.time)
+    expected = (at_once * record.time + slowly * np.where(record.time < rise, record.time**2 / (2 * rise), 0)) / INERTIA
+    expected += np.where(record.time < rise, 0, slowly * (record.time - rise / 2)) / INERTIA
+    # a step is of the first order
+    assert speed[100:-5] == pytest.approx(expected[100:-5], rel=1e-2)

@@ -80,7 +80,7 @@ def test_without_a_rise_every_step_has_the_torque_of_its_stage_to_the_bit(short)
     tracker = StageTracker([wing])
     tracker.stage[:] = 1
     torques = tracker.torques(np.array([0]), 7)
-    fold, rise = stage_torques(wing, short.protocol.stages[1])
+    ((fold, rise),) = stage_torques(wing, short.protocol.stages[1])
     assert rise == 0.0
     assert torques.tolist() == [[list(fold)] * 7]
 
@@ -89,7 +89,7 @@ def test_a_rise_begins_anew_with_every_stage(short):
     wing = compile_model(with_values(short, {"protocol.rise": "10 ms", "protocol.timestep": "1 ms"}))
     tracker = StageTracker([wing])
     tracker.stage[:], tracker.stage_start[:], tracker.steps[:] = 1, 30, 34
-    (fold, _), rise = stage_torques(wing, short.protocol.stages[1])
+    (((fold, _), rise),) = stage_torques(wing, short.protocol.stages[1])
     assert rise == 0.01
     shares = tracker.torques(np.array([0]), 8)[0, :, 0] / fold
     assert shares == pytest.approx([0.45, 0.55, 0.65, 0.75, 0.85, 0.95, 1, 1], rel=1e-12)

@@ -16,6 +16,7 @@ from forficula.dynamics.record import VARIABLES
 from forficula.errors import InputError
 from forficula.structure import structure_of
 from tests.places import places
+from tests.structures import motor_work
 
 REFERENCE = ff.load_design("binder2025")
 STRUCTURE = structure_of(REFERENCE)
@@ -123,7 +124,7 @@ def test_the_wing_starts_flat_bent_into_the_overbend_and_at_rest(short_run):
 
 
 def test_no_torque_works_at_rest_and_no_distal_one_while_folding(short_run):
-    proximal, distal = (short_run.motor_work(name) for name in ("proximal", "distal"))
+    proximal, distal = (motor_work(short_run, name) for name in ("proximal", "distal"))
     assert not proximal[short_run.time <= 0.0104].any()
     assert not distal.any()
     assert proximal[-1] > 0
@@ -134,7 +135,7 @@ def test_work_of_folding_is_the_torque_times_the_angles_turned(short_run):
     # two differ by half a step (0.1 ms) at the last velocity, for three veins below 100 rad/s
     angle = short_run.angles("turn").sum(axis=1)
     turned = angle[-1] - angle[np.argmin(np.abs(short_run.time - 0.0104))]
-    assert short_run.motor_work("proximal")[-1] == pytest.approx(0.5 * turned, abs=0.5 * 1e-4 * 3 * 100)
+    assert motor_work(short_run, "proximal")[-1] == pytest.approx(0.5 * turned, abs=0.5 * 1e-4 * 3 * 100)
 
 
 def test_veins_keep_their_lengths(short_run):

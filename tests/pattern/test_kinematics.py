@@ -9,13 +9,12 @@ from forficula.errors import InputError
 from forficula.pattern import (
     CreasePattern,
     EarwigFan,
-    closure_residual,
     degree4_fold_angles,
     earwig_pattern,
     fan_fold_angles,
     folded_coordinates,
-    opposite_fold_angle,
 )
+from tests.pattern.closing import closure_residual, opposite_fold_angle
 
 SECTORS = st.floats(0.01, math.pi - 0.01)
 FOLDS = st.one_of(st.sampled_from([-math.pi, 0.0, math.pi]), st.floats(-math.pi, math.pi))

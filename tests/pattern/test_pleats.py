@@ -168,7 +168,6 @@ def test_what_keeps_a_vertex_from_folding_flat_is_said(directions, letters, said
     pattern = star(directions, letters)
     assert any(said in fault for fault in flat_folding_faults(pattern))
     assert pattern_text(pattern)[-1] == "It does not fold flat."
-    assert not vertex_checks(pattern)[0].folds_flat
 
 
 def test_of_creases_without_a_sense_only_the_sectors_are_judged():

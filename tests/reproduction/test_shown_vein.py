@@ -44,3 +44,9 @@ def test_a_convergence_study_shows_the_hinge_that_is_asked_for_or_the_last(refer
     assert {hinge: study.hinge for hinge, study in shown.items()} == {None: 4, 2: 2, 4: 4, 9: 4}
     assert (shown[None].angles[0] == shown[4].angles[0]).all()
     assert (shown[2].angles[0] != shown[4].angles[0]).any()
+
+
+def test_a_vein_without_a_tendon_cannot_stand_for_all(tmp_path):
+    (tmp_path / "own.toml").write_text('based_on = "binder2025"\n[[tendon]]\nvein = 0\n[[tendon]]\nvein = 2\n')
+    assert shown_tendon(load_design(tmp_path / "own.toml")) == 0
+    assert shown_tendon(load_design("letter-fold")) == 0

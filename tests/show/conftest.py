@@ -19,15 +19,39 @@ SETTINGS = {
     "without overbend": {"hinge.overbend": "0 deg", "protocol.initial_overbend": "0 deg"},
     "slack": {"tendon.rest_length": "12 cm"},
     "without stiffness": {"tendon.stiffness": "0 N/cm"},
+    # theory: make.md's table of anchors that stand off the bars
+    "off the bars": {"tendon.proximal_offset": "2 mm", "tendon.distal_offset": "2 mm"},
+    "beyond the stop": {"tendon.proximal_offset": "-2 mm", "tendon.distal_offset": "-2 mm"},
 }
+# two veins with tendons of their own, and one between them without
+OWN = """
+based_on = "binder2025"
+name = "own"
+[[tendon]]
+vein = 0
+[[tendon]]
+vein = 2
+stiffness = "15 N/cm"
+rest_length = "9.5 cm"
+"""
 
 
 @pytest.fixture(scope="session")
-def surveyed():
-    """The landscape of the reference with some settings, by name; "small" is one of 10 mm."""
+def surveyed(tmp_path_factory):
+    """The landscape of the reference with some settings, by name; "small" is one of 10 mm.
+
+    "own tendons" has none on one vein; "plates" are rigid ones on hinges with springs, "soft plates" without springs.
+    """
 
     @cache
     def survey(name: str) -> EnergyLandscape:
+        if name in ("plates", "soft plates"):
+            soft = {} if name == "plates" else {"crease.stiffness": "0 N m/rad/m"}
+            return energy_landscape(load_design("letter-fold", soft), points=61)
+        if name == "own tendons":
+            path = tmp_path_factory.mktemp("own") / "own.toml"
+            path.write_text(OWN, "utf-8")
+            return energy_landscape(load_design(path), points=61)
         design = load_design("binder2025", SETTINGS.get(name, {}))
         return energy_landscape(scale_design(design, 1 / 22) if name == "small" else design, points=61)
 

@@ -95,7 +95,7 @@ def test_what_takes_long_is_said_and_what_does_not_is_not(monkeypatch, capsys):
 def test_wings_of_a_map_and_designs_are_counted_now_and_then(monkeypatch, capsys):
     clock = iter([0.0, 1.0, 6.0, 6.0, 7.0])
     monkeypatch.setattr(progress, "monotonic", lambda: next(clock))
-    line = progress.map_progress()
+    line = progress.map_progress("wing")
     for done in (256, 512, 768):
         line(done, 100_000)
     assert capsys.readouterr().err == "512 of 100000 wings of the map\n"

@@ -14,7 +14,7 @@ from forficula.pattern import earwig_pattern, folded_coordinates, hub_points, ri
 from forficula.statics import (
     TendonHinge,
     holding_torque,
-    ideal_hinge,
+    ideal_hinges,
     peak_opening_torque,
     slack_angle,
     tendon_hinges,
@@ -176,7 +176,7 @@ def test_the_bar_turns_with_the_inertia_of_its_volume():
     )
     for hinge, axis in (
         (tendon_hinges(structure_of(design))[0], unit(after - vertex)),
-        (ideal_hinge(structure_of(design)), beside),
+        (ideal_hinges(structure_of(design))[0], beside),
     ):
         inertia = density * np.sum(volume * np.sum(np.cross(points, axis) ** 2, axis=-1))
         # the rule is exact
@@ -185,7 +185,7 @@ def test_the_bar_turns_with_the_inertia_of_its_volume():
 
 def test_the_armature_is_added():
     design = with_values(REFERENCE, {"hinge.armature": 1.0})
-    assert ideal_hinge(structure_of(design)).inertia == pytest.approx(1, rel=1e-4)
+    assert ideal_hinges(structure_of(design))[0].inertia == pytest.approx(1, rel=1e-4)
     assert tendon_hinges(structure_of(design))[0].inertia == pytest.approx(1, rel=1e-4)
 
 
@@ -274,7 +274,7 @@ def test_a_scaled_design_has_energy_and_torque_by_the_cube(factor):
     """theory.md, section 4: k goes with the size, U and torque with its cube, I with its fifth power."""
     scaled = scale_design(REFERENCE, factor)
     pairs = [
-        (ideal_hinge(structure_of(REFERENCE)), ideal_hinge(structure_of(scaled))),
+        (ideal_hinges(structure_of(REFERENCE))[0], ideal_hinges(structure_of(scaled))[0]),
         *zip(tendon_hinges(structure_of(REFERENCE)), tendon_hinges(structure_of(scaled)), strict=True),
     ]
     for hinge, larger in pairs:

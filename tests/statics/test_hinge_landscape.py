@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
-from forficula.statics import TendonHinge, hinge_landscape, hinge_remarks, hinge_states, ideal_hinge, tendon_hinges
+from forficula.statics import TendonHinge, hinge_landscape, hinge_remarks, hinge_states, ideal_hinges, tendon_hinges
 from forficula.structure import structure_of
 
 REFERENCE = load_design("binder2025")
@@ -51,7 +51,7 @@ def test_no_angle_nearby_has_less_energy_than_a_stable_state(rest_length, overbe
 
 
 def test_a_tendon_of_the_reference_is_held_open_and_free_when_folded():
-    opened, folded = hinge_landscape(ideal_hinge(structure_of(REFERENCE))).states
+    opened, folded = hinge_landscape(ideal_hinges(structure_of(REFERENCE))[0]).states
     assert (opened.kind, opened.angle) == ("stop", math.radians(3))
     # k a sin(3 deg / 2) (2 cos(3 deg / 2) - 2 lambda) a, theory.md, section 3
     torque = 1000 * 0.055**2 * 2 * math.sin(math.radians(1.5)) * (math.cos(math.radians(1.5)) - 9 / 11)

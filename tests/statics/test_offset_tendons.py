@@ -24,7 +24,7 @@ from forficula.statics import (
     hinge_remarks,
     hinge_states,
     holding_torque,
-    ideal_hinge,
+    ideal_hinges,
     peak_opening_torque,
     slack_angle,
     top_barrier,
@@ -51,7 +51,7 @@ def standing_off(height):
     ],
 )
 def test_a_joint_is_that_of_the_table(height, barrier, torque, top):
-    hinge = ideal_hinge(structure_of(standing_off(height / 1000)))
+    hinge = ideal_hinges(structure_of(standing_off(height / 1000)))[0]
     # mJ, N cm and deg as written there
     assert 1e3 * top_barrier(hinge) == pytest.approx(barrier, abs=0.05 if barrier > 10 else 0.01)
     assert 100 * holding_torque(hinge) == pytest.approx(torque, abs=0.05)
@@ -160,7 +160,7 @@ def test_it_folds_in_the_time_and_to_the_speed_of_the_integrated_motion(rest, pr
 
 
 def test_from_its_top_it_grows_at_its_growth_rate():
-    hinge = ideal_hinge(structure_of(standing_off(0.0031)))
+    hinge = ideal_hinges(structure_of(standing_off(0.0031)))[0]
     rate, start = growth_rate(hinge), 1e-6
 
     def rates(_, state):
@@ -171,7 +171,7 @@ def test_from_its_top_it_grows_at_its_growth_rate():
 
 
 def test_a_top_beyond_the_overbend_is_said():
-    hinge = ideal_hinge(structure_of(standing_off(-0.003)))
+    hinge = ideal_hinges(structure_of(standing_off(-0.003)))[0]
     assert top_barrier(hinge) is None
     assert [state.kind for state in hinge_states(hinge)] == ["neutral"]
     assert any("is not beyond it, so there is no barrier" in remark for remark in hinge_remarks(hinge))

@@ -7,7 +7,16 @@ import pytest
 
 from forficula.design import load_design, with_values
 from forficula.errors import InputError
-from forficula.structure import Measure, drive_of, goal_of, measure_of, state_of, structure_of, transition_of
+from forficula.structure import (
+    Measure,
+    drive_of,
+    first_state,
+    goal_of,
+    measure_of,
+    state_of,
+    structure_of,
+    transition_of,
+)
 
 REFERENCE = load_design("binder2025")
 STRUCTURE = structure_of(REFERENCE)
@@ -77,15 +86,24 @@ def test_a_distance_has_a_coordinate_after_the_hinges():
 def test_a_goal_that_there_is_not_is_refused_with_those_there_are(text, message):
     with pytest.raises(InputError) as caught:
         goal_of(STRUCTURE, text)
-    goals = "until: need one of time, rest, folded, opened, a bound on one of distal_angle, sweep, lift, turn, ring, "
+    goals = (
+        'until: need "time", "rest", "folded", "opened" or a bound on one of distal_angle, sweep, lift, turn, ring, '
+    )
     assert str(caught.value) == goals + message
+
+
+def test_the_first_state_is_the_one_that_no_transition_leads_to():
+    assert first_state(STRUCTURE, STRUCTURE.stage_states) == "flat"
+    assert first_state(STRUCTURE, ["", "folded", "opened"]) == ""
 
 
 def test_parts_that_there_are_not():
     assert measure_of(STRUCTURE, "nothing") is None
     assert state_of(STRUCTURE, "sideways") is None
     assert transition_of(STRUCTURE, "nothing") is None
-    with pytest.raises(InputError, match=r'^drive: need one of none, fold, unfold, got "flod"; did you mean "fold"\?$'):
+    with pytest.raises(
+        InputError, match=r'^drive: need "none", "fold" or "unfold", got "flod"; did you mean "fold"\?$'
+    ):
         drive_of(STRUCTURE, "flod")
 
 

@@ -20,6 +20,7 @@ from forficula.structure import (
     transition_of,
     with_protocol,
 )
+from tests.structures import supports
 
 LETTER = load_design("letter-fold")
 STAGE = {"hold": 0.0, "time_limit": 1.0}
@@ -51,7 +52,7 @@ def test_every_corner_lies_where_the_pattern_has_it():
 
 def test_plates_hang_on_the_one_that_is_held():
     structure = structure_of(zigzag())
-    assert [structure.bodies[body].name for body in structure.supports] == ["facet2"]
+    assert supports(structure) == ["facet2"]
     parents = {body.name: body.parent for body in structure.bodies}
     assert parents["facet2"] == -1
     assert {name: structure.bodies[parent].name for name, parent in parents.items() if parent >= 0} == {

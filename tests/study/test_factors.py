@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy import stats
 
-from forficula.design import key_quantity
+from forficula.design import FanDesign, key_quantity
 from forficula.errors import InputError
 from forficula.quantities import Unit, parse_quantity
 from forficula.study.factors import Distribution, drawn_values, range_values, read_factor
@@ -78,18 +78,18 @@ def test_a_text_that_is_no_range_is_refused_with_the_key(text, message):
 
 
 def test_an_integer_factor_takes_whole_numbers():
-    values = read_factor("pattern.units", "1..4 step 1").values
+    values = read_factor("pattern.units", "1..4 step 1", FanDesign).values
     assert values == (1, 2, 3, 4)
     assert all(type(value) is int for value in values)
-    assert read_factor("pattern.units", [1, 3]).values == (1, 3)
+    assert read_factor("pattern.units", [1, 3], FanDesign).values == (1, 3)
 
 
 def test_a_list_is_taken_as_it_is_written():
-    factor = read_factor("tendon.stiffness", ["10 N/cm", "1500 N/m"])
+    factor = read_factor("tendon.stiffness", ["10 N/cm", "1500 N/m"], FanDesign)
     assert factor.values == ("10 N/cm", "1500 N/m")
     assert factor.dimension == "tendon_stiffness"
-    assert read_factor("pattern.tangent", ["left", "right"]).values == ("left", "right")
-    assert read_factor("protocol.timestep", ["0.2 ms", "auto"]).values == ("0.2 ms", "auto")
+    assert read_factor("pattern.tangent", ["left", "right"], FanDesign).values == ("left", "right")
+    assert read_factor("protocol.timestep", ["0.2 ms", "auto"], FanDesign).values == ("0.2 ms", "auto")
 
 
 @pytest.mark.parametrize(
@@ -98,16 +98,16 @@ def test_a_list_is_taken_as_it_is_written():
 )
 def test_an_unknown_key_is_answered_with_the_nearest(key, nearest):
     with pytest.raises(InputError, match=rf"^{key}: unknown key; .*{nearest}"):
-        read_factor(key, ["1 cm"])
+        read_factor(key, ["1 cm"], FanDesign)
 
 
 def test_laws_are_a_factor_by_their_names():
-    factor = read_factor("tendon.law", ["none", "tpu-82a", "tpu-95a"])
+    factor = read_factor("tendon.law", ["none", "tpu-82a", "tpu-95a"], FanDesign)
     assert (factor.values, factor.unit) == (("none", "tpu-82a", "tpu-95a"), None)
     with pytest.raises(InputError, match=r'^tendon\.law: "tpu-83a" is neither .*; did you mean tpu-82a\?'):
-        read_factor("tendon.law", ["tpu-82a", "tpu-83a"])
+        read_factor("tendon.law", ["tpu-82a", "tpu-83a"], FanDesign)
     with pytest.raises(InputError, match=r"^tendon\.law: need a list such as"):
-        read_factor("tendon.law", "tpu-82a")
+        read_factor("tendon.law", "tpu-82a", FanDesign)
 
 
 @pytest.mark.parametrize(
@@ -125,7 +125,7 @@ def test_laws_are_a_factor_by_their_names():
 )
 def test_what_cannot_be_a_factor_says_so_and_what_can(key, message):
     with pytest.raises(InputError, match=f"^{key}: {message}"):
-        read_factor(key, ["1 s"])
+        read_factor(key, ["1 s"], FanDesign)
 
 
 @pytest.mark.parametrize(
@@ -140,7 +140,7 @@ def test_what_cannot_be_a_factor_says_so_and_what_can(key, message):
 def test_a_value_in_an_entry_of_a_list_is_a_factor(key, value, unit):
     quantity = key_quantity(key)
     assert (quantity and quantity.unit.si) == unit
-    assert read_factor(key, [value]).values == (value,)
+    assert read_factor(key, [value], FanDesign).values == (value,)
 
 
 @pytest.mark.parametrize(
@@ -162,7 +162,7 @@ def test_a_value_in_an_entry_of_a_list_is_a_factor(key, value, unit):
 )
 def test_values_that_no_table_can_label_are_refused_before_anything_runs(key, values, message):
     with pytest.raises(InputError, match=f"^{key}: {message}"):
-        read_factor(key, values)
+        read_factor(key, values, FanDesign)
 
 
 DISTRIBUTIONS = {
@@ -173,7 +173,7 @@ DISTRIBUTIONS = {
 
 
 def drawn(name, method, count, seed=0):
-    factor = read_factor("tendon.rest_length", {"distribution": name, **DISTRIBUTIONS[name][0]})
+    factor = read_factor("tendon.rest_length", {"distribution": name, **DISTRIBUTIONS[name][0]}, FanDesign)
     points = drawn_values((factor,), method, count, seed)
     return np.array([parse_quantity(point["tendon.rest_length"], LENGTH) for point in points])
 
@@ -211,7 +211,8 @@ def test_the_same_seed_draws_the_same_points_and_another_one_others(method):
 def test_every_column_of_sobol_points_has_one_in_each_of_as_many_equal_parts():
     # the property that makes it a (t, s)-sequence, for powers of two; Sobol 1967
     keys = ("tendon.rest_length", "pattern.hub_radius", "vein.diameter")
-    factors = tuple(read_factor(key, {"distribution": "uniform", "low": "0 m", "high": "1 m"}) for key in keys)
+    drawn = {"distribution": "uniform", "low": "0 m", "high": "1 m"}
+    factors = tuple(read_factor(key, drawn, FanDesign) for key in keys)
     points = drawn_values(factors, "sobol", 64, 3)
     for key in keys:
         parts = sorted(int(64 * parse_quantity(point[key], LENGTH)) for point in points)
@@ -234,11 +235,11 @@ def test_every_column_of_sobol_points_has_one_in_each_of_as_many_equal_parts():
 )
 def test_a_distribution_that_is_none_is_refused_with_its_parameter(given, message):
     with pytest.raises(InputError) as caught:
-        read_factor("tendon.rest_length", given)
+        read_factor("tendon.rest_length", given, FanDesign)
     assert str(caught.value).startswith(f"tendon.rest_length{message}")
 
 
 def test_numbers_that_no_axis_can_have_are_refused():
     for number in (math.nan, math.inf):
         with pytest.raises(InputError, match=r"^guard\.stretch: need finite numbers, got "):
-            read_factor("guard.stretch", [1.1, number])
+            read_factor("guard.stretch", [1.1, number], FanDesign)

@@ -85,6 +85,11 @@ def test_the_opening_that_is_kept_has_the_bits_of_the_table(searched):
         assert energy(outcome.states["opened"]) == value(table, "opened_energy", point)
 
 
+def test_a_kept_run_says_which_transition_it_was_made_for(searched):
+    _, _, _, kept = searched
+    assert {(run.part, run.transition) for run in kept.values()} == {("folding", 0), ("opening", 1)}
+
+
 def test_where_no_torque_works_the_largest_that_was_tried_is_kept_and_shows_why(searched):
     study, table, _, kept = searched
     fails = np.flatnonzero(np.isnan(table["least_fold_torque"].values.ravel()))

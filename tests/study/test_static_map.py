@@ -114,6 +114,7 @@ def simulated(statics, folds, opens):
             "fold_outcome": statics["outcome"],
         },
         statics.coords,
+        {"transitions": statics.attrs["transitions"]},
     )
 
 

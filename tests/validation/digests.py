@@ -248,7 +248,17 @@ def landscape_numbers(landscape: EnergyLandscape) -> Numbers:
 def landscape_summary_of(landscape: EnergyLandscape) -> Numbers:
     """The landscape's summary, but for what names the design."""
     whole = landscape_summary(landscape)
+    for part, since in _SINCE.items():
+        whole[part] = [{name: value for name, value in each.items() if name not in since} for each in whole[part]]
     return dict(_fields({name: value for name, value in whole.items() if name not in _NOT_NUMBERS}))
+
+
+# keys of a landscape's lists that are younger than the digests
+_SINCE = {
+    "tendons": ("tendon", "hinge"),
+    "partial_folds": ("independent_energy_J",),
+    "rests": ("stored_J",),
+}
 
 
 def search_numbers(folder: Path) -> Numbers:

@@ -13,6 +13,7 @@ import pytest
 import forficula as ff
 from forficula.design import with_values
 from forficula.dynamics import compile_model, simulate
+from tests.structures import motor_work
 
 TIMESTEPS = [2e-4, 1e-4, 5e-5, 2.5e-5]  # s
 STORED = ("tendon_energy", "membrane_energy", "kinetic_energy")
@@ -146,7 +147,7 @@ def test_the_work_of_a_constant_torque_is_torque_times_the_angle_turned(every_st
             turned = (angle[last] - angle[first]).sum()
             speed_before = (angle[first] - angle[max(first - 1, 0)]).sum() / step
             speed_after = (angle[last] - angle[last - 1]).sum() / step
-            done = every_step.motor_work(name)
+            done = motor_work(every_step, name)
             work = done[last] - done[first]
             # rounding of a sum over 1e4 steps
             assert work == pytest.approx(

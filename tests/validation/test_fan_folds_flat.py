@@ -16,7 +16,6 @@ from hypothesis import strategies as st
 
 from forficula.pattern import (
     EarwigFan,
-    closure_residual,
     creases_around,
     degree4_fold_angles,
     earwig_pattern,
@@ -26,6 +25,7 @@ from forficula.pattern import (
     kawasaki_residuals,
     sector_angles,
 )
+from tests.pattern.closing import closure_residual
 
 
 @st.composite

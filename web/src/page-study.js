@@ -10,11 +10,11 @@ import { extendTable } from "./study-table.js";
 export function showStudy(data) {
   const model = makeModel(data.study, data.runs);
   const panel = makeRunPanel(model);
-  const open = (point, part = null) => {
-    panel.open(point, { play: true, part });
+  const open = (point, transition = null) => {
+    panel.open(point, { play: true, transition });
     bringIntoSight(panel);
   };
-  const map = makeMap(model, (point, quantity) => open(point, partOf(quantity)));
+  const map = makeMap(model, (point, quantity) => open(point, quantity.transition));
   const left = make("div", {}, map.element, panel.facts);
   document.getElementById("explorer").replaceChildren(make("div", { className: "explorer" }, left, panel.element));
   extendTable(document.getElementById("points"), model, data.csv, (point) => {
@@ -32,12 +32,6 @@ function firstPoint(model, runs) {
   const ranks = ["\u25cf", "\u25c6", "\u25a0"];
   const rank = (run) => ranks.indexOf(model.word(model.study.verdicts[run.point]).sign) >>> 0;
   return runs.reduce((best, run) => (best === null || rank(run) < rank(best) ? run : best), null)?.point ?? 0;
-}
-
-/** The run that a quantity's numbers come from. */
-function partOf({ name }) {
-  if (/unfold|opened/.test(name)) return "opening";
-  return /fold/.test(name) ? "folding" : null;
 }
 
 /** Where map and run are not side by side, go to the point's numbers, below which it is played. */

@@ -21,15 +21,15 @@ export function makeRunPanel(model) {
   const element = make("section", { className: "run", id: "run", "aria-label": "the run that is open" }, parts, place);
   const panel = { facts, element, point: null, playing: null, open, show };
 
-  /** Show a point, and of its kept runs the wanted part or the last, or why there is none. */
-  function open(point, { play = false, part = null } = {}) {
+  /** Show a point, and of its kept runs that of a transition, by its number, or the last, or why there is none. */
+  function open(point, { play = false, transition = null } = {}) {
     panel.point = point;
     const runs = model.runsOf(point);
     heading.textContent = `Point ${point + 1}`;
     status.textContent = `${capital(model.pointText(point))}: ${model.study.statuses[point]}.`;
     numbers.replaceChildren(make("caption", {}, "In the study\u2019s table"), make("tbody", {}, ...numberRows(model, point)));
     parts.replaceChildren(...(runs.length > 1 ? runs.map(partButton) : runs.map((run) => make("b", {}, capital(run.title)))));
-    if (runs.length) show(runs.find((run) => run.part === part) ?? runs[runs.length - 1], { play });
+    if (runs.length) show((transition === null ? null : runs.find((run) => run.transition === transition)) ?? runs[runs.length - 1], { play });
     else {
       stop();
       place.replaceChildren(make("p", { className: "note" }, whyNotKept(model, point)));

@@ -17,6 +17,7 @@ from forficula.structure import Goal, RestState, Structure, Transition, drive_of
 Array = NDArray[np.float64]
 
 _STIR = np.radians(0.1)
+_STIR_SHARE = 1e-3  # of the size of the whole
 _TOO_SHORT = "at its goal for too short a time when its stage was over"
 
 
@@ -47,8 +48,9 @@ class State:
         tendon_length: m, (tendon,).
         tendon_energy: J, (tendon,).
         membrane_energy: J; nan in a sparse record.
+        hinge_energy: of the hinges' springs, J, (hinge,); None where they have none.
         within: whether it is within the bounds of its name.
-        swings: whether a hinge that is measured still moves by more than 0.1 deg.
+        swings: whether what is measured still moves, an angle by more than 0.1 deg, a distance by 0.1 % of the size.
         furthest: of the measure of the transition that leads there, what reads furthest from its goal, rad or m; of
             other states the largest reading of the first measure; None where nothing is measured.
         furthest_kind: of that measure.
@@ -61,6 +63,7 @@ class State:
     tendon_length: Array
     tendon_energy: Array
     membrane_energy: float
+    hinge_energy: Array | None
     within: bool
     swings: bool
     furthest: float | None
@@ -205,11 +208,12 @@ def _way(record: Record, transition: Transition) -> _Way:
     end = record.stages[named] if _sound(record, named) else driven if _sound(record, number) else None
     rest_state = state_of(structure, transition.state)
     state = None if end is None else _state(record, end, transition.state)
-    asked = _same_goal(goal_of(structure, driven.stage.until), goal_of(structure, transition.goal))
-    reached = driven.goal_time is not None or not asked
+    own = goal_of(structure, driven.stage.until)
+    asked = _same_goal(own, goal_of(structure, transition.goal))
+    reached = driven.goal_time is not None or own.kind != "bounds"
     holds = False
     if state is not None and rest_state is not None:
-        # a stage that was not to end at the goal does not say whether it was reached, but what it left does
+        # a stage that was not to end at a bound does not say whether it was reached, but what it left does
         holds = reached and _within(state.coordinates, transition.released if asked else rest_state.bounds)
     return _Way(transition=transition, driven=driven, state=state, holds=holds)
 
@@ -281,11 +285,16 @@ def _state(record: Record, end: StageEnd, name: str) -> State:
     if "distance" in record.series:
         coordinates = np.concatenate([coordinates, record.series["distance"][window]], axis=1)
     readings = {}
-    for each in record.structure.measures:
-        values = record.measured(each.name)[window]
-        readings[each.name] = Reading(mean=values.mean(axis=0), low=values.min(axis=0), high=values.max(axis=0))
-    swung = [each.high - each.low for each in readings.values()]
+    # what is watched, and what the goals of transitions bound without being watched: hinges by their role
+    watched = [*(each.name for each in record.structure.measures), *(t.measure for t in record.structure.transitions)]
+    for each in dict.fromkeys(watched):
+        values = record.measured(each)[window]
+        readings[each] = Reading(mean=values.mean(axis=0), low=values.min(axis=0), high=values.max(axis=0))
+    swung = [readings[each.name] for each in record.structure.measures if each.kind == "angle"]
+    far = _STIR_SHARE * record.structure.span
+    moved = [readings[each.name] for each in record.structure.measures if each.kind == "distance"]
     mean, rest_state = coordinates.mean(axis=0), state_of(record.structure, name)
+    springs = record.series.get("hinge_energy")
     furthest, kind = _furthest(record.structure, name, readings)
     return State(
         name=name,
@@ -295,8 +304,10 @@ def _state(record: Record, end: StageEnd, name: str) -> State:
         tendon_length=record.series["tendon_length"][window].mean(axis=0),
         tendon_energy=record.series["tendon_energy"][window].mean(axis=0),
         membrane_energy=float(record.series["membrane_energy"][window].mean()),
+        hinge_energy=springs[window].mean(axis=0) if springs is not None else None,
         within=rest_state is not None and _within(mean, rest_state.bounds),
-        swings=any(bool(np.any(each > _STIR)) for each in swung),
+        swings=any(bool(np.any(each.high - each.low > _STIR)) for each in swung)
+        or any(bool(np.any(each.high - each.low > far)) for each in moved),
         furthest=furthest,
         furthest_kind=kind,
     )

@@ -25,8 +25,8 @@ class TendonSize:
     Attributes:
         stiffness: N/m.
         area: of its cross-section, if the stiffness is that of a small extension, m2.
-        mean_area: if it is the mean stiffness from slack to the flat wing, m2; as `area` for a linear law, None where
-            the flat wing leaves the tendon slack.
+        mean_area: if it is the mean stiffness from slack to the built shape, m2; as `area` for a linear law, None where
+            that leaves the tendon slack.
     """
 
     stiffness: float
@@ -46,7 +46,8 @@ class TendonSizes:
     Attributes:
         length: of the unstretched tendon, m.
         why: whose length it is.
-        flat_strain: of the flat wing's tendon; < 0 where it is slack.
+        flat_strain: of the longest tendon of that resting length in the built shape, or of all where none has it; < 0
+            where it is slack.
         beyond: whether that is more than the law was measured for; None where the law does not say.
         sizes: by stiffness, as asked.
     """
@@ -64,7 +65,7 @@ def size_tendons(
     """Size tendons of a material by the stiffness that they need, A = k L / E.
 
     Args:
-        design: whose flat wing stretches them.
+        design: whose built shape stretches them.
         law: of the material.
         stiffnesses: N/m, > 0.
         length: of the tendon, m; where it is not given, that of the specimens behind the law, if it is known.
@@ -84,8 +85,14 @@ def size_tendons(
         if not _SHORTEST <= each <= _LONGEST:
             shown = [show_quantity(bound, LENGTH) for bound in (_SHORTEST, _LONGEST, each)]
             raise InputError(f"length: need >= {shown[0]} and <= {shown[1]}, got {shown[2]}, {why}")
-    flat = float(built_lengths(structure).max(initial=0.0))
-    return tuple(_sizes(flat, law, stiffnesses, each, why) for each, why in lengths)
+    return tuple(_sizes(_flat_length(structure, each), law, stiffnesses, each, why) for each, why in lengths)
+
+
+def _flat_length(structure: Structure, length: float) -> float:
+    """Of the longest tendon in the built shape, m: of those with a resting length, or of all where none has it."""
+    built = built_lengths(structure)
+    own = [math.isclose(tendon.gauge_length, length, rel_tol=1e-9) for tendon in structure.tendons]
+    return float((built[own] if any(own) else built).max(initial=0.0))
 
 
 def _lengths(structure: Structure, law: MaterialLaw, given: float | None) -> Iterator[tuple[float, str]]:
@@ -103,7 +110,7 @@ def _lengths(structure: Structure, law: MaterialLaw, given: float | None) -> Ite
 
 
 def _sizes(flat: float, law: MaterialLaw, stiffnesses: Sequence[float], length: float, why: str) -> TendonSizes:
-    """Sizes of tendons of a length, the longest of which the flat wing stretches to another one."""
+    """Sizes of tendons of a length, the longest of which the built shape stretches to another one."""
     areas = [area_for(law, length=length, stiffness=each) for each in stiffnesses]
     strain = flat / length - 1
     share = _mean_share(law, strain - law.residual_strain)

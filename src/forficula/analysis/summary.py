@@ -36,7 +36,11 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[
     states = {
         name: None if state is None else _state_summary(structure, state) for name, state in outcome.states.items()
     }
-    stages = {stage.name: _stage_summary(stage) for stage in outcome.stages}
+    stages: dict[str, Any] = {}
+    for stage in outcome.stages:
+        # a name that was there before gets a number
+        again = sum(name == stage.name or name.startswith(f"{stage.name} (") for name in stages)
+        stages[f"{stage.name} ({again + 1})" if again else stage.name] = _stage_summary(stage)
     transitions = {
         each.name: _transition_summary(outcome.transitions[each.name], drive_of(structure, each.drive).torque)
         for each in structure.transitions
@@ -54,6 +58,8 @@ def _state_summary(structure: Structure, state: State) -> dict[str, Any]:
                 told[f"{measure.name}{kind}_deg"] = np.degrees(values).tolist()
             else:
                 told[f"{measure.name}{kind}_m"] = values.tolist()
+    if state.hinge_energy is not None:
+        told["hinge_energy_J"] = state.hinge_energy.tolist()
     return told | {
         "tendon_length_m": state.tendon_length.tolist(),
         "tendon_energy_J": state.tendon_energy.tolist(),

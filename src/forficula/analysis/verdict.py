@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from enum import StrEnum
 
-from forficula.design import Design, Stage, stage_drives
+from forficula.design import Design, Stage
 from forficula.quantities import show_value
 from forficula.structure import Transition, Wording
 
@@ -153,7 +153,9 @@ def _reading_text(transition: Transition | None, reading: float) -> str:
 def _stage_of(transition: Transition, design: Design) -> Stage:
     """The stage that drives a transition, or that waits for its goal."""
     stages = design.protocol.stages
-    return next(stage for stage in stages if transition.drive in stage_drives(stage) or stage.until == transition.goal)
+    if transition.stage is not None:
+        return stages[transition.stage]
+    return next(stage for stage in stages if stage.until == transition.goal)
 
 
 def _on_the_way(ending: Ending) -> bool:

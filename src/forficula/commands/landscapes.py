@@ -62,14 +62,16 @@ def landscape(
     else:
         from forficula.show.folder.static_map_folder import print_static_map, read_simulated, write_static_map
         from forficula.show.progress import map_progress
+        from forficula.structure import structure_of
         from forficula.study.static_map import map_study, static_map
 
         study = map_study(chosen, read_settings(over, "--over", 'tendon.rest_length="0..9 cm step 1"'))
         beside = None if simulated is None else read_simulated(simulated, chosen)
         verdict = _survey(chosen, folder, simulation)
-        table = static_map(study, map_progress())
+        whole = structure_of(chosen).appearance.whole
+        table = static_map(study, map_progress(whole))
         write_static_map(study, table, folder, beside)
-        print_static_map(table, beside)
+        print_static_map(table, whole, beside)
     print(f"\nwritten to {folder}")
     return exit_status([] if verdict is None else [verdict], tolerate=tolerate)
 

@@ -63,10 +63,11 @@ def run(
 
     tell_replaced(folder, "run")
     with waiting("working out the timestep that it allows"):
-        warnings = structure_warnings(chosen, structure_of(chosen)) + timestep_warnings(chosen)
+        structure = structure_of(chosen)
+        warnings = structure_warnings(chosen, structure) + timestep_warnings(chosen)
     for warning in warnings:
         print(f"warning: {warning}", file=sys.stderr)
-    with run_progress() as progress:
+    with run_progress(f"building the {structure.appearance.whole}") as progress:
         record = run_design(chosen, progress)
     for warning in run_warnings(record):
         print(f"warning: {warning}", file=sys.stderr)

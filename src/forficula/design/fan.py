@@ -18,7 +18,7 @@ from forficula.design.fan_sections import (
     VeinSection,
 )
 from forficula.design.part import ANGLE, LENGTH, SMALL_LENGTH, TORQUE, quantity
-from forficula.design.protocol import Protocol, check_stages, check_states, stage_drives
+from forficula.design.protocol import Protocol, check_bounds, check_stages, check_states, stage_drives
 from forficula.design.start import largest_start, start_stretch
 from forficula.design.tendon import TendonSection
 from forficula.design.tendon_tables import entries_by_vein
@@ -158,6 +158,9 @@ class FanDesign(Design):
                     f"protocol.{key}: need {above}<= {show_quantity(most, ANGLE)} (hinge.{stop}),"
                     f" got {show_quantity(angle, ANGLE)}"
                 )
+        stops = dict.fromkeys(("ring", "distal_angle"), (-folds, bends))
+        stops["turn"] = (-self.hinge.turn_back, self.hinge.turn_limit)
+        check_bounds(protocol, stops)
 
     def _start_within_guards(self) -> None:
         """Refuse a start that guard tendons are too short for: they would throw the wing, harder at a shorter step."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
@@ -58,6 +58,8 @@ class FanPatternSection(Part):
 class VeinSection(Part):
     """The bars."""
 
+    heading: ClassVar[str] = "Veins"
+
     diameter: float = quantity(SMALL_LENGTH, "diameter of the bars", above=0)
     density: float = quantity(DENSITY, "mass of the bars by volume", above=0)
 
@@ -95,6 +97,8 @@ class MembraneSection(Part):
 class HingeSection(Part):
     """Joints of the veins at the base and at the ring fold."""
 
+    heading: ClassVar[str] = "Hinges"
+
     overbend: float = quantity(
         ANGLE, "how far a distal hinge bends past straight, away from folding", at_least=0, below=math.pi / 2
     )
@@ -107,6 +111,8 @@ class HingeSection(Part):
 
 class GuardSection(Part):
     """The unstressed length limits between neighbouring tips."""
+
+    heading: ClassVar[str] = "Guard tendons"
 
     stretch: Annotated[
         float, Field(strict=True, ge=1, description="largest distance between neighbouring tips, by the flat one")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, get_args, get_origin
+from typing import Any, ClassVar, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationInfo, field_validator
 from pydantic.fields import FieldInfo
@@ -94,6 +94,11 @@ class Part(BaseModel):
     """A section of a design file: frozen, no unknown keys."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+    # over tables of it; without one its key is
+    heading: ClassVar[str] = ""
+    # key by which entries of a list say their number in a file; without one they come one after another
+    numbered_by: ClassVar[str] = ""
 
     @field_validator("*", mode="before")
     @classmethod

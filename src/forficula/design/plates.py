@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar
 
 import numpy as np
@@ -23,8 +23,17 @@ from forficula.design.part import (
     Part,
     quantity,
 )
-from forficula.design.protocol import GoalText, check_stages, read_goal
-from forficula.design.sheet_places import crease_groups, crease_role, creases_of, facet_of, fold_edges, place_on
+from forficula.design.protocol import GoalText, check_bound, check_stages, read_goal
+from forficula.design.sheet_places import (
+    crease_groups,
+    crease_role,
+    creases_between,
+    creases_of,
+    facet_of,
+    fold_edges,
+    keeps_distance,
+    place_on,
+)
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, facet_tree, pleat_pattern
 from forficula.quantities import Unit, as_written, parse_quantity, show_quantity
@@ -37,6 +46,11 @@ _MOST_PANELS = 1000
 # what dotted keys and bounds in a protocol can hold
 _NAME = re.compile(r"[A-Za-z][\w -]{0,59}")
 _RESERVED = ("none", "time", "rest", "creases", "mountains", "valleys")
+# what summaries and tables have beside the names of stages and states
+_TAKEN = (
+    *("design", "design_hash", "status", "verdict", "outcome", "residual", "advice", "goal", "key"),
+    *("states", "stages", "energy_balance", "diverged_at_s", "timestep_s", "warnings", "versions"),
+)
 
 
 class Pleats(Part):
@@ -290,6 +304,13 @@ class PlatesDesign(Design):
                     f"tendon.{number}.to: need a place on another facet than tendon.{number}.from, or its length never"
                     f" changes, got facet {one.facet} for both"
                 )
+            if keeps_distance(sheet, one, other):
+                between = creases_between(sheet, one.facet, other.facet)
+                why = "it lies on the axis of every crease between them" if between else "no crease lies between them"
+                raise InputError(
+                    f"tendon.{number}.to: need a place that creases move against tendon.{number}.from, or its length"
+                    f" never changes, got {as_written(getattr(tendon, 'to'))}: {why}"  # noqa: B009
+                )
         for number, drive in enumerate(self.drive):
             _keyed(f"drive.{number}.of", creases_of, sheet, drive.of)
         for number, measure in enumerate(self.measure):
@@ -359,35 +380,40 @@ def _check_protocol(design: PlatesDesign, sheet: CreasePattern) -> None:
     for measure in design.measure:
         measured[measure.name] = LENGTH if measure.of is None else ANGLE
     check_stages(design.protocol, [drive.name for drive in design.drive], [], measured)
-    # what becomes of stages and of states stands side by side in a summary
-    names = [stage.name for stage in design.protocol.stages]
+    # what becomes of stages and of states stands side by side in a summary, and in the rows of a table
+    names: list[str] = []
     for number, stage in enumerate(design.protocol.stages):
-        if stage.state is not None:
-            if stage.state in names:
-                raise InputError(
-                    f"protocol.stages.{number}.state: need a name that no stage and no other state has, got"
-                    f" {as_written(stage.state)} again"
-                )
-            names.append(stage.state)
+        for key, name in (("name", stage.name), ("state", stage.state)):
+            if name is not None:
+                _check_name(f"protocol.stages.{number}.{key}", name, names)
+                names.append(name)
         written = read_goal(stage.until)
         if written is not None and measured[written.name] is ANGLE:
             _check_goal(design, sheet, f"protocol.stages.{number}.until", written)
+        elif written is not None and parse_quantity(written.value, LENGTH) <= 0:
+            raise InputError(f"protocol.stages.{number}.until: need a distance > 0 m, got {as_written(stage.until)}")
+
+
+def _check_name(key: str, name: str, names: Sequence[str]) -> None:
+    """Refuse a name of a stage or of a state that is empty, or that something else has."""
+    if not name.strip():
+        raise InputError(f"{key}: need a name, got {as_written(name)}")
+    if name in _TAKEN:
+        raise InputError(f"{key}: need a name that tables have for nothing else, got {as_written(name)}")
+    if name in names:
+        raise InputError(f"{key}: need a name that no stage and no other state has, got {as_written(name)} again")
 
 
 def _check_goal(design: PlatesDesign, sheet: CreasePattern, key: str, written: GoalText) -> None:
     """Refuse a bound on fold angles that a stop keeps a crease from."""
     measure = next((each for each in design.measure if each.name == written.name), None)
-    value, creases = parse_quantity(written.value, ANGLE), creases_by_edge(design)
+    creases = creases_by_edge(design)
     for edge in creases_of(sheet, written.name if measure is None else str(measure.of)):
         low, high = -creases[edge].back_limit, creases[edge].fold_limit
         if measure is not None and sheet.edges_assignment[edge] == "M":
             # measures are valley positive
             low, high = -high, -low
-        if value > high if written.relation == ">" else value < low:
-            bound = f"<= {show_quantity(high, ANGLE)}" if written.relation == ">" else f">= {show_quantity(low, ANGLE)}"
-            raise InputError(
-                f"{key}: a stop keeps crease {edge} from there: need a value {bound}, got {show_quantity(value, ANGLE)}"
-            )
+        check_bound(key, written, low, high, whose=f"crease {edge}")
 
 
 def _keyed(key: str, find: Callable[[CreasePattern, str], Found], sheet: CreasePattern, text: str) -> Found:

@@ -10,10 +10,10 @@ from typing import Annotated, Literal
 
 from pydantic import Field, field_validator
 
-from forficula.design.part import ACCELERATION, ANGULAR_SPEED, SHORT_TIME, TIME, Part, quantity
+from forficula.design.part import ACCELERATION, ANGLE, ANGULAR_SPEED, SHORT_TIME, TIME, Part, quantity
 from forficula.errors import InputError
 from forficula.names import shown_name
-from forficula.quantities import Unit, as_written, parse_quantity
+from forficula.quantities import Unit, as_written, parse_quantity, show_quantity
 
 _WRITTEN = re.compile(r"\s*(?P<name>.+?)\s*(?P<relation>[<>])=?\s*(?P<value>[^<>=]+?)\s*")
 
@@ -119,7 +119,7 @@ def check_stages(protocol: Protocol, drives: Sequence[str], goals: Sequence[str]
         names = stage_drives(stage)
         for name in names:
             if name not in drives:
-                raise InputError(f"protocol.stages.{number}.drive: need {_one_of(['none', *drives], name)}")
+                raise InputError(f"protocol.stages.{number}.drive: need {one_of(['none', *drives], name)}")
             if names.count(name) > 1:
                 raise InputError(f"protocol.stages.{number}.drive: need each drive once, got {as_written(stage.drive)}")
         if stage.until in ("time", "rest", *goals):
@@ -127,9 +127,9 @@ def check_stages(protocol: Protocol, drives: Sequence[str], goals: Sequence[str]
         key, written = f"protocol.stages.{number}.until", read_goal(stage.until)
         if written is None:
             bound = f'a bound such as "{next(iter(measures))} < -150 deg"'
-            raise InputError(f"{key}: need {_one_of(['time', 'rest', *goals], stage.until, [bound])}")
+            raise InputError(f"{key}: need {one_of(['time', 'rest', *goals], stage.until, [bound])}")
         if written.name not in measures:
-            raise InputError(f"{key}: need a bound on {_one_of(measures, written.name)}")
+            raise InputError(f"{key}: need a bound on {one_of(measures, written.name)}")
         try:
             parse_quantity(written.value, measures[written.name])
         except InputError as error:
@@ -152,17 +152,45 @@ def check_states(protocol: Protocol, states: Sequence[str]) -> None:
             continue
         key = f"protocol.stages.{number}.state"
         if stage.state not in states:
-            raise InputError(f"{key}: need {_one_of(states, stage.state)}")
+            raise InputError(f"{key}: need {one_of(states, stage.state)}")
         if stage.state in given:
             raise InputError(f"{key}: need a name of its own, got {as_written(stage.state)} again")
         given.append(stage.state)
 
 
-def _one_of(names: Sequence[str] | dict[str, Unit], got: str, others: Sequence[str] = ()) -> str:
-    """What is allowed, names in quotes before what else is, and which of the names is near."""
+def check_bounds(protocol: Protocol, stops: dict[str, tuple[float, float]]) -> None:
+    """Refuse bounds on angles that stops keep hinges from.
+
+    Args:
+        protocol: its stages have been checked by `check_stages`.
+        stops: rad, the least and the largest angle of what a stage may bound; what is not there has no stops.
+
+    Raises:
+        InputError: which stage, and what it may bound.
+    """
+    for number, stage in enumerate(protocol.stages):
+        written = read_goal(stage.until)
+        if written is not None and written.name in stops:
+            check_bound(f"protocol.stages.{number}.until", written, *stops[written.name], whose=written.name)
+
+
+def check_bound(key: str, written: GoalText, low: float, high: float, *, whose: str) -> None:
+    """Refuse a bound on an angle, between its stops in rad, that they keep from being met."""
+    value, above = parse_quantity(written.value, ANGLE), written.relation == ">"
+    if value > high if above else value < low:
+        bound = f"<= {show_quantity(high, ANGLE)}" if above else f">= {show_quantity(low, ANGLE)}"
+        raise InputError(
+            f"{key}: a stop keeps {whose} from there: need a value {bound}, got {show_quantity(value, ANGLE)}"
+        )
+
+
+def one_of(
+    names: Sequence[str] | dict[str, Unit], got: str, others: Sequence[str] = (), near_to: Sequence[str] = ()
+) -> str:
+    """What is allowed, names in quotes before what else is, and which of the names, or of some more, is near."""
     names = list(names)
     quoted = [*(f'"{name}"' for name in names), *others]
     listed = f"{', '.join(quoted[:-1])} or {quoted[-1]}" if len(quoted) > 1 else quoted[0]
-    near = difflib.get_close_matches(got, names, n=1)
+    near = difflib.get_close_matches(got, [*names, *near_to], n=1)
     meant = f'; did you mean "{near[0]}"?' if near else ""
     return f"{listed}, got {as_written(got)}{meant}"

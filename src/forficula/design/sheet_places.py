@@ -126,6 +126,45 @@ def fold_edges(pattern: CreasePattern) -> tuple[int, ...]:
     return tuple(sorted(edge for edge in edges if edge is not None and pattern.edges_assignment[edge] in "MV"))
 
 
+def creases_between(pattern: CreasePattern, one: int, other: int) -> tuple[int, ...]:
+    """Numbers of the edges at which a sheet of plates folds on the way from one facet to another, in their order.
+
+    Raises:
+        InputError: its facets form no tree.
+    """
+    above = {link.facet: link for link in facet_tree(pattern, one)}
+    way, link = [], above[other]
+    while link.parent is not None and link.edge is not None:
+        way.append(link.edge)
+        link = above[link.parent]
+    return tuple(edge for edge in reversed(way) if pattern.edges_assignment[edge] in "MV")
+
+
+def keeps_distance(pattern: CreasePattern, one: SheetPlace, other: SheetPlace) -> bool:
+    """Whether two places stay as far from each other however a sheet of plates folds.
+
+    A place on the axis of a crease moves with the plates on both of its sides: that crease does not matter.
+
+    Raises:
+        InputError: its facets form no tree.
+    """
+    way = list(creases_between(pattern, one.facet, other.facet))
+    while way and _on_axis(pattern, way[0], one):
+        way.pop(0)
+    while way and _on_axis(pattern, way[-1], other):
+        way.pop()
+    return not way
+
+
+def _on_axis(pattern: CreasePattern, edge: int, place: SheetPlace) -> bool:
+    """Whether a place lies on the line through an edge of the flat sheet."""
+    tail, head = pattern.vertices_coords[pattern.edges_vertices[edge]]
+    along, away = head - tail, place.position - tail
+    length = float(np.linalg.norm(along))
+    beside = float(np.linalg.norm(np.cross(along / length, away)))
+    return beside <= _BESIDE * max(length, float(np.linalg.norm(away)))
+
+
 def facet_centre(pattern: CreasePattern, facet: int) -> Array:
     """The centre of area of a flat facet, m, (3,) (shoelace formula)."""
     corners = pattern.vertices_coords[list(pattern.faces_vertices[facet])]

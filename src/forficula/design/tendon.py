@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any
+from typing import Annotated, Any, ClassVar
 
 from pydantic import Field, model_validator
 
@@ -27,6 +27,9 @@ _OFF_THE_BARS = ("proximal_offset", "distal_offset", "proximal_aside", "distal_a
 
 class TendonSection(Part):
     """The elastic patch across each distal hinge."""
+
+    heading: ClassVar[str] = "Tendons"
+    numbered_by: ClassVar[str] = "vein"
 
     stiffness: float | None = quantity(
         STIFFNESS, "force by extension beyond the resting length", default=None, at_least=0

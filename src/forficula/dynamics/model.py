@@ -115,9 +115,9 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
         InputError: as of `compile_model`.
     """
     if len(in_units.bodies) > _MOST_BODIES:
+        follows = f" ({structure.appearance.bodies})" if structure.appearance.bodies else ""
         raise InputError(
-            f"{design.name}: need at most {_MOST_BODIES} bodies to simulate it (two for every vein),"
-            f" got {len(in_units.bodies)}"
+            f"{design.name}: need at most {_MOST_BODIES} bodies to simulate it{follows}, got {len(in_units.bodies)}"
         )
     timestep = float(design.protocol.timestep) / units.time
     mesh = joined_mesh(in_units.membranes)

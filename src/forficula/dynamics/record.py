@@ -125,10 +125,6 @@ class Record:
             return self.series["distance"][:, place : place + 1]
         return np.array(measure.signs) * self.series["hinge_angle"][:, list(measure.hinges)]
 
-    def motor_work(self, name: str) -> Array:
-        """Work of a motor since the start, J, (time,)."""
-        return self.series["motor_work"][:, [motor.name for motor in self.structure.motors].index(name)]
-
     @property
     def work(self) -> Array:
         """Work of all motors since the start, J, (time,)."""

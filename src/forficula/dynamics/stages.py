@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import reduce
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,9 @@ from forficula.structure import Goal, drive_of, goal_of
 
 Array = NDArray[np.float64]
 Steps = NDArray[np.int64]
+
+# torques on all motors, and the time over which they rise, s
+Effort = tuple[tuple[float, ...], float]
 
 # relaxation times after which a Maxwell branch has lost 95 % of its force
 _RELAXED = 3
@@ -64,9 +68,14 @@ class StageTracker:
         self._window = self._in_steps([[_longest_rest(model)] for model in models])[:, 0]
         driven = np.array([[bool(stage_drives(stage)) for stage in row] for row in stages])
         self._may_stick = driven & self._has_bounds
-        efforts = [[stage_torques(model, stage) for stage in row] for model, row in zip(models, stages, strict=True)]
-        self._torques = np.array([[torques for torques, _ in row] for row in efforts])
-        self._rise = np.array([[rise for _, rise in row] for row in efforts]) / self._timestep[:, None]
+        # the drives of every stage, of as many as the stage with the most; the others push with nothing
+        together = max((len(stage_drives(stage)) for row in stages for stage in row), default=0) or 1
+        efforts = [
+            [_efforts(model, stage, together) for stage in row] for model, row in zip(models, stages, strict=True)
+        ]
+        self._torques = np.array([[[torques for torques, _ in drives] for drives in row] for row in efforts])
+        self._rise = np.array([[[rise for _, rise in drives] for drives in row] for row in efforts])
+        self._rise = self._rise / self._timestep[:, None, None]
         self._followed = models[0].motors
         count = len(models)
         self.ended = np.zeros(count, dtype=bool)
@@ -87,15 +96,20 @@ class StageTracker:
         In the hinges' own senses; each that of the step's middle.
         """
         passed = (self.steps - self.stage_start)[rows, None] + np.arange(count) + 0.5
-        share = np.minimum(passed / np.maximum(self._rise[rows, self.stage[rows]][:, None], _AT_ONCE), 1.0)
-        return np.asarray(share[:, :, None] * self._torques[rows, self.stage[rows]][:, None])
+        rises, torques = self._rise[rows, self.stage[rows]], self._torques[rows, self.stage[rows]]
+        total = []
+        for drive in range(rises.shape[1]):
+            share = np.minimum(passed / np.maximum(rises[:, drive, None], _AT_ONCE), 1.0)
+            total.append(share[:, :, None] * torques[:, drive, None])
+        return np.asarray(reduce(np.add, total))
 
     def last_torques(self, row: int) -> Array:
         """Torques at the end of the last stage that a structure was in, (motor,), as of `torques`."""
-        end = self.ends[row][-1]
-        torques, rise = stage_torques(self._models[row], end.stage)
-        share = min((end.end - end.start) / rise, 1.0) if rise else 1.0
-        return share * np.array(torques)
+        end, model = self.ends[row][-1], self._models[row]
+        total = np.zeros(len(model.structure.motors))
+        for torques, rise in stage_torques(model, end.stage):
+            total += (min((end.end - end.start) / rise, 1.0) if rise else 1.0) * np.array(torques)
+        return total
 
     def controls(self, torques: Array) -> Array:
         """What the engine's controls are in each step for these torques, (row, step, control)."""
@@ -228,12 +242,18 @@ def _first(holds: NDArray[np.bool_], count: int) -> Steps:
     return np.where(holds.any(axis=1), holds.argmax(axis=1), count)
 
 
-def stage_torques(model: Model, stage: Stage) -> tuple[tuple[float, ...], float]:
-    """Torques of a stage's drives on every motor, in own senses and the model's units, and their rise, s."""
-    names = stage_drives(stage)
-    drives = [drive_of(model.in_units, name) for name in names]
-    torques = tuple(sum((drive.torques[motor] for drive in drives), 0.0) for motor in range(len(model.in_units.motors)))
-    return torques, max((drive_of(model.structure, name).rise for name in names), default=0.0)
+def stage_torques(model: Model, stage: Stage) -> tuple[Effort, ...]:
+    """Of every drive of a stage the torques on all motors, in own senses and the model's units, and the rise, s."""
+    return tuple(
+        (drive_of(model.in_units, name).torques, drive_of(model.structure, name).rise) for name in stage_drives(stage)
+    )
+
+
+def _efforts(model: Model, stage: Stage, count: int) -> tuple[Effort, ...]:
+    """So many drives of a stage, those that it lacks without torques."""
+    own = stage_torques(model, stage)
+    nothing: Effort = ((0.0,) * len(model.structure.motors), 0.0)
+    return (*own, *[nothing] * (count - len(own)))
 
 
 def stage_goal(model: Model, stage: Stage) -> Goal:

@@ -13,12 +13,10 @@ from forficula.pattern.facet_tree import FacetLink, facet_tree
 from forficula.pattern.flat_folding import VertexCheck, flat_folding_faults, pattern_text, vertex_checks
 from forficula.pattern.fold_file import read_fold, read_folded_frames, write_fold
 from forficula.pattern.kinematics import (
-    closure_residual,
     degree4_fold_angles,
     fan_fold_angles,
     folded_coordinates,
     folded_frames,
-    opposite_fold_angle,
 )
 from forficula.pattern.pleats import pleat_pattern
 from forficula.pattern.svg_file import write_svg
@@ -31,7 +29,6 @@ __all__ = [
     "Tangent",
     "VertexCheck",
     "big_little_big_residuals",
-    "closure_residual",
     "creases_around",
     "degree4_fold_angles",
     "earwig_pattern",
@@ -44,7 +41,6 @@ __all__ = [
     "interior_vertices",
     "kawasaki_residuals",
     "maekawa_residuals",
-    "opposite_fold_angle",
     "pattern_text",
     "pleat_pattern",
     "read_fold",

@@ -44,11 +44,6 @@ class VertexCheck:
     maekawa: int | None
     big_little_big: int
 
-    @property
-    def folds_flat(self) -> bool:
-        """Whether nothing says that it does not fold flat."""
-        return abs(self.kawasaki) <= self.allowed and not self.maekawa and not self.big_little_big
-
 
 def vertex_checks(pattern: CreasePattern) -> tuple[VertexCheck, ...]:
     """Check every interior vertex of a sheet, in the order of `interior_vertices`.

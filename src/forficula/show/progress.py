@@ -19,7 +19,7 @@ _PATIENCE = 3  # s
 
 
 @contextmanager
-def run_progress(first: str = "building the wing") -> Iterator[Callable[[str, float, float], None]]:
+def run_progress(first: str = "building the structure") -> Iterator[Callable[[str, float, float], None]]:
     """Show how far a run is, and what comes first of all: a bar on a terminal, a line a stage elsewhere."""
     console = Console(stderr=True, highlight=False)
     if not console.is_terminal:
@@ -111,9 +111,9 @@ def building_progress() -> Callable[[int, int], None]:
     return _lines("designs built", 5)
 
 
-def map_progress() -> Callable[[int, int], None]:
-    """Say how many wings of a static map are done: a line every 5 s."""
-    return _lines("wings of the map", 5)
+def map_progress(whole: str = "structure") -> Callable[[int, int], None]:
+    """Say how many structures, by what they are called, of a static map are done: a line every 5 s."""
+    return _lines(f"{whole}s of the map", 5)
 
 
 def _lines(what: str, seconds: float) -> Callable[[int, int], None]:

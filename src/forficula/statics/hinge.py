@@ -182,16 +182,11 @@ class PeakTorque:
     angle: float
 
 
-def ideal_hinge(structure: Structure) -> TendonHinge | None:
-    """The first tendon's hinge with both bars square to its axis (theory.md, section 3); None where there is no such.
-
-    Of the tendon's law it takes the spring, as slow motions do: Maxwell branches are relaxed, and nothing yields.
-    """
-    return next(iter(ideal_hinges(structure)), None)
-
-
 def ideal_hinges(structure: Structure) -> tuple[TendonHinge, ...]:
-    """As `ideal_hinge`, of every tendon that has one."""
+    """Every tendon's hinge with both bars square to its axis (theory.md, section 3), of those that have such bars.
+
+    Of the tendons' laws they take the spring, as slow motions do: Maxwell branches are relaxed, and nothing yields.
+    """
     return tuple(tendon_hinge(structure, each, each.ideal) for each in structure.tendons if each.ideal is not None)
 
 

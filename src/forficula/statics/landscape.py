@@ -25,6 +25,7 @@ from forficula.statics.partial_folds import (
     folding_hinges,
     partial_folds,
     single_hinge_barriers,
+    soft_stiffness,
 )
 from forficula.statics.potential import Ensemble, ensemble, stored_energy
 from forficula.statics.quasi_static import (
@@ -37,7 +38,7 @@ from forficula.statics.quasi_static import (
 )
 from forficula.statics.sprung_hinge import sprung_landscape
 from forficula.statics.tip_stiffness import TipStiffness, tip_stiffness
-from forficula.structure import Structure, Transition, drive_of, state_of, structure_of
+from forficula.structure import Structure, Transition, drive_of, first_state, state_of, structure_of
 
 Array = NDArray[np.float64]
 
@@ -77,7 +78,8 @@ class EnergyLandscape:
         tendons: every hinge that one tendon lies across, about its true axis, by tendon; with the hinge's spring.
         ideal_hinges: the same with both bars square to the axis; None for those that have no bars to be so.
         wing: the structure along its fold; None where rigid panels have no one way to fold.
-        levels: energies of independent ideal hinges, none to all of them folded, J, (hinge + 1,).
+        levels: energies of independent hinges, ideal ones where there are such, none to all of them folded, J,
+            (folding hinge + 1,); None where those of single hinges do not add up.
         partial_folds: let go with some hinges folded.
         hinge_barriers: energy to climb until one hinge of the first state folds alone, J, (hinge,).
         rests: where it rests when let go from where the protocol starts it, and from where each transition leads.
@@ -93,7 +95,7 @@ class EnergyLandscape:
     tendons: tuple[HingeLandscape, ...]
     ideal_hinges: tuple[HingeLandscape | None, ...]
     wing: FoldPath | None
-    levels: Array
+    levels: Array | None
     partial_folds: tuple[PartialFold, ...]
     hinge_barriers: Array
     rests: tuple[Rest, ...]
@@ -117,8 +119,8 @@ class StableState:
     """A stable state of a structure along its fold.
 
     Attributes:
-        name: "flat", the first, where the wing is flat or cambered; "folded", the last; "partly folded" between them;
-            "anywhere" where nothing moves it all along.
+        name: the start of the fold, such as "flat", the first, where it is flat or cambered; its end, such as
+            "folded", the last; "partly folded" between them; "anywhere" where nothing moves it all along.
         kind: "stop", pressed onto the end of the path; "minimum"; "neutral", a range without any force.
         pleat_angle: rad; of a neutral range the end nearer to flat.
         far_pleat_angle: the other end of a neutral range, rad; otherwise the pleat angle.
@@ -154,7 +156,8 @@ def energy_landscape(design: Design, points: int = 181) -> EnergyLandscape:
     hinge = next((each for each in ideal_hinges if each is not None), None)
     wing = None if structure.fold_path is None else fold_path(structures, points)
     start = start_state(structures)
-    rests, slow, most = [_rest(structures, _first_state(structure), start)], {}, {}
+    first = first_state(structure, [state.name for state in structure.states])
+    rests, slow, most = [_rest(structures, first, start)], {}, {}
     peak = max((each.peak_opening.torque for each in tendons if each.peak_opening is not None), default=0.0)
     before = start
     for transition in structure.transitions:
@@ -215,7 +218,7 @@ def stable_states(landscape: EnergyLandscape) -> tuple[StableState, ...]:
 def barrier(landscape: EnergyLandscape, start: str, end: str) -> float:
     """Energy to climb along the fold from one stable state to another, J, all hinges together.
 
-    A wing may climb less where one hinge goes before the others: see `EnergyLandscape.hinge_barriers`.
+    A structure may climb less where one hinge goes before the others: see `EnergyLandscape.hinge_barriers`.
 
     Args:
         landscape: of a design.
@@ -229,6 +232,7 @@ def barrier(landscape: EnergyLandscape, start: str, end: str) -> float:
         InputError: there is no stable state of that name.
     """
     wing, by_name = _wing(landscape), {state.name: state for state in stable_states(landscape)}
+    whole = landscape.structure.appearance.whole
     ends: list[PathState] = []
     for name in (start, end):
         if name not in by_name:
@@ -237,7 +241,7 @@ def barrier(landscape: EnergyLandscape, start: str, end: str) -> float:
             why = "" if near else "".join(f"; {remark}" for remark in wing.remarks)
             known = ", ".join(by_name)
             raise InputError(
-                f'{landscape.design.name}: need a stable state of the wing ({known}), got "{name}"{meant}{why}'
+                f'{landscape.design.name}: need a stable state of the {whole} ({known}), got "{name}"{meant}{why}'
             )
         place = by_name[name].pleat_angle
         ends.append(next(state for state in wing.states if state.stable and state.coordinate == place))
@@ -271,12 +275,6 @@ def _name(state: PathState, landscape: EnergyLandscape) -> str:
     return fold.end if closed else f"partly {fold.end}"
 
 
-def _first_state(structure: Structure) -> str:
-    """Name of the state in which a structure is before any transition; "" where none has a name."""
-    led_to = {transition.state for transition in structure.transitions}
-    return next((state.name for state in structure.states if state.name not in led_to), "")
-
-
 def _rest(structures: Ensemble, name: str, found: Equilibria) -> Rest:
     state = state_of(structures.structure, name)
     within = state is not None and bool(at_goal(structures, found.position[:1], state.bounds)[0])
@@ -285,7 +283,7 @@ def _rest(structures: Ensemble, name: str, found: Equilibria) -> Rest:
         angles=found.position[0],
         energy=float(found.energy[0]),
         stored={part: float(energy[0]) for part, energy in stored_energy(structures, found.position[:1]).items()},
-        stable=bool(found.rests[0] and found.stiffness[0] > 0),
+        stable=bool(found.rests[0] and found.stiffness[0] > -soft_stiffness(structures)),
     )
 
 
@@ -352,7 +350,8 @@ def _start_remarks(structure: Structure, angles: Array) -> tuple[str, ...]:
     if least >= -_STRAIGHT:
         return ()
     return (
-        f"let go flat, the compliant wing does not stay so: a hinge goes to {math.degrees(least):.4g} deg;"
+        f"let go flat, the compliant {structure.appearance.whole} does not stay so: a hinge goes to"
+        f" {math.degrees(least):.4g} deg;"
         " its flat state, and what is said of it, is that",
     )
 

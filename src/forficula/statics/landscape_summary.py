@@ -25,7 +25,7 @@ def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
             for (tendon, hinge), surveyed in zip(_crossed(landscape.structure), landscape.tendons, strict=True)
         ],
         "wing": None if landscape.wing is None else _wing_summary(landscape, landscape.wing),
-        "levels_J": landscape.levels.tolist(),
+        "levels_J": None if landscape.levels is None else landscape.levels.tolist(),
         "partial_folds": [_partial_summary(state) for state in landscape.partial_folds],
         "rests": [
             {

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.statics.hinge import folding_sense, ideal_hinges, tendon_hinge, tendon_hinges
+from forficula.statics.lines import largest_pull
 from forficula.statics.potential import Ensemble, potential, rest, sheet_torque
 from forficula.statics.sheet import sheet_energy
 from forficula.structure import Structure
@@ -39,7 +40,8 @@ class PartialFold:
         tendon_energy: of all tendons, springs and weights in the end, J.
         sheet_energy: of membranes and length limits in the end, J.
         independent_energy: of as many hinges that nothing couples, those folded at their limits and the others at their
-            overbend stops, J; ideal ones where there are such; None where springs hold them elsewhere.
+            overbend stops, J; ideal ones where there are such; None where springs hold them elsewhere, where there is
+            no tendon, or where one lies across several hinges or one that does not fold.
     """
 
     folded: tuple[int, ...]
@@ -64,19 +66,21 @@ def folding_hinges(structure: Structure) -> tuple[int, ...]:
     return tuple(dict.fromkeys(crossing.hinge for crossing in crossings))
 
 
-def fold_levels(structure: Structure) -> Array:
-    """Energies of independent ideal hinges, none of them folded to all of them, J, (hinge + 1,).
+def fold_levels(structure: Structure) -> Array | None:
+    """Energies of independent hinges, none of them folded to all of them, J, (folding hinge + 1,).
 
     Sums of the energies at the overbend stop and at the fold limit (Binder et al. 2025, section 3.1), folded from the
-    first on. Of a structure without ideal hinges they are those of its own ones.
+    first on; of ideal hinges where there are such. A hinge without a tendon counts as one that stores nothing.
+
+    Returns:
+        None where there are no tendons, or where the energies of single hinges do not add up to the structure's: see
+        `PartialFold.independent_energy`.
     """
-    hinges = ideal_hinges(structure) or tendon_hinges(structure)
-    count = len(hinges)
-    flat, folded = (
-        [float(hinge.energy(angle)) for hinge, angle in zip(hinges, angles, strict=True)]
-        for angles in ([hinge.overbend for hinge in hinges], [-hinge.fold_limit for hinge in hinges])
-    )
-    if len(set(hinges)) == 1:
+    independent = _independent(structure, folding_hinges(structure))
+    if independent is None:
+        return None
+    count, (flat, folded) = len(independent), zip(*independent, strict=True)
+    if len(set(independent)) == 1:
         return np.array([(count - each) * flat[0] + each * folded[0] for each in range(count + 1)])
     return np.array([sum(folded[:each]) + sum(flat[each:]) for each in range(count + 1)], dtype=np.float64)
 
@@ -163,7 +167,7 @@ def partial_folds(structures: Ensemble) -> tuple[PartialFold, ...]:
     aimed = rest(many, start, fixed=folding.tolist()).position
     found = rest(many, aimed)
     sheet, _, _ = sheet_energy(many.sheet, found.position)
-    soft, states, independent = _soft(structures), [], _independent(structures.structure, folding.tolist())
+    soft, states, independent = soft_stiffness(structures), [], _independent(structures.structure, folding.tolist())
     for row, folded in enumerate(combinations):
         angle = found.position[row, folding]
         stays = tuple(int(each) for each in np.flatnonzero(places.senses * (angle - places.top) < 0))
@@ -186,28 +190,34 @@ def partial_folds(structures: Ensemble) -> tuple[PartialFold, ...]:
 def _independent(structure: Structure, folding: Sequence[int]) -> list[tuple[float, float]] | None:
     """Energies of the tendons across each folding hinge at its overbend stop and at its fold limit, J.
 
-    Those of ideal hinges, where there are such; None where there are no tendons, or springs hold a hinge elsewhere.
+    Those of ideal hinges, where there are such; None as `PartialFold.independent_energy`.
     """
     energies = dict.fromkeys(folding, (0.0, 0.0))
     if not structure.tendons or any(structure.hinges[hinge].stiffness for hinge in folding):
         return None
     for tendon in structure.tendons:
-        if tendon.crossing is not None and tendon.crossing.hinge in energies:
-            hinge = tendon_hinge(structure, tendon, tendon.ideal or tendon.crossing)
-            opened, closed = energies[tendon.crossing.hinge]
-            opened, closed = (
-                opened + float(hinge.energy(hinge.overbend)),
-                closed + float(hinge.energy(-hinge.fold_limit)),
-            )
-            energies[tendon.crossing.hinge] = opened, closed
+        if tendon.crossing is None or tendon.crossing.hinge not in energies:
+            return None
+        hinge = tendon_hinge(structure, tendon, tendon.ideal or tendon.crossing)
+        opened, closed = energies[tendon.crossing.hinge]
+        energies[tendon.crossing.hinge] = (
+            opened + float(hinge.energy(hinge.overbend)),
+            closed + float(hinge.energy(-hinge.fold_limit)),
+        )
     return list(energies.values())
 
 
-def _soft(structures: Ensemble) -> float:
-    """Stiffness that counts as none, N m/rad: where nothing holds a structure, rounding makes it a little negative."""
-    ideal = [abs(float(hinge.stiffness(hinge.top))) for hinge in ideal_hinges(structures.structure)]
+def soft_stiffness(structures: Ensemble) -> float:
+    """Stiffness that counts as none, N m/rad: where nothing holds a structure, rounding makes it a little negative.
+
+    It is a share of that of the stiffest part, of a tendon's hinge where that is longest: ideal ones where there are.
+    """
+    hinges = ideal_hinges(structures.structure) or tendon_hinges(structures.structure)
+    tops = [abs(float(hinge.stiffness(hinge.top))) for hinge in hinges]
+    if structures.lines is not None:
+        tops.append(largest_pull(structures.lines, structures.structure))
     springs = float(structures.stiffness.max(initial=0.0))
-    return _ROUNDING * max(sheet_torque(structures.structure), springs, *ideal, 0.0)
+    return _ROUNDING * max(sheet_torque(structures.structure), springs, *tops, 0.0)
 
 
 def _combinations(hinges: int) -> list[tuple[int, ...]]:

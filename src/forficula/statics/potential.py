@@ -92,7 +92,10 @@ def ensemble_of(designs: Sequence[Design]) -> Ensemble:
     for design in designs[1:]:
         differs = [key for key in static_keys(first) if key_value(design, key) != key_value(first, key)]
         if differs:
-            raise InputError(f"{design.name}: need wings that differ in their tendons only, got another {differs[0]}")
+            whole = structure_of(first).appearance.whole
+            raise InputError(
+                f"{design.name}: need {whole}s that differ in their tendons only, got another {differs[0]}"
+            )
     return ensemble([structure_of(design) for design in designs])
 
 

@@ -1,9 +1,11 @@
 from forficula.structure.appearance import Appearance
 from forficula.structure.build import drive_keys, static_keys, structure_of, with_protocol
+from forficula.structure.course import Drive, Goal, Measure, Motor, RestState, RigidFold, Transition, Wording
 from forficula.structure.crossing import bar_crossing, tendon_crossing
 from forficula.structure.goals import (
     distances_of,
     drive_of,
+    first_state,
     goal_of,
     hinges_of,
     measure_of,
@@ -11,28 +13,20 @@ from forficula.structure.goals import (
     transition_of,
 )
 from forficula.structure.mass import inertia_about, mass_of
-from forficula.structure.structure import (
+from forficula.structure.parts import (
     GROUND,
     Bar,
     Body,
     Crossing,
-    Drive,
-    Goal,
     Hinge,
     LengthLimit,
-    Measure,
     Membrane,
     MembraneLaw,
-    Motor,
     Plate,
     Point,
-    RestState,
-    RigidFold,
-    Structure,
     Tendon,
-    Transition,
-    Wording,
 )
+from forficula.structure.structure import Structure
 from forficula.structure.structure_warnings import structure_warnings
 from forficula.structure.tree import (
     ancestry,
@@ -82,6 +76,7 @@ __all__ = [
     "drawn_points",
     "drive_keys",
     "drive_of",
+    "first_state",
     "goal_of",
     "hinges_between",
     "hinges_of",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from forficula.design import Design, FanDesign, PlatesDesign
 from forficula.errors import InputError
-from forficula.structure import plates, veins
+from forficula.structure import fan_protocol, plates, veins
 from forficula.structure.structure import Structure
 
 
@@ -24,7 +24,7 @@ def structure_of(design: Design) -> Structure:
 def with_protocol(structure: Structure, design: Design) -> Structure:
     """A structure with the drives, goals, states and transitions of a design that differs in its protocol at most."""
     if isinstance(design, FanDesign):
-        return veins.with_protocol(structure, design)
+        return fan_protocol.with_protocol(structure, design)
     if isinstance(design, PlatesDesign):
         return plates.with_protocol(structure, design)
     raise _no_way(design)
@@ -33,7 +33,7 @@ def with_protocol(structure: Structure, design: Design) -> Structure:
 def drive_keys(design: Design) -> tuple[str, ...]:
     """Keys of the values that say how strong a design's drives are."""
     if isinstance(design, FanDesign):
-        return veins.drive_keys(design)
+        return fan_protocol.drive_keys(design)
     if isinstance(design, PlatesDesign):
         return plates.drive_keys(design)
     raise _no_way(design)
@@ -42,7 +42,7 @@ def drive_keys(design: Design) -> tuple[str, ...]:
 def static_keys(design: Design) -> tuple[str, ...]:
     """Keys, or starts of keys, of what matters to where a design rests, but for its tendons."""
     if isinstance(design, FanDesign):
-        return veins.static_keys(design)
+        return fan_protocol.static_keys(design)
     if isinstance(design, PlatesDesign):
         return plates.static_keys(design)
     raise _no_way(design)

@@ -7,7 +7,8 @@ import math
 import numpy as np
 
 from forficula.structure.mass import inertia_about
-from forficula.structure.structure import Array, Crossing, Structure
+from forficula.structure.parts import Array, Crossing
+from forficula.structure.structure import Structure
 from forficula.structure.tree import ancestry, built_frames, built_points, hinges_between
 
 # share of the tendon's length; an end that is nearer to the axis is on it

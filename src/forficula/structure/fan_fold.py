@@ -6,7 +6,8 @@ import math
 
 from forficula.design import FanDesign
 from forficula.pattern import EarwigFan
-from forficula.structure.structure import RigidFold, Structure
+from forficula.structure.course import RigidFold
+from forficula.structure.structure import Structure
 
 
 def fan_fold(design: FanDesign, structure: Structure) -> RigidFold:

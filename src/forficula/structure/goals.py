@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Sequence
 
 import numpy as np
 
 from forficula.design.part import ANGLE, LENGTH
-from forficula.design.protocol import GoalText, read_goal
+from forficula.design.protocol import GoalText, one_of, read_goal
 from forficula.errors import InputError
 from forficula.quantities import as_written, parse_quantity
-from forficula.structure.structure import Drive, Goal, Measure, RestState, Structure, Transition
+from forficula.structure.course import Drive, Goal, Measure, RestState, Transition
+from forficula.structure.structure import Structure
 
 
 def drive_of(structure: Structure, name: str) -> Drive:
@@ -23,7 +23,7 @@ def drive_of(structure: Structure, name: str) -> Drive:
     for drive in structure.drives:
         if drive.name == name:
             return drive
-    raise InputError(f"drive: need {_one_of(['none', *_names(structure.drives)], name)}")
+    raise InputError(f"drive: need {one_of(['none', *_names(structure.drives)], name)}")
 
 
 def transition_of(structure: Structure, name: str) -> Transition | None:
@@ -34,6 +34,17 @@ def transition_of(structure: Structure, name: str) -> Transition | None:
 def state_of(structure: Structure, name: str) -> RestState | None:
     """The state of a name, or None."""
     return next((state for state in structure.states if state.name == name), None)
+
+
+def first_state(structure: Structure, names: Sequence[str]) -> str:
+    """The first of some states that no transition leads to, by its name; "" where there is none.
+
+    Args:
+        structure: whose transitions count.
+        names: of states, such as those that stages end in; empty ones do not count.
+    """
+    led_to = {transition.state for transition in structure.transitions}
+    return next((name for name in names if name and name not in led_to), "")
 
 
 def measure_of(structure: Structure, name: str) -> Measure | None:
@@ -72,7 +83,7 @@ def goal_of(structure: Structure, text: str) -> Goal:
         got = text if written is None else written.name
         named = ["time", "rest", *_names(structure.goals)]
         bounds = [f"a bound on one of {', '.join(known)}"] if known else []
-        raise InputError(f"until: need {_one_of([*named, *bounds], got, [*named, *known])}")
+        raise InputError(f"until: need {one_of(named, got, bounds, list(known))}")
     return bounds_on(structure, measure, text, written)
 
 
@@ -106,9 +117,3 @@ def distances_of(structure: Structure) -> tuple[Measure, ...]:
 
 def _names(parts: Sequence[Drive] | Sequence[Measure] | Sequence[Goal]) -> list[str]:
     return [part.name for part in parts]
-
-
-def _one_of(names: Sequence[str], got: str, near_to: Sequence[str] | None = None) -> str:
-    near = difflib.get_close_matches(got, names if near_to is None else near_to, n=1)
-    meant = f'; did you mean "{near[0]}"?' if near else ""
-    return f"one of {', '.join(names)}, got {as_written(got)}{meant}"

@@ -6,7 +6,8 @@ import math
 
 import numpy as np
 
-from forficula.structure.structure import Array, Bar, Plate, Structure
+from forficula.structure.parts import Array, Bar, Plate
+from forficula.structure.structure import Structure
 from forficula.structure.tree import ancestry, built_frames
 
 

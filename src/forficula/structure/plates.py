@@ -15,25 +15,12 @@ from forficula.errors import InputError
 from forficula.material.law.tendon_law import TendonLaw
 from forficula.pattern import CreasePattern, FacetLink, facet_tree
 from forficula.structure.appearance import Appearance
+from forficula.structure.course import Drive, Goal, Measure, Motor, RestState, Transition, Wording
 from forficula.structure.crossing import tendon_crossing
-from forficula.structure.goals import goal_of
+from forficula.structure.goals import drive_of, goal_of
 from forficula.structure.mass import mass_of
-from forficula.structure.structure import (
-    GROUND,
-    Body,
-    Drive,
-    Goal,
-    Hinge,
-    Measure,
-    Motor,
-    Plate,
-    Point,
-    RestState,
-    Structure,
-    Tendon,
-    Transition,
-    Wording,
-)
+from forficula.structure.parts import GROUND, Body, Hinge, Plate, Point, Tendon
+from forficula.structure.structure import Structure
 
 # keys that matter to where plates rest beside those of their tendons
 _STATIC_KEYS = ("pattern", "crease", "support", "measure", "protocol.stages", "protocol.gravity")
@@ -156,11 +143,14 @@ def with_protocol(structure: Structure, design: PlatesDesign) -> Structure:
             bounds, last = goal, stage.name
             written, state = read_goal(stage.until), _state_after(stages, number)
             if goal.kind == "bounds" and written is not None and state is not None:
-                drive = stage_drives(stage)[0]
+                drive = _together(structure, stage_drives(stage))
+                if drive.name not in keys:
+                    structure = replace(structure, drives=(*structure.drives, drive))
+                    keys[drive.name] = drive.key
                 transitions.append(
                     Transition(
                         name=stage.name,
-                        drive=drive,
+                        drive=drive.name,
                         stage=number,
                         goal=goal.name,
                         state=state,
@@ -170,7 +160,7 @@ def with_protocol(structure: Structure, design: PlatesDesign) -> Structure:
                         furthest="smallest" if written.relation == ">" else "largest",
                         begun=None,
                         wording=_wording(
-                            state, " and ".join([*(each.state for each in transitions), state]), keys[drive]
+                            state, " and ".join([*(each.state for each in transitions), state]), drive.key
                         ),
                     )
                 )
@@ -333,6 +323,21 @@ def _driven(structure: Structure, design: PlatesDesign) -> tuple[tuple[Motor, ..
             where=f"on {drive.of}" if drive.of.startswith("crease ") else f"on the {drive.of}",
         )
         for number, drive in enumerate(design.drive)
+    )
+
+
+def _together(structure: Structure, names: Sequence[str]) -> Drive:
+    """The drives of a stage as one, which grow in proportion: of several, that of the first with the others' shares."""
+    first, *others = (drive_of(structure, name) for name in names)
+    if not others:
+        return first
+    torques = [sum(each) for each in zip(first.torques, *(drive.torques for drive in others), strict=True)]
+    return replace(
+        first,
+        name=" and ".join(names),
+        shares=tuple(torque / first.torque if first.torque else 0.0 for torque in torques),
+        rise=max(drive.rise for drive in (first, *others)),
+        where=f"{first.where}, with {' and '.join(drive.name for drive in others)} in proportion",
     )
 
 

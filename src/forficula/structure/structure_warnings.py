@@ -10,7 +10,8 @@ import numpy as np
 from forficula.design import Design, design_pattern
 from forficula.pattern import flat_folding_faults
 from forficula.quantities import reading_unit
-from forficula.structure.structure import Array, Structure, Tendon
+from forficula.structure.parts import Array, Tendon
+from forficula.structure.structure import Structure
 from forficula.structure.tree import built_points, built_strains
 
 # tendons that are alike, and the largest of their strains

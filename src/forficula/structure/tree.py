@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from forficula.structure.structure import GROUND, Array, Structure, Tendon
+from forficula.structure.parts import GROUND, Array, Tendon
+from forficula.structure.structure import Structure
 
 
 def ancestry(structure: Structure, body: int) -> tuple[int, ...]:

@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.design import FanDesign, FanProtocol, TendonSection, stage_drives, tendon_law
+from forficula.design import FanDesign, TendonSection, tendon_law
 from forficula.design.places import mesh_rows
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, earwig_pattern, ring_vertices
@@ -18,84 +18,34 @@ from forficula.quantities import show_value
 from forficula.structure.appearance import Appearance
 from forficula.structure.crossing import bar_crossing, sine_between
 from forficula.structure.fan_fold import fan_fold
+from forficula.structure.fan_protocol import with_protocol
 from forficula.structure.mass import end_inertia
-from forficula.structure.structure import (
+from forficula.structure.parts import (
     GROUND,
     Array,
     Bar,
     Body,
     Crossing,
-    Drive,
-    Goal,
     Hinge,
     LengthLimit,
-    Measure,
     Membrane,
     MembraneLaw,
-    Motor,
     Point,
-    RestState,
-    Structure,
     Tendon,
-    Transition,
-    Wording,
 )
+from forficula.structure.structure import Structure
 
-# how far past straight, folding, a hinge has left the overbend for good
-LEFT_STRAIGHT = math.radians(5.0)
-_FOLD = Wording(
-    done="folded",
-    verb="fold",
-    doing="folding",
-    stays="folded",
-    time="fold time",
-    noun="folding",
-    did="folded",
-    if_stuck=(
-        "Raise protocol.fold_torque, or lower the barrier: softer or longer tendons (tendon.stiffness,"
-        " tendon.rest_length), less hinge.overbend."
-    ),
-    if_under_way="Raise protocol.fold_torque, or take stiffer or shorter tendons, which pull further into the fold.",
-    if_lost=(
-        "It folded under torque and opened again when released: raise tendon.stiffness, shorten tendon.rest_length, or"
-        " raise hinge.damping."
-    ),
-)
-_UNFOLD = Wording(
-    done="folded and opened",
-    verb="open",
-    doing="opening",
-    stays="open",
-    time="opening time",
-    noun="unfolding",
-    did="opened again",
-    if_stuck="Raise protocol.unfold_torque, or take softer or longer tendons (tendon.stiffness, tendon.rest_length).",
-    if_lost=(
-        "It opened under torque and folded again when released: hold it longer (hold of the unfolding stage), or raise"
-        " hinge.overbend or tendon.stiffness so that the open state locks."
-    ),
-)
 _APPEARANCE = Appearance(
     whole="wing",
     bar="vein",
     crease="ring fold",
+    bodies="two for every vein",
     titles={"distal_angle": "distal hinge angle", "turn": "turn about its own axis"},
 )
 # the hinges of a vein in this order: sweep and lift aim it, turn is about its own axis
 _AIMS = (("sweep", (0.0, 0.0, 1.0)), ("lift", (0.0, 1.0, 0.0)), ("turn", (1.0, 0.0, 0.0)))
 # axis and bars of a hinge with both bars square to it
 _SQUARE = (np.array([0.0, 1.0, 0.0]), (np.array([1.0, 0.0, 0.0]), np.array([1.0, 0.0, 0.0])))
-# keys that matter to where a fan rests beside those of its tendons
-_STATIC_KEYS = (
-    "pattern",
-    "membrane",
-    "hinge",
-    "guard",
-    "protocol.initial_overbend",
-    "protocol.folded_angle",
-    "protocol.opened_angle",
-    "protocol.gravity",
-)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -247,134 +197,6 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
         appearance=_APPEARANCE,
     )
     return with_protocol(built, design)
-
-
-def with_protocol(structure: Structure, design: FanDesign) -> Structure:
-    """A fan with the drives, goals, states and transitions of a design's protocol."""
-    protocol, count = design.protocol, len(structure.hinges)
-    turns, folds = (_of_role(structure.hinges, role) for role in ("turn", "ring"))
-    fold, unfold = protocol.fold_torque, protocol.unfold_torque
-
-    def bounds(name: str, *, least: float = -math.inf, most: float = math.inf) -> Goal:
-        low, high = np.full(count, -np.inf), np.full(count, np.inf)
-        low[list(folds)], high[list(folds)] = least, most
-        return Goal(name=name, kind="bounds", least=low, most=high)
-
-    folded, opened = bounds("folded", most=-protocol.folded_angle), bounds("opened", least=protocol.opened_angle)
-    return replace(
-        structure,
-        motors=(Motor(name="proximal", hinges=turns), Motor(name="distal", hinges=folds)),
-        drives=(
-            Drive(
-                name="fold",
-                shares=(1.0, 0.0),
-                rise=protocol.rise,
-                key="protocol.fold_torque",
-                torque=fold,
-                tries="0..50 N cm step 10",
-                large="500 N cm",
-                where="on every proximal joint",
-                part="proximal turn axis",
-            ),
-            Drive(
-                name="unfold",
-                shares=(-1.0, 1.0),
-                rise=protocol.rise,
-                key="protocol.unfold_torque",
-                torque=unfold,
-                tries="10..100 N cm step 10",
-                where="on every joint",
-            ),
-        ),
-        measures=(
-            Measure(name="distal_angle", kind="angle", hinges=folds, signs=(1,) * len(folds), label="distal angle"),
-        ),
-        goals=(folded, opened),
-        states=(
-            RestState(name="flat", bounds=bounds("flat", least=-LEFT_STRAIGHT), missed="not flat", unknown="not flat"),
-            RestState(name="folded", bounds=folded, missed="not folded", unknown="after folding"),
-            RestState(name="opened", bounds=opened, missed="not opened", unknown="after unfolding"),
-        ),
-        stage_states=_stage_states(protocol),
-        transitions=(
-            Transition(
-                name="fold",
-                drive="fold",
-                stage=_first_driven(protocol, "fold"),
-                goal="folded",
-                state="folded",
-                # a slack tendon lets its hinge rest anywhere on the folded side; one beyond half way has opened again
-                released=bounds("still folded", most=-protocol.folded_angle / 2),
-                measure="distal_angle",
-                furthest="largest",
-                begun=-LEFT_STRAIGHT,
-                wording=_in_terms_of(design, _FOLD),
-            ),
-            Transition(
-                name="unfold",
-                drive="unfold",
-                stage=_first_driven(protocol, "unfold"),
-                goal="opened",
-                state="opened",
-                released=opened,
-                measure="distal_angle",
-                # the distal hinges alone are what has to give
-                slow_drive=Drive(
-                    name="distal",
-                    shares=(0.0, 1.0),
-                    rise=protocol.rise,
-                    key="protocol.unfold_torque",
-                    torque=unfold,
-                    part="distal hinge",
-                ),
-                furthest="largest",
-                begun=None,
-                wording=_in_terms_of(design, _UNFOLD),
-            ),
-        ),
-    )
-
-
-def _first_driven(protocol: FanProtocol, drive: str) -> int | None:
-    """Number of the first stage with a drive."""
-    return next((number for number, stage in enumerate(protocol.stages) if drive in stage_drives(stage)), None)
-
-
-def _stage_states(protocol: FanProtocol) -> tuple[str, ...]:
-    """What the stages say; where none does, the first ends flat, and folding and opening with their releases."""
-    stages = protocol.stages
-    if any(stage.state for stage in stages):
-        return tuple(stage.state or "" for stage in stages)
-    states = ["flat", *[""] * (len(stages) - 1)]
-    for drive, state in (("fold", "folded"), ("unfold", "opened")):
-        driven = _first_driven(protocol, drive)
-        if driven is not None:
-            released = driven + 1 < len(stages) and not stage_drives(stages[driven + 1])
-            states[driven + released] = state
-    return tuple(states)
-
-
-def _in_terms_of(design: FanDesign, wording: Wording) -> Wording:
-    """Advice that names what the design has: of a law the stiffness follows."""
-    if any(tendon is not None and tendon.law is None for tendon in design.tendons):
-        return wording
-    advice = {name: getattr(wording, name) for name in ("if_stuck", "if_under_way", "if_lost")}
-    return replace(wording, **{key: text.replace("tendon.stiffness", "tendon.area") for key, text in advice.items()})
-
-
-def drive_keys(design: FanDesign) -> tuple[str, ...]:  # noqa: ARG001
-    """Keys of the values that say how strong the drives are."""
-    return ("protocol.fold_torque", "protocol.unfold_torque")
-
-
-def static_keys(design: FanDesign) -> tuple[str, ...]:
-    """Keys of what matters to where the fan rests, but for its tendons: those of one layout have it in common."""
-    # without gravity it rests where it rests, however heavy it is
-    return (*_STATIC_KEYS, "vein") if design.protocol.gravity else _STATIC_KEYS
-
-
-def _of_role(hinges: Sequence[Hinge], role: str) -> tuple[int, ...]:
-    return tuple(number for number, hinge in enumerate(hinges) if hinge.role == role)
 
 
 def _hinges(design: FanDesign, index: int, vein: Vein) -> list[Hinge]:

@@ -1,4 +1,4 @@
-"""A wing after many cycles: folded and opened with its tendons as they are at each of them."""
+"""A structure after many cycles: folded and opened with its tendons as they are at each of them."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _LARGEST_MISS = 0.02  # of a softened spring, that goes without saying
 
 @dataclass(frozen=True, kw_only=True)
 class CycleRun:
-    """One cycle: what its tendons are, and what became of the wing.
+    """One cycle: what its tendons are, and what became of the structure.
 
     Attributes:
         cycle: number, from 1 on.
@@ -48,7 +48,7 @@ class CycleRun:
 
 @dataclass(frozen=True, kw_only=True)
 class Cycling:
-    """A wing over cycles.
+    """A structure over cycles.
 
     Attributes:
         design: at the first cycle.
@@ -113,7 +113,7 @@ def design_at_cycle(design: Design, cycle: int) -> Design:
     """A design with its tendons as they are at a cycle.
 
     The drift of the law is taken to that cycle. A law that softens is, from the second cycle on, what it is after the
-    stretch of the flat wing. Every cycle is a run of its own that begins with rested tendons.
+    stretch of the built shape. Every cycle is a run of its own that begins with rested tendons.
 
     Args:
         design: whose tendons have a law.
@@ -123,7 +123,7 @@ def design_at_cycle(design: Design, cycle: int) -> Design:
 
 
 def run_cycles(design: Design, last: int, progress: Progress | None = None) -> Cycling:
-    """Fold and open a wing with its tendons as they are at each of many cycles, side by side.
+    """Fold and open a structure with its tendons as they are at each of many cycles, side by side.
 
     Args:
         design: whose tendons change.
@@ -260,7 +260,8 @@ def _remarks(design: Design, counts: Sequence[int]) -> Iterator[str]:
         middle, low, high = (100 * each for each in change_at_cycle(drift, last))
         yield f"at cycle {last} their set is longer by {middle:.3g} % of their length ({low:.3g} to {high:.3g} %)"
     if law.branches:
-        yield "every cycle begins with tendons at rest: their Maxwell branches have relaxed in the flat wing"
+        whole = structure_of(design).appearance.whole
+        yield f"every cycle begins with tendons at rest: their Maxwell branches have relaxed in the flat {whole}"
     if last > _EVERY_COUNT:
         yield f"beyond cycle {_EVERY_COUNT} only every few are run: {', '.join(map(str, counts[_EVERY_COUNT:]))}"
     told = {counts[-1], counts[min(1, len(counts) - 1)]}
@@ -298,17 +299,17 @@ def _beside_statics(cycling: Cycling) -> Iterator[str]:
 
 
 def _verdict(cycling: Cycling) -> str:
-    """Whether the wing still works after the last cycle, and up to which or from which on where it does not."""
+    """Whether it still works after the last cycle, and up to which or from which on where it does not."""
     first, last = cycling.transitions[0], cycling.transitions[-1]
     began = [bool(run.row.get(first.state)) for run in cycling.runs]
-    verbs = [f"{each.wording.verb}s" for each in cycling.transitions]
+    verbs = [each.wording.does for each in cycling.transitions]
     if first is not last and any(began) and not any(run.row.get(last.state) for run in cycling.runs):
         return f"{verbs[-1]} at none of the {_cycles(cycling.runs[-1].cycle)}; {_course(cycling, began, verbs[0])}"
     return _course(cycling, [cycling.works(run) for run in cycling.runs], " and ".join(verbs))
 
 
 def _course(cycling: Cycling, works: Sequence[bool], goal: str) -> str:
-    """At which cycles a wing does something, in words."""
+    """At which cycles it does something, in words."""
     runs, last = cycling.runs, cycling.runs[-1].cycle
     if all(works):
         return f"still {goal} after {_cycles(last)}"

@@ -86,6 +86,8 @@ def _state(name: str, state: State | None) -> Row:
     if state is None:
         return {f"{name}_energy_J": None}
     energy = {f"{name}_energy_J": float(np.sum(state.tendon_energy))}
+    if state.hinge_energy is not None:
+        energy[f"{name}_hinge_energy_J"] = float(np.sum(state.hinge_energy))
     return energy | _reading(f"{name}_", state.furthest, state.furthest_kind)
 
 

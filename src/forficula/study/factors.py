@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
 
-from forficula.design import NO_LAW, Design, FanDesign, key_quantity, names_law, tendon_material
+from forficula.design import NO_LAW, Design, key_quantity, names_law, tendon_material
 from forficula.errors import InputError
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity
 
@@ -27,15 +27,15 @@ class Factor:
 
     Attributes:
         key: of the design, dotted.
+        model: class of the design.
         values: as a design file has them: text with units, numbers, words. Empty where the values are drawn.
         distribution: what they are drawn from, or None.
-        model: class of the design.
     """
 
     key: str
+    model: type[Design]
     values: tuple[object, ...] = ()
     distribution: Distribution | None = None
-    model: type[Design] = FanDesign
 
     @property
     def unit(self) -> Unit | None:
@@ -80,7 +80,7 @@ class Distribution:
 _PARAMETERS = {"uniform": ("low", "high"), "log-uniform": ("low", "high"), "normal": ("mean", "deviation")}
 
 
-def read_factor(key: str, given: object, model: type[Design] = FanDesign) -> Factor:
+def read_factor(key: str, given: object, model: type[Design]) -> Factor:
     """Read a factor as a study file has it.
 
     Args:
@@ -100,7 +100,7 @@ def read_factor(key: str, given: object, model: type[Design] = FanDesign) -> Fac
         _check_values(key, given, model)
         return Factor(key=key, values=tuple(given), model=model)
     if isinstance(given, str) and not names_law(key):
-        values = range_values(key, given, model)
+        values = range_values(key, given, numbers=quantity is None)
         _check_values(key, values[:1], model)
         return Factor(key=key, values=values, model=model)
     if isinstance(given, Mapping):
@@ -111,8 +111,13 @@ def read_factor(key: str, given: object, model: type[Design] = FanDesign) -> Fac
     raise InputError(f"{key}: need {rule}, got {given!r}")
 
 
-def range_values(key: str, text: str, model: type[Design] = FanDesign) -> tuple[object, ...]:
+def range_values(key: str, text: str, *, numbers: bool = False) -> tuple[object, ...]:
     """The values of a range such as "10..60 N/cm step 10", ends included, as a design file has them.
+
+    Args:
+        key: what errors call it.
+        text: the range.
+        numbers: whether they are numbers where the range has no unit, and not texts whose unit is missing.
 
     Raises:
         InputError: not a range, a step that leads nowhere, or more than a million values.
@@ -134,10 +139,10 @@ def range_values(key: str, text: str, model: type[Design] = FanDesign) -> tuple[
         raise InputError(f'{key}: need at most {MOST_VALUES} values, got {steps:.6g} steps in "{text}"')
     count = math.floor(steps) + 1
     # in decimals, so that 0.1 three times is 0.3 as a person would write it
-    numbers = [float(Decimal(first) + index * Decimal(step)) for index in range(count)]
-    if not unit and key_quantity(key, model) is None:
-        return tuple(int(number) if number.is_integer() else number for number in numbers)
-    return tuple(f"{number:.12g} {unit}".strip() for number in numbers)
+    values = [float(Decimal(first) + index * Decimal(step)) for index in range(count)]
+    if numbers and not unit:
+        return tuple(int(value) if value.is_integer() else value for value in values)
+    return tuple(f"{value:.12g} {unit}".strip() for value in values)
 
 
 def drawn_values(factors: tuple[Factor, ...], method: str, count: int, seed: int) -> list[dict[str, object]]:

@@ -51,15 +51,17 @@ class RunToKeep:
 
     Attributes:
         point: number of the study's point, from 0 on.
-        part: "folding" or "opening" of a search, "run" of a plain study.
+        part: what its transition does, such as "folding" or "opening", of a search; "run" of a plain study.
         name: of its folder: the row of `table.csv`, from 1 on, and the part.
         design: what to run.
+        transition: number of the transition that a search made it for; None where it is for all of them.
     """
 
     point: int
     part: str
     name: str
     design: Design
+    transition: int | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -72,6 +74,7 @@ class KeptRun:
         folder: where it lies, within the study's folder.
         record: with the rows that `thin_record` leaves.
         outcome: with the same bits as in the study's table.
+        transition: as of `RunToKeep`.
     """
 
     point: int
@@ -79,6 +82,7 @@ class KeptRun:
     folder: str
     record: Record
     outcome: Outcome
+    transition: int | None = None
 
 
 def runs_to_keep(study: Study, table: Dataset, most: int = MOST_POINTS) -> list[RunToKeep]:
@@ -104,9 +108,9 @@ def runs_to_keep(study: Study, table: Dataset, most: int = MOST_POINTS) -> list[
             design = point_design(study.base, study.points[point], study.search)
         except InputError:  # its row says why
             continue
-        for part, each in _parts(study, table, point, design):
-            end = "" if part == "run" else f"-{part}"
-            runs.append(RunToKeep(point=point, part=part, name=f"{point + 1:0{width}d}{end}", design=each))
+        for part, transition, each in _parts(study, table, point, design):
+            name = f"{point + 1:0{width}d}{'' if part == 'run' else f'-{part}'}"
+            runs.append(RunToKeep(point=point, part=part, name=name, design=each, transition=transition))
     return runs
 
 
@@ -199,35 +203,38 @@ def _worked(study: Study, table: Dataset) -> NDArray[np.bool_]:
     return np.asarray(table[transitions[0].state].values, dtype=bool)
 
 
-def _parts(study: Study, table: Dataset, point: int, design: Design) -> Iterator[tuple[str, Design]]:
-    """The runs of one point that a row of the table comes from."""
+def _parts(study: Study, table: Dataset, point: int, design: Design) -> Iterator[tuple[str, int | None, Design]]:
+    """The runs of one point that a row of the table comes from, with their names and numbers of their transitions."""
     search = study.search
     if search is None:
-        yield "run", design
+        yield "run", None, design
         return
     first, second = search.first, search.second
     least = float(table[first.least_name].values.ravel()[point])
     # of a run that says nothing there is nothing to see
     tells = Verdict(str(table["verdict"].values.ravel()[point])).tells
-    name = _part_name(study, first)
+    part = _part_name(study, first)
     if math.isnan(least):
         if tells:
-            yield name, first_design(design, search, first.values[-1])
+            yield *part, first_design(design, search, first.values[-1])
         return
     released = search.next_drive is not None
-    yield name, (release_design if released else first_design)(design, search, least)
+    yield *part, (release_design if released else first_design)(design, search, least)
     if second is None:
         return
     least = float(table[second.least_name].values.ravel()[point])
     if tells or not math.isnan(least):
         value = second.values[-1] if math.isnan(least) else least
-        yield _part_name(study, second), second_design(design, search, value)
+        yield *_part_name(study, second), second_design(design, search, value)
 
 
-def _part_name(study: Study, step: SearchStep) -> str:
-    """What the folder of a search's run says of it, such as "folding"."""
-    transition = transition_of(structure_of(study.base), step.drive)
-    return step.transition if transition is None else transition.wording.doing.replace(" ", "-")
+def _part_name(study: Study, step: SearchStep) -> tuple[str, int | None]:
+    """What the folder of a search's run says of it, such as "folding", and the number of its transition."""
+    structure = structure_of(study.base)
+    transition = transition_of(structure, step.drive)
+    if transition is None:
+        return step.transition, None
+    return transition.wording.doing.replace(" ", "-"), structure.transitions.index(transition)
 
 
 def _run(runs: Sequence[RunToKeep], threads: int) -> Iterator[tuple[RunToKeep, Record]]:
@@ -246,7 +253,14 @@ def _keep(folder: Path, run: RunToKeep, record: Record) -> KeptRun:
 
 
 def _kept(run: RunToKeep, record: Record, outcome: Outcome) -> KeptRun:
-    return KeptRun(point=run.point, part=run.part, folder=f"{_FOLDER}/{run.name}", record=record, outcome=outcome)
+    return KeptRun(
+        point=run.point,
+        part=run.part,
+        folder=f"{_FOLDER}/{run.name}",
+        record=record,
+        outcome=outcome,
+        transition=run.transition,
+    )
 
 
 def _remove_others(folder: Path, wanted: Collection[str]) -> None:

@@ -101,8 +101,8 @@ def asked_verbs(table: Dataset) -> list[str]:
     return [each.wording.verb for each in asked_transitions(table)] or ["settle"]
 
 
-def whole_word(table: Dataset) -> str:
-    """What the structure of a table is called."""
+def whole_of(table: Dataset) -> str:
+    """What sentences call the structure that a table is of."""
     return str(table.attrs.get("whole", Appearance().whole))
 
 

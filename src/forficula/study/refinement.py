@@ -102,7 +102,14 @@ def same(one: float, other: float) -> bool:
 
 
 def own_value(design: Design, key: str) -> float:
-    """The value that a design has itself: s, Pa, or 1 for its own mesh."""
+    """The value that a design has itself: s, Pa, or 1 for its own mesh.
+
+    Raises:
+        InputError: it has none.
+    """
+    section = key.partition(".")[0]
+    if section not in type(design).model_fields:
+        raise InputError(f"{key}: {design.name} has no {section}; need {TIMESTEP} to vary, or a design with one")
     if key == MESH:
         row_count(design)
         return 1.0

@@ -107,7 +107,7 @@ def _decided(found: Mapping[float, Row], goal: str) -> tuple[float | None, Row]:
             return None, row
         if value == least:
             return least, row
-    return None, [*found.values()][-1] if found else {}
+    return None, found[max(found)] if found else {}
 
 
 def _reference(search: Search, row: Row) -> str:
@@ -138,33 +138,34 @@ def _ending(search: Search, done: Row, next_done: Row) -> dict[str, Any]:
 
 def first_design(design: Design, search: Search, value: float) -> Design:
     """The design with a value, SI, of the first transition; where another follows, its protocol ends with the first."""
-    stages = design.protocol.stages
+    stages, first = design.protocol.stages, search.first
     if search.next_drive is not None:
-        stages = _ended(stages, _first_driven(stages, search.first.drive))
-    return _with(design, stages, {search.first.key: value})
+        last = _first_driven(stages, first.drive)
+        stages = (*stages[:last], *(_ending_in(stage, stages[last + 1 :]) for stage in stages[last : last + 1]))
+    return _with(design, stages, {first.key: first.sign * value})
+
+
+def _ending_in(stage: Stage, following: Sequence[Stage]) -> Stage:
+    """A driven stage with the state that the release after it, which is cut off, is to end in."""
+    release = next((each for each in following[:1] if not stage_drives(each)), None)
+    if stage.state is not None or release is None or release.state is None:
+        return stage
+    return stage.model_copy(update={"state": release.state})
 
 
 def release_design(design: Design, search: Search, value: float) -> Design:
     """The design whose protocol ends before any second transition, with a value, SI, of the first."""
-    stages = design.protocol.stages
-    return _with(design, stages[: _first_driven(stages, search.next_drive or "")], {search.first.key: value})
+    stages, first = design.protocol.stages, search.first
+    return _with(design, stages[: _first_driven(stages, search.next_drive or "")], {first.key: first.sign * value})
 
 
 def second_design(design: Design, search: Search, value: float) -> Design:
     """The design with the reference value of the first transition and a value, SI, of the second."""
     if search.second is None:
         return design
-    values = {search.first.key: search.reference, search.second.key: value}
+    first, second = search.first, search.second
+    values = {first.key: first.sign * search.reference, second.key: second.sign * value}
     return _with(design, design.protocol.stages, values)
-
-
-def _ended(stages: Sequence[Stage], number: int) -> tuple[Stage, ...]:
-    """Stages up to a driven one, which ends in the state that its release would."""
-    *before, last = stages[: number + 1]
-    released = next(iter(stages[number + 1 :]), last)
-    if last.state is None and not stage_drives(released):
-        last = last.model_copy(update={"state": released.state})
-    return (*before, last)
 
 
 def _first_driven(stages: Sequence[Stage], drive: str) -> int:

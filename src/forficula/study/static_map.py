@@ -68,7 +68,7 @@ def map_study(design: Design, over: Mapping[str, object], search: Search | None 
 def static_map(study: Study, progress: Callable[[int, int], None] | None = None) -> xarray.Dataset:
     """Let torques grow step by step on every design of a study: the least that make the transitions it asks for.
 
-    Every torque of the study's search but 0 is tried, with all inertia left out. Designs that differ in their tendons
+    Every torque of the study's search above 0 is tried, with all inertia left out. Designs that differ in their tendons
     only go side by side.
 
     Args:
@@ -153,7 +153,7 @@ def _rows(designs: Sequence[Design], search: Search) -> list[dict[str, float | s
     positions = [start_state(structures).position, state_beyond(structures, asked[0]).position]
     energies = [_tendon_energies(structures, position) for position in positions]
     least = [
-        slow_transition(structures, position, transition, [torque for torque in step.values if torque]).torque
+        slow_transition(structures, position, transition, [torque for torque in step.values if torque > 0]).torque
         for step, transition, position in zip(search.steps, asked, positions, strict=False)
     ]
     return [

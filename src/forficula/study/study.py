@@ -15,7 +15,7 @@ from forficula.design import TORQUE, Design, key_quantity, key_value, load_desig
 from forficula.errors import InputError
 from forficula.names import folder_name
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity
-from forficula.structure import Drive, Structure, Transition, drive_of, structure_of
+from forficula.structure import Drive, Structure, Transition, drive_of, first_state, structure_of
 from forficula.study.choices import one_at_a_time, with_own_word
 from forficula.study.factors import MOST_VALUES, Factor, drawn_values, range_values, read_factor
 from forficula.toml_text import parse_toml
@@ -34,7 +34,6 @@ _KEYS = (
     "search",
 )
 _MOST_TORQUES = 1000  # every one of them is a run of every point
-_TORQUE_KEY = "protocol.fold_torque"
 _SEARCHES = ("least-torques", "least-value")
 
 
@@ -48,9 +47,9 @@ class SearchStep:
         state: name of the state that it leads to, such as "folded".
         done: what it comes to where it succeeds, in a word.
         key: of the design's value that is tried, such as "protocol.fold_torque".
-        values: that are tried, SI, rising, or falling from 0 where its drive turns the other way; none where it is not
-            asked for.
+        values: that are tried, SI, rising; none where it is not asked for.
         unit: of the values.
+        sign: by which a value is multiplied before it is the key's: that of the drive.
     """
 
     transition: str
@@ -60,6 +59,7 @@ class SearchStep:
     key: str
     values: tuple[float, ...]
     unit: Unit
+    sign: float = 1.0
 
     @property
     def value_name(self) -> str:
@@ -337,8 +337,7 @@ def read_search(ask: str, given: Mapping[str, Any], base: Design) -> Search:
     structure = structure_of(base)
     if not structure.transitions:
         raise InputError(f'ask: "{ask}" needs a design that a protocol drives to a state, got {base.name}')
-    reached = {transition.state for transition in structure.transitions}
-    start = next((state for state in structure.stage_states if state and state not in reached), "")
+    start = first_state(structure, structure.stage_states)
     if ask == "least-value":
         return _value_search(given, base, structure, start)
     first, *others = structure.transitions[:2]
@@ -347,12 +346,16 @@ def read_search(ask: str, given: Mapping[str, Any], base: Design) -> Search:
     steps = [
         _torque_step(each, drive_of(structure, each.drive), given, none=each is not first) for each in (first, *others)
     ]
-    drive = drive_of(structure, first.drive)
-    large = given.get(f"{first.name}_with", drive.large or _shown(steps[0].values[-1]))
+    if len({step.key for step in steps}) < len(steps):
+        raise InputError(
+            f'ask: "least-torques" needs transitions with drives of their own, got {steps[0].key} for both'
+            f' {first.name} and {others[0].name}; ask "least-value" of one'
+        )
+    large = given.get(f"{first.name}_with", drive_of(structure, first.drive).large or _shown(steps[0].values[-1]))
     return Search(
         first=steps[0],
         second=next((step for step in steps[1:] if step.values), None),
-        reference=_torques(f"{first.name}_with", [large], drive)[0],
+        reference=_torques(f"{first.name}_with", [large])[0],
         next_drive=next((each.drive for each in others), None),
         start_state=start,
         refinements=_refinements(given),
@@ -372,14 +375,13 @@ def _value_search(given: Mapping[str, Any], base: Design, structure: Structure, 
     if quantity is None:
         raise InputError(f"search.key: need a key whose value has a unit, got {key}")
     transition = states[state]
-    below = any(drive.torque < 0 for drive in structure.drives if drive.key == key)
     step = SearchStep(
         transition=transition.name,
         drive=transition.drive,
         state=state,
         done=transition.wording.done,
         key=key,
-        values=_rising("values", given.get("values"), key, quantity.unit, none=False, below=below),
+        values=_rising("values", given.get("values"), quantity.unit, none=False),
         unit=quantity.unit,
     )
     return Search(
@@ -395,8 +397,9 @@ def _torque_step(transition: Transition, drive: Drive, given: Mapping[str, Any],
         state=transition.state,
         done=transition.wording.done,
         key=drive.key,
-        values=_torques(name, given.get(name, drive.tries or [_shown(drive.torque)]), drive, none=none),
+        values=_torques(name, given.get(name, drive.tries or [_shown(abs(drive.torque))]), none=none),
         unit=TORQUE,
+        sign=-1.0 if drive.torque < 0 else 1.0,
     )
 
 
@@ -411,14 +414,14 @@ def _refinements(given: Mapping[str, Any]) -> int:
     return refinements
 
 
-def _torques(key: str, given: object, drive: Drive, *, none: bool = False) -> tuple[float, ...]:
-    return _rising(key, given, _TORQUE_KEY, TORQUE, none=none, below=drive.torque < 0)
+def _torques(key: str, given: object, *, none: bool = False) -> tuple[float, ...]:
+    return _rising(key, given, TORQUE, none=none)
 
 
-def _rising(key: str, given: object, like: str, unit: Unit, *, none: bool, below: bool) -> tuple[float, ...]:
-    """Read rising values, a list or a range, of a key like another one; falling ones where they are to be below 0."""
+def _rising(key: str, given: object, unit: Unit, *, none: bool) -> tuple[float, ...]:
+    """Read rising values, a list or a range."""
     what = "torques" if unit is TORQUE else "values"
-    values = range_values(like, given) if isinstance(given, str) else given
+    values = range_values(f"search.{key}", given) if isinstance(given, str) else given
     if not isinstance(values, list | tuple) or not (values or none):
         raise InputError(f'search.{key}: need {what} such as "0..50 {unit.display} step 10", got {given!r}')
     if len(values) > _MOST_TORQUES:
@@ -427,8 +430,7 @@ def _rising(key: str, given: object, like: str, unit: Unit, *, none: bool, below
         numbers = tuple(parse_quantity(value, unit) for value in values)
     except InputError as error:
         raise InputError(f"search.{key}: {error}") from None
-    sizes = [-number if below else number for number in numbers]
-    if sizes != sorted(set(sizes)) or min(sizes, default=0.0) < 0:
-        order = "falling" if below else "rising"
-        raise InputError(f"search.{key}: need {order} {what} {'<=' if below else '>='} 0, got {given!r}")
+    if list(numbers) != sorted(set(numbers)) or (unit is TORQUE and min(numbers, default=0.0) < 0):
+        size = f" >= 0; a drive's sign is its own" if unit is TORQUE else ""
+        raise InputError(f"search.{key}: need rising {what}{size}, got {as_written(given)}")
     return numbers

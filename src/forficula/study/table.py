@@ -13,7 +13,7 @@ from forficula.analysis import Ending, Verdict
 from forficula.csv_text import csv_text
 from forficula.design import TORQUE, Design
 from forficula.quantities import as_written, parse_quantity
-from forficula.structure import Structure, drive_keys, structure_of
+from forficula.structure import Structure, drive_keys, first_state, structure_of
 from forficula.study.choices import CHOICE, choice_label, own_value
 from forficula.study.evaluate import ending_row, row_key
 from forficula.study.factors import Factor
@@ -41,7 +41,7 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         grid that is repeated there where factors are varied one at a time, the base first; coordinates in SI with
         `units`, `display` and `key`. Of every transition of the base there are time and work, of every state the energy
         of the tendons, in a search of every transition the least value; the attribute `transitions` names them, see
-        `table_transitions`, `start_state` the state before them, and `whole` what the structure is called.
+        `table_transitions`, and `whole` is what sentences call the structure.
     """
     import xarray
 
@@ -77,7 +77,7 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         "ask": _asked(study),
         "tendons": len(structure.tendons),
         "transitions": transitions_text(structure, search),
-        "start_state": _start_state(structure),
+        "start_state": first_state(structure, structure.stage_states),
         "whole": structure.appearance.whole,
         **({"reproduces": study.reproduces} if study.reproduces is not None else {}),
     }
@@ -89,7 +89,7 @@ def _numbers(study: Study, structure: Structure) -> dict[str, tuple[str, str]]:
     search = study.search
     drives = [step.drive for step in search.steps] if search is not None else []
     asked = [each for each in structure.transitions if search is None or each.drive in drives]
-    start = [state for state in [_start_state(structure)] if state]
+    start = [state for state in [first_state(structure, structure.stage_states)] if state]
     numbers: dict[str, tuple[str, str]] = {}
     for step in search.steps if search is not None else ():
         does = next(each.wording.does for each in asked if each.drive == step.drive)
@@ -107,12 +107,6 @@ def _asked(study: Study) -> str:
     if study.search is None:
         return "run"
     return "least-torques" if study.search.first.key in drive_keys(study.base) else "least-value"
-
-
-def _start_state(structure: Structure) -> str:
-    """The first state that no transition leads to; "" where there is none."""
-    led_to = [each.state for each in structure.transitions]
-    return next((state for state in structure.stage_states if state and state not in led_to), "")
 
 
 def _columns(study: Study, table: xarray.Dataset) -> list[str]:

@@ -2,6 +2,7 @@ import json
 import math
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from forficula.design import load_design
@@ -35,8 +36,50 @@ def test_a_landscape_leaves_its_files_and_the_design_gives_the_same_again(survey
     assert content["simulation"]["peak_speed_rad_per_s"] < predicted["final_speed_rad_per_s"]
 
 
+def test_plates_leave_where_they_rest_and_their_hinges_in_their_own_senses(surveyed, tmp_path):
+    landscape = surveyed("plates")
+    write_landscape(landscape, tmp_path / "there", run(landscape.design))
+    assert sorted(path.name for path in (tmp_path / "there").iterdir()) == sorted({*FILES, "rests.png"} - {"wing.png"})
+    content = read(tmp_path / "there")
+    assert (content["hinge"], content["wing"], content["tips"]) == (None, None, None)
+    assert [(each["tendon"], each["hinge"]) for each in content["tendons"]] == [
+        ("left", "crease0"),
+        ("right", "crease1"),
+    ]
+    for tendon in content["tendons"]:
+        assert (max(tendon["angle_deg"]), min(tendon["angle_deg"])) == pytest.approx((175, -3))
+        # of tendon and spring, as the whole structure rests
+        stays = [state["angle_deg"] for state in tendon["stable_states"]]
+        assert stays == pytest.approx([rest["angles_deg"][0] for rest in content["rests"][:2]], abs=1e-4)
+        # d energy / d angle, turned round
+        angle, energy = np.radians(tendon["angle_deg"]), np.array(tendon["energy_J"]) + tendon["spring_energy_J"]
+        moment = np.array(tendon["moment_N_m"]) + tendon["spring_moment_N_m"]
+        assert energy[-1] - energy[0] == pytest.approx(-np.trapezoid(moment, angle), rel=2e-3)
+    for rest in content["rests"]:
+        assert sum(rest["stored_J"].values()) == pytest.approx(rest["energy_J"])
+    simulation = content["simulation"]
+    assert (simulation["status"], simulation["tendon"], simulation["predicted"]) == ("closed and opened", "left", {})
+    assert simulation["folded_angle_deg"] == pytest.approx(90)
+
+
+def test_a_vein_without_a_tendon_has_no_landscape(surveyed, tmp_path):
+    write_landscape(surveyed("own tendons"), tmp_path)
+    content = read(tmp_path)
+    assert [each["hinge"] for each in content["tendons"]] == ["fold0", "fold2"]
+    # vein 2: half of 15 N/cm by the 1.5 cm that it is stretched at straight, but for the axis
+    assert max(content["tendons"][1]["energy_J"]) < 1500 / 2 * 0.015**2
+    assert len(content["partial_folds"][-1]["distal_angle_deg"]) == 3
+
+
+def test_a_barrier_beside_straight_has_its_angle(surveyed, tmp_path):
+    write_landscape(surveyed("off the bars"), tmp_path)
+    hinge = read(tmp_path)["hinge"]
+    # make.md: 4.30 mJ at -4.2 deg
+    assert (1e3 * hinge["barrier_J"], hinge["barrier_angle_deg"]) == pytest.approx((4.30, -4.2), abs=0.05)
+
+
 @pytest.mark.parametrize(
-    "name", ["without rest length", "without hub", "without overbend", "slack", "without stiffness"]
+    "name", ["without rest length", "without hub", "without overbend", "slack", "without stiffness", "beyond the stop"]
 )
 def test_what_does_not_exist_is_null_and_said_in_a_sentence(surveyed, tmp_path, name):
     write_landscape(surveyed(name), tmp_path)

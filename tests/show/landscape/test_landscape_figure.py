@@ -5,9 +5,14 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.lines import Line2D
 
+from forficula.errors import InputError
+from forficula.show.folder.landscape_folder import landscape_drawings
 from forficula.show.landscape.landscape_figure import draw_wing
 from forficula.show.landscape.levels_figure import draw_levels
+from forficula.show.landscape.rests_figure import draw_rests
 from forficula.show.landscape.tendon_figure import draw_tendon
+from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
+from tests.show.legible import check_words
 
 NAMES = (
     "reference",
@@ -17,6 +22,11 @@ NAMES = (
     "without overbend",
     "slack",
     "without stiffness",
+    "off the bars",
+    "beyond the stop",
+    "own tendons",
+    "plates",
+    "soft plates",
 )
 
 
@@ -41,11 +51,13 @@ def labelled(figure, start) -> Line2D:
 @pytest.mark.parametrize("name", NAMES)
 def test_every_landscape_can_be_drawn_with_units_on_its_axes(surveyed, name):
     units = ("(J)", "(mJ)", "(µJ)", "(nJ)", "(deg)", "N cm)")
-    for figure in (draw_tendon(surveyed(name)), draw_wing(surveyed(name)), draw_levels(surveyed(name))):
+    for draw in landscape_drawings(surveyed(name)).values():
+        figure = draw(PAGE_WIDTH)
         assert len(np.unique(pixels(figure) @ [1, 256, 65536])) > 10  # not blank
         for axes in all_axes(figure):
             assert not axes.get_ylabel() or axes.get_ylabel().endswith(units)
-            assert not axes.get_xlabel() or "deg" in axes.get_xlabel() or "hinges" in axes.get_xlabel()
+            words = ("deg", "hinges", "left to right")
+            assert not axes.get_xlabel() or any(each in axes.get_xlabel() for each in words)
             bounds = [*axes.get_xlim(), *axes.get_ylim()]
             assert np.all(np.isfinite(bounds))
 
@@ -115,6 +127,78 @@ def test_every_partly_folded_state_has_a_bar_that_ends_at_its_energy(surveyed):
     dark = [line for line in bottom.lines if line.get_color() == "0.15"]
     # every vein is folded in half of the eight states
     assert sum(len(line.get_xdata()) for line in dark) == 12
+
+
+@pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])
+@pytest.mark.parametrize("name", ["off the bars", "beyond the stop", "own tendons", "plates", "soft plates"])
+def test_all_words_of_the_figures_of_any_structure_can_be_read(surveyed, name, width):
+    for draw in landscape_drawings(surveyed(name)).values():
+        check_words(draw(width), width)
+
+
+def test_a_barrier_beside_straight_is_drawn_at_its_own_angle(surveyed):
+    landscape = surveyed("off the bars")
+    figure = draw_tendon(landscape)
+    near = figure.axes[0].child_axes[0]
+    (arrow,) = [text for text in near.texts if text.get_text() == ""]
+    own = landscape.tendons[1]
+    assert arrow.xy == (pytest.approx(math.degrees(own.barrier_angle)), pytest.approx(1e3 * own.barrier))
+    assert math.degrees(own.barrier_angle) < -4
+    for line in [each for each in near.lines if len(each.get_xdata()) > 60]:
+        # both tops are within what is shown, and the stop is its zero
+        assert max(line.get_ydata()) > 0
+        assert min(near.get_xlim()) < line.get_xdata()[np.argmax(line.get_ydata())] < max(near.get_xlim())
+    assert "is not beyond it, so there is no barrier" in texts(draw_tendon(surveyed("beyond the stop")))
+
+
+def test_a_vein_without_a_tendon_has_no_curve_and_the_others_have_one_each(surveyed):
+    landscape = surveyed("own tendons")
+    figure = draw_tendon(landscape)
+    names = [str(line.get_label()) for line in figure.axes[0].lines if "hinge of the wing" in str(line.get_label())]
+    assert names == [f"hinge of the wing, its ring crease (vein {vein})" for vein in (0, 2)]
+    # every state has its own level of independent hinges, whichever are folded
+    top, bottom = draw_levels(landscape).axes
+    dashed = [line.get_ydata()[0] for line in top.lines if line.get_linestyle() == "--"]
+    assert sorted(dashed) == pytest.approx(sorted(fold.independent_energy for fold in landscape.partial_folds))
+    assert [label.get_text() for label in bottom.get_yticklabels()] == ["vein 0", "vein 1", "vein 2"]
+
+
+def test_a_hinge_with_a_spring_is_drawn_with_it_in_its_own_sense(surveyed):
+    figure = draw_tendon(surveyed("plates"))
+    top, bottom = figure.axes
+    tendon, spring, both = (labelled(figure, name) for name in ("tendon (", "spring of", "tendon and"))
+    assert both.get_ydata() == pytest.approx(tendon.get_ydata() + spring.get_ydata())
+    # it folds to positive angles, and its spring of 0.02 N m/rad/m by 21 cm rests flat
+    angle = np.radians(spring.get_xdata())
+    assert (math.degrees(angle.min()), math.degrees(angle.max())) == pytest.approx((-3, 175))
+    assert spring.get_ydata() == pytest.approx(1e3 * 0.02 * 0.21 / 2 * angle**2)
+    moment = next(line for line in bottom.lines if line.get_color() == both.get_color() and len(line.get_xdata()) > 60)
+    # the moment is in N cm and opens where positive, which is d energy / d angle of what folds to positive angles
+    fall = np.trapezoid(moment.get_ydata() / 100, np.radians(moment.get_xdata()))
+    assert both.get_ydata()[-1] - both.get_ydata()[0] == pytest.approx(1e3 * fall, rel=3e-3)
+    assert top.get_ylabel() == "stored energy (mJ)"
+
+
+def test_where_plates_rest_is_drawn_by_what_stores_it_with_their_angles(surveyed):
+    landscape = surveyed("plates")
+    top, bottom = draw_rests(landscape).axes
+    assert [label.get_text() for label in bottom.get_xticklabels()] == ["flat", "closed", "opened"]
+    heights = [bar.get_height() for bar in top.patches]
+    stored = [1e3 * energy for rest in landscape.rests for energy in rest.stored.values()]
+    assert heights == pytest.approx(stored)
+    for rest in landscape.rests:
+        assert sum(rest.stored.values()) == pytest.approx(rest.energy)
+    drawn = np.array([line.get_ydata() for line in bottom.lines if line.get_marker() == "o"])
+    np.testing.assert_allclose(drawn.T, np.degrees([rest.angles for rest in landscape.rests]), rtol=1e-12)
+    words = " ".join(text.get_text().replace("\n", " ") for text in top.texts)
+    assert f"close {100 * landscape.least_torques['close']:.3g} N cm" in words
+
+
+def test_what_is_not_there_is_not_drawn(surveyed):
+    assert list(landscape_drawings(surveyed("reference"))) == ["tendon", "wing", "levels"]
+    assert list(landscape_drawings(surveyed("plates"))) == ["tendon", "rests", "levels"]
+    with pytest.raises(InputError, match="letter-fold: rigid panels have no one way to fold"):
+        draw_wing(surveyed("plates"))
 
 
 def test_a_small_wing_is_drawn_in_small_units(surveyed):

@@ -37,7 +37,21 @@ def test_what_cannot_give_way_is_rigid(surveyed):
     assert cells[-1] == "rigid"
 
 
-@pytest.mark.parametrize("name", ["without hub", "without overbend", "slack", "without stiffness", "small"])
+NAMES = (
+    "without hub",
+    "without overbend",
+    "slack",
+    "without stiffness",
+    "small",
+    "off the bars",
+    "beyond the stop",
+    "own tendons",
+    "plates",
+    "soft plates",
+)
+
+
+@pytest.mark.parametrize("name", NAMES)
 def test_every_landscape_reads_as_sentences_and_numbers(surveyed, name):
     text = printed(surveyed(name))
     assert "None" not in text
@@ -57,3 +71,38 @@ def test_a_simulation_that_diverged_or_stuck_is_told_with_what_to_try(surveyed):
     assert "shorter timestep" in text
     stiff = run(load_design("binder2025", {"tendon.rest_length": "0 cm", "tendon.stiffness": "60 N/cm"}))
     assert "The simulated wing: did not fold. Raise protocol.fold_torque" in printed(surveyed("reference"), stiff)
+
+
+def test_a_barrier_beside_straight_is_told_with_its_angle(surveyed):
+    text = printed(surveyed("off the bars"))
+    # make.md: 10 N/cm, 9 cm, a stop at 3 deg, both anchors 2 mm off: 4.30 mJ at -4.2 deg, 6.8 N cm
+    assert line(text, "ideal hinge, overbend to −4.2°").split()[-2:] == ["4.295", "mJ"]
+    assert line(text, "ideal hinge               on its stop").split()[-3:] == ["6.829", "N", "cm"]
+    assert "growth rate at its top" in text
+    assert "from 1.0° past its top to 150.0°" in text
+
+
+def test_a_vein_without_a_tendon_is_passed_over(surveyed):
+    text = printed(surveyed("own tendons"))
+    assert "first hinge of the wing" in text
+    assert "second hinge" not in text
+    # what holds for one tendon only is said with its name
+    assert "Vein 2: the tendon is slack from" in text
+
+
+def test_plates_are_told_by_where_they_rest_and_by_what_closes_and_opens_them(surveyed):
+    landscape = surveyed("plates")
+    text = printed(landscape, run(landscape.design))
+    assert text.startswith(
+        "letter-fold: rests stably: flat, closed, opened; 4 of 4 states with some hinges folded stay"
+    )
+    assert "fold angle −3.0°" in line(text, "structure, flat")
+    assert "105.6°" in line(text, "structure, closed")
+    assert line(text, "left hinge of the structure, −3.0° to straight").split()[-2:] == ["53.17", "µJ"]
+    assert line(text, "that make it get closed, on the creases").split()[-2:] == ["N", "cm"]
+    # springs have no closed form, so only the run times the hinge
+    assert "ideal hinge" not in text
+    assert line(text, "from 1.0° past straight to 90.0°").split()[-1] == "ms"
+    assert "The simulated structure: closed and opened." in text
+    for word in ("wing", "vein", "membrane", "pleats"):
+        assert word not in text

@@ -51,6 +51,19 @@ def test_numbers_are_those_of_the_table_in_the_unit_beside_them(study):
         assert np.nanmax(np.abs(given), initial=0.1) < 1000
 
 
+def test_quantities_say_of_which_transition_they_are(study):
+    """By its number, so that a page knows which kept run they come from; None of none."""
+    table = many_ends()
+    table.attrs["start_state"] = "flat"
+    for state in ("flat", "folded", "opened"):
+        table[f"{state}_energy"] = table["fold_work"]
+    told = {name: each["transition"] for name, each in quantities(study_data(study, table)).items()}
+    assert (told["status"], told["flat_energy"]) == (None, None)
+    assert [told[name] for name in ("least_fold_torque", "fold_work", "folded_energy")] == [0, 0, 0]
+    assert [told[name] for name in ("least_unfold_torque", "unfold_work", "opened_energy")] == [1, 1, 1]
+    assert {number for name, number in told.items() if name.startswith("fold_time_by")} == {0}
+
+
 def test_fold_times_have_a_map_for_every_torque_that_was_tried(study):
     table = many_ends()
     times = [each for name, each in quantities(study_data(study, table)).items() if name.startswith("fold_time_by")]

@@ -75,8 +75,8 @@ def write_film(
 
 def _title(record: Record) -> str:
     """What a film shows, such as "The wing binder2025 folds and opens"."""
-    told = [transition.wording.verb for transition in record.structure.transitions if transition.stage is not None]
-    does = " and ".join(f"{verb}s" for verb in told) or "moves"
+    told = [transition.wording.does for transition in record.structure.transitions if transition.stage is not None]
+    does = " and ".join(told) or "moves"
     return f"The {record.structure.appearance.whole} {record.design.name} {does}"
 
 

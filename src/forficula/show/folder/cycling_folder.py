@@ -1,4 +1,4 @@
-"""What a wing over cycles leaves: a table, the same as JSON, a figure, and a few sentences."""
+"""What a structure over cycles leaves: a table, the same as JSON, a figure, and a few sentences."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def write_cycling(cycling: Cycling, folder: Path) -> None:
 
 
 def cycling_drawings(cycling: Cycling) -> dict[str, Drawing]:
-    """What draws a wing over cycles, by the stem of its file."""
+    """What draws a structure over cycles, by the stem of its file."""
     return {"cycles": lambda width: draw_cycling(cycling, width)}
 
 
@@ -133,7 +133,7 @@ def _cycle_run(row: dict[str, Any], structure: Structure) -> CycleRun:
 
 
 def print_cycling(cycling: Cycling) -> None:
-    """Print what becomes of the wing, and what a person should know."""
+    """Print what becomes of it, and what a person should know."""
     console = Console(width=110, highlight=False)
     console.print(f"\nCycles: {cycling.verdict}", markup=False)
     runs = cycling.runs

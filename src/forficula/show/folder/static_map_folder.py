@@ -13,7 +13,7 @@ from forficula.files import replacing_all, write_bytes, write_text
 from forficula.show.study.static_maps import draw_static_maps
 from forficula.show.style import PAGE_WIDTH, Drawing, save_figures
 from forficula.study import Study, table_csv
-from forficula.study.outcome_kinds import table_transitions, whole_word
+from forficula.study.outcome_kinds import table_transitions
 from forficula.study.static_map import compare_maps
 
 if TYPE_CHECKING:
@@ -74,9 +74,15 @@ def static_map_drawings(table: Dataset, simulated: Dataset | None = None) -> dic
     return {"map": lambda width: draw_static_maps(table, simulated, width)}
 
 
-def print_static_map(table: Dataset, simulated: Dataset | None = None) -> None:
-    """Say how many wings fold and open slowly, and where a simulation differs."""
-    count, whole = table["outcome"].size, whole_word(table)
+def print_static_map(table: Dataset, whole: str, simulated: Dataset | None = None) -> None:
+    """Say how many structures fold and open slowly, and where a simulation differs.
+
+    Args:
+        table: from `static_map`.
+        whole: what sentences call the structure.
+        simulated: table of a simulated study with the same factors.
+    """
+    count = table["outcome"].size
     print()
     verbs = {each.least: each.wording.verb for each in table_transitions(table) if each.least in table}
     for name, verb in verbs.items():

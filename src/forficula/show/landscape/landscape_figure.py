@@ -34,6 +34,7 @@ from forficula.show.style import (
     is_narrow,
 )
 from forficula.statics import EnergyLandscape, FoldPath, StableState, folding_hinges, stable_states
+from forficula.statics.fold_path import rigid_fold
 from forficula.structure import Structure
 
 _RING_TICKS = (0, 2, 5, 10, 20, 40, 60, 90, 120, 150, 180)  # deg
@@ -42,6 +43,7 @@ _TICK_GAP = 0.06  # between two of them, as a share of the axis
 _LOWER_LEFT, _UPPER_LEFT, _UPPER_RIGHT = (0.09, 0.20, 0.34, 0.50), (0.09, 0.50, 0.34, 0.44), (0.66, 0.50, 0.32, 0.44)
 _LABELS = 0.15  # room that ticks and labels take below and beside such a place, alike
 _INWARDS = 0.1  # in a column, where the names of axes need a larger share
+_WORDS = math.radians(22)  # how far the words on a state reach
 _BESIDE = math.radians(15)  # before a state, where the curve is low where it came down early
 
 
@@ -146,7 +148,9 @@ def _mark(axes: Axes, landscape: EnergyLandscape, state: StableState, factor: fl
     before = float(np.interp(state.far_pleat_angle - _BESIDE, wing.pleat_angle, factor * wing.energy))
     corner = (math.degrees(state.far_pleat_angle), height)
     if before < 0.1 * largest:  # the curve has come down before: room above the mark
-        axes.annotate(last_words, corner, xytext=(0, 24), ha="right", **offsets)
+        where_words_begin = float(np.interp(state.far_pleat_angle - _WORDS, wing.pleat_angle, factor * wing.energy))
+        above = 24 if where_words_begin < 0.15 * largest else 44
+        axes.annotate(last_words, corner, xytext=(0, above), ha="right", **offsets)
     else:
         axes.annotate(last_words, corner, xytext=(-10, 6), ha="right", **offsets)
 
@@ -214,12 +218,13 @@ def _why_no_saddle(landscape: EnergyLandscape) -> str:
 def _mark_climbs(axes: Axes, landscape: EnergyLandscape, factor: float, rounding: float) -> None:
     """Where the moment most resists folding and opening, and the torques that this takes."""
     wing = fold_path_of(landscape)
-    places = [(int(np.argmin(wing.moment)), "folding", wing.fold_torque, landscape.structure.appearance.bar, -9)]
+    there, back = _ways(landscape.structure)
+    places = [(int(np.argmin(wing.moment)), there, wing.fold_torque, landscape.structure.appearance.bar, -9)]
     if wing.unfold_torque is not None:
         moves = wing.fold_slope > 0
         by_ring = np.where(moves, wing.moment, 0.0) / np.where(moves, wing.fold_slope, 1.0)
         place = int(np.argmax(by_ring))
-        places.append((place, "opening", wing.unfold_torque, folding_hinge(landscape.structure), 5))
+        places.append((place, back, wing.unfold_torque, folding_hinge(landscape.structure), 5))
     middle = (wing.pleat_angle[0] + wing.pleat_angle[-1]) / 2
     for place, name, torque, where, up in places:
         angle = wing.pleat_angle[place]
@@ -234,6 +239,15 @@ def _mark_climbs(axes: Axes, landscape: EnergyLandscape, factor: float, rounding
         axes.plot(*at, "o", color=VERMILION, ms=4)
         words = f"{name} takes {reads * torque:.3g} {unit}{chr(10) if in_column(axes) else ' '}on every {where}"
         axes.annotate(words, at, xytext=(across, up), textcoords="offset points", ha=side, va="center", fontsize=7)
+
+
+def _ways(structure: Structure) -> tuple[str, str]:
+    """What goes on along the fold and back, such as "folding" and "opening"."""
+    fold, doing = rigid_fold(structure), [transition.wording.doing for transition in structure.transitions]
+    states = [transition.state for transition in structure.transitions]
+    place = states.index(fold.end) if fold.end in states else len(states)
+    ways = doing[place : place + 2]
+    return ways[0] if ways else f"getting {fold.end}", ways[1] if len(ways) > 1 else f"getting {fold.start}"
 
 
 def folding_hinge(structure: Structure) -> str:
@@ -264,7 +278,7 @@ def _ring_axis(axes: Axes, landscape: EnergyLandscape) -> None:
 
 
 def _tell(landscape: EnergyLandscape) -> str:
-    """The wing along its fold in words."""
+    """The structure along its fold in words."""
     states = [
         f"{state.name} at a pleat angle of {show_angle(state.pleat_angle)} with {reading(state.energy)}"
         for state in stable_states(landscape)

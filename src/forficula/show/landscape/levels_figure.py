@@ -24,7 +24,7 @@ def draw_levels(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure
     """Draw the energies of independent hinges, and of the structure let go with these hinges folded.
 
     Under every bar stand its hinges, one above the other: filled where the hinge started folded, ringed where it came
-    to rest on the other side of straight. Independent hinges are left out where a tendon has no ideal one.
+    to rest on the other side of straight. Independent hinges are left out where their energies do not add up.
 
     Args:
         landscape: of a design with hinges that fold.
@@ -80,10 +80,9 @@ def _level(landscape: EnergyLandscape, count: int) -> float | None:
     """What independent hinges store with so many of them folded, J; None where it matters which, or is not known."""
     group = [fold for fold in landscape.partial_folds if len(fold.folded) == count]
     energies = [fold.independent_energy for fold in group if fold.independent_energy is not None]
-    if len(energies) < len(group) or not np.allclose(energies, energies[0], rtol=_ALIKE, atol=0):
+    if landscape.levels is None or not np.allclose(energies, energies[0], rtol=_ALIKE, atol=0):
         return None
-    every = len(landscape.levels) == len(group[0].distal_angle) + 1
-    return float(landscape.levels[count]) if every else energies[0]
+    return float(landscape.levels[count])
 
 
 def _heading(count: int, level: str | None, *, narrow: bool) -> str:
@@ -125,7 +124,7 @@ def _plot_hinges(axes: Axes, folds: tuple[PartialFold, ...], places: np.ndarray,
 def _handles(landscape: EnergyLandscape) -> list[Line2D | Patch]:
     folds, whole = landscape.partial_folds, landscape.structure.appearance.whole
     stretched = sheet_parts(landscape.structure)
-    compared = folds[0].independent_energy is not None
+    compared = landscape.levels is not None
     handles: list[Line2D | Patch] = []
     if compared:
         numbered = " (number above)" * all(_level(landscape, len(fold.folded)) is not None for fold in folds)
@@ -153,7 +152,7 @@ def _tell(landscape: EnergyLandscape) -> str:
         f"Energy that the {whole} {landscape.design.name} stores with some of its hinges folded. Of {len(folds)} ways"
         f" to fold some of {len(folds[0].distal_angle)} hinges {sum(fold.stable for fold in folds)} are stable"
     )
-    if folds[0].independent_energy is None:
+    if landscape.levels is None:
         ends = [show_value(end(fold.energy for fold in folds), "J", 3) for end in (min, max)]
         return f"{told}; they store from {ends[0]} to {ends[1]}."
     levels = ", ".join(show_value(float(level), "J", 3) for level in landscape.levels)

@@ -88,10 +88,21 @@ def differing_rows(designs: Sequence[Design]) -> list[tuple[str, list[str]]]:
 
 def section_title(section: str, design: Design) -> str:
     """What a part of a design is, in words."""
-    part = getattr(design, section, None)
-    if isinstance(part, tuple):
-        part = next((entry for entry in part if entry is not None), None)
+    part = _section(section, design)
     return ((type(part).__doc__ if part is not None else "") or section).splitlines()[0].removesuffix(".")
+
+
+def section_heading(section: str, designs: Sequence[Design]) -> str:
+    """What is written over a part, as the first of some designs that has it says; empty where it does not say."""
+    parts = (_section(section, design) for design in designs)
+    return next((part.heading for part in parts if part is not None), "")
+
+
+def _section(section: str, design: Design) -> Part | None:
+    """A part of a design; of a list of them the first that there is."""
+    part = getattr(design, section, None)
+    entries = part if isinstance(part, tuple) else (part,)
+    return next((entry for entry in entries if isinstance(entry, Part)), None)
 
 
 def _keys(designs: Sequence[dict[str, str]]) -> list[str]:
@@ -117,19 +128,29 @@ def _flat(design: Design) -> dict[str, str]:
     """Values as text by dotted key, without name and source; their last digits, where rounding shows, are left out."""
     tables = design.as_tables(partial(show_quantity, digits=DIGITS))
     sections = {key: value for key, value in tables.items() if isinstance(value, dict) or _is_list_of_tables(value)}
-    return dict(_leaves(sections))
+    leaves: dict[str, str] = {}
+    for key, value in sections.items():
+        part = _section(key, design)
+        leaves |= _leaves(value if part is None else _numbered(value, part.numbered_by), key)
+    return leaves
 
 
-def _leaves(value: Any, key: str = "") -> Iterator[tuple[str, str]]:
+def _numbered(value: Any, number_key: str) -> Any:
+    """A list of tables that name their numbers as tables by these; anything else as it is."""
+    if not number_key or not _is_list_of_tables(value):
+        return value
+    entries = {each.get(number_key, number): each for number, each in enumerate(value)}
+    return {number: {name: it for name, it in each.items() if name != number_key} for number, each in entries.items()}
+
+
+def _leaves(value: Any, key: str) -> Iterator[tuple[str, str]]:
     if _is_list_of_tables(value):
-        # one after another, or by the vein that they name
-        entries = {each.get("vein", number): each for number, each in enumerate(value)}
-        value = {number: {name: it for name, it in each.items() if name != "vein"} for number, each in entries.items()}
+        value = dict(enumerate(value))
     if not isinstance(value, dict):
         yield key, value if isinstance(value, str) else as_written(value)
         return
     for name, each in value.items():
-        yield from _leaves(each, f"{key}.{name}" if key else str(name))
+        yield from _leaves(each, f"{key}.{name}")
 
 
 def _is_list_of_tables(value: Any) -> bool:

@@ -5,10 +5,17 @@ from __future__ import annotations
 from itertools import groupby
 
 from forficula.design import Design
-from forficula.show.page.design_rows import ABSENT, DIGITS, DesignRow, base_design, design_rows, section_title
+from forficula.show.page.design_rows import (
+    ABSENT,
+    DIGITS,
+    DesignRow,
+    base_design,
+    design_rows,
+    section_heading,
+    section_title,
+)
 from forficula.show.page.html import Cell, paragraph, table
 
-_NAMES = {"vein": "Veins", "guard": "Guard tendons", "hinge": "Hinges", "tendon": "Tendons"}
 _STAGES = "stages"
 
 
@@ -23,7 +30,8 @@ def design_tables(design: Design) -> list[str]:
     tables = []
     for name, group in groupby((row for row in rows if _list_of(row) is None), key=lambda row: row.section):
         title = section_title(name, design)
-        caption = f"{_NAMES.get(name, name.capitalize())}: {title[:1].lower()}{title[1:]}"
+        heading = section_heading(name, (design, base or design)) or name.capitalize()
+        caption = f"{heading}: {title[:1].lower()}{title[1:]}"
         cells = [[Cell(text=row.meaning or row.key, note=f"{name}.{row.key}"), _value(row, base)] for row in group]
         tables.append(table(caption, ("", ""), cells, numbers=False))
     return [
@@ -78,4 +86,5 @@ def _list(name: str, rows: list[DesignRow], design: Design, base: Design | None)
     if inside:
         return table(f"{inside.capitalize()} of the protocol ({name})", headings, cells, numbers=False)
     meaning = type(design).model_fields[name].description or section_title(name, design)
-    return table(f"{_NAMES.get(name, f'{name.capitalize()}s')}: {meaning}", headings, cells, numbers=False)
+    heading = section_heading(name, (design, base or design)) or f"{name.capitalize()}s"
+    return table(f"{heading}: {meaning}", headings, cells, numbers=False)

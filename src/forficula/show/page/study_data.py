@@ -61,16 +61,25 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
           value at which maps of the others lie.
         - `words`: what became of points, those that came furthest first: `word`, `sign`, and `count` of the points with
           it as their outcome.
-        - `verdicts`: a number of `words` a point; `statuses`: the full texts; `built`: whether there is a wing.
-        - `quantities`: for maps and for the table's columns: `name`, `title`, `group`, `unit`, `values`, and `reasons`:
-          a number of `words` a point, None where there is a value. The first is the verdict and has no values.
+        - `verdicts`: a number of `words` a point; `statuses`: the full texts; `built`: whether any could run.
+        - `quantities`: for maps and for the table's columns: `name`, `title`, `group`, `unit`, `values`, `reasons`: a
+          number of `words` a point, None where there is a value, and `transition`: number of the one that it is of or
+          that led there, None where it is of no single one. The first is the verdict and has no values.
     """
     signs = _signs(table)
     words = _Words(sorted({str(word) for word in table["outcome"].values.ravel()}, key=signs.rank), signs)
     verdicts = words.numbers(table["outcome"])
     quantities = [
-        {"name": "status", "title": "outcome", "group": "outcome", "unit": "", "values": None, "reasons": verdicts},
-        *(_quantity(table, name, title, group, words) for group, name, title in _drawn(table)),
+        {
+            "name": "status",
+            "title": "outcome",
+            "group": "outcome",
+            "unit": "",
+            "values": None,
+            "reasons": verdicts,
+            "transition": None,
+        },
+        *(_quantity(table, drawn, words) for drawn in _drawn(table)),
         *_times_by_value(table, words),
     ]
     drawn = [factor.dimension for factor in study.factors]
@@ -132,20 +141,34 @@ def _signs(table: Dataset) -> _Signs:
     return _Signs(signs={**by_kind, NOT_RUN: "·"})
 
 
-def _drawn(table: Dataset) -> Iterator[tuple[str, str, str]]:
-    """Group, name and title of the numbers that a table has, in the order of the page's choice."""
+@dataclass(frozen=True, kw_only=True)
+class _Drawn:
+    """A number of a table: its variable, what the page calls it, with which others, and of which transition it is."""
+
+    group: str
+    name: str
+    title: str
+    transition: int | None
+
+
+def _drawn(table: Dataset) -> list[_Drawn]:
+    """The numbers that a table has, in the order of the page's choice."""
     transitions, start = table_transitions(table), str(table.attrs.get("start_state", ""))
-    states = [*([start] if start else []), *(each.state for each in transitions)]
-    groups = (
-        ("torque", {each.least: each.least.replace("_", " ") for each in transitions if each.least}),
-        ("time", {f"{each.name}_time": each.wording.time for each in transitions}),
-        ("work", {f"{each.name}_work": f"work of {each.wording.noun}" for each in transitions}),
-        ("energy", {f"{state}_energy": f"tendons' energy when {state}" for state in states}),
-    )
-    for group, names in groups:
-        for name, title in names.items():
-            if name in table:
-                yield group, name, title
+    numbered = list(enumerate(transitions))
+    states: dict[str, int | None] = {start: None} if start else {}
+    for number, each in numbered:
+        states.setdefault(each.state, number)
+    drawn = [
+        *(("torque", each.least, each.least.replace("_", " "), number) for number, each in numbered if each.least),
+        *(("time", f"{each.name}_time", each.wording.time, number) for number, each in numbered),
+        *(("work", f"{each.name}_work", f"work of {each.wording.noun}", number) for number, each in numbered),
+        *(("energy", f"{state}_energy", f"tendons' energy when {state}", number) for state, number in states.items()),
+    ]
+    return [
+        _Drawn(group=group, name=name, title=title, transition=transition)
+        for group, name, title, transition in drawn
+        if name in table
+    ]
 
 
 def _factor(factor: DataArray) -> dict[str, Any]:
@@ -159,17 +182,18 @@ def _factor(factor: DataArray) -> dict[str, Any]:
     }
 
 
-def _quantity(table: Dataset, name: str, title: str, group: str, words: _Words) -> dict[str, Any]:
-    numbers = table[name].values.ravel()
-    unit, scale = _unit(table[name], numbers)
+def _quantity(table: Dataset, drawn: _Drawn, words: _Words) -> dict[str, Any]:
+    numbers = table[drawn.name].values.ravel()
+    unit, scale = _unit(table[drawn.name], numbers)
     values = [_rounded(scale * value) for value in numbers.tolist()]
     return {
-        "name": name,
-        "title": title,
-        "group": group,
+        "name": drawn.name,
+        "title": drawn.title,
+        "group": drawn.group,
         "unit": unit,
         "values": values,
-        "reasons": _reasons(values, missing_reasons(table, name).values.ravel(), words),
+        "reasons": _reasons(values, missing_reasons(table, drawn.name).values.ravel(), words),
+        "transition": drawn.transition,
     }
 
 
@@ -196,6 +220,7 @@ def _times_by_value(table: Dataset, words: _Words) -> Iterator[dict[str, Any]]:
             "unit": unit,
             "values": values,
             "reasons": _reasons(values, became, words),
+            "transition": 0,
         }
 
 

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 # bytes that all runs may take in the page, where the script takes 0.7 MB more
 _RUNS = 8_000_000
-# a clip with less than this does not show how the wing moves
+# a clip with less than this does not show how it moves
 _LEAST_BUDGET = 20_000
 # points beyond which a table is a thing for other programs
 _MOST_ROWS = 3000
@@ -82,10 +82,15 @@ def study_page(
     shown = {
         "kind": "study",
         "study": data,
-        "runs": sorted(runs, key=lambda run: (run["point"], run["part"])),
+        "runs": sorted(runs, key=_order),
         "csv": table_csv(study, results) if _has_rows(data) else None,
     }
     return page_html(f"{study.name}: {len(study.points)} points", body, shown)
+
+
+def _order(run: dict[str, Any]) -> tuple[int, int, str]:
+    """By point and, within one, as the protocol takes its transitions."""
+    return run["point"], -1 if run["transition"] is None else run["transition"], run["part"]
 
 
 def study_sentence(study: Study, results: Dataset) -> str:
@@ -133,6 +138,7 @@ def _run_data(run: KeptRun, budget: int) -> dict[str, Any]:
     return {
         "point": run.point,
         "part": run.part,
+        "transition": run.transition,
         "title": ", ".join(torques) or outcome.status,
         "text": outcome_sentence(f"This {structure.appearance.whole}", outcome, structure),
         "advice": outcome.advice,
@@ -179,7 +185,7 @@ def places(data: dict[str, Any], point: int) -> list[int]:
 
 
 def _choices(results: Dataset) -> str:
-    """How many wings of the grid fold and open again at each choice; of single wings the points tell."""
+    """How many points of the grid did what at each choice; of single ones the table of points tells."""
     headings, rows = choice_rows(results)
     return table("One value is changed at a time", headings, rows) if rows else ""
 

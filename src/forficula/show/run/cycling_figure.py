@@ -1,4 +1,4 @@
-"""Energy, fold time and margin of a wing over cycles."""
+"""Energy, fold time and margin of a structure over cycles."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ _FAILED: dict[str, Any] = {"ls": "none", "marker": "x", "color": VERMILION, "ms"
 def draw_cycling(cycling: Cycling, width: float = PAGE_WIDTH) -> Figure:
     """Draw the tendons' energy, the fold time and the margin over the count of cycles.
 
-    Cycles that the tests of the material did not see are shaded, and where the wing stops working there is a line.
+    Cycles that the tests of the material did not see are shaded, and where it stops working there is a line.
 
     Args:
         cycling: what to draw.
@@ -131,7 +131,7 @@ def _plot(axes: Axes, cycling: Cycling, values: Sequence[float], marker: str = "
 
 
 def _draw_counts(axes: Axes, cycling: Cycling) -> None:
-    """The axis of counts, what the tests did not see, and where the wing stops working."""
+    """The axis of counts, what the tests did not see, and where it stops working."""
     last = cycling.runs[-1].cycle
     low, high = 0.85, max(last, 2) * 1.18
     axes.set_xscale("log")
@@ -169,7 +169,7 @@ def _handles(cycling: Cycling) -> list[Line2D | Patch]:
 
 
 def _tell(cycling: Cycling) -> str:
-    """What becomes of the wing, in words."""
+    """What becomes of it, in words."""
     last = cycling.runs[-1].cycle
     time, name = cycling.transitions[0].wording.time, cycling.design.name
     what = f"Energy, {time} and torque margins of {name} over the cycles from 1 to {last}"

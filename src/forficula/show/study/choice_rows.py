@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def choice_rows(table: Dataset) -> tuple[list[str], list[list[str]]]:
-    """Count the wings of the grid that fold and open again at each choice, factor by factor.
+    """Count the structures of the grid that fold and open again at each choice, factor by factor.
 
     Args:
         table: of a study.
@@ -33,6 +33,6 @@ def choice_rows(table: Dataset) -> tuple[list[str], list[list[str]]]:
             if unsure := sum(int(numbers[place]) for numbers in unknown.values()):
                 counts[0] += f" to {folded[place] + unsure}"
             rows.append([value_text(table[group.factor], place) + own, *counts])
-    wings = table["status"].size // table.sizes[CHOICE]
+    count = table["status"].size // table.sizes[CHOICE]
     verbs = asked_verbs(table)
-    return ["choice", f"{verbs[0]}, of {wings}", *([f"{verbs[-1]} again"] if opened is not None else [])], rows
+    return ["choice", f"{verbs[0]}, of {count}", *([f"{verbs[-1]} again"] if opened is not None else [])], rows

@@ -22,7 +22,7 @@ from forficula.show.study.maps import missing_reasons
 from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, SKY, VERMILION, describe, is_narrow
 from forficula.study.choice_groups import choice_groups, count_folded, count_opened, count_unknown
 from forficula.study.choices import CHOICE
-from forficula.study.outcome_kinds import asked_verbs, table_transitions, whole_word
+from forficula.study.outcome_kinds import asked_verbs, table_transitions, whole_of
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -57,7 +57,7 @@ class _Row:
 
 
 def draw_choices(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
-    """Draw, factor by factor, how many wings of the grid fold at each choice; of single wings, their numbers.
+    """Draw, factor by factor, how many points of the grid fold at each choice; of single ones, their numbers.
 
     Args:
         table: of a study that varies its factors one at a time.
@@ -120,9 +120,9 @@ def _value_texts(values: Sequence[object]) -> list[str]:
 
 
 def _draw_counts(axes: Axes, table: Dataset, rows: Sequence[_Row]) -> None:
-    """A bar a choice, as long as wings fold, and behind it those of which that is not known."""
+    """A bar a choice, as long as points fold, and behind it those of which that is not known."""
     folded, opened, unknown = count_folded(table), count_opened(table), count_unknown(table)
-    wings = table["status"].size // table.sizes[CHOICE]
+    count = table["status"].size // table.sizes[CHOICE]
     for row in rows:
         if row.place is None:
             continue
@@ -134,7 +134,7 @@ def _draw_counts(axes: Axes, table: Dataset, rows: Sequence[_Row]) -> None:
                 axes.barh(row.height, number, _BAR, left=end, fc=look.face, hatch=look.hatch, ec=_INK, lw=0.4)
                 end += number
         text = str(least) if end == least else f"{least} to {end}"
-        axes.text(end + 0.01 * wings, row.height, text, va="center", fontsize=7, bbox=_BEHIND_TEXT, zorder=3)
+        axes.text(end + 0.01 * count, row.height, text, va="center", fontsize=7, bbox=_BEHIND_TEXT, zorder=3)
         if opened is not None:
             axes.plot(opened[row.place], row.height, zorder=3, **_OPENED)
     handles: list[Artist] = [
@@ -148,15 +148,15 @@ def _draw_counts(axes: Axes, table: Dataset, rows: Sequence[_Row]) -> None:
     if opened is not None:
         handles.append(Line2D([], [], label=f"{asked_verbs(table)[-1]} again", **_OPENED))
     paper = named_reproduction(table.attrs.get("reproduces"))
-    if paper is not None and (count := paper.fold_count) is not None:
-        line = axes.axvline(count, color=VERMILION, ls="--", lw=1, zorder=2, label=f"the paper: {count}")
+    if paper is not None and (folds := paper.fold_count) is not None:
+        line = axes.axvline(folds, color=VERMILION, ls="--", lw=1, zorder=2, label=f"the paper: {folds}")
         handles.append(line)
     # room for the numbers behind full bars
     axes.set(
-        xlim=(0, (1.12 if unknown else 1.06) * wings),
-        xlabel=f"{whole_word(table)}s that {asked_verbs(table)[0]}, of {wings}",
+        xlim=(0, (1.12 if unknown else 1.06) * count),
+        xlabel=f"{whole_of(table)}s that {asked_verbs(table)[0]}, of {count}",
     )
-    axes.set_xticks(np.unique(np.linspace(0, wings, 7).round()))
+    axes.set_xticks(np.unique(np.linspace(0, count, 7).round()))
     figure = axes.get_figure(root=True)
     if isinstance(figure, Figure):
         columns = 2 if is_narrow(figure.get_figwidth()) else 5
@@ -177,7 +177,7 @@ def _draw_numbers(axes: Axes, table: Dataset, name: str, rows: Sequence[_Row]) -
             axes.plot(factor * values[row.place], row.height, "o", ms=4, color=_colour(row.place), mec=BLUE, mew=0.6)
         else:
             axes.text(0.02, row.height, str(reasons[row.place]), transform=foot, va="center", fontsize=6, color=_INK)
-    # falling from 0 where a drive turns the other way
+    # least values of a key may be below 0
     low, high = (1.08 * factor * float(end(values, initial=0.0)) for end in (np.nanmin, np.nanmax))
     axes.set_xlim(low, high or (0 if low else 1))
     axes.set_xlabel(f"{_numbers(table)[name]} ({unit})" if unit else _numbers(table)[name])
@@ -206,9 +206,9 @@ def _colour(place: int) -> str:
 def _tell(table: Dataset, rows: Sequence[_Row]) -> str:
     """What the figure shows, in words."""
     singles = table["status"].dims == (CHOICE,)
-    folded, wings = count_folded(table), table["status"].size // table.sizes[CHOICE]
-    whole = whole_word(table)
-    what = f"Numbers of a {whole}" if singles else f"How many of {wings} {whole}s {asked_verbs(table)[0]}"
+    folded, count = count_folded(table), table["status"].size // table.sizes[CHOICE]
+    whole = whole_of(table)
+    what = f"Numbers of a {whole}" if singles else f"How many of {count} {whole}s {asked_verbs(table)[0]}"
     told, name = [], ""
     for row in rows:
         if row.place is None:

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from forficula.show.study.factor_text import display_values, factor_label, number_text, plain_name
 from forficula.show.study.map_text import maps_text
 from forficula.show.style import BLUE, ORANGE, PAGE_WIDTH, PURPLE, SKY, describe, figure_style, is_narrow
-from forficula.study.outcome_kinds import Kind, outcome_kinds, whole_word
+from forficula.study.outcome_kinds import Kind, outcome_kinds, whole_of
 from forficula.study.static_map import BOTH, BOTH_LESS, BOTH_MORE, NEITHER, ONLY_SIMULATED, ONLY_STATIC
 
 if TYPE_CHECKING:
@@ -193,7 +193,13 @@ def draw_page(
     factors = [plain_name(view.table[name]) for name in (view.y, view.x) if name]
     return describe(
         figure,
-        maps_text(whole_word(view.table), quantity, factors, panels, [(scale.unit, scale.factor) for scale in scales]),
+        maps_text(
+            quantity,
+            factors,
+            panels,
+            [(scale.unit, scale.factor) for scale in scales],
+            whole=whole_of(view.table),
+        ),
     )
 
 

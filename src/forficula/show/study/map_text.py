@@ -12,16 +12,21 @@ if TYPE_CHECKING:
 
 
 def maps_text(
-    whole: str, quantity: str, factors: Sequence[str], panels: Sequence[Panel], units: Sequence[tuple[str, float]]
+    quantity: str,
+    factors: Sequence[str],
+    panels: Sequence[Panel],
+    units: Sequence[tuple[str, float]],
+    *,
+    whole: str,
 ) -> str:
     """Tell what maps show.
 
     Args:
-        whole: what a structure is called.
         quantity: that they show; empty where they show verdicts.
         factors: names of the factors that they are drawn over.
         panels: that are drawn.
         units: of each, in which its values are told, and their factors from SI.
+        whole: what sentences call what was run.
     """
     what = f"Maps of the {quantity}" if quantity else f"Map of what became of every {whole}"
     told = "; ".join(_panel_text(panel, *unit) for panel, unit in zip(panels, units, strict=True))

@@ -1,0 +1,212 @@
+"""What is done with a structure, by name: motors, drives, measures, goals, states, transitions, and its own fold."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from forficula.structure.parts import Array
+
+
+@dataclass(frozen=True, kw_only=True)
+class Motor:
+    """A torque on some hinges, the same on each, in their own senses.
+
+    Attributes:
+        name: of its own, as works and powers are called by.
+        hinges: numbers of the hinges.
+    """
+
+    name: str
+    hinges: tuple[int, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Drive:
+    """Torques that a protocol switches on by name.
+
+    Attributes:
+        name: as stages call it.
+        shares: by which `torque` is on the hinges of every motor of the structure, in their order.
+        rise: time over which they rise evenly from 0, s; 0: at once.
+        key: of the design's value that makes it stronger, such as "protocol.fold_torque".
+        torque: that value, N m.
+        tries: what a search for the least value tries where it is not told, as text.
+        large: alike, what it takes to see whether the next transition works, as text.
+        where: what it acts on, as sentences say it, such as "on every proximal joint".
+        part: what each of its torques is on, as tables say it, such as "distal hinge"; empty where `where` is enough.
+    """
+
+    name: str
+    shares: tuple[float, ...]
+    rise: float
+    key: str
+    torque: float
+    tries: str = ""
+    large: str = ""
+    where: str = ""
+    part: str = ""
+
+    @property
+    def torques(self) -> tuple[float, ...]:
+        """Of every motor of the structure, in their order, N m."""
+        return tuple(share * self.torque for share in self.shares)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Measure:
+    """Angles or a distance that are watched by name.
+
+    Attributes:
+        name: of its own.
+        kind: "angle" or "distance".
+        hinges: numbers of the hinges of an angle.
+        signs: by which the angles of these hinges, in their own senses, are multiplied.
+        points: numbers of the two points of a distance.
+        label: what tables and figures call it.
+    """
+
+    name: str
+    kind: Literal["angle", "distance"]
+    hinges: tuple[int, ...] = ()
+    signs: tuple[int, ...] = ()
+    points: tuple[int, int] | None = None
+    label: str = ""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Goal:
+    """What ends a stage: bounds on what is watched, rest, or neither, the time.
+
+    Attributes:
+        name: as stages call it.
+        kind: "time", "rest" or "bounds".
+        least: of every hinge's angle in its own sense, rad, and then of every distance that is measured, m,
+            (coordinate,); -inf where there is none.
+        most: alike; inf where there is none.
+    """
+
+    name: str
+    kind: Literal["time", "rest", "bounds"]
+    least: Array
+    most: Array
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class RestState:
+    """Where a protocol says that the structure rests.
+
+    Attributes:
+        name: such as "folded".
+        bounds: within which it deserves the name.
+        missed: what to call it otherwise, such as "not folded".
+        unknown: what to call it where nothing is to be trusted, such as "after folding".
+    """
+
+    name: str
+    bounds: Goal
+    missed: str
+    unknown: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Wording:
+    """How sentences speak of a transition.
+
+    Attributes:
+        done: what it came to, such as "folded".
+        verb: what it is to do, such as "fold" in "did not fold".
+        doing: what goes on, such as "folding" in "still folding".
+        stays: what is to last, such as "folded" in "did not stay folded".
+        time: what its time is called, such as "fold time".
+        noun: what it is called itself, such as "folding" in "work of folding".
+        did: what it came to in a story of several, such as "opened again"; what it came to if empty.
+        if_stuck: advice where it never began, in a sentence.
+        if_under_way: advice where it stuck on the way.
+        if_lost: advice where it was lost when released.
+    """
+
+    done: str
+    verb: str
+    doing: str
+    stays: str
+    time: str
+    noun: str
+    did: str = ""
+    if_stuck: str = ""
+    if_under_way: str = ""
+    if_lost: str = ""
+
+    @property
+    def does(self) -> str:
+        """What it does, such as "folds"."""
+        first, *rest = self.verb.split(maxsplit=1)
+        return " ".join([f"{first}s", *rest])
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Transition:
+    """A way to a named state: a drive, the goal that it is to reach, and what must be left of it when released.
+
+    Attributes:
+        name: of its own, such as "fold".
+        drive: name of the drive.
+        stage: number of the protocol's stage that drives it; None where the protocol has none.
+        goal: name of the goal.
+        state: name of the state that it leads to.
+        released: the bounds that the state must keep where the stage was to reach the goal; where it was not, the
+            state must keep its own.
+        measure: name of the measure that tells how far it got.
+        kind: of that measure.
+        slow_drive: what statics lets grow in the drive's place, where that moves more than it must; None for the drive.
+        furthest: which of the measure's readings is furthest from the goal.
+        begun: reading beyond which it has begun for good; None where sentences do not tell how far it got.
+        wording: for sentences.
+    """
+
+    name: str
+    drive: str
+    stage: int | None
+    goal: str
+    state: str
+    released: Goal
+    measure: str
+    furthest: Literal["largest", "smallest"]
+    begun: float | None
+    wording: Wording
+    kind: Literal["angle", "distance"] = "angle"
+    slow_drive: Drive | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class RigidFold:
+    """The one way in which the panels fold if they are rigid, along the angle of their pleats.
+
+    Hinges in `turns` turn by half the pleat angle. Those in `folds` fold to the negative of the ring angle,
+    tan(ring / 2) = ratio tan(pleat / 2). All others go where the sheets between the panels are stretched least.
+
+    Attributes:
+        turns: numbers of hinges.
+        folds: numbers of hinges.
+        ratio: of the tangents; 0 where the ring stays straight until the pleats are closed.
+        first: pleat angle at which the folds are at their upper stops, rad, negative; None where they never are.
+        last: pleat angle at which a stop ends the fold, rad.
+        base_length: length of the bars up to the folds, m.
+        tip_length: length of the bars beyond them, m.
+        tips: numbers of the points at the ends of these, one for each of `folds`.
+        start: name of the state before it folds.
+        end: name of the state at its end.
+        remarks: sentences on what keeps the panels from it.
+    """
+
+    turns: tuple[int, ...]
+    folds: tuple[int, ...]
+    ratio: float
+    first: float | None
+    last: float
+    base_length: float
+    tip_length: float
+    tips: tuple[int, ...]
+    start: str
+    end: str
+    remarks: tuple[str, ...] = ()

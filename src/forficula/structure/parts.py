@@ -1,0 +1,249 @@
+"""What a structure is made of: bodies and the points, bars and plates on them, hinges, tendons, limits, membranes.
+
+Frozen data in SI and radians, or in any other coherent units that a design was written in.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.material.law.material_law import MaterialLaw
+from forficula.material.law.tendon_law import TendonLaw
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+GROUND = -1
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Body:
+    """Something rigid that moves as one.
+
+    Attributes:
+        name: of its own.
+        role: what it is called with others of its kind.
+        parent: number of the body that it hangs on, an earlier one, or GROUND. Without hinges it is fixed there.
+        position: of its origin in the axes of its parent, m, (3,).
+        frame: rotation from its axes to those of its parent, (3, 3).
+    """
+
+    name: str
+    role: str
+    parent: int
+    position: Array
+    frame: Array
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Point:
+    """A named place on a body.
+
+    Attributes:
+        name: of its own.
+        role: what it is called with others of its kind.
+        body: number of the body that carries it, or GROUND.
+        place: in the axes of the body, from its origin, m, (3,).
+    """
+
+    name: str
+    role: str
+    body: int
+    place: Array
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Bar:
+    """A solid cylinder from the origin of a body.
+
+    Attributes:
+        body: number of the body that it is.
+        end: in the axes of the body, m, (3,).
+        diameter: m.
+        density: kg/m^3.
+        points: numbers of the points that it is drawn between.
+        overlaps: whether it overlaps others of which this is said, too, in the built shape: they never touch.
+    """
+
+    body: int
+    end: Array
+    diameter: float
+    density: float
+    points: tuple[int, int]
+    overlaps: bool = False
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Plate:
+    """A flat polygon of even thickness.
+
+    Attributes:
+        body: number of the body that it is.
+        points: numbers of its corners, points of that body, one after another.
+        thickness: m.
+        density: kg/m^3.
+    """
+
+    body: int
+    points: tuple[int, ...]
+    thickness: float
+    density: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Hinge:
+    """A hinge by which a body turns against its parent, through the body's origin.
+
+    Several hinges of one body follow each other: the first one turns the axes of the next. Angles are 0 in the built
+    shape, and count in the hinge's own sense.
+
+    Attributes:
+        name: of its own.
+        role: what it is called with others of its kind, in goals, groups and tables.
+        body: number of the body that it turns.
+        axis: unit vector in the axes of the body, (3,).
+        sense: +1 or -1: an angle in the hinge's own sense is a right-handed turn about the axis times that.
+        lower: where a stop ends its range, rad; -inf where none does.
+        upper: alike; inf where none does.
+        stiffness: of its spring, N m/rad.
+        rest_angle: where its spring rests, rad.
+        damping: N m s/rad.
+        armature: inertia added to it, kg m^2.
+        start: its angle at the start, rad.
+        label: what tables and figures call it; its name if empty.
+    """
+
+    name: str
+    role: str
+    body: int
+    axis: Array
+    sense: int = 1
+    lower: float = -math.inf
+    upper: float = math.inf
+    stiffness: float = 0.0
+    rest_angle: float = 0.0
+    damping: float = 0.0
+    armature: float = 0.0
+    start: float = 0.0
+    label: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Crossing:
+    """How a tendon lies across a hinge, where its length depends on that hinge alone.
+
+    Its ends turn about the hinge's axis on two circles with radii A and B, an offset c apart along the axis:
+    length^2 = A^2 + B^2 + c^2 + 2 A B cos(angle + delta), with the hinge's angle in its own sense.
+
+    Attributes:
+        hinge: number of the hinge.
+        proximal_arm: A, distance of the end on the side of the hinge's parent from the axis, m.
+        distal_arm: B, the same of the end on the side that turns, m.
+        axial_offset: c, m; 0 where the ends lie in one plane square to the axis.
+        offset_angle: delta, rad; the tendon is longest where the hinge's angle is -delta. 0 where axis and ends lie in
+            one plane as built.
+        inertia: of what turns about the axis as built, with the hinge's armature, kg m^2.
+    """
+
+    hinge: int
+    proximal_arm: float
+    distal_arm: float
+    axial_offset: float = 0.0
+    offset_angle: float = 0.0
+    inertia: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Tendon:
+    """A spring between two points that pulls and never pushes.
+
+    Attributes:
+        name: of its own.
+        role: what it is called with others of its kind.
+        points: numbers of its ends.
+        law: force against length, rate and past, in the structure's units.
+        longest: the length beyond which it is never stretched, m.
+        crossing: how it lies across the only hinge that its length depends on; None where it depends on several.
+        ideal: the same with both bars square to the hinge's axis, as closed forms have it; None where there are no
+            bars to be so.
+        gauge_length: by which its extension is a strain, m: the resting length that it had before any set.
+        material: whose law it has, in the structure's units; None where it is a spring of no material.
+        key: of the design's section that it comes from, such as "tendon", or "tendon.1" where others differ.
+        label: what tables and figures call it; its name if empty.
+    """
+
+    name: str
+    role: str
+    points: tuple[int, int]
+    law: TendonLaw
+    longest: float
+    crossing: Crossing | None = None
+    ideal: Crossing | None = None
+    gauge_length: float = 0.0
+    material: MaterialLaw | None = None
+    key: str = ""
+    label: str = ""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LengthLimit:
+    """What keeps two points from moving further apart, and does nothing else: a guard tendon.
+
+    Attributes:
+        name: of its own.
+        points: numbers of the two.
+        built_length: their distance in the built shape, m.
+        most: their largest distance, m.
+    """
+
+    name: str
+    points: tuple[int, int]
+    built_length: float
+    most: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class MembraneLaw:
+    """Of an elastic sheet that resists stretch only.
+
+    Attributes:
+        youngs_modulus: Pa.
+        poisson_ratio: of the sheet.
+        thickness: m.
+        damping: relaxation time of its Kelvin-Voigt damping, s.
+    """
+
+    youngs_modulus: float
+    poisson_ratio: float
+    thickness: float
+    damping: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Membrane:
+    """An elastic sheet whose nodes are carried by bodies.
+
+    Attributes:
+        name: of its own.
+        bodies: number of the body that carries each node, (node,).
+        places: nodes in the axes of their bodies, m, (node, 3).
+        built: nodes in the built shape, where the sheet is unstretched, m, (node, 3).
+        triangles: three nodes each, (triangle, 3).
+        law: of the sheet.
+        margin: width of what is glued to a bar, m; how far a body reaches into the sheet.
+        roots: from where on its bar each node is held, in the axes of its body, m, (node, 3): the strip between the two
+            is glued to the bar. The node itself where it lies on the bar; None where all do, or where there are none.
+    """
+
+    name: str
+    bodies: Indices
+    places: Array
+    built: Array
+    triangles: Indices
+    law: MembraneLaw
+    margin: float
+    roots: Array | None = None

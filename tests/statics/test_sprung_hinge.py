@@ -1,0 +1,63 @@
+"""A hinge with a spring of its own under its tendon, held to numbers found otherwise."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from forficula.design import load_design
+from forficula.statics import HingeSpring, hinge_landscape, ideal_hinges
+from forficula.statics.sprung_hinge import sprung_landscape
+from forficula.structure import structure_of
+
+
+@pytest.fixture(scope="module")
+def hinge():
+    return ideal_hinges(structure_of(load_design("binder2025")))[0]
+
+
+def test_a_spring_that_is_hardly_there_changes_hardly_anything(hinge):
+    alone = hinge_landscape(hinge)
+    sprung = sprung_landscape(hinge, HingeSpring(stiffness=1e-9, rest_angle=0.0))
+    assert sprung.barrier == pytest.approx(alone.barrier, rel=1e-6)
+    assert sprung.barrier_angle == pytest.approx(0.0, abs=1e-6)
+    assert sprung.holding_torque == pytest.approx(alone.holding_torque, rel=1e-6)
+    assert sprung.peak_opening.torque == pytest.approx(alone.peak_opening.torque, rel=1e-6)
+    assert sprung.peak_opening.angle == pytest.approx(alone.peak_opening.angle, abs=1e-5)
+    assert sprung.growth_rate == pytest.approx(alone.growth_rate, rel=1e-6)
+    assert sprung.states[0].angle == alone.states[0].angle
+
+
+def test_states_barrier_and_peak_are_those_of_the_sum(hinge):
+    spring = HingeSpring(stiffness=0.05, rest_angle=math.radians(-20))
+    found = sprung_landscape(hinge, spring)
+    angle = np.linspace(hinge.overbend, -hinge.fold_limit, 400_001)
+    energy = hinge.energy(angle) + 0.05 / 2 * (angle - spring.rest_angle) ** 2
+    top = int(np.argmax(energy))
+    assert found.barrier == pytest.approx(energy[top] - energy[0], rel=1e-6)
+    assert found.barrier_angle == pytest.approx(angle[top], abs=1e-4)
+    # the spring rests on the folded side, and moves the top into the overbend
+    assert found.barrier_angle > 0
+    bottom = top + int(np.argmin(energy[top:]))
+    assert [state.kind for state in found.states] == ["stop", "minimum"]
+    assert found.states[1].angle == pytest.approx(angle[bottom], abs=1e-4)
+    moment = -np.gradient(energy, angle)
+    assert found.peak_opening.torque == pytest.approx(-moment[top:bottom].min(), rel=1e-6)
+    assert found.holding_torque == pytest.approx(moment[1], rel=1e-3)
+    assert found.stored_energy(found.angle) == pytest.approx(found.energy + found.spring_energy)
+
+
+def test_a_spring_that_is_too_stiff_leaves_one_state_and_says_so(hinge):
+    found = sprung_landscape(hinge, HingeSpring(stiffness=10.0, rest_angle=0.0))
+    assert (found.barrier, found.peak_opening, found.growth_rate) == (None, None, None)
+    (state,) = found.states
+    assert (state.kind, state.angle) == ("minimum", pytest.approx(0.0, abs=1e-9))
+    assert "at one place only, 0 deg, so there is no barrier" in found.remarks[0]
+
+
+def test_a_slack_tendon_leaves_the_spring_alone(hinge):
+    slack = replace(hinge, law=replace(hinge.law, rest_length=1.0))
+    found = sprung_landscape(slack, HingeSpring(stiffness=0.1, rest_angle=-1.0))
+    assert [state.angle for state in found.states] == pytest.approx([-1.0])
+    assert "the spring of its hinge is all that moves it" in found.remarks[0]

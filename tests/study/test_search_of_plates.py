@@ -1,0 +1,63 @@
+"""What a study looks for, on plates: drives of either sign, and states that their releases end in."""
+
+import math
+
+import pytest
+
+import forficula as ff
+from forficula.design import with_values
+from forficula.errors import InputError
+from forficula.study import load_study, run_study
+
+HEAD = 'design = "letter-fold"\nask = "least-torques"\n[factors]\n"tendon.left.stiffness" = ["0.4 N/cm", "0.6 N/cm"]\n'
+TORQUES = (
+    '[search]\nclose_torques = "0.1..0.7 N cm step 0.1"\nclose_with = "3 N cm"\nopen_torques = "0.5..3 N cm step 0.5"\n'
+)
+
+
+@pytest.fixture
+def searched(tmp_path):
+    def run(text):
+        (tmp_path / "letters.toml").write_text(text, "utf-8")
+        study = load_study(tmp_path / "letters.toml")
+        return study, run_study(study, tmp_path / "out")
+
+    return run
+
+
+def test_the_least_torques_of_a_letter_are_those_of_single_runs(searched):
+    """Its second drive is negative: what is looked for is how much of it, and runs have it with its sign."""
+    study, table = searched(HEAD + TORQUES)
+    for point, values in enumerate(study.points):
+        base = with_values(study.base, values)
+
+        def holds(key, torque, state, base=base):
+            outcome = ff.measure(ff.run(with_values(base, {key: torque})))
+            assert outcome.verdict.tells
+            return outcome.holds[state]
+
+        close, back = (float(table[f"least_{name}_value"][point]) for name in ("close", "open"))
+        assert holds("drive.close.value", close, "closed")
+        assert not holds("drive.close.value", close - 0.001, "closed")
+        # 60 N/m keeps it closed against all that is tried
+        assert math.isnan(back) == (point == 1)
+        assert holds("drive.open.value", -0.03 if point else -back, "opened") == (point == 0)
+        assert point or not holds("drive.open.value", -(back - 0.005), "opened")
+
+
+def test_two_ways_by_one_drive_are_not_asked_for_two_torques(searched, tmp_path):
+    design = ff.load_design("letter-fold")
+    stages = [stage.model_dump() for stage in design.protocol.stages]
+    stages[3] |= {"drive": "close", "until": "creases > 120 deg"}
+    both = with_values(design, {"protocol.stages": stages})
+    ff.design.save_design(both, tmp_path / "both.toml")
+    with pytest.raises(InputError, match=r"transitions with drives of their own, got drive\.close\.value for both"):
+        searched(HEAD.replace("letter-fold", "both.toml") + TORQUES)
+
+
+def test_the_least_value_of_a_letter_may_be_negative(searched):
+    text = HEAD.replace("least-torques", "least-value") + (
+        '[search]\nkey = "crease.rest_angle"\nvalues = "-20..100 deg step 40"\nstate = "closed"\n'
+    )
+    _, table = searched(text)
+    assert all(math.isfinite(float(value)) for value in table["least_rest_angle"])
