@@ -85,8 +85,9 @@ def _numbers(table: Dataset) -> dict[str, str]:
     """What of a single structure may be drawn, with its label: least values, the first time, works."""
     transitions, start = table_transitions(table), table.attrs.get("start_state")
     if not transitions:
-        energy = {f"{start}_energy": f"tendons' energy when {start}"} if start else {}
-        return {**energy, "residual": "largest share of the energy that is missing"}
+        if start:
+            return {f"{start}_energy": f"tendons' energy when {start}"}
+        return {"residual": "largest share of the energy that is missing"}
     return {
         **{each.least: each.least.replace("_", " ") for each in transitions if each.least},
         **{f"{each.name}_time": each.wording.time for each in transitions[:1]},
@@ -179,7 +180,7 @@ def _draw_numbers(axes: Axes, table: Dataset, name: str, rows: Sequence[_Row]) -
     # least values of a key may be below 0
     low, high = (1.08 * factor * float(end(values, initial=0.0)) for end in (np.nanmin, np.nanmax))
     axes.set_xlim(low, high or (0 if low else 1))
-    axes.set_xlabel(f"{_numbers(table)[name]} ({unit})")
+    axes.set_xlabel(f"{_numbers(table)[name]} ({unit})" if unit else _numbers(table)[name])
 
 
 def _name_rows(grid: Sequence[Axes], rows: Sequence[_Row]) -> None:

@@ -1,0 +1,136 @@
+"""Studies of plates, by searches and by runs, with two transitions, one, or none: table, figures and page."""
+
+import json
+import re
+
+import numpy as np
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+from forficula.design import design_text, load_design, with_values
+from forficula.show.folder.study_folder import study_drawings, write_study
+from forficula.show.page.study_page import study_page, study_sentence
+from forficula.show.study.study_table import print_study
+from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, description
+from forficula.study import load_study, run_study
+
+STIFFNESS = '"crease.stiffness" = ["1e-2 N m/rad/m", "0.2 N m/rad/m"]'
+DRIVE = '"drive.close.value" = ["1 N cm", "6 N cm"]'
+TENDON = '"tendon.left.stiffness" = ["0.2 N/cm", "1 N/cm"]'
+CLOSE = 'close_torques = ["1 N cm", "6 N cm"]'
+STIFF = '[search]\nkey = "crease.stiffness"\nvalues = ["1e-2 N m/rad/m", "0.2 N m/rad/m"]'
+CHOICES = f'vary = "one-at-a-time"\n[factors]\n"crease.damping" = ["2e-2 N m s/rad/m"]\n{TENDON}\n'
+
+
+@pytest.fixture(scope="module")
+def studied(tmp_path_factory):
+    """A study of the letter fold, of the stages up to one, and its table."""
+    place = tmp_path_factory.mktemp("letter")
+
+    def study(stages: int, rest: str):
+        letter = load_design("letter-fold")
+        kept = letter.protocol.stages[:stages]
+        design = with_values(letter, {"protocol.stages": [stage.model_dump() for stage in kept]})
+        folder = place / f"{len(list(place.iterdir()))}"
+        folder.mkdir()
+        (folder / "design.toml").write_text(design_text(design), "utf-8")
+        text = f'name = "letter"\ndesign = "design.toml"\n{rest}\n[settings]\n"protocol.timestep" = "1 ms"\n'
+        (folder / "study.toml").write_text(text, "utf-8")
+        found = load_study(str(folder / "study.toml"))
+        return found, run_study(found, folder / "out")
+
+    return study
+
+
+def check(study, table, tmp_path, kinds, sentence):
+    """All figures there are, drawn, with a page and a summary."""
+    drawings = study_drawings(table)
+    assert set(drawings) == kinds
+    for drawing in drawings.values():
+        for width in (COLUMN_WIDTH, PAGE_WIDTH):
+            figure = drawing(width)
+            FigureCanvasAgg(figure).draw()
+            assert not re.search("wing| fold", description(figure))
+    write_study(study, table, tmp_path / "written")
+    print_study(study, table)
+    assert study_sentence(study, table) == sentence
+    page = study_page(study, table, (), 0)
+    return json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)[1])
+
+
+def words(data):
+    return {each["word"]: each["sign"] for each in data["study"]["words"]}
+
+
+def test_torques_that_close_a_letter_and_open_it_the_other_way_are_searched_for(studied, tmp_path):
+    search = f'[search]\n{CLOSE}\nopen_torques = ["-1 N cm", "-3 N cm"]'
+    study, table = studied(5, f'ask = "least-torques"\n[factors]\n{STIFFNESS}\n{TENDON}\n{search}')
+    kinds = {"status", "torques", "works", "energy", "fold_times"}
+    sentence = "4 points: 4 get closed, with 1 N cm to 6 N cm; 3 get opened again, with -3 N cm to -1 N cm."
+    data = check(study, table, tmp_path, kinds, sentence)
+    assert table["least_close_value"].values.tolist() == [[0.01, 0.01], [0.06, 0.06]]
+    assert table["least_close_value"].attrs["long_name"] == "least torque that gets closed"
+    np.testing.assert_array_equal(np.sign(table["least_open_value"].values), [[-1, np.nan], [-1, -1]])
+    came = {"closed and opened": "●", "did not get opened": "■", "did not stay closed": "↺", "did not get closed": "×"}
+    assert words(data) == came
+
+
+def test_opening_may_be_left_out_and_closing_is_found_all_the_same(studied, tmp_path):
+    search = f"[search]\n{CLOSE}\nopen_torques = []"
+    study, table = studied(5, f'ask = "least-torques"\n[factors]\n{STIFFNESS}\n{search}')
+    kinds = {"status", "torques", "works", "energy", "fold_times"}
+    check(study, table, tmp_path, kinds, "2 points: 2 get closed, with 1 N cm to 6 N cm.")
+
+
+def test_one_transition_is_searched_for_with_all_of_its_protocol(studied, tmp_path):
+    study, table = studied(3, f'ask = "least-torques"\n[factors]\n{STIFFNESS}\n{TENDON}\n[search]\n{CLOSE}')
+    kinds = {"status", "torques", "works", "energy", "fold_times"}
+    data = check(study, table, tmp_path, kinds, "4 points: 2 get closed, with 1 N cm.")
+    assert words(data)["closed"] == "●"
+    assert table["outcome"].values.tolist() == [["closed"] * 2, ["did not stay closed"] * 2]
+
+
+def test_a_least_value_of_any_unit_has_its_figures_and_page(studied, tmp_path):
+    study, table = studied(3, f'ask = "least-value"\n[factors]\n{DRIVE}\n{STIFF}')
+    kinds = {"status", "torques", "works", "energy", "fold_times"}
+    data = check(study, table, tmp_path, kinds, "2 points: 2 get closed, with 0.01 N m/rad/m.")
+    found = next(each for each in data["study"]["quantities"] if each["name"] == "least_stiffness")
+    assert (found["unit"], found["values"]) == ("N m/rad/m", [0.01, 0.01])
+
+
+def test_a_least_value_of_a_later_transition_is_told_of_that_one(studied, tmp_path):
+    search = '[search]\nkey = "drive.open.value"\nvalues = ["-0.2 N cm", "-3 N cm"]\nstate = "opened"'
+    study, table = studied(5, f'ask = "least-value"\n[factors]\n{STIFFNESS}\n{search}')
+    kinds = {"status", "torques", "works", "energy", "fold_times"}
+    check(study, table, tmp_path, kinds, "2 points: 1 get opened, with -3 N cm.")
+    assert table["outcome"].values.tolist() == ["closed and opened", "did not get closed"]
+
+
+def test_a_letter_that_never_closed_did_not_close_and_open(studied, tmp_path):
+    study, table = studied(5, f'ask = "run"\n[factors]\n{STIFFNESS}\n{DRIVE}')
+    sentence = f"4 points: 2 get closed, {int((table.closed & table.opened).sum())} get closed and get opened again."
+    check(study, table, tmp_path, {"status", "works", "energy"}, sentence)
+    assert (table["opened"] & ~table["closed"]).any()
+
+
+def test_single_letters_of_a_search_have_their_numbers_whatever_their_sign(studied, tmp_path):
+    study, table = studied(5, f'ask = "least-torques"\n{CHOICES}[search]\n{CLOSE}')
+    sentence = "4 points: 4 get closed, with 1 N cm; 3 get opened again, with -3 N cm."
+    check(study, table, tmp_path, {"choices"}, sentence)
+    figure = study_drawings(table)["choices"](PAGE_WIDTH)
+    opens = figure.axes[1]
+    assert opens.get_xlabel() == "least open value (N cm)"
+    low, high = opens.get_xlim()
+    assert low < -3 < 0 == high
+
+
+def test_a_protocol_that_drives_nothing_has_its_figures(studied, tmp_path):
+    study, table = studied(1, f'ask = "run"\n[factors]\n{STIFFNESS}\n{TENDON}')
+    assert words(check(study, table, tmp_path, {"status", "energy"}, "4 points.")) == {"settled": "●"}
+    study, table = studied(1, f'ask = "run"\n{CHOICES}[grid]\n{STIFFNESS}')
+    check(study, table, tmp_path, {"choices", "status", "energy"}, "8 points.")
+    assert study_drawings(table)["choices"](PAGE_WIDTH).axes[0].get_xlabel() == "structures that settle, of 2"
+    study, table = studied(1, f'ask = "run"\n{CHOICES}')
+    check(study, table, tmp_path, {"choices"}, "4 points.")
+    axes = study_drawings(table)["choices"](PAGE_WIDTH).axes
+    assert [each.get_xlabel() for each in axes] == ["tendons' energy when flat (J)"]
