@@ -8,7 +8,9 @@ import pytest
 
 from forficula.show.page.study_data import study_data
 from forficula.show.study.maps import missing_reasons
+from forficula.structure import structure_of
 from forficula.study import load_study
+from forficula.study.outcome_kinds import transitions_text
 from tests.show.study.test_maps import TORQUES, TWO, as_run, doubtful, many_ends, planted, sampled
 
 GRID = '"tendon.stiffness" = ["10 N/cm", "20 N/cm", "30 N/cm"]\n"tendon.rest_length" = ["0 cm", "3 cm", "6 cm", "9 cm"]'
@@ -54,7 +56,7 @@ def test_numbers_are_those_of_the_table_in_the_unit_beside_them(study):
 def test_quantities_say_of_which_transition_they_are(study):
     """By its number, so that a page knows which kept run they come from; None of none."""
     table = many_ends()
-    table.attrs["start_state"] = "flat"
+    table.attrs |= {"start_state": "flat", "transitions": transitions_text(structure_of(study.base), study.search)}
     for state in ("flat", "folded", "opened"):
         table[f"{state}_energy"] = table["fold_work"]
     told = {name: each["transition"] for name, each in quantities(study_data(study, table)).items()}
