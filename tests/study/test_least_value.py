@@ -149,7 +149,7 @@ def test_the_run_that_a_row_comes_from_is_kept(study_file, tmp_path):
             'key = "tendon.stiffness"\nvalues = ["2 cm"]',
             'search.values: "cm" is not a unit of the right kind; write it',
         ),
-        ('key = "tendon.stiffness"\nvalues = ["2 N/cm", "1 N/cm"]', "search.values: need rising values >= 0, got "),
+        ('key = "tendon.stiffness"\nvalues = ["2 N/cm", "1 N/cm"]', "search.values: need rising values, got "),
         (
             'key = "tendon.stiffness"\nvalues = "0..2000 N/cm step 1"',
             "search.values: need at most 1000 values, got 2001",
