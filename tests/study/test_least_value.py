@@ -135,7 +135,7 @@ def test_the_run_that_a_row_comes_from_is_kept(study_file, tmp_path):
 @pytest.mark.parametrize(
     ("search", "message"),
     [
-        ("", 'search.key: need a key such as "tendon.stiffness", got '),
+        ("", "search.key: is missing; give the key whose least value is asked for"),
         ("key = 3", 'search.key: need a key such as "tendon.stiffness", got 3'),
         ('key = "tendon.stifness"', "tendon.stifness: unknown key; did you mean tendon.stiffness?"),
         ('key = "pattern.units"\nvalues = [1, 2]', "search.key: need a key whose value has a unit, got pattern.units"),
@@ -149,14 +149,17 @@ def test_the_run_that_a_row_comes_from_is_kept(study_file, tmp_path):
             'key = "tendon.stiffness"\nvalues = ["2 cm"]',
             'search.values: "cm" is not a unit of the right kind; write it',
         ),
-        ('key = "tendon.stiffness"\nvalues = ["2 N/cm", "1 N/cm"]', "search.values: need rising values, got "),
+        (
+            'key = "tendon.stiffness"\nvalues = ["2 N/cm", "1 N/cm"]',
+            "search.values: need values that rise, or that fall, got ",
+        ),
         (
             'key = "tendon.stiffness"\nvalues = "0..2000 N/cm step 1"',
             "search.values: need at most 1000 values, got 2001",
         ),
         (
             'key = "tendon.stiffness"\nvalues = ["1 N/cm"]\nstate = "foldet"',
-            'search.state: need one of folded, opened, got "foldet"',
+            'search.state: need "folded" or "opened", got "foldet"; did you mean "folded"?',
         ),
         (
             'key = "tendon.stiffness"\nvalues = ["1 N/cm"]\nfold_torques = []',

@@ -61,3 +61,22 @@ def test_the_least_value_of_a_letter_may_be_negative(searched):
     )
     _, table = searched(text)
     assert all(math.isfinite(float(value)) for value in table["least_rest_angle"])
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("close.value", "clos.value", "drive.clos.value: need "),
+        ('"closed"', '"closd"', 'search.state: need "closed" or "opened", got "closd"; did you mean "closed"?'),
+        ("least-value", "least-valeu", 'did you mean "least-value"?'),
+        ('key = "drive.close.value"', "", "search.key: is missing"),
+        ('"1..3 N cm step 1"', '"3..1 N cm step 1"', "search.values: need a range that rises"),
+    ],
+)
+def test_what_a_search_cannot_mean_is_refused_before_a_run(searched, old, new, message):
+    text = HEAD.replace("least-torques", "least-value")
+    text += '[search]\nkey = "drive.close.value"\nvalues = "1..3 N cm step 1"\nstate = "closed"\n'
+    assert old in text
+    with pytest.raises(InputError) as caught:
+        searched(text.replace(old, new))
+    assert message in str(caught.value)

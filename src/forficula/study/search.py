@@ -98,8 +98,8 @@ def _numbers(step: SearchStep, row: Row) -> dict[str, Any]:
 def _decided(found: Mapping[float, Row], goal: str) -> tuple[float | None, Row]:
     """The least value that reaches a goal and its row, or none and the row that says why.
 
-    That is the first one, as the values rise, that says nothing of the structure: below what reaches the goal it may
-    hide a lesser value that does. Otherwise it is that of the largest value; an empty one where nothing was tried.
+    That is the first one, in the order of the values, that says nothing of the structure: before what reaches the goal
+    it may hide a value that does. Otherwise it is that of the last value; an empty one where nothing was tried.
     """
     least = _least(found, goal)
     for value, row in found.items():
@@ -107,7 +107,7 @@ def _decided(found: Mapping[float, Row], goal: str) -> tuple[float | None, Row]:
             return None, row
         if value == least:
             return least, row
-    return None, found[max(found)] if found else {}
+    return None, list(found.values())[-1] if found else {}
 
 
 def _reference(search: Search, row: Row) -> str:
@@ -185,7 +185,7 @@ def _with(design: Design, stages: Sequence[Stage], values: Mapping[str, float]) 
 
 
 def _values(design: Design, search: Search, rows: Rows, step: SearchStep | None) -> list[float]:
-    """Values to try, rising: the grid, and halves of the step below the least that works as far as it is known."""
+    """Values to try: the grid, and halves of the step before the first that works as far as it is known."""
     if step is None:
         return []
     tried = list(step.values)

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from forficula.design import TORQUE, Design, key_quantity, key_value, load_design, value_from_folder
+from forficula.design.protocol import one_of
 from forficula.errors import InputError
 from forficula.names import folder_name
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity
@@ -47,7 +48,7 @@ class SearchStep:
         state: name of the state that it leads to, such as "folded".
         done: what it comes to where it succeeds, in a word.
         key: of the design's value that is tried, such as "protocol.fold_torque".
-        values: that are tried, SI, rising; none where it is not asked for.
+        values: that are tried, SI, one after another, rising or falling; none where it is not asked for.
         unit: of the values.
         sign: by which a value is multiplied before it is the key's: that of the drive.
     """
@@ -212,7 +213,7 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
             raise InputError(f"{factor.key}: need a list or a range; only numbers with fractions are drawn")
     ask = tables.get("ask", "run")
     if ask not in ("run", *_SEARCHES):
-        raise InputError(f'ask: need "run", "least-torques" or "least-value", got {as_written(ask)}')
+        raise InputError(f"ask: need {one_of(('run', *_SEARCHES), str(ask))}")
     if "sampling" in tables and not drawn:
         raise InputError("sampling: needs factors that are distributions, got lists and ranges")
     if "search" in tables and ask not in _SEARCHES:
@@ -368,12 +369,16 @@ def _value_search(given: Mapping[str, Any], base: Design, structure: Structure, 
     states = {transition.state: transition for transition in structure.transitions}
     state, key = given.get("state", next(iter(states))), given.get("key")
     if state not in states:
-        raise InputError(f"search.state: need one of {', '.join(states)}, got {as_written(state)}")
+        raise InputError(f"search.state: need {one_of(list(states), str(state))}")
+    if key is None:
+        raise InputError('search.key: is missing; give the key whose least value is asked for: "tendon.stiffness"')
     if not isinstance(key, str):
         raise InputError(f'search.key: need a key such as "tendon.stiffness", got {as_written(key)}')
     quantity = key_quantity(key, type(base))
     if quantity is None:
         raise InputError(f"search.key: need a key whose value has a unit, got {key}")
+    # refuses entries of lists that there are not
+    key_value(base, key)
     transition = states[state]
     step = SearchStep(
         transition=transition.name,
@@ -419,7 +424,7 @@ def _torques(key: str, given: object, *, none: bool = False) -> tuple[float, ...
 
 
 def _rising(key: str, given: object, unit: Unit, *, none: bool) -> tuple[float, ...]:
-    """Read rising values, a list or a range."""
+    """Read values, a list or a range: torques that rise from 0 or more, or those of any key, which may fall, too."""
     what = "torques" if unit is TORQUE else "values"
     values = range_values(f"search.{key}", given) if isinstance(given, str) else given
     if not isinstance(values, list | tuple) or not (values or none):
@@ -430,7 +435,12 @@ def _rising(key: str, given: object, unit: Unit, *, none: bool) -> tuple[float, 
         numbers = tuple(parse_quantity(value, unit) for value in values)
     except InputError as error:
         raise InputError(f"search.{key}: {error}") from None
-    if list(numbers) != sorted(set(numbers)) or (unit is TORQUE and min(numbers, default=0.0) < 0):
-        size = " >= 0; a drive's sign is its own" if unit is TORQUE else ""
-        raise InputError(f"search.{key}: need rising {what}{size}, got {as_written(given)}")
+    rising = sorted(set(numbers))
+    if key == "values":
+        if list(numbers) not in (rising, rising[::-1]):
+            raise InputError(f"search.{key}: need values that rise, or that fall, got {as_written(given)}")
+    elif list(numbers) != rising or min(numbers, default=0.0) < 0:
+        raise InputError(
+            f"search.{key}: need rising torques >= 0, whose sign is that of the drive, got {as_written(given)}"
+        )
     return numbers

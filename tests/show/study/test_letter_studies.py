@@ -63,14 +63,14 @@ def words(data):
 
 
 def test_torques_that_close_a_letter_and_open_it_the_other_way_are_searched_for(studied, tmp_path):
-    search = f'[search]\n{CLOSE}\nopen_torques = ["-1 N cm", "-3 N cm"]'
+    search = f'[search]\n{CLOSE}\nopen_torques = ["1 N cm", "3 N cm"]'
     study, table = studied(5, f'ask = "least-torques"\n[factors]\n{STIFFNESS}\n{TENDON}\n{search}')
     kinds = {"status", "torques", "works", "energy", "fold_times"}
-    sentence = "4 points: 4 get closed, with 1 N cm to 6 N cm; 3 get opened again, with -3 N cm to -1 N cm."
+    sentence = "4 points: 4 get closed, with 1 N cm to 6 N cm; 3 get opened again, with 1 N cm to 3 N cm."
     data = check(study, table, tmp_path, kinds, sentence)
     assert table["least_close_value"].values.tolist() == [[0.01, 0.01], [0.06, 0.06]]
     assert table["least_close_value"].attrs["long_name"] == "least torque that gets closed"
-    np.testing.assert_array_equal(np.sign(table["least_open_value"].values), [[-1, np.nan], [-1, -1]])
+    np.testing.assert_array_equal(table["least_open_value"].values, [[0.03, np.nan], [0.01, 0.03]])
     came = {"closed and opened": "●", "did not get opened": "■", "did not stay closed": "↺", "did not get closed": "×"}
     assert words(data) == came
 
@@ -113,15 +113,15 @@ def test_a_letter_that_never_closed_did_not_close_and_open(studied, tmp_path):
     assert (table["opened"] & ~table["closed"]).any()
 
 
-def test_single_letters_of_a_search_have_their_numbers_whatever_their_sign(studied, tmp_path):
+def test_single_letters_of_a_search_have_their_numbers(studied, tmp_path):
     study, table = studied(5, f'ask = "least-torques"\n{CHOICES}[search]\n{CLOSE}')
-    sentence = "4 points: 4 get closed, with 1 N cm; 3 get opened again, with -3 N cm."
+    sentence = "4 points: 4 get closed, with 1 N cm; 3 get opened again, with 3 N cm."
     check(study, table, tmp_path, {"choices"}, sentence)
     figure = study_drawings(table)["choices"](PAGE_WIDTH)
     opens = figure.axes[1]
     assert opens.get_xlabel() == "least open value (N cm)"
     low, high = opens.get_xlim()
-    assert low < -3 < 0 == high
+    assert low == 0 < 3 < high
 
 
 def test_a_protocol_that_drives_nothing_has_its_figures(studied, tmp_path):

@@ -43,6 +43,7 @@ def print_study(study: Study, table: Dataset) -> None:
         if len(values):
             low, high = (show_quantity(float(end), step.unit) for end in (values.min(), values.max()))
             between = low if low == high else f"{low} to {high}"
-            print(f"{len(values)} of {len(study.points)} {what}, with {between}")
+            less = "; less was not tried" if step.values[0] in values and step.values[0] != 0 else ""
+            print(f"{len(values)} of {len(study.points)} {what}, with {between}{less}")
         else:
             print(f"none of {len(study.points)} {what}")
