@@ -150,7 +150,7 @@ def test_the_run_that_a_row_comes_from_is_kept(study_file, tmp_path):
             'search.values: "cm" is not a unit of the right kind; write it',
         ),
         (
-            'key = "tendon.stiffness"\nvalues = ["2 N/cm", "1 N/cm"]',
+            'key = "tendon.stiffness"\nvalues = ["2 N/cm", "1 N/cm", "3 N/cm"]',
             "search.values: need values that rise, or that fall, got ",
         ),
         (
