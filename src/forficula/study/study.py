@@ -383,6 +383,7 @@ def _value_search(given: Mapping[str, Any], base: Design, structure: Structure, 
         key=key,
         values=_rising("values", given.get("values"), quantity.unit, none=False),
         unit=quantity.unit,
+        sign=next((_sign(drive) for drive in structure.drives if drive.key == key), 1.0),
     )
     return Search(
         first=step, second=None, reference=0.0, next_drive=None, start_state=start, refinements=_refinements(given)
@@ -399,8 +400,12 @@ def _torque_step(transition: Transition, drive: Drive, given: Mapping[str, Any],
         key=drive.key,
         values=_torques(name, given.get(name, drive.tries or [_shown(abs(drive.torque))]), none=none),
         unit=TORQUE,
-        sign=-1.0 if drive.torque < 0 else 1.0,
+        sign=_sign(drive),
     )
+
+
+def _sign(drive: Drive) -> float:
+    return -1.0 if drive.torque < 0 else 1.0
 
 
 def _shown(torque: float) -> str:
@@ -431,6 +436,6 @@ def _rising(key: str, given: object, unit: Unit, *, none: bool) -> tuple[float, 
     except InputError as error:
         raise InputError(f"search.{key}: {error}") from None
     if list(numbers) != sorted(set(numbers)) or (unit is TORQUE and min(numbers, default=0.0) < 0):
-        size = f" >= 0; a drive's sign is its own" if unit is TORQUE else ""
+        size = " >= 0; a drive's sign is its own" if unit is TORQUE else ""
         raise InputError(f"search.{key}: need rising {what}{size}, got {as_written(given)}")
     return numbers

@@ -62,15 +62,15 @@ def words(data):
     return {each["word"]: each["sign"] for each in data["study"]["words"]}
 
 
-def test_torques_that_close_a_letter_and_open_it_the_other_way_are_searched_for(studied, tmp_path):
-    search = f'[search]\n{CLOSE}\nopen_torques = ["-1 N cm", "-3 N cm"]'
+def test_torques_that_close_a_letter_and_open_it_again_are_searched_for(studied, tmp_path):
+    search = f'[search]\n{CLOSE}\nopen_torques = ["1 N cm", "3 N cm"]'
     study, table = studied(5, f'ask = "least-torques"\n[factors]\n{STIFFNESS}\n{TENDON}\n{search}')
     kinds = {"status", "torques", "works", "energy", "fold_times"}
-    sentence = "4 points: 4 get closed, with 1 N cm to 6 N cm; 3 get opened again, with -3 N cm to -1 N cm."
+    sentence = "4 points: 4 get closed, with 1 N cm to 6 N cm; 3 get opened again, with 1 N cm to 3 N cm."
     data = check(study, table, tmp_path, kinds, sentence)
     assert table["least_close_value"].values.tolist() == [[0.01, 0.01], [0.06, 0.06]]
     assert table["least_close_value"].attrs["long_name"] == "least torque that gets closed"
-    np.testing.assert_array_equal(np.sign(table["least_open_value"].values), [[-1, np.nan], [-1, -1]])
+    assert np.isfinite(table["least_open_value"].values).tolist() == [[True, False], [True, True]]
     came = {"closed and opened": "●", "did not get opened": "■", "did not stay closed": "↺", "did not get closed": "×"}
     assert words(data) == came
 
@@ -99,10 +99,10 @@ def test_a_least_value_of_any_unit_has_its_figures_and_page(studied, tmp_path):
 
 
 def test_a_least_value_of_a_later_transition_is_told_of_that_one(studied, tmp_path):
-    search = '[search]\nkey = "drive.open.value"\nvalues = ["-0.2 N cm", "-3 N cm"]\nstate = "opened"'
+    search = '[search]\nkey = "drive.open.value"\nvalues = ["0.2 N cm", "3 N cm"]\nstate = "opened"'
     study, table = studied(5, f'ask = "least-value"\n[factors]\n{STIFFNESS}\n{search}')
     kinds = {"status", "torques", "works", "energy", "fold_times"}
-    check(study, table, tmp_path, kinds, "2 points: 1 get opened, with -3 N cm.")
+    check(study, table, tmp_path, kinds, "2 points: 1 get opened, with 3 N cm.")
     assert table["outcome"].values.tolist() == ["closed and opened", "did not get closed"]
 
 
@@ -113,15 +113,23 @@ def test_a_letter_that_never_closed_did_not_close_and_open(studied, tmp_path):
     assert (table["opened"] & ~table["closed"]).any()
 
 
-def test_single_letters_of_a_search_have_their_numbers_whatever_their_sign(studied, tmp_path):
+def test_single_letters_of_a_search_have_their_numbers(studied, tmp_path):
     study, table = studied(5, f'ask = "least-torques"\n{CHOICES}[search]\n{CLOSE}')
-    sentence = "4 points: 4 get closed, with 1 N cm; 3 get opened again, with -3 N cm."
+    sentence = "4 points: 4 get closed, with 1 N cm; 3 get opened again, with 3 N cm."
     check(study, table, tmp_path, {"choices"}, sentence)
-    figure = study_drawings(table)["choices"](PAGE_WIDTH)
-    opens = figure.axes[1]
-    assert opens.get_xlabel() == "least open value (N cm)"
-    low, high = opens.get_xlim()
-    assert low < -3 < 0 == high
+    axes = study_drawings(table)["choices"](PAGE_WIDTH).axes
+    assert [each.get_xlabel() for each in axes[:2]] == ["least close value (N cm)", "least open value (N cm)"]
+
+
+def test_least_values_below_zero_are_inside_the_figure(studied, tmp_path):
+    search = '[search]\nkey = "crease.rest_angle"\nvalues = ["-20 deg", "60 deg"]\nstate = "closed"'
+    study, table = studied(3, f'ask = "least-value"\n{CHOICES}{search}')
+    check(study, table, tmp_path, {"choices"}, study_sentence(study, table))
+    found = table["least_rest_angle"].values
+    low, high = study_drawings(table)["choices"](PAGE_WIDTH).axes[0].get_xlim()
+    assert np.nanmin(found) < 0
+    assert low < np.nanmin(found)
+    assert np.nanmax(found) < high or high == 0
 
 
 def test_a_protocol_that_drives_nothing_has_its_figures(studied, tmp_path):
