@@ -10,6 +10,7 @@ from forficula.errors import InputError
 
 _LINE = re.compile(r"\(at line (\d+), ")
 _KEY = re.compile(r"\s*((?:[\w-]+|\"[^\"]*\"|'[^']*')(?:\s*\.\s*(?:[\w-]+|\"[^\"]*\"|'[^']*'))*)\s*=")
+_HEADER = re.compile(r"\s*(\[\[?)\s*([^\[\]]+?)\s*\]\]?\s*(?:#.*)?")
 _TABLE_TWICE = re.compile(r"Cannot declare \((.*?),?\) twice")
 
 
@@ -26,11 +27,24 @@ def parse_toml(text: str, what: str) -> dict[str, Any]:
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise InputError(f"not TOML: {error}{_given_twice(text, str(error))}") from None
+        reason = _table_and_list(text, str(error)) or f"{error}{_given_twice(text, str(error))}"
+        raise InputError(f"not TOML: {reason}") from None
     except ValueError:  # of Python's own, which reads no number of thousands of digits
         raise InputError("not TOML: a whole number has too many digits") from None
     except RecursionError:
         raise InputError(f"not TOML for {what}: nested too deeply") from None
+
+
+def _table_and_list(text: str, reason: str) -> str:
+    """Say that a section stands as a table and as a list of tables, where that is what is wrong."""
+    line = _LINE.search(reason)
+    headers = [_HEADER.fullmatch(each) for each in text.splitlines()[: int(line[1])]] if line else [None]
+    last = headers.pop() if headers else None
+    for above in headers:
+        if above and last and above[1] != last[1] and f"{above[2]}.".startswith(f"{last[2]}."):
+            table, tables = sorted((above, last), key=lambda header: header[1])
+            return f"[{table[2]}] and [[{tables[2]}]] in one file (at line {line[1]}): use one of the two"
+    return ""
 
 
 def _given_twice(text: str, reason: str) -> str:

@@ -58,8 +58,7 @@ def test_a_goal_that_is_none_is_refused_with_its_key_what_is_allowed_and_what_is
         (["fold", "fold"], 'drive: need each drive once, got ["fold", "fold"]'),
         (
             ["fold", "unfold"],
-            "drive: need one drive, for a wing is not folded and unfolded in one stage, got"
-            ' ["fold", "unfold"]',
+            'drive: need one drive, for a wing is not folded and unfolded in one stage, got ["fold", "unfold"]',
         ),
         *(
             (wrong, f'drive: need a drive by name in quotes, a list of them, or "none", got {written}')
