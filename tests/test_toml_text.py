@@ -14,6 +14,8 @@ from forficula.toml_text import parse_toml
         ("[t]\na = 1\n[[t]] # one\n", "[t] and [[t]] in one file (at line 3): use one of the two"),
         ("[[t]]\na = 1\n[ t ]\n", "[t] and [[t]] in one file (at line 3): use one of the two"),
         ("[t.u]\na = 1\n[[t]]\n", "[t.u] and [[t]] in one file (at line 3): use one of the two"),
+        ("t = []\na = 1\n[[t]]\n", "(at line 3, column 4); the key t stands twice"),
+        ("t = 3\na = 1\n[[t]]\n", "(at line 3, column 4); the key t stands twice"),
         ("a = {b = 1, b = 2}\n", "Duplicate inline table key 'b' (at line 1, column 18)"),
     ],
 )

@@ -422,13 +422,26 @@ def test_a_new_file_describes_every_key_and_is_the_design_it_began_with(tmp_path
     lines, inside = [], False
     for line in path.read_text().splitlines():
         inside = line.startswith("# [[") or (inside and line.startswith("# "))
-        lines.append(line.removeprefix("# ") if inside and "crease.group" not in line else line)
-    text = "\n".join(lines)
-    head, _, rest = text.partition("# [[crease.group]]")
-    rest = rest[rest.index("# springs") :]
-    path.write_text(head + rest)
+        lines.append(line.removeprefix("# ") if inside else line)
+    path.write_text("\n".join(lines))
     assert "\n[[tendon]]" in path.read_text()
-    assert load_design(path).hash == LETTER.hash
+    design = load_design(path)
+    (group,) = design.crease.group
+    # its angles are those of letter-fold, so that every goal lies within its stops
+    angles = ("rest_angle", "fold_limit", "back_limit", "start")
+    assert [getattr(group, key) for key in angles] == [getattr(LETTER.crease, key) for key in angles]
+    assert put(design, "crease.group", ()).hash == LETTER.hash
+
+
+def test_a_new_file_of_a_fold_file_takes_any_sheet(tmp_path):
+    path = tmp_path / "new.toml"
+    write_new_design(path, "fold-file")
+    with pytest.raises(InputError, match=r"pattern\.path: .*sheet\.fold: need a file that can be read"):
+        load_design(path)
+    write_fold(pleat_pattern([0.1, 0.1], 0.2, "M"), tmp_path / "sheet.fold")
+    design = load_design(path)
+    assert (design.tendon, design.support, design.measure) == ((), (), ())
+    assert (design.facet, design.crease, design.drive) == (LETTER.facet, LETTER.crease, LETTER.drive)
 
 
 @pytest.mark.parametrize(

@@ -177,8 +177,8 @@ def hint(place: Sequence[str], model: type[Design] = FanDesign) -> str:
             law = ".".join(section[: depth + 1])
             return f"did you mean {' or '.join(f'{law}.{name}' for name in meant)}?"
     here = siblings(place, model)
-    meant = _MEANT.get(wrong.lower())
-    if near := [meant] if meant in here else difflib.get_close_matches(wrong.lower(), here, n=1):
+    other = _MEANT.get(wrong.lower(), "")
+    if near := [other] if other in here else difflib.get_close_matches(wrong.lower(), here, n=1):
         return f"did you mean {'.'.join([*section, *near])}?"
     elsewhere: dict[str, list[str]] = {}
     for key in known_keys(model):

@@ -155,11 +155,15 @@ class CreaseGroup(Part):
 
     of: Annotated[str, Field(description="which: mountains, valleys, a role, or crease 2", examples=["crease 0"])]
     stiffness: float | None = quantity(CREASE_STIFFNESS, "of their springs by length", default=None, at_least=0)
-    rest_angle: float | None = quantity(ANGLE, "where their springs rest", default=None)
+    rest_angle: float | None = quantity(ANGLE, "where their springs rest", default=None, examples=["0 deg"])
     damping: float | None = quantity(CREASE_DAMPING, "viscous damping by length", default=None, at_least=0)
-    fold_limit: float | None = quantity(ANGLE, "how far they fold", default=None, above=0, at_most=math.pi)
-    back_limit: float | None = quantity(ANGLE, "how far the other way", default=None, at_least=0, at_most=math.pi)
-    start: float | None = quantity(ANGLE, "how far folded they start", default=None)
+    fold_limit: float | None = quantity(
+        ANGLE, "how far they fold", default=None, above=0, at_most=math.pi, examples=["175 deg"]
+    )
+    back_limit: float | None = quantity(
+        ANGLE, "how far the other way", default=None, at_least=0, at_most=math.pi, examples=["3 deg"]
+    )
+    start: float | None = quantity(ANGLE, "how far folded they start", default=None, examples=["-1 deg"])
 
 
 class Crease(Part):
