@@ -269,8 +269,8 @@ def _metres(document: dict[str, object]) -> float:
     if not isinstance(unit, str) or unit not in _METRES:
         got = "no frame_unit" if unit is None else as_written(unit)
         raise InputError(
-            f"frame_unit: need a unit of length, one of {', '.join(_METRES)}, got {got}; write the one that its lengths"
-            ' are in into the file, as in "frame_unit": "cm"'
+            f"frame_unit: need a unit of length, one of {', '.join(_METRES)}, got {got}; write that of its lengths into"
+            ' the file, as in "frame_unit": "cm"'
         )
     return _METRES[unit]
 
