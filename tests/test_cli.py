@@ -186,7 +186,10 @@ def test_a_new_design_file_of_each_kind_describes_itself(call, refusal):
     call("new", "letter.toml", "--kind", "pleats")
     assert "earwig fan" in call("pattern", "wing.toml").out
     assert "strip of 3 panels" in call("pattern", "letter.toml").out
-    said = 'kind: need one of earwig-fan, pleats, got "pleat"; did you mean "pleats"?'
+    call("pattern", "letter-fold", "--out", "sheet.fold")
+    call("new", "sheet.toml", "--kind", "fold-file")
+    assert "strip of 3 panels" in call("pattern", "sheet.toml").out
+    said = 'kind: need one of earwig-fan, pleats, fold-file, got "pleat"; did you mean "pleats"?'
     assert refusal("new", "other.toml", "--kind", "pleat") == said
 
 

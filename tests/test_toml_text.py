@@ -11,6 +11,11 @@ from forficula.toml_text import parse_toml
         ('"x.y" = 1\n"x.y" = [\n1,\n]\n', '(at line 4, column 2); the key "x.y" stands twice'),
         ("[t]\na.b = 1\na.b = 2\n", "(at line 3, column 8); the key a.b stands twice"),
         ("[t.u]\na = 1\n[t.u]\n", "(at line 3, column 5); the table [t.u] stands twice"),
+        ("[t]\na = 1\n[[t]] # one\n", "[t] and [[t]] in one file (at line 3): use one of the two"),
+        ("[[t]]\na = 1\n[ t ]\n", "[t] and [[t]] in one file (at line 3): use one of the two"),
+        ("[t.u]\na = 1\n[[t]]\n", "[t.u] and [[t]] in one file (at line 3): use one of the two"),
+        ("t = []\na = 1\n[[t]]\n", "(at line 3, column 4); the key t stands twice"),
+        ("t = 3\na = 1\n[[t]]\n", "(at line 3, column 4); the key t stands twice"),
         ("a = {b = 1, b = 2}\n", "Duplicate inline table key 'b' (at line 1, column 18)"),
     ],
 )

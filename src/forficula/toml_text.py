@@ -10,6 +10,7 @@ from forficula.errors import InputError
 
 _LINE = re.compile(r"\(at line (\d+), ")
 _KEY = re.compile(r"\s*((?:[\w-]+|\"[^\"]*\"|'[^']*')(?:\s*\.\s*(?:[\w-]+|\"[^\"]*\"|'[^']*'))*)\s*=")
+_HEADER = re.compile(r"\s*(\[\[?)\s*([^\[\]]+?)\s*\]\]?\s*(?:#.*)?")
 _TABLE_TWICE = re.compile(r"Cannot declare \((.*?),?\) twice")
 
 
@@ -26,11 +27,25 @@ def parse_toml(text: str, what: str) -> dict[str, Any]:
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise InputError(f"not TOML: {error}{_given_twice(text, str(error))}") from None
+        reason = _table_and_list(text, str(error)) or f"{error}{_given_twice(text, str(error))}"
+        raise InputError(f"not TOML: {reason}") from None
     except ValueError:  # of Python's own, which reads no number of thousands of digits
         raise InputError("not TOML: a whole number has too many digits") from None
     except RecursionError:
         raise InputError(f"not TOML for {what}: nested too deeply") from None
+
+
+def _table_and_list(text: str, reason: str) -> str:
+    """Say that a section stands as a table and as a list of tables, where that is what is wrong."""
+    line = _LINE.search(reason)
+    if line is None:
+        return ""
+    *headers, last = (_HEADER.fullmatch(each) for each in text.splitlines()[: int(line[1])])
+    for above in headers:
+        if above and last and above[1] != last[1] and f"{above[2]}.".startswith(f"{last[2]}."):
+            table, tables = sorted((above, last), key=lambda header: header[1])
+            return f"[{table[2]}] and [[{tables[2]}]] in one file (at line {line[1]}): use one of the two"
+    return ""
 
 
 def _given_twice(text: str, reason: str) -> str:
@@ -38,9 +53,11 @@ def _given_twice(text: str, reason: str) -> str:
     if table := _TABLE_TWICE.search(reason):
         return f"; the table [{table[1].replace(', ', '.').replace(chr(39), '')}] stands twice"
     line = _LINE.search(reason)
-    if line is None or not reason.startswith("Cannot overwrite a value"):
+    if line is None or not reason.startswith(("Cannot overwrite a value", "Cannot mutate immutable")):
         return ""
-    # the place is the end of the value, which may have begun on a line above
-    above = reversed(text.splitlines()[: int(line[1])])
+    # the place is a header, or the end of a value, which may have begun on a line above
+    above = text.splitlines()[: int(line[1])][::-1]
+    if header := _HEADER.fullmatch(above[0]):
+        return f"; the key {header[2]} stands twice"
     key = next((match[1] for each in above if (match := _KEY.match(each))), None)
     return f"; the key {key} stands twice" if key else ""

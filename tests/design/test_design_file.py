@@ -20,7 +20,7 @@ from forficula.errors import InputError
 
 REFERENCE = load_design("binder2025")
 BASED = 'based_on = "binder2025"\n'
-STAGES = "0 (settle), 1 (fold), 2 (release folded), 3 (unfold), 4 (release opened)"
+STAGES = "0 (settle), 1 (fold), 2 (release folded), 3 (unfold) or 4 (release opened)"
 STAGE = '[[protocol.stages]]\nname = "a"\ndrive = "none"\nuntil = "time"\nhold = "0 s"\ntime_limit = "1 s"\n'
 
 
@@ -224,12 +224,18 @@ def test_settings_reach_into_a_stage():
         (
             "protocol.stages.5.hold",
             "1 s",
-            f'protocol.stages.5.hold: need one of the numbers {STAGES} in it, got "5"',
+            f"protocol.stages.5.hold: need one of {STAGES} after protocol.stages, such as protocol.stages.settle.hold",
         ),
         (
             "protocol.stages.folds.hold",
             "1 s",
-            f'protocol.stages.folds.hold: need one of the numbers {STAGES} in it, got "folds"',
+            f"protocol.stages.folds.hold: need one of {STAGES} after protocol.stages; did you mean"
+            " protocol.stages.fold.hold?",
+        ),
+        (
+            "protocol.stages.fold.hols",
+            "1 s",
+            "protocol.stages.fold.hols: unknown key; did you mean protocol.stages.fold.hold?",
         ),
         ("based_on", "binder2025", "based_on: cannot be set; name the design to start from instead"),
     ],

@@ -113,6 +113,7 @@ def test_a_key_of_plates_has_the_unit_of_its_field(key, unit):
     ("key", "message"),
     [
         ("drive.value", 'drive.value: need the number of an entry of drive, from 0 on, got "value"'),
+        ("drive.close.valeu", "drive.close.valeu: unknown key; did you mean drive.close.value?"),
         ("drive.0.valeu", "drive.0.valeu: unknown key; did you mean drive.0.value?"),
         ("tendon.stiffness", 'tendon.stiffness: need the number of an entry of tendon, from 0 on, got "stiffness"'),
         ("vein.diameter", "vein.diameter: unknown key; "),
@@ -139,7 +140,7 @@ def test_every_key_that_a_file_has_is_known():
     ("text", "message"),
     [
         ("[pattern]\npanels = 1", "pattern.panels: need >= 2, got 1"),
-        ("[pattern]\npanels = 2", "tendon.1.from: need a facet from 0 to 1, got 2"),
+        ("[pattern]\npanels = 2", 'tendon.1.from: need a facet from 0 to 1, got 2 on "strip of 2 panels"'),
         ('[pattern]\npanel_lengths = "9 cm"', 'pattern.panel_lengths: need a list such as ["12 cm"], got "9 cm"'),
         ('[pattern]\npanel_lengths = ["9 cm", "0 cm"]', "pattern.panel_lengths: entry 1: need > 0, got 0 cm"),
         ("[pattern]\npanel_lengths = []", "pattern.panel_lengths: need 1 to 3 lengths, one for each panel, got 0"),
@@ -154,7 +155,16 @@ def test_every_key_that_a_file_has_is_known():
         ('[crease]\nstifness = "1 N m/rad/m"', "crease.stifness: unknown key; did you mean crease.stiffness?"),
         ('[crease]\nstart = "9 deg"\nfold_limit = "5 deg"', "crease.start: need >= -3 deg (-crease.back_limit) and"),
         ('[[crease.group]]\nof = "mountains"', 'crease.group.0.of: need "creases", "valleys", "crease" or one such as'),
-        ('[[crease.group]]\nof = "crease 5"', 'crease.group.0.of: need a crease, one of edges 0, 1, got "crease 5"'),
+        ('[[crease.group]]\nof = "crease 5"', 'crease.group.0.of: need "crease 0" or "crease 1", got "crease 5"'),
+        (
+            '[[crease.group]]\nof = "valleys"\n[[crease.group]]\nof = "crease 1"\nstart = "176 deg"',
+            "crease.group.1.start: need >= -3 deg (-crease.back_limit) and <= 175 deg (crease.fold_limit) at crease 1,"
+            " got 176 deg",
+        ),
+        (
+            '[crease]\nstart = "9 deg"\n[[crease.group]]\nof = "crease 1"\nfold_limit = "5 deg"',
+            "crease.start: need >= -3 deg (-crease.back_limit) and <= 5 deg (crease.group.0.fold_limit) at crease 1",
+        ),
         ('[[support]]\nof = "facet 3"', "support.0.of: need a facet from 0 to 2, got 3"),
         ('[[support]]\nof = "vertex 3"', 'support.0.of: need a facet such as "facet 0", got "vertex 3"'),
         ('[[support]]\nof = "facet 0"\n[[support]]\nof = "facet 1"', "support: need at most 1 entry, got "),
@@ -194,6 +204,39 @@ def test_every_key_that_a_file_has_is_known():
 )
 def test_what_cannot_be_is_refused_with_its_key_and_its_rule(refusal, text, message):
     assert refusal(text).startswith(message)
+
+
+AFTER_TENDON = "need one of 0 (left) or 1 (right) after tendon"
+
+
+@pytest.mark.parametrize(
+    ("key", "message"),
+    [
+        ("tendon.stiffness", f"{AFTER_TENDON}, such as tendon.left.stiffness"),
+        ("tendon.5.stiffness", f"{AFTER_TENDON}, such as tendon.left.stiffness"),
+        ("tendon.law", f'{AFTER_TENDON}, got "law"'),
+        ("drive.clos.value", "need one of 0 (close) or 1 (open) after drive; did you mean drive.close.value?"),
+        ("drive.close.valeu", "unknown key; did you mean drive.close.value?"),
+        ("drive.close.value", 'the unit is missing; write it such as "50 N cm", got "1"'),
+        ("support.1.of", "need 0 after support, such as support.0.of"),
+    ],
+)
+def test_a_setting_that_plates_have_not_is_answered_with_its_whole_key_as_it_was_written(key, message):
+    with pytest.raises(InputError) as caught:
+        load_design("letter-fold", {key: "1"})
+    assert str(caught.value) == f"{key}: {message}"
+
+
+def test_drives_that_cancel_on_every_crease_are_refused():
+    both = {"protocol.stages.1.drive": ["close", "open"]}
+    with pytest.raises(InputError) as caught:
+        load_design("letter-fold", both)
+    assert str(caught.value) == (
+        "letter-fold: protocol.stages.1.drive: need drives that do not cancel on every crease, got"
+        ' ["close", "open"], 3 N cm and -3 N cm'
+    )
+    for other in ({"drive.open.value": "-2 N cm"}, {"drive.open.of": "crease 1"}, {"drive.open.rise": "1 s"}):
+        assert load_design("letter-fold", both | other).protocol.stages[1].drive == ("close", "open")
 
 
 def stage(until, more="", name="a"):
@@ -354,6 +397,7 @@ def test_a_sheet_whose_creases_close_a_loop_is_refused_with_the_reason(tmp_path)
             'path = "no.fold"',
             "pattern.path: {folder}/no.fold: need a file that can be read, got No such file or directory",
         ),
+        ('file = "sheet.fold"', "pattern.file: unknown key; did you mean pattern.path?"),
         ("", 'pattern.path: is missing; name a FOLD file, as in path = "sheet.fold"'),
         ('vertices_x = ["1 cm"]', "pattern.vertices_y: need 1 entries, as pattern.vertices_x has, got 0"),
         (
@@ -378,13 +422,26 @@ def test_a_new_file_describes_every_key_and_is_the_design_it_began_with(tmp_path
     lines, inside = [], False
     for line in path.read_text().splitlines():
         inside = line.startswith("# [[") or (inside and line.startswith("# "))
-        lines.append(line.removeprefix("# ") if inside and "crease.group" not in line else line)
-    text = "\n".join(lines)
-    head, _, rest = text.partition("# [[crease.group]]")
-    rest = rest[rest.index("# springs") :]
-    path.write_text(head + rest)
+        lines.append(line.removeprefix("# ") if inside else line)
+    path.write_text("\n".join(lines))
     assert "\n[[tendon]]" in path.read_text()
-    assert load_design(path).hash == LETTER.hash
+    design = load_design(path)
+    (group,) = design.crease.group
+    # its angles are those of letter-fold, so that every goal lies within its stops
+    angles = ("rest_angle", "fold_limit", "back_limit", "start")
+    assert [getattr(group, key) for key in angles] == [getattr(LETTER.crease, key) for key in angles]
+    assert put(design, "crease.group", ()).hash == LETTER.hash
+
+
+def test_a_new_file_of_a_fold_file_takes_any_sheet(tmp_path):
+    path = tmp_path / "new.toml"
+    write_new_design(path, "fold-file")
+    with pytest.raises(InputError, match=r"pattern\.path: .*sheet\.fold: need a file that can be read"):
+        load_design(path)
+    write_fold(pleat_pattern([0.1, 0.1], 0.2, "M"), tmp_path / "sheet.fold")
+    design = load_design(path)
+    assert (design.tendon, design.support, design.measure) == ((), (), ())
+    assert (design.facet, design.crease, design.drive) == (LETTER.facet, LETTER.crease, LETTER.drive)
 
 
 @pytest.mark.parametrize(

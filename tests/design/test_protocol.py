@@ -35,6 +35,11 @@ MEASURES = '"ring", "turn", "lift", "sweep" or "distal_angle"'
         ("ring < -181 deg", "a stop keeps ring from there: need a value >= -180 deg, got -181 deg"),
         ("distal_angle > 20 deg", "a stop keeps distal_angle from there: need a value <= 3 deg, got 20 deg"),
         ("turn > 170 deg", "a stop keeps turn from there: need a value <= 90 deg, got 170 deg"),
+        *(
+            (text, f'need {GOALS}, got "{text}"')
+            for text in ("ring << 3 deg", "ring =< 3 deg", "ring == 3 deg", "ring ≤ 3 deg", "-150 deg > ring")
+        ),
+        ("ring < 3 deg and turn > 2 deg", f'need {GOALS}, got "ring < 3 deg and turn > 2 deg"'),
         ("turn > nan deg", 'need a finite number with a unit such as "15 deg", got "nan deg"'),
     ],
 )
@@ -51,6 +56,14 @@ def test_a_goal_that_is_none_is_refused_with_its_key_what_is_allowed_and_what_is
         ("flod", 'drive: need "none", "fold" or "unfold", got "flod"; did you mean "fold"?'),
         (["fold", "flod"], 'drive: need "none", "fold" or "unfold", got "flod"; did you mean "fold"?'),
         (["fold", "fold"], 'drive: need each drive once, got ["fold", "fold"]'),
+        (
+            ["fold", "unfold"],
+            'drive: need one drive, for a wing is not folded and unfolded in one stage, got ["fold", "unfold"]',
+        ),
+        *(
+            (wrong, f'drive: need a drive by name in quotes, a list of them, or "none", got {written}')
+            for wrong, written in ((3, "3"), ([], "[]"), ([3], "[3]"), (True, "true"))
+        ),
     ],
 )
 def test_a_drive_that_there_is_not_or_that_comes_twice_is_refused(drive, message):
@@ -71,8 +84,8 @@ def test_a_stage_may_have_a_list_of_drives(drive, drives):
 @pytest.mark.parametrize(
     ("values", "message"),
     [
-        ({1: ["fold", "unfold"]}, 'need at most one stage with drive = "unfold", got 2'),
-        ({3: ["unfold", "fold"]}, 'need at most one stage with drive = "fold", got 2'),
+        ({1: ["unfold"]}, 'need at most one stage with drive = "unfold", got 2'),
+        ({3: ["none", "fold"]}, 'need at most one stage with drive = "fold", got 2'),
         ({1: ["none"]}, 'need a stage with drive = "fold" before the one with drive = "unfold", got '),
         ({0: ["fold"], 1: "none"}, 'need a first stage with drive = "none", whose end is the flat state, got ["fold"]'),
     ],
@@ -86,6 +99,9 @@ def test_the_drives_of_a_fan_count_in_lists_as_alone(values, message):
 def test_stages_that_name_no_state_end_flat_folded_and_opened_after_their_releases():
     assert structure_of(REFERENCE).stage_states == ("flat", "", "folded", "", "opened")
     assert structure_of(stage(2, drive="none", until="time")).stage_states == ("flat", "", "folded", "", "opened")
+
+
+BETWEEN = 'from the stage with drive = "fold" to the one with drive = "unfold"'
 
 
 def test_stages_may_name_the_states_at_their_ends_themselves():
@@ -102,9 +118,13 @@ def test_stages_may_name_the_states_at_their_ends_themselves():
         ({2: "sideways"}, '2.state: need "flat", "folded" or "opened", got "sideways"'),
         ({2: ""}, '2.state: need "flat", "folded" or "opened", got ""'),
         ({1: "folded", 2: "folded"}, '2.state: need a name of its own, got "folded" again'),
+        ({0: "folded", 1: "flat"}, '0.state: need "flat" before the stage with drive = "fold", got "folded"'),
+        ({1: "flat"}, f'1.state: need "folded" {BETWEEN}, got "flat"'),
+        ({2: "opened"}, f'2.state: need "folded" {BETWEEN}, got "opened"'),
+        ({3: "folded"}, '3.state: need "opened" from the stage with drive = "unfold" on, got "folded"'),
     ],
 )
-def test_a_state_that_a_fan_does_not_have_or_that_comes_twice_is_refused(values, message):
+def test_a_state_that_a_fan_does_not_have_or_is_not_in_or_that_comes_twice_is_refused(values, message):
     with pytest.raises(InputError) as caught:
         with_values(REFERENCE, {f"protocol.stages.{number}.state": state for number, state in values.items()})
     assert str(caught.value).endswith(f"protocol.stages.{message}")

@@ -252,6 +252,13 @@ def test_a_material_may_be_written_by_hand():
             TPU | {"tendon.law.branches": ["soft"]},
             'tendon.law.branches.0: need a table under [[tendon.law.branches]], got "soft"',
         ),
+        *(
+            (
+                {"tendon.law": written},
+                f'tendon.law: need a material, a law file, or "none" for no law, got "{written}"; did you mean "none"?',
+            )
+            for written in ("None", "NONE")
+        ),
         (TPU | {"tendon.law.branches.0.time": "1 s"}, 'tendon.law.branches.0.time: has no entries, got "0"'),
         (TPU | {"tendon.area": "-5 mm^2"}, "tendon.area: need > 0, got -5 mm^2"),
     ],

@@ -178,7 +178,9 @@ def test_keys_are_of_all_tendons_or_of_one(wing):
     assert key_value(design, "tendon.stiffness") is None
     with pytest.raises(InputError, match=r"^tendon\.1\.stiffness: wing has no tendon\.1$"):
         key_value(design, "tendon.1.stiffness")
-    with pytest.raises(InputError, match=r"^tendon\.3\.stiffness: need one of the numbers 0, 1, 2 in it, got "):
+    with pytest.raises(
+        InputError, match=r"^tendon\.3\.stiffness: need one of 0, 1 or 2 after tendon, such as tendon.0"
+    ):
         key_value(design, "tendon.3.stiffness")
 
 

@@ -233,8 +233,11 @@ def test_a_join_is_flat_and_null_is_no_fold_angle(tmp_path):
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
-        ({"frame_unit": "unit"}, r"frame_unit: need a unit of length, one of m, cm, .*, got 'unit'"),
-        ({"frame_unit": None}, "frame_unit: need a unit of length, .* got no frame_unit"),
+        (
+            {"frame_unit": "unit"},
+            'frame_unit: need a unit of length, one of m, cm, .*, got "unit"; write .* as in "frame_unit": "cm"$',
+        ),
+        ({"frame_unit": None}, 'frame_unit: need a unit .* got no frame_unit; write .* as in "frame_unit": "cm"$'),
         ({"frame_unit": ["mm"]}, "frame_unit: need a unit of length"),
         ({"vertices_coords": []}, "vertices_coords: need at least one vertex, got none"),
         ({"vertices_coords": [[0]]}, r"vertices_coords\[0\]: need two or three numbers, got \[0\]"),
@@ -249,7 +252,7 @@ def test_a_join_is_flat_and_null_is_no_fold_angle(tmp_path):
         ({"edges_vertices": [[0, 1], [1, 2.5]]}, r"edges_vertices\[1\]: need whole numbers, got 2\.5"),
         ({"edges_vertices": [[0, 1], 4]}, r"edges_vertices\[1\]: need a list of vertices, got 4"),
         ({"edges_vertices": [[0, 1], [1, 0]]}, r"edges_vertices\[1\]: need every edge once"),
-        ({"edges_vertices": [[0, 1], [2, 3]]}, "faces_vertices: the key is missing, .* hang together"),
+        ({"edges_vertices": [[0, 1], [2, 3]]}, "faces_vertices: need the key in the file, .* hang together"),
         ({"vertices_coords": [[0, 0, 0], [1, 0, 0], [1, 1, 1], [0, 1, 0]]}, "faces_vertices: .* got a solid shape"),
         ({"edges_assignment": ["B"]}, "edges_assignment: need one letter for each of the 5 edges, got 1"),
         ({"edges_assignment": [[], 1, 2, 3, 4]}, r"edges_assignment\[0\]: need one of"),
@@ -290,9 +293,10 @@ def test_a_missing_key_is_named(tmp_path, key):
 @pytest.mark.parametrize(
     ("content", "message"),
     [
-        (b"solid fan", "need JSON, as FOLD files are"),
-        (b"\xff\xfe\x00", "need JSON, as FOLD files are"),
-        (b"[" * 100_000, "need JSON, as FOLD files are"),
+        (b"solid fan", r"need JSON, as FOLD files are: Expecting value \(at line 1, column 1\)$"),
+        (b"\xff\xfe\x00", "need JSON, as FOLD files are: not UTF-8 text from byte 0 on$"),
+        (b"[" * 100_000, "need JSON, as FOLD files are: nested too deeply$"),
+        (b"[1" + b"0" * 5000 + b"]", "need JSON, as FOLD files are: a whole number has too many digits$"),
         (b"[1, 2]", "need a JSON object with FOLD keys, got list"),
         (b'{"vertices_coords": [[NaN, 0]]}', "need finite numbers only, got NaN"),
         (b'{"frame_unit": "m", "vertices_coords": [[1e999, 0]]}', r"vertices_coords\[0\]: need a finite number"),

@@ -155,6 +155,17 @@ def test_of_a_strip_it_is_said_that_every_crease_folds_on_its_own():
     ]
 
 
+def test_of_a_sheet_without_a_crease_it_is_said_that_there_is_none():
+    one = CreasePattern(
+        vertices_coords=np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]]),
+        edges_vertices=np.array([[0, 1], [1, 2], [2, 0]]),
+        edges_assignment=("B",) * 3,
+        edges_fold_angle=np.full(3, np.nan),
+        faces_vertices=((0, 1, 2),),
+    )
+    assert pattern_text(one)[-1] == "No crease to fold."
+
+
 @pytest.mark.parametrize(
     ("directions", "letters", "said"),
     [

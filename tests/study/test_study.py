@@ -99,11 +99,12 @@ def test_an_entry_of_a_list_of_shares_is_drawn_as_any_number(study_file):
     assert all(0.2 <= share <= 0.4 for share in shares)
 
 
-@pytest.mark.parametrize("stage", ["5", "flod"])
-def test_a_stage_that_the_design_does_not_have_is_refused_with_those_it_has(study_file, stage):
-    words = (
-        rf"protocol\.stages\.{stage}\.hold: need one of the numbers 0 \(settle\), 1 \(fold\), .* in it, got \"{stage}\""
-    )
+@pytest.mark.parametrize(
+    ("stage", "meant"),
+    [("5", r", such as protocol\.stages\.settle\.hold"), ("flod", r"; did you mean .*\.fold\.hold\?")],
+)
+def test_a_stage_that_the_design_does_not_have_is_refused_with_those_it_has(study_file, stage, meant):
+    words = rf"protocol\.stages\.{stage}\.hold: need one of 0 \(settle\), 1 \(fold\), .* after protocol\.stages{meant}"
     with pytest.raises(InputError, match=words):
         load_study(study_file(f'"protocol.stages.{stage}.hold" = ["1 ms"]'))
 

@@ -19,7 +19,7 @@ from forficula.design.fan_sections import MOST_UNITS
 from forficula.design.kinds import KINDS, design_class, kind_of, reference_of
 from forficula.design.rejection import File, origin, rejected
 from forficula.design.sheet_tables import with_sheet_read
-from forficula.design.tables import RejectedError, dotted_keys, laid_over, merged, nested
+from forficula.design.tables import RejectedError, dotted_keys, laid_over, merged, nested, numbered
 from forficula.design.tendon_tables import tendons_over, value_from_folder
 from forficula.errors import InputError
 from forficula.files import read_toml, write_text
@@ -41,14 +41,19 @@ def load_design(name_or_path: str | Path, settings: Mapping[str, object] | None 
         InputError: no such design or file, not TOML, an unknown key, or a value that is not allowed.
     """
     files = _read_files(str(name_or_path))
+    tables: dict[str, Any] = {}
     try:
-        tables: dict[str, Any] = {}
         for _, given in files:
             tables = _over(tables, given, merged, si=False)
-        return _validate(_with_settings(tables, settings or {}, si=False), si=False)
+        tables = _with_settings(tables, settings or {}, si=False)
+        return _validate(tables, si=False)
     except RejectedError as error:
-        where = origin(error.place, files, dotted_keys(settings or {}))
-        raise InputError(f"{where}: {error}" if where else str(error)) from None
+        # as it was set: an entry by its name
+        by_hand, message = {numbered(key, tables): key for key in dotted_keys(settings or {})}, str(error)
+        for number, name in by_hand.items():
+            message = message.replace(f"{number.rpartition('.')[0]}.", f"{name.rpartition('.')[0]}.")
+        where = origin(error.place, files, by_hand)
+        raise InputError(f"{where}: {message}" if where else message) from None
 
 
 def with_values(design: Design, values: Mapping[str, object]) -> Design:
@@ -143,7 +148,8 @@ def _over(
     if "tendon" not in own:
         return both
     if not issubclass(design_class(both), FanDesign):
-        return {**both, "tendon": lay(tables.get("tendon"), own["tendon"])}
+        whole: dict[str, Any] = lay(tables, own)
+        return whole
     pattern = both.get("pattern")
     units = pattern.get("units") if isinstance(pattern, dict) else None
     veins = 2 * units + 1 if isinstance(units, int) and 0 < units <= MOST_UNITS else 0

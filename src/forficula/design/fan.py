@@ -47,6 +47,12 @@ class FanProtocol(Protocol):
         check_states(self, STATES)
         drives = [stage_drives(stage) for stage in self.stages]
         fold, unfold = ([number for number, each in enumerate(drives) if drive in each] for drive in DRIVES)
+        for number, each in enumerate(drives):
+            if len(each) > 1:
+                raise InputError(
+                    f"protocol.stages.{number}.drive: need one drive, for a wing is not folded and unfolded in one"
+                    f" stage, got {as_written(self.stages[number].drive)}"
+                )
         for drive, driven in zip(DRIVES, (fold, unfold), strict=True):
             if len(driven) > 1:
                 raise InputError(f'protocol.stages: need at most one stage with drive = "{drive}", got {len(driven)}')
@@ -61,7 +67,23 @@ class FanProtocol(Protocol):
                 'protocol.stages: need a first stage with drive = "none", whose end is the flat state,'
                 f" got {as_written(written[0])}"
             )
+        self._states_in_order([*fold, len(drives)][0], [*unfold, len(drives)][0])
         return self
+
+    def _states_in_order(self, fold: int, unfold: int) -> None:
+        """Refuse a state where the wing is not in it, by the numbers of the stages that fold and unfold."""
+        places = (
+            'before the stage with drive = "fold"',
+            'from the stage with drive = "fold" to the one with drive = "unfold"',
+            'from the stage with drive = "unfold" on',
+        )
+        for number, stage in enumerate(self.stages):
+            reached = (number >= fold) + (number >= unfold)
+            state, where = STATES[reached], places[reached]
+            if stage.state not in (None, state):
+                raise InputError(
+                    f'protocol.stages.{number}.state: need "{state}" {where}, got {as_written(stage.state)}'
+                )
 
 
 class FanDesign(Design):

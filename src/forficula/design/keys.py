@@ -17,6 +17,8 @@ from forficula.quantities import as_written
 
 _PartOf = TypeVar("_PartOf", bound=Part)
 
+# what people write for another word
+_MEANT = {"file": "path"}
 # sections of a law file that a design has as single keys
 _OF_LAW_FILES = {
     "modulus": ("linear_modulus", "quadratic_modulus", "cubic_modulus"),
@@ -92,7 +94,7 @@ def key_value(design: Design, key: str) -> Any:
     if section == "tendon" and rest and isinstance(design, FanDesign):
         vein, _, inside = rest.partition(".")
         if vein.isdecimal():
-            tendon = design.tendons[entry_index(key, vein, design.tendons)]
+            tendon = design.tendons[entry_index([section], vein, design.tendons, inside.split(".") if inside else [])]
             return tendon if tendon is not None and not inside else _value(design, tendon, key, f"tendon.{vein}")
         found = [_value(design, tendon, key, "tendon") for tendon in design.tendons if tendon is not None]
         if not found:
@@ -103,10 +105,14 @@ def key_value(design: Design, key: str) -> Any:
 
 def _value(design: Design, value: Any, key: str, within: str) -> Any:
     """What a part of a design has at a key, of which `within` leads to the part."""
-    for part in key.removeprefix(f"{within}.").split("."):
+    parts = key.removeprefix(f"{within}.").split(".")
+    for depth, part in enumerate(parts, start=1):
         if value is None:
             raise InputError(f"{key}: {design.name} has no {within}")
-        value = value[entry_index(key, part, value)] if isinstance(value, tuple) else getattr(value, part)
+        if isinstance(value, tuple):
+            value = value[entry_index(within.split("."), part, value, parts[depth:])]
+        else:
+            value = getattr(value, part)
         within = f"{within}.{part}" if within else part
     return value
 
@@ -123,7 +129,7 @@ def put(part: _PartOf, key: str, value: object) -> _PartOf:
         inner = part.tendons
     if isinstance(inner, tuple):
         every = isinstance(part, FanDesign) and name == "tendon" and not number.isdecimal()
-        picked = range(len(inner)) if every else [entry_index(key, number, inner)]
+        picked = range(len(inner)) if every else [entry_index([name], number, inner, last.split(".") if last else [])]
         inside = rest if every else last
         entries = [
             entry if place not in picked or entry is None else put(entry, inside, value) if inside else value
@@ -171,7 +177,8 @@ def hint(place: Sequence[str], model: type[Design] = FanDesign) -> str:
             law = ".".join(section[: depth + 1])
             return f"did you mean {' or '.join(f'{law}.{name}' for name in meant)}?"
     here = siblings(place, model)
-    if near := difflib.get_close_matches(wrong.lower(), here, n=1):
+    other = _MEANT.get(wrong.lower(), "")
+    if near := [other] if other in here else difflib.get_close_matches(wrong.lower(), here, n=1):
         return f"did you mean {'.'.join([*section, *near])}?"
     elsewhere: dict[str, list[str]] = {}
     for key in known_keys(model):
@@ -189,7 +196,7 @@ def _section(place: Sequence[str], model: type[Design]) -> type[Part] | None:
         forms = list(_forms(at))
         entries = next((form for form in forms if get_origin(form) is tuple), None)
         section = next((form for form in forms if _is_part(form)), None)
-        if entries is not None and part.isdecimal():
+        if entries is not None and (part.isdecimal() or _may_be_called(part, get_args(entries)[0], section)):
             at = get_args(entries)[0]
         elif section is not None and part in section.model_fields:
             at = section.model_fields[part].annotation

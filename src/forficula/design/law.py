@@ -14,7 +14,7 @@ from forficula.material.law.law_file import load_law
 from forficula.material.law.law_keys import law_unit, show_range, show_value
 from forficula.material.law.material_law import MaterialLaw, MaxwellBranch, check_rates, chosen, require
 from forficula.material.law.softening import OgdenRoxburgh, pulls
-from forficula.quantities import Unit
+from forficula.quantities import Unit, as_written
 
 AREA = Unit(display="mm^2", si="m^2", example="12.5 mm^2")
 # of a law file, what is chosen where a material has only a range
@@ -172,6 +172,10 @@ def tendon_material(named: str | MaterialLaw) -> MaterialLaw:
     Raises:
         InputError: there is no such material, or it is for no tendon.
     """
+    if isinstance(named, str) and named.strip().lower() == "none":
+        raise InputError(
+            f'need a material, a law file, or "none" for no law, got {as_written(named)}; did you mean "none"?'
+        )
     material = named if isinstance(named, MaterialLaw) else load_law(named)
     if material.no_tendon:
         raise InputError(f"{material.name}: no tendon can be made of it: {material.no_tendon}")

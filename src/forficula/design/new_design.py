@@ -13,8 +13,9 @@ from pydantic.fields import FieldInfo
 
 from forficula.design.design import Design
 from forficula.design.design_file import load_design
-from forficula.design.kinds import REFERENCES
+from forficula.design.kinds import KINDS, REFERENCES
 from forficula.design.part import Part, entry_part, field_quantity
+from forficula.design.plates import FoldFile
 from forficula.design.tendon import TendonSection
 from forficula.errors import InputError
 from forficula.files import write_text
@@ -26,17 +27,17 @@ def write_new_design(path: str | os.PathLike[str], kind: str = "earwig-fan") -> 
 
     Args:
         path: of the file.
-        kind: of its pattern, such as "earwig-fan" or "pleats".
+        kind: of its pattern: "earwig-fan", "pleats", or "fold-file", of a file sheet.fold.
 
     Raises:
         InputError: no such kind, or the file exists already, or cannot be written.
     """
     path = Path(path)
-    if kind not in REFERENCES:
-        near = difflib.get_close_matches(kind, REFERENCES, n=1)
+    if kind not in KINDS:
+        near = difflib.get_close_matches(kind, KINDS, n=1)
         meant = f'; did you mean "{near[0]}"?' if near else ""
-        raise InputError(f"kind: need one of {', '.join(REFERENCES)}, got {as_written(kind)}{meant}")
-    reference = REFERENCES[kind]
+        raise InputError(f"kind: need one of {', '.join(KINDS)}, got {as_written(kind)}{meant}")
+    reference = REFERENCES.get(kind, "letter-fold")
     if path.suffix != ".toml":
         raise InputError(f"{path}: need a name that ends with .toml")
     try:
@@ -49,12 +50,27 @@ def write_new_design(path: str | os.PathLike[str], kind: str = "earwig-fan") -> 
         "# A forficula design. Every key is optional but based_on; what is left out comes from there.",
         f'based_on = "{reference}"',
     ]
-    write_text(path, "\n".join([*lines, *_commented(load_design(reference))]) + "\n")
+    of_a_file = kind not in REFERENCES
+    if of_a_file:
+        lines += _of_a_file(reference)
+    without = "pattern" if of_a_file else ""
+    write_text(path, "\n".join([*lines, *_commented(load_design(reference), without)]) + "\n")
 
 
-def _commented(design: Design) -> Iterator[str]:
-    """The sections of a design, every key with its meaning; what is done to it comes last."""
+def _of_a_file(reference: str) -> Iterator[str]:
+    """What a design of a FOLD file has of its own: its sheet, and nothing that lies on that of the reference."""
+    for key in ("tendon", "support", "measure"):
+        yield f"{f'{key} = []':<40}  # none of {reference}'s; take this line away to give some under [[{key}]]"
+    yield f"\n[pattern]  # {(FoldFile.__doc__ or '').removesuffix('.')}"
+    for key, value in (("kind", "fold-file"), ("path", "sheet.fold")):
+        yield f"{tomli_w.dumps({key: value}).strip():<40}  # {FoldFile.model_fields[key].description}"
+
+
+def _commented(design: Design, without: str) -> Iterator[str]:
+    """The sections of a design but for one, every key with its meaning; what is done to it comes last."""
     for section in sorted(type(design).model_fields, key=lambda name: name == "protocol"):
+        if section == without:
+            continue
         part = getattr(design, section)
         if isinstance(part, tuple):
             yield from _commented_tables(section, part, type(design).model_fields[section])
@@ -83,7 +99,7 @@ def _commented(design: Design) -> Iterator[str]:
 def _example(key: str, entry: FieldInfo) -> str:
     """A line for a value that is absent."""
     reader = field_quantity(entry)
-    return tomli_w.dumps({key: reader.unit.example if reader else (entry.examples or [""])[0]}).strip()
+    return tomli_w.dumps({key: (entry.examples or [reader.unit.example if reader else ""])[0]}).strip()
 
 
 def _commented_tables(header: str, entries: Sequence[Part], field: FieldInfo) -> Iterator[str]:

@@ -77,12 +77,21 @@ class Quantity:
             schema |= {"type": "string", "examples": [self.unit.example]}
 
 
-def quantity(unit: Unit, description: str, *, default: Any = ..., words: tuple[str, ...] = (), **bounds: float) -> Any:
+def quantity(
+    unit: Unit,
+    description: str,
+    *,
+    default: Any = ...,
+    words: tuple[str, ...] = (),
+    examples: list[Any] | None = None,
+    **bounds: float,
+) -> Any:
     """A field that `Quantity` reads, required without a default; one that may be absent has None.
 
-    A field of a tuple of floats is a list, each entry of which is read so.
+    A field of a tuple of floats is a list, each entry of which is read so. Without examples the unit's is one.
     """
-    return Field(default, description=description, json_schema_extra=Quantity(unit=unit, words=words, **bounds))
+    read = Quantity(unit=unit, words=words, **bounds)
+    return Field(default, description=description, examples=examples, json_schema_extra=read)
 
 
 def field_quantity(field: FieldInfo) -> Quantity | None:

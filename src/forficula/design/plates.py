@@ -23,7 +23,7 @@ from forficula.design.part import (
     Part,
     quantity,
 )
-from forficula.design.protocol import GoalText, check_bound, check_stages, read_goal
+from forficula.design.protocol import GoalText, check_bound, check_stages, read_goal, stage_drives
 from forficula.design.sheet_places import (
     crease_groups,
     crease_role,
@@ -43,6 +43,8 @@ CREASE_DAMPING = Unit(display="N m s/rad/m", si="N m s/rad/m", example="1e-3 N m
 Found = TypeVar("Found")
 
 _MOST_PANELS = 1000
+# share of the largest torque that a sum of torques may be off by
+_ROUNDING = 1e-12
 # what dotted keys and bounds in a protocol can hold
 _NAME = re.compile(r"[A-Za-z][\w -]{0,59}")
 _RESERVED = ("none", "time", "rest", "creases", "mountains", "valleys")
@@ -153,11 +155,15 @@ class CreaseGroup(Part):
 
     of: Annotated[str, Field(description="which: mountains, valleys, a role, or crease 2", examples=["crease 0"])]
     stiffness: float | None = quantity(CREASE_STIFFNESS, "of their springs by length", default=None, at_least=0)
-    rest_angle: float | None = quantity(ANGLE, "where their springs rest", default=None)
+    rest_angle: float | None = quantity(ANGLE, "where their springs rest", default=None, examples=["0 deg"])
     damping: float | None = quantity(CREASE_DAMPING, "viscous damping by length", default=None, at_least=0)
-    fold_limit: float | None = quantity(ANGLE, "how far they fold", default=None, above=0, at_most=math.pi)
-    back_limit: float | None = quantity(ANGLE, "how far the other way", default=None, at_least=0, at_most=math.pi)
-    start: float | None = quantity(ANGLE, "how far folded they start", default=None)
+    fold_limit: float | None = quantity(
+        ANGLE, "how far they fold", default=None, above=0, at_most=math.pi, examples=["175 deg"]
+    )
+    back_limit: float | None = quantity(
+        ANGLE, "how far the other way", default=None, at_least=0, at_most=math.pi, examples=["3 deg"]
+    )
+    start: float | None = quantity(ANGLE, "how far folded they start", default=None, examples=["-1 deg"])
 
 
 class Crease(Part):
@@ -355,11 +361,22 @@ def _check_creases(design: PlatesDesign, sheet: CreasePattern) -> None:
         _keyed(f"crease.group.{number}.of", creases_of, sheet, group.of)
     for edge, crease in creases_by_edge(design).items():
         if not -crease.back_limit <= crease.start <= crease.fold_limit:
+            start, low, high = (_crease_key(design, edge, key) for key in ("start", "back_limit", "fold_limit"))
             raise InputError(
-                f"crease.start: need >= {show_quantity(-crease.back_limit, ANGLE)} (-crease.back_limit) and"
-                f" <= {show_quantity(crease.fold_limit, ANGLE)} (crease.fold_limit) at crease {edge},"
+                f"{start}: need >= {show_quantity(-crease.back_limit, ANGLE)} (-{low}) and"
+                f" <= {show_quantity(crease.fold_limit, ANGLE)} ({high}) at crease {edge},"
                 f" got {show_quantity(crease.start, ANGLE)}"
             )
+
+
+def _crease_key(design: PlatesDesign, edge: int, key: str) -> str:
+    """Where a crease has a value from: the last group that gives it, or the section."""
+    given = (
+        f"crease.group.{number}.{key}"
+        for number, group in reversed(list(enumerate(design.crease.group)))
+        if getattr(group, key) is not None and edge in creases_of(design.sheet, group.of)
+    )
+    return next(given, f"crease.{key}")
 
 
 def _check_names(design: PlatesDesign, sheet: CreasePattern) -> None:
@@ -380,6 +397,7 @@ def _check_protocol(design: PlatesDesign, sheet: CreasePattern) -> None:
     for measure in design.measure:
         measured[measure.name] = LENGTH if measure.of is None else ANGLE
     check_stages(design.protocol, [drive.name for drive in design.drive], [], measured)
+    _check_torques(design, sheet)
     # what becomes of stages and of states stands side by side in a summary, and in the rows of a table
     names: list[str] = []
     for number, stage in enumerate(design.protocol.stages):
@@ -392,6 +410,25 @@ def _check_protocol(design: PlatesDesign, sheet: CreasePattern) -> None:
             _check_goal(design, sheet, f"protocol.stages.{number}.until", written)
         elif written is not None and parse_quantity(written.value, LENGTH) <= 0:
             raise InputError(f"protocol.stages.{number}.until: need a distance > 0 m, got {as_written(stage.until)}")
+
+
+def _check_torques(design: PlatesDesign, sheet: CreasePattern) -> None:
+    """Refuse a stage whose drives, at any time, cancel on every crease."""
+    for number, stage in enumerate(design.protocol.stages):
+        drives = [drive for drive in design.drive if drive.name in stage_drives(stage)]
+        if len(drives) < 2:
+            continue
+        torques = dict.fromkeys(fold_edges(sheet), 0.0)
+        for drive in drives:
+            for edge in creases_of(sheet, drive.of):
+                torques[edge] += drive.value
+        largest = max(abs(drive.value) for drive in drives)
+        alike = len({drive.rise for drive in drives}) == 1
+        if largest and alike and max(map(abs, torques.values())) <= _ROUNDING * largest:
+            raise InputError(
+                f"protocol.stages.{number}.drive: need drives that do not cancel on every crease, got"
+                f" {as_written(stage.drive)}, {' and '.join(show_quantity(drive.value, TORQUE) for drive in drives)}"
+            )
 
 
 def _check_name(key: str, name: str, names: Sequence[str]) -> None:

@@ -15,7 +15,7 @@ from forficula.errors import InputError
 from forficula.names import shown_name
 from forficula.quantities import Unit, as_written, parse_quantity, show_quantity
 
-_WRITTEN = re.compile(r"\s*(?P<name>.+?)\s*(?P<relation>[<>])=?\s*(?P<value>[^<>=]+?)\s*")
+_WRITTEN = re.compile(r"\s*(?P<name>[^<>=]+?)\s*(?P<relation>[<>])=?\s*(?P<value>[^<>=]+?)\s*")
 
 
 class Stage(Part):
@@ -34,6 +34,15 @@ class Stage(Part):
     @classmethod
     def _on_one_line(cls, name: str) -> str:
         return shown_name(name)
+
+    @field_validator("drive", mode="before")
+    @classmethod
+    def _names_drives(cls, drive: object) -> object:
+        """Refuse what is no name and no list of names in one sentence; pydantic would have one for each."""
+        names = [drive] if isinstance(drive, str) else drive
+        if not isinstance(names, list | tuple) or not names or not all(isinstance(name, str) for name in names):
+            raise InputError(f'need a drive by name in quotes, a list of them, or "none", got {as_written(drive)}')
+        return drive
 
 
 class Protocol(Part):
@@ -71,8 +80,8 @@ class Protocol(Part):
             description="largest share of the energy that was exchanged that may be missing in a run to be trusted",
         ),
     ] = 0.005
-    gravity: float = quantity(ACCELERATION, "gravity across the wing, downwards where it lies flat; 0 switches it off")
-    contact: Annotated[bool, Field(strict=True, description="whether bars touch each other")]
+    gravity: float = quantity(ACCELERATION, "gravity across the sheet, downwards where it lies flat; 0 switches it off")
+    contact: Annotated[bool, Field(strict=True, description="whether bodies touch each other")]
     stages: Annotated[tuple[Stage, ...], Field(min_length=1, description="what happens, in order")]
 
 
@@ -125,7 +134,8 @@ def check_stages(protocol: Protocol, drives: Sequence[str], goals: Sequence[str]
         if stage.until in ("time", "rest", *goals):
             continue
         key, written = f"protocol.stages.{number}.until", read_goal(stage.until)
-        if written is None:
+        # the value may stand first, which is no bound either
+        if written is None or written.value in measures:
             bound = f'a bound such as "{next(iter(measures))} < -150 deg"'
             raise InputError(f"{key}: need {one_of(['time', 'rest', *goals], stage.until, [bound])}")
         if written.name not in measures:

@@ -88,7 +88,9 @@ def creases_of(pattern: CreasePattern, text: str) -> tuple[int, ...]:
     if found := _CREASE.fullmatch(written):
         edge = int(found[1])
         if edge not in creases:
-            raise InputError(f"need a crease, one of edges {_listed(creases)}, got {as_written(text)}")
+            *others, last = (f'"crease {each}"' for each in creases)
+            listed = f"{', '.join(others[:11])}{', ...' if len(others) > 11 else ''} or {last}" if others else last
+            raise InputError(f"need {listed}, got {as_written(text)}")
         return (edge,)
     groups = crease_groups(pattern)
     if written not in groups:
@@ -225,7 +227,8 @@ def _within(corners: Array, point: Array, beside: float) -> bool:
 
 def _facet(pattern: CreasePattern, facet: int) -> int:
     if facet >= len(pattern.faces_vertices):
-        raise InputError(f"need a facet from 0 to {len(pattern.faces_vertices) - 1}, got {facet}")
+        of = f" on {as_written(pattern.title)}" if pattern.title else ""
+        raise InputError(f"need a facet from 0 to {len(pattern.faces_vertices) - 1}, got {facet}{of}")
     return facet
 
 

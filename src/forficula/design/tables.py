@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import re
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -71,32 +72,59 @@ def laid_over(below: object, own: object, place: tuple[str, ...] = ()) -> Any:
     entries = list(below)
     for text, value in own.items():
         try:
-            number = entry_index(written_key([*place, *_first_leaf({text: value})]), text, below)
+            number = entry_index(place, text, below, _first_leaf(value))
         except InputError as error:
             raise RejectedError((*place, text), str(error)) from None
         entries[number] = laid_over(entries[number], value, (*place, text))
     return entries
 
 
-def entry_index(key: str, text: str, entries: Sequence[Any]) -> int:
+def entry_index(place: Sequence[str], text: str, entries: Sequence[Any], inside: Sequence[str] = ()) -> int:
     """Find an entry of a list by its number or its name.
 
     Args:
-        key: that it is a part of.
+        place: of the list, part by part.
         text: the number, or the name where the entries have names.
         entries: of the list: of a design, or of the tables of a file.
+        inside: what the key goes on with, for errors.
 
     Raises:
         InputError: there is none, and which there are.
     """
     if text in (allowed := [str(index) for index in range(len(entries))]):
         return int(text)
-    names = [entry.get("name") if isinstance(entry, dict) else getattr(entry, "name", None) for entry in entries]
+    called = (entry.get("name") if isinstance(entry, dict) else getattr(entry, "name", None) for entry in entries)
+    names = [name if isinstance(name, str) else "" for name in called]
     if names.count(text) == 1:
         return names.index(text)
-    shown = ", ".join(f"{index} ({name})" if name else index for index, name in zip(allowed, names, strict=True))
-    rule = f"need one of the numbers {shown} in it" if shown else "has no entries"
-    raise InputError(f"{key}: {rule}, got {as_written(text)}")
+    key = written_key([*place, text, *inside])
+    if not entries:
+        raise InputError(f"{key}: has no entries, got {as_written(text)}")
+    *others, last = (f"{index} ({name})" if name else index for index, name in zip(allowed, names, strict=True))
+    shown = f"one of {', '.join(others)} or {last}" if others else last
+    need = f"need {shown} after {written_key(place)}"
+    if near := difflib.get_close_matches(text, [name for name in names if name], n=1):
+        raise InputError(f"{key}: {need}; did you mean {written_key([*place, *near, *inside])}?")
+    # a key of the entries stands where one of them is to be named
+    left_out = any(text in entry if isinstance(entry, dict) else hasattr(entry, text) for entry in entries)
+    if inside or left_out:
+        first = names[0] if names[0] and names.count(names[0]) == 1 else "0"
+        raise InputError(f"{key}: {need}, such as {written_key([*place, first, *(inside or [text])])}")
+    raise InputError(f"{key}: {need}, got {as_written(text)}")
+
+
+def numbered(key: str, tables: Mapping[str, Any]) -> str:
+    """A dotted key of tables with the numbers of entries in place of their names."""
+    parts: list[str] = []
+    at: Any = tables
+    for part in key.split("."):
+        names = [entry.get("name") for entry in at if isinstance(entry, dict)] if isinstance(at, list) else []
+        parts.append(str(names.index(part)) if names.count(part) == 1 else part)
+        if isinstance(at, list):
+            at = next((entry for number, entry in enumerate(at) if str(number) == parts[-1]), None)
+        else:
+            at = at.get(part) if isinstance(at, dict) else None
+    return ".".join(parts)
 
 
 def written_key(place: Sequence[str]) -> str:

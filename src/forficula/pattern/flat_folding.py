@@ -104,7 +104,8 @@ def pattern_text(pattern: CreasePattern) -> list[str]:
         return [*sentences, "The sheet is not flat, so nothing is said of folding flat."]
     checks = vertex_checks(pattern)
     if not checks:
-        return [*sentences, "No interior vertex: every crease folds on its own."]
+        folds = any(counts[letter] for letter in "MVU")
+        return [*sentences, "No interior vertex: every crease folds on its own." if folds else "No crease to fold."]
     results = _kawasaki(checks), _maekawa(checks), _big_little_big(checks)
     verdict = (
         "It does not fold flat."

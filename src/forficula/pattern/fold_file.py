@@ -205,8 +205,14 @@ def _document(file: Path) -> dict[str, object]:
         raise InputError(f"need a file that can be read, got {error.strerror}") from error
     except InputError:
         raise
+    except json.JSONDecodeError as error:
+        reason = f"{error.msg} (at line {error.lineno}, column {error.colno})"
+        raise InputError(f"need JSON, as FOLD files are: {reason}") from error
+    except UnicodeDecodeError as error:
+        raise InputError(f"need JSON, as FOLD files are: not UTF-8 text from byte {error.start} on") from error
     except (ValueError, RecursionError) as error:
-        raise InputError(f"need JSON, as FOLD files are, got {type(error).__name__} ({error})") from error
+        reason = "nested too deeply" if isinstance(error, RecursionError) else "a whole number has too many digits"
+        raise InputError(f"need JSON, as FOLD files are: {reason}") from error
     if not isinstance(document, dict):
         raise InputError(f"need a JSON object with FOLD keys, got {type(document).__name__}")
     spec = document.get("file_spec", 1)
@@ -261,8 +267,11 @@ def _metres(document: dict[str, object]) -> float:
     """Length of the file's unit, m."""
     unit = document.get("frame_unit")
     if not isinstance(unit, str) or unit not in _METRES:
-        got = "no frame_unit" if unit is None else repr(unit)
-        raise InputError(f"frame_unit: need a unit of length, one of {', '.join(_METRES)}, got {got}")
+        got = "no frame_unit" if unit is None else as_written(unit)
+        raise InputError(
+            f"frame_unit: need a unit of length, one of {', '.join(_METRES)}, got {got}; write that of its lengths into"
+            ' the file, as in "frame_unit": "cm"'
+        )
     return _METRES[unit]
 
 
@@ -337,9 +346,9 @@ def _doubled_area(coords: NDArray[np.float64], face: list[int]) -> float:
 
 def _faces_between(coords: NDArray[np.float64], edges: NDArray[np.int64]) -> list[list[int]]:
     """Find the faces of a flat sheet: along every side, turn left as sharply as the edges allow."""
-    unknown = "faces_vertices: the key is missing, and faces can be found only for"
+    unknown = "faces_vertices: need the key in the file, for without it faces are found only"
     if np.ptp(coords[:, 2]) > 0:
-        raise InputError(f"{unknown} a sheet in one plane z; write it, got a solid shape")
+        raise InputError(f"{unknown} in a sheet in one plane z, got a solid shape")
     around: dict[int, list[int]] = {}
     for tail, head in edges.tolist():
         around.setdefault(tail, []).append(head)
@@ -360,5 +369,7 @@ def _faces_between(coords: NDArray[np.float64], edges: NDArray[np.int64]) -> lis
             side = following.pop(side)
         faces.append(face)
     if len(around) - len(edges) + len(faces) != 2:  # Euler's formula for a connected plane graph
-        raise InputError(f"{unknown} edges that hang together and do not cross; write it, got others")
+        raise InputError(
+            f"{unknown} between edges that hang together and do not cross, got edges that lie apart or cross"
+        )
     return [face for face in faces if _doubled_area(coords, face) > 0]
