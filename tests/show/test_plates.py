@@ -1,6 +1,7 @@
 """A structure without veins is drawn by everything that draws a run, and what it lacks is left out."""
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -115,12 +116,34 @@ def test_the_table_has_a_row_for_every_hinge_distance_and_tendon(plates_runs):
     console = Console(width=110)
     with console.capture() as capture:
         console.print(outcome_table("plates", outcome, record.structure))
-    lines = {line.split("  ")[0].strip(): line for line in capture.get().splitlines()}
+    told = [line.rstrip() for line in capture.get().splitlines()]
+    # the first of each: states that do not fit go on beneath
+    lines = {line.split("  ")[0].strip(): line for line in reversed(told)}
     assert {"crease 1", "crease 2", "mouth", "pull", "sum", "closing", "opening"} <= set(lines)
-    assert lines["crease 1"].split()[2:] == ["-3.0", "172.0", "-3.0"]
+    # angles, and the springs' energies, which the sum includes, too
+    assert [float(cell) for cell in lines["crease 1"].split()[2:]][::2] == [-3.0, 172.0]
+    stored = outcome.states["closed"]
+    energy = 1e3 * (stored.tendon_energy.sum() + stored.hinge_energy.sum())
+    assert f"{energy:.4g}" in lines["sum"].split()
     assert "+ change of hinge energy" in lines
     assert "+ taken by stops" in lines
     assert not any("membrane" in line for line in lines)
+
+
+def test_a_table_of_states_that_is_too_wide_goes_on_beneath(plates_runs):
+    record, outcome = plates_runs["whole"]
+    missed = replace(outcome, holds=outcome.holds | {"closed": False})
+    later = replace(
+        record.structure,
+        states=tuple(replace(each, unknown='after stage "close it slowly"') for each in record.structure.states),
+    )
+    console = Console(width=110)
+    with console.capture() as capture:
+        console.print(outcome_table("plates", missed, later))
+    lines = [line.rstrip() for line in capture.get().splitlines()]
+    assert any('after stage "close it slowly":' in line for line in lines)
+    assert max(map(len, lines)) <= 100
+    assert sum(line.startswith("sum") for line in lines) == 3
 
 
 def test_names_that_differ_in_their_numbers_share_their_word():

@@ -269,6 +269,7 @@ def _states(table: Dataset) -> list[str]:
 def missing_reasons(table: Dataset, name: str) -> DataArray:
     """Why a variable has no value, wherever it has none."""
     outcome, transitions, kinds = table["outcome"], table_transitions(table), outcome_kinds(table)
+    name = name.replace("_hinge_energy", "_energy")  # both are of the state
     if not transitions or name in (f"{_states(table)[0]}_energy", "residual"):
         return outcome
     first = transitions[0]
