@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -66,6 +67,37 @@ def test_angles_and_distances_have_a_row_each_and_the_states_their_letters(plate
     # from stop to stop
     low, high = figure.axes[0].get_ylim()
     assert (low, high) == (-25, 200)
+
+
+@pytest.mark.filterwarnings("error:constrained_layout")
+@pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])
+@pytest.mark.parametrize("panel", ["1 cm", "9.9 cm"])
+def test_hundreds_of_panels_are_drawn_so_that_their_words_can_be_read(long_strip, width, panel):
+    record, outcome = long_strip(panel)
+    drawings = run_drawings(record, outcome)
+    for name in ("pattern", "angles", "folding"):
+        check_words(drawings[name](width), width)
+    (legend,) = [legend for axes in drawings["angles"](width).axes if (legend := axes.get_legend())]
+    assert [text.get_text() for text in legend.get_texts()][-2:] == ["crease 198", "and 192 others"]
+    # no line: no higher than a tenth of it is long
+    figure = drawings["pattern"](width)
+    check_words(figure, width)
+    box = figure.axes[0].get_window_extent()
+    assert 0.08 < box.height / box.width < 0.2
+
+
+@pytest.fixture(scope="module")
+def long_strip():
+    """Runs of a few steps of 200 panels."""
+
+    @cache
+    def of_panels(length):
+        stages = [{"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "1 ms"}]
+        values = {"pattern.panels": 200, "pattern.panel_lengths": [length], "protocol.stages": stages}
+        record = run(load_design("letter-fold", values))
+        return record, measure(record)
+
+    return of_panels
 
 
 def test_without_a_measure_the_angles_that_are_driven_are_drawn(plates_runs):

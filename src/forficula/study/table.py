@@ -40,8 +40,9 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         Dimensions are the factors, in the study's order, or "sample" where the points were drawn, or "choice" and the
         grid that is repeated there where factors are varied one at a time, the base first; coordinates in SI with
         `units`, `display` and `key`. Of every transition of the base there are time and work, of every state the energy
-        of the tendons and, where there are any, of the hinges' springs, in a search of every transition the least value;
-        the attribute `transitions` names them, see `table_transitions`, and `whole` is what sentences call the structure.
+        of the tendons and, where there are such, of the hinges' springs, in a search of every transition the least
+        value; the attribute `transitions` names them, see `table_transitions`, and `whole` is what sentences call the
+        structure.
     """
     import xarray
 

@@ -40,7 +40,7 @@ class StateColumn:
 
 @dataclass(frozen=True, kw_only=True)
 class StateRows:
-    """What states are: what is measured, the tendons' lengths, and the energy of tendons and springs, by hinge and tendon.
+    """What states are: what is measured, tendons' lengths, energies of tendons and springs, by hinge and tendon.
 
     Attributes:
         heading: of the first column, such as "vein".
