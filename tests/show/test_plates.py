@@ -178,6 +178,12 @@ def test_a_table_of_states_that_is_too_wide_goes_on_beneath(plates_runs):
     assert sum(line.startswith("sum") for line in lines) == 3
 
 
+def test_what_has_no_membrane_is_not_told_to_take_a_softer_one(plates_runs):
+    record, _ = plates_runs["whole"]
+    advice = measure(replace(record, diverged_at=0.5)).advice
+    assert advice == 'Take a shorter timestep (protocol.timestep = "auto" chooses one).'
+
+
 def test_names_that_differ_in_their_numbers_share_their_word():
     assert parts_of(["vein 0", "vein 12"]).heading == "vein"
     assert parts_of(["vein 0", "vein 12"]).names == ("0", "12")
