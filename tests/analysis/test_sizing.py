@@ -70,7 +70,7 @@ def test_a_length_beyond_any_world_is_refused(reference, length):
 
 
 def test_without_tendons_there_is_nothing_to_size():
-    with pytest.raises(InputError, match="^letter-fold has no tendon$"):
+    with pytest.raises(InputError, match=r"^letter-fold has no tendon$"):
         size_tendons(load_design("letter-fold", {"tendon": []}), load_law("tpu-82a"), [1000.0])
 
 

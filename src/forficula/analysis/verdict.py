@@ -122,7 +122,7 @@ def verdict_word(verdict: Verdict, wording: Wording | None, *, under_way: bool =
 
 
 def ending_advice(ending: Ending, design: Design, structure: Structure | None = None) -> str:
-    """What to try with a design and the structure that was built of it, in a sentence; empty where nothing is to mend."""
+    """What to try with a design and what was built of it, in a sentence; empty where there is nothing to mend."""
     words = ending.transition.wording if ending.transition is not None else None
     match ending.verdict:
         case Verdict.DIVERGED:

@@ -203,9 +203,7 @@ def _neutral(angle: float, far_angle: float) -> HingeState:
     return HingeState(kind="neutral", angle=angle, far_angle=far_angle, energy=0.0, holding_torque=0.0)
 
 
-def hinge_remarks(
-    hinge: TendonHinge, fold_start: float = FOLD_START, overbend: str = "overbend"
-) -> tuple[str, ...]:
+def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START, overbend: str = "overbend") -> tuple[str, ...]:
     """Say in a sentence each what a hinge lacks, and where its tendon is slack.
 
     Args:
@@ -234,8 +232,8 @@ def hinge_remarks(
         remarks.append(f"the ends of the tendon are offset: it is longest at {past}, not at straight")
     if hinge.top_to_overbend > 0 and slack is not None and slack < hinge.top_to_overbend:
         remarks.append(
-            f"the tendon is slack beyond {degrees(slack - offset)} of {overbend}: nothing holds the hinge at its stop of"
-            f" {degrees(hinge.overbend)}; a shorter resting length or a smaller {overbend} does"
+            f"the tendon is slack beyond {degrees(slack - offset)} of {overbend}: nothing holds the hinge at its stop"
+            f" of {degrees(hinge.overbend)}; a shorter resting length or a smaller {overbend} does"
         )
     if slack is None or slack > hinge.top_to_fold:
         remarks.append(f"the tendon pulls up to the fold limit of {degrees(limit)} and nowhere goes slack")

@@ -431,6 +431,6 @@ def _rising(key: str, given: object, unit: Unit, *, none: bool) -> tuple[float, 
     except InputError as error:
         raise InputError(f"search.{key}: {error}") from None
     if list(numbers) != sorted(set(numbers)) or (unit is TORQUE and min(numbers, default=0.0) < 0):
-        size = f" >= 0; a drive's sign is its own" if unit is TORQUE else ""
+        size = " >= 0; a drive's sign is its own" if unit is TORQUE else ""
         raise InputError(f"search.{key}: need rising {what}{size}, got {as_written(given)}")
     return numbers

@@ -22,6 +22,7 @@ from forficula.show.folder.run_folder import run_drawings
 from forficula.show.folder.static_map_folder import SIMULATED, static_map_drawings
 from forficula.show.folder.study_folder import study_drawings
 from forficula.show.style import COLUMN_WIDTH, COPIES, ENDINGS, PAGE_WIDTH, Drawing, save_figure
+from forficula.structure import structure_of
 from forficula.study.convergence_file import load_convergence
 from forficula.study.landscape_and_run import landscape_and_run
 from forficula.study.outcome_kinds import check_table
@@ -116,7 +117,8 @@ def _landscape(folder: Path) -> dict[str, Drawing]:
 
         return draw
 
-    return {kind: drawing(kind) for kind in ("tendon", "wing", "levels")}
+    path = "rests" if structure_of(design).fold_path is None else "wing"
+    return {kind: drawing(kind) for kind in ("tendon", path, "levels")}
 
 
 _READERS: dict[str, Callable[[Path], dict[str, Drawing]]] = {

@@ -121,7 +121,7 @@ def _barriers(landscape: EnergyLandscape, shown: ShownHinge | None) -> Table:
 
 
 def _way(hinge: HingeLandscape, start: str) -> str:
-    """From where to where a hinge's barrier is climbed: from a start so called, or with a spring from where it rests."""
+    """From where to where a hinge's barrier is climbed: from a start so called; with a spring from where it rests."""
     top = hinge.barrier_angle
     if hinge.spring is not None and top is not None:
         start = show_angle(hinge.sense * hinge.states[0].angle)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from rich.console import Console, Group, RenderableType
 from rich.table import Table
@@ -36,7 +36,7 @@ def print_outcome(name: str, outcome: Outcome, structure: Structure) -> None:
     Console(width=110, highlight=False).print(outcome_table(name, outcome, structure))
 
 
-def _states(outcome: Outcome, structure: Structure) -> list[RenderableType]:
+def _states(outcome: Outcome, structure: Structure) -> Sequence[RenderableType]:
     """A table of the states, or several, one beneath the other, each of as many as fit beside one another."""
     there = states_reached(structure, outcome)
     if not there:
