@@ -77,7 +77,7 @@ def test_the_tendon_that_stands_for_all_is_an_inner_one_and_its_hinge_has_a_name
     fan, letter = structure_of(reference), structure_of(ff.load_design("letter-fold"))
     assert (inner_tendon(fan), hinge_name(fan, 1)) == (1, "second hinge")
     # of two none is between others
-    assert (inner_tendon(letter), hinge_name(letter, 0)) == (0, "left hinge")
+    assert (inner_tendon(letter), hinge_name(letter, 0)) == (0, "crease 0 (left)")
     assert inner_tendon(replace(fan, tendons=())) is None
 
 

@@ -69,6 +69,11 @@ def test_a_length_beyond_any_world_is_refused(reference, length):
         size_tendons(reference, load_law("tpu-82a"), [1000.0], length=length)
 
 
+def test_without_tendons_there_is_nothing_to_size():
+    with pytest.raises(InputError, match=r"^letter-fold has no tendon$"):
+        size_tendons(load_design("letter-fold", {"tendon": []}), load_law("tpu-82a"), [1000.0])
+
+
 def test_each_resting_length_is_stretched_by_the_tendons_that_have_it():
     vein = {"vein": 1, "proximal_attachment": "2.5 cm", "distal_attachment": "2.5 cm", "rest_length": "4 cm"}
     design = load_design("binder2025", {"tendon": [{"vein": 0}, vein, {"vein": 2}]})

@@ -230,14 +230,13 @@ def test_the_path_of_a_record_may_be_text(tmp_path):
     assert load_record(str(tmp_path / "record.nc")).data.equals(record.data)
 
 
-@pytest.mark.parametrize("kept", [1, 3])
-def test_a_record_that_keeps_other_series_is_refused_with_its_version_and_what_to_do(tmp_path, monkeypatch, kept):
+@pytest.mark.parametrize(("kept", "age"), [(1, "an earlier"), (3, "a later")])
+def test_a_record_of_another_format_is_refused_with_its_age_and_what_to_do(tmp_path, monkeypatch, kept, age):
     with monkeypatch.context() as before:
         before.setattr("forficula.dynamics.record._FORMAT", kept)
-        before.setattr("forficula.dynamics.record.versions", lambda: {"forficula": "0.0.7"})
         save_record(planted(), tmp_path / "a.nc")
-    other = "a record of forficula 0.0.7, which keeps other series; run its design again"
-    assert refusal(tmp_path / "a.nc") == f"{tmp_path}/a.nc: {other}"
+    other = f"written by {age} state of forficula (format {kept}, this one reads 2): run `forficula run"
+    assert refusal(tmp_path / "a.nc") == f"{tmp_path}/a.nc: {other} {tmp_path}/design.toml`"
 
 
 def test_a_record_that_cannot_be_written_is_one_error_and_leaves_nothing(tmp_path):

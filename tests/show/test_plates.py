@@ -1,6 +1,8 @@
 """A structure without veins is drawn by everything that draws a run, and what it lacks is left out."""
 
 import re
+from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -67,6 +69,37 @@ def test_angles_and_distances_have_a_row_each_and_the_states_their_letters(plate
     assert (low, high) == (-25, 200)
 
 
+@pytest.mark.filterwarnings("error:constrained_layout")
+@pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])
+@pytest.mark.parametrize("panel", ["1 cm", "9.9 cm"])
+def test_hundreds_of_panels_are_drawn_so_that_their_words_can_be_read(long_strip, width, panel):
+    record, outcome = long_strip(panel)
+    drawings = run_drawings(record, outcome)
+    for name in ("pattern", "angles", "folding"):
+        check_words(drawings[name](width), width)
+    (legend,) = [legend for axes in drawings["angles"](width).axes if (legend := axes.get_legend())]
+    assert [text.get_text() for text in legend.get_texts()][-2:] == ["crease 198", "and 192 others"]
+    # no line: no higher than a tenth of it is long
+    figure = drawings["pattern"](width)
+    check_words(figure, width)
+    box = figure.axes[0].get_window_extent()
+    assert 0.08 < box.height / box.width < 0.2
+
+
+@pytest.fixture(scope="module")
+def long_strip():
+    """Runs of a few steps of 200 panels."""
+
+    @cache
+    def of_panels(length):
+        stages = [{"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "1 ms"}]
+        values = {"pattern.panels": 200, "pattern.panel_lengths": [length], "protocol.stages": stages}
+        record = run(load_design("letter-fold", values))
+        return record, measure(record)
+
+    return of_panels
+
+
 def test_without_a_measure_the_angles_that_are_driven_are_drawn(plates_runs):
     figure = run_drawings(*plates_runs["unmeasured"])["angles"](PAGE_WIDTH)
     assert [axes.get_ylabel() for axes in figure.axes if axes.get_ylabel()] == ["crease angle (deg)"]
@@ -115,12 +148,40 @@ def test_the_table_has_a_row_for_every_hinge_distance_and_tendon(plates_runs):
     console = Console(width=110)
     with console.capture() as capture:
         console.print(outcome_table("plates", outcome, record.structure))
-    lines = {line.split("  ")[0].strip(): line for line in capture.get().splitlines()}
+    told = [line.rstrip() for line in capture.get().splitlines()]
+    # the first of each: states that do not fit go on beneath
+    lines = {line.split("  ")[0].strip(): line for line in reversed(told)}
     assert {"crease 1", "crease 2", "mouth", "pull", "sum", "closing", "opening"} <= set(lines)
-    assert lines["crease 1"].split()[2:] == ["-3.0", "172.0", "-3.0"]
+    # angles, and the springs' energies, which the sum includes, too
+    assert [float(cell) for cell in lines["crease 1"].split()[2:]][::2] == [-3.0, 172.0]
+    stored = outcome.states["closed"]
+    energy = 1e3 * (stored.tendon_energy.sum() + stored.hinge_energy.sum())
+    assert f"{energy:.4g}" in lines["sum"].split()
     assert "+ change of hinge energy" in lines
     assert "+ taken by stops" in lines
     assert not any("membrane" in line for line in lines)
+
+
+def test_a_table_of_states_that_is_too_wide_goes_on_beneath(plates_runs):
+    record, outcome = plates_runs["whole"]
+    missed = replace(outcome, holds=outcome.holds | {"closed": False})
+    later = replace(
+        record.structure,
+        states=tuple(replace(each, unknown='after stage "close it slowly"') for each in record.structure.states),
+    )
+    console = Console(width=110)
+    with console.capture() as capture:
+        console.print(outcome_table("plates", missed, later))
+    lines = [line.rstrip() for line in capture.get().splitlines()]
+    assert any('after stage "close it slowly":' in line for line in lines)
+    assert max(map(len, lines)) <= 100
+    assert sum(line.startswith("sum") for line in lines) == 3
+
+
+def test_what_has_no_membrane_is_not_told_to_take_a_softer_one(plates_runs):
+    record, _ = plates_runs["whole"]
+    advice = measure(replace(record, diverged_at=0.5)).advice
+    assert advice == 'Take a shorter timestep (protocol.timestep = "auto" chooses one).'
 
 
 def test_names_that_differ_in_their_numbers_share_their_word():

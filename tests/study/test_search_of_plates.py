@@ -7,7 +7,8 @@ import pytest
 import forficula as ff
 from forficula.design import with_values
 from forficula.errors import InputError
-from forficula.study import load_study, run_study
+from forficula.show.page.study_data import study_data
+from forficula.study import load_study, run_study, table_csv
 
 HEAD = 'design = "letter-fold"\nask = "least-torques"\n[factors]\n"tendon.left.stiffness" = ["0.4 N/cm", "0.6 N/cm"]\n'
 TORQUES = (
@@ -43,6 +44,13 @@ def test_the_least_torques_of_a_letter_are_those_of_single_runs(searched):
         assert math.isnan(back) == (point == 1)
         assert holds("drive.open.value", -0.03 if point else -back, "opened") == (point == 0)
         assert point or not holds("drive.open.value", -(back - 0.005), "opened")
+        closed = ff.measure(ff.run(with_values(base, {"drive.close.value": close}))).states["closed"]
+        assert float(table["closed_energy"][point]) == pytest.approx(closed.tendon_energy.sum(), rel=1e-3)
+        assert float(table["closed_hinge_energy"][point]) == pytest.approx(closed.hinge_energy.sum(), rel=1e-3)
+    assert "closed_hinge_energy_J" in table_csv(study, table).splitlines()[0]
+    titles = {each["name"]: each["title"] for each in study_data(study, table)["quantities"]}
+    assert titles["closed_energy"] == "tendons' energy when closed"
+    assert titles["closed_hinge_energy"] == "springs' energy when closed"
 
 
 def test_two_ways_by_one_drive_are_not_asked_for_two_torques(searched, tmp_path):

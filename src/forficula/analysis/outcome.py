@@ -188,7 +188,7 @@ def measure(record: Record) -> Outcome:
     return Outcome(
         ending=ending,
         status=ending_text(ending),
-        advice=ending_advice(ending, record.design),
+        advice=ending_advice(ending, record.design, structure),
         holds=holds,
         states=states,
         state_names={state.name: _called(state, states[state.name], holds) for state in structure.states},

@@ -70,9 +70,15 @@ def inner_tendon(structure: Structure) -> int | None:
 
 
 def hinge_name(structure: Structure, tendon: int) -> str:
-    """What sentences call the hinge that a tendon lies across: "second hinge" of "vein 1", otherwise by its name."""
-    _, number = _numbered(structure, tendon)
-    return f"{_label(structure, tendon) if number is None else ordinal(number)} hinge"
+    """What sentences call the hinge that a tendon lies across: by its label, with the tendon's in brackets.
+
+    Where both have one label with a number, such as "vein 1", it is the "second hinge".
+    """
+    hinge, label = structure.hinges[crossed_hinge(structure, tendon)], _label(structure, tendon)
+    name, (_, number) = hinge.label or hinge.name, _numbered(structure, tendon)
+    if name != label:
+        return f"{name} ({label})"
+    return name if number is None else f"{ordinal(number)} hinge"
 
 
 def crossed_hinge(structure: Structure, tendon: int) -> int:
@@ -246,7 +252,8 @@ def _predictable(structure: Structure, tendon: int) -> dict[str, TendonHinge]:
     chosen, hinges = structure.tendons[tendon], {}
     if chosen.ideal is not None:
         hinges["ideal_hinge"] = tendon_hinge(structure, chosen, chosen.ideal)
-    return {**hinges, hinge_name(structure, tendon).replace(" ", "_"): _true_hinge(structure, tendon)}
+    name = hinge_name(structure, tendon).partition(" (")[0].replace(" ", "_")
+    return {**hinges, name: _true_hinge(structure, tendon)}
 
 
 def _true_hinge(structure: Structure, tendon: int) -> TendonHinge:

@@ -50,6 +50,7 @@ class TendonSizes:
             where it is slack.
         beyond: whether that is more than the law was measured for; None where the law does not say.
         sizes: by stiffness, as asked.
+        whole: what sentences call the structure.
     """
 
     length: float
@@ -57,6 +58,7 @@ class TendonSizes:
     flat_strain: float
     beyond: bool | None
     sizes: tuple[TendonSize, ...]
+    whole: str
 
 
 def size_tendons(
@@ -74,10 +76,12 @@ def size_tendons(
         For that length, and for each resting length of the design's tendons that is another one > 0.
 
     Raises:
-        InputError: a stiffness or length that is not > 0, neither length, a modulus that is absent or known as a range
-            only, or a material that is not for tendons.
+        InputError: no tendons, a stiffness or length that is not > 0, neither length, a modulus that is absent or
+            known as a range only, or a material that is not for tendons.
     """
     structure = structure_of(design)
+    if not structure.tendons:
+        raise InputError(f"{structure.name} has no tendon")
     lengths = list(_lengths(structure, law, length))
     if not lengths:
         raise InputError("length: is missing: the design's tendon.rest_length is 0, and strain is extension by length")
@@ -85,7 +89,7 @@ def size_tendons(
         if not _SHORTEST <= each <= _LONGEST:
             shown = [show_quantity(bound, LENGTH) for bound in (_SHORTEST, _LONGEST, each)]
             raise InputError(f"length: need >= {shown[0]} and <= {shown[1]}, got {shown[2]}, {why}")
-    return tuple(_sizes(_flat_length(structure, each), law, stiffnesses, each, why) for each, why in lengths)
+    return tuple(_sizes(structure, law, stiffnesses, each, why) for each, why in lengths)
 
 
 def _flat_length(structure: Structure, length: float) -> float:
@@ -109,17 +113,20 @@ def _lengths(structure: Structure, law: MaterialLaw, given: float | None) -> Ite
             yield own, f"resting length of {structure.name}{which}"
 
 
-def _sizes(flat: float, law: MaterialLaw, stiffnesses: Sequence[float], length: float, why: str) -> TendonSizes:
+def _sizes(
+    structure: Structure, law: MaterialLaw, stiffnesses: Sequence[float], length: float, why: str
+) -> TendonSizes:
     """Sizes of tendons of a length, the longest of which the built shape stretches to another one."""
     areas = [area_for(law, length=length, stiffness=each) for each in stiffnesses]
-    strain = flat / length - 1
+    strain = _flat_length(structure, length) / length - 1
     share = _mean_share(law, strain - law.residual_strain)
     sizes = [
         TendonSize(stiffness=stiffness, area=area, mean_area=None if share is None else area / share)
         for stiffness, area in zip(stiffnesses, areas, strict=True)
     ]
     beyond = None if law.largest_strain is None else strain > law.largest_strain
-    return TendonSizes(length=length, why=why, flat_strain=strain, beyond=beyond, sizes=tuple(sizes))
+    whole = structure.appearance.whole
+    return TendonSizes(length=length, why=why, flat_strain=strain, beyond=beyond, sizes=tuple(sizes), whole=whole)
 
 
 def _mean_share(law: MaterialLaw, strain: float) -> float | None:

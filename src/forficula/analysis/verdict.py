@@ -8,7 +8,7 @@ from enum import StrEnum
 
 from forficula.design import Design, Stage
 from forficula.quantities import show_value
-from forficula.structure import Transition, Wording
+from forficula.structure import Structure, Transition, Wording
 
 
 class Verdict(StrEnum):
@@ -121,12 +121,13 @@ def verdict_word(verdict: Verdict, wording: Wording | None, *, under_way: bool =
             return f"did not stay {wording.stays}"
 
 
-def ending_advice(ending: Ending, design: Design) -> str:
-    """What to try, in a sentence; empty where there is nothing to mend."""
+def ending_advice(ending: Ending, design: Design, structure: Structure | None = None) -> str:
+    """What to try with a design and what was built of it, in a sentence; empty where there is nothing to mend."""
     words = ending.transition.wording if ending.transition is not None else None
     match ending.verdict:
         case Verdict.DIVERGED:
-            return 'Take a shorter timestep (protocol.timestep = "auto" chooses one) or a softer membrane.'
+            softer = " or a softer membrane" * bool(structure is not None and structure.membranes)
+            return f'Take a shorter timestep (protocol.timestep = "auto" chooses one){softer}.'
         case Verdict.UNTRUSTED if ending.why:
             return "It stands on an edge, where the least change decides: move a value of it away from here."
         case Verdict.UNTRUSTED:

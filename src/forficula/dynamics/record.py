@@ -255,12 +255,16 @@ def load_record(path: str | os.PathLike[str]) -> Record:
     try:
         # by h5py, ten times as fast as by xarray: a study reads a hundred of them
         with h5py.File(io.BytesIO(whole)) as file:
-            if int(np.squeeze(file.attrs.get("format", 1))) == _FORMAT:
+            written = int(np.squeeze(file.attrs.get("format", 1)))
+            if written == _FORMAT:
                 return _read(file)
-            version = str(file.attrs.get("version_forficula", "of another version"))
     except (OSError, LookupError, ValueError, TypeError, RuntimeError) as error:
         raise InputError(f"{path}: not a record of forficula: {' '.join(str(error).split())}") from None
-    raise InputError(f"{path}: a record of forficula {version}, which keeps other series; run its design again")
+    age, design = "an earlier" if written < _FORMAT else "a later", path.parent / "design.toml"
+    raise InputError(
+        f"{path}: written by {age} state of forficula (format {written}, this one reads {_FORMAT}): run"
+        f" `forficula run {design}`"
+    )
 
 
 def _read(file: Any) -> Record:

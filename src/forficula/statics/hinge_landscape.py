@@ -133,13 +133,16 @@ class HingeLandscape:
         return np.asarray(self.spring.stiffness * (self.spring.rest_angle - self.angle))
 
 
-def hinge_landscape(hinge: TendonHinge, points: int = 181, fold_start: float = FOLD_START) -> HingeLandscape:
+def hinge_landscape(
+    hinge: TendonHinge, points: int = 181, fold_start: float = FOLD_START, overbend: str = "overbend"
+) -> HingeLandscape:
     """Survey a hinge.
 
     Args:
         hinge: the hinge.
         points: how many angles to aim at; a few more come, as every part between two special angles is divided evenly.
         fold_start: how far past the top the fold of `fold_time` is let go, rad.
+        overbend: what sentences call the overbend.
 
     Raises:
         InputError: fewer than 2 points, or a start that is not > 0.
@@ -161,7 +164,7 @@ def hinge_landscape(hinge: TendonHinge, points: int = 181, fold_start: float = F
         fold_start=fold_start,
         fold_time=fold_time(hinge, fold_start),
         final_speed=final_speed(hinge, fold_start),
-        remarks=hinge_remarks(hinge, fold_start),
+        remarks=hinge_remarks(hinge, fold_start, overbend),
     )
 
 
@@ -200,12 +203,13 @@ def _neutral(angle: float, far_angle: float) -> HingeState:
     return HingeState(kind="neutral", angle=angle, far_angle=far_angle, energy=0.0, holding_torque=0.0)
 
 
-def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START) -> tuple[str, ...]:
+def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START, overbend: str = "overbend") -> tuple[str, ...]:
     """Say in a sentence each what a hinge lacks, and where its tendon is slack.
 
     Args:
         hinge: the hinge.
         fold_start: how far past the top the fold of `fold_time` is let go, rad.
+        overbend: what they call the overbend.
     """
     if not hinge.pulls:
         return (why_no_pull(hinge, "nothing moves the hinge, and there is no barrier"),)
@@ -217,18 +221,19 @@ def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START) -> tuple[s
         past = degrees(sense * hinge.top)
     if hinge.top_to_overbend <= 0:
         remarks.append(
-            f"the ends of the tendon are offset: it is longest at {past}, and the overbend of {degrees(hinge.overbend)}"
-            " is not beyond it, so there is no barrier and no holding torque; a larger overbend gives both"
+            f"the ends of the tendon are offset: it is longest at {past}, and the {overbend} of"
+            f" {degrees(hinge.overbend)} is not beyond it, so there is no barrier and no holding torque; a larger"
+            f" {overbend} gives both"
             if offset
-            else "the overbend is 0 deg: straight is no stable state, so there is no barrier and no holding torque;"
-            " an overbend > 0 deg gives both"
+            else f"the {overbend} is 0 deg: straight is no stable state, so there is no barrier and no holding torque;"
+            f" {'an' if overbend[0] in 'aeiou' else 'a'} {overbend} > 0 deg gives both"
         )
     elif offset:
         remarks.append(f"the ends of the tendon are offset: it is longest at {past}, not at straight")
     if hinge.top_to_overbend > 0 and slack is not None and slack < hinge.top_to_overbend:
         remarks.append(
-            f"the tendon is slack beyond {degrees(slack - offset)} of overbend: nothing holds the hinge at its stop of"
-            f" {degrees(hinge.overbend)}; a shorter resting length or a smaller overbend does"
+            f"the tendon is slack beyond {degrees(slack - offset)} of {overbend}: nothing holds the hinge at its stop"
+            f" of {degrees(hinge.overbend)}; a shorter resting length or a smaller {overbend} does"
         )
     if slack is None or slack > hinge.top_to_fold:
         remarks.append(f"the tendon pulls up to the fold limit of {degrees(limit)} and nowhere goes slack")

@@ -305,7 +305,9 @@ def _tendon_landscapes(
 
     @cache
     def survey(hinge: TendonHinge, spring: HingeSpring | None) -> HingeLandscape:
-        return hinge_landscape(hinge, points) if spring is None else sprung_landscape(hinge, spring, points)
+        if spring is not None:
+            return sprung_landscape(hinge, spring, points)
+        return hinge_landscape(hinge, points, overbend=structure.appearance.overbend)
 
     own: list[HingeLandscape] = []
     ideal: list[HingeLandscape | None] = []

@@ -16,6 +16,7 @@ class Appearance:
         whole: what sentences call it.
         bar: what they call a bar.
         crease: what they call a crease that no bar lies on.
+        overbend: what they call a hinge's way past straight that its fold is not on.
         bodies: what the number of its bodies follows from, such as "two for every vein"; empty where nothing is to say.
         text: what it is, with its sizes, as the start of a sentence; empty where its parts are to be counted instead.
         sizes: lengths that it is known by, m, by name.
@@ -27,6 +28,7 @@ class Appearance:
     whole: str = "structure"
     bar: str = "bar"
     crease: str = "crease"
+    overbend: str = "back bend"
     bodies: str = ""
     text: str = ""
     sizes: Mapping[str, float] = field(default_factory=dict)

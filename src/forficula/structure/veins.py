@@ -39,6 +39,7 @@ _APPEARANCE = Appearance(
     whole="wing",
     bar="vein",
     crease="ring fold",
+    overbend="overbend",
     bodies="two for every vein",
     titles={"distal_angle": "distal hinge angle", "turn": "turn about its own axis"},
 )

@@ -8,9 +8,11 @@ from dataclasses import asdict, dataclass
 from enum import Enum
 from functools import reduce
 from operator import and_
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from forficula.analysis import Verdict, verdict_word
+from forficula.errors import InputError
 from forficula.structure import Appearance, Structure, Wording
 from forficula.study.study import Search
 
@@ -82,6 +84,21 @@ def table_transitions(table: Dataset) -> tuple[TableTransition, ...]:
         TableTransition(**{**each, "wording": Wording(**each["wording"])})
         for each in json.loads(table.attrs.get(_ATTRIBUTE, "[]"))
     )
+
+
+def check_table(table: Dataset, path: Path, again: str) -> None:
+    """Refuse a table that does not say of which transitions it is.
+
+    Args:
+        table: that was read.
+        path: of its file.
+        again: the command that writes it again.
+
+    Raises:
+        InputError: it is such a one.
+    """
+    if _ATTRIBUTE not in table.attrs:
+        raise InputError(f"{path}: of an earlier forficula; run `{again}` again")
 
 
 def asked_transitions(table: Dataset) -> tuple[TableTransition, ...]:

@@ -79,7 +79,7 @@ def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
         **_ending(search, done, next_done),
     }
     if search.start_state:
-        result[f"{search.start_state}_energy"] = done.get(f"{search.start_state}_energy_J")
+        result |= _energies(search.start_state, done)
     if second is not None:
         result[second.least_name] = least_second
     if least_first is not None:
@@ -90,9 +90,14 @@ def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
 
 
 def _numbers(step: SearchStep, row: Row) -> dict[str, Any]:
-    """Time and work of a transition, and the energy of the state that it led to."""
+    """Time and work of a transition, and the energies of the state that it led to."""
     numbers = {f"{step.transition}_{name}": row[f"{step.transition}_{name}_{unit}"] for name, unit in _NUMBERS.items()}
-    return numbers | {f"{step.state}_energy": row[f"{step.state}_energy_J"]}
+    return numbers | _energies(step.state, row)
+
+
+def _energies(state: str, row: Row) -> dict[str, Any]:
+    """What the tendons store in a state, and the hinges' springs."""
+    return {f"{state}_{name}": row.get(f"{state}_{name}_J") for name in ("energy", "hinge_energy")}
 
 
 def _decided(found: Mapping[float, Row], goal: str) -> tuple[float | None, Row]:

@@ -40,8 +40,9 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         Dimensions are the factors, in the study's order, or "sample" where the points were drawn, or "choice" and the
         grid that is repeated there where factors are varied one at a time, the base first; coordinates in SI with
         `units`, `display` and `key`. Of every transition of the base there are time and work, of every state the energy
-        of the tendons, in a search of every transition the least value; the attribute `transitions` names them, see
-        `table_transitions`, and `whole` is what sentences call the structure.
+        of the tendons and, where there are such, of the hinges' springs, in a search of every transition the least
+        value; the attribute `transitions` names them, see `table_transitions`, and `whole` is what sentences call the
+        structure.
     """
     import xarray
 
@@ -53,6 +54,9 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         words += (f"{search.first.transition}_outcome", "reference_outcome")
     variables: dict[str, Any] = {}
     for name, (unit, meaning) in _numbers(study, structure).items():
+        # springs are not in every structure
+        if name.endswith("_hinge_energy") and all(result.get(name) is None for result in results):
+            continue
         values = np.array([_nan(result.get(name)) for result in results]).reshape(shape)
         variables[name] = (dimensions, values, {"units": unit, "long_name": meaning})
     for name in words:
@@ -99,6 +103,7 @@ def _numbers(study: Study, structure: Structure) -> dict[str, tuple[str, str]]:
     numbers |= {f"{each.name}_work": ("J", f"work of {each.wording.noun}") for each in asked}
     for state in dict.fromkeys([*start, *(each.state for each in asked)]):
         numbers[f"{state}_energy"] = ("J", f"energy of the tendons, {state}")
+        numbers[f"{state}_hinge_energy"] = ("J", f"energy of the hinges' springs, {state}")
     numbers["residual"] = ("", "largest share of the energy that is missing in a run")
     return numbers
 

@@ -83,6 +83,20 @@ def test_a_folder_offers_the_figures_of_its_results(folders, name):
     assert sorted(folder_drawings(folders / name)) == KINDS[name]
 
 
+def test_a_landscape_without_one_way_to_fold_offers_where_it_rests(tmp_path):
+    save_design(load_design("letter-fold"), tmp_path / "design.toml")
+    write_text(tmp_path / "landscape.json", '{"simulation": null}')
+    assert sorted(folder_drawings(tmp_path)) == ["levels", "rests", "tendon"]
+
+
+def test_a_table_that_does_not_name_its_transitions_is_refused(tmp_path):
+    old = planted(TWO)
+    del old.attrs["transitions"]
+    write_bytes(tmp_path / "table.nc", old.to_netcdf(engine="h5netcdf"))
+    with pytest.raises(InputError, match=r"table\.nc: of an earlier forficula; run `forficula study …` again$"):
+        write_figure(tmp_path, "energy", tmp_path / "energy.svg")
+
+
 def assert_drawn_again(folder, drawings, kind, path):
     """A figure drawn from a folder is the same file as the one drawn from the data that the folder was written of."""
     write_figure(folder, kind, path / "again.svg")

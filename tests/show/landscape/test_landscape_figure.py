@@ -12,6 +12,7 @@ from forficula.show.landscape.levels_figure import draw_levels
 from forficula.show.landscape.rests_figure import draw_rests
 from forficula.show.landscape.tendon_figure import draw_tendon
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
+from forficula.study.runs import run
 from tests.show.legible import check_words
 
 NAMES = (
@@ -177,6 +178,19 @@ def test_a_hinge_with_a_spring_is_drawn_with_it_in_its_own_sense(surveyed):
     fall = np.trapezoid(moment.get_ydata() / 100, np.radians(moment.get_xdata()))
     assert both.get_ydata()[-1] - both.get_ydata()[0] == pytest.approx(1e3 * fall, rel=3e-3)
     assert top.get_ylabel() == "stored energy (mJ)"
+
+
+def test_a_simulated_hinge_with_a_spring_lies_on_the_line_of_both(surveyed):
+    landscape = surveyed("plates")
+    figure = draw_tendon(landscape, run(landscape.design))
+    both = labelled(figure, "tendon and")
+    for name in ("simulated, folding", "simulated, opening"):
+        points = labelled(figure, name)
+        expected = np.interp(points.get_xdata(), both.get_xdata(), both.get_ydata())
+        assert points.get_ydata() == pytest.approx(expected, abs=0.02 * both.get_ydata().max())
+    words = [axes.get_xlabel() for axes in (figure.axes[-1], draw_levels(landscape).axes[-1])]
+    assert not any("overbend" in text for text in words)
+    assert all("back bend" in text for text in words)
 
 
 def test_where_plates_rest_is_drawn_by_what_stores_it_with_their_angles(surveyed):

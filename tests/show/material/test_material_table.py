@@ -5,6 +5,7 @@ import pytest
 from rich.console import Console
 
 from forficula.analysis.sizing import size_tendons
+from forficula.design import load_design
 from forficula.material.law.law_file import load_law
 from forficula.material.law.material_law import MaterialLaw
 from forficula.show.material.material_table import material_table
@@ -79,6 +80,13 @@ def test_sizes_of_a_linear_and_of_a_nonlinear_tendon(reference):
     assert "mean stiffness" in text
     assert "The material has grown by 10 % for good" in text
     assert "the law does not say up to which strain it holds" in text
+
+
+def test_sizes_call_the_structure_by_its_word():
+    law = load_law("tpu-82a")
+    text = printed(size_table(law, size_tendons(load_design("letter-fold"), law, [1000.0], length=1.0)))
+    assert "The flat structure leaves it slack." in text
+    assert "wing" not in text
 
 
 def test_sizes_are_written_in_si_and_what_is_absent_is_empty(reference):

@@ -22,14 +22,17 @@ from forficula.show.folder.run_folder import run_drawings
 from forficula.show.folder.static_map_folder import SIMULATED, static_map_drawings
 from forficula.show.folder.study_folder import study_drawings
 from forficula.show.style import COLUMN_WIDTH, COPIES, ENDINGS, PAGE_WIDTH, Drawing, save_figure
+from forficula.structure import structure_of
 from forficula.study.convergence_file import load_convergence
 from forficula.study.landscape_and_run import landscape_and_run
+from forficula.study.outcome_kinds import check_table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from xarray import Dataset
 
 _MATERIAL = "material.json"
+_AGAIN = {"table.nc": "forficula study …", "map.nc": "forficula landscape …", SIMULATED: "forficula landscape …"}
 
 
 def write_figure(folder: Path, kind: str, path: Path, width: float | None = None) -> None:
@@ -114,7 +117,8 @@ def _landscape(folder: Path) -> dict[str, Drawing]:
 
         return draw
 
-    return {kind: drawing(kind) for kind in ("tendon", "wing", "levels")}
+    path = "rests" if structure_of(design).fold_path is None else "wing"
+    return {kind: drawing(kind) for kind in ("tendon", path, "levels")}
 
 
 _READERS: dict[str, Callable[[Path], dict[str, Drawing]]] = {
@@ -131,9 +135,11 @@ def _table(path: Path) -> Dataset:
     import xarray
 
     try:
-        return xarray.load_dataset(path, engine="h5netcdf")
+        table = xarray.load_dataset(path, engine="h5netcdf")
     except (OSError, ValueError) as error:
         raise InputError(f"{path}: cannot be read: {' '.join(str(error).split())}") from None
+    check_table(table, path, _AGAIN[path.name])
+    return table
 
 
 def _copy(folder: Path, kind: str, path: Path, width: float | None) -> None:

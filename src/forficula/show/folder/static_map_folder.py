@@ -13,7 +13,7 @@ from forficula.files import replacing_all, write_bytes, write_text
 from forficula.show.study.static_maps import draw_static_maps
 from forficula.show.style import PAGE_WIDTH, Drawing, save_figures
 from forficula.study import Study, table_csv
-from forficula.study.outcome_kinds import table_transitions
+from forficula.study.outcome_kinds import check_table, table_transitions
 from forficula.study.static_map import compare_maps
 
 if TYPE_CHECKING:
@@ -38,6 +38,7 @@ def read_simulated(folder: Path, design: Design) -> Dataset:
         raise InputError(f"--simulated: {path}: no such file; need the folder of a study that is done") from None
     except (OSError, ValueError) as error:
         raise InputError(f"--simulated: {path}: cannot be read: {error}") from None
+    check_table(table, path, "forficula study …")
     if table.attrs.get("design_hash") != design.hash:
         theirs = table.attrs.get("design", "no design")
         raise InputError(

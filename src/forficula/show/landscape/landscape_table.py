@@ -103,7 +103,8 @@ def _states(landscape: EnergyLandscape, shown: ShownHinge | None) -> Table:
 def _barriers(landscape: EnergyLandscape, shown: ShownHinge | None) -> Table:
     table, whole = _table("Barriers", "", "energy"), landscape.structure.appearance.whole
     columns = () if shown is None else shown.columns
-    rows = [(f"{name}, {_way(hinge)}", hinge.barrier) for name, hinge in columns]
+    overbend = landscape.structure.appearance.overbend
+    rows = [(f"{name}, {_way(hinge, overbend)}", hinge.barrier) for name, hinge in columns]
     fold = landscape.structure.fold_path
     start = (landscape.rests[0].name if fold is None else fold.start) or "at the start"
     if len(landscape.hinge_barriers):
@@ -119,10 +120,9 @@ def _barriers(landscape: EnergyLandscape, shown: ShownHinge | None) -> Table:
     return table
 
 
-def _way(hinge: HingeLandscape) -> str:
-    """From where to where a hinge's barrier is climbed."""
+def _way(hinge: HingeLandscape, start: str) -> str:
+    """From where to where a hinge's barrier is climbed: from a start so called; with a spring from where it rests."""
     top = hinge.barrier_angle
-    start = "overbend"
     if hinge.spring is not None and top is not None:
         start = show_angle(hinge.sense * hinge.states[0].angle)
     return f"{start} to {show_angle(hinge.sense * top) if top else 'straight'}"
@@ -170,7 +170,7 @@ def _snap(landscape: EnergyLandscape, record: Record | None, shown: ShownHinge) 
     predicted = [predicted_snap(each.hinge, folded) for each in hinges]
     names = (["ideal hinge"] if shown.ideal is not None else []) + [shown.name] if hinges else []
     headings = ["", *names] + ([f"in the simulated {shown.whole}"] if snap else [])
-    kind = "Snap of one hinge alone, without damping" if hinges else f"Snap of the {shown.name}"
+    kind = "Snap of one hinge alone, without damping" if hinges else f"Snap of {shown.name}"
     table = _table(kind, *headings)
     if not hinges and snap is None:
         return table

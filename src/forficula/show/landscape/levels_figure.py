@@ -71,6 +71,8 @@ def draw_levels(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure
         top.set_ylabel(f"stored energy ({unit})")
         top.tick_params(axis="x", length=0)
         _plot_hinges(bottom, folds, places, hinges)
+        overbend = landscape.structure.appearance.overbend
+        bottom.set_xlabel(f"hinges that start folded, the others in the {overbend}")
         top.set_xlim(places[0] - 1, places[-1] + 1)
         figure.legend(handles=_handles(landscape), loc="outside upper center", ncols=1 if is_narrow(width) else 3)
         return describe(figure, _tell(landscape))
@@ -118,7 +120,6 @@ def _plot_hinges(axes: Axes, folds: tuple[PartialFold, ...], places: np.ndarray,
     axes.tick_params(length=0)
     for side in ("left", "bottom"):
         axes.spines[side].set_visible(False)
-    axes.set_xlabel("hinges that start folded, the others in the overbend")
 
 
 def _handles(landscape: EnergyLandscape) -> list[Line2D | Patch]:

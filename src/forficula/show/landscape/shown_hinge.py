@@ -18,7 +18,7 @@ class ShownHinge:
         hinge: number of the hinge.
         own: about its true axis.
         ideal: with both bars square to the axis; None where there are no bars to be so.
-        name: what tables and sentences call the hinge, such as "second hinge".
+        name: what tables and sentences call the hinge, such as "second hinge" or "crease 0 (left)".
         whole: what they call the structure.
     """
 

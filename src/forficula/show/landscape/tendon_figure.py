@@ -101,9 +101,10 @@ def draw_tendon(
         title = title_of(hinge_measure(landscape.structure, shown.hinge))
         top.set_ylabel(f"{'tendon' if own.spring is None else 'stored'} energy ({energy_unit})")
         bottom.set_ylabel(f"moment about the hinge,\npositive opens ({torque_unit})")
-        meaning = "overbend > 0, straight 0, folding < 0"
+        overbend = landscape.structure.appearance.overbend
+        meaning = f"{overbend} > 0, straight 0, folding < 0"
         if own.sense < 0:
-            meaning = "folding > 0, straight 0, overbend < 0"
+            meaning = f"folding > 0, straight 0, {overbend} < 0"
         bottom.set_xlabel(f"{title} (deg){':' if not is_narrow(width) else chr(10)} {meaning}")
         handles, _ = top.get_legend_handles_labels()
         simulated = [handle for handle in handles if handle.get_label().startswith("simulated")]
@@ -171,10 +172,12 @@ def _between(hinge: HingeLandscape, start: float, end: float) -> NDArray[np.bool
 
 
 def _plot_simulation(axes: Axes, record: Record, shown: ShownHinge, factor: float) -> None:
-    """Points of a simulated tendon, evenly spaced over the angle of its hinge, folding and opening apart."""
+    """Points of a simulated tendon and its hinge's spring, evenly spaced over the angle, folding and opening apart."""
     folding = folding_rows(record, shown.hinge)
     angle = np.degrees(record.series["hinge_angle"][:, shown.hinge])
     energy = factor * record.series["tendon_energy"][:, shown.tendon]
+    if shown.own.spring is not None:
+        energy = energy + factor * record.series["hinge_energy"][:, shown.hinge]
     for part, marker, colour, name, shift in (
         (folding, "v", VERMILION, "simulated, folding", 0.0),
         (~folding, "^", PURPLE, "simulated, opening", 0.5),
@@ -303,7 +306,10 @@ def _tell(landscape: EnergyLandscape, shown: ShownHinge, title: str) -> str:
     told = [f"up to {show_value(float(hinge.stored_energy(hinge.angle).max()), 'J')} are stored"]
     if hinge.barrier is not None and hinge.barrier_angle is not None:
         at = show_angle(hinge.sense * hinge.barrier_angle) if hinge.barrier_angle else "straight"
-        told.append(f"the barrier from the overbend stop to {at} is {show_value(hinge.barrier, 'J')}")
+        start = f"the {landscape.structure.appearance.overbend} stop"
+        if sprung:
+            start = show_angle(hinge.sense * hinge.states[0].angle)
+        told.append(f"the barrier from {start} to {at} is {show_value(hinge.barrier, 'J')}")
     if hinge.holding_torque is not None:
         told.append(f"the holding torque onto that stop {show_value(hinge.holding_torque, 'N m')}")
     states = ", ".join(show_angle(hinge.sense * state.angle) for state in hinge.states) or "none"

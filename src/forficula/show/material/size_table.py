@@ -29,7 +29,7 @@ def print_sizes(law: MaterialLaw, sizes: Sequence[TendonSizes]) -> None:
 
 
 def size_table(law: MaterialLaw, sizes: Sequence[TendonSizes]) -> RenderableType:
-    """Lay out a table for each length, and what it means for the flat wing."""
+    """Lay out a table for each length, and what it means for the flat structure."""
     parts: list[RenderableType] = []
     for each in sizes:
         heading = f"{law.name}, length {show_quantity(each.length, LENGTH)}, {each.why}"
@@ -58,7 +58,7 @@ def _table(law: MaterialLaw, sizes: TendonSizes) -> RenderableType:
         headings[1:] = [
             "area, stiffness at\nsmall extension",
             "diameter\nif round",
-            "area, mean stiffness\nto the flat wing",
+            f"area, mean stiffness\nto the flat {sizes.whole}",
         ]
     table = plain_table(*headings)
     for size in sizes.sizes:
@@ -75,8 +75,8 @@ def _is_linear(law: MaterialLaw) -> bool:
 
 def _flat(sizes: TendonSizes, law: MaterialLaw) -> str:
     if sizes.flat_strain <= law.residual_strain:
-        return "The flat wing leaves it slack."
-    strain = f"The flat wing stretches it by {100 * sizes.flat_strain:.3g} %"
+        return f"The flat {sizes.whole} leaves it slack."
+    strain = f"The flat {sizes.whole} stretches it by {100 * sizes.flat_strain:.3g} %"
     if sizes.beyond is None:
         return f"{strain}; the law does not say up to which strain it holds."
     shown = show_value("largest_strain", law.largest_strain or math.nan)

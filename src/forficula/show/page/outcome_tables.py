@@ -37,8 +37,8 @@ def _states(outcome: Outcome, structure: Structure) -> str:
     headings = [rows.heading, *(f"{each.title} ({each.unit})" for _ in there for each in rows.columns)]
     body = [[cell.replace("-", "−") for cell in row] for row in rows.parts]
     before = [""] * (len(rows.columns) - 1)
-    if rows.sums is not None:
-        body.append(["all tendons", *rows.sums])
+    if rows.sums:
+        body.append([f"all {rows.summed}", *rows.sums])
     if structure.membranes:
         body.append(["membrane", *(cell for state in there.values() for cell in (*before, _membrane(state)))])
     return table("States", headings, body, groups=groups)

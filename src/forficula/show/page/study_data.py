@@ -163,6 +163,10 @@ def _drawn(table: Dataset) -> list[_Drawn]:
         *(("time", f"{each.name}_time", each.wording.time, number) for number, each in numbered),
         *(("work", f"{each.name}_work", f"work of {each.wording.noun}", number) for number, each in numbered),
         *(("energy", f"{state}_energy", f"tendons' energy when {state}", number) for state, number in states.items()),
+        *(
+            ("energy", f"{state}_hinge_energy", f"springs' energy when {state}", number)
+            for state, number in states.items()
+        ),
     ]
     return [
         _Drawn(group=group, name=name, title=title, transition=transition)

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
@@ -14,7 +18,7 @@ from forficula.dynamics import Record, StageEnd
 from forficula.quantities import reading_unit
 from forficula.show.run.state_names import lettered_states
 from forficula.show.structure.painted_shape import paint_shape, shape_handles, structure_view
-from forficula.show.structure.shape import Shape, shape_of
+from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_at
 from forficula.show.style import ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
 from forficula.structure import Structure
@@ -22,6 +26,8 @@ from forficula.structure import Structure
 Array = NDArray[np.float64]
 
 _LEGEND_HEIGHT = 0.9  # inch
+_BAR_HEIGHT = 0.3  # inch, of a scale bar with its number
+_MOST_LINES = 200  # of creases and edges: more would hide what they lie on
 _CELLS = 16  # to the size of the whole: the more, the larger the file
 
 
@@ -38,12 +44,22 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) ->
     with figure_style():
         columns = 2 if is_narrow(width) else 4
         times = time_texts([time for _, time in moments])
-        rows = -(-(len(moments) + 1) // columns)  # one place for the legend
-        drawn = [paint_shape(surface_at(record, shape, time), view, ORANGE, cells=_CELLS) for _, time in moments]
+        surfaces = [surface_at(record, shape, time) for _, time in moments]
+        if len(shape.lines) > _MOST_LINES:
+            surfaces = [replace(surface, lines=surface.lines[:0]) for surface in surfaces]
+        drawn = [paint_shape(surface, view, ORANGE, cells=_CELLS) for surface in surfaces]
         corners = np.concatenate([painted.polygons.reshape(-1, 2) for painted in drawn])
         low, high = corners.min(axis=0), corners.max(axis=0)
-        height = max(width / columns * (high - low)[1] / (high - low)[0], _LEGEND_HEIGHT)
-        figure = Figure(figsize=(width, rows * (height + 0.25)), layout="constrained")
+        scale = width / columns / (high - low)[0]
+        height = scale * (high - low)[1]
+        flat = height < _LEGEND_HEIGHT / 2
+        if flat:  # the scale bar comes beneath the first one, and the legend beneath all
+            low[1] -= _BAR_HEIGHT / scale
+            height += _BAR_HEIGHT
+        else:
+            height = max(height, _LEGEND_HEIGHT)
+        rows = -(-(len(moments) + (not flat)) // columns)  # one place for the legend
+        figure = Figure(figsize=(width, rows * (height + 0.25) + 0.25 * flat), layout="constrained")
         for axes, (name, time), painted in zip(
             np.ravel(figure.subplots(rows, columns, squeeze=False)), moments, drawn, strict=False
         ):
@@ -55,7 +71,12 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) ->
             axes.set_title(f"{name}, {times[time]}", pad=2)
         for axes in figure.axes:
             axes.set_axis_off()
-        _legend(figure.axes[len(moments)], shape, structure, high - low, low)
+        handles = shape_handles(shape, structure, ORANGE, 2.0)
+        if flat:
+            _scale_bar(figure.axes[0], high - low, low)
+            figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
+        else:
+            _legend(figure.axes[len(moments)], handles, high - low, low)
         told = "; ".join(f"{name} at {times[time]}" for name, time in moments)
         what = f"The {structure.appearance.whole} {record.design.name} in space at {len(moments)} moments of a run"
         return describe(figure, f"{what}. {told}.")
@@ -71,16 +92,21 @@ def time_texts(times: list[float]) -> dict[float, str]:
     return texts
 
 
-def _legend(axes: Axes, shape: Shape, structure: Structure, size: Array, low: Array) -> None:
-    """What the colours mean, and a scale bar of about a third of the picture."""
+def _legend(axes: Axes, handles: Sequence[Artist], size: Array, low: Array) -> None:
+    """What the colours mean, and a scale bar."""
     axes.set(xlim=(low[0], low[0] + size[0]), ylim=(low[1], low[1] + size[1]), aspect="equal")
+    _scale_bar(axes, size, low)
+    axes.legend(handles=handles, loc="upper left", borderaxespad=0)
+
+
+def _scale_bar(axes: Axes, size: Array, low: Array) -> None:
+    """A scale bar of about a third of the picture."""
     bar = 10.0 ** np.floor(np.log10(size[0] / 2))
     bar *= next(steps for steps in (5, 2, 1) if steps * bar <= size[0] / 2)
     left, height = low[0] + 0.15 * size[0], low[1] + 0.05 * size[1]
     axes.plot([left, left + bar], [height, height], color="black", lw=1.5)
     unit, factor = reading_unit("m", bar)
     axes.text(left + bar / 2, height + 0.04 * size[1], f"{factor * bar:.4g} {unit}", ha="center", va="bottom")
-    axes.legend(handles=shape_handles(shape, structure, ORANGE, 2.0), loc="upper left", borderaxespad=0)
 
 
 def _moments(record: Record, outcome: Outcome) -> list[tuple[str, float]]:

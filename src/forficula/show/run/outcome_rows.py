@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -40,19 +40,21 @@ class StateColumn:
 
 @dataclass(frozen=True, kw_only=True)
 class StateRows:
-    """What states are: what is measured, then length and energy of the tendons, by hinge and tendon.
+    """What states are: what is measured, tendons' lengths, energies of tendons and springs, by hinge and tendon.
 
     Attributes:
         heading: of the first column, such as "vein".
         columns: of each state.
         parts: the cells of all states by part, what it is called before them; empty where a part has no such number.
-        sums: the cells of all states for all tendons together; None where there are no tendons.
+        summed: what the sums are of, such as "tendons"; empty where nothing stores energy.
+        sums: the cells of all states for all of these together.
     """
 
     heading: str
     columns: tuple[StateColumn, ...]
     parts: list[list[str]]
-    sums: list[str] | None
+    summed: str
+    sums: list[str]
 
 
 def state_rows(structure: Structure, states: Mapping[str, State]) -> StateRows:
@@ -66,16 +68,20 @@ def state_rows(structure: Structure, states: Mapping[str, State]) -> StateRows:
             unit, factor = reading_unit("m", largest)
         columns.append(StateColumn(title=title_of(measure), unit=unit))
         cells.append((measure_labels(structure, measure), _reading_cell(measure, factor)))
-    sums = None
-    if structure.tendons:
-        energy_unit, energy = reading_unit("J", max(float(state.tendon_energy.max()) for state in states.values()))
+    tendons, sums = [label_of(tendon) for tendon in structure.tendons], []
+    if tendons:
         length_unit, length = reading_unit("m", max(float(state.tendon_length.max()) for state in states.values()))
-        tendons = [label_of(tendon) for tendon in structure.tendons]
-        columns += [StateColumn(title="tendon", unit=length_unit), StateColumn(title="energy", unit=energy_unit)]
+        columns.append(StateColumn(title="tendon", unit=length_unit))
         cells.append((tendons, lambda state, tendon: f"{length * state.tendon_length[tendon]:.2f}"))
-        cells.append((tendons, lambda state, tendon: f"{energy * state.tendon_energy[tendon]:.4g}"))
+    springs = [number for number, hinge in enumerate(structure.hinges) if hinge.stiffness]
+    if tendons or springs:
+        stored = {state.name: _stored(state, springs) for state in states.values()}
+        energy_unit, energy = reading_unit("J", max(float(each.max()) for each in stored.values()))
+        columns.append(StateColumn(title="energy", unit=energy_unit))
+        labels = [*tendons, *(label_of(structure.hinges[hinge]) for hinge in springs)]
+        cells.append((labels, lambda state, part: f"{energy * stored[state.name][part]:.4g}"))
         before = [""] * (len(columns) - 1)
-        sums = [cell for state in states.values() for cell in (*before, f"{energy * state.tendon_energy.sum():.4g}")]
+        sums = [cell for each in stored.values() for cell in (*before, f"{energy * each.sum():.4g}")]
     names, rows_of = aligned([entries for entries, _ in cells])
     heading, places = parts_of(names), [{row: entry for entry, row in enumerate(each)} for each in rows_of]
     rows = []
@@ -86,7 +92,15 @@ def state_rows(structure: Structure, states: Mapping[str, State]) -> StateRows:
             for (_, cell), place in zip(cells, places, strict=True)
         ]
         rows.append([name, *shown])
-    return StateRows(heading=heading.heading, columns=tuple(columns), parts=rows, sums=sums)
+    summed = " and ".join(name for name, there in (("tendons", tendons), ("springs", springs)) if there)
+    return StateRows(heading=heading.heading, columns=tuple(columns), parts=rows, summed=summed, sums=sums)
+
+
+def _stored(state: State, springs: Sequence[int]) -> NDArray[np.float64]:
+    """Energy of the tendons, and of the springs of some hinges, J, (part,)."""
+    if state.hinge_energy is None:
+        return state.tendon_energy
+    return np.concatenate([state.tendon_energy, state.hinge_energy[list(springs)]])
 
 
 def transition_rows(structure: Structure, outcome: Outcome) -> list[list[str]]:

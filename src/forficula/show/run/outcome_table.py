@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 from rich.console import Console, Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from forficula.analysis import Outcome, Verdict
+from forficula.analysis import Outcome, State, Verdict
 from forficula.quantities import reading_unit, show_value
-from forficula.show.run.outcome_rows import TRANSITION_HEADINGS, balance_rows, state_rows, transition_rows
+from forficula.show.run.outcome_rows import TRANSITION_HEADINGS, StateRows, balance_rows, state_rows, transition_rows
 from forficula.show.run.state_names import states_reached
 from forficula.structure import Structure
+
+_WIDTH = 100  # letters, of the table of states
 
 
 def outcome_table(name: str, outcome: Outcome, structure: Structure) -> RenderableType:
@@ -20,7 +24,7 @@ def outcome_table(name: str, outcome: Outcome, structure: Structure) -> Renderab
     if outcome.advice:
         parts.append(Text(outcome.advice))
     if structure.states:
-        parts += [Text(), _states(outcome, structure)]
+        parts += [Text(), *_states(outcome, structure)]
     if structure.transitions:
         parts += [Text(), _transitions(outcome, structure)]
     parts += [Text(), _balance(outcome, structure)]
@@ -32,32 +36,39 @@ def print_outcome(name: str, outcome: Outcome, structure: Structure) -> None:
     Console(width=110, highlight=False).print(outcome_table(name, outcome, structure))
 
 
-def _states(outcome: Outcome, structure: Structure) -> RenderableType:
+def _states(outcome: Outcome, structure: Structure) -> Sequence[RenderableType]:
+    """A table of the states, or several, one beneath the other, each of as many as fit beside one another."""
     there = states_reached(structure, outcome)
     if not there:
-        return Text("States: none was reached.")
+        return [Text("States: none was reached.")]
     rows = state_rows(structure, there)
     if not rows.columns:
         times = ", ".join(f"{name} at {show_value(state.time, 's')}" for name, state in there.items())
-        return Text(f"States: {times}.")
+        return [Text(f"States: {times}.")]
+    for count in range(len(there), 0, -1):
+        tables = [_state_table(rows, there, first, first + count) for first in range(0, len(there), count)]
+        if all(Console(width=1000).measure(table).maximum <= _WIDTH for table in tables):
+            break
+    return [part for table in tables for part in (table, Text())][:-1]
+
+
+def _state_table(rows: StateRows, there: Mapping[str, State], first: int, last: int) -> Table:
+    """The states from a first up to a last one."""
     time_unit, time = reading_unit("s", max(state.time for state in there.values()))
-    table = Table(box=None, padding=(0, 2, 0, 0), title="States", title_justify="left")
+    table = Table(box=None, padding=(0, 2, 0, 0), title=None if first else "States", title_justify="left")
     table.add_column(rows.heading)
     angles = [column for column in rows.columns if column.unit == "deg"]
-    for name in there:
+    for name in list(there)[first:last]:
         for place, column in enumerate(rows.columns):
             # the only angle needs no name
             title = "angle" if [column] == angles else column.title
             gap = " " if title == "angle" else "\n"
             heading = f"{name}:\n{title}{gap}({column.unit})" if place == 0 else f"{title}\n({column.unit})"
             table.add_column(heading, justify="right")
-    sums = [] if rows.sums is None else [["sum", *rows.sums]]
-    for cells in [*rows.parts, *sums]:
-        table.add_row(*cells)
     empty = [""] * (len(rows.columns) - 1)
-    table.add_row(
-        "time", *(cell for state in there.values() for cell in (f"{time * state.time:#.4g} {time_unit}", *empty))
-    )
+    times = [cell for state in there.values() for cell in (f"{time * state.time:#.4g} {time_unit}", *empty)]
+    for name, *cells in [*rows.parts, *[["sum", *rows.sums]] * bool(rows.sums), ["time", *times]]:
+        table.add_row(name, *cells[first * len(rows.columns) : last * len(rows.columns)])
     return table
 
 

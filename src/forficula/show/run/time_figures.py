@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from forficula.analysis import Outcome
@@ -37,6 +41,8 @@ _COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK)
 _LEAD = 0.15
 # of an axis of angles, deg: to one side where hinges go beyond a right angle, at least, and by where they stop
 _HALF_TURN, _LEAST_ROOM, _ROOM = 200.0, 25.0, 1.2
+# of a legend; more lines than that have the colours of a scale, in their order
+_MOST_ENTRIES = 8
 _SHORT = 12  # letters of a label, of which three fit beside one another in a column
 _STEPS, _MOST_STEPS = (5, 10, 15, 30, 45, 90), 6
 
@@ -52,7 +58,7 @@ def draw_angles(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) -> 
             for axes, (start, scale) in zip(axes_row, _spans(record), strict=True):
                 time = _time(record, start, scale)
                 for line, (name, values) in enumerate(lines.items()):
-                    axes.plot(time, values, _line(line), color=_colour(line), label=name)
+                    axes.plot(time, values, **_look(line, len(lines)), label=name)
                 axes.axhline(0, color="0.6", lw=0.5, zorder=0)
                 if measures[0].kind == "angle":
                     _scale_degrees(axes, record, measures)
@@ -253,11 +259,17 @@ def stacked_axes(figure: Figure, count: int, stages: int) -> list[list[Axes]]:
 
 
 def _legend(row: list[Axes], width: float, columns: int) -> None:
-    """What the lines are, beside the axes, or above them where these are narrow."""
+    """What the lines are, of many some, beside the axes, or above them where these are narrow."""
+    handles = row[0].get_legend_handles_labels()[0]
+    if len(handles) > _MOST_ENTRIES:
+        places = np.linspace(0, len(handles) - 1, _MOST_ENTRIES - 1).round().astype(int)
+        others = Line2D([], [], ls="none", label=f"and {len(handles) - len(places)} others")
+        handles, columns = [*(handles[place] for place in places), others], min(columns, 3)
     if is_narrow(width):
-        row[0].legend(loc="lower left", bbox_to_anchor=(0, 1.14), ncols=columns, borderaxespad=0, columnspacing=1.2)
+        above = {"bbox_to_anchor": (0, 1.14), "ncols": columns, "columnspacing": 1.2}
+        row[0].legend(handles=handles, loc="lower left", borderaxespad=0, **above)
     else:
-        row[-1].legend(loc="upper left", bbox_to_anchor=(1.04, 1), borderaxespad=0)
+        row[-1].legend(handles=handles, loc="upper left", bbox_to_anchor=(1.04, 1), borderaxespad=0)
 
 
 def _time(record: Record, start: float, scale: float) -> np.ndarray:
@@ -292,9 +304,8 @@ def _mark_states(axes: Axes, record: Record, outcome: Outcome, measures: tuple[M
         axes.text(time, value, letter, ha="center", va="center_baseline", fontsize=7, zorder=6)
 
 
-def _colour(line: int) -> str:
-    return _COLOURS[line % len(_COLOURS)]
-
-
-def _line(line: int) -> str:
-    return LINE_STYLES[line % len(LINE_STYLES)]
+def _look(line: int, count: int) -> dict[str, Any]:
+    """Colour and style of one of so many lines."""
+    if count > _MOST_ENTRIES:
+        return {"color": mpl.colormaps["viridis"](0.9 * line / (count - 1)), "lw": 0.8}
+    return {"color": _COLOURS[line % len(_COLOURS)], "ls": LINE_STYLES[line % len(LINE_STYLES)]}

@@ -27,6 +27,9 @@ _STYLES = {
 }
 _WIDEST = 4.6  # inch: it has one part, which a page would only blow up
 _LOW = 0.5  # height by width
+_LOWEST = 0.1  # height by width, or width by height, of what is drawn: what is longer is stretched across
+_MOST_LINES = 200  # of creases and edges, before they are drawn thinner
+_MOST_NUMBERED, _NUMBERED = 20, 9  # hinges on their lines, and so many of more
 _ON_AXIS = 1e-6  # by the size of the whole
 
 
@@ -38,7 +41,9 @@ def draw_pattern(structure: Structure, width: float = PAGE_WIDTH) -> Figure:
     with figure_style():
         extent = np.maximum(np.ptp(factor * places[:, :2], axis=0), 1e-9 * factor * structure.span)
         width = min(width, _WIDEST)
-        tall = min(2.0, max(0.3, extent[1] / extent[0]))
+        ratio = extent[1] / extent[0]
+        stretch = float(np.clip(1.0, _LOWEST / ratio, 1 / _LOWEST / ratio))
+        tall = min(2.0, max(0.3 if ratio > 0.15 else _LOWEST, ratio))
         # a low one has no room to spare for a second row of the legend
         room = 0.9 if tall > _LOW else 1.1
         figure = Figure(figsize=(width, (width - 0.5) * tall + room), layout="constrained")
@@ -51,8 +56,8 @@ def draw_pattern(structure: Structure, width: float = PAGE_WIDTH) -> Figure:
             ends = factor * points[list(tendon.points)]
             axes.plot(*ends.T[:2], "o-", color=ORANGE, ms=3.5, lw=3, alpha=0.6)
         _number(axes, structure, factor)
-        axes.set_aspect("equal")
-        axes.set_xlabel(f"x ({unit})")
+        axes.set_aspect(stretch)
+        axes.set_xlabel(f"x ({unit}){_stretched(stretch)}")
         axes.set_ylabel(f"y ({unit})")
         axes.margins(0.06)
         if structure.tendons:
@@ -62,12 +67,18 @@ def draw_pattern(structure: Structure, width: float = PAGE_WIDTH) -> Figure:
         return describe(figure, _tell(structure))
 
 
+def _stretched(stretch: float) -> str:
+    """Says which axis is drawn larger than the other one, where one is."""
+    times, axis = max(stretch, 1 / stretch), "y" if stretch > 1 else "x"
+    return f"; {axis} is drawn {times:.2g} times as large" if times > 1 else ""
+
+
 def _draw_creases(axes: Axes, pattern: CreasePattern, factor: float) -> list[Line2D]:
     """The edges of a pattern; returns what they mean."""
-    points = factor * pattern.vertices_coords[:, :2]
+    points, lw = factor * pattern.vertices_coords[:, :2], 1.1 if len(pattern.edges_vertices) <= _MOST_LINES else 0.5
     for (start, end), assignment in zip(pattern.edges_vertices, pattern.edges_assignment, strict=True):
         colour, style, _ = _STYLES[assignment]
-        axes.plot(*points[[start, end]].T, style, color=colour, lw=1.1)
+        axes.plot(*points[[start, end]].T, style, color=colour, lw=lw)
     return [
         Line2D([], [], color=colour, ls=style, label=name)
         for letter, (colour, style, name) in _STYLES.items()
@@ -94,7 +105,10 @@ def _number(axes: Axes, structure: Structure, factor: float) -> None:
     hinges = list(dict.fromkeys(hinge for measure in shown_angles(structure) for hinge in measure.hinges))
     names = parts_of([label_of(structure.hinges[hinge]) for hinge in hinges]).names
     points, (origins, directions) = built_points(structure), built_hinges(structure)
-    for hinge, name in zip(hinges, names, strict=True):
+    shown = range(len(hinges))
+    if len(hinges) > _MOST_NUMBERED:
+        shown = np.linspace(0, len(hinges) - 1, _NUMBERED).round().astype(int).tolist()
+    for hinge, name in ((hinges[place], names[place]) for place in shown):
         bar = next((bar for bar in structure.bars if bar.body == structure.hinges[hinge].body), None)
         if bar is not None:
             place = factor * points[bar.points[1], :2]
