@@ -12,6 +12,7 @@ from forficula.design import load_design, with_values
 from forficula.dynamics import Record
 from forficula.structure import structure_of
 from forficula.study.runs import run
+from tests.analysis.test_outcome import ENDS, planted
 
 LENGTH = 0.06
 
@@ -75,6 +76,18 @@ def test_tendons_are_named_where_others_are_of_another_material():
     assert warning.startswith("tendon0: taut tendons move at up to 20 1/s, 200 times the 0.1 1/s")
     untested = with_values(record.design, {"tendon.0.law": "none", "tendon.0.stiffness": 1000.0})
     assert run_warnings(replace(record, design=untested, structure=structure_of(untested))) == []
+
+
+def test_a_goal_that_holds_before_its_stage_begins_is_said_to_and_not_that_it_was_lost():
+    steps = [start + 2e-4 for start in ENDS[:-1]]
+    record = planted(goals=(None, *steps))
+    outcome = measure(record)
+    assert outcome.status == 'the goal of stage "fold" holds before it begins'
+    assert outcome.advice == "Take a goal that only its drive brings about."
+    # a release has no drive, and may rest at once
+    assert run_warnings(record) == [f'the goal of stage "{name}" holds before it begins' for name in ("fold", "unfold")]
+    later = planted(goals=(None, *(step + 2e-4 for step in steps)))
+    assert (measure(later).status, run_warnings(later)) == ("did not stay folded", [])
 
 
 def test_a_wing_of_the_papers_tpu_folds_far_faster_than_the_papers_machine_pulled():

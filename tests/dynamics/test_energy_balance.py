@@ -2,7 +2,9 @@
 
 import pytest
 
-from forficula.dynamics import EnergyBalance
+from forficula.design import load_design
+from forficula.dynamics import EnergyBalance, energy_balance
+from forficula.study.runs import run
 
 CLOSED = {
     "work": 5.0,
@@ -34,6 +36,20 @@ def test_the_residual_is_what_is_missing_by_what_was_exchanged(values, missing, 
     assert balance.missing == pytest.approx(missing, abs=1e-12)
     assert balance.exchanged == pytest.approx(exchanged, rel=1e-12)
     assert balance.residual == pytest.approx(abs(missing) / exchanged, abs=1e-12)
+
+
+def test_a_slight_part_of_what_is_stored_is_told_by_that_and_no_more():
+    step = CLOSED | dict.fromkeys(CLOSED, 0.0) | {"tendon": -3e-8, "kinetic": 2e-8}
+    assert EnergyBalance(**step, stored=1.0).residual == pytest.approx(1e-3)
+    assert EnergyBalance(**step, stored=1e-3).residual == pytest.approx(1 / 3)
+
+
+def test_one_step_to_a_goal_that_holds_already_is_no_reason_not_to_be_trusted():
+    stage = {"name": "close", "drive": "close", "until": "mouth < 50 cm", "hold": "0 s", "time_limit": "2 s"}
+    record = run(load_design("letter-fold", {"protocol.stages": [stage]}))
+    balance = energy_balance(record)
+    assert abs(balance.missing) > 0.1 * balance.exchanged
+    assert balance.residual < 0.002
 
 
 def test_where_nothing_is_exchanged_nothing_is_missing():

@@ -22,7 +22,9 @@ SETTINGS = {
     # theory: make.md's table of anchors that stand off the bars
     "off the bars": {"tendon.proximal_offset": "2 mm", "tendon.distal_offset": "2 mm"},
     "beyond the stop": {"tendon.proximal_offset": "-2 mm", "tendon.distal_offset": "-2 mm"},
+    "folds by itself": {"tendon.proximal_offset": "-6 cm", "tendon.distal_offset": "-6 cm"},
 }
+PLATES = {"plates": {}, "soft plates": {"crease.stiffness": "0 N m/rad/m"}, "plates without tendons": {"tendon": []}}
 # two veins with tendons of their own, and one between them without
 OWN = """
 based_on = "binder2025"
@@ -45,9 +47,8 @@ def surveyed(tmp_path_factory):
 
     @cache
     def survey(name: str) -> EnergyLandscape:
-        if name in ("plates", "soft plates"):
-            soft = {} if name == "plates" else {"crease.stiffness": "0 N m/rad/m"}
-            return energy_landscape(load_design("letter-fold", soft), points=61)
+        if name in PLATES:
+            return energy_landscape(load_design("letter-fold", PLATES[name]), points=61)
         if name == "own tendons":
             path = tmp_path_factory.mktemp("own") / "own.toml"
             path.write_text(OWN, "utf-8")

@@ -93,6 +93,20 @@ def test_what_needs_one_way_to_fold_is_left_out_or_says_so(landscape):
     json.dumps(summary, allow_nan=False)
 
 
+def test_without_tendons_it_rests_at_one_place_and_nothing_opens_what_never_closed():
+    landscape = ff.energy_landscape(ff.load_design("letter-fold", {"tendon": []}), points=11)
+    assert [(state.name, state.energy, state.same_as) for state in landscape.rests] == [
+        ("flat", 0, ""),
+        ("not closed", 0, "flat"),
+        ("opened", 0, "flat"),
+    ]
+    assert landscape.least_torques["close"] > 0
+    assert landscape.least_torques["open"] is None
+    assert landscape.remarks[-1] == (
+        "no slowly growing torque makes it get opened from closed: it does not rest closed"
+    )
+
+
 def test_heavy_panels_hang_down():
     """In a plane that lies level, held at the middle panel: the outer ones bend back as far as they may."""
     light, heavy = (

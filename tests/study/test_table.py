@@ -100,6 +100,10 @@ def test_coordinates_are_in_si_and_say_their_key_and_units(searched):
     assert (attributes["units"], attributes["display"], attributes["key"]) == ("m", "cm", "tendon.rest_length")
     assert table["fold_torque"].values == pytest.approx([0.1, 0.5])
     assert table["fold_work"].attrs["units"] == "J"
+    # a run that failed has them, too
+    assert table["fold_work"].attrs["long_name"] == "work of folding, done or not"
+    assert table["flat_energy"].attrs["long_name"] == "energy of the tendons, flat"
+    assert table["folded_energy"].attrs["long_name"] == "energy of the tendons, folded, or where folding ended"
     assert table["fold_time_by_torque"].dims[-1] == "fold_torque"
     assert np.array_equal(table["folded_by_torque"], np.isfinite(table["fold_time_by_torque"]))
 

@@ -257,7 +257,7 @@ def landscape_summary_of(landscape: EnergyLandscape) -> Numbers:
 _SINCE = {
     "tendons": ("tendon", "hinge"),
     "partial_folds": ("independent_energy_J",),
-    "rests": ("stored_J",),
+    "rests": ("stored_J", "same_as"),
 }
 
 

@@ -19,6 +19,7 @@ Array = NDArray[np.float64]
 _STIR = np.radians(0.1)
 _STIR_SHARE = 1e-3  # of the size of the whole
 _TOO_SHORT = "at its goal for too short a time when its stage was over"
+_FIRST_STEP = 1.5  # timesteps, for times are multiples of it up to rounding
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -177,7 +178,7 @@ def measure(record: Record) -> Outcome:
         reading=way.state.furthest if verdict.tells and way is not None and way.state is not None else None,
         time=record.diverged_at,
         residual=balance.residual if record.diverged_at is None else None,
-        why=record.doubt or (_TOO_SHORT if verdict is Verdict.MOVING and missed and missed.at_goal else ""),
+        why=record.doubt or _why(record, verdict, missed),
     )
     holds = {way.transition.state: way.holds if verdict.tells else None for way in ways}
     led_to = {way.transition.state: way.state for way in ways}
@@ -196,6 +197,27 @@ def measure(record: Record) -> Outcome:
         stages=tuple(_stage(record, end, tells=verdict.tells) for end in record.stages),
         energy_balance=balance,
     )
+
+
+def early_goal(record: Record, end: StageEnd) -> str:
+    """What to say where a driven stage's goal, a bound, holds at its first step; else empty."""
+    if (
+        end.goal_time is None
+        or not stage_drives(end.stage)
+        or goal_of(record.structure, end.stage.until).kind != "bounds"
+    ):
+        return ""
+    early = end.goal_time - end.start <= _FIRST_STEP * float(record.design.protocol.timestep)
+    return f'the goal of stage "{end.stage.name}" holds before it begins' if early else ""
+
+
+def _why(record: Record, verdict: Verdict, missed: StageEnd | None) -> str:
+    """Why a stage missed its goal, where the words of its transition would mislead."""
+    if missed is None or verdict not in (Verdict.MOVING, Verdict.NOT_HELD):
+        return ""
+    if verdict is Verdict.NOT_HELD:
+        return early_goal(record, missed)
+    return _TOO_SHORT if missed.at_goal else ""
 
 
 def _way(record: Record, transition: Transition) -> _Way:

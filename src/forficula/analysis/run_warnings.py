@@ -5,15 +5,39 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.analysis.crossing_plates import crossing_plates
+from forficula.analysis.outcome import early_goal
 from forficula.dynamics import Record
 
 _FAR_FASTER = 100.0  # than the tests of a material: two decades, over which a polymer's modulus can change much
 
 
 def run_warnings(record: Record) -> list[str]:
-    """What a person should know of a run that only the run itself tells, one sentence each.
+    """What a person should know of a run that only the run itself tells, one sentence each."""
+    early = [early_goal(record, end) for end in record.stages]
+    return [
+        *filter(None, early),
+        *_crossing_plates(record),
+        *_fast_tendons(record),
+    ]
 
-    Tendons of one material count together; they are named where others are of another one.
+
+def _crossing_plates(record: Record) -> list[str]:
+    """Of the plates that are the first to pass through each other, and how many others do."""
+    found = crossing_plates(record)
+    if not found:
+        return []
+    bodies = [record.structure.bodies[record.structure.plates[plate].body] for plate in found[0].plates]
+    names = " and ".join(f"{body.role} {body.name.removeprefix(body.role)}" for body in bodies)
+    more = len(found) - 1
+    others = f", and {more} more pair{'s' * (more > 1)} later" if more else ""
+    return [f"{names} pass through each other from {found[0].time:.3g} s{others}: plates do not touch each other"]
+
+
+def _fast_tendons(record: Record) -> list[str]:
+    """Of tendons that move far faster than the tests of their material.
+
+    Those of one material count together; they are named where others are of another one.
     """
     tendons, rates = record.structure.tendons, highest_strain_rates(record)
     told = []

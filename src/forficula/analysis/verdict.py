@@ -50,8 +50,8 @@ class Ending:
             there is none, or where nothing is to be trusted.
         time: when it diverged, s, or None.
         residual: of the energy balance; None where nothing ran, or the run diverged.
-        why: there is nothing to run, it is not to be trusted whatever the residual, or it did not rest at its goal;
-            mostly empty.
+        why: there is nothing to run, it is not to be trusted whatever the residual, it did not rest at its goal, or
+            that held before; mostly empty.
     """
 
     verdict: Verdict
@@ -81,7 +81,7 @@ def ending_text(ending: Ending) -> str:
             return f"cannot be built: {ending.why}"
         case Verdict.STUCK if _on_the_way(ending) and ending.reading is not None:
             return f"stuck at {_reading_text(ending.transition, ending.reading)}"
-        case Verdict.MOVING if ending.why:
+        case Verdict.MOVING | Verdict.NOT_HELD if ending.why:
             return ending.why
         case Verdict.MOVING if ending.transition is not None:
             at = ""
@@ -137,6 +137,8 @@ def ending_advice(ending: Ending, design: Design, structure: Structure | None = 
             return (
                 f'It is still on its way: raise the time_limit, {stage.time_limit:.4g} s, of the stage "{stage.name}".'
             )
+        case Verdict.NOT_HELD if ending.why:
+            return "Take a goal that only its drive brings about."
         case Verdict.NOT_HELD if words is not None:
             return words.if_lost
         case Verdict.STUCK if words is not None:

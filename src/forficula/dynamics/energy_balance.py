@@ -9,6 +9,9 @@ import numpy as np
 from forficula.dynamics.record import Record
 
 _ROUNDING = 1e-9
+# of the energy that is stored: where less is exchanged, a few steps leave what counts for nothing
+_SLIGHT = 1e-5
+_STORES = ("tendon_energy", "membrane_energy", "hinge_energy", "branch_energy")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -31,6 +34,7 @@ class EnergyBalance:
             where it never does.
         hinges: change of the energy of the hinges' springs; None where they have none.
         at_hand: what tendons stretched by their levers would hold; a billionth of it is rounding.
+        stored: in tendons, membrane and springs at the start or the end, where there is more; 1e-5 of it is slight.
     """
 
     work: float
@@ -47,6 +51,7 @@ class EnergyBalance:
     letting_go: float | None = None
     hinges: float | None = None
     at_hand: float = 0.0
+    stored: float = 0.0
 
     @property
     def missing(self) -> float:
@@ -64,8 +69,8 @@ class EnergyBalance:
 
     @property
     def residual(self) -> float:
-        """What is missing, as a share of the energy that was exchanged; where nothing was, all is rounding."""
-        scale = max(self.exchanged, _ROUNDING * self.at_hand)
+        """What is missing, as a share of the energy that was exchanged, or of a slight part of what is stored."""
+        scale = max(self.exchanged, _ROUNDING * self.at_hand, _SLIGHT * self.stored)
         return abs(self.missing) / scale if scale else 0.0
 
 
@@ -77,6 +82,9 @@ def energy_balance(record: Record) -> EnergyBalance:
             for name, values in record.series.items()
             if name.endswith(("_energy", "_work"))
         }
+        ends = [
+            sum(float(record.series[name][row].sum()) for name in _STORES if name in record.series) for row in (0, -1)
+        ]
     return EnergyBalance(
         work=sum((float(last - first) for first, last in record.series["motor_work"][[0, -1]].T), 0.0),
         tendon=change["tendon_energy"],
@@ -95,6 +103,8 @@ def energy_balance(record: Record) -> EnergyBalance:
         at_hand=max(
             (each.law.elastic.linear * (each.longest / 2) ** 2 for each in record.structure.tendons), default=0.0
         ),
+        # of a run that blew up, which ends with no number, none
+        stored=max((each for each in ends if np.isfinite(each)), default=0.0),
     )
 
 

@@ -27,7 +27,7 @@ from forficula.statics.partial_folds import (
     single_hinge_barriers,
     soft_stiffness,
 )
-from forficula.statics.potential import Ensemble, ensemble, stored_energy
+from forficula.statics.potential import Ensemble, ensemble, slight_energy, stored_energy
 from forficula.statics.quasi_static import (
     SlowTransition,
     at_goal,
@@ -45,6 +45,7 @@ Array = NDArray[np.float64]
 # torques tried on hinges that tendons cross, by the largest moment of a tendon against it
 _MOST_OPENING = 4.0
 _STRAIGHT = math.radians(1)  # what counts as straight
+_SAME = math.radians(0.05)  # hinges that rest no farther apart do so at one place, to what tables show
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -58,6 +59,8 @@ class Rest:
         stored: the same by what stores it: "tendons", "springs", "membranes" with length limits, "weight"; what the
             structure does not have is left out.
         stable: whether it came to rest and no small push drives it on.
+        within: whether it is within the bounds of the state.
+        same_as: name of the first state before it that rests at the same angles; empty where none does.
     """
 
     name: str
@@ -65,6 +68,8 @@ class Rest:
     energy: float
     stored: Mapping[str, float]
     stable: bool
+    within: bool
+    same_as: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -84,7 +89,7 @@ class EnergyLandscape:
         hinge_barriers: energy to climb until one hinge of the first state folds alone, J, (hinge,).
         rests: where it rests when let go from where the protocol starts it, and from where each transition leads.
         least_torques: by transition, the size of the least slowly growing torque that makes it, N m; None where not
-            even the largest that was tried does.
+            even the largest that was tried does, or where it does not rest in the state that it would start from.
         tips: resistance to a load at the tips; None where there is no one way to fold.
         remarks: sentences on what does not exist, and what to know of the rest.
     """
@@ -102,6 +107,11 @@ class EnergyLandscape:
     least_torques: Mapping[str, float | None]
     tips: TipStiffness | None
     remarks: tuple[str, ...]
+
+    @property
+    def easiest_barrier(self) -> float | None:
+        """Energy to climb until one hinge of the first state folds alone, J; None where it does not rest there."""
+        return float(self.hinge_barriers.min()) if len(self.hinge_barriers) and self.rests[0].within else None
 
     @property
     def fold_barrier(self) -> float | None:
@@ -157,16 +167,20 @@ def energy_landscape(design: Design, points: int = 181) -> EnergyLandscape:
     wing = None if structure.fold_path is None else fold_path(structures, points)
     start = start_state(structures)
     first = first_state(structure, [state.name for state in structure.states])
-    rests, slow, most = [_rest(structures, first, start)], {}, {}
+    rests, most = [_rest(structures, first, start)], {}
+    slow: dict[str, SlowTransition | None] = {}
     peak = max((each.peak_opening.torque for each in tendons if each.peak_opening is not None), default=0.0)
-    before = start
+    before, held = start, True
     for transition in structure.transitions:
         most[transition.name] = _largest_torque(structures, transition, peak)
-        slow[transition.name] = least_slow_torque(
-            structures, before.position, transition, most[transition.name], transition.slow_drive
+        drive, largest = transition.slow_drive, most[transition.name]
+        # from where it does not rest nothing leads on
+        slow[transition.name] = (
+            least_slow_torque(structures, before.position, transition, largest, drive) if held else None
         )
         before = state_beyond(structures, transition)
-        rests.append(_rest(structures, transition.state, before))
+        held = bool(at_goal(structures, before.position, transition.released)[0])
+        rests.append(_rest(structures, transition.state, before, rests))
     return EnergyLandscape(
         design=design,
         structure=structure,
@@ -178,7 +192,7 @@ def energy_landscape(design: Design, points: int = 181) -> EnergyLandscape:
         partial_folds=partial_folds(structures),
         hinge_barriers=single_hinge_barriers(structures, start.position),
         rests=tuple(rests),
-        least_torques={name: _known(each.torque[0]) for name, each in slow.items()},
+        least_torques={name: None if each is None else _known(each.torque[0]) for name, each in slow.items()},
         tips=None if wing is None else tip_stiffness(structures, start.position),
         remarks=(
             *_tendon_remarks(structure, ideal_hinges, tendons),
@@ -275,15 +289,22 @@ def _name(state: PathState, landscape: EnergyLandscape) -> str:
     return fold.end if closed else f"partly {fold.end}"
 
 
-def _rest(structures: Ensemble, name: str, found: Equilibria) -> Rest:
-    state = state_of(structures.structure, name)
-    within = state is not None and bool(at_goal(structures, found.position[:1], state.bounds)[0])
+def _rest(structures: Ensemble, name: str, found: Equilibria, earlier: Sequence[Rest] = ()) -> Rest:
+    state, position = state_of(structures.structure, name), found.position[0]
+    within = state is None or bool(at_goal(structures, found.position[:1], state.bounds)[0])
+    slight = slight_energy(structures)
+
+    def known(energy: Array) -> float:
+        return float(energy[0]) if abs(energy[0]) > slight else 0.0
+
     return Rest(
         name=name if within or state is None else state.missed,
-        angles=found.position[0],
-        energy=float(found.energy[0]),
-        stored={part: float(energy[0]) for part, energy in stored_energy(structures, found.position[:1]).items()},
+        angles=position,
+        energy=known(found.energy),
+        stored={part: known(energy) for part, energy in stored_energy(structures, found.position[:1]).items()},
         stable=bool(found.rests[0] and found.stiffness[0] > -soft_stiffness(structures)),
+        within=within,
+        same_as=next((each.name for each in earlier if np.all(np.abs(each.angles - position) <= _SAME)), ""),
     )
 
 
@@ -358,12 +379,17 @@ def _start_remarks(structure: Structure, angles: Array) -> tuple[str, ...]:
     )
 
 
-def _slow_remarks(structure: Structure, transition: Transition, most: float, found: SlowTransition) -> tuple[str, ...]:
+def _slow_remarks(
+    structure: Structure, transition: Transition, most: float, found: SlowTransition | None
+) -> tuple[str, ...]:
     """What to say where no slowly growing torque makes a transition."""
-    if not math.isnan(found.torque[0]):
-        return ()
     verb, does, own = transition.wording.verb, transition.wording.does, transition.slow_drive is None
     makes = f"makes it {verb}" if " " in verb else f"{does} it"
+    if found is None:
+        before = _before(structure, transition)
+        return (f"no slowly growing torque {makes} from {before}: it does not rest {before}",)
+    if not math.isnan(found.torque[0]):
+        return ()
     started = "" if transition is structure.transitions[0] else f" from {_before(structure, transition)}"
     on = "" if transition.slow_drive is None else f" on the {transition.slow_drive.name} hinges"
     folding = list(folding_hinges(structure))

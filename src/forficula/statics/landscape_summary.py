@@ -34,6 +34,7 @@ def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
                 "energy_J": state.energy,
                 "stored_J": dict(state.stored),
                 "stable": state.stable,
+                "same_as": state.same_as or None,
             }
             for state in landscape.rests
         ],
@@ -129,7 +130,7 @@ def _wing_summary(landscape: EnergyLandscape, wing: FoldPath) -> dict[str, Any]:
             {"pleat_angle_deg": float(np.degrees(state.coordinate)), "energy_J": state.energy} for state in climbs
         ],
         "barrier_J": landscape.fold_barrier,
-        "single_hinge_barriers_J": landscape.hinge_barriers.tolist(),
+        "single_hinge_barriers_J": landscape.hinge_barriers.tolist() if landscape.rests[0].within else None,
         "opening_barrier_J": landscape.unfold_barrier,
         "holding_torque_N_m": next((state.holding_torque for state in states if state.name == first), None),
         "path_fold_torque_N_m": wing.fold_torque,

@@ -255,6 +255,11 @@ def torque_scale(structures: Ensemble) -> float:
     return max(scales)
 
 
+def slight_energy(structures: Ensemble) -> float:
+    """Energy that is rounding, J: what the torque that counts as none leaves in the stiffest part."""
+    return _QUIET**2 * torque_scale(structures)
+
+
 def sheet_torque(structure: Structure) -> float:
     """Torque that a membrane's margin exerts at a strain of 1, the largest of all, N m; 0 without a membrane."""
     return max(

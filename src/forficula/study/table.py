@@ -100,10 +100,12 @@ def _numbers(study: Study, structure: Structure) -> dict[str, tuple[str, str]]:
         what = "torque" if step.unit is TORQUE else step.key
         numbers[step.least_name] = (step.unit.si, f"least {what} that {does}")
     numbers |= {f"{each.name}_time": ("s", each.wording.time) for each in asked}
-    numbers |= {f"{each.name}_work": ("J", f"work of {each.wording.noun}") for each in asked}
-    for state in dict.fromkeys([*start, *(each.state for each in asked)]):
-        numbers[f"{state}_energy"] = ("J", f"energy of the tendons, {state}")
-        numbers[f"{state}_hinge_energy"] = ("J", f"energy of the hinges' springs, {state}")
+    numbers |= {f"{each.name}_work": ("J", f"work of {each.wording.noun}, done or not") for each in asked}
+    # a transition that failed has what it came to
+    ends = {each.state: f"{each.state}, or where {each.wording.noun} ended" for each in asked}
+    for state, where in ({state: state for state in start} | ends).items():
+        numbers[f"{state}_energy"] = ("J", f"energy of the tendons, {where}")
+        numbers[f"{state}_hinge_energy"] = ("J", f"energy of the hinges' springs, {where}")
     numbers["residual"] = ("", "largest share of the energy that is missing in a run")
     return numbers
 

@@ -196,7 +196,7 @@ def test_a_simulated_hinge_with_a_spring_lies_on_the_line_of_both(surveyed):
 def test_where_plates_rest_is_drawn_by_what_stores_it_with_their_angles(surveyed):
     landscape = surveyed("plates")
     top, bottom = draw_rests(landscape).axes
-    assert [label.get_text() for label in bottom.get_xticklabels()] == ["flat", "closed", "opened"]
+    assert [label.get_text() for label in bottom.get_xticklabels()] == ["flat", "closed", "opened\n(as flat)"]
     heights = [bar.get_height() for bar in top.patches]
     stored = [1e3 * energy for rest in landscape.rests for energy in rest.stored.values()]
     assert heights == pytest.approx(stored)
@@ -206,6 +206,12 @@ def test_where_plates_rest_is_drawn_by_what_stores_it_with_their_angles(surveyed
     np.testing.assert_allclose(drawn.T, np.degrees([rest.angles for rest in landscape.rests]), rtol=1e-12)
     words = " ".join(text.get_text().replace("\n", " ") for text in top.texts)
     assert f"close {100 * landscape.least_torques['close']:.3g} N cm" in words
+
+
+def test_rounding_is_not_drawn_as_energies_and_angles(surveyed):
+    top, bottom = draw_rests(surveyed("plates without tendons")).axes
+    assert [bar.get_height() for bar in top.patches] == [0, 0, 0]
+    assert (top.get_ylim(), np.ptp(bottom.get_ylim())) == ((0, 1), pytest.approx(1))
 
 
 def test_what_is_not_there_is_not_drawn(surveyed):

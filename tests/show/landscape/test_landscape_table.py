@@ -3,6 +3,7 @@ from rich.console import Console
 
 from forficula.design import load_design
 from forficula.show.landscape.landscape_table import landscape_table
+from forficula.statics import landscape_summary
 from forficula.study.runs import run
 
 
@@ -90,11 +91,19 @@ def test_a_vein_without_a_tendon_is_passed_over(surveyed):
     assert "Vein 2: the tendon is slack from" in text
 
 
+def test_no_barrier_leads_from_a_state_in_which_the_wing_does_not_rest(surveyed):
+    text = printed(surveyed("folds by itself"))
+    assert text.startswith("binder2025: stable along its fold: partly folded; ")
+    for barrier in ("flat until its easiest hinge folds alone", "flat to folded, all hinges together"):
+        assert line(text, f"wing, {barrier}").split()[-1] == "none"
+    assert landscape_summary(surveyed("folds by itself"))["wing"]["single_hinge_barriers_J"] is None
+
+
 def test_plates_are_told_by_where_they_rest_and_by_what_closes_and_opens_them(surveyed):
     landscape = surveyed("plates")
     text = printed(landscape, run(landscape.design))
     assert text.startswith(
-        "letter-fold: rests stably: flat, closed, opened; 4 of 4 states with some hinges folded stay"
+        "letter-fold: rests stably: flat, closed, opened (as flat); 4 of 4 states with some hinges folded stay"
     )
     assert "fold angle −3.0°" in line(text, "structure, flat")
     assert "105.6°" in line(text, "structure, closed")
@@ -102,7 +111,7 @@ def test_plates_are_told_by_where_they_rest_and_by_what_closes_and_opens_them(su
     assert line(text, "that make it get closed, on the creases").split()[-2:] == ["N", "cm"]
     # springs have no closed form, so only the run times the hinge
     assert "ideal hinge" not in text
-    assert line(text, "from 1.0° past straight to 90.0°").split()[-1] == "ms"
+    assert line(text, "from 1.0° past straight to 90.0°").split()[-1] == "s"
     assert "The simulated structure: closed and opened." in text
     for word in ("wing", "vein", "membrane", "pleats", "overbend"):
         assert word not in text

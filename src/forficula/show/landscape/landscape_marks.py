@@ -12,7 +12,7 @@ from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike, NDArray
 
 from forficula.show.style import BLACK, GREEN, in_column
-from forficula.statics import EnergyLandscape
+from forficula.statics import EnergyLandscape, Rest
 from forficula.structure import Measure, Structure, Transition, drive_of, measure_of
 
 Array = NDArray[np.float64]
@@ -31,6 +31,11 @@ def rounding_torque(landscape: EnergyLandscape) -> float:
     """Torque up to which one is rounding, N m."""
     hinges = landscape.tendons if landscape.hinge is None else (landscape.hinge,)
     return _ROUNDING * max((float(np.abs(hinge.moment).max()) for hinge in hinges), default=0.0)
+
+
+def rest_name(rest: Rest, between: str = " ") -> str:
+    """The name of a state, and of the one before that rests at the same angles."""
+    return (rest.name or "at the start") + (f"{between}(as {rest.same_as})" if rest.same_as else "")
 
 
 def hinge_measure(structure: Structure, hinge: int) -> Measure:

@@ -19,7 +19,7 @@ from forficula.analysis.simulated_snap import (
 )
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit
-from forficula.show.landscape.landscape_marks import rounding_torque, show_angle, show_angles, torque_words
+from forficula.show.landscape.landscape_marks import rest_name, rounding_torque, show_angle, show_angles, torque_words
 from forficula.show.landscape.shown_hinge import ShownHinge, shown_hinge
 from forficula.show.structure.labels import shown_angles, title_of
 from forficula.statics import EnergyLandscape, FoldPath, HingeLandscape, stable_states
@@ -67,7 +67,7 @@ def landscape_table(
 def _verdict(landscape: EnergyLandscape) -> str:
     folds = landscape.partial_folds
     if landscape.wing is None:
-        names = [each.name or "at the start" for each in landscape.rests if each.stable]
+        names = [rest_name(each) for each in landscape.rests if each.stable]
         told = f"rests stably: {', '.join(names)}" if names else "rests nowhere stably"
     else:
         names = [state.name for state in stable_states(landscape)]
@@ -95,7 +95,7 @@ def _states(landscape: EnergyLandscape, shown: ShownHinge | None) -> Table:
     measures = shown_angles(landscape.structure)
     for rest in landscape.rests:
         at = ", ".join(f"{title_of(each)} {show_angles(each, rest.angles)}" for each in measures)
-        kind = "rests" if rest.stable else "not stable"
+        kind = "not stable" if not rest.stable else f"as {rest.same_as}" if rest.same_as else "rests"
         table.add_row(f"{whole}, {rest.name or 'at the start'}", kind, at, _energy(rest.energy), "")
     return table
 
@@ -108,8 +108,7 @@ def _barriers(landscape: EnergyLandscape, shown: ShownHinge | None) -> Table:
     fold = landscape.structure.fold_path
     start = (landscape.rests[0].name if fold is None else fold.start) or "at the start"
     if len(landscape.hinge_barriers):
-        easiest = float(landscape.hinge_barriers.min())
-        rows.append((f"{whole}, {start} until its easiest hinge folds alone", easiest))
+        rows.append((f"{whole}, {start} until its easiest hinge folds alone", landscape.easiest_barrier))
     if fold is not None:
         rows += [
             (f"{whole}, {fold.start} to {fold.end}, all hinges together", landscape.fold_barrier),

@@ -9,7 +9,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from forficula.quantities import reading_unit, show_value
-from forficula.show.landscape.landscape_marks import sheet_parts, show_angles, torque_words
+from forficula.show.landscape.landscape_marks import rest_name, sheet_parts, show_angles, torque_words
 from forficula.show.structure.labels import measure_labels, parts_of, shown_angles, title_of
 from forficula.show.style import (
     BLACK,
@@ -31,6 +31,7 @@ _COLOURS = {"tendons": BLUE, "springs": GREEN, "membranes": ORANGE, "weight": PU
 _MARKS = (("o", BLUE), ("s", VERMILION), ("^", GREEN), ("D", PURPLE), ("v", SKY))
 _WIDTH = 0.62  # of a bar
 _NAMED = 6  # so many hinges are named under their angles
+_LEAST_SPAN = 1.0  # deg, of the axis of angles: less is rounding
 
 
 def draw_rests(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
@@ -52,12 +53,12 @@ def draw_rests(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
         for place, each in enumerate(rests):
             _plot_bar(top, place, each, factor)
         _mark_steps(top, landscape)
-        low, high = top.get_ylim()
+        low, high = top.get_ylim() if largest else (0.0, 1.0)
         top.set_ylim(low if low < 0 else 0.0, high if high > 0 else 1.0)
         top.set_ylabel(f"stored energy ({unit})")
         top.tick_params(axis="x", length=0)
         _plot_angles(bottom, rests, measures)
-        bottom.set_xticks(range(len(rests)), [each.name or "at the start" for each in rests])
+        bottom.set_xticks(range(len(rests)), [rest_name(each, "\n") for each in rests])
         bottom.set_xlim(-0.6, len(rests) - 0.4)
         bottom.set_ylabel(f"{title_of(measures[0]) if len(measures) == 1 else 'angle'} (deg)")
         bottom.set_xlabel(_order(landscape, measures))
@@ -108,6 +109,9 @@ def _plot_angles(axes: Axes, rests: tuple[Rest, ...], measures: tuple[Measure, .
             places = [place + shift for place in range(len(rests))]
             axes.plot(places, angles, mark, color=colour, ms=4, ls="none", clip_on=False)
     axes.margins(y=0.15)
+    low, high = axes.get_ylim()
+    short = max(_LEAST_SPAN - (high - low), 0.0) / 2
+    axes.set_ylim(low - short, high + short)
 
 
 def _order(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> str:
@@ -143,7 +147,7 @@ def _tell(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> str:
     """The states and the steps in words."""
     whole, name = landscape.structure.appearance.whole, landscape.design.name
     states = [
-        f"{each.name or 'at the start'}{'' if each.stable else ' (not stable)'} with {show_value(each.energy, 'J', 3)}"
+        f"{rest_name(each)}{'' if each.stable else ' (not stable)'} with {show_value(each.energy, 'J', 3)}"
         f" at {', '.join(f'{title_of(measure)} {show_angles(measure, each.angles)}' for measure in measures)}"
         for each in landscape.rests
     ]

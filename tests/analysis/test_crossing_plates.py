@@ -1,0 +1,86 @@
+"""Plates that pass through each other: which, and since when, of places that are planted and of a run."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from forficula.analysis import run_warnings
+from forficula.analysis.crossing_plates import crossing_plates
+from forficula.design import design_pattern, load_design
+from forficula.dynamics import Record
+from forficula.pattern import folded_coordinates
+from forficula.structure import GROUND, Body, Plate, Point, Structure, structure_of
+from forficula.study.runs import run
+
+
+def strip(letters, *angles):
+    """A record of a strip of panels, a row every 10 ms with all its creases at one angle, deg."""
+    values = {"pattern.panels": len(letters) + 1, "pattern.assignment": letters}
+    nothing = {"tendon": [], "measure": [], "support": [], "drive": []}
+    stages = [{"name": "rest", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "1 s"}]
+    design = load_design("letter-fold", values | nothing | {"protocol.stages": stages})
+    structure, pattern = structure_of(design), design_pattern(design)
+    signs = np.array([{"V": 1.0, "M": -1.0}.get(letter, np.nan) for letter in pattern.edges_assignment])
+    vertices = [int(point.name.partition("vertex")[2]) for point in structure.points]
+    places = np.array([folded_coordinates(pattern, np.radians(angle) * signs)[vertices] for angle in angles])
+    time = 0.01 * np.arange(len(angles))
+    return Record(
+        design=design,
+        structure=structure,
+        time=time,
+        series={"point_position": places},
+        stages=(),
+        diverged_at=None,
+    )
+
+
+def names(record):
+    """The plates that cross by the names of their bodies, and since when."""
+    structure = record.structure
+    return [
+        (*(structure.bodies[structure.plates[plate].body].name for plate in each.plates), each.time)
+        for each in crossing_plates(record)
+    ]
+
+
+def test_two_plates_that_cross_are_named_with_the_first_time():
+    assert names(strip("VV", 0, 100, 122, 140, 90)) == [("facet0", "facet2", 0.02)]
+
+
+@pytest.mark.parametrize(
+    ("letters", "angle"),
+    [("VV", 120), ("VVV", 90), ("VM", 180), ("VV", 180), ("VM", 179), ("V", 170)],
+    ids=["edges meet", "a box", "on one another", "rolled up", "nearly on one another", "hinged"],
+)
+def test_plates_that_touch_or_lie_on_one_another_do_not_cross(letters, angle):
+    assert crossing_plates(strip(letters, 0, angle)) == []
+
+
+@pytest.mark.parametrize(("place", "crosses"), [(1.5, False), (0.5, True), (3.5, False)])
+def test_a_plate_may_stand_in_the_gap_of_one_that_is_not_convex(place, crosses):
+    around = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
+    level = np.column_stack([np.array(around, dtype=float), np.zeros(8)])
+    upright = np.array([(place - 0.2, 2, -1), (place + 0.2, 2, -1), (place + 0.2, 2, 1), (place - 0.2, 2, 1)])
+    corners = np.concatenate([level, upright])
+    bodies = [
+        Body(name=f"facet{body}", role="facet", parent=GROUND, position=np.zeros(3), frame=np.eye(3)) for body in (0, 1)
+    ]
+    points = [Point(name=f"p{k}", role="corner", body=int(k > 7), place=each) for k, each in enumerate(corners)]
+    plates = [
+        Plate(body=body, points=tuple(numbers), thickness=1e-3, density=1.0)
+        for body, numbers in enumerate((range(8), range(8, 12)))
+    ]
+    structure = Structure(
+        name="gap", bodies=tuple(bodies), points=tuple(points), plates=tuple(plates), hinges=(), span=3.0, mass=1.0
+    )
+    record = replace(strip("V", 0), structure=structure, series={"point_position": corners[None]})
+    assert bool(crossing_plates(record)) is crosses
+
+
+def test_a_letter_that_closes_too_fast_passes_through_itself_and_the_example_does_not():
+    fast, letter = (run(load_design("letter-fold", more)) for more in ({"crease.damping": "5e-3 N m s/rad/m"}, {}))
+    (warning,) = run_warnings(fast)
+    assert warning == "facet 0 and facet 2 pass through each other from 0.44 s: plates do not touch each other"
+    assert np.degrees(letter.measured("creases")).max() < 115
+    assert run_warnings(letter) == []
