@@ -9,14 +9,15 @@ from forficula.study.study import read_search
 
 
 @cache
-def transitions_of_reference(ask: str = "least-torques") -> dict[str, str]:
+def transitions_of_reference(ask: str = "least-torques", *, opens: bool = True) -> dict[str, str]:
     """Attributes of a table of the reference: its transitions, the state before them, and what it is called.
 
     Args:
         ask: "least-torques", or "run" for plain runs.
+        opens: whether a search asks for torques that open, too.
     """
     reference = load_design("binder2025")
-    search = read_search(ask, {}, reference) if ask != "run" else None
+    search = read_search(ask, {} if opens else {"unfold_torques": []}, reference) if ask != "run" else None
     structure = structure_of(reference)
     return {
         "transitions": transitions_text(structure, search),

@@ -8,9 +8,9 @@ from rich.console import Console
 
 from forficula.show import progress
 
-FOLDED = {"status": "folded and opened", "verdict": "reached", "folded": True}
-STUCK = {"status": "stuck at -134.6 deg", "verdict": "stuck", "folded": False}
-DIVERGED = {"status": "diverged at t = 0.3 s", "verdict": "diverged", "folded": None}
+FOLDED = {"status": "folded", "verdict": "reached", "outcome": "folded", "folded": True}
+STUCK = {"status": "stuck at -134.6 deg", "verdict": "stuck", "outcome": "stuck on the way", "folded": False}
+DIVERGED = {"status": "diverged at t = 0.3 s", "verdict": "diverged", "outcome": "diverged", "folded": None}
 
 
 @pytest.fixture
@@ -40,7 +40,7 @@ def test_a_line_every_ten_seconds_says_how_many_how_fast_how_long_and_what_becam
         for number, row in enumerate([FOLDED, STUCK, FOLDED, DIVERGED, FOLDED], start=1):
             clock[0] += 4
             told(number, 20, row)
-    assert sent.getvalue() == "3 of 20 runs, 0.25 runs/s, 68 s left: 2 folded, 1 stuck\n"
+    assert sent.getvalue() == "3 of 20 runs, 0.25 runs/s, 68 s left: 2 folded, 1 stuck on the way\n"
 
 
 def test_the_rate_is_that_of_the_runs_of_this_time_not_of_those_that_were_there(screen, clock):

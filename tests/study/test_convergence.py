@@ -126,7 +126,7 @@ def test_the_own_value_is_run_and_timesteps_go_from_coarse_to_fine(short):
 def test_progress_counts_the_runs_whatever_meshes_they_have(short):
     seen = []
     converge(short, MESH, [1, 2], progress=lambda *each: seen.append(each))
-    assert seen == [(number, 2, {"verdict": Verdict.REACHED, "holds": (True, False)}) for number in (1, 2)]
+    assert seen == [(number, 2, {"verdict": Verdict.REACHED, "outcome": "folded"}) for number in (1, 2)]
 
 
 def test_a_timestep_that_diverges_is_too_long(short):

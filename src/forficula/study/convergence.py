@@ -107,7 +107,7 @@ def converge(
         tolerance: by how much of its limit a time may be off at a timestep that is fine.
         hinge: number of the hinge to show, among those of the first measure, from 0; the last if not given, or where
             there are fewer.
-        progress: called with the runs done, all runs, and the status of the last and whether it folded, as a row.
+        progress: called with the runs done, all runs, and the verdict and the word of the last, as a row.
 
     Raises:
         InputError: another key, fewer than two values, one of them twice, or one that the design cannot have.
@@ -192,7 +192,7 @@ def _run_all(models: Sequence[Model], hinge: int | None, progress: Progress | No
         for row, record in simulate_each([models[index] for index in members]):
             run = runs[members[row]] = timed_run(record, hinge)
             if progress is not None:
-                progress(len(runs), len(models), {"verdict": run.verdict, "holds": run.outcome.holds})
+                progress(len(runs), len(models), {"verdict": run.verdict, "outcome": run.word})
     return [runs[index] for index in range(len(models))]
 
 

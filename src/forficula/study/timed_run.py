@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.analysis import Verdict, measure
+from forficula.analysis import Verdict, ending_word, measure
 from forficula.dynamics import Record, StageEnd
 from forficula.structure import Transition, goal_of
 
@@ -31,7 +31,8 @@ class TimedRun:
 
     Attributes:
         status: in a few words.
-        verdict: in a word.
+        word: that without its numbers.
+        verdict: on it.
         outcome: what must not change.
         transition_times: by transition, from the start of its stage until the last of what its goal bounds crosses its
             bound for good, s; nan where it did not.
@@ -42,6 +43,7 @@ class TimedRun:
     """
 
     status: str
+    word: str
     verdict: Verdict
     outcome: Kind
     transition_times: Mapping[str, float]
@@ -70,6 +72,7 @@ def timed_run(record: Record, hinge: int | None = None) -> TimedRun:
     }
     return TimedRun(
         status=outcome.status,
+        word=ending_word(outcome.ending),
         verdict=outcome.verdict,
         outcome=Kind(
             tuple(bool(holds) for holds in outcome.holds.values()),

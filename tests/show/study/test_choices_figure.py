@@ -43,8 +43,8 @@ def planted(name="mine", *, verdict="", outcome="", opens=False):
         "tendon_stiffness": ("tendon_stiffness", [1e3, 2e3], {"key": "tendon.stiffness"}),
         "tendon_rest_length": ("tendon_rest_length", [0.0, 0.03, 0.06], {"key": "tendon.rest_length"}),
     }
-    attributes = {"name": name, "design": "binder2025", "ask": "least-torques", **transitions_of_reference()}
-    return xr.Dataset(variables, coordinates, attributes)
+    attributes = {"name": name, "design": "binder2025", "ask": "least-torques"}
+    return xr.Dataset(variables, coordinates, attributes | transitions_of_reference(opens=opens))
 
 
 def single(table):
