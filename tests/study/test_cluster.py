@@ -92,11 +92,15 @@ def test_a_worker_killed_at_work_loses_no_row_and_changes_no_bit(cluster, study,
         if not died:
             died.update(kill_at_work(cluster))
 
-    with dask_cluster(cluster.scheduler_address) as workers:
-        table = ff.run_study(study, tmp_path / "cluster", cluster=workers, progress=kill_once)
+    # Its rows may all have come while no worker was in the middle of a chunk: then nothing has been tried.
+    for attempt in range(5):
+        with dask_cluster(cluster.scheduler_address) as workers:
+            table = ff.run_study(study, tmp_path / f"{attempt}", cluster=workers, progress=kill_once)
+        assert table.identical(here[0])
+        assert lines(tmp_path / f"{attempt}") == here[1]
+        if died:
+            break
     assert len(died) == 1
-    assert table.identical(here[0])
-    assert lines(tmp_path / "cluster") == here[1]
     assert len(here[1]) == len(study.points) + 2  # who wrote it comes first, and nothing after the last newline
 
 
