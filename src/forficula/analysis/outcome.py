@@ -302,7 +302,8 @@ def _state(record: Record, end: StageEnd, name: str) -> State:
     start = end.end if snapped else max(end.start, end.end - record.design.protocol.window)
     # half a step either way, for times are multiples of the timestep up to rounding
     half = float(record.design.protocol.timestep) / 2
-    window = (record.time >= start - half) & (record.time <= end.end + half)
+    # as numbers, for a mask is searched through by every series that it is laid on
+    window = np.flatnonzero((record.time >= start - half) & (record.time <= end.end + half))
     coordinates = record.series["hinge_angle"][window]
     if "distance" in record.series:
         coordinates = np.concatenate([coordinates, record.series["distance"][window]], axis=1)

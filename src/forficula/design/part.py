@@ -142,8 +142,7 @@ class Part(BaseModel):
     def hash_values(self) -> dict[str, Any]:
         """The values that tell it from others, SI, as plain data; what is absent is left out."""
         values: dict[str, Any] = {}
-        for name in type(self).model_fields:
-            value = getattr(self, name)
+        for name, value in self:
             if isinstance(value, Part):
                 values[name] = value.hash_values()
             elif isinstance(value, tuple):

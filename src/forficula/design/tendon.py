@@ -107,5 +107,7 @@ def tendon_law(tendon: TendonSection) -> TendonLaw:
 
 def small_extension(tendon: TendonSection) -> dict[str, float]:
     """Stiffness and damping of a tendon where it is hardly stretched: with a law E1 A / L and eta1 A / L."""
+    if tendon.law is None:
+        return {"stiffness": tendon.stiffness or 0.0, "damping": tendon.damping or 0.0}
     law = tendon_law(tendon)
     return {"stiffness": law.stiffness[0], "damping": 0.0 if law.damping is None else law.damping[0]}
