@@ -6,13 +6,13 @@ way from one end to the other. Elements that join the same hinges have a dense b
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.statics.pose import Carried, Pose, Span, Tree, carried_points, pulled, span
+from forficula.statics.pose import Carried, Span, Tree, carried_points, moves_of, places_of, pose, pulled, span
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -75,19 +75,6 @@ class Elements:
     carried: Carried
     groups: tuple[Group, ...]
     blocks: dict[int, tuple[tuple[Span, Span], ...]]
-
-
-@dataclass(frozen=True, kw_only=True)
-class Stretch:
-    """The sides of a group in some poses.
-
-    Attributes:
-        sides: m or 1, (case, piece, side, 3).
-        moves: how they move with the hinges of their block, (case, piece, side, 3, hinge).
-    """
-
-    sides: Array
-    moves: Array
 
 
 def elements(tree: Tree, bodies: Sequence[int], places: Array, pieces: Sequence[Piece]) -> Elements:
@@ -164,21 +151,24 @@ def _pairs(carried: Carried, points: Sequence[int], hinges: Sequence[int]) -> In
     return np.flatnonzero(np.isin(carried.pairs[0], points) & np.isin(carried.pairs[1], hinges))
 
 
-def stretch(group: Group, places: Array, moves: Array) -> Stretch:
-    """The sides of a group, and how they move.
+def _sides(group: Group, places: Array, moves: Array) -> tuple[Array, Array]:
+    """The sides of a group in some poses, and how they move with the hinges of their block.
 
     Args:
         group: of pieces.
         places: of all points, m, (3, case, point).
         moves: of all pairs of points and hinges, m, (3, case, pair).
+
+    Returns:
+        m or 1, (case, piece, side, 3); by the angles, (case, piece, side, 3, hinge).
     """
     cases = places.shape[1]
     count, length, _ = group.sides.shape
     sides = _by_piece(places[:, :, group.points], count) @ np.swapaxes(group.sides, 1, 2)
     turned = _by_piece(moves[:, :, group.pairs], count) @ group.turns
-    return Stretch(
-        sides=np.transpose(sides.reshape(count, 3, cases, length), (2, 0, 3, 1)),
-        moves=np.ascontiguousarray(np.transpose(turned.reshape(count, 3, cases, length, group.size), (2, 0, 3, 1, 4))),
+    return (
+        np.transpose(sides.reshape(count, 3, cases, length), (2, 0, 3, 1)),
+        np.ascontiguousarray(np.transpose(turned.reshape(count, 3, cases, length, group.size), (2, 0, 3, 1, 4))),
     )
 
 
@@ -203,28 +193,30 @@ def _block(moves: Array, stiffness: Array) -> Array:
     return np.asarray(np.swapaxes(by_element.reshape(by_piece), 2, 3) @ pulls)
 
 
-def assembled(
-    laid: Elements, at: Pose, places: Array, stretches: Sequence[Stretch], expansions: Sequence[Expansion]
-) -> Expansion:
+def stretched(laid: Elements, angles: Array, laws: Sequence[Callable[[Array], Expansion]]) -> Expansion:
     """Energy of all groups, its slope and its curvature by the hinges' angles.
 
     Args:
         laid: what stretches.
-        at: the tree in space.
-        places: of all points, m, (3, case, point).
-        stretches: of every group.
-        expansions: of every group: energy, J, (case,); slope by the sides, (case, piece, side, 3); curvature by the
-            sides of each element, (case, piece, element, coordinate, coordinate).
+        angles: of all hinges, in their own senses, rad, (case, hinge).
+        laws: of every group, by its sides, m or 1, (case, piece, side, 3): energy, J, (case,); slope by the sides,
+            (case, piece, side, 3); curvature by the sides of each element, (case, piece, element, coordinate,
+            coordinate).
 
     Returns:
         J, (case,); N m, (case, hinge); N m/rad, (case, hinge, hinge).
     """
+    at = pose(laid.tree, angles)
+    places = places_of(laid.carried, at)
+    moves = moves_of(laid.carried, at, places)
     cases = places.shape[1]
     blocks = {size: np.zeros((cases, len(each), size, size)) for size, each in laid.blocks.items()}
     forces, total = np.zeros(places.shape), np.zeros(cases)
-    for group, its, (energy, pull, stiffness) in zip(laid.groups, stretches, expansions, strict=True):
+    for group, law in zip(laid.groups, laws, strict=True):
+        sides, turned = _sides(group, places, moves)
+        energy, pull, stiffness = law(sides)
         total += energy
-        blocks[group.size][:, group.blocks] += _block(its.moves, stiffness)
+        blocks[group.size][:, group.blocks] += _block(turned, stiffness)
         count, length, points = group.sides.shape
         by_piece = np.transpose(pull, (1, 3, 0, 2)).reshape(count, -1, length) @ group.sides
         on_points = np.transpose(by_piece.reshape(count, 3, cases, points), (1, 2, 0, 3)).reshape(3, cases, -1)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -11,8 +12,8 @@ from numpy.typing import NDArray
 
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
-from forficula.statics.elements import Elements, Expansion, Piece, assembled, elements, stretch
-from forficula.statics.pose import Tree, moves_of, places_of, pose
+from forficula.statics.elements import Elements, Expansion, Piece, elements, stretched
+from forficula.statics.pose import Tree
 from forficula.structure import Structure
 
 Array = NDArray[np.float64]
@@ -100,24 +101,24 @@ def line_energy(lines: Lines, angles: Array) -> Expansion:
     Returns:
         J, (case,); by the angles, N m, (case, hinge), and N m/rad, (case, hinge, hinge).
     """
-    laid = lines.laid
-    at = pose(laid.tree, angles)
-    places = places_of(laid.carried, at)
-    moves = moves_of(laid.carried, at, places)
-    stretches = [stretch(group, places, moves) for group in laid.groups]
-    expansions: list[Expansion] = []
-    for group, its in zip(laid.groups, stretches, strict=True):
-        law = _numbers_of(lines.law, (slice(None), group.pieces))
-        apart = its.sides[:, :, 0]
-        length = np.linalg.norm(apart, axis=2)
-        known = np.maximum(length, lines.shortest[group.pieces])
-        along, force = apart / known[..., None], law.force(length)
-        outer = along[..., :, None] * along[..., None, :]
-        by_length = (force / known)[..., None, None]
-        stiffness = law.stiffness(length)[..., None, None] * outer + by_length * (np.eye(3) - outer)
-        energy = law.energy(length).sum(axis=1)
-        expansions.append((energy, (force[..., None] * along)[:, :, None], stiffness[:, :, None]))
-    return assembled(laid, at, places, stretches, expansions)
+    laws = [
+        partial(_pulled, _numbers_of(lines.law, (slice(None), group.pieces)), lines.shortest[group.pieces])
+        for group in lines.laid.groups
+    ]
+    return stretched(lines.laid, angles, laws)
+
+
+def _pulled(law: ElasticLaw, shortest: Array, sides: Array) -> Expansion:
+    """Energy of tendons by the ways from end to end, (case, tendon, 1, 3)."""
+    apart = sides[:, :, 0]
+    length = np.linalg.norm(apart, axis=2)
+    known = np.maximum(length, shortest)
+    along, force = apart / known[..., None], law.force(length)
+    outer = along[..., :, None] * along[..., None, :]
+    by_length = (force / known)[..., None, None]
+    stiffness = law.stiffness(length)[..., None, None] * outer + by_length * (np.eye(3) - outer)
+    energy = law.energy(length).sum(axis=1)
+    return energy, (force[..., None] * along)[:, :, None], stiffness[:, :, None]
 
 
 def _numbers_of(law: ElasticLaw, which: Any) -> ElasticLaw:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.statics.elements import Elements, Expansion, Piece, assembled, elements, stretch
-from forficula.statics.pose import Tree, moves_of, places_of, pose
+from forficula.statics.elements import Elements, Expansion, Piece, elements, stretched
+from forficula.statics.pose import Tree
 from forficula.structure import Membrane, MembraneLaw, Structure
 
 Array = NDArray[np.float64]
@@ -138,18 +139,11 @@ def sheet_energy(sheet: Sheet, angles: Array) -> Expansion:
     Returns:
         J, (case,); by the angles, N m, (case, hinge), and N m/rad, (case, hinge, hinge).
     """
-    laid = sheet.laid
-    at = pose(laid.tree, angles)
-    places = places_of(laid.carried, at)
-    moves = moves_of(laid.carried, at, places)
-    stretches = [stretch(group, places, moves) for group in laid.groups]
-    expansions: list[Expansion] = []
-    for number, its in enumerate(stretches):
-        if number < len(sheet.patches):
-            expansions.append(strain_energy(sheet.patches[number], its.sides))
-        else:
-            expansions.append(_limit_energy(sheet.spring, sheet.lengths[number - len(sheet.patches)], its.sides))
-    return assembled(laid, at, places, stretches, expansions)
+    laws = [
+        *(partial(strain_energy, patch) for patch in sheet.patches),
+        *(partial(_limit_energy, sheet.spring, length) for length in sheet.lengths),
+    ]
+    return stretched(sheet.laid, angles, laws)
 
 
 def strain_energy(patch: Patch, gradient: Array) -> Expansion:

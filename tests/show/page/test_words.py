@@ -50,7 +50,7 @@ def test_remarks_tell_what_to_try_what_swings_and_what_the_balance_misses(short_
     odd = replace(short_outcome, status="did not open", advice="Raise it.", states=states)
     remarks = outcome_remarks(short_run, odd)
     assert remarks[0] == "Did not open. Raise it."
-    assert any(remark.startswith("Where the folded state is taken, hinges still swing") for remark in remarks)
+    assert any(remark.startswith("Where the folded state is taken, the wing still moves") for remark in remarks)
     series = {name: values.copy() for name, values in short_run.series.items()}
     series["stop_work"][-1] += 1.0  # J
     unsound = replace(short_run, series=series)

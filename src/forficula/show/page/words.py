@@ -46,13 +46,13 @@ def outcome_sentence(name: str, outcome: Outcome, structure: Structure) -> str:
 def outcome_remarks(record: Record, outcome: Outcome) -> list[str]:
     """What to know of an outcome, and what to try, one sentence or two each."""
     remarks = [f"{outcome.status[:1].upper()}{outcome.status[1:]}. {outcome.advice}"] if outcome.advice else []
+    whole = record.structure.appearance.whole
     swinging = [outcome.state_names[name] for name, state in outcome.states.items() if state and state.swings]
     if swinging:
         remarks.append(
-            f"Where the {' and the '.join(swinging)} state is taken, hinges still swing by more than 0.1 deg: its"
-            " angles are means, with half the swing behind ±."
+            f"Where the {' and the '.join(swinging)} state is taken, the {whole} still moves: what is read there are"
+            " means, with half the range behind ±."
         )
-    whole = record.structure.appearance.whole
     for end in record.stages:
         if end.stage.until == "rest" and end.goal_time is None and record.diverged_at is None:
             limit = readable(end.stage.time_limit, "s")
@@ -114,4 +114,4 @@ def angle_range(degrees: Array) -> str:
 def readable(value: float, si: str) -> str:
     """A value in the unit in which it reads well, with four digits at most."""
     unit, factor = reading_unit(si, abs(value))
-    return f"{factor * value:.4g} {unit}"
+    return f"{factor * value:.4g} {unit}".replace("-", "−")
