@@ -68,7 +68,7 @@ class Protocol(Part):
         Field(
             strict=True,
             ge=0,
-            description="how long folded or opened must hold at least, by the time that it took; less is a bounce",
+            description="how long a goal must hold at least, by the time that it took; less is a bounce",
         ),
     ] = 0.25
     residual_limit: Annotated[

@@ -2,6 +2,7 @@
 
 import json
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ import pytest
 from forficula.show.page import run_page as page_of_a_run
 from forficula.show.page.compare_page import ComparedRun, compare_page
 from forficula.show.page.design_tables import design_tables
+from forficula.show.page.outcome_tables import outcome_tables
 from forficula.show.page.playback import legend_data, make_clip
 from forficula.show.page.run_page import playback_data, run_page
 from tests.show.plates import PARTS
@@ -45,6 +47,21 @@ def test_the_page_tells_what_happened(plates_runs):
     assert samples == ["edge", "region 0", "region 1", "tendon"]
     patterned = [entry["text"] for entry in legend_data([make_clip(*plates_runs["with a pattern"])])]
     assert patterned[:2] == ["mountain (dash-dotted crease)", "valley (dashed crease)"]
+
+
+def test_names_keep_their_hyphens_where_numbers_have_minus_signs(plates_runs):
+    record, outcome = plates_runs["whole"]
+    structure = record.structure
+    tendons = tuple(replace(each, name=f"{each.name}-b") for each in structure.tendons)
+    first, *rest = structure.transitions
+    closing = replace(first, wording=replace(first.wording, noun="re-closing"))
+    turned = {name: replace(each, torque=-each.torque) for name, each in outcome.transitions.items()}
+    renamed = replace(structure, tendons=tendons, transitions=(closing, *rest))
+    tables = "".join(outcome_tables(replace(outcome, transitions=turned), renamed))
+    assert f"{tendons[0].name}<" in tables
+    assert "re-closing<" in tables
+    assert re.search(r">−6 N cm<", tables)
+    assert not re.search(r">[^<]*-\d", tables)
 
 
 def test_structures_of_all_kinds_are_compared(plates_runs, short_run, short_outcome):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Sequence
 
 from forficula.analysis import Outcome, State, Verdict
 from forficula.show.page.html import paragraph, table
@@ -35,13 +36,18 @@ def _states(outcome: Outcome, structure: Structure) -> str:
     if not rows.columns:
         return paragraph(f"States: {'; '.join(name for name, _ in groups[1:])}.")
     headings = [rows.heading, *(f"{each.title} ({each.unit})" for _ in there for each in rows.columns)]
-    body = [[cell.replace("-", "−") for cell in row] for row in rows.parts]
+    body = _signed(rows.parts)
     before = [""] * (len(rows.columns) - 1)
     if rows.sums:
         body.append([f"all {rows.summed}", *rows.sums])
     if structure.membranes:
         body.append(["membrane", *(cell for state in there.values() for cell in (*before, _membrane(state)))])
     return table("States", headings, body, groups=groups)
+
+
+def _signed(rows: Iterable[Sequence[str]]) -> list[list[str]]:
+    """Rows whose numbers have the sign that is set before numbers; what a row is of keeps its hyphens."""
+    return [[of, *(cell.replace("-", "−") for cell in cells)] for of, *cells in rows]
 
 
 def _at(name: str, state: State) -> str:
@@ -57,7 +63,7 @@ def _transitions(outcome: Outcome, structure: Structure) -> str:
     if not structure.transitions:
         return ""
     caption = " and ".join(transition.wording.noun for transition in structure.transitions)
-    rows = transition_rows(structure, outcome)
+    rows = _signed(transition_rows(structure, outcome))
     return table(f"{caption[:1].upper()}{caption[1:]}", TRANSITION_HEADINGS, rows)
 
 
