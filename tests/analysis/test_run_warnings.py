@@ -6,7 +6,7 @@ from types import MappingProxyType
 import numpy as np
 import pytest
 
-from forficula.analysis import measure, summary
+from forficula.analysis import Verdict, measure, summary
 from forficula.analysis.run_warnings import highest_strain_rates, run_warnings
 from forficula.design import load_design, with_values
 from forficula.dynamics import Record
@@ -84,6 +84,8 @@ def test_a_goal_that_holds_before_its_stage_begins_is_said_to_and_not_that_it_wa
     outcome = measure(record)
     assert outcome.status == 'the goal of stage "fold" holds before it begins'
     assert outcome.advice == "Take a goal that only its drive brings about."
+    held = measure(planted((0.0, *steps, 0.8), (3, -180, -180, 3, 3, 3), goals=(None, *steps)))
+    assert (held.ending.verdict, held.holds) == (Verdict.NOT_HELD, {"folded": False, "opened": False})
     # a release has no drive, and may rest at once
     assert run_warnings(record) == [f'the goal of stage "{name}" holds before it begins' for name in ("fold", "unfold")]
     later = planted(goals=(None, *(step + 2e-4 for step in steps)))

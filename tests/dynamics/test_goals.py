@@ -181,3 +181,22 @@ def test_a_state_reads_a_distance_as_a_length(watched):
     told = summary(watched, outcome, {})["states"]["narrow"]
     assert told["gap_m"] == pytest.approx([gap.mean()], rel=1e-12)
     assert len(told["distal_angle_deg"]) == 3
+
+
+SLOW = {"drive.close.rise": "2 s", "protocol.timestep": "1 ms", "protocol.stages.1.time_limit": "4 s"}
+
+
+def test_nothing_is_stuck_while_its_torque_rises():
+    """Of 3 N cm within 2 s, 0.203 N cm, which the letter's stops hold, come after 0.135 s: longer than a window."""
+    letter = ff.load_design("letter-fold", SLOW)
+    assert letter.protocol.window < 0.203 / 3 * 2
+    outcome = measure(ff.run(letter))
+    assert outcome.ending.verdict is Verdict.REACHED
+    assert outcome.transitions["close"].time > 0.135
+    cut = measure(ff.run(with_values(letter, {"protocol.stages.1.time_limit": "0.12 s"})))
+    assert cut.ending.verdict is Verdict.MOVING
+    assert cut.status == "at rest under a torque that still rose when its stage was over"
+    weak = measure(ff.run(with_values(letter, {"drive.close.value": "0.1 N cm"})))
+    assert (weak.ending.verdict, weak.status) == (Verdict.STUCK, "did not get closed")
+    # flat for 0.3 s, 2 s to rise, a window to be called stuck
+    assert weak.states["closed"].time == pytest.approx(2.4)

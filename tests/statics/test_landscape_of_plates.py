@@ -7,12 +7,16 @@ import math
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from scipy.optimize import minimize
 
 import forficula as ff
+from forficula.design import with_values
 from forficula.errors import InputError
 from forficula.statics import landscape_summary, stable_states
 from forficula.statics.potential import ensemble, potential
+from forficula.statics.quasi_static import least_slow_torque, start_state
 from forficula.structure import structure_of
 
 
@@ -117,3 +121,15 @@ def test_heavy_panels_hang_down():
     )
     assert heavy.rests[0].energy != light.rests[0].energy
     assert (heavy.rests[0].angles < light.rests[0].angles + 1e-12).all()
+
+
+@given(st.floats(8, 120), st.floats(0.01, 0.2), st.floats(1.05, 4))
+def test_the_least_torque_on_springs_alone_is_that_of_springs(goal, stiffness, more):
+    """k w (phi - phi0), by length k and a width w, to 1 %, whatever the largest torque that is tried."""
+    letter = with_values(ff.load_design("letter-fold", {"tendon": []}), {"crease.stiffness": stiffness})
+    expected = stiffness * 0.21 * math.radians(goal)
+    bound = {"protocol.stages.1.until": f"creases > {goal} deg", "drive.close.value": more * expected}
+    structures = ensemble([structure_of(with_values(letter, bound))])
+    close = structures.structure.transitions[0]
+    found = least_slow_torque(structures, start_state(structures).position, close, more * expected)
+    assert 0.999 * expected < found.torque[0] < 1.011 * expected

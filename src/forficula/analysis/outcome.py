@@ -19,6 +19,7 @@ Array = NDArray[np.float64]
 _STIR = np.radians(0.1)
 _STIR_SHARE = 1e-3  # of the size of the whole
 _TOO_SHORT = "at its goal for too short a time when its stage was over"
+_RISING = "at rest under a torque that still rose when its stage was over"
 _FIRST_STEP = 1.5  # timesteps, for times are multiples of it up to rounding
 
 
@@ -167,7 +168,7 @@ def measure(record: Record) -> Outcome:
     elif record.doubt or not balance.residual <= protocol.residual_limit:
         verdict = Verdict.UNTRUSTED
     else:
-        verdict = _verdict(missed)
+        verdict = _verdict(record.structure, missed)
     if not verdict.tells:
         missed = next((way.driven for way in ways if way.driven is not None), None)
     told = missed or next((way.driven for way in reversed(ways) if way.driven is not None), None)
@@ -217,7 +218,9 @@ def _why(record: Record, verdict: Verdict, missed: StageEnd | None) -> str:
         return ""
     if verdict is Verdict.NOT_HELD:
         return early_goal(record, missed)
-    return _TOO_SHORT if missed.at_goal else ""
+    if missed.at_goal:
+        return _TOO_SHORT
+    return _RISING if missed.at_rest else ""
 
 
 def _way(record: Record, transition: Transition) -> _Way:
@@ -237,6 +240,8 @@ def _way(record: Record, transition: Transition) -> _Way:
     if state is not None and rest_state is not None:
         # a stage that was not to end at a bound does not say whether it was reached, but what it left does
         holds = reached and _within(state.coordinates, transition.released if asked else rest_state.bounds)
+        # what held before the drive did anything is not its doing
+        holds = holds and not early_goal(record, driven)
     return _Way(transition=transition, driven=driven, state=state, holds=holds)
 
 
@@ -258,13 +263,15 @@ def _missed(record: Record, ways: list[_Way]) -> StageEnd | None:
     return last if last.goal_time is None and goal_of(record.structure, last.stage.until).kind == "bounds" else None
 
 
-def _verdict(missed: StageEnd | None) -> Verdict:
+def _verdict(structure: Structure, missed: StageEnd | None) -> Verdict:
     """What a run that is to be trusted came to, by the stage whose goal it missed."""
     if missed is None:
         return Verdict.REACHED
     if missed.goal_time is not None:
         return Verdict.NOT_HELD
-    return Verdict.STUCK if missed.at_rest and not missed.at_goal else Verdict.MOVING
+    # less than all of its torque says nothing of where it sticks
+    risen = all(missed.end - missed.start >= drive_of(structure, name).rise for name in stage_drives(missed.stage))
+    return Verdict.STUCK if missed.at_rest and risen and not missed.at_goal else Verdict.MOVING
 
 
 def _named_state(record: Record, state: RestState) -> State | None:

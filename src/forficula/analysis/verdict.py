@@ -15,7 +15,7 @@ class Verdict(StrEnum):
     """What a run came to."""
 
     REACHED = "reached"  # every goal
-    MOVING = "moving"  # the time limit ended a stage short of its goal while it still moved
+    MOVING = "moving"  # the time limit ended a stage short of its goal while it still moved, or its torque still rose
     STUCK = "stuck"  # at rest short of a goal
     NOT_HELD = "not held"  # a goal was reached under torque, and lost when released
     DIVERGED = "diverged"  # numbers that are no longer finite, or a hinge far beyond its stop

@@ -76,6 +76,7 @@ class StageTracker:
         self._torques = np.array([[[torques for torques, _ in drives] for drives in row] for row in efforts])
         self._rise = np.array([[[rise for _, rise in drives] for drives in row] for row in efforts])
         self._rise = self._rise / self._timestep[:, None, None]
+        self._risen = np.ceil(self._rise.max(axis=2)).astype(np.int64)
         self._followed = models[0].motors
         count = len(models)
         self.ended = np.zeros(count, dtype=bool)
@@ -147,8 +148,9 @@ class StageTracker:
         taken_to_goal = (goal_since - self.stage_start[rows, None]) * self._has_bounds[rows, stage][:, None]
         hold = np.maximum(self._hold[rows, stage][:, None], self._least_hold[rows, None] * taken_to_goal)
         held = reached & (number - goal_since >= hold)
-        # a structure that rests short of its goal, torques and all, stays there
+        # a structure that rests short of its goal stays there, once its torques have risen
         short = ~reached & self._may_stick[rows, stage][:, None]
+        rest_since = np.maximum(rest_since, (self.stage_start[rows] + self._risen[rows, stage])[:, None])
         stuck = resting & short & (number - rest_since >= self._window[rows, None])
         over = held | stuck | (number - self.stage_start[rows, None] >= self._limit[rows, stage][:, None])
         end = _first(over, count) + 1

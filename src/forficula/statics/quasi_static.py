@@ -123,9 +123,9 @@ def least_slow_torque(
 ) -> SlowTransition:
     """Find the least slowly growing torque that brings each structure to a transition's goal, to 1 % of it.
 
-    A step of the torque under which it would leave its surroundings is halved. Where it does so after a step of
-    1 % of the torque, too, it snaps: it is let go to where it rests, and the torque grows on from there. The first
-    step is 1e-4 of the largest torque, and no shorter ones are tried.
+    A step of the torque under which it would leave its surroundings, or get to its goal, is halved. Where it leaves
+    after a step of 1 % of the torque, too, it snaps: it is let go to where it rests, and the torque grows on from
+    there. The first step is 1e-4 of the largest torque, and no shorter ones are tried.
 
     Args:
         structures: side by side.
@@ -146,14 +146,16 @@ def least_slow_torque(
         tried = np.minimum(torque[left] + step[left], most[left])
         found = _pushed(structures, left, position[left], drive, tried, within=_NEAR)
         leaves = np.abs(found - position[left]).max(axis=1) > 0.99 * _NEAR
-        snaps = leaves & (step[left] <= np.maximum(_ACCURACY * tried, _FIRST_STEP * most[left]))
+        fine = step[left] <= np.maximum(_ACCURACY * tried, _FIRST_STEP * most[left])
+        snaps = leaves & fine
         if snaps.any():
             found[snaps] = _pushed(structures, left[snaps], found[snaps], drive, tried[snaps])
-        kept = ~leaves | snaps
+        there = at_goal(structures, found, goal)
+        kept = snaps | ~(leaves | there & ~fine)
         torque[left[kept]], position[left[kept]] = tried[kept], found[kept]
-        arrived = kept & at_goal(structures, found, goal)
+        arrived = kept & there
         least[left[arrived]] = tried[arrived]
-        step[left] *= np.where(snaps, 1.0, np.where(leaves, 0.5, 2.0))
+        step[left] *= np.where(snaps, 1.0, np.where(kept, 2.0, 0.5))
 
 
 def _pushed(
