@@ -6,11 +6,13 @@ import numpy as np
 import pytest
 import xarray
 
-from forficula.design import load_design
+from forficula.design import load_design, with_values
 from forficula.errors import InputError
+from forficula.statics import energy_landscape
 from forficula.statics.potential import ensemble_of
 from forficula.statics.quasi_static import slow_transition, start_state, state_beyond
 from forficula.study import load_study
+from forficula.study.outcome_kinds import lost_text, table_transitions
 from forficula.study.static_map import (
     BOTH,
     BOTH_LESS,
@@ -75,6 +77,19 @@ def test_what_counts_as_folded_is_a_factor(angles):
     table = static_map(map_study(design, {"protocol.folded_angle": angles}))
     folds = dict(zip(angles, np.isfinite(table["least_fold_torque"].values).tolist(), strict=True))
     assert folds == {"60 deg": True, "150 deg": False}
+
+
+def test_a_letter_that_springs_open_does_not_stay_closed_in_the_map_as_in_its_landscape():
+    """Creases of 0.12 N m/rad/m are stronger than the tendons."""
+    letter = load_design("letter-fold")
+    table = static_map(map_study(letter, {"crease.stiffness": ["0.02 N m/rad/m", "0.12 N m/rad/m"]}))
+    assert table["outcome"].values.tolist() == ["closed and opened", "did not stay closed"]
+    assert np.isfinite(table["least_close_value"].values).all()
+    for name in ("least_open_value", "closed_energy"):
+        assert np.isfinite(table[name].values).tolist() == [True, False]
+    stiff = energy_landscape(with_values(letter, {"crease.stiffness": "0.12 N m/rad/m"}))
+    assert not stiff.rests[1].within
+    assert lost_text(table, table_transitions(table)[0]) == " (1 did not stay closed)"
 
 
 def test_a_key_that_statics_does_not_look_at_is_refused(reference):

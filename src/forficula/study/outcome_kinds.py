@@ -11,6 +11,9 @@ from operator import and_
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
 from forficula.analysis import Verdict, verdict_word
 from forficula.errors import InputError
 from forficula.structure import Appearance, Structure, Wording
@@ -111,6 +114,31 @@ def did_all(table: Dataset, transitions: Sequence[TableTransition]) -> DataArray
     """Whether every one of some transitions was done in a plain run, over the points' dimensions."""
     # what never left its first state may well be found in it after the way back
     return reduce(and_, (table[each.state].astype(bool) for each in transitions))
+
+
+def least_values(table: Dataset, transition: TableTransition) -> NDArray[np.float64]:
+    """The least values that made a transition, SI, (structure,): of a later one, where the one before it was kept."""
+    values = table[transition.least]
+    for before in table_transitions(table):
+        if before == transition:
+            break
+        values = values.where(~_lost(table, before))
+    return np.asarray(values.values[np.isfinite(values.values)], dtype=np.float64)
+
+
+def lost_text(table: Dataset, transition: TableTransition) -> str:
+    """How many made a transition under its least value and lost it when released, as " (2 did not stay folded)".
+
+    Empty where all kept it.
+    """
+    count = int((table[transition.least].notnull() & _lost(table, transition)).sum())
+    return f" ({count} {verdict_word(Verdict.NOT_HELD, transition.wording)})" if count else ""
+
+
+def _lost(table: Dataset, transition: TableTransition) -> DataArray:
+    """Where a transition was made and lost when released."""
+    outcomes = table.get(f"{transition.name}_outcome", table["outcome"])
+    return outcomes == verdict_word(Verdict.NOT_HELD, transition.wording)
 
 
 def asked_verbs(table: Dataset) -> list[str]:

@@ -7,13 +7,14 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from forficula.analysis import Ending, Verdict, ending_text, ending_word
 from forficula.design import TORQUE, Design, key_value
 from forficula.errors import InputError
 from forficula.statics.lines import line_energy
 from forficula.statics.potential import Ensemble, ensemble_of
-from forficula.statics.quasi_static import slow_transition, start_state, state_beyond
+from forficula.statics.quasi_static import at_goal, slow_transition, start_state, state_beyond
 from forficula.structure import Transition, static_keys, structure_of
 from forficula.study.factors import read_factor
 from forficula.study.outcome_kinds import TableTransition, table_transitions, transitions_text
@@ -23,6 +24,8 @@ from forficula.study.table import table_axes
 
 if TYPE_CHECKING:
     import xarray
+
+Array = NDArray[np.float64]
 
 # some 50 ms each
 _MOST_POINTS = 100_000
@@ -149,44 +152,47 @@ def _rows(designs: Sequence[Design], search: Search) -> list[dict[str, float | s
     """Rows of designs that go side by side."""
     structures = ensemble_of(designs)
     transitions = {each.name: each for each in structures.structure.transitions}
-    asked = [transitions[step.transition] for step in search.steps]
-    positions = [start_state(structures).position, state_beyond(structures, asked[0]).position]
-    energies = [_tendon_energies(structures, position) for position in positions]
-    least = [
-        slow_transition(structures, position, transition, [torque for torque in step.values if torque > 0]).torque
-        for step, transition, position in zip(search.steps, asked, positions, strict=False)
-    ]
+    before, after = _states(search)
+    position, rests = start_state(structures).position, np.ones(structures.cases, dtype=bool)
+    columns = {f"{before}_energy": _tendon_energies(structures, position)}
+    ways: list[tuple[Transition, NDArray[np.bool_], NDArray[np.bool_]]] = []
+    for step in search.steps:
+        transition, torques = transitions[step.transition], [torque for torque in step.values if torque > 0]
+        slow = slow_transition(structures, position, transition, torques).torque
+        columns[step.least_name] = np.where(rests, slow, np.nan)
+        position = state_beyond(structures, transition).position
+        rests = at_goal(structures, position, transition.released)
+        if step is search.first:
+            columns[f"{after}_energy"] = np.where(rests, _tendon_energies(structures, position), np.nan)
+        ways.append((transition, np.isfinite(slow), rests))
     return [
         {
-            **{step.least_name: float(torques[case]) for step, torques in zip(search.steps, least, strict=True)},
-            **{f"{name}_energy": each[case] for name, each in zip(_states(search), energies, strict=True)},
-            **_told(_ending(asked, [bool(np.isfinite(torques[case])) for torques in least])),
+            **{name: float(values[case]) for name, values in columns.items()},
+            **_told(_ending([(transition, bool(made[case]), bool(held[case])) for transition, made, held in ways])),
         }
-        for case in range(len(designs))
+        for case in range(structures.cases)
     ]
 
 
-def _tendon_energies(structures: Ensemble, position: np.ndarray) -> list[float]:
+def _tendon_energies(structures: Ensemble, position: Array) -> Array:
     """Energy of all tendons, J, (case,)."""
     stored = structures.tendons.energy(position[:, structures.crossed])
-    energies = [float(sum(each)) for each in stored]
-    if structures.lines is None:
-        return energies
-    return [
-        one + other for one, other in zip(energies, line_energy(structures.lines, position)[0].tolist(), strict=True)
-    ]
+    energies = np.array([sum(each) for each in stored], dtype=np.float64)
+    return energies if structures.lines is None else energies + line_energy(structures.lines, position)[0]
 
 
 def _told(ending: Ending) -> dict[str, str]:
     return {"status": ending_text(ending), "verdict": ending.verdict.value, "outcome": ending_word(ending)}
 
 
-def _ending(asked: Sequence[Transition], made: Sequence[bool]) -> Ending:
-    """What a structure comes to for which some torque makes these transitions, and none those."""
-    missed = [transition for transition, did in zip(asked, made, strict=True) if not did]
-    if missed:
-        return Ending(verdict=Verdict.STUCK, transition=missed[0])
-    return Ending(verdict=Verdict.REACHED, transition=asked[-1])
+def _ending(ways: Sequence[tuple[Transition, bool, bool]]) -> Ending:
+    """What a structure comes to: of each transition, whether some torque makes it, and whether it then rests there."""
+    for transition, made, held in ways:
+        if not made:
+            return Ending(verdict=Verdict.STUCK, transition=transition)
+        if not held:
+            return Ending(verdict=Verdict.NOT_HELD, transition=transition)
+    return Ending(verdict=Verdict.REACHED, transition=ways[-1][0])
 
 
 def _column(results: Sequence[Mapping[str, float | str]], name: str) -> np.ndarray:

@@ -83,10 +83,12 @@ def test_a_folder_offers_the_figures_of_its_results(folders, name):
     assert sorted(folder_drawings(folders / name)) == KINDS[name]
 
 
-def test_a_landscape_without_one_way_to_fold_offers_where_it_rests(tmp_path):
-    save_design(load_design("letter-fold"), tmp_path / "design.toml")
+@pytest.mark.parametrize(("tendons", "kinds"), [(True, ["levels", "rests", "tendon"]), (False, ["rests"])])
+def test_a_landscape_without_one_way_to_fold_offers_where_it_rests(tmp_path, tendons, kinds):
+    letter = load_design("letter-fold")
+    save_design(letter if tendons else letter.model_copy(update={"tendon": ()}), tmp_path / "design.toml")
     write_text(tmp_path / "landscape.json", '{"simulation": null}')
-    assert sorted(folder_drawings(tmp_path)) == ["levels", "rests", "tendon"]
+    assert sorted(folder_drawings(tmp_path)) == kinds
 
 
 def test_a_table_that_does_not_name_its_transitions_is_refused(tmp_path):

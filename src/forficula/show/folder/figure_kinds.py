@@ -17,7 +17,7 @@ from forficula.files import clear_leftovers, write_bytes
 from forficula.reproduction import shown_tendon
 from forficula.show.folder.convergence_folder import CONVERGENCE_FILE, convergence_drawings
 from forficula.show.folder.cycling_folder import cycling_drawings, read_cycling
-from forficula.show.folder.landscape_folder import landscape_drawings
+from forficula.show.folder.landscape_folder import landscape_drawings, landscape_kinds
 from forficula.show.folder.run_folder import run_drawings
 from forficula.show.folder.static_map_folder import SIMULATED, static_map_drawings
 from forficula.show.folder.study_folder import study_drawings
@@ -117,8 +117,7 @@ def _landscape(folder: Path) -> dict[str, Drawing]:
 
         return draw
 
-    path = "rests" if structure_of(design).fold_path is None else "wing"
-    return {kind: drawing(kind) for kind in ("tendon", path, "levels")}
+    return {kind: drawing(kind) for kind in landscape_kinds(structure_of(design))}
 
 
 _READERS: dict[str, Callable[[Path], dict[str, Drawing]]] = {

@@ -14,7 +14,8 @@ from forficula.show.landscape.levels_figure import draw_levels
 from forficula.show.landscape.rests_figure import draw_rests
 from forficula.show.landscape.tendon_figure import draw_tendon
 from forficula.show.style import Drawing, save_figures
-from forficula.statics import EnergyLandscape, landscape_summary
+from forficula.statics import EnergyLandscape, folding_hinges, landscape_summary
+from forficula.structure import Structure
 
 
 def write_landscape(
@@ -50,19 +51,23 @@ def _write_files(landscape: EnergyLandscape, folder: Path, record: Record | None
 def landscape_drawings(
     landscape: EnergyLandscape, record: Record | None = None, tendon: int | None = None
 ) -> dict[str, Drawing]:
-    """What draws a landscape, by the stem of its file; a run that diverged is not drawn beside it.
-
-    What the structure does not have is left out: no tendon across one hinge, no way to fold, no hinge that folds. Where
-    it has no one way to fold, the states in which it rests stand in place of the path.
-    """
+    """What draws a landscape, by the stem of its file; a run that diverged is not drawn beside it."""
     drawn = record if record is not None and record.diverged_at is None else None
-    drawings: dict[str, Drawing] = {}
-    if inner_tendon(landscape.structure) is not None:
-        drawings["tendon"] = lambda width: draw_tendon(landscape, drawn, width, tendon)
-    if landscape.wing is not None:
-        drawings["wing"] = lambda width: draw_wing(landscape, width)
-    else:
-        drawings["rests"] = lambda width: draw_rests(landscape, width)
-    if landscape.partial_folds:
-        drawings["levels"] = lambda width: draw_levels(landscape, width)
-    return drawings
+    drawings: dict[str, Drawing] = {
+        "tendon": lambda width: draw_tendon(landscape, drawn, width, tendon),
+        "wing": lambda width: draw_wing(landscape, width),
+        "rests": lambda width: draw_rests(landscape, width),
+        "levels": lambda width: draw_levels(landscape, width),
+    }
+    return {kind: drawings[kind] for kind in landscape_kinds(landscape.structure)}
+
+
+def landscape_kinds(structure: Structure) -> tuple[str, ...]:
+    """The figures of a structure's landscape, by the stems of their files.
+
+    What it does not have is left out: no tendon across one hinge, no hinge that folds. Where it has no one way to fold,
+    the states in which it rests stand in place of the path.
+    """
+    tendon = ("tendon",) if inner_tendon(structure) is not None else ()
+    levels = ("levels",) if folding_hinges(structure) else ()
+    return (*tendon, "rests" if structure.fold_path is None else "wing", *levels)

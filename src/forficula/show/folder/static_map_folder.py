@@ -13,7 +13,7 @@ from forficula.files import replacing_all, write_bytes, write_text
 from forficula.show.study.static_maps import draw_static_maps
 from forficula.show.style import PAGE_WIDTH, Drawing, save_figures
 from forficula.study import Study, table_csv
-from forficula.study.outcome_kinds import check_table, table_transitions
+from forficula.study.outcome_kinds import check_table, least_values, lost_text, table_transitions
 from forficula.study.static_map import compare_maps
 
 if TYPE_CHECKING:
@@ -85,9 +85,11 @@ def print_static_map(table: Dataset, whole: str, simulated: Dataset | None = Non
     """
     count = table["outcome"].size
     print()
-    verbs = {each.least: each.wording.verb for each in table_transitions(table) if each.least in table}
-    for name, verb in verbs.items():
-        print(f"{int(np.isfinite(table[name]).sum())} of {count} {whole}s {verb} under slowly growing torques")
+    asked = [each for each in table_transitions(table) if each.least in table]
+    for each in asked:
+        name, made = each.least, len(least_values(table, each))
+        lost = lost_text(table, each)
+        print(f"{made} of {count} {whole}s {each.wording.verb} under slowly growing torques{lost}")
         if simulated is not None:
             words, numbers = np.unique(compare_maps(table, simulated, name).values.astype(str), return_counts=True)
             parts = [f"{number} {word}" for word, number in zip(words.tolist(), numbers.tolist(), strict=True)]

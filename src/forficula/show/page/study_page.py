@@ -26,7 +26,7 @@ from forficula.structure import structure_of
 from forficula.study import Study, named_studies, table_csv
 from forficula.study.factors import Factor
 from forficula.study.kept_runs import KeptRun
-from forficula.study.outcome_kinds import TableTransition, asked_transitions, did_all
+from forficula.study.outcome_kinds import TableTransition, asked_transitions, did_all, least_values, lost_text
 from forficula.study.study import SearchStep
 
 if TYPE_CHECKING:
@@ -105,12 +105,14 @@ def study_sentence(study: Study, results: Dataset) -> str:
     parts = []
     for place, (step, each) in enumerate(zip(study.search.steps, transitions, strict=True)):
         what = _can(transitions, place, again=False) if place == 0 else f"{each.wording.verb} again"
-        values = results[step.least_name].values[np.isfinite(results[step.least_name].values)]
+        values = least_values(results, each)
         if not len(values):
             parts.append(f"none can {what}")
             continue
         low, high = (show_quantity(float(end), step.unit) for end in (values.min(), values.max()))
-        parts.append(f"{len(values)} {what}, with {low if low == high else f'{low} to {high}'}")
+        parts.append(
+            f"{len(values)} {what}, with {low if low == high else f'{low} to {high}'}{lost_text(results, each)}"
+        )
     return f"{count}: {'; '.join(parts)}."
 
 

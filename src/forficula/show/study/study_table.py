@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections import Counter
 from typing import TYPE_CHECKING
 
-import numpy as np
 from rich.console import Console
 from rich.table import Table
 
 from forficula.quantities import show_quantity
 from forficula.show.study.choice_rows import choice_rows
 from forficula.study import Study
-from forficula.study.outcome_kinds import asked_transitions
+from forficula.study.outcome_kinds import asked_transitions, least_values, lost_text
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -39,11 +38,11 @@ def print_study(study: Study, table: Dataset) -> None:
         return
     for place, (step, each) in enumerate(zip(study.search.steps, asked_transitions(table), strict=True)):
         what = f"{each.wording.verb} again" if place else each.wording.verb
-        values = table[step.least_name].values[np.isfinite(table[step.least_name].values)]
+        values = least_values(table, each)
         if len(values):
             low, high = (show_quantity(float(end), step.unit) for end in (values.min(), values.max()))
             between = low if low == high else f"{low} to {high}"
             less = "; less was not tried" if step.values[0] in values and step.values[0] != 0 else ""
-            print(f"{len(values)} of {len(study.points)} {what}, with {between}{less}")
+            print(f"{len(values)} of {len(study.points)} {what}, with {between}{lost_text(table, each)}{less}")
         else:
             print(f"none of {len(study.points)} {what}")
