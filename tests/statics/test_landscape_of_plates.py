@@ -63,7 +63,41 @@ def test_a_hinge_is_told_by_the_way_in_which_it_goes_farther(landscape):
         assert tendon.barrier > 0
     # nothing couples them
     alone = [each.barrier for each in landscape.tendons]
-    assert landscape.hinge_barriers == pytest.approx(alone, rel=1e-3)
+    assert landscape.hinge_barriers == pytest.approx(alone, rel=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("stiffness", "rest_angle", "back_limit"),
+    [(0.02, 0, 3), (0.12, 0, 3), (0.12, 60, 3), (0.05, 120, 3), (0.05, -60, 120), (0.02, 20, 120)],
+)
+def test_hinges_fold_alone_just_where_tendon_and_spring_leave_two_places(stiffness, rest_angle, back_limit):
+    """The letter's tendon by the law of cosines, its arms 4.95 and 3.96 cm, and a crease 21 cm long; by brute force."""
+    angles = np.radians(np.linspace(-back_limit, 175, 20001))
+    length = np.sqrt(0.0495**2 + 0.0396**2 + 2 * 0.0495 * 0.0396 * np.cos(angles))
+    energy = 25 * np.maximum(length - 0.05, 0) ** 2 + stiffness * 0.21 / 2 * (angles - math.radians(rest_angle)) ** 2
+    around = np.concatenate([[np.inf], energy, [np.inf]])
+    wells = np.flatnonzero((energy < around[:-2]) & (energy < around[2:]))
+    crease = {
+        "stiffness": f"{stiffness} N m/rad/m",
+        "rest_angle": f"{rest_angle} deg",
+        "back_limit": f"{back_limit} deg",
+        "start": f"{0.9 * math.degrees(angles[wells[0]]):.1f} deg",
+    }
+    letter = ff.load_design("letter-fold", {f"crease.{key}": value for key, value in crease.items()})
+    landscape = ff.energy_landscape(letter, points=61)
+    assert sum(state.stable for state in landscape.partial_folds) == len(wells) ** 2
+    if len(wells) == 1:
+        assert landscape.easiest_barrier is None
+        assert landscape.partial_folds[-1].stable or landscape.partial_folds[0].stable
+    else:
+        climb = energy[wells[0] : wells[1]].max() - energy[wells[0]]
+        assert landscape.hinge_barriers == pytest.approx(np.full(2, climb), rel=1e-5)
+
+
+def test_what_rests_at_a_goal_needs_no_torque_and_says_so():
+    landscape = ff.energy_landscape(ff.load_design("letter-fold", {"crease.rest_angle": "90 deg"}), points=61)
+    assert landscape.least_torques["close"] == 0
+    assert 'no torque is needed to get closed: the goal of "close" holds where it rests before' in landscape.remarks
 
 
 def test_both_hinges_fold_alone_and_together(landscape):

@@ -16,7 +16,8 @@ from forficula.structure import structure_of
 
 
 def partial_folds(design):
-    return module.partial_folds(ensemble_of([design]))
+    structures = ensemble_of([design])
+    return module.partial_folds(structures, start_state(structures).position)
 
 
 def single_hinge_barriers(design):

@@ -86,7 +86,8 @@ class EnergyLandscape:
         levels: energies of independent hinges, ideal ones where there are such, none to all of them folded, J,
             (folding hinge + 1,); None where those of single hinges do not add up.
         partial_folds: let go with some hinges folded.
-        hinge_barriers: energy to climb until one hinge of the first state folds alone, J, (hinge,).
+        hinge_barriers: energy to climb until one hinge of the first state folds alone, J, (hinge,); nan where it never
+            does, or is folded.
         rests: where it rests when let go from where the protocol starts it, and from where each transition leads.
         least_torques: by transition, the size of the least slowly growing torque that makes it, N m; None where not
             even the largest that was tried does, or where it does not rest in the state that it would start from.
@@ -110,8 +111,12 @@ class EnergyLandscape:
 
     @property
     def easiest_barrier(self) -> float | None:
-        """Energy to climb until one hinge of the first state folds alone, J; None where it does not rest there."""
-        return float(self.hinge_barriers.min()) if len(self.hinge_barriers) and self.rests[0].within else None
+        """Energy to climb until one hinge of the first state folds alone, J.
+
+        None where none does, or where it does not rest there.
+        """
+        known = self.hinge_barriers[np.isfinite(self.hinge_barriers)]
+        return float(known.min()) if len(known) and self.rests[0].within else None
 
     @property
     def fold_barrier(self) -> float | None:
@@ -189,7 +194,7 @@ def energy_landscape(design: Design, points: int = 181) -> EnergyLandscape:
         ideal_hinges=ideal_hinges,
         wing=wing,
         levels=fold_levels(structure),
-        partial_folds=partial_folds(structures),
+        partial_folds=partial_folds(structures, start.position),
         hinge_barriers=single_hinge_barriers(structures, start.position),
         rests=tuple(rests),
         least_torques={name: None if each is None else _known(each.torque[0]) for name, each in slow.items()},
@@ -388,6 +393,8 @@ def _slow_remarks(
     if found is None:
         before = _before(structure, transition)
         return (f"no slowly growing torque {makes} from {before}: it does not rest {before}",)
+    if found.torque[0] == 0:
+        return (f'no torque is needed to {verb}: the goal of "{transition.name}" holds where it rests before',)
     if not math.isnan(found.torque[0]):
         return ()
     started = "" if transition is structure.transitions[0] else f" from {_before(structure, transition)}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -130,7 +131,9 @@ def _wing_summary(landscape: EnergyLandscape, wing: FoldPath) -> dict[str, Any]:
             {"pleat_angle_deg": float(np.degrees(state.coordinate)), "energy_J": state.energy} for state in climbs
         ],
         "barrier_J": landscape.fold_barrier,
-        "single_hinge_barriers_J": landscape.hinge_barriers.tolist() if landscape.rests[0].within else None,
+        "single_hinge_barriers_J": [None if math.isnan(each) else each for each in landscape.hinge_barriers.tolist()]
+        if landscape.rests[0].within
+        else None,
         "opening_barrier_J": landscape.unfold_barrier,
         "holding_torque_N_m": next((state.holding_torque for state in states if state.name == first), None),
         "path_fold_torque_N_m": wing.fold_torque,

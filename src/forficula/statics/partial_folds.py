@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from forficula.statics.hinge import folding_sense, ideal_hinges, tendon_hinge, tendon_hinges
 from forficula.statics.lines import largest_pull
-from forficula.statics.potential import Ensemble, potential, rest, sheet_torque
+from forficula.statics.potential import Ensemble, potential, rest, sheet_torque, slight_energy
 from forficula.statics.sheet import sheet_energy
 from forficula.structure import Structure
 
@@ -23,6 +23,7 @@ _EVERY_COMBINATION = 5
 # how far past straight a hinge starts: from there its tendon pulls it as far as neighbours and guards let it
 _START = math.radians(30)
 _WAYS = 45  # places on the way of one hinge, straight among them
+_FINE = 721  # angles among which the top of one hinge is looked for
 _ROUNDING = 1e-6  # of the stiffest part
 
 
@@ -88,8 +89,8 @@ def fold_levels(structure: Structure) -> Array | None:
 def single_hinge_barriers(structures: Ensemble, flat: Array) -> Array:
     """Energy to climb until one hinge folds, the others left alone, J, (folding hinge,).
 
-    The hinge is led from where it rests in the flat state to past straight, and everything else goes to where the
-    energy is least; 0 where it is downhill all along.
+    The hinge is led from where it rests in the flat state to where it folds on by itself, and everything else goes to
+    where the energy is least; 0 where it is downhill all along, nan where it never folds by itself, or rests folded.
 
     Args:
         structures: of which the first case is taken.
@@ -102,7 +103,7 @@ def single_hinge_barriers(structures: Ensemble, flat: Array) -> Array:
     many = structures.repeated(count * _WAYS)
     start = np.tile(flat, (count * _WAYS, 1))
     held = np.zeros(start.shape, dtype=bool)
-    places = _places(structures, folding)
+    places = _places(structures, folding, flat[0])
     for number, hinge in enumerate(folding):
         rows = slice(number * _WAYS, (number + 1) * _WAYS)
         way = np.linspace(flat[0, hinge], places.folded[number], _WAYS - 1)
@@ -110,7 +111,7 @@ def single_hinge_barriers(structures: Ensemble, flat: Array) -> Array:
         held[rows, hinge] = True
     energy = rest(many, start, held=held).energy.reshape(count, _WAYS)
     level = potential(structures.repeated(1), flat)[0][0]
-    return np.asarray(np.maximum(0.0, energy.max(axis=1) - level))
+    return np.where(places.folds, np.maximum(0.0, energy.max(axis=1) - level), np.nan)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -119,18 +120,29 @@ class _Places:
 
     Attributes:
         senses: +1 where negative angles fold them, else -1.
-        top: where their tendons are longest, within the stops; straight where they have none.
-        folded: a little beyond, from where they fold by themselves.
-        opened: their stops on the other side, or as far from the top where there is none.
+        top: between folded and not, where their tendons are longest, within the stops; straight where they have none.
+            Where a spring or more tendons act on them too, where the energy is largest between two places at rest.
+        folded: a little beyond, from where they fold by themselves; with springs, where the energy is least there.
+        opened: their stops on the other side, or as far from the top where there is none; with springs, where the
+            energy is least there.
+        folds: False where springs and tendons let them rest at one place only, or they rest folded when flat.
     """
 
     senses: Array
     top: Array
     folded: Array
     opened: Array
+    folds: NDArray[np.bool_]
 
 
-def _places(structures: Ensemble, folding: Sequence[int]) -> _Places:
+def _places(structures: Ensemble, folding: Sequence[int], flat: Array) -> _Places:
+    """Where folding hinges go from side to side.
+
+    Args:
+        structures: of which the first case is taken.
+        folding: numbers of the hinges.
+        flat: angles at rest, rad, (hinge,).
+    """
     hinges = [structures.structure.hinges[number] for number in folding]
     senses = np.array([folding_sense(hinge) for hinge in hinges], dtype=np.float64)
     tops = np.zeros(structures.size)
@@ -138,15 +150,42 @@ def _places(structures: Ensemble, folding: Sequence[int]) -> _Places:
     lower, upper = structures.lower[list(folding)], structures.upper[list(folding)]
     top = np.clip(tops[list(folding)], lower, upper)
     stops = np.where(senses > 0, upper, lower)
-    return _Places(
-        senses=senses,
-        top=top,
-        folded=np.clip(top - senses * _START, lower, upper),
-        opened=np.where(np.isfinite(stops), stops, top + senses * _START),
-    )
+    folded = np.clip(top - senses * _START, lower, upper)
+    opened = np.where(np.isfinite(stops), stops, top + senses * _START)
+    folds = np.ones(len(folding), dtype=bool)
+    alone = (structures.stiffness == 0) & (structures.crossings.sum(axis=0) <= 1) & (structures.lines is None)
+    for number in np.flatnonzero(~alone[list(folding)]).tolist():
+        hinge, sense = folding[number], senses[number]
+        between, folded[number], opened[number] = _sides(structures, hinge, sense, flat)
+        top[number] = top[number] if between is None else between
+        folds[number] = between is not None and sense * (flat[hinge] - between) >= 0
+    return _Places(senses=senses, top=top, folded=folded, opened=opened, folds=folds)
 
 
-def partial_folds(structures: Ensemble) -> tuple[PartialFold, ...]:
+def _sides(structures: Ensemble, hinge: int, sense: float, flat: Array) -> tuple[float | None, float, float]:
+    """Where one hinge has most energy between two places at rest, and these, the folded one first; all others are flat.
+
+    Where it has one such place only, there is nothing between.
+    """
+    many, angles = structures.repeated(_FINE), np.tile(flat, (_FINE, 1))
+    lower, upper = np.clip([structures.lower[hinge], structures.upper[hinge]], -math.pi, math.pi)
+    turned = np.linspace(lower, upper, _FINE) if sense < 0 else np.linspace(upper, lower, _FINE)
+    angles[:, hinge] = turned
+    energy, least = potential(many, angles)[0], slight_energy(structures)
+    tops = 1 + np.flatnonzero((energy[1:-1] > energy[:-2]) & (energy[1:-1] >= energy[2:]))
+    tops = tops[[min(energy[top] - energy[:top].min(), energy[top] - energy[top:].min()) > least for top in tops]]
+    if not len(tops):
+        only = float(turned[np.argmin(energy)])
+        return None, only, only
+    top = int(tops[np.argmax(energy[tops])])
+    before, at, after = energy[top - 1 : top + 2]
+    # the top of the parabola through the highest three
+    shift = (before - after) / (2 * (before - 2 * at + after))
+    between = float(turned[top] + shift * (turned[1] - turned[0]))
+    return between, float(turned[top + np.argmin(energy[top:])]), float(turned[np.argmin(energy[:top])])
+
+
+def partial_folds(structures: Ensemble, flat: Array) -> tuple[PartialFold, ...]:
     """Let a structure go from every combination of folded hinges, fewest first.
 
     First all other hinges go to where the membrane is stretched least, with the folding ones held, then everything is
@@ -154,6 +193,7 @@ def partial_folds(structures: Ensemble) -> tuple[PartialFold, ...]:
 
     Args:
         structures: of which the first case is taken.
+        flat: angles at rest without torques, rad, (1, hinge).
     """
     folding = np.array(folding_hinges(structures.structure), dtype=np.int64)
     if not len(folding):
@@ -161,7 +201,7 @@ def partial_folds(structures: Ensemble) -> tuple[PartialFold, ...]:
     combinations = _combinations(len(folding))
     many = structures.repeated(len(combinations))
     start = np.zeros((len(combinations), many.size))
-    places = _places(structures, folding.tolist())
+    places = _places(structures, folding.tolist(), flat[0])
     for row, folded in enumerate(combinations):
         start[row, folding] = np.where(np.isin(np.arange(len(folding)), folded), places.folded, places.opened)
     aimed = rest(many, start, fixed=folding.tolist()).position
