@@ -235,6 +235,16 @@ def test_another_protocol_on_the_same_plates():
     assert [drive.name for drive in structure.drives] == ["close", "open"]
 
 
+@pytest.mark.parametrize(("first", "second", "size"), [(0.02, -0.03, 0.02), (0.0, -0.03, -0.03)])
+def test_drives_of_one_stage_grow_together_whichever_of_them_has_strength(first, second, size):
+    both = {"protocol.stages.1.drive": ["close", "open"], "drive.close.value": first, "drive.open.value": second}
+    structure = structure_of(with_values(LETTER, both))
+    drive = structure.drives[-1]
+    assert drive.name == "close and open"
+    assert drive.torque == size
+    assert drive.torques == pytest.approx([first + second])
+
+
 def test_a_folded_letter_is_written_as_frames():
     titles = [title for title, *_ in design_frames(LETTER)]
     assert titles == ["creases at 45 deg", "creases at 90 deg", "creases at 135 deg", "creases at 180 deg"]

@@ -327,17 +327,22 @@ def _driven(structure: Structure, design: PlatesDesign) -> tuple[tuple[Motor, ..
 
 
 def _together(structure: Structure, names: Sequence[str]) -> Drive:
-    """The drives of a stage as one, which grow in proportion: of several, that of the first with the others' shares."""
-    first, *others = (drive_of(structure, name) for name in names)
+    """The drives of a stage as one, which grow in proportion: of several, that of the first with the others' shares.
+
+    One of no strength is no measure of the others: the first that has some is.
+    """
+    drives = [drive_of(structure, name) for name in names]
+    lead = next((drive for drive in drives if drive.torque), drives[0])
+    others = [drive for drive in drives if drive is not lead]
     if not others:
-        return first
-    torques = [sum(each) for each in zip(first.torques, *(drive.torques for drive in others), strict=True)]
+        return lead
+    torques = [sum(each) for each in zip(*(drive.torques for drive in drives), strict=True)]
     return replace(
-        first,
+        lead,
         name=" and ".join(names),
-        shares=tuple(torque / first.torque if first.torque else 0.0 for torque in torques),
-        rise=max(drive.rise for drive in (first, *others)),
-        where=f"{first.where}, with {' and '.join(drive.name for drive in others)} in proportion",
+        shares=tuple(torque / lead.torque if lead.torque else 0.0 for torque in torques),
+        rise=max(drive.rise for drive in drives),
+        where=f"{lead.where}, with {' and '.join(drive.name for drive in others)} in proportion",
     )
 
 
