@@ -131,6 +131,29 @@ def test_what_needs_one_way_to_fold_is_left_out_or_says_so(landscape):
     json.dumps(summary, allow_nan=False)
 
 
+LEFT = {"from": "facet 0 at 0.5, 0.5", "to": "facet 1 at 0.4, 0.5", "rest_length": "5 cm"}
+
+
+def test_two_tendons_across_one_hinge_are_one_of_twice_the_stiffness():
+    def letter(*tendons):
+        return ff.energy_landscape(ff.load_design("letter-fold", {"tendon": list(tendons)}), points=61)
+
+    one = letter(LEFT | {"name": "whole", "stiffness": "0.5 N/cm"})
+    two = letter(*(LEFT | {"name": name, "stiffness": "0.25 N/cm"} for name in ("upper", "lower")))
+    assert two.hinge_barriers == pytest.approx(one.hinge_barriers, rel=1e-4)
+    assert [rest.energy for rest in two.rests] == pytest.approx([rest.energy for rest in one.rests])
+    said = "upper, lower lie across one hinge, crease 0: its landscapes have one of them each, all else is of all"
+    assert said in two.remarks
+    assert not any("lie across" in remark for remark in one.remarks)
+
+
+def test_tendons_across_several_hinges_are_said_to_be_left_out_of_a_single_one():
+    over = {"name": "over", "from": "facet 0 at 0.5, 0.5", "to": "facet 2 at 0.5, 0.5", "stiffness": "0.1 N/cm"}
+    tendons = [LEFT | {"name": "left", "stiffness": "0.5 N/cm"}, over | {"rest_length": "5 cm"}]
+    remarks = ff.energy_landscape(ff.load_design("letter-fold", {"tendon": tendons}), points=61).remarks
+    assert "the landscapes of single hinges leave out what lies across several: over" in remarks
+
+
 def test_without_tendons_it_rests_at_one_place_and_nothing_opens_what_never_closed():
     landscape = ff.energy_landscape(ff.load_design("letter-fold", {"tendon": []}), points=11)
     assert [(state.name, state.energy, state.same_as) for state in landscape.rests] == [

@@ -201,6 +201,7 @@ def energy_landscape(design: Design, points: int = 181) -> EnergyLandscape:
         tips=None if wing is None else tip_stiffness(structures, start.position),
         remarks=(
             *_tendon_remarks(structure, ideal_hinges, tendons),
+            *_shared_remarks(structure),
             *(() if wing is None else wing.remarks),
             *_start_remarks(structure, start.position[0]),
             *(
@@ -369,6 +370,24 @@ def _tendon_remarks(
     return tuple(
         remark if len(names) == len(labels) else f"{', '.join(names)}: {remark}" for remark, names in of.items()
     )
+
+
+def _shared_remarks(structure: Structure) -> tuple[str, ...]:
+    """What the landscapes of single hinges leave out where more than one tendon acts on some of them."""
+    of: dict[int, list[str]] = {}
+    for tendon in structure.tendons:
+        if tendon.crossing is not None:
+            of.setdefault(tendon.crossing.hinge, []).append(tendon.label or tendon.name)
+    remarks = [
+        f"{', '.join(names)} lie across one hinge, {structure.hinges[hinge].label or structure.hinges[hinge].name}: its"
+        f" landscapes have one of them each, all else is of all"
+        for hinge, names in of.items()
+        if len(names) > 1
+    ]
+    across = [tendon.label or tendon.name for tendon in structure.tendons if tendon.crossing is None]
+    if across and of:
+        remarks.append(f"the landscapes of single hinges leave out what lies across several: {', '.join(across)}")
+    return tuple(remarks)
 
 
 def _start_remarks(structure: Structure, angles: Array) -> tuple[str, ...]:
