@@ -115,7 +115,15 @@ def test_the_least_torque_that_closes_it_is_the_steepest_climb(landscape):
     spring = structure.hinges[0].stiffness * (folds - structure.hinges[0].rest_angle)
     steepest = float(np.max(hinge.moment(-folds) + spring))
     assert 0.99 * steepest < landscape.least_torques["close"] < 1.03 * steepest
-    assert landscape.least_torques["open"] > landscape.least_torques["close"]
+
+
+def test_the_least_torque_that_opens_it_is_the_steepest_climb_back(landscape):
+    """By the law of cosines, as above: the largest fall of energy with the angle, between straight and closed."""
+    angles = np.radians(np.linspace(0, 105.6, 200001))
+    length = np.sqrt(0.0495**2 + 0.0396**2 + 2 * 0.0495 * 0.0396 * np.cos(angles))
+    energy = 25 * np.maximum(length - 0.05, 0) ** 2 + 0.02 * 0.21 / 2 * angles**2
+    steepest = -float(np.min(np.diff(energy) / np.diff(angles)))
+    assert steepest * (1 - 1e-6) < landscape.least_torques["open"] < 1.03 * steepest
 
 
 def test_what_needs_one_way_to_fold_is_left_out_or_says_so(landscape):
