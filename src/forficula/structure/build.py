@@ -2,10 +2,40 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
 from forficula.design import Design, FanDesign, PlatesDesign
 from forficula.errors import InputError
 from forficula.structure import fan_protocol, plates, veins
 from forficula.structure.structure import Structure
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Way:
+    """A way of building; what its functions say is told of the public ones here, that call them."""
+
+    build: Callable[[Any], Structure]
+    with_protocol: Callable[[Structure, Any], Structure]
+    drive_keys: Callable[[Any], tuple[str, ...]]
+    static_keys: Callable[[Any], tuple[str, ...]]
+
+
+_WAYS: Mapping[type[Design], _Way] = {
+    FanDesign: _Way(
+        build=veins.vein_structure,
+        with_protocol=fan_protocol.with_protocol,
+        drive_keys=fan_protocol.drive_keys,
+        static_keys=fan_protocol.static_keys,
+    ),
+    PlatesDesign: _Way(
+        build=plates.plate_structure,
+        with_protocol=plates.with_protocol,
+        drive_keys=plates.drive_keys,
+        static_keys=plates.static_keys,
+    ),
+}
 
 
 def structure_of(design: Design) -> Structure:
@@ -14,39 +44,26 @@ def structure_of(design: Design) -> Structure:
     Raises:
         InputError: it cannot be built.
     """
-    if isinstance(design, FanDesign):
-        return veins.vein_structure(design)
-    if isinstance(design, PlatesDesign):
-        return plates.plate_structure(design)
-    raise _no_way(design)
+    return _way(design).build(design)
 
 
 def with_protocol(structure: Structure, design: Design) -> Structure:
     """A structure with the drives, goals, states and transitions of a design that differs in its protocol at most."""
-    if isinstance(design, FanDesign):
-        return fan_protocol.with_protocol(structure, design)
-    if isinstance(design, PlatesDesign):
-        return plates.with_protocol(structure, design)
-    raise _no_way(design)
+    return _way(design).with_protocol(structure, design)
 
 
 def drive_keys(design: Design) -> tuple[str, ...]:
     """Keys of the values that say how strong a design's drives are."""
-    if isinstance(design, FanDesign):
-        return fan_protocol.drive_keys(design)
-    if isinstance(design, PlatesDesign):
-        return plates.drive_keys(design)
-    raise _no_way(design)
+    return _way(design).drive_keys(design)
 
 
 def static_keys(design: Design) -> tuple[str, ...]:
     """Keys, or starts of keys, of what matters to where a design rests, but for its tendons."""
-    if isinstance(design, FanDesign):
-        return fan_protocol.static_keys(design)
-    if isinstance(design, PlatesDesign):
-        return plates.static_keys(design)
-    raise _no_way(design)
+    return _way(design).static_keys(design)
 
 
-def _no_way(design: Design) -> InputError:
-    return InputError(f"{design.name}: there is no way to build it")
+def _way(design: Design) -> _Way:
+    for kind, way in _WAYS.items():
+        if isinstance(design, kind):
+            return way
+    raise InputError(f"{design.name}: there is no way to build it")

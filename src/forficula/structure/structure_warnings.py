@@ -32,14 +32,15 @@ def structure_warnings(design: Design, structure: Structure) -> list[str]:
     """
     folded = _time_folded(design, structure)
     groups = _alike(structure)
+    built = _as_built(structure)
     faults = flat_folding_faults(design_pattern(design))
     return [
         *(f"the sheet does not fold flat: {fault.removesuffix('.')}" for fault in faults),
         *_overlapping_bars(structure),
-        *_told(structure, groups, [_unmeasured_strain(tendons[0], strain) for tendons, strain in groups]),
+        *_told(structure, groups, [_unmeasured_strain(built, tendons[0], strain) for tendons, strain in groups]),
         *_told(structure, groups, [_pushing_branches(tendons[0]) for tendons, _ in groups]),
-        *_told(structure, groups, [_relaxing_branches(tendons[0], folded) for tendons, _ in groups]),
-        *_told(structure, groups, [_softening(tendons[0], strain) for tendons, strain in groups]),
+        *_told(structure, groups, [_relaxing_branches(structure, tendons[0], folded) for tendons, _ in groups]),
+        *_told(structure, groups, [_softening(built, tendons[0], strain) for tendons, strain in groups]),
     ]
 
 
@@ -98,12 +99,18 @@ def _gaps(one: Array, other: Array) -> Array:
     return np.asarray(np.linalg.norm(places - np.outer(nearest, along), axis=1))
 
 
-def _unmeasured_strain(tendon: Tendon, strain: float) -> str:
+def _as_built(structure: Structure) -> str:
+    """What sentences call the structure as it is built, such as "the flat wing"."""
+    whole, state = structure.appearance.whole, structure.states[0].name if structure.states else ""
+    return f"the {state} {whole}" if state and state == structure.stage_states[0] else f"the {whole} as built"
+
+
+def _unmeasured_strain(built: str, tendon: Tendon, strain: float) -> str:
     material = tendon.material
     if material is None or material.largest_strain is None or strain <= material.largest_strain:
         return ""
     return (
-        f"the flat wing stretches its tendons by {100 * strain:.3g} %, beyond the {100 * material.largest_strain:.3g} %"
+        f"{built} stretches its tendons by {100 * strain:.3g} %, beyond the {100 * material.largest_strain:.3g} %"
         f" up to which {material.name or 'their law'} was measured: a longer tendon.rest_length stays within it"
     )
 
@@ -129,25 +136,26 @@ def _time_folded(design: Design, structure: Structure) -> float:
     return sum(stage.time_limit for stage in design.protocol.stages[first + 1 : rest[0]])
 
 
-def _relaxing_branches(tendon: Tendon, folded: float) -> str:
-    """Of branches that relax while the wing is folded: in a run their length is the distance of the tendon's ends."""
+def _relaxing_branches(structure: Structure, tendon: Tendon, folded: float) -> str:
+    """Of branches that relax while it is folded: in a run their length is the distance of the tendon's ends."""
     times = [branch.time for branch in tendon.law.branches if branch.time < folded]
     if not times:
         return ""
     shown = ", ".join(f"{factor * time:.3g} {unit}" for time in times for unit, factor in [reading_unit("s", time)])
     return (
-        f"Maxwell branches of {shown} relax while the wing is folded, to the distance of the tendon's ends and not to"
+        f"Maxwell branches of {shown} relax while the {structure.appearance.whole} is"
+        f" {structure.transitions[0].state}, to the distance of the tendon's ends and not to"
         " the length of a slack tendon: when it opens they pull too much"
     )
 
 
-def _softening(tendon: Tendon, strain: float) -> str:
+def _softening(built: str, tendon: Tendon, strain: float) -> str:
     material = tendon.material
     if material is None or material.softening is None or strain <= material.residual_strain:
         return ""
     return (
         "tendons do not soften within a run: they have the spring of a first pull; with --cycles, those from the second"
-        " on have the spring that the stretch of the flat wing leaves"
+        f" on have the spring that the stretch of {built} leaves"
     )
 
 
