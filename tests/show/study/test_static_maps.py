@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from forficula.design import load_design
 from forficula.show.study.static_maps import draw_static_maps
 from forficula.study.static_map import map_study, static_map
 
@@ -40,3 +41,10 @@ def test_beside_a_simulation_the_cells_that_differ_are_drawn(statics):
 def test_over_one_factor_points_are_drawn(reference):
     table = static_map(map_study(reference, {"tendon.rest_length": ["8 cm", "9 cm"]}))
     assert len(titles(draw_static_maps(table, table))) == 6
+
+
+def test_what_springs_open_when_released_is_not_said_to_resist_opening():
+    """Creases of 0.12 N m/rad/m do not leave the letter closed; where they are soft it is, and takes more to open."""
+    letter = load_design("letter-fold", {"drive.open.value": "-1 N cm"})
+    table = static_map(map_study(letter, {"crease.stiffness": ["0.02 N m/rad/m", "0.12 N m/rad/m"]}))
+    assert legend(draw_static_maps(table)) == {"did not get opened", "did not stay closed"}

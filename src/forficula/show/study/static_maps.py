@@ -64,8 +64,13 @@ def _of_every_run(statics: Dataset, simulated: Dataset) -> str:
 def _panel(view: View, name: str, title: str, simulated: bool = False) -> Panel:
     table = view.table
     values = table[f"simulated_{name}"] if simulated else table[name]
-    first = name == table_transitions(table)[0].least
+    before, *_ = table_transitions(table)
+    first = name == before.least
     why = np.full(values.shape, word_of(table, Kind.STUCK if first else Kind.STUCK_LATER), dtype=object)
+    # from a state in which it does not rest nothing leads on, and its energy is not known
+    if not first and not simulated:
+        lost = np.isnan(table[f"{before.state}_energy"].values)
+        why[lost] = table["outcome"].values[lost]
     if simulated:
         verdict = table[f"verdict_{name}"].values
         why[verdict == NOT_SIMULATED] = word_of(table, Kind.NOT_TRIED)
