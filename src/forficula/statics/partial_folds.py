@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 
 # of so many hinges every combination is tried; of more only those folded one after another, from one side
 _EVERY_COMBINATION = 5
-# how far past straight a hinge starts: from there its tendon pulls it as far as neighbours and guards let it
+# how far past straight a hinge starts: from there its tendon pulls it as far as neighbours and length limits let it
 _START = math.radians(30)
 _WAYS = 45  # places on the way of one hinge, straight among them
 _FINE = 721  # angles among which the top of one hinge is looked for
