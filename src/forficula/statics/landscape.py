@@ -169,7 +169,7 @@ def energy_landscape(design: Design, points: int = 181) -> EnergyLandscape:
     structures = ensemble([structure])
     tendons, ideal_hinges = _tendon_landscapes(structure, points)
     hinge = next((each for each in ideal_hinges if each is not None), None)
-    path = None if structure.fold_path is None else fold_path(structures, points)
+    path = None if structure.rigid_fold is None else fold_path(structures, points)
     start = start_state(structures)
     first = first_state(structure, [state.name for state in structure.states])
     rests, most = [_rest(structures, first, start)], {}
@@ -280,7 +280,7 @@ def fold_path_of(landscape: EnergyLandscape) -> FoldPath:
 
 
 def _barrier_or_none(landscape: EnergyLandscape, *, back: bool) -> float | None:
-    fold = landscape.structure.fold_path
+    fold = landscape.structure.rigid_fold
     if fold is None:
         return None
     ends = (fold.end, fold.start) if back else (fold.start, fold.end)
@@ -395,9 +395,9 @@ def _shared_remarks(structure: Structure) -> tuple[str, ...]:
 
 
 def _start_remarks(structure: Structure, angles: Array) -> tuple[str, ...]:
-    if structure.fold_path is None:
+    if structure.rigid_fold is None:
         return ()
-    least = float(angles[list(structure.fold_path.folds)].min())
+    least = float(angles[list(structure.rigid_fold.folds)].min())
     if least >= -_STRAIGHT:
         return ()
     return (

@@ -61,8 +61,8 @@ class PartialFold:
 
 def folding_hinges(structure: Structure) -> tuple[int, ...]:
     """Numbers of the hinges that fold: those of the rigid fold, or, where there is none, those that tendons cross."""
-    if structure.fold_path is not None:
-        return structure.fold_path.folds
+    if structure.rigid_fold is not None:
+        return structure.rigid_fold.folds
     crossings = [tendon.crossing for tendon in structure.tendons if tendon.crossing is not None]
     return tuple(dict.fromkeys(crossing.hinge for crossing in crossings))
 

@@ -70,4 +70,4 @@ def landscape_kinds(structure: Structure) -> tuple[str, ...]:
     """
     tendon = ("tendon",) if inner_tendon(structure) is not None else ()
     levels = ("levels",) if folding_hinges(structure) else ()
-    return (*tendon, "rests" if structure.fold_path is None else "wing", *levels)
+    return (*tendon, "rests" if structure.rigid_fold is None else "wing", *levels)

@@ -130,8 +130,7 @@ def _mark(axes: Axes, landscape: EnergyLandscape, state: StableState, factor: fl
     height = factor * state.energy
     offsets: dict[str, Any] = {"textcoords": "offset points", "va": "center", "fontsize": 7}
     largest = factor * float(path.energy.max())
-    first = landscape.structure.fold_path
-    if first is not None and state.name == first.start:
+    if state.name == rigid_fold(landscape.structure).start:
         axes.annotate(words, (place, height), xytext=(7, -12 if height > 0.2 * largest else 12), ha="left", **offsets)
         return
     before = float(np.interp(state.far_pleat_angle - _BESIDE, path.pleat_angle, factor * path.energy))
@@ -174,8 +173,7 @@ def _close_up(axes: Axes, landscape: EnergyLandscape) -> None:
     near.set_xlim(math.degrees(start.coordinate - 0.12 * reach), math.degrees(last))
     words = f"barrier {factor * climb:.4g} {unit}"
     mark_barrier(near, math.degrees(saddle.coordinate), factor * climb, words)
-    first = landscape.structure.fold_path
-    name = first.start if first is not None and start.coordinate <= 0 else "it"
+    name = rigid_fold(landscape.structure).start if start.coordinate <= 0 else "it"
     near.set_ylabel(f"above {name} ({unit})", fontsize=7, labelpad=2)
     near.set_xlabel("pleat angle (deg)", fontsize=7, labelpad=1)
     near.tick_params(labelsize=6)

@@ -105,7 +105,7 @@ def _barriers(landscape: EnergyLandscape, shown: ShownHinge | None) -> Table:
     columns = () if shown is None else shown.columns
     overbend = landscape.structure.appearance.overbend
     rows = [(f"{name}, {_way(hinge, overbend)}", hinge.barrier) for name, hinge in columns]
-    fold = landscape.structure.fold_path
+    fold = landscape.structure.rigid_fold
     start = (landscape.rests[0].name if fold is None else fold.start) or "at the start"
     if len(landscape.hinge_barriers):
         rows.append((f"{whole}, {start} until its easiest hinge folds alone", landscape.easiest_barrier))
@@ -128,7 +128,7 @@ def _way(hinge: HingeLandscape, start: str) -> str:
 
 
 def _torques(landscape: EnergyLandscape) -> Table:
-    path, fold, rounding = landscape.fold_path, landscape.structure.fold_path, rounding_torque(landscape)
+    path, fold, rounding = landscape.fold_path, landscape.structure.rigid_fold, rounding_torque(landscape)
     whole = landscape.structure.appearance.whole
     columns = [whole] if path is None else ["rigid panels", f"compliant {whole}"]
     table = _table("Least slow torques, without help by inertia", "", *columns)
