@@ -32,7 +32,7 @@ from forficula.show.style import (
     in_column,
     is_narrow,
 )
-from forficula.statics import EnergyLandscape, StableState, folding_hinges, stable_states
+from forficula.statics import EnergyLandscape, FoldPath, StableState, folding_hinges, stable_states
 from forficula.statics.fold_path import rigid_fold
 from forficula.statics.landscape import fold_path_of
 from forficula.structure import Structure
@@ -76,22 +76,7 @@ def draw_fold_path(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Fig
         bottom.plot(pleat, torque * moment, color=BLACK, lw=1.0)
         for state in states:
             _mark(top, landscape, state, energy)
-        saddles = [state for state in path.states if not state.stable]
-        places = np.degrees([saddle.coordinate for saddle in saddles])
-        heights = [energy * saddle.energy for saddle in saddles]
-        if saddles:
-            top.plot(
-                places,
-                heights,
-                "^",
-                color="white",
-                mec=VERMILION,
-                ms=6,
-                ls="none",
-                zorder=6,
-                clip_on=False,
-                label="saddle",
-            )
+        _mark_saddles(top, path, energy)
         _close_up(top, landscape)
         _mark_climbs(bottom, landscape, torque, rounding)
         _ring_axis(top, landscape)
@@ -117,6 +102,15 @@ def draw_fold_path(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Fig
         handles += state_handles({state.kind for state in states})
         figure.legend(handles=handles, loc="outside upper center", ncols=2 if is_narrow(width) else 4)
         return describe(figure, _tell(landscape))
+
+
+def _mark_saddles(axes: Axes, path: FoldPath, factor: float) -> None:
+    """Mark the tops along the fold, if there are any."""
+    if saddles := [state for state in path.states if not state.stable]:
+        places = np.degrees([saddle.coordinate for saddle in saddles])
+        heights = [factor * saddle.energy for saddle in saddles]
+        style: dict[str, Any] = {"color": "white", "mec": VERMILION, "ms": 6, "ls": "none", "zorder": 6}
+        axes.plot(places, heights, "^", clip_on=False, label="saddle", **style)
 
 
 def _mark(axes: Axes, landscape: EnergyLandscape, state: StableState, factor: float) -> None:
