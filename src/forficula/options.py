@@ -65,7 +65,7 @@ def exit_status(verdicts: Iterable[Verdict], *, tolerate: bool) -> int:
         tolerate: whether what diverged or is not to be trusted counts as done.
 
     Returns:
-        0 where every goal was reached, 2 where one was missed, 3 where one run says nothing of its wing.
+        0 where every goal was reached, 2 where one was missed, 3 where one run says nothing of its structure.
     """
     silent = ("diverged", "untrusted")
     told = [verdict for verdict in verdicts if not (tolerate and verdict in silent)]

@@ -10,7 +10,7 @@ import xarray
 import forficula as ff
 from forficula.errors import InputError
 from forficula.show.folder.static_map_folder import print_static_map
-from forficula.show.landscape.landscape_figure import draw_wing
+from forficula.show.landscape.landscape_figure import draw_fold_path
 from forficula.show.page.design_rows import design_rows
 from forficula.show.page.design_tables import design_tables
 from forficula.show.progress import run_progress
@@ -42,7 +42,7 @@ def called():
 
 
 def test_climbs_are_called_by_what_their_transitions_do(called):
-    texts = [text.get_text() for axes in draw_wing(called).axes for text in axes.texts]
+    texts = [text.get_text() for axes in draw_fold_path(called).axes for text in axes.texts]
     assert any(text.startswith("closing takes") and text.endswith("on every petal") for text in texts)
     assert any(text.startswith("blooming takes") for text in texts)
     assert not any("folding" in text or "opening" in text for text in texts)

@@ -46,13 +46,13 @@ def test_back_it_climbs_what_it_has_lost(landscape):
 def test_the_flat_state_presses_as_much_as_folding_takes(landscape):
     """Nothing on the way is steeper than the start, so what holds the wing flat is what must be overcome."""
     flat = ff.stable_states(landscape)[0]
-    assert landscape.wing.fold_torque == pytest.approx(flat.holding_torque)
+    assert landscape.fold_path.fold_torque == pytest.approx(flat.holding_torque)
     assert landscape.least_torques["fold"] == pytest.approx(flat.holding_torque, rel=0.02)
 
 
 def test_opening_slowly_takes_the_peak_moment_of_a_tendon(landscape):
     peak = landscape.tendons[0].peak_opening.torque
-    assert landscape.wing.unfold_torque == pytest.approx(peak, rel=5e-3)
+    assert landscape.fold_path.unfold_torque == pytest.approx(peak, rel=5e-3)
     assert landscape.least_torques["unfold"] == pytest.approx(peak, rel=0.02)
 
 

@@ -127,7 +127,7 @@ def test_the_least_torque_that_opens_it_is_the_steepest_climb_back(landscape):
 
 
 def test_what_needs_one_way_to_fold_is_left_out_or_says_so(landscape):
-    assert (landscape.wing, landscape.tips, landscape.hinge) == (None, None, None)
+    assert (landscape.fold_path, landscape.tips, landscape.hinge) == (None, None, None)
     assert landscape.fold_barrier is None
     with pytest.raises(InputError, match="letter-fold: has no one way in which rigid panels fold"):
         stable_states(landscape)

@@ -35,7 +35,7 @@ def test_with_a_soft_membrane_hinges_stay_where_they_are(reference):
     states = partial_folds(reference)
     assert all(state.stable for state in states)
     flat, *_, folded = states
-    assert np.degrees(flat.distal_angle) == pytest.approx([3, 3, 3])
+    assert np.degrees(flat.angles) == pytest.approx([3, 3, 3])
     assert folded.energy < 1e-4 * flat.energy
     by_count = [np.mean([state.energy for state in states if len(state.folded) == count]) for count in range(4)]
     assert by_count == sorted(by_count, reverse=True)

@@ -66,7 +66,7 @@ def test_torques_that_grow_in_smaller_steps_fold_and_open_the_same_wings(step):
 
 @pytest.mark.parametrize(
     ("module", "name", "value"),
-    [(potential_module, "_LONGEST_STEP", 0.05), (sheet_module, "_GUARD_STIFFNESS", 300.0)],
+    [(potential_module, "_LONGEST_STEP", 0.05), (sheet_module, "_LIMIT_STIFFNESS", 300.0)],
 )
 def test_what_folds_and_opens_does_not_depend_on_the_steps_or_on_the_guards_stiffness(monkeypatch, module, name, value):
     monkeypatch.setattr(module, name, value)

@@ -21,6 +21,7 @@ import importlib.metadata
 import io
 import json
 import math
+import re
 import sys
 import tempfile
 import time
@@ -231,18 +232,24 @@ def summary_of(record: Record) -> Numbers:
 
 
 def landscape_numbers(landscape: EnergyLandscape) -> Numbers:
-    """Every number of a landscape, but for where it rests, which is new."""
+    """Every number of a landscape, but for where it rests, which is new, by the names that the digests were kept by."""
     numbers = {
-        name: value
+        _kept_name(name): value
         for name, value in _fields(landscape)
-        if not name.startswith(("structure.", "rests.", "least_torques.", "wing.turns", "wing.folds"))
+        if not name.startswith(("structure.", "rests.", "least_torques.", "fold_path.turns", "fold_path.folds"))
     }
-    assert landscape.wing is not None
+    assert landscape.fold_path is not None
     return {
         **numbers,
-        "wing.veins": landscape.wing.turns,
+        "wing.veins": landscape.fold_path.turns,
         **{f"{name}_torque": torque for name, torque in landscape.least_torques.items()},
     }
+
+
+def _kept_name(name: str) -> str:
+    # a name is a part of its digest, so a field that is called otherwise since keeps its old name here
+    name = re.sub(r"^fold_path\.", "wing.", name)
+    return re.sub(r"^(partial_folds\.\d+)\.angles$", r"\1.distal_angle", name)
 
 
 def landscape_summary_of(landscape: EnergyLandscape) -> Numbers:

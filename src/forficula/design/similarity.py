@@ -36,7 +36,7 @@ def in_units(design: Design, *, length: float, mass: float, time: float) -> Desi
 
 
 def scale_design(design: Design, factor: float) -> Design:
-    """Scale a wing's size at fixed modulus and density, with all that makes it move alike.
+    """Scale a structure's size at fixed modulus and density, with all that makes it move alike.
 
     Stiffness goes with the factor, energy and torque with its cube, inertia with its fifth power, time with the factor
     itself, so that the tips are as fast as before (dimensional analysis; Ilton et al. 2018, arXiv 1711.04920, measured
@@ -44,7 +44,7 @@ def scale_design(design: Design, factor: float) -> Design:
 
     Args:
         design: in SI.
-        factor: size of the new wing by that of the old.
+        factor: size of the new structure by that of the old.
 
     Returns:
         The scaled design; in t / time scale its motion is the same.

@@ -11,8 +11,8 @@ from forficula.structure import GROUND, Bar, Hinge, Plate, Structure, mass_of
 
 # bits by which MuJoCo selects who touches whom
 _OVERLAPPING, _OTHERS = 1, 2
-# MuJoCo hardens a contact over 0.001 of its length unit, which would be another share of every wing; the other numbers
-# are its defaults.
+# MuJoCo hardens a contact over 0.001 of its length unit, which would be another share of every structure; the other
+# numbers are its defaults.
 _SOFT_SHARE = 0.02
 
 

@@ -26,7 +26,7 @@ class EnergyBalance:
         gravitational: change of the gravitational energy.
         hinge_damping: that the hinges' damping took.
         elastic_damping: that the tendons' and the membrane's damping took.
-        stops: that stops, guard tendons and, where they are on, contacts took.
+        stops: that stops, length limits and, where they are on, contacts took.
         branches: change of the energy of the tendons' Maxwell branches; None where they have none.
         branch_damping: that the dampers in these branches took; None where there are none.
         yielding: that the tendons' yielding took; None where they never yield.

@@ -17,7 +17,7 @@ from forficula.dynamics.tendons import add_branches, add_distance, add_limit, ad
 from forficula.dynamics.units import ModelUnits, design_in_model_units, model_units
 from forficula.errors import InputError
 from forficula.material.law.tendon_law import ElasticLaw, stacked_laws
-from forficula.structure import Structure, structure_of
+from forficula.structure import Measure, Structure, structure_of
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -122,29 +122,11 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
     timestep = float(design.protocol.timestep) / units.time
     mesh = joined_mesh(in_units.membranes)
     distances = [measure for measure in in_units.measures if measure.points is not None]
-    spec = _empty_spec(in_units, timestep)
-    add_bodies(spec, in_units, timestep)
-    for tendon in in_units.tendons:
-        add_tendon(spec, tendon, in_units)
-    # after all motors, so that a motor and its control have the same index: branches have no control
-    for tendon in in_units.tendons:
-        add_branches(spec, tendon)
-    for limit in in_units.limits:
-        add_limit(spec, limit, in_units, timestep)
-    for measure in distances:
-        if measure.points is not None:
-            add_distance(spec, f"distance_{measure.name}", measure.points, in_units)
-    add_membranes(spec, mesh, in_units)
+    spec = _spec_of(in_units, timestep, mesh, distances)
     spec.add_text(
         name="units", data=f"length {units.length:g} m, mass {units.mass:g} kg, time {units.time:g} s, angle rad"
     )
-    try:
-        with warnings.catch_warnings():
-            # said of a membrane without damping, although its elasticity is there
-            warnings.filterwarnings("ignore", message=".*has no.*passive forces")
-            engine = spec.compile()
-    except (ValueError, MemoryError, mujoco.FatalError) as error:
-        raise InputError(f"{design.name}: MuJoCo cannot build it: {' '.join(str(error).split())}") from None
+    engine = _compiled(spec, design.name)
     kinds = mujoco.mjtObj
     tendons = _indices(engine, kinds.mjOBJ_TENDON, [tendon.name for tendon in in_units.tendons])
     plastic = engine.tendon_plasticadr[tendons]
@@ -176,6 +158,24 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
     )
 
 
+def _spec_of(structure: Structure, timestep: float, mesh: Mesh, distances: list[Measure]) -> mujoco.MjSpec:
+    """All parts of a structure, not compiled yet."""
+    spec = _empty_spec(structure, timestep)
+    add_bodies(spec, structure, timestep)
+    for tendon in structure.tendons:
+        add_tendon(spec, tendon, structure)
+    # after all motors, so that a motor and its control have the same index: branches have no control
+    for tendon in structure.tendons:
+        add_branches(spec, tendon)
+    for limit in structure.limits:
+        add_limit(spec, limit, structure, timestep)
+    for measure in distances:
+        if measure.points is not None:
+            add_distance(spec, f"distance_{measure.name}", measure.points, structure)
+    add_membranes(spec, mesh, structure)
+    return spec
+
+
 def _empty_spec(structure: Structure, timestep: float) -> mujoco.MjSpec:
     spec = mujoco.MjSpec()
     spec.modelname = structure.name
@@ -194,6 +194,17 @@ def _empty_spec(structure: Structure, timestep: float) -> mujoco.MjSpec:
     if not structure.contact:
         option.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT
     return spec
+
+
+def _compiled(spec: mujoco.MjSpec, name: str) -> mujoco.MjModel:
+    """The engine's model; raise InputError where MuJoCo refuses it."""
+    try:
+        with warnings.catch_warnings():
+            # said of a membrane without damping, although its elasticity is there
+            warnings.filterwarnings("ignore", message=".*has no.*passive forces")
+            return spec.compile()
+    except (ValueError, MemoryError, mujoco.FatalError) as error:
+        raise InputError(f"{name}: MuJoCo cannot build it: {' '.join(str(error).split())}") from None
 
 
 def _branches(counts: list[int]) -> Indices:

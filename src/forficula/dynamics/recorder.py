@@ -1,4 +1,4 @@
-"""What is kept of one wing's way: rows at the sample interval, and the work done between them."""
+"""What is kept of one structure's way: rows at the sample interval, and the work done between them."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, kw_only=True)
 class Chunk:
-    """Some steps of many wings, of each within one stage.
+    """Some steps of many structures, of each within one stage.
 
     Attributes:
-        steps: of all wings, in their models' units.
-        first: number of the step that each wing starts with, (wing,).
-        begins: whether the stage begins with it, (wing,).
-        taken: how many of each wing's steps count, (wing,).
-        account: by name the work since the start before each step, J, and the powers in it, W, (wing, step).
+        steps: of all structures, in their models' units.
+        first: number of the step that each structure starts with, (structure,).
+        begins: whether the stage begins with it, (structure,).
+        taken: how many of each structure's steps count, (structure,).
+        account: by name the work since the start before each step, J, and the powers in it, W, (structure, step).
     """
 
     steps: Steps
@@ -52,7 +52,7 @@ _Part = tuple[_Rows, slice]
 
 
 class Recorder:
-    """Keeps what a record needs of one wing's way."""
+    """Keeps what a record needs of one structure's way."""
 
     def __init__(self, model: Model, sparse: bool) -> None:
         """Start with nothing kept; sparse, only what the states at the ends of stages need will be."""
@@ -67,13 +67,13 @@ class Recorder:
         self._stages: list[list[_Part]] = []
 
     def fork(self, model: Model) -> Recorder:
-        """A recorder of another wing that has gone the same way so far."""
+        """A recorder of another structure that has gone the same way so far."""
         other = Recorder(model, self._sparse)
         other._stages = [[*parts] for parts in self._stages]
         return other
 
     def add(self, rows: _Rows, mine: slice, chunk: Chunk, place: int) -> None:
-        """Keep some rows, of one wing of the chunk; the first one is its stage's first if the stage begins there."""
+        """Keep some rows, of one structure of the chunk; the first is its stage's first if the stage begins there."""
         if chunk.begins[place]:
             if self._stages:
                 self._close_stage()
@@ -97,7 +97,7 @@ class Recorder:
         stages: tuple[StageEnd, ...],
         diverged_at: float | None,
     ) -> Record:
-        """The record, its last row being the state that the wing ended in.
+        """The record, its last row being the state that the structure ended in.
 
         Args:
             step: how many steps it took.
@@ -148,27 +148,27 @@ class Recorder:
         return energies
 
     def _close_stage(self) -> None:
-        """Copy the stage's rows together, so that they do not hold the chunks of all wings in memory."""
+        """Copy the stage's rows together, so that they do not hold the chunks of all structures in memory."""
         parts = self._stages[-1]
         parts[:] = [_joined(parts)]
 
 
 def keep(recorders: Sequence[Recorder], chunk: Chunk) -> None:
-    """Keep the states of a chunk's wings at their sample intervals and where stages begin."""
+    """Keep the states of a chunk's structures at their sample intervals and where stages begin."""
     steps, step = chunk.steps, np.arange(chunk.steps.after.shape[1])
     number = chunk.first[:, None] + step
     interval = np.array([recorder.interval for recorder in recorders])
     kept = (number % interval[:, None] == 0) & (step < chunk.taken[:, None])
     # where a stage begins, even one whose first step blows up
     kept |= chunk.begins[:, None] & (step == 0)
-    # for all wings at once: a few calls do the work of thousands
-    wing, before = np.nonzero(kept)
-    inner = {name: steps.states(wing, before, place) for name, place in steps.inner.items()}
+    # for all structures at once: a few calls do the work of thousands
+    structure, before = np.nonzero(kept)
+    inner = {name: steps.states(structure, before, place) for name, place in steps.inner.items()}
     rows = _Rows(
-        number=number[wing, before],
-        position=steps.states(wing, before, slice(1, 1 + steps.dof)),
-        derived={name: steps.derived[name][wing, before] for name in steps.kept} | inner,
-        account={name: values[wing, before] for name, values in chunk.account.items()},
+        number=number[structure, before],
+        position=steps.states(structure, before, slice(1, 1 + steps.dof)),
+        derived={name: steps.derived[name][structure, before] for name in steps.kept} | inner,
+        account={name: values[structure, before] for name, values in chunk.account.items()},
     )
     bounds = [0, *np.cumsum(kept.sum(axis=1)).tolist()]
     for place in np.flatnonzero(kept.any(axis=1)).tolist():

@@ -77,7 +77,7 @@ def simulate_each(
         finally:
             stepper.close()
     except (MemoryError, mujoco.FatalError) as error:
-        # the engine says so of its memory, and of nothing else that a wing can bring about
+        # the engine says so of its memory, and of nothing else that a structure can bring about
         named = models[0].design.name if len(models) == 1 else f"{len(models)} structures side by side"
         raise InputError(f"{named}: no memory left to simulate: {' '.join(str(error).split())}") from None
 

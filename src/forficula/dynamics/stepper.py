@@ -73,21 +73,21 @@ class Steps:
         """Before the first step, (structure, dof)."""
         return self.before[:, 1 + self.dof : 1 + 2 * self.dof]
 
-    def activation(self, wing: int, taken: int) -> Array:
-        """Of a wing before the first of so many steps and after each, (step + 1, activation)."""
+    def activation(self, structure: int, taken: int) -> Array:
+        """Of a structure before the first of so many steps and after each, (step + 1, activation)."""
         place = self.inner.get("act", slice(0, 0))
-        return np.concatenate([self.before[wing, None, place], self.after[wing, :taken, place]])
+        return np.concatenate([self.before[structure, None, place], self.after[structure, :taken, place]])
 
-    def states(self, wing: Indices, taken: Indices, part: slice = slice(None)) -> Array:
-        """What wings are in after so many steps, or a part of it, (state, number), for pairs of the two."""
-        states = self.after[:, :, part][wing, taken - 1]
-        states[taken == 0] = self.before[wing[taken == 0], part]
+    def states(self, structure: Indices, taken: Indices, part: slice = slice(None)) -> Array:
+        """What structures are in after so many steps, or a part of it, (state, number), for pairs of the two."""
+        states = self.after[:, :, part][structure, taken - 1]
+        states[taken == 0] = self.before[structure[taken == 0], part]
         return states
 
 
 @dataclass(frozen=True, kw_only=True)
 class State:
-    """What a wing is in, in its model's units.
+    """What a structure is in, in its model's units.
 
     Attributes:
         position: of its joints, (dof,).
@@ -102,7 +102,7 @@ class State:
 
 @dataclass(frozen=True, kw_only=True)
 class Pending:
-    """Steps that are being made, by several workers a part of the wings each."""
+    """Steps that are being made, by several workers a part of the structures each."""
 
     parts: Sequence[Future[None]]
     steps: Steps
@@ -115,7 +115,7 @@ class Pending:
 
 
 class Stepper:
-    """Wings of one topology in the engine, each in its own state; workers step them in the background.
+    """Structures of one topology in the engine, each in its own state; workers step them in the background.
 
     Every worker has an engine of one thread: none waits for another, as the threads of one engine do after each part.
     """
@@ -147,11 +147,11 @@ class Stepper:
         self._data = mujoco.MjData(model)
 
     def start(self, rows: Indices, controls: Array) -> Pending:
-        """Set out to take these wings a chunk of steps further, driven by controls, (row, step, motor).
+        """Set out to take these structures a chunk of steps further, driven by controls, (row, step, motor).
 
         Others can be started before that is done, but the third steps overwrite the first.
         """
-        # for `state`: what drives a wing in its last state drove it in the last step, too
+        # for `state`: what drives a structure in its last state drove it in the last step, too
         self._state[np.ix_(rows, self._control)] = controls[:, -1]
         self._memory.rotate()
         mine = {name: each[: len(rows)] for name, each in self._memory[0].items()}
@@ -176,16 +176,16 @@ class Stepper:
         )
 
     def take_back(self, rows: Indices, steps: Steps, taken: Indices) -> None:
-        """Put these wings where they were after as many of their last steps as count, (row,)."""
+        """Put these structures where they were after as many of their last steps as count, (row,)."""
         self._state[np.ix_(rows, self._moving)] = steps.states(np.arange(len(rows)), taken)
 
     def follow_leader(self, row: int, leader: int) -> None:
-        """Put a wing where another one is."""
+        """Put a structure where another one is."""
         self._state[row] = self._state[leader]
 
     def state(self, row: int) -> State:
-        """What a wing is in."""
-        # wings of one topology have data of one size: making it anew takes as long as many steps
+        """What a structure is in."""
+        # structures of one topology have data of one size: making it anew takes as long as many steps
         engine, data = self._structures[row].engine, self._data
         mujoco.mj_resetData(engine, data)
         mujoco.mj_setState(engine, data, self._state[row], _STATE)
@@ -199,7 +199,7 @@ class Stepper:
         self._workers.shutdown(cancel_futures=True)
 
     def _step(self, rows: Indices, controls: Array, memory: Mapping[str | int, Array]) -> None:
-        """Take some wings a chunk of steps further; what comes of it goes to memory."""
+        """Take some structures a chunk of steps further; what comes of it goes to memory."""
         engine = self._engines.get()
         try:
             every = [*range(len(rows)), *[0] * (engine.nsim - len(rows))]
@@ -220,7 +220,7 @@ class Stepper:
 
 
 def _memory(models: Sequence[Model], names: Sequence[str], chunk: int, moving: int) -> dict[str | int, Array]:
-    """Room for a chunk of steps of all wings, by what is recorded."""
+    """Room for a chunk of steps of all structures, by what is recorded."""
     data = mujoco.MjData(models[0].engine)
     shapes = {_MOVING: (moving,), **{name: getattr(data, name).shape for name in names}}
     return {name: np.empty((len(models), chunk, *shape)) for name, shape in shapes.items()}
@@ -280,7 +280,7 @@ def _start_creep(model: Model) -> Array:
 
 
 class _Quiet:
-    """Keeps MuJoCo from writing its warnings to a file in the current folder; the record tells of a diverged wing.
+    """Keeps MuJoCo from writing its warnings to a file in the current folder; the record tells of what diverged.
 
     MuJoCo has one place for who takes its warnings: the first to ask for quiet sets it, the last one sets it back.
     """

@@ -12,8 +12,8 @@ from forficula.dynamics.bodies import stop_reference
 from forficula.material.law.tendon_law import TendonLaw
 from forficula.structure import LengthLimit, Structure, Tendon
 
-# MuJoCo lets a limit harden over 0.001 of its length unit, which would be another share of every wing; the other
-# numbers are its defaults.
+# MuJoCo lets a limit harden over 0.001 of its length unit, which would be another share of every structure; the
+# other numbers are its defaults.
 _SOFT_SHARE = 0.001
 _PARTS = 1e6  # of the resting length: over one of them a spring of muscles sets in
 _QUADRATIC = 1e3  # resting lengths up to which a quadratic spring is one
@@ -138,7 +138,7 @@ def _add_softening(spec: mujoco.MjSpec, tendon: str, law: TendonLaw, longest: fl
 
 def add_limit(spec: mujoco.MjSpec, limit: LengthLimit, structure: Structure, timestep: float) -> None:
     """Add a limit on the distance of two points, nothing else."""
-    guard = spec.add_tendon(
+    line = spec.add_tendon(
         name=limit.name,
         limited=True,
         range=[0, limit.most],
@@ -146,7 +146,7 @@ def add_limit(spec: mujoco.MjSpec, limit: LengthLimit, structure: Structure, tim
         solimp_limit=[0.9, 0.95, _SOFT_SHARE * limit.built_length, 0.5, 2],
     )
     for point in limit.points:
-        guard.wrap_site(structure.points[point].name)
+        line.wrap_site(structure.points[point].name)
 
 
 def add_distance(spec: mujoco.MjSpec, name: str, points: tuple[int, int], structure: Structure) -> None:

@@ -56,9 +56,9 @@ def stable_timestep(design: Design) -> float:
     As built, at rest, it is linearised, and one step of semi-implicit Euler with implicit joint damping is a linear map
     of positions, velocities and the forces of Maxwell branches. Above a limit an eigenvalue of it passes -1: the mode
     flips its sign at every step and grows (for one undamped mode of angular frequency w this is the textbook limit
-    h = 2 / w). Growth without a flip is the snap itself, not an error. Half of that limit is taken, because a folding
-    wing is stiffer than a flat one; the share was measured. Tendons have no lever where a wing is flat, so the
-    limit with tendons at their largest lever, where their law is stiffest, is another bound. What is driven
+    h = 2 / w). Growth without a flip is the snap itself, not an error. Half of that limit is taken, because a
+    structure stiffens as it folds; the share was measured on wings. Tendons may have no lever as built, so the limit
+    with tendons at their largest lever, where their law is stiffest, is another bound. What is driven
     harder than it needs to be can ask for less: see `with_timestep`.
     """
     # what is linearised does not depend on the step it is compiled with

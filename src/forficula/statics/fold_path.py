@@ -87,9 +87,9 @@ def rigid_fold(structure: Structure) -> RigidFold:
     Raises:
         InputError: it is not one way.
     """
-    if structure.fold_path is None:
+    if structure.rigid_fold is None:
         raise InputError(f"{structure.name}: has no one way in which rigid panels fold, so no energy along it")
-    return structure.fold_path
+    return structure.rigid_fold
 
 
 def fold_path(structures: Ensemble, points: int = 181) -> FoldPath:

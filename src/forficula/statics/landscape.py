@@ -82,7 +82,7 @@ class EnergyLandscape:
         hinge: one ideal hinge, with both bars square to its axis; None where there are no bars to be so.
         tendons: every hinge that one tendon lies across, about its true axis, by tendon; with the hinge's spring.
         ideal_hinges: the same with both bars square to the axis; None for those that have no bars to be so.
-        wing: the structure along its fold; None where rigid panels have no one way to fold.
+        fold_path: the structure along its fold; None where rigid panels have no one way to fold.
         levels: energies of independent hinges, ideal ones where there are such, none to all of them folded, J,
             (folding hinge + 1,); None where those of single hinges do not add up.
         partial_folds: let go with some hinges folded.
@@ -100,7 +100,7 @@ class EnergyLandscape:
     hinge: HingeLandscape | None
     tendons: tuple[HingeLandscape, ...]
     ideal_hinges: tuple[HingeLandscape | None, ...]
-    wing: FoldPath | None
+    fold_path: FoldPath | None
     levels: Array | None
     partial_folds: tuple[PartialFold, ...]
     hinge_barriers: Array
@@ -169,7 +169,7 @@ def energy_landscape(design: Design, points: int = 181) -> EnergyLandscape:
     structures = ensemble([structure])
     tendons, ideal_hinges = _tendon_landscapes(structure, points)
     hinge = next((each for each in ideal_hinges if each is not None), None)
-    wing = None if structure.fold_path is None else fold_path(structures, points)
+    path = None if structure.rigid_fold is None else fold_path(structures, points)
     start = start_state(structures)
     first = first_state(structure, [state.name for state in structure.states])
     rests, most = [_rest(structures, first, start)], {}
@@ -192,17 +192,17 @@ def energy_landscape(design: Design, points: int = 181) -> EnergyLandscape:
         hinge=hinge,
         tendons=tendons,
         ideal_hinges=ideal_hinges,
-        wing=wing,
+        fold_path=path,
         levels=fold_levels(structure),
         partial_folds=partial_folds(structures, start.position),
         hinge_barriers=single_hinge_barriers(structures, start.position),
         rests=tuple(rests),
         least_torques={name: None if each is None else _known(each.torque[0]) for name, each in slow.items()},
-        tips=None if wing is None else tip_stiffness(structures, start.position),
+        tips=None if path is None else tip_stiffness(structures, start.position),
         remarks=(
             *_tendon_remarks(structure, ideal_hinges, tendons),
             *_shared_remarks(structure),
-            *(() if wing is None else wing.remarks),
+            *(() if path is None else path.remarks),
             *_start_remarks(structure, start.position[0]),
             *(
                 remark
@@ -219,18 +219,18 @@ def stable_states(landscape: EnergyLandscape) -> tuple[StableState, ...]:
     Raises:
         InputError: it has no one way to fold.
     """
-    wing = _wing(landscape)
+    path = fold_path_of(landscape)
     return tuple(
         StableState(
             name=_name(state, landscape),
             kind=state.kind,
             pleat_angle=state.coordinate,
             far_pleat_angle=state.far_coordinate,
-            ring_angle=float(np.interp(state.coordinate, wing.pleat_angle, wing.ring_angle)),
+            ring_angle=float(np.interp(state.coordinate, path.pleat_angle, path.ring_angle)),
             energy=state.energy,
-            holding_torque=state.press * 2 / wing.turns,
+            holding_torque=state.press * 2 / path.turns,
         )
-        for state in wing.states
+        for state in path.states
         if state.stable
     )
 
@@ -251,32 +251,36 @@ def barrier(landscape: EnergyLandscape, start: str, end: str) -> float:
     Raises:
         InputError: there is no stable state of that name.
     """
-    wing, by_name = _wing(landscape), {state.name: state for state in stable_states(landscape)}
+    path, by_name = fold_path_of(landscape), {state.name: state for state in stable_states(landscape)}
     whole = landscape.structure.appearance.whole
     ends: list[PathState] = []
     for name in (start, end):
         if name not in by_name:
             near = difflib.get_close_matches(name, by_name, 1)
             meant = f', did you mean "{near[0]}"?' if near else ""
-            why = "" if near else "".join(f"; {remark}" for remark in wing.remarks)
+            why = "" if near else "".join(f"; {remark}" for remark in path.remarks)
             known = ", ".join(by_name)
             raise InputError(
                 f'{landscape.design.name}: need a stable state of the {whole} ({known}), got "{name}"{meant}{why}'
             )
         place = by_name[name].pleat_angle
-        ends.append(next(state for state in wing.states if state.stable and state.coordinate == place))
-    return barrier_between(wing.states, *ends)
+        ends.append(next(state for state in path.states if state.stable and state.coordinate == place))
+    return barrier_between(path.states, *ends)
 
 
-def _wing(landscape: EnergyLandscape) -> FoldPath:
-    """The path along the fold, or why there is none."""
+def fold_path_of(landscape: EnergyLandscape) -> FoldPath:
+    """The path of a structure along its fold.
+
+    Raises:
+        InputError: it has no one way to fold.
+    """
     rigid_fold(landscape.structure)
-    assert landscape.wing is not None
-    return landscape.wing
+    assert landscape.fold_path is not None
+    return landscape.fold_path
 
 
 def _barrier_or_none(landscape: EnergyLandscape, *, back: bool) -> float | None:
-    fold = landscape.structure.fold_path
+    fold = landscape.structure.rigid_fold
     if fold is None:
         return None
     ends = (fold.end, fold.start) if back else (fold.start, fold.end)
@@ -285,8 +289,8 @@ def _barrier_or_none(landscape: EnergyLandscape, *, back: bool) -> float | None:
 
 
 def _name(state: PathState, landscape: EnergyLandscape) -> str:
-    wing, fold = _wing(landscape), rigid_fold(landscape.structure)
-    ring = float(np.interp(state.far_coordinate, wing.pleat_angle, wing.ring_angle))
+    path, fold = fold_path_of(landscape), rigid_fold(landscape.structure)
+    ring = float(np.interp(state.far_coordinate, path.pleat_angle, path.ring_angle))
     folded = state_of(landscape.structure, fold.end)
     enough = folded is not None and bool(np.all(-ring <= folded.bounds.most[list(fold.folds)]))
     closed = enough or state.far_coordinate >= math.pi
@@ -391,9 +395,9 @@ def _shared_remarks(structure: Structure) -> tuple[str, ...]:
 
 
 def _start_remarks(structure: Structure, angles: Array) -> tuple[str, ...]:
-    if structure.fold_path is None:
+    if structure.rigid_fold is None:
         return ()
-    least = float(angles[list(structure.fold_path.folds)].min())
+    least = float(angles[list(structure.rigid_fold.folds)].min())
     if least >= -_STRAIGHT:
         return ()
     return (

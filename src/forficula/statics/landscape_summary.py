@@ -25,7 +25,7 @@ def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
             {"tendon": tendon, "hinge": hinge} | _hinge_summary(surveyed)
             for (tendon, hinge), surveyed in zip(_crossed(landscape.structure), landscape.tendons, strict=True)
         ],
-        "wing": None if landscape.wing is None else _wing_summary(landscape, landscape.wing),
+        "wing": None if landscape.fold_path is None else _path_summary(landscape, landscape.fold_path),
         "levels_J": None if landscape.levels is None else landscape.levels.tolist(),
         "partial_folds": [_partial_summary(state) for state in landscape.partial_folds],
         "rests": [
@@ -105,16 +105,16 @@ def _hinge_summary(hinge: HingeLandscape) -> dict[str, Any]:
     }
 
 
-def _wing_summary(landscape: EnergyLandscape, wing: FoldPath) -> dict[str, Any]:
+def _path_summary(landscape: EnergyLandscape, path: FoldPath) -> dict[str, Any]:
     states, first = stable_states(landscape), rigid_fold(landscape.structure).start
-    climbs = [state for state in wing.states if not state.stable]
+    climbs = [state for state in path.states if not state.stable]
     return {
-        "pleat_angle_deg": np.degrees(wing.pleat_angle).tolist(),
-        "ring_angle_deg": np.degrees(wing.ring_angle).tolist(),
-        "energy_J": wing.energy.tolist(),
-        "tendon_energy_J": wing.tendon_energy.tolist(),
-        "membrane_energy_J": wing.sheet_energy.tolist(),
-        "moment_N_m": wing.moment.tolist(),
+        "pleat_angle_deg": np.degrees(path.pleat_angle).tolist(),
+        "ring_angle_deg": np.degrees(path.ring_angle).tolist(),
+        "energy_J": path.energy.tolist(),
+        "tendon_energy_J": path.tendon_energy.tolist(),
+        "membrane_energy_J": path.sheet_energy.tolist(),
+        "moment_N_m": path.moment.tolist(),
         "stable_states": [
             {
                 "name": state.name,
@@ -136,8 +136,8 @@ def _wing_summary(landscape: EnergyLandscape, wing: FoldPath) -> dict[str, Any]:
         else None,
         "opening_barrier_J": landscape.unfold_barrier,
         "holding_torque_N_m": next((state.holding_torque for state in states if state.name == first), None),
-        "path_fold_torque_N_m": wing.fold_torque,
-        "path_unfold_torque_N_m": wing.unfold_torque,
+        "path_fold_torque_N_m": path.fold_torque,
+        "path_unfold_torque_N_m": path.unfold_torque,
         **{f"least_{name}_torque_N_m": torque for name, torque in landscape.least_torques.items()},
     }
 
@@ -147,7 +147,7 @@ def _partial_summary(state: PartialFold) -> dict[str, Any]:
         "folded": list(state.folded),
         "stable": state.stable,
         "stays_folded": list(state.stays_folded),
-        "distal_angle_deg": np.degrees(state.distal_angle).tolist(),
+        "distal_angle_deg": np.degrees(state.angles).tolist(),
         "energy_J": state.energy,
         "tendon_energy_J": state.tendon_energy,
         "membrane_energy_J": state.sheet_energy,

@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 
 # of so many hinges every combination is tried; of more only those folded one after another, from one side
 _EVERY_COMBINATION = 5
-# how far past straight a hinge starts: from there its tendon pulls it as far as neighbours and guards let it
+# how far past straight a hinge starts: from there its tendon pulls it as far as neighbours and length limits let it
 _START = math.radians(30)
 _WAYS = 45  # places on the way of one hinge, straight among them
 _FINE = 721  # angles among which the top of one hinge is looked for
@@ -37,7 +37,7 @@ class PartialFold:
         folded: hinges that start folded.
         stable: whether every hinge stays on the side of straight on which it starts, and no small push drives it on.
         stays_folded: hinges that are folded in the end.
-        distal_angle: of each folding hinge in the end, in its own sense, rad, (folding hinge,).
+        angles: of each folding hinge in the end, in its own sense, rad, (folding hinge,).
         tendon_energy: of all tendons, springs and weights in the end, J.
         sheet_energy: of membranes and length limits in the end, J.
         independent_energy: of as many hinges that nothing couples, those folded at their limits and the others at their
@@ -48,7 +48,7 @@ class PartialFold:
     folded: tuple[int, ...]
     stable: bool
     stays_folded: tuple[int, ...]
-    distal_angle: Array
+    angles: Array
     tendon_energy: float
     sheet_energy: float
     independent_energy: float | None = None
@@ -61,8 +61,8 @@ class PartialFold:
 
 def folding_hinges(structure: Structure) -> tuple[int, ...]:
     """Numbers of the hinges that fold: those of the rigid fold, or, where there is none, those that tendons cross."""
-    if structure.fold_path is not None:
-        return structure.fold_path.folds
+    if structure.rigid_fold is not None:
+        return structure.rigid_fold.folds
     crossings = [tendon.crossing for tendon in structure.tendons if tendon.crossing is not None]
     return tuple(dict.fromkeys(crossing.hinge for crossing in crossings))
 
@@ -209,14 +209,14 @@ def partial_folds(structures: Ensemble, flat: Array) -> tuple[PartialFold, ...]:
     sheet, _, _ = sheet_energy(many.sheet, found.position)
     soft, states, independent = soft_stiffness(structures), [], _independent(structures.structure, folding.tolist())
     for row, folded in enumerate(combinations):
-        angle = found.position[row, folding]
-        stays = tuple(int(each) for each in np.flatnonzero(places.senses * (angle - places.top) < 0))
+        angles = found.position[row, folding]
+        stays = tuple(int(each) for each in np.flatnonzero(places.senses * (angles - places.top) < 0))
         states.append(
             PartialFold(
                 folded=folded,
                 stable=bool(found.rests[row] and found.stiffness[row] > -soft) and stays == folded,
                 stays_folded=stays,
-                distal_angle=angle,
+                angles=angles,
                 tendon_energy=float(found.energy[row] - sheet[row]),
                 sheet_energy=float(sheet[row]),
                 independent_energy=None

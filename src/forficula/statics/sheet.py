@@ -14,8 +14,8 @@ from forficula.structure import Membrane, MembraneLaw, Structure
 
 Array = NDArray[np.float64]
 
-# A guard is a limit and no spring; it is as many times stiffer than the membrane, E t, as keeps its own stretch small.
-_GUARD_STIFFNESS = 100.0
+# A length limit is no spring; it is as many times stiffer than the membrane, E t, as keeps its own stretch small.
+_LIMIT_STIFFNESS = 100.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -85,7 +85,7 @@ def sheet_of(structure: Structure, tree: Tree) -> Sheet:
             for each in of_membranes
         ),
         lengths=tuple(most[each - len(laws)] for each in numbers[len(of_membranes) :]),
-        spring=_GUARD_STIFFNESS * _stiffest(structure),
+        spring=_LIMIT_STIFFNESS * _stiffest(structure),
     )
 
 

@@ -1,8 +1,9 @@
 """How fast one hinge snaps shut, from its energy alone.
 
 The distal bar turns about a fixed axis, inertia times angular acceleration = moment of the tendon, and its energy is
-conserved. The damping of the tendon and of the joint is not in it, nor is the rest of the wing: its membrane, guard
-tendons and other veins, or a torque. So a wing is slower than this, or does not get there, unless a torque drives it.
+conserved. The damping of the tendon and of the joint is not in it, nor is the rest of the structure: its membrane,
+length limits and other hinges, or a torque. So a structure is slower than this, or does not get there, unless a torque
+drives it.
 """
 
 from __future__ import annotations

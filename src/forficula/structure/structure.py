@@ -42,7 +42,7 @@ class Structure:
         states: by name.
         stage_states: names of the states that the stages of the protocol end in, "" where one ends in none, (stage,).
         transitions: in the order in which a protocol takes them.
-        fold_path: how its panels fold if they are rigid; None where there is no such way, or several.
+        rigid_fold: how its panels fold if they are rigid; None where there is no such way, or several.
         span: a length of the size of the whole, m.
         mass: of the size of its bodies' mass, kg.
         contact: whether bars that touch push each other apart.
@@ -66,7 +66,7 @@ class Structure:
     states: tuple[RestState, ...] = ()
     stage_states: tuple[str, ...] = ()
     transitions: tuple[Transition, ...] = ()
-    fold_path: RigidFold | None = None
+    rigid_fold: RigidFold | None = None
     span: float
     mass: float
     contact: bool = False

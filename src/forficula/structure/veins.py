@@ -103,7 +103,7 @@ def vein_structure(design: FanDesign) -> Structure:
     )
     circles = {"hub": chosen.hub_radius}
     appearance = replace(built.appearance, text=text, sizes=sizes, pattern=pattern, circles=circles)
-    return replace(built, appearance=appearance, fold_path=fan_fold(design, built))
+    return replace(built, appearance=appearance, rigid_fold=fan_fold(design, built))
 
 
 def veins_on(pattern: CreasePattern, beyond: Array) -> tuple[Vein, ...]:

@@ -89,7 +89,7 @@ def runs_to_keep(study: Study, table: Dataset, most: int = MOST_POINTS) -> list[
     """Choose the runs that the numbers of a table come from.
 
     Of a plain study that is the run of each point. Of a search for the least torques it is folding with the least
-    torque that folds, and the release, and opening with the least torque that opens, from the wing folded with the
+    torque that folds, and the release, and opening with the least torque that opens, after folding with the
     search's large torque; where no torque worked, the largest that was tried, which shows why.
 
     Args:
@@ -238,7 +238,7 @@ def _part_name(study: Study, step: SearchStep) -> tuple[str, int | None]:
 
 
 def _run(runs: Sequence[RunToKeep], threads: int) -> Iterator[tuple[RunToKeep, Record]]:
-    """Take wings through their protocols side by side; those that cannot be built are left out, as their rows say."""
+    """Take runs through their protocols side by side; those that cannot be built are left out, as their rows say."""
     for number, record in run_each([run.design for run in runs], threads):
         if not isinstance(record, InputError):
             yield runs[number], record

@@ -212,7 +212,7 @@ BOTH, BOTH_LESS, BOTH_MORE, ONLY_SIMULATED, ONLY_STATIC, NEITHER, NOT_SIMULATED 
 
 
 def compare_maps(statics: xarray.Dataset, simulated: xarray.Dataset, name: str) -> xarray.DataArray:
-    """Say for every wing where it has a least torque: in the statics, in the simulation, in both.
+    """Say for every point where it has a least torque: in the statics, in the simulation, in both.
 
     Args:
         statics: from `static_map`.
@@ -223,7 +223,7 @@ def compare_maps(statics: xarray.Dataset, simulated: xarray.Dataset, name: str) 
         Words, over the factors of the static map.
 
     Raises:
-        InputError: the tables have different factors, or no wing in common.
+        InputError: the tables have different factors, or no point in common.
     """
     there = simulated_values(statics, simulated, name).values
     first, *_ = table_transitions(statics)
@@ -247,7 +247,7 @@ def compare_maps(statics: xarray.Dataset, simulated: xarray.Dataset, name: str) 
 
 
 def simulated_values(statics: xarray.Dataset, simulated: xarray.Dataset, name: str) -> xarray.DataArray:
-    """A variable of a simulated table at the wings of a static map, nan where it has none.
+    """A variable of a simulated table at the points of a static map, nan where it has none.
 
     Raises:
         InputError: as `compare_maps`.
@@ -274,6 +274,6 @@ def _tried(simulated: xarray.Dataset, name: str, first: TableTransition) -> xarr
 
 
 def _tells(outcomes: xarray.DataArray) -> np.ndarray:
-    """Where outcomes say something of the wing."""
+    """Where outcomes say something of the structure."""
     silent = [ending_word(Ending(verdict=verdict)) for verdict in Verdict if not verdict.tells]
     return np.asarray(~np.isin(outcomes.values.astype(str), silent))

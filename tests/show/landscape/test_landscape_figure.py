@@ -7,7 +7,7 @@ from matplotlib.lines import Line2D
 
 from forficula.errors import InputError
 from forficula.show.folder.landscape_folder import landscape_drawings
-from forficula.show.landscape.landscape_figure import draw_wing
+from forficula.show.landscape.landscape_figure import draw_fold_path
 from forficula.show.landscape.levels_figure import draw_levels
 from forficula.show.landscape.rests_figure import draw_rests
 from forficula.show.landscape.tendon_figure import draw_tendon
@@ -96,20 +96,20 @@ def test_a_simulation_that_is_not_there_is_not_in_the_legend(surveyed):
 
 def test_what_is_not_there_is_said_in_a_sentence_in_its_place(surveyed):
     assert "slack at every angle" in texts(draw_tendon(surveyed("slack")))
-    assert "slack at every angle" in texts(draw_wing(surveyed("slack")))
+    assert "slack at every angle" in texts(draw_fold_path(surveyed("slack")))
     assert "no stiffness" in texts(draw_tendon(surveyed("without stiffness")))
     assert "overbend is 0 deg" in texts(draw_tendon(surveyed("without overbend")))
-    assert "hub_radius is 0" in texts(draw_wing(surveyed("without hub")))
+    assert "hub_radius is 0" in texts(draw_fold_path(surveyed("without hub")))
 
 
 def test_the_barrier_close_up_has_its_height(surveyed):
     landscape = surveyed("reference")
     assert f"barrier {1e3 * landscape.tendons[1].barrier:.4g} mJ" in texts(draw_tendon(landscape))
-    assert f"barrier {1e3 * landscape.fold_barrier:.4g} mJ" in texts(draw_wing(landscape))
+    assert f"barrier {1e3 * landscape.fold_barrier:.4g} mJ" in texts(draw_fold_path(landscape))
 
 
 def test_the_ring_axis_stands_where_the_ring_creases_have_that_angle(surveyed):
-    figure = draw_wing(surveyed("reference"))
+    figure = draw_fold_path(surveyed("reference"))
     above = next(axes for axes in figure.axes if "ring" in axes.get_xlabel())
     fan = surveyed("reference").design.fan
     ratio = math.sin(fan.epsilon) / math.cos(fan.sector_angle / 2)
@@ -217,8 +217,8 @@ def test_rounding_is_not_drawn_as_energies_and_angles(surveyed):
 def test_what_is_not_there_is_not_drawn(surveyed):
     assert list(landscape_drawings(surveyed("reference"))) == ["tendon", "wing", "levels"]
     assert list(landscape_drawings(surveyed("plates"))) == ["tendon", "rests", "levels"]
-    with pytest.raises(InputError, match="letter-fold: rigid panels have no one way to fold"):
-        draw_wing(surveyed("plates"))
+    with pytest.raises(InputError, match="letter-fold: has no one way in which rigid panels fold"):
+        draw_fold_path(surveyed("plates"))
 
 
 def test_a_small_wing_is_drawn_in_small_units(surveyed):

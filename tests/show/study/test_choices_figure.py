@@ -115,7 +115,7 @@ def test_a_wing_that_is_still_folding_when_its_time_is_over_does_not_fold():
     assert bars(figure)["10"] == [3]
 
 
-def test_wings_that_fold_count_even_where_a_lesser_torque_is_not_to_be_trusted():
+def test_what_folds_counts_even_where_a_lesser_torque_is_not_to_be_trusted():
     table = planted()
     table["least_fold_torque"][0] = np.nan
     assert bars(drawn(draw_choices(table))) == bars(drawn(draw_choices(planted())))

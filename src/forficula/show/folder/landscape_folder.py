@@ -9,7 +9,7 @@ from forficula.analysis.simulated_snap import inner_tendon, simulation_summary
 from forficula.design import save_design
 from forficula.dynamics import Record, versions
 from forficula.files import replacing_all, write_text
-from forficula.show.landscape.landscape_figure import draw_wing
+from forficula.show.landscape.landscape_figure import draw_fold_path
 from forficula.show.landscape.levels_figure import draw_levels
 from forficula.show.landscape.rests_figure import draw_rests
 from forficula.show.landscape.tendon_figure import draw_tendon
@@ -55,7 +55,7 @@ def landscape_drawings(
     drawn = record if record is not None and record.diverged_at is None else None
     drawings: dict[str, Drawing] = {
         "tendon": lambda width: draw_tendon(landscape, drawn, width, tendon),
-        "wing": lambda width: draw_wing(landscape, width),
+        "wing": lambda width: draw_fold_path(landscape, width),
         "rests": lambda width: draw_rests(landscape, width),
         "levels": lambda width: draw_levels(landscape, width),
     }
@@ -70,4 +70,4 @@ def landscape_kinds(structure: Structure) -> tuple[str, ...]:
     """
     tendon = ("tendon",) if inner_tendon(structure) is not None else ()
     levels = ("levels",) if folding_hinges(structure) else ()
-    return (*tendon, "rests" if structure.fold_path is None else "wing", *levels)
+    return (*tendon, "rests" if structure.rigid_fold is None else "wing", *levels)

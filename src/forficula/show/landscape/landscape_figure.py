@@ -9,7 +9,6 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from forficula.errors import InputError
 from forficula.quantities import reading_unit
 from forficula.show.landscape.landscape_marks import (
     hinge_measure,
@@ -35,6 +34,7 @@ from forficula.show.style import (
 )
 from forficula.statics import EnergyLandscape, FoldPath, StableState, folding_hinges, stable_states
 from forficula.statics.fold_path import rigid_fold
+from forficula.statics.landscape import fold_path_of
 from forficula.structure import Structure
 
 _RING_TICKS = (0, 2, 5, 10, 20, 40, 60, 90, 120, 150, 180)  # deg
@@ -47,7 +47,7 @@ _WORDS = math.radians(22)  # how far the words on a state reach
 _BESIDE = math.radians(15)  # before a state, where the curve is low where it came down early
 
 
-def draw_wing(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
+def draw_fold_path(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
     """Draw energy and moment over the pleat angle, from camber through flat to folded.
 
     Args:
@@ -57,41 +57,26 @@ def draw_wing(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
     Raises:
         InputError: they have none, or several.
     """
-    wing = fold_path_of(landscape)
+    path = fold_path_of(landscape)
     pulling, stretched = springy_parts(landscape.structure), sheet_parts(landscape.structure)
-    pleat, moment, sheet_energy = np.degrees(wing.pleat_angle), wing.moment, wing.sheet_energy
+    pleat, moment, sheet_energy = np.degrees(path.pleat_angle), path.moment, path.sheet_energy
     rounding = rounding_torque(landscape)
     if float(np.abs(moment).max()) <= rounding:
         moment, sheet_energy = np.zeros_like(moment), np.zeros_like(sheet_energy)
     states = stable_states(landscape)
-    energy_unit, energy = reading_unit("J", float(wing.energy.max()))
+    energy_unit, energy = reading_unit("J", float(path.energy.max()))
     sheet_unit, sheet = reading_unit("J", float(sheet_energy.max()))
     torque_unit, torque = reading_unit("N m", float(np.abs(moment).max()))
     with figure_style():
         figure = Figure(figsize=(width, 5.4), layout="constrained")
         top, middle, bottom = figure.subplots(3, 1, sharex=True, height_ratios=[2.0, 0.75, 1.15])
-        top.plot(pleat, energy * wing.energy, color=BLACK, lw=2.2, alpha=0.35, label="total")
-        top.plot(pleat, energy * wing.tendon_energy, "--", color=BLUE, label=pulling)
+        top.plot(pleat, energy * path.energy, color=BLACK, lw=2.2, alpha=0.35, label="total")
+        top.plot(pleat, energy * path.tendon_energy, "--", color=BLUE, label=pulling)
         middle.plot(pleat, sheet * sheet_energy, color=ORANGE, label=stretched)
         bottom.plot(pleat, torque * moment, color=BLACK, lw=1.0)
         for state in states:
             _mark(top, landscape, state, energy)
-        saddles = [state for state in wing.states if not state.stable]
-        places = np.degrees([saddle.coordinate for saddle in saddles])
-        heights = [energy * saddle.energy for saddle in saddles]
-        if saddles:
-            top.plot(
-                places,
-                heights,
-                "^",
-                color="white",
-                mec=VERMILION,
-                ms=6,
-                ls="none",
-                zorder=6,
-                clip_on=False,
-                label="saddle",
-            )
+        _mark_saddles(top, path, energy)
         _close_up(top, landscape)
         _mark_climbs(bottom, landscape, torque, rounding)
         _ring_axis(top, landscape)
@@ -100,13 +85,13 @@ def draw_wing(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
         span = pleat[-1] - pleat[0]
         top.set_xlim(pleat[0] - 0.02 * span, pleat[-1] + 0.02 * span)
         top.set_xticks([tick for tick in range(-180, 181, 30) if pleat[0] <= tick <= pleat[-1]])
-        top.set_ylim(0, 1.12 * energy * float(wing.energy.max()))
+        top.set_ylim(0, 1.12 * energy * float(path.energy.max()))
         middle.set_ylim(0, 1.15 * sheet * float(sheet_energy.max()) or 1)
         bottom.axhline(0, color="0.6", lw=0.5, zorder=0)
         low, high = torque * float(moment.min()), torque * float(moment.max())
         room = (high - low) or 1.0
         bottom.set_ylim(min(low, 0) - 0.3 * room, high + 0.2 * room)
-        for axes, curve in ((top, wing.energy), (middle, sheet_energy), (bottom, moment)):
+        for axes, curve in ((top, path.energy), (middle, sheet_energy), (bottom, moment)):
             if not np.any(curve):
                 axes.set_yticks([0])
         top.set_ylabel(f"stored energy ({energy_unit})")
@@ -119,36 +104,33 @@ def draw_wing(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
         return describe(figure, _tell(landscape))
 
 
-def fold_path_of(landscape: EnergyLandscape) -> FoldPath:
-    """The path along the fold.
-
-    Raises:
-        InputError: there is none.
-    """
-    if landscape.wing is None:
-        raise InputError(f"{landscape.design.name}: rigid panels have no one way to fold")
-    return landscape.wing
+def _mark_saddles(axes: Axes, path: FoldPath, factor: float) -> None:
+    """Mark the tops along the fold, if there are any."""
+    if saddles := [state for state in path.states if not state.stable]:
+        places = np.degrees([saddle.coordinate for saddle in saddles])
+        heights = [factor * saddle.energy for saddle in saddles]
+        style: dict[str, Any] = {"color": "white", "mec": VERMILION, "ms": 6, "ls": "none", "zorder": 6}
+        axes.plot(places, heights, "^", clip_on=False, label="saddle", **style)
 
 
 def _mark(axes: Axes, landscape: EnergyLandscape, state: StableState, factor: float) -> None:
     """Mark a stable state, with its name and energy."""
-    wing, place = fold_path_of(landscape), math.degrees(state.pleat_angle)
-    band = (wing.pleat_angle >= state.pleat_angle) & (wing.pleat_angle <= state.far_pleat_angle)
-    ends = np.degrees(wing.pleat_angle[band]), factor * wing.energy[band]
+    path, place = fold_path_of(landscape), math.degrees(state.pleat_angle)
+    band = (path.pleat_angle >= state.pleat_angle) & (path.pleat_angle <= state.far_pleat_angle)
+    ends = np.degrees(path.pleat_angle[band]), factor * path.energy[band]
     mark_state(axes, state.kind, place, factor * state.energy, *ends)
     words = f"{state.name}, {reading(state.energy)}"
     last_words = words.replace(", ", ",\n") if in_column(axes) else words
     height = factor * state.energy
     offsets: dict[str, Any] = {"textcoords": "offset points", "va": "center", "fontsize": 7}
-    largest = factor * float(wing.energy.max())
-    first = landscape.structure.fold_path
-    if first is not None and state.name == first.start:
+    largest = factor * float(path.energy.max())
+    if state.name == rigid_fold(landscape.structure).start:
         axes.annotate(words, (place, height), xytext=(7, -12 if height > 0.2 * largest else 12), ha="left", **offsets)
         return
-    before = float(np.interp(state.far_pleat_angle - _BESIDE, wing.pleat_angle, factor * wing.energy))
+    before = float(np.interp(state.far_pleat_angle - _BESIDE, path.pleat_angle, factor * path.energy))
     corner = (math.degrees(state.far_pleat_angle), height)
     if before < 0.1 * largest:  # the curve has come down before: room above the mark
-        where_words_begin = float(np.interp(state.far_pleat_angle - _WORDS, wing.pleat_angle, factor * wing.energy))
+        where_words_begin = float(np.interp(state.far_pleat_angle - _WORDS, path.pleat_angle, factor * path.energy))
         above = 24 if where_words_begin < 0.15 * largest else 44
         axes.annotate(last_words, corner, xytext=(0, above), ha="right", **offsets)
     else:
@@ -163,13 +145,13 @@ def reading(energy: float) -> str:
 
 def _close_up(axes: Axes, landscape: EnergyLandscape) -> None:
     """The saddle after the first stable state, by energy above that state; a sentence where there is none."""
-    wing = fold_path_of(landscape)
+    path = fold_path_of(landscape)
     left, low, width, height = _free_place(landscape)
     if in_column(axes) and left == _LOWER_LEFT[0]:
         left += _INWARDS
-    start = next((state for state in wing.states if state.stable), None)
+    start = next((state for state in path.states if state.stable), None)
     saddle = next(
-        (state for state in wing.states if not state.stable and start and state.coordinate > start.coordinate), None
+        (state for state in path.states if not state.stable and start and state.coordinate > start.coordinate), None
     )
     if start is None or saddle is None:
         write_note(axes, (left + width / 2, low + height / 2), _why_no_saddle(landscape))
@@ -178,15 +160,14 @@ def _close_up(axes: Axes, landscape: EnergyLandscape) -> None:
     climb = saddle.energy - start.energy
     unit, factor = reading_unit("J", climb)
     reach = saddle.coordinate - start.coordinate
-    last = min(saddle.coordinate + 1.6 * reach, float(wing.pleat_angle[-1]))
-    places = (wing.pleat_angle >= start.coordinate) & (wing.pleat_angle <= last)
-    near.plot(np.degrees(wing.pleat_angle[places]), factor * (wing.energy[places] - start.energy), color=BLACK)
+    last = min(saddle.coordinate + 1.6 * reach, float(path.pleat_angle[-1]))
+    places = (path.pleat_angle >= start.coordinate) & (path.pleat_angle <= last)
+    near.plot(np.degrees(path.pleat_angle[places]), factor * (path.energy[places] - start.energy), color=BLACK)
     near.set_ylim(-0.75 * factor * climb, 1.25 * factor * climb)
     near.set_xlim(math.degrees(start.coordinate - 0.12 * reach), math.degrees(last))
     words = f"barrier {factor * climb:.4g} {unit}"
     mark_barrier(near, math.degrees(saddle.coordinate), factor * climb, words)
-    first = landscape.structure.fold_path
-    name = first.start if first is not None and start.coordinate <= 0 else "it"
+    name = rigid_fold(landscape.structure).start if start.coordinate <= 0 else "it"
     near.set_ylabel(f"above {name} ({unit})", fontsize=7, labelpad=2)
     near.set_xlabel("pleat angle (deg)", fontsize=7, labelpad=1)
     near.tick_params(labelsize=6)
@@ -194,9 +175,9 @@ def _close_up(axes: Axes, landscape: EnergyLandscape) -> None:
 
 def _free_place(landscape: EnergyLandscape) -> tuple[float, float, float, float]:
     """The first place that the curve leaves free, or the one that it crosses least."""
-    wing = fold_path_of(landscape)
-    share = (wing.pleat_angle - wing.pleat_angle[0]) / (wing.pleat_angle[-1] - wing.pleat_angle[0])
-    height = wing.energy / (1.12 * float(wing.energy.max()))
+    path = fold_path_of(landscape)
+    share = (path.pleat_angle - path.pleat_angle[0]) / (path.pleat_angle[-1] - path.pleat_angle[0])
+    height = path.energy / (1.12 * float(path.energy.max()))
     rooms = {}
     for place in (_LOWER_LEFT, _UPPER_RIGHT, _UPPER_LEFT):
         left, low, width, tall = place
@@ -207,9 +188,9 @@ def _free_place(landscape: EnergyLandscape) -> tuple[float, float, float, float]
 
 
 def _why_no_saddle(landscape: EnergyLandscape) -> str:
-    wing = fold_path_of(landscape)
-    if not np.any(wing.ring_angle) and wing.remarks:
-        return wing.remarks[0]
+    path = fold_path_of(landscape)
+    if not np.any(path.ring_angle) and path.remarks:
+        return path.remarks[0]
     if landscape.tendons and all(tendon.barrier is None for tendon in landscape.tendons):
         return landscape.tendons[0].remarks[0]
     return "no saddle: along the fold the energy nowhere rises and then falls"
@@ -217,25 +198,25 @@ def _why_no_saddle(landscape: EnergyLandscape) -> str:
 
 def _mark_climbs(axes: Axes, landscape: EnergyLandscape, factor: float, rounding: float) -> None:
     """Where the moment most resists folding and opening, and the torques that this takes."""
-    wing = fold_path_of(landscape)
+    path = fold_path_of(landscape)
     there, back = _ways(landscape.structure)
-    places = [(int(np.argmin(wing.moment)), there, wing.fold_torque, landscape.structure.appearance.bar, -9)]
-    if wing.unfold_torque is not None:
-        moves = wing.fold_slope > 0
-        by_ring = np.where(moves, wing.moment, 0.0) / np.where(moves, wing.fold_slope, 1.0)
+    places = [(int(np.argmin(path.moment)), there, path.fold_torque, landscape.structure.appearance.bar, -9)]
+    if path.unfold_torque is not None:
+        moves = path.fold_slope > 0
+        by_ring = np.where(moves, path.moment, 0.0) / np.where(moves, path.fold_slope, 1.0)
         place = int(np.argmax(by_ring))
-        places.append((place, back, wing.unfold_torque, folding_hinge(landscape.structure), 5))
-    middle = (wing.pleat_angle[0] + wing.pleat_angle[-1]) / 2
+        places.append((place, back, path.unfold_torque, folding_hinge(landscape.structure), 5))
+    middle = (path.pleat_angle[0] + path.pleat_angle[-1]) / 2
     for place, name, torque, where, up in places:
-        angle = wing.pleat_angle[place]
+        angle = path.pleat_angle[place]
         free = any(
-            state.kind == "neutral" and state.coordinate <= angle <= state.far_coordinate for state in wing.states
+            state.kind == "neutral" and state.coordinate <= angle <= state.far_coordinate for state in path.states
         )
         if free or torque <= rounding:
             continue
         side, across = ("left", 9) if angle < middle else ("right", -9)
         unit, reads = reading_unit("N m", torque)
-        at = math.degrees(angle), factor * wing.moment[place]
+        at = math.degrees(angle), factor * path.moment[place]
         axes.plot(*at, "o", color=VERMILION, ms=4)
         words = f"{name} takes {reads * torque:.3g} {unit}{chr(10) if in_column(axes) else ' '}on every {where}"
         axes.annotate(words, at, xytext=(across, up), textcoords="offset points", ha=side, va="center", fontsize=7)
@@ -259,10 +240,10 @@ def folding_hinge(structure: Structure) -> str:
 
 def _ring_axis(axes: Axes, landscape: EnergyLandscape) -> None:
     """The angle of the ring creases along the top, where it changes."""
-    wing = fold_path_of(landscape)
-    if not np.any(wing.ring_angle):
+    path = fold_path_of(landscape)
+    if not np.any(path.ring_angle):
         return
-    pleats, rings = np.degrees(wing.pleat_angle), np.degrees(wing.ring_angle)
+    pleats, rings = np.degrees(path.pleat_angle), np.degrees(path.ring_angle)
     ends = [(float(pleats[0]), float(rings[0])), (float(pleats[-1]), float(rings[-1]))]
     gap = _TICK_GAP * (ends[1][0] - ends[0][0])
     for tick in _RING_TICKS:

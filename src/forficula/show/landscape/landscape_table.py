@@ -66,7 +66,7 @@ def landscape_table(
 
 def _verdict(landscape: EnergyLandscape) -> str:
     folds = landscape.partial_folds
-    if landscape.wing is None:
+    if landscape.fold_path is None:
         names = [rest_name(each) for each in landscape.rests if each.stable]
         told = f"rests stably: {', '.join(names)}" if names else "rests nowhere stably"
     else:
@@ -85,7 +85,7 @@ def _states(landscape: EnergyLandscape, shown: ShownHinge | None) -> Table:
             held = _torque(state.holding_torque) if state.kind == "stop" else ""
             at = _range(hinge.sense * state.angle, hinge.sense * state.far_angle)
             table.add_row(name, _KINDS[state.kind], at, _energy(state.energy), held)
-    if landscape.wing is not None:
+    if landscape.fold_path is not None:
         for each in stable_states(landscape):
             at = f"pleats {_range(each.pleat_angle, each.far_pleat_angle)}"
             bar = landscape.structure.appearance.bar
@@ -105,7 +105,7 @@ def _barriers(landscape: EnergyLandscape, shown: ShownHinge | None) -> Table:
     columns = () if shown is None else shown.columns
     overbend = landscape.structure.appearance.overbend
     rows = [(f"{name}, {_way(hinge, overbend)}", hinge.barrier) for name, hinge in columns]
-    fold = landscape.structure.fold_path
+    fold = landscape.structure.rigid_fold
     start = (landscape.rests[0].name if fold is None else fold.start) or "at the start"
     if len(landscape.hinge_barriers):
         rows.append((f"{whole}, {start} until its easiest hinge folds alone", landscape.easiest_barrier))
@@ -128,7 +128,7 @@ def _way(hinge: HingeLandscape, start: str) -> str:
 
 
 def _torques(landscape: EnergyLandscape) -> Table:
-    path, fold, rounding = landscape.wing, landscape.structure.fold_path, rounding_torque(landscape)
+    path, fold, rounding = landscape.fold_path, landscape.structure.rigid_fold, rounding_torque(landscape)
     whole = landscape.structure.appearance.whole
     columns = [whole] if path is None else ["rigid panels", f"compliant {whole}"]
     table = _table("Least slow torques, without help by inertia", "", *columns)

@@ -151,7 +151,7 @@ def _tell(landscape: EnergyLandscape) -> str:
     folds, whole = landscape.partial_folds, landscape.structure.appearance.whole
     told = (
         f"Energy that the {whole} {landscape.design.name} stores with some of its hinges folded. Of {len(folds)} ways"
-        f" to fold some of {len(folds[0].distal_angle)} hinges {sum(fold.stable for fold in folds)} are stable"
+        f" to fold some of {len(folds[0].angles)} hinges {sum(fold.stable for fold in folds)} are stable"
     )
     if landscape.levels is None:
         ends = [show_value(end(fold.energy for fold in folds), "J", 3) for end in (min, max)]

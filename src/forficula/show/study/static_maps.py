@@ -39,7 +39,7 @@ def draw_static_maps(statics: Dataset, simulated: Dataset | None = None, width: 
         for name in torques:
             extra[f"simulated_{name}"] = simulated_values(statics, simulated, name)
             extra[f"verdict_{name}"] = compare_maps(statics, simulated, name)
-        # where nothing is known of a wing it was not run at all
+        # where nothing is known of a point it was not run at all
         energies = simulated_values(statics, simulated, _of_every_run(statics, simulated))
         extra["simulated"] = energies.copy(data=np.isfinite(energies.values))
         view = table_view(statics.assign(extra))
