@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
-from forficula.pattern import CreasePattern, facet_tree
+from forficula.pattern import CreasePattern, edges_between, facet_tree
 from forficula.quantities import as_written
 
 Array = NDArray[np.float64]
@@ -134,12 +134,8 @@ def creases_between(pattern: CreasePattern, one: int, other: int) -> tuple[int, 
     Raises:
         InputError: its facets form no tree.
     """
-    above = {link.facet: link for link in facet_tree(pattern, one)}
-    way, link = [], above[other]
-    while link.parent is not None and link.edge is not None:
-        way.append(link.edge)
-        link = above[link.parent]
-    return tuple(edge for edge in reversed(way) if pattern.edges_assignment[edge] in "MV")
+    way = edges_between(facet_tree(pattern), one, other)
+    return tuple(edge for edge in way if pattern.edges_assignment[edge] in "MV")
 
 
 def keeps_distance(pattern: CreasePattern, one: SheetPlace, other: SheetPlace) -> bool:

@@ -9,7 +9,7 @@ from forficula.pattern.crease_pattern import (
     sector_angles,
 )
 from forficula.pattern.earwig import EarwigFan, Tangent, earwig_pattern, hub_points, ring_vertices, tips, vein_gaps
-from forficula.pattern.facet_tree import FacetLink, facet_tree
+from forficula.pattern.facet_tree import FacetLink, edges_between, facet_tree
 from forficula.pattern.flat_folding import VertexCheck, flat_folding_faults, pattern_text, vertex_checks
 from forficula.pattern.fold_file import read_fold, read_folded_frames, write_fold
 from forficula.pattern.kinematics import (
@@ -32,6 +32,7 @@ __all__ = [
     "creases_around",
     "degree4_fold_angles",
     "earwig_pattern",
+    "edges_between",
     "facet_tree",
     "fan_fold_angles",
     "flat_folding_faults",

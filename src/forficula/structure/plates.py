@@ -12,7 +12,7 @@ from forficula.design.plates import creases_by_edge
 from forficula.design.sheet_places import SheetPlace, crease_role, creases_of, place_on
 from forficula.errors import InputError
 from forficula.material.law.tendon_law import TendonLaw
-from forficula.pattern import CreasePattern, FacetLink, facet_tree
+from forficula.pattern import CreasePattern, FacetLink, edges_between, facet_tree
 from forficula.structure.appearance import Appearance
 from forficula.structure.course import Measure
 from forficula.structure.crossing import tendon_crossing
@@ -76,7 +76,7 @@ def plate_structure(design: PlatesDesign) -> Structure:
     tendons = []
     for place, chosen in enumerate(design.tendon):
         ends = _ends(pattern, chosen)
-        crossed = _edges_between(links, ends[0].facet, ends[1].facet)
+        crossed = edges_between(links, ends[0].facet, ends[1].facet)
         tendons.append(
             Tendon(
                 name=chosen.name,
@@ -163,21 +163,6 @@ def _hinges(
 def _ends(pattern: CreasePattern, chosen: object) -> tuple[SheetPlace, SheetPlace]:
     """The two places of a tendon or a distance."""
     return place_on(pattern, getattr(chosen, "from")), place_on(pattern, getattr(chosen, "to"))  # noqa: B009
-
-
-def _edges_between(links: Sequence[FacetLink], one: int, other: int) -> list[int]:
-    """Edges that lie on the way from one facet to another."""
-    above = {link.facet: link for link in links}
-
-    def way(facet: int) -> list[int]:
-        edges = []
-        while (edge := above[facet].edge) is not None:
-            edges.append(edge)
-            facet = above[facet].parent or 0
-        return edges
-
-    up, down = way(one), way(other)
-    return [edge for edge in up if edge not in down] + [edge for edge in reversed(down) if edge not in up]
 
 
 def _longest(pattern: CreasePattern, ends: tuple[SheetPlace, SheetPlace], crossed: Sequence[int]) -> float:
