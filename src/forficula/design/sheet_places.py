@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import math
 import re
 from dataclasses import dataclass
@@ -11,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
+from forficula.names import listed, near_name
 from forficula.pattern import CreasePattern, edges_between, facet_tree
 from forficula.quantities import as_written
 
@@ -88,17 +88,15 @@ def creases_of(pattern: CreasePattern, text: str) -> tuple[int, ...]:
     if found := _CREASE.fullmatch(written):
         edge = int(found[1])
         if edge not in creases:
-            *others, last = (f'"crease {each}"' for each in creases)
-            listed = f"{', '.join(others[:11])}{', ...' if len(others) > 11 else ''} or {last}" if others else last
-            raise InputError(f"need {listed}, got {as_written(text)}")
+            named = [f'"crease {each}"' for each in creases]
+            shown = [*named[:11], "...", named[-1]] if len(named) > 12 else named
+            raise InputError(f"need {listed(shown, 'or')}, got {as_written(text)}")
         return (edge,)
     groups = crease_groups(pattern)
     if written not in groups:
-        near = difflib.get_close_matches(written, groups, n=1)
-        meant = f'; did you mean "{near[0]}"?' if near else ""
         known = ", ".join(f'"{name}"' for name in groups)
         example = f' or one such as "crease {creases[0]}"' if creases else ""
-        raise InputError(f"need {known}{example}, got {as_written(text)}{meant}")
+        raise InputError(f"need {known}{example}, got {as_written(text)}{near_name(written, groups)}")
     return groups[written]
 
 
