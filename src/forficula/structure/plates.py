@@ -17,7 +17,7 @@ from forficula.structure.appearance import Appearance
 from forficula.structure.course import Measure
 from forficula.structure.crossing import tendon_crossing
 from forficula.structure.mass import mass_of
-from forficula.structure.parts import GROUND, Body, Hinge, Plate, Point, Tendon
+from forficula.structure.parts import GROUND, Array, Body, Hinge, Plate, Point, Tendon
 from forficula.structure.plates_protocol import with_protocol
 from forficula.structure.structure import Structure
 
@@ -42,28 +42,7 @@ def plate_structure(design: PlatesDesign) -> Structure:
         )
         for place, link in enumerate(links)
     )
-    points: list[Point] = []
-    plates: list[Plate] = []
-    for body, link in enumerate(links):
-        corners = pattern.faces_vertices[link.facet]
-        first = len(points)
-        points += [
-            Point(
-                name=f"facet{link.facet}_vertex{vertex}",
-                role="corner",
-                body=body,
-                place=pattern.vertices_coords[vertex] - origins[body],
-            )
-            for vertex in corners
-        ]
-        plates.append(
-            Plate(
-                body=body,
-                points=tuple(range(first, first + len(corners))),
-                thickness=design.facet.thickness,
-                density=design.facet.density,
-            )
-        )
+    points, plates = _plates(design, pattern, links, origins)
     hinges, edges = _hinges(design, pattern, links)
 
     def add(name: str, role: str, places: Sequence[SheetPlace]) -> tuple[int, int]:
@@ -99,16 +78,15 @@ def plate_structure(design: PlatesDesign) -> Structure:
             pair = add(f"measure_{watched.name}", "measured", _ends(pattern, watched))
             measures.append(Measure(name=watched.name, kind="distance", points=pair, label=watched.name))
         else:
-            chosen_edges = creases_of(pattern, watched.of)
+            turned = tuple(edges[edge] for edge in creases_of(pattern, watched.of))
             # a valley counts as positive
-            signs = tuple(1 if pattern.edges_assignment[edge] == "V" else -1 for edge in chosen_edges)
-            turned = tuple(edges[edge] for edge in chosen_edges)
+            signs = tuple(hinges[hinge].sense for hinge in turned)
             measures.append(Measure(name=watched.name, kind="angle", hinges=turned, signs=signs, label=watched.name))
     built = Structure(
         name=design.name,
         bodies=bodies,
         points=tuple(points),
-        plates=tuple(plates),
+        plates=plates,
         hinges=hinges,
         tendons=tuple(tendons),
         measures=tuple(measures),
@@ -124,6 +102,26 @@ def plate_structure(design: PlatesDesign) -> Structure:
 def _origin(pattern: CreasePattern, link: FacetLink) -> int:
     """The vertex in which a plate's axes begin: an end of the crease that it hangs on."""
     return pattern.faces_vertices[link.facet][0] if link.parent is None else link.tail
+
+
+def _plates(
+    design: PlatesDesign, pattern: CreasePattern, links: Sequence[FacetLink], origins: Sequence[Array]
+) -> tuple[list[Point], tuple[Plate, ...]]:
+    """The corners of all facets, and a plate between those of each."""
+    points: list[Point] = []
+    plates: list[Plate] = []
+    coords, facet = pattern.vertices_coords, design.facet
+    for body, link in enumerate(links):
+        first = len(points)
+        points += [
+            Point(
+                name=f"facet{link.facet}_vertex{vertex}", role="corner", body=body, place=coords[vertex] - origins[body]
+            )
+            for vertex in pattern.faces_vertices[link.facet]
+        ]
+        corners = tuple(range(first, len(points)))
+        plates.append(Plate(body=body, points=corners, thickness=facet.thickness, density=facet.density))
+    return points, tuple(plates)
 
 
 def _hinges(
