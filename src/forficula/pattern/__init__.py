@@ -2,11 +2,11 @@ from forficula.pattern.crease_pattern import (
     ASSIGNMENTS,
     CreasePattern,
     big_little_big_residuals,
-    creases_around,
+    creases_inside,
     interior_vertices,
     kawasaki_residuals,
     maekawa_residuals,
-    sector_angles,
+    sectors_between,
 )
 from forficula.pattern.earwig import EarwigFan, Tangent, earwig_pattern, hub_points, ring_vertices, tips, vein_gaps
 from forficula.pattern.facet_tree import FacetLink, edges_between, facet_tree
@@ -29,7 +29,7 @@ __all__ = [
     "Tangent",
     "VertexCheck",
     "big_little_big_residuals",
-    "creases_around",
+    "creases_inside",
     "degree4_fold_angles",
     "earwig_pattern",
     "edges_between",
@@ -47,7 +47,7 @@ __all__ = [
     "read_fold",
     "read_folded_frames",
     "ring_vertices",
-    "sector_angles",
+    "sectors_between",
     "tips",
     "vein_gaps",
     "vertex_checks",
