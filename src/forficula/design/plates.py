@@ -20,16 +20,8 @@ from forficula.design.plates_sections import (
     Support,
 )
 from forficula.design.protocol import GoalText, check_bound, check_stages, read_goal, stage_drives
-from forficula.design.sheet_places import (
-    crease_groups,
-    crease_role,
-    creases_between,
-    creases_of,
-    facet_of,
-    fold_edges,
-    keeps_distance,
-    place_on,
-)
+from forficula.design.sheet_creases import crease_groups, crease_role, creases_between, creases_of, fold_edges
+from forficula.design.sheet_places import facet_of, keeps_distance, place_on
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, facet_tree
 from forficula.quantities import Unit, as_written, parse_quantity, show_quantity

@@ -9,7 +9,8 @@ import numpy as np
 
 from forficula.design import PlatesDesign
 from forficula.design.plates import creases_by_edge
-from forficula.design.sheet_places import SheetPlace, crease_role, creases_of, place_on
+from forficula.design.sheet_creases import crease_role, creases_of
+from forficula.design.sheet_places import SheetPlace, place_on
 from forficula.errors import InputError
 from forficula.material.law.tendon_law import TendonLaw
 from forficula.pattern import CreasePattern, FacetLink, edges_between, facet_tree

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from forficula.design import PlatesDesign, Stage, stage_drives
 from forficula.design.protocol import read_goal
-from forficula.design.sheet_places import creases_of
+from forficula.design.sheet_creases import creases_of
 from forficula.structure.course import Drive, Goal, Motor, RestState, Transition, Wording
 from forficula.structure.goals import drive_of, goal_of
 from forficula.structure.structure import Structure
