@@ -1,6 +1,6 @@
 import pytest
 
-from forficula.names import ordinal
+from forficula.names import listed, near_name, one_of, ordinal
 
 
 @pytest.mark.parametrize(
@@ -8,3 +8,20 @@ from forficula.names import ordinal
 )
 def test_numbers_from_0_are_told_as_people_count(number, word):
     assert ordinal(number) == word
+
+
+@pytest.mark.parametrize(
+    ("words", "text"), [([], ""), (["a"], "a"), (["a", "b"], "a or b"), (["a", "b", "c"], "a, b or c")]
+)
+def test_words_are_listed_as_sentences_have_them(words, text):
+    assert listed(iter(words), "or") == text
+    assert listed(words) == text.replace(" or ", " and ")
+
+
+def test_what_is_allowed_is_told_with_the_nearest_name():
+    assert (
+        one_of(["fold", "none"], "flod", ["a bound"]) == '"fold", "none" or a bound, got "flod"; did you mean "fold"?'
+    )
+    assert one_of(["fold"], 5) == '"fold", got 5'
+    assert one_of(["time"], "rnig", near_to=["ring"]) == '"time", got "rnig"; did you mean "ring"?'
+    assert near_name("sideways", ["fold"]) == ""

@@ -1,8 +1,10 @@
-"""Names that a user gives to things."""
+"""Names that a user gives to things, and how sentences list them."""
 
 from __future__ import annotations
 
+import difflib
 import re
+from collections.abc import Iterable
 
 from forficula.errors import InputError
 from forficula.quantities import as_written
@@ -20,6 +22,25 @@ def ordinal(number: int) -> str:
     place = number + 1
     ending = {1: "st", 2: "nd", 3: "rd"}.get(place % 10, "th") if place % 100 not in (11, 12, 13) else "th"
     return f"{place}{ending}"
+
+
+def listed(words: Iterable[str], last: str = "and") -> str:
+    """Words as a sentence has them, such as "a, b and c", or "a, b or c" with another last word; "" of none."""
+    *most, end = [*words] or [""]
+    return f"{', '.join(most)} {last} {end}" if most else end
+
+
+def one_of(names: Iterable[str], got: object, others: Iterable[str] = (), near_to: Iterable[str] = ()) -> str:
+    """What is allowed, names in quotes before what else is, and which of the names, or of some more, is near."""
+    names = list(names)
+    allowed = listed([*(f'"{name}"' for name in names), *others], "or")
+    return f"{allowed}, got {as_written(got)}{near_name(str(got), [*names, *near_to])}"
+
+
+def near_name(got: str, names: Iterable[str]) -> str:
+    """The end of a sentence that asks for the nearest of some names; "" where none is near."""
+    near = difflib.get_close_matches(got, list(names), n=1)
+    return f'; did you mean "{near[0]}"?' if near else ""
 
 
 def folder_name(name: object) -> str:

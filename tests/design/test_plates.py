@@ -22,7 +22,8 @@ from forficula.design import (
 )
 from forficula.design.keys import known_keys
 from forficula.design.plates import PleatsDesign
-from forficula.design.sheet_places import creases_of, place_on
+from forficula.design.sheet_creases import creases_of
+from forficula.design.sheet_places import place_on
 from forficula.errors import InputError
 from forficula.pattern import earwig_pattern, pleat_pattern, write_fold
 

@@ -7,11 +7,11 @@ from forficula.errors import InputError
 from forficula.pattern import (
     CreasePattern,
     big_little_big_residuals,
-    creases_around,
+    creases_inside,
     interior_vertices,
     kawasaki_residuals,
     maekawa_residuals,
-    sector_angles,
+    sectors_between,
 )
 
 
@@ -47,12 +47,14 @@ def test_a_vertex_whose_faces_leave_a_gap_is_not_interior():
 
 def test_sectors_of_a_star_are_the_drawn_ones_counterclockwise():
     pattern = star([0, 45, 165, 300], "MMMV")
-    assert creases_around(pattern, 0).tolist() == [0, 1, 2, 3]
-    assert np.degrees(sector_angles(pattern, 0)) == pytest.approx([45, 120, 135, 60])
+    ((vertex, around),) = creases_inside(pattern)
+    assert (vertex, around.tolist()) == (0, [0, 1, 2, 3])
+    assert np.degrees(sectors_between(pattern, vertex, around)) == pytest.approx([45, 120, 135, 60])
 
 
 def test_a_sector_beyond_a_half_turn_is_measured():
-    assert np.degrees(sector_angles(star([10, 80, 130], "MMM"), 0)) == pytest.approx([70, 50, 240])
+    pattern = star([10, 80, 130], "MMM")
+    assert np.degrees(sectors_between(pattern, *creases_inside(pattern)[0])) == pytest.approx([70, 50, 240])
 
 
 def test_kawasaki_holds_where_opposite_sectors_sum_to_a_half_turn():
@@ -115,12 +117,7 @@ def test_a_bent_sheet_has_no_sectors():
     coords = star([0, 90, 180, 270], "MMMV").vertices_coords.copy()
     coords[1, 2] = 0.01
     with pytest.raises(InputError, match=r"need one z for all vertices, got 0 to 0\.01 m"):
-        sector_angles(star([0, 90, 180, 270], "MMMV", vertices_coords=coords), 0)
-
-
-def test_a_missing_vertex_has_no_sectors():
-    with pytest.raises(InputError, match="vertex 5 does not exist"):
-        sector_angles(star([0, 90, 180, 270], "MMMV"), 5)
+        creases_inside(star([0, 90, 180, 270], "MMMV", vertices_coords=coords))
 
 
 @pytest.mark.parametrize(

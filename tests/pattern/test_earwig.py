@@ -9,12 +9,13 @@ from forficula.errors import InputError
 from forficula.pattern import (
     EarwigFan,
     big_little_big_residuals,
+    creases_inside,
     earwig_pattern,
     hub_points,
     interior_vertices,
     maekawa_residuals,
     ring_vertices,
-    sector_angles,
+    sectors_between,
     tips,
 )
 
@@ -96,10 +97,10 @@ def test_the_pattern_continued_has_one_ring_vertex_more():
 
 def test_sectors_at_the_ring_fold_are_those_of_the_construction():
     pattern = earwig_pattern(fan())
-    (vertex,) = interior_vertices(pattern)
+    ((vertex, around),) = creases_inside(pattern)
     epsilon = math.degrees(math.asin(0.015 / math.sqrt(0.12**2 + 0.015**2)))
     expected = [80 - epsilon, 80 + epsilon, 100 - epsilon, 100 + epsilon]
-    assert sorted(np.degrees(sector_angles(pattern, vertex))) == pytest.approx(sorted(expected))
+    assert sorted(np.degrees(sectors_between(pattern, vertex, around))) == pytest.approx(sorted(expected))
 
 
 @given(fans())

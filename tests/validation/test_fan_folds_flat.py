@@ -16,14 +16,13 @@ from hypothesis import strategies as st
 
 from forficula.pattern import (
     EarwigFan,
-    creases_around,
+    creases_inside,
     degree4_fold_angles,
     earwig_pattern,
     fan_fold_angles,
     folded_coordinates,
-    interior_vertices,
     kawasaki_residuals,
-    sector_angles,
+    sectors_between,
 )
 from tests.pattern.closing import closure_residual
 
@@ -65,9 +64,8 @@ def test_both_modes_close_along_the_whole_path(fan, mode):
 @given(fans(), PLEATS)
 def test_every_vertex_of_the_drawn_fan_closes(fan, pleat):
     pattern, folds = earwig_pattern(fan), fan_fold_angles(fan, pleat)
-    for vertex in interior_vertices(pattern).tolist():
-        around = creases_around(pattern, vertex)
-        assert closure_residual(sector_angles(pattern, vertex), folds[around]) < 1e-12
+    for vertex, around in creases_inside(pattern):
+        assert closure_residual(sectors_between(pattern, vertex, around), folds[around]) < 1e-12
 
 
 @given(fans(), PLEATS)

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Mapping
 
 from forficula.design.design import Design
 from forficula.design.fan import FanDesign
 from forficula.design.plates import FoldFileDesign, PleatsDesign
 from forficula.design.tables import RejectedError
-from forficula.quantities import as_written
+from forficula.names import one_of
 
 KINDS: Mapping[str, type[Design]] = {
     "earwig-fan": FanDesign,
@@ -29,11 +28,7 @@ def design_class(tables: Mapping[str, object]) -> type[Design]:
     pattern = tables.get("pattern")
     kind = pattern.get("kind", "earwig-fan") if isinstance(pattern, Mapping) else "earwig-fan"
     if not isinstance(kind, str) or kind not in KINDS:
-        *others, last = (f'"{known}"' for known in KINDS)
-        near = difflib.get_close_matches(str(kind), KINDS, n=1)
-        meant = f'; did you mean "{near[0]}"?' if near else ""
-        rule = f"{', '.join(others)} or {last}"
-        raise RejectedError(["pattern", "kind"], f"pattern.kind: need {rule}, got {as_written(kind)}{meant}")
+        raise RejectedError(["pattern", "kind"], f"pattern.kind: need {one_of(KINDS, kind)}")
     return KINDS[kind]
 
 

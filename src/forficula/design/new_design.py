@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import os
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -15,10 +14,11 @@ from forficula.design.design import Design
 from forficula.design.design_file import load_design
 from forficula.design.kinds import KINDS, REFERENCES
 from forficula.design.part import Part, entry_part, field_quantity
-from forficula.design.plates import FoldFile
+from forficula.design.plates_sections import FoldFile
 from forficula.design.tendon import TendonSection
 from forficula.errors import InputError
 from forficula.files import write_text
+from forficula.names import near_name
 from forficula.quantities import as_written
 
 
@@ -34,9 +34,7 @@ def write_new_design(path: str | os.PathLike[str], kind: str = "earwig-fan") -> 
     """
     path = Path(path)
     if kind not in KINDS:
-        near = difflib.get_close_matches(kind, KINDS, n=1)
-        meant = f'; did you mean "{near[0]}"?' if near else ""
-        raise InputError(f"kind: need one of {', '.join(KINDS)}, got {as_written(kind)}{meant}")
+        raise InputError(f"kind: need one of {', '.join(KINDS)}, got {as_written(kind)}{near_name(kind, KINDS)}")
     reference = REFERENCES.get(kind, "letter-fold")
     if path.suffix != ".toml":
         raise InputError(f"{path}: need a name that ends with .toml")

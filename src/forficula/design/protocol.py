@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,7 +11,7 @@ from pydantic import Field, field_validator
 
 from forficula.design.part import ACCELERATION, ANGLE, ANGULAR_SPEED, SHORT_TIME, TIME, Part, quantity
 from forficula.errors import InputError
-from forficula.names import shown_name
+from forficula.names import one_of, shown_name
 from forficula.quantities import Unit, as_written, parse_quantity, show_quantity
 
 _WRITTEN = re.compile(r"\s*(?P<name>[^<>=]+?)\s*(?P<relation>[<>])=?\s*(?P<value>[^<>=]+?)\s*")
@@ -192,15 +191,3 @@ def check_bound(key: str, written: GoalText, low: float, high: float, *, whose: 
         raise InputError(
             f"{key}: a stop keeps {whose} from there: need a value {bound}, got {show_quantity(value, ANGLE)}"
         )
-
-
-def one_of(
-    names: Sequence[str] | dict[str, Unit], got: str, others: Sequence[str] = (), near_to: Sequence[str] = ()
-) -> str:
-    """What is allowed, names in quotes before what else is, and which of the names, or of some more, is near."""
-    names = list(names)
-    quoted = [*(f'"{name}"' for name in names), *others]
-    listed = f"{', '.join(quoted[:-1])} or {quoted[-1]}" if len(quoted) > 1 else quoted[0]
-    near = difflib.get_close_matches(got, [*names, *near_to], n=1)
-    meant = f'; did you mean "{near[0]}"?' if near else ""
-    return f"{listed}, got {as_written(got)}{meant}"

@@ -1,8 +1,7 @@
-"""Places on a sheet and groups of its creases, as a design file writes them."""
+"""Places on a sheet, as a design file writes them."""
 
 from __future__ import annotations
 
-import difflib
 import math
 import re
 from dataclasses import dataclass
@@ -10,8 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.design.sheet_creases import creases_between
 from forficula.errors import InputError
-from forficula.pattern import CreasePattern, facet_tree
+from forficula.pattern import CreasePattern
 from forficula.quantities import as_written
 
 Array = NDArray[np.float64]
@@ -21,7 +21,6 @@ _VERTEX = re.compile(r"vertex (\d{1,9})(?: of facet (\d{1,9}))?")
 _EDGE = re.compile(rf"(?:edge|crease) (\d{{1,9}}) at {_NUMBER}")
 _FACET = re.compile(rf"facet (\d{{1,9}}) at (?:cent(?:re|er)|{_NUMBER}\s*,\s*{_NUMBER})")
 _WHOLE_FACET = re.compile(r"facet (\d{1,9})")
-_CREASE = re.compile(r"crease (\d{1,9})")
 _WRITTEN = '"vertex 4", "vertex 4 of facet 2", "edge 12 at 0.5", "facet 3 at centre" or "facet 3 at 0.5, 1"'
 # share of a facet's size by which a place may lie beside it: rounding
 _BESIDE = 1e-9
@@ -58,7 +57,7 @@ def place_on(pattern: CreasePattern, text: str) -> SheetPlace:
     if found := _FACET.fullmatch(written):
         facet = _facet(pattern, int(found[1]))
         if found[2] is None:
-            return SheetPlace(facet=facet, position=facet_centre(pattern, facet))
+            return SheetPlace(facet=facet, position=_centre(pattern, facet))
         return _in_facet(pattern, facet, float(found[2]), float(found[3]))
     raise InputError(f"need a place such as {_WRITTEN}, got {as_written(text)}")
 
@@ -73,73 +72,6 @@ def facet_of(pattern: CreasePattern, text: str) -> int:
     if found is None:
         raise InputError(f'need a facet such as "facet 0", got {as_written(text)}')
     return _facet(pattern, int(found[1]))
-
-
-def creases_of(pattern: CreasePattern, text: str) -> tuple[int, ...]:
-    """Numbers of the edges of a group of creases, rising.
-
-    "creases" are all, "mountains" and "valleys" those of that sense, "crease 2" is edge number 2, and a role stands for
-    all creases of that role.
-
-    Raises:
-        InputError: there are no such creases.
-    """
-    creases, written = fold_edges(pattern), " ".join(text.split())
-    if found := _CREASE.fullmatch(written):
-        edge = int(found[1])
-        if edge not in creases:
-            *others, last = (f'"crease {each}"' for each in creases)
-            listed = f"{', '.join(others[:11])}{', ...' if len(others) > 11 else ''} or {last}" if others else last
-            raise InputError(f"need {listed}, got {as_written(text)}")
-        return (edge,)
-    groups = crease_groups(pattern)
-    if written not in groups:
-        near = difflib.get_close_matches(written, groups, n=1)
-        meant = f'; did you mean "{near[0]}"?' if near else ""
-        known = ", ".join(f'"{name}"' for name in groups)
-        example = f' or one such as "crease {creases[0]}"' if creases else ""
-        raise InputError(f"need {known}{example}, got {as_written(text)}{meant}")
-    return groups[written]
-
-
-def crease_groups(pattern: CreasePattern) -> dict[str, tuple[int, ...]]:
-    """The groups of creases that have a name, each with the numbers of its edges."""
-    creases = fold_edges(pattern)
-    groups = {"creases": creases}
-    for name, letter in (("mountains", "M"), ("valleys", "V")):
-        groups[name] = tuple(edge for edge in creases if pattern.edges_assignment[edge] == letter)
-    for role in dict.fromkeys(crease_role(pattern, edge) for edge in creases):
-        groups.setdefault(role, tuple(edge for edge in creases if crease_role(pattern, edge) == role))
-    return {name: edges for name, edges in groups.items() if edges}
-
-
-def crease_role(pattern: CreasePattern, edge: int) -> str:
-    """What a crease is called with others of its kind: "crease" where the pattern does not say."""
-    return pattern.edges_role[edge] or "crease"
-
-
-def fold_edges(pattern: CreasePattern) -> tuple[int, ...]:
-    """Numbers of the edges at which a sheet of plates folds: mountains and valleys between two facets, rising.
-
-    Raises:
-        InputError: its facets form no tree.
-    """
-    edges = (link.edge for link in facet_tree(pattern))
-    return tuple(sorted(edge for edge in edges if edge is not None and pattern.edges_assignment[edge] in "MV"))
-
-
-def creases_between(pattern: CreasePattern, one: int, other: int) -> tuple[int, ...]:
-    """Numbers of the edges at which a sheet of plates folds on the way from one facet to another, in their order.
-
-    Raises:
-        InputError: its facets form no tree.
-    """
-    above = {link.facet: link for link in facet_tree(pattern, one)}
-    way, link = [], above[other]
-    while link.parent is not None and link.edge is not None:
-        way.append(link.edge)
-        link = above[link.parent]
-    return tuple(edge for edge in reversed(way) if pattern.edges_assignment[edge] in "MV")
 
 
 def keeps_distance(pattern: CreasePattern, one: SheetPlace, other: SheetPlace) -> bool:
@@ -167,7 +99,7 @@ def _on_axis(pattern: CreasePattern, edge: int, place: SheetPlace) -> bool:
     return beside <= _BESIDE * max(length, float(np.linalg.norm(away)))
 
 
-def facet_centre(pattern: CreasePattern, facet: int) -> Array:
+def _centre(pattern: CreasePattern, facet: int) -> Array:
     """The centre of area of a flat facet, m, (3,) (shoelace formula)."""
     corners = pattern.vertices_coords[list(pattern.faces_vertices[facet])]
     away = corners - corners[0]

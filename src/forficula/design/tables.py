@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from forficula.errors import InputError
+from forficula.names import listed
 from forficula.quantities import as_written
 
 
@@ -100,9 +101,8 @@ def entry_index(place: Sequence[str], text: str, entries: Sequence[Any], inside:
     key = written_key([*place, text, *inside])
     if not entries:
         raise InputError(f"{key}: has no entries, got {as_written(text)}")
-    *others, last = (f"{index} ({name})" if name else index for index, name in zip(allowed, names, strict=True))
-    shown = f"one of {', '.join(others)} or {last}" if others else last
-    need = f"need {shown} after {written_key(place)}"
+    known = [f"{index} ({name})" if name else index for index, name in zip(allowed, names, strict=True)]
+    need = f"need {'one of ' * (len(known) > 1)}{listed(known, 'or')} after {written_key(place)}"
     if near := difflib.get_close_matches(text, [name for name in names if name], n=1):
         raise InputError(f"{key}: {need}; did you mean {written_key([*place, *near, *inside])}?")
     # a key of the entries stands where one of them is to be named

@@ -2,14 +2,14 @@ from forficula.pattern.crease_pattern import (
     ASSIGNMENTS,
     CreasePattern,
     big_little_big_residuals,
-    creases_around,
+    creases_inside,
     interior_vertices,
     kawasaki_residuals,
     maekawa_residuals,
-    sector_angles,
+    sectors_between,
 )
 from forficula.pattern.earwig import EarwigFan, Tangent, earwig_pattern, hub_points, ring_vertices, tips, vein_gaps
-from forficula.pattern.facet_tree import FacetLink, facet_tree
+from forficula.pattern.facet_tree import FacetLink, edges_between, facet_tree
 from forficula.pattern.flat_folding import VertexCheck, flat_folding_faults, pattern_text, vertex_checks
 from forficula.pattern.fold_file import read_fold, read_folded_frames, write_fold
 from forficula.pattern.kinematics import (
@@ -29,9 +29,10 @@ __all__ = [
     "Tangent",
     "VertexCheck",
     "big_little_big_residuals",
-    "creases_around",
+    "creases_inside",
     "degree4_fold_angles",
     "earwig_pattern",
+    "edges_between",
     "facet_tree",
     "fan_fold_angles",
     "flat_folding_faults",
@@ -46,7 +47,7 @@ __all__ = [
     "read_fold",
     "read_folded_frames",
     "ring_vertices",
-    "sector_angles",
+    "sectors_between",
     "tips",
     "vein_gaps",
     "vertex_checks",

@@ -201,27 +201,15 @@ def interior_vertices(pattern: CreasePattern) -> NDArray[np.int64]:
     return np.flatnonzero(inside).astype(np.int64)
 
 
-def creases_around(pattern: CreasePattern, vertex: int) -> NDArray[np.int64]:
-    """List the edges at a vertex, flat ones left out, counterclockwise.
+def creases_inside(pattern: CreasePattern) -> list[tuple[int, NDArray[np.int64]]]:
+    """List every interior vertex with the edges at it, flat ones left out.
 
     Args:
         pattern: a flat sheet.
-        vertex: its number.
 
     Returns:
-        Edge numbers, shape (degree,), counterclockwise seen from +z, the lowest number first.
-
-    Raises:
-        InputError: the sheet is not flat, or there is no such vertex.
-    """
-    check_flat(pattern)
-    check_vertex("vertex", vertex, len(pattern.vertices_coords))
-    folds = np.array([letter != "F" for letter in pattern.edges_assignment])
-    return _counterclockwise(pattern, vertex, np.flatnonzero((pattern.edges_vertices == vertex).any(axis=1) & folds))
-
-
-def creases_inside(pattern: CreasePattern) -> list[tuple[int, NDArray[np.int64]]]:
-    """List every interior vertex with its creases, as `creases_around` does, in one pass over the edges.
+        Of every vertex, in the order of `interior_vertices`: its number, and those of its edges, shape (degree,),
+        counterclockwise seen from +z, the lowest first.
 
     Raises:
         InputError: the sheet is not flat.
@@ -252,27 +240,20 @@ def _away_from(pattern: CreasePattern, vertex: int, edges: NDArray[np.int64]) ->
     return vectors
 
 
-def sector_angles(pattern: CreasePattern, vertex: int) -> NDArray[np.float64]:
-    """Measure the angles between neighbouring creases at a vertex, flat ones ignored.
+def sectors_between(pattern: CreasePattern, vertex: int, edges: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Measure the angles between neighbouring creases at a vertex.
 
     Each comes from the cross and the dot product of two edge vectors, so it is good to a few units in the last place
-    of the coordinates divided by the shorter edge. On a border one of the sectors is the open air.
+    of the coordinates divided by the shorter edge.
 
     Args:
         pattern: a flat sheet.
         vertex: its number.
+        edges: numbers of its creases, counterclockwise, as `creases_inside` lists them.
 
     Returns:
-        rad, shape (degree,), counterclockwise: number i lies between creases i and i + 1 of `creases_around`.
-
-    Raises:
-        InputError: the sheet is not flat, or there is no such vertex.
+        rad, shape (degree,), counterclockwise: number i lies between creases i and i + 1.
     """
-    return sectors_between(pattern, vertex, creases_around(pattern, vertex))
-
-
-def sectors_between(pattern: CreasePattern, vertex: int, edges: NDArray[np.int64]) -> NDArray[np.float64]:
-    """Measure the angles between neighbouring edges at a vertex, rad, for edges in the order of `creases_around`."""
     if len(edges) == 1:
         return np.array([2 * math.pi])
     away = _away_from(pattern, vertex, edges)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from forficula.errors import InputError
-from forficula.pattern.crease_pattern import CreasePattern, face_sides, interior_vertices
+from forficula.pattern.crease_pattern import CreasePattern, interior_vertices
+from forficula.pattern.shared_edges import SharedEdge, shared_edges
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -64,39 +66,40 @@ def facet_tree(pattern: CreasePattern, root: int = 0) -> tuple[FacetLink, ...]:
     return tuple(links)
 
 
+def edges_between(links: Sequence[FacetLink], one: int, other: int) -> tuple[int, ...]:
+    """Numbers of the edges on the way along a tree from one facet to another, in their order."""
+    above = {link.facet: link for link in links}
+
+    def way(facet: int) -> list[int]:
+        """The edges from a facet up to the first."""
+        edges, link = [], above[facet]
+        while link.parent is not None and link.edge is not None:
+            edges.append(link.edge)
+            link = above[link.parent]
+        return edges
+
+    up, down = way(one), way(other)
+    return (*(edge for edge in up if edge not in down), *(edge for edge in reversed(down) if edge not in up))
+
+
 def _neighbours(pattern: CreasePattern) -> list[list[FacetLink]]:
     """The neighbours of every facet, in the order of the edges between them."""
-    left_of: dict[tuple[int, int], int] = {}
-    for facet, vertices in enumerate(pattern.faces_vertices):
-        for side in face_sides(vertices):
-            if side in left_of:
-                raise InputError(
-                    f"faces_vertices[{facet}]: need faces counterclockwise, got side {side} of face {left_of[side]}"
-                    " again"
-                )
-            left_of[side] = facet
-    joints = []
-    for edge, ((tail, head), letter) in enumerate(
-        zip(pattern.edges_vertices.tolist(), pattern.edges_assignment, strict=True)
-    ):
-        left, right = left_of.get((tail, head)), left_of.get((head, tail))
-        if left is None or right is None or letter == "C":
-            continue
-        if letter in "BU":
+    shared = shared_edges(pattern)
+    for edge, _, _, left, right in shared:
+        if (letter := pattern.edges_assignment[edge]) in "BU":
             raise InputError(
                 f'edge {edge} lies between facets {left} and {right}: need "M" (mountain), "V" (valley), "F" (flat) or'
                 f' "C" (cut), got "{letter}"'
             )
-        joints.append((edge, letter, left, right, tail, head))
-    _check_loops(pattern, [(edge, letter, left, right) for edge, letter, left, right, *_ in joints])
+    _check_loops(pattern, shared)
     around: list[list[FacetLink]] = [[] for _ in pattern.faces_vertices]
-    for edge, _, left, right, tail, head in joints:
+    for edge, tail, head, left, right in shared:
         around[left].append(FacetLink(facet=right, parent=left, edge=edge, tail=tail, head=head))
         around[right].append(FacetLink(facet=left, parent=right, edge=edge, tail=head, head=tail))
     return around
 
 
-def _check_loops(pattern: CreasePattern, joints: list[tuple[int, str, int, int]]) -> None:
+def _check_loops(pattern: CreasePattern, shared: list[SharedEdge]) -> None:
     """Refuse creases that close a loop, those at flat edges first, which make one plate of many facets."""
     group = list(range(len(pattern.faces_vertices)))
 
@@ -106,11 +109,11 @@ def _check_loops(pattern: CreasePattern, joints: list[tuple[int, str, int, int]]
             facet = group[facet]
         return facet
 
-    for edge, letter, left, right in sorted(joints, key=lambda joint: joint[1] != "F"):
+    letters = pattern.edges_assignment
+    for edge, tail, head, left, right in sorted(shared, key=lambda each: letters[each.edge] != "F"):
         one, other = first(left), first(right)
-        if one == other and letter != "F":
-            ends = set(pattern.edges_vertices[edge].tolist())
-            inside = sorted(ends & set(interior_vertices(pattern).tolist()))
+        if one == other and letters[edge] != "F":
+            inside = sorted({tail, head} & set(interior_vertices(pattern).tolist()))
             where = f"vertex {inside[0]}, which lies inside the sheet" if inside else "a hole of the sheet"
             raise InputError(
                 f"edge {edge} closes a loop of facets around {where}: need creases that join the facets as a tree"

@@ -14,8 +14,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from forficula.errors import InputError
-from forficula.pattern.crease_pattern import CreasePattern, face_sides
+from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.earwig import EarwigFan, earwig_pattern
+from forficula.pattern.shared_edges import shared_edges
 
 Mode = Literal["earwig", "miura"]
 _CLOSES = 1e-9  # share of the pattern's size by which two ways to the same vertex may differ
@@ -189,21 +190,10 @@ def _hinges(pattern: CreasePattern, fold_angles: NDArray[np.float64]) -> list[li
     """List the neighbours of every face."""
     if fold_angles.shape != (len(pattern.edges_vertices),):
         raise InputError(f"fold_angles: need shape ({len(pattern.edges_vertices)},), got {fold_angles.shape}")
-    face_at_side: dict[tuple[int, int], int] = {}
-    for face, vertices in enumerate(pattern.faces_vertices):
-        for side in face_sides(vertices):
-            first = face_at_side.setdefault(side, face)
-            if first != face:
-                raise InputError(
-                    f"faces_vertices[{face}]: need faces counterclockwise, got side {side} of face {first} again"
-                )
     hinges: list[list[_Hinge]] = [[] for _ in pattern.faces_vertices]
-    for edge, (tail, head) in enumerate(pattern.edges_vertices.tolist()):
-        left, right = face_at_side.get((tail, head)), face_at_side.get((head, tail))
-        letter = pattern.edges_assignment[edge]
-        if left is None or right is None or letter == "C":
-            continue
-        fold = 0.0 if letter == "F" and np.isnan(fold_angles[edge]) else float(fold_angles[edge])
+    for edge, tail, head, left, right in shared_edges(pattern):
+        flat = pattern.edges_assignment[edge] == "F" and np.isnan(fold_angles[edge])
+        fold = 0.0 if flat else float(fold_angles[edge])
         if not math.isfinite(fold):
             raise InputError(f"fold_angles[{edge}]: need a finite angle between two faces, got {fold:g}")
         hinges[left].append(_Hinge(edge, tail, head, right, fold))

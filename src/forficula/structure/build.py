@@ -8,7 +8,7 @@ from typing import Any
 
 from forficula.design import Design, FanDesign, PlatesDesign
 from forficula.errors import InputError
-from forficula.structure import fan_protocol, plates, veins
+from forficula.structure import fan_protocol, plates, plates_protocol, veins
 from forficula.structure.structure import Structure
 
 
@@ -31,9 +31,9 @@ _WAYS: Mapping[type[Design], _Way] = {
     ),
     PlatesDesign: _Way(
         build=plates.plate_structure,
-        with_protocol=plates.with_protocol,
-        drive_keys=plates.drive_keys,
-        static_keys=plates.static_keys,
+        with_protocol=plates_protocol.with_protocol,
+        drive_keys=plates_protocol.drive_keys,
+        static_keys=plates_protocol.static_keys,
     ),
 }
 

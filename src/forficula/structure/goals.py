@@ -7,8 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from forficula.design.part import ANGLE, LENGTH
-from forficula.design.protocol import GoalText, one_of, read_goal
+from forficula.design.protocol import GoalText, read_goal
 from forficula.errors import InputError
+from forficula.names import one_of
 from forficula.quantities import as_written, parse_quantity
 from forficula.structure.course import Drive, Goal, Measure, RestState, Transition
 from forficula.structure.structure import Structure

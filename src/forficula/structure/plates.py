@@ -7,23 +7,20 @@ from dataclasses import replace
 
 import numpy as np
 
-from forficula.design import PlatesDesign, Stage, stage_drives
+from forficula.design import PlatesDesign
 from forficula.design.plates import creases_by_edge
-from forficula.design.protocol import read_goal
-from forficula.design.sheet_places import SheetPlace, crease_role, creases_of, place_on
+from forficula.design.sheet_creases import crease_role, creases_of
+from forficula.design.sheet_places import SheetPlace, place_on
 from forficula.errors import InputError
 from forficula.material.law.tendon_law import TendonLaw
-from forficula.pattern import CreasePattern, FacetLink, facet_tree
+from forficula.pattern import CreasePattern, FacetLink, edges_between, facet_tree
 from forficula.structure.appearance import Appearance
-from forficula.structure.course import Drive, Goal, Measure, Motor, RestState, Transition, Wording
+from forficula.structure.course import Measure
 from forficula.structure.crossing import tendon_crossing
-from forficula.structure.goals import drive_of, goal_of
 from forficula.structure.mass import mass_of
-from forficula.structure.parts import GROUND, Body, Hinge, Plate, Point, Tendon
+from forficula.structure.parts import GROUND, Array, Body, Hinge, Plate, Point, Tendon
+from forficula.structure.plates_protocol import with_protocol
 from forficula.structure.structure import Structure
-
-# keys that matter to where plates rest beside those of their tendons
-_STATIC_KEYS = ("pattern", "crease", "support", "measure", "protocol.stages", "protocol.gravity")
 
 
 def plate_structure(design: PlatesDesign) -> Structure:
@@ -46,28 +43,7 @@ def plate_structure(design: PlatesDesign) -> Structure:
         )
         for place, link in enumerate(links)
     )
-    points: list[Point] = []
-    plates: list[Plate] = []
-    for body, link in enumerate(links):
-        corners = pattern.faces_vertices[link.facet]
-        first = len(points)
-        points += [
-            Point(
-                name=f"facet{link.facet}_vertex{vertex}",
-                role="corner",
-                body=body,
-                place=pattern.vertices_coords[vertex] - origins[body],
-            )
-            for vertex in corners
-        ]
-        plates.append(
-            Plate(
-                body=body,
-                points=tuple(range(first, first + len(corners))),
-                thickness=design.facet.thickness,
-                density=design.facet.density,
-            )
-        )
+    points, plates = _plates(design, pattern, links, origins)
     hinges, edges = _hinges(design, pattern, links)
 
     def add(name: str, role: str, places: Sequence[SheetPlace]) -> tuple[int, int]:
@@ -80,7 +56,7 @@ def plate_structure(design: PlatesDesign) -> Structure:
     tendons = []
     for place, chosen in enumerate(design.tendon):
         ends = _ends(pattern, chosen)
-        crossed = _edges_between(links, ends[0].facet, ends[1].facet)
+        crossed = edges_between(links, ends[0].facet, ends[1].facet)
         tendons.append(
             Tendon(
                 name=chosen.name,
@@ -103,16 +79,15 @@ def plate_structure(design: PlatesDesign) -> Structure:
             pair = add(f"measure_{watched.name}", "measured", _ends(pattern, watched))
             measures.append(Measure(name=watched.name, kind="distance", points=pair, label=watched.name))
         else:
-            chosen_edges = creases_of(pattern, watched.of)
+            turned = tuple(edges[edge] for edge in creases_of(pattern, watched.of))
             # a valley counts as positive
-            signs = tuple(1 if pattern.edges_assignment[edge] == "V" else -1 for edge in chosen_edges)
-            turned = tuple(edges[edge] for edge in chosen_edges)
+            signs = tuple(hinges[hinge].sense for hinge in turned)
             measures.append(Measure(name=watched.name, kind="angle", hinges=turned, signs=signs, label=watched.name))
     built = Structure(
         name=design.name,
         bodies=bodies,
         points=tuple(points),
-        plates=tuple(plates),
+        plates=plates,
         hinges=hinges,
         tendons=tuple(tendons),
         measures=tuple(measures),
@@ -125,95 +100,29 @@ def plate_structure(design: PlatesDesign) -> Structure:
     return with_protocol(replace(built, tendons=tuple(crossed_by), mass=_largest_mass(design, built)), design)
 
 
-def with_protocol(structure: Structure, design: PlatesDesign) -> Structure:
-    """Plates with the drives, goals, states and transitions of a design's protocol."""
-    motors, drives = _driven(structure, design)
-    structure = replace(structure, motors=motors, drives=drives, goals=(), states=(), transitions=())
-    states: list[RestState] = []
-    transitions: list[Transition] = []
-    goals: dict[str, Goal] = {}
-    stages, bounds, last = design.protocol.stages, goal_of(structure, "time"), ""
-    kinds = {measure.name: measure.kind for measure in structure.measures}
-    keys = {drive.name: drive.key for drive in structure.drives}
-    for number, stage in enumerate(stages):
-        goal = goal_of(structure, stage.until)
-        if goal.kind == "bounds":
-            goals[goal.name] = goal
-        if stage_drives(stage):
-            bounds, last = goal, stage.name
-            written, state = read_goal(stage.until), _state_after(stages, number)
-            if goal.kind == "bounds" and written is not None and state is not None:
-                drive = _together(structure, stage_drives(stage))
-                if drive.name not in keys:
-                    structure = replace(structure, drives=(*structure.drives, drive))
-                    keys[drive.name] = drive.key
-                transitions.append(
-                    Transition(
-                        name=stage.name,
-                        drive=drive.name,
-                        stage=number,
-                        goal=goal.name,
-                        state=state,
-                        released=replace(goal, name=f"still {state}"),
-                        measure=written.name,
-                        kind=kinds.get(written.name, "angle"),
-                        furthest="smallest" if written.relation == ">" else "largest",
-                        begun=None,
-                        wording=_wording(
-                            state, " and ".join([*(each.state for each in transitions), state]), drive.key
-                        ),
-                    )
-                )
-        if stage.state is not None:
-            states.append(
-                RestState(
-                    name=stage.state,
-                    bounds=replace(bounds, name=stage.state, kind="bounds"),
-                    missed=f"not {stage.state}",
-                    unknown=f'after stage "{last or stage.name}"',
-                )
-            )
-    return replace(
-        structure,
-        goals=tuple(goals.values()),
-        states=tuple(states),
-        stage_states=tuple(stage.state or "" for stage in stages),
-        transitions=tuple(transitions),
-    )
-
-
-def drive_keys(design: PlatesDesign) -> tuple[str, ...]:
-    """Keys of the values that say how strong the drives are."""
-    return tuple(f"drive.{drive.name}.value" for drive in design.drive)
-
-
-def static_keys(design: PlatesDesign) -> tuple[str, ...]:
-    """Keys of what matters to where the plates rest, but for their tendons."""
-    # without gravity they rest where they rest, however heavy they are
-    return (*_STATIC_KEYS, "facet") if design.protocol.gravity else _STATIC_KEYS
-
-
-def _wording(state: str, done: str, key: str) -> Wording:
-    """How sentences speak of the way to a state, by the key of what drives it there."""
-    return Wording(
-        done=done,
-        verb=f"get {state}",
-        doing=f"getting {state}",
-        stays=state,
-        time=f"time to get {state}",
-        noun=f"getting {state}",
-        did=f"got {state}",
-        if_stuck=f"Take a stronger drive ({key}), or lower what holds it back: crease.stiffness, or the tendons.",
-        if_lost=(
-            f"It got {state} under torque and did not stay so when released: tendons that pull it there or springs that"
-            " rest there (crease.rest_angle) hold it."
-        ),
-    )
-
-
 def _origin(pattern: CreasePattern, link: FacetLink) -> int:
     """The vertex in which a plate's axes begin: an end of the crease that it hangs on."""
     return pattern.faces_vertices[link.facet][0] if link.parent is None else link.tail
+
+
+def _plates(
+    design: PlatesDesign, pattern: CreasePattern, links: Sequence[FacetLink], origins: Sequence[Array]
+) -> tuple[list[Point], tuple[Plate, ...]]:
+    """The corners of all facets, and a plate between those of each."""
+    points: list[Point] = []
+    plates: list[Plate] = []
+    coords, facet = pattern.vertices_coords, design.facet
+    for body, link in enumerate(links):
+        first = len(points)
+        points += [
+            Point(
+                name=f"facet{link.facet}_vertex{vertex}", role="corner", body=body, place=coords[vertex] - origins[body]
+            )
+            for vertex in pattern.faces_vertices[link.facet]
+        ]
+        corners = tuple(range(first, len(points)))
+        plates.append(Plate(body=body, points=corners, thickness=facet.thickness, density=facet.density))
+    return points, tuple(plates)
 
 
 def _hinges(
@@ -255,21 +164,6 @@ def _ends(pattern: CreasePattern, chosen: object) -> tuple[SheetPlace, SheetPlac
     return place_on(pattern, getattr(chosen, "from")), place_on(pattern, getattr(chosen, "to"))  # noqa: B009
 
 
-def _edges_between(links: Sequence[FacetLink], one: int, other: int) -> list[int]:
-    """Edges that lie on the way from one facet to another."""
-    above = {link.facet: link for link in links}
-
-    def way(facet: int) -> list[int]:
-        edges = []
-        while (edge := above[facet].edge) is not None:
-            edges.append(edge)
-            facet = above[facet].parent or 0
-        return edges
-
-    up, down = way(one), way(other)
-    return [edge for edge in up if edge not in down] + [edge for edge in reversed(down) if edge not in up]
-
-
 def _longest(pattern: CreasePattern, ends: tuple[SheetPlace, SheetPlace], crossed: Sequence[int]) -> float:
     """A length that the distance of two places cannot exceed, however the sheet folds.
 
@@ -296,59 +190,3 @@ def _largest_mass(design: PlatesDesign, structure: Structure) -> float:
             f" {design.facet.thickness:g} m and {design.facet.density:g} kg/m^3"
         )
     return mass
-
-
-def _driven(structure: Structure, design: PlatesDesign) -> tuple[tuple[Motor, ...], tuple[Drive, ...]]:
-    """Motors and drives: creases that the same drives act on share a motor."""
-    numbers = {hinge.name: number for number, hinge in enumerate(structure.hinges)}
-    acting = [{numbers[f"crease{edge}"] for edge in creases_of(design.sheet, drive.of)} for drive in design.drive]
-    shared: dict[tuple[int, ...], list[int]] = {}
-    for hinge in range(len(structure.hinges)):
-        drives = tuple(number for number, hinges in enumerate(acting) if hinge in hinges)
-        if drives:
-            shared.setdefault(drives, []).append(hinge)
-    motors = []
-    for drives, hinges in shared.items():
-        whole = [design.drive[number].of for number in drives if acting[number] == set(hinges)]
-        name = whole[0] if whole else ", ".join(structure.hinges[hinge].name for hinge in hinges)
-        motors.append(Motor(name=name, hinges=tuple(hinges)))
-    rises = [design.protocol.rise if drive.rise is None else drive.rise for drive in design.drive]
-    return tuple(motors), tuple(
-        Drive(
-            name=drive.name,
-            shares=tuple(1.0 if number in drives else 0.0 for drives in shared),
-            rise=rises[number],
-            key=f"drive.{drive.name}.value",
-            torque=drive.value,
-            where=f"on {drive.of}" if drive.of.startswith("crease ") else f"on the {drive.of}",
-        )
-        for number, drive in enumerate(design.drive)
-    )
-
-
-def _together(structure: Structure, names: Sequence[str]) -> Drive:
-    """The drives of a stage as one, which grow in proportion: of several, that of the first with the others' shares.
-
-    One of no strength is no measure of the others: the first that has some is.
-    """
-    drives = [drive_of(structure, name) for name in names]
-    lead = next((drive for drive in drives if drive.torque), drives[0])
-    others = [drive for drive in drives if drive is not lead]
-    if not others:
-        return lead
-    torques = [sum(each) for each in zip(*(drive.torques for drive in drives), strict=True)]
-    return replace(
-        lead,
-        name=" and ".join(names),
-        shares=tuple(torque / lead.torque if lead.torque else 0.0 for torque in torques),
-        rise=max(drive.rise for drive in drives),
-        where=f"{lead.where}, with {' and '.join(drive.name for drive in others)} in proportion",
-    )
-
-
-def _state_after(stages: Sequence[Stage], number: int) -> str | None:
-    """The state that a driven stage leads to: its own, or that of the release which follows."""
-    stage = stages[number]
-    if stage.state is not None or number + 1 == len(stages) or stage_drives(stages[number + 1]):
-        return stage.state
-    return stages[number + 1].state

@@ -12,9 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from forficula.design import TORQUE, Design, key_quantity, key_value, load_design, value_from_folder
-from forficula.design.protocol import one_of
 from forficula.errors import InputError
-from forficula.names import folder_name
+from forficula.names import folder_name, one_of
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity
 from forficula.structure import Drive, Structure, Transition, drive_of, first_state, structure_of
 from forficula.study.choices import one_at_a_time, with_own_word

@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike, NDArray
 
+from forficula.names import listed
 from forficula.show.style import BLACK, GREEN, in_column
 from forficula.statics import EnergyLandscape, Rest
 from forficula.structure import Measure, Structure, Transition, drive_of, measure_of
@@ -71,7 +72,7 @@ def springy_parts(structure: Structure) -> str:
         ("springs", any(hinge.stiffness for hinge in structure.hinges)),
         ("weight", bool(structure.gravity)),
     )
-    return _joined([name for name, there in has if there])
+    return listed(name for name, there in has if there)
 
 
 def sheet_parts(structure: Structure) -> str:
@@ -80,11 +81,7 @@ def sheet_parts(structure: Structure) -> str:
         (f"membrane{'s' * (not structure.limits)}", bool(structure.membranes)),
         ("guards", bool(structure.limits)),
     )
-    return _joined([name for name, there in has if there])
-
-
-def _joined(words: list[str]) -> str:
-    return " and ".join(filter(None, [", ".join(words[:-1]), *words[-1:]]))
+    return listed(name for name, there in has if there)
 
 
 def mark_state(axes: Axes, kind: str, place: float, energy: float, range_x: ArrayLike, range_y: ArrayLike) -> None:

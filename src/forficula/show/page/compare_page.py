@@ -17,6 +17,7 @@ from forficula.design import Design
 from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.files import write_text
+from forficula.names import listed
 from forficula.quantities import reading_unit
 from forficula.show.page.design_rows import DIGITS, differing_rows
 from forficula.show.page.html import Cell, escaped, paragraph, section, table
@@ -87,7 +88,7 @@ def compare_page(runs: Sequence[ComparedRun]) -> str:
     sentences = "".join(
         f"<li>{escaped(outcome_sentence(run.label, run.outcome, run.record.structure))}</li>" for run in runs
     )
-    title = f"{', '.join(labels[:-1])} and {labels[-1]}"
+    title = listed(labels)
     body = "".join(
         (
             f"<header><h1>{escaped(title)}</h1><ol class=outcome>{sentences}</ol></header>\n",

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from forficula.analysis import Outcome
 from forficula.dynamics import Record
+from forficula.names import listed
 from forficula.quantities import reading_unit
 from forficula.show.page.playback import Clip, Readings, blown_up
 from forficula.show.structure.labels import counted
@@ -72,9 +73,8 @@ def structure_text(structure: Structure) -> str:
 def _counted_parts(structure: Structure) -> str:
     counts = (("plate", structure.plates), ("bar", structure.bars), ("membrane", structure.membranes))
     rest = (("hinge", structure.hinges), ("tendon", structure.tendons))
-    *most, last = [f"{len(parts)} {kind}{'s' * (len(parts) != 1)}" for kind, parts in (*counts, *rest) if parts]
-    parts = f"{', '.join(most)} and {last}" if most else last
-    return f"A {structure.appearance.whole} of {parts}, {readable(structure.span, 'm')} in size"
+    parts = [f"{len(parts)} {kind}{'s' * (len(parts) != 1)}" for kind, parts in (*counts, *rest) if parts]
+    return f"A {structure.appearance.whole} of {listed(parts)}, {readable(structure.span, 'm')} in size"
 
 
 def reading_text(readings: Readings, in_states: Sequence[Array], clip: Clip) -> str:

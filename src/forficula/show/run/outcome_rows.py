@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from forficula.analysis import Outcome, State, TransitionOutcome
 from forficula.dynamics import EnergyBalance
+from forficula.names import listed
 from forficula.quantities import reading_unit, show_value
 from forficula.show.structure.labels import (
     aligned,
@@ -118,7 +119,6 @@ def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str
     tendons, sheets, bars = (bool(each) for each in (structure.tendons, structure.membranes, structure.bars))
     damped = " and ".join(name for name, there in (("tendon", tendons), ("membrane", sheets)) if there)
     stops = ["stops", *["guard tendons"] * bool(structure.limits), *["contacts"] * bars]
-    stopping = " and ".join([*[", ".join(stops[:-1])] * (len(stops) > 1), stops[-1]])
     terms = (
         ("work of the torques", balance.work, True),
         ("= change of tendon energy", balance.tendon, tendons),
@@ -128,7 +128,7 @@ def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str
         ("+ change of gravitational energy", balance.gravitational, True),
         ("+ taken by hinge damping", balance.hinge_damping, True),
         (f"+ taken by {damped} damping", balance.elastic_damping, bool(damped)),
-        (f"+ taken by {stopping}", balance.stops, True),
+        (f"+ taken by {listed(stops)}", balance.stops, True),
         ("+ change of energy of the Maxwell branches", balance.branches, True),
         ("+ taken by the Maxwell branches", balance.branch_damping, True),
         ("+ taken by yielding", balance.yielding, True),
