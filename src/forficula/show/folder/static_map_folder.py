@@ -13,8 +13,8 @@ from forficula.files import replacing_all, write_bytes, write_text
 from forficula.show.study.static_maps import draw_static_maps
 from forficula.show.style import PAGE_WIDTH, Drawing, save_figures
 from forficula.study import Study, table_csv
+from forficula.study.map_comparison import compare_maps
 from forficula.study.outcome_kinds import check_table, least_values, lost_text, table_transitions
-from forficula.study.static_map import compare_maps
 
 if TYPE_CHECKING:
     from xarray import Dataset
