@@ -17,7 +17,7 @@ from forficula.study.search import (
     search_result,
     second_design,
 )
-from forficula.study.study import read_search
+from forficula.study.search_file import read_search
 
 DESIGN = ff.load_design("binder2025")
 FOLD, UNFOLD = structure_of(DESIGN).transitions

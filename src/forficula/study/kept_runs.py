@@ -28,7 +28,8 @@ from forficula.study.evaluate import outcome_row, row_key
 from forficula.study.journal import Row
 from forficula.study.runs import run_each
 from forficula.study.search import first_design, point_design, release_design, second_design
-from forficula.study.study import SearchStep, Study
+from forficula.study.search_steps import SearchStep
+from forficula.study.study import Study
 
 if TYPE_CHECKING:
     from xarray import Dataset

@@ -11,7 +11,7 @@ from forficula.quantities import show_quantity
 from forficula.structure import drive_keys
 from forficula.study.evaluate import row_key
 from forficula.study.journal import Row
-from forficula.study.study import Search, SearchStep
+from forficula.study.search_steps import Search, SearchStep
 
 Rows = Mapping[str, Row]
 

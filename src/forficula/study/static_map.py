@@ -16,10 +16,12 @@ from forficula.statics.lines import line_energy
 from forficula.statics.potential import Ensemble, ensemble_of
 from forficula.statics.quasi_static import at_goal, slow_transition, start_state, state_beyond
 from forficula.structure import Transition, static_keys, structure_of
-from forficula.study.factors import read_factor
+from forficula.study.factors import grid_points, read_factor
 from forficula.study.outcome_kinds import transitions_text
 from forficula.study.search import point_design
-from forficula.study.study import Search, Study, grid_points, read_search
+from forficula.study.search_file import read_search
+from forficula.study.search_steps import Search
+from forficula.study.study import Study
 from forficula.study.table import table_axes
 
 if TYPE_CHECKING:

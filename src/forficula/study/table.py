@@ -20,7 +20,8 @@ from forficula.study.factors import Factor
 from forficula.study.journal import Row
 from forficula.study.outcome_kinds import transitions_text
 from forficula.study.search import first_design, search_result
-from forficula.study.study import Search, SearchStep, Study
+from forficula.study.search_steps import Search, SearchStep
+from forficula.study.study import Study
 
 if TYPE_CHECKING:
     import xarray
