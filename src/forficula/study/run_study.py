@@ -164,8 +164,9 @@ def _design(study: Study, number: int) -> Design | str:
         return str(error)
 
 
-def _wanted(study: Study, design: Design, rows: Mapping[str, Row]) -> list[Design]:
-    return [design] if study.search is None else search_designs(design, study.search, rows)
+def _wanted(study: Study, design: Design, rows: Mapping[str, Row]) -> dict[str, Design]:
+    """The runs of a point as far as the rows tell, by key, in the order in which they are tried."""
+    return {row_key(design): design} if study.search is None else search_designs(design, study.search, rows)
 
 
 def _known(study: Study, designs: Mapping[int, Design | str], rows: Mapping[str, Row]) -> set[str]:
@@ -174,8 +175,8 @@ def _known(study: Study, designs: Mapping[int, Design | str], rows: Mapping[str,
         key
         for design in designs.values()
         if isinstance(design, Design)
-        for each in _wanted(study, design, rows)
-        if (key := row_key(each)) in rows
+        for key in _wanted(study, design, rows)
+        if key in rows
     }
 
 
@@ -183,11 +184,11 @@ def _missing_by_point(
     study: Study, designs: Mapping[int, Design | str], rows: Mapping[str, Row]
 ) -> list[dict[str, Design]]:
     """Runs that are not in the rows, by key, for every point that lacks some, in the order in which they are tried."""
-    points = []
-    for design in designs.values():
-        if isinstance(design, Design):
-            wanted = {row_key(each): each for each in _wanted(study, design, rows)}
-            points.append({key: each for key, each in wanted.items() if key not in rows})
+    points = [
+        {key: each for key, each in _wanted(study, design, rows).items() if key not in rows}
+        for design in designs.values()
+        if isinstance(design, Design)
+    ]
     return [point for point in points if point]
 
 

@@ -19,7 +19,7 @@ from forficula.study.evaluate import ending_row, row_key
 from forficula.study.factors import Factor
 from forficula.study.journal import Row
 from forficula.study.outcome_kinds import transitions_text
-from forficula.study.search import first_design, search_result
+from forficula.study.search import search_result
 from forficula.study.search_steps import Search, SearchStep
 from forficula.study.study import Study
 
@@ -188,12 +188,7 @@ def _result(study: Study, design: Design | str, rows: Mapping[str, Row]) -> dict
             if unit
         }
         return row | numbers
-    tried = {value: rows[row_key(first_design(design, search, value))] for value in search.first.values}
-    return {
-        **search_result(design, search, rows),
-        "times_tried": {value: row.get(f"{search.first.transition}_time_s") for value, row in tried.items()},
-        "outcomes_tried": {value: row["outcome"] for value, row in tried.items()},
-    }
+    return search_result(design, search, rows)
 
 
 def table_axes(study: Study) -> tuple[dict[str, Any], tuple[str, ...], tuple[int, ...]]:
