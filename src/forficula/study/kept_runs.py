@@ -23,7 +23,7 @@ from forficula.errors import InputError
 from forficula.files import clear_leftovers, replacing_all
 from forficula.lock import held
 from forficula.quantities import as_written
-from forficula.structure import structure_of, transition_of
+from forficula.structure import Structure, structure_of, transition_of
 from forficula.study.evaluate import outcome_row, row_key
 from forficula.study.journal import Row
 from forficula.study.runs import run_each
@@ -103,13 +103,13 @@ def runs_to_keep(study: Study, table: Dataset, most: int = MOST_POINTS) -> list[
     """
     check_most(most)
     width = len(str(len(study.points)))
-    runs = []
+    runs, structure = [], structure_of(study.base)
     for point in _points(study, table, most):
         try:
             design = point_design(study.base, study.points[point], study.search)
         except InputError:  # its row says why
             continue
-        for part, transition, each in _parts(study, table, point, design):
+        for part, transition, each in _parts(study, structure, table, point, design):
             name = f"{point + 1:0{width}d}{'' if part == 'run' else f'-{part}'}"
             runs.append(RunToKeep(point=point, part=part, name=name, design=each, transition=transition))
     return runs
@@ -204,7 +204,9 @@ def _worked(study: Study, table: Dataset) -> NDArray[np.bool_]:
     return np.asarray(table[transitions[0].state].values, dtype=bool)
 
 
-def _parts(study: Study, table: Dataset, point: int, design: Design) -> Iterator[tuple[str, int | None, Design]]:
+def _parts(
+    study: Study, structure: Structure, table: Dataset, point: int, design: Design
+) -> Iterator[tuple[str, int | None, Design]]:
     """The runs of one point that a row of the table comes from, with their names and numbers of their transitions."""
     search = study.search
     if search is None:
@@ -214,7 +216,7 @@ def _parts(study: Study, table: Dataset, point: int, design: Design) -> Iterator
     least = float(table[first.least_name].values.ravel()[point])
     # of a run that says nothing there is nothing to see
     tells = Verdict(str(table["verdict"].values.ravel()[point])).tells
-    part = _part_name(study, first)
+    part = _part_name(structure, first)
     if math.isnan(least):
         if tells:
             yield *part, first_design(design, search, first.values[-1])
@@ -226,12 +228,11 @@ def _parts(study: Study, table: Dataset, point: int, design: Design) -> Iterator
     least = float(table[second.least_name].values.ravel()[point])
     if tells or not math.isnan(least):
         value = second.values[-1] if math.isnan(least) else least
-        yield *_part_name(study, second), second_design(design, search, value)
+        yield *_part_name(structure, second), second_design(design, search, value)
 
 
-def _part_name(study: Study, step: SearchStep) -> tuple[str, int | None]:
+def _part_name(structure: Structure, step: SearchStep) -> tuple[str, int | None]:
     """What the folder of a search's run says of it, such as "folding", and the number of its transition."""
-    structure = structure_of(study.base)
     transition = transition_of(structure, step.drive)
     if transition is None:
         return step.transition, None

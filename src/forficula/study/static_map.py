@@ -15,7 +15,7 @@ from forficula.errors import InputError
 from forficula.statics.lines import line_energy
 from forficula.statics.potential import Ensemble, ensemble_of
 from forficula.statics.quasi_static import at_goal, slow_transition, start_state, state_beyond
-from forficula.structure import Transition, static_keys, structure_of
+from forficula.structure import Structure, Transition, static_keys, structure_of
 from forficula.study.factors import grid_points, read_factor
 from forficula.study.outcome_kinds import transitions_text
 from forficula.study.search import point_design
@@ -112,10 +112,11 @@ def static_map(study: Study, progress: Callable[[int, int], None] | None = None)
             done += len(part)
             if progress is not None:
                 progress(done, len(study.points))
+    structure = structure_of(study.base)
     coordinates, dimensions, shape = table_axes(study)
     variables: dict[str, Any] = {
         name: (dimensions, _column(results, name).reshape(shape), {"units": unit, "long_name": meaning})
-        for name, (unit, meaning) in _numbers(study.base, search).items()
+        for name, (unit, meaning) in _numbers(structure, search).items()
     }
     for name in ("status", "verdict", "outcome"):
         words = np.array([result[name] for result in results], dtype=object).reshape(shape)
@@ -128,16 +129,16 @@ def static_map(study: Study, progress: Callable[[int, int], None] | None = None)
             "design": study.base.name,
             "design_hash": study.base.hash,
             "ask": "statics",
-            "transitions": transitions_text(structure_of(study.base), search),
+            "transitions": transitions_text(structure, search),
             "start_state": search.start_state,
-            "whole": structure_of(study.base).appearance.whole,
+            "whole": structure.appearance.whole,
         },
     )
 
 
-def _numbers(design: Design, search: Search) -> dict[str, tuple[str, str]]:
+def _numbers(structure: Structure, search: Search) -> dict[str, tuple[str, str]]:
     """Unit and what it is, by name."""
-    wordings = {each.name: each.wording for each in structure_of(design).transitions}
+    wordings = {each.name: each.wording for each in structure.transitions}
     steps = {
         step.least_name: ("N m", f"least slowly growing torque that {wordings[step.transition].does}")
         for step in search.steps

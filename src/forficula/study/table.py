@@ -48,13 +48,14 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
     import xarray
 
     structure, search = structure_of(study.base), study.search
-    results = [_result(study, designs[number], rows) for number in range(len(study.points))]
+    numbers = _numbers(study, structure)
+    results = [_result(study, designs[number], rows, numbers) for number in range(len(study.points))]
     coordinates, dimensions, shape = table_axes(study)
     words: tuple[str, ...] = ("status", "verdict", "outcome")
     if search is not None:
         words += (f"{search.first.transition}_outcome", "reference_outcome")
     variables: dict[str, Any] = {}
-    for name, (unit, meaning) in _numbers(study, structure).items():
+    for name, (unit, meaning) in numbers.items():
         # springs are not in every structure
         if name.endswith("_hinge_energy") and all(result.get(name) is None for result in results):
             continue
@@ -176,19 +177,16 @@ def table_csv(study: Study, table: xarray.Dataset) -> str:
     return csv_text(rows)
 
 
-def _result(study: Study, design: Design | str, rows: Mapping[str, Row]) -> dict[str, Any]:
+def _result(
+    study: Study, design: Design | str, rows: Mapping[str, Row], numbers: Mapping[str, tuple[str, str]]
+) -> dict[str, Any]:
+    """What became of a point: numbers by their names in the table, SI, and words."""
     if isinstance(design, str):
         return ending_row(Ending(verdict=Verdict.NOT_BUILT, why=design))
-    search = study.search
-    if search is None:
-        row = rows[row_key(design)]
-        numbers = {
-            name: row.get(f"{name}_{unit}")
-            for name, (unit, _) in _numbers(study, structure_of(study.base)).items()
-            if unit
-        }
-        return row | numbers
-    return search_result(design, search, rows)
+    if study.search is not None:
+        return search_result(design, study.search, rows)
+    row = rows[row_key(design)]
+    return row | {name: row.get(f"{name}_{unit}") for name, (unit, _) in numbers.items() if unit}
 
 
 def table_axes(study: Study) -> tuple[dict[str, Any], tuple[str, ...], tuple[int, ...]]:
