@@ -12,7 +12,7 @@ from forficula.cli import main
 from forficula.design import load_design, with_values
 from forficula.dynamics import compile_model
 from forficula.errors import InputError
-from forficula.study.convergence import compare_wings, converge
+from forficula.study.convergence import compare_models, converge
 from forficula.study.observed_order import fit_order
 from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, read_values
 from tests.dynamics.protocols import on_protocol
@@ -86,7 +86,7 @@ def test_one_hinge_converges_with_order_one_to_its_closed_form(one_hinge):
     first, last = hinge.start / 2, math.radians(150) / 2
     m = math.cos(first) ** 2
     exact = hinge.time_scale * (ellipk(m) - ellipkinc(math.asin(math.cos(last) / math.cos(first)), m)) - settle
-    found = compare_wings(hinges(one_hinge, steps, settle), TIMESTEP, steps, 1e-4)
+    found = compare_models(hinges(one_hinge, steps, settle), TIMESTEP, steps, 1e-4)
     assert found.orders["fold"].observed
     # the term in h^2 is about a tenth of that in h at the longest timestep
     assert found.orders["fold"].order == pytest.approx(1, abs=0.1)
@@ -98,7 +98,7 @@ def test_one_hinge_converges_with_order_one_to_its_closed_form(one_hinge):
 def test_a_timestep_that_is_too_long_says_which_would_do(one_hinge):
     # at 0.4 ms the hinge runs further than 10 deg into its stop
     steps = [2e-4, 1e-4, 5e-5, 2.5e-5]
-    found = compare_wings(hinges(one_hinge, steps, 4e-3), TIMESTEP, steps, 2e-4, tolerance=5e-3)
+    found = compare_models(hinges(one_hinge, steps, 4e-3), TIMESTEP, steps, 2e-4, tolerance=5e-3)
     assert found.fine is False
     advised = float(found.verdict.split("; ")[1].split(" ms")[0]) * 1e-3
     law = found.orders["fold"]
@@ -147,7 +147,7 @@ def test_an_outcome_that_changes_with_a_shorter_timestep_is_never_fine(one_hinge
     # one wing is given no time to fold, as if the timestep had kept it from folding
     late = hinges(one_hinge, [2e-4], 4e-3)
     early = hinges(one_hinge, [1e-4], 4e-3, duration=0.005)
-    found = compare_wings([*late, *early], TIMESTEP, [2e-4, 1e-4], 2e-4)
+    found = compare_models([*late, *early], TIMESTEP, [2e-4, 1e-4], 2e-4)
     assert found.fine is False
     assert "the outcome changes with the timestep" in found.verdict
 

@@ -80,7 +80,7 @@ def run(
 
 
 def _cycle(design: Design, cycles: int | None, folder: Path) -> list[Verdict]:
-    """Write and print what becomes of a run's wing over cycles, where that is wanted and the tendons change."""
+    """Write and print what becomes of a run's structure over cycles, where that is wanted and the tendons change."""
     from forficula.show.folder.cycling_folder import print_cycling, write_cycling
 
     if cycles is None:

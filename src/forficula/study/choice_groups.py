@@ -1,4 +1,4 @@
-"""The choices of a study's table factor by factor, and how many of the grid fold and open at each."""
+"""The choices of a study's table factor by factor, and how many of the grid make their transitions at each."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def choice_groups(table: Dataset) -> list[ChoiceGroup]:
     return groups
 
 
-def wings_that_fold(table: Dataset) -> DataArray:
+def did_first(table: Dataset) -> DataArray:
     """Whether the first transition is done, with some value where these were searched, over the points' dimensions.
 
     Where there is no transition, whether a run came to its end.
@@ -59,12 +59,12 @@ def wings_that_fold(table: Dataset) -> DataArray:
     return table[first.state].astype(bool)
 
 
-def count_folded(table: Dataset) -> NDArray[np.int_]:
+def count_first(table: Dataset) -> NDArray[np.int_]:
     """How many of the grid do the first transition at each choice, shape (choices,)."""
-    return _count(wings_that_fold(table))
+    return _count(did_first(table))
 
 
-def count_opened(table: Dataset) -> NDArray[np.int_] | None:
+def count_all(table: Dataset) -> NDArray[np.int_] | None:
     """How many of the grid do all transitions at each choice, shape (choices,); None where that is not asked."""
     transitions = asked_transitions(table)
     if len(transitions) < 2:
@@ -75,9 +75,9 @@ def count_opened(table: Dataset) -> NDArray[np.int_] | None:
     return _count(table[last.least].notnull() if last.least else did_all(table, transitions))
 
 
-def _count(wings: DataArray) -> NDArray[np.int_]:
-    """How many of the grid there are at each choice."""
-    return np.asarray(wings.sum([name for name in wings.dims if name != CHOICE]).values)
+def _count(done: DataArray) -> NDArray[np.int_]:
+    """How many of the grid did something at each choice."""
+    return np.asarray(done.sum([name for name in done.dims if name != CHOICE]).values)
 
 
 def _same(value: object, other: object) -> bool:
@@ -90,5 +90,5 @@ def count_unknown(table: Dataset) -> dict[str, NDArray[np.int_]]:
     shape = (table.sizes[CHOICE], -1)
     verdicts, words = (table[name].values.astype(str).reshape(shape) for name in ("verdict", "outcome"))
     known = [verdict for verdict in Verdict if verdict.tells]
-    unknown = ~wings_that_fold(table).values.reshape(shape) & ~np.isin(verdicts, known)
+    unknown = ~did_first(table).values.reshape(shape) & ~np.isin(verdicts, known)
     return {str(word): np.sum(unknown & (words == word), axis=1) for word in sorted(set(words[unknown]))}

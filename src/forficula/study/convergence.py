@@ -120,11 +120,11 @@ def converge(
     # a timestep goes from coarse to fine, the others from soft or coarse on
     ordered = sorted([own, *(value for value in values if not same(value, own))], reverse=key == TIMESTEP)
     models = [compile_model(_with_dense_record(resolved(with_value(design, key, value)))) for value in ordered]
-    compared = compare_wings(models, key, ordered, own, tolerance=tolerance, hinge=hinge, progress=progress)
+    compared = compare_models(models, key, ordered, own, tolerance=tolerance, hinge=hinge, progress=progress)
     return replace(compared, design=design)
 
 
-def compare_wings(
+def compare_models(
     models: Sequence[Model],
     key: str,
     values: Sequence[float],

@@ -1,4 +1,4 @@
-"""A structure after many cycles: folded and opened with its tendons as they are at each of them."""
+"""A structure after many cycles: through its protocol with its tendons as they are at each of them."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ class Cycling:
 
     @property
     def first_failure(self) -> int | None:
-        """The first cycle that did not fold and open, after one that did; None where there is none."""
+        """The first cycle that did not work, after one that did; None where there is none."""
         works = [self.works(run) for run in self.runs]
         later = (index for index in range(1, len(works)) if works[index - 1] and not works[index])
         return next((self.runs[index].cycle for index in later), None)
@@ -125,7 +125,7 @@ def design_at_cycle(design: Design, cycle: int) -> Design:
 
 
 def run_cycles(design: Design, last: int, progress: Progress | None = None) -> Cycling:
-    """Fold and open a structure with its tendons as they are at each of many cycles, side by side.
+    """Take a structure through its protocol with its tendons as they are at each of many cycles, side by side.
 
     Args:
         design: whose tendons change.
@@ -133,7 +133,7 @@ def run_cycles(design: Design, last: int, progress: Progress | None = None) -> C
         progress: called with the runs done, the most that there can be, and the last one's row.
 
     Raises:
-        InputError: the tendons do not change, the protocol does not fold, or the last is not >= 1.
+        InputError: the tendons do not change, the protocol drives no transition, or the last is not >= 1.
     """
     check_cycles(design, last)
     if reason := why_unchanged(design):
@@ -168,7 +168,7 @@ def check_cycles(design: Design, last: int) -> None:
     """Refuse what cannot be cycled, before a run that takes a while.
 
     Raises:
-        InputError: the protocol does not fold, the last cycle is not >= 1, or tendons are of several materials.
+        InputError: the protocol drives no transition, the last cycle is not >= 1, or tendons are of several materials.
     """
     cycle_counts(last)
     structure = structure_of(design)

@@ -89,14 +89,15 @@ class KeptRun:
 def runs_to_keep(study: Study, table: Dataset, most: int = MOST_POINTS) -> list[RunToKeep]:
     """Choose the runs that the numbers of a table come from.
 
-    Of a plain study that is the run of each point. Of a search for the least torques it is folding with the least
-    torque that folds, and the release, and opening with the least torque that opens, from the wing folded with the
-    search's large torque; where no torque worked, the largest that was tried, which shows why.
+    Of a plain study that is the run of each point. Of a search it is the first transition with
+    the least value that does it, and the release, and the second with the least value that does that, from where the
+    search's reference value left the first; where no value worked, the last that was tried, which shows why.
 
     Args:
         study: what was asked.
         table: what came out.
-        most: points at most. Where there are more, only those count that folded, spread evenly over the study.
+        most: points at most. Where there are more, only those count that did the first transition, spread evenly
+            over the study.
 
     Raises:
         InputError: `most` is no whole number, or below 0.
@@ -240,7 +241,7 @@ def _part_name(structure: Structure, step: SearchStep) -> tuple[str, int | None]
 
 
 def _run(runs: Sequence[RunToKeep], threads: int) -> Iterator[tuple[RunToKeep, Record]]:
-    """Take wings through their protocols side by side; those that cannot be built are left out, as their rows say."""
+    """Take designs through their protocols side by side; those that cannot be built are left out, as their rows say."""
     for number, record in run_each([run.design for run in runs], threads):
         if not isinstance(record, InputError):
             yield runs[number], record

@@ -1,4 +1,4 @@
-"""The least values that bring a structure to its states: of torques that fold a fan and that open it again."""
+"""The least values that bring a structure to its states: which runs find them, and what these say."""
 
 from __future__ import annotations
 

@@ -76,7 +76,7 @@ def static_map_drawings(table: Dataset, simulated: Dataset | None = None) -> dic
 
 
 def print_static_map(table: Dataset, whole: str, simulated: Dataset | None = None) -> None:
-    """Say how many structures fold and open slowly, and where a simulation differs.
+    """Say how many structures make their transitions slowly, and where a simulation differs.
 
     Args:
         table: from `static_map`.
