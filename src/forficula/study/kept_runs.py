@@ -22,7 +22,7 @@ from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.files import clear_leftovers, replacing_all
 from forficula.lock import held
-from forficula.quantities import as_written
+from forficula.quantities import as_written, is_whole
 from forficula.structure import Structure, structure_of, transition_of
 from forficula.study.evaluate import outcome_row, row_key
 from forficula.study.journal import Row
@@ -122,7 +122,7 @@ def check_most(most: int) -> None:
     Raises:
         InputError: it is no whole number, or below 0.
     """
-    if isinstance(most, bool) or not isinstance(most, int) or most < 0:
+    if not is_whole(most, 0):
         raise InputError(f"need a whole number of points >= 0, got {as_written(most)}")
 
 

@@ -8,7 +8,7 @@ from typing import Any
 from forficula.design import TORQUE, Design, key_quantity, key_value
 from forficula.design.protocol import one_of
 from forficula.errors import InputError
-from forficula.quantities import Unit, as_written, format_quantity, parse_quantity
+from forficula.quantities import Unit, as_written, format_quantity, is_whole, parse_quantity
 from forficula.structure import Drive, Structure, Transition, drive_of, first_state, structure_of
 from forficula.study.factors import range_values
 from forficula.study.file_keys import check_keys
@@ -109,7 +109,7 @@ def _shown(torque: float) -> str:
 
 def _refinements(given: Mapping[str, Any]) -> int:
     refinements = given.get("refinements", 0)
-    if isinstance(refinements, bool) or not isinstance(refinements, int) or not 0 <= refinements <= 20:
+    if not is_whole(refinements, 0, 20):
         raise InputError(f"search.refinements: need a whole number from 0 to 20, got {refinements!r}")
     return refinements
 

@@ -11,7 +11,7 @@ from forficula.design import Design, key_quantity, key_value, load_design, value
 from forficula.design.protocol import one_of
 from forficula.errors import InputError
 from forficula.names import folder_name
-from forficula.quantities import as_written
+from forficula.quantities import as_written, is_whole
 from forficula.structure import structure_of
 from forficula.study.choices import one_at_a_time, with_own_word
 from forficula.study.factors import MOST_VALUES, Factor, drawn_values, grid_points, read_factor
@@ -194,12 +194,16 @@ def _search(tables: Mapping[str, Any], ask: str, base: Design, factors: Sequence
 
 def _drawn(factors: tuple[Factor, ...], sampling: Mapping[str, Any]) -> list[dict[str, object]]:
     check_keys(sampling, ("method", "count", "seed"), "sampling.")
-    method, count, seed = sampling.get("method", "sobol"), sampling.get("count"), sampling.get("seed", 0)
+    method = sampling.get("method", "sobol")
     if method not in ("random", "sobol"):
         raise InputError(f'sampling.method: need "random" or "sobol", got {method!r}')
-    for key, value, least in (("count", count, 1), ("seed", seed, 0)):
-        if isinstance(value, bool) or not isinstance(value, int) or value < least:
-            raise InputError(f"sampling.{key}: need a whole number >= {least}, got {value!r}")
-    if int(str(count)) > MOST_VALUES:
+    count, seed = _whole("count", sampling.get("count"), 1), _whole("seed", sampling.get("seed", 0), 0)
+    if count > MOST_VALUES:
         raise InputError(f"sampling.count: need at most {MOST_VALUES}, got {as_written(count)}")
-    return drawn_values(factors, method, int(str(count)), seed)
+    return drawn_values(factors, method, count, seed)
+
+
+def _whole(key: str, value: object, least: int) -> int:
+    if not is_whole(value, least):
+        raise InputError(f"sampling.{key}: need a whole number >= {least}, got {value!r}")
+    return value
