@@ -112,12 +112,11 @@ def _decided(found: Mapping[float, Row], goal: str) -> tuple[float | None, Row]:
     That is the first one, in the order of the values, that says nothing of the structure: before what reaches the goal
     it may hide a value that does. Otherwise it is that of the last value; an empty one where nothing was tried.
     """
-    least = _least(found, goal)
     for value, row in found.items():
         if not Verdict(row["verdict"]).tells:
             return None, row
-        if value == least:
-            return least, row
+        if row.get(goal):
+            return value, row
     return None, list(found.values())[-1] if found else {}
 
 
@@ -212,11 +211,6 @@ def _values(design: Design, search: Search, rows: Rows, step: SearchStep | None)
         tried.insert(least, half)
         found.insert(least, rows.get(row_key(designs(design, search, half))))
     return tried
-
-
-def _least(found: Mapping[float, Row | None], goal: str) -> float | None:
-    """The least value whose row says that the goal was reached."""
-    return next((value for value, row in found.items() if row is not None and row.get(goal)), None)
 
 
 def point_design(base: Design, point: Mapping[str, object], search: Search | None = None) -> Design:
