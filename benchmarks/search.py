@@ -26,7 +26,8 @@ from forficula.dynamics import Model, compile_model, simulate, versions
 from forficula.structure import drive_of, goal_of, hinges_of
 from forficula.study.journal import Row
 from forficula.study.search import first_design, second_design
-from forficula.study.study import Search, Study
+from forficula.study.search_steps import Search
+from forficula.study.study import Study
 
 _STUDY = "binder2025-search"
 _PLAIN_RUNS = 24

@@ -7,7 +7,7 @@ import math
 import re
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeGuard
 
 from forficula.errors import InputError
 
@@ -130,6 +130,11 @@ def as_written(value: object) -> str:
             text = str(value)
     text = " ".join(text.split())
     return text if len(text) <= _LONGEST_SHOWN else f"{text[: _LONGEST_SHOWN - 3]}..."
+
+
+def is_whole(value: object, least: int, most: float = math.inf) -> TypeGuard[int]:
+    """Tell whether a value is a whole number between bounds; yes and no are none."""
+    return isinstance(value, int) and not isinstance(value, bool) and least <= value <= most
 
 
 def reading_unit(unit: str, largest: float) -> tuple[str, float]:

@@ -5,7 +5,7 @@ from functools import cache
 from forficula.design import load_design
 from forficula.structure import structure_of
 from forficula.study.outcome_kinds import transitions_text
-from forficula.study.study import read_search
+from forficula.study.search_file import read_search
 
 
 @cache

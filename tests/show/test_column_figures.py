@@ -11,6 +11,7 @@ from forficula.show.folder.run_folder import run_drawings
 from forficula.show.folder.static_map_folder import static_map_drawings
 from forficula.show.study.maps import map_drawings
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
+from forficula.structure import structure_of
 from forficula.study.convergence import converge
 from forficula.study.cycling import Cycling, driven_transitions
 from forficula.study.refinement import TIMESTEP
@@ -28,7 +29,7 @@ def drawings(reference, reference_run, reference_outcome, surveyed, tpu_material
     over = {"tendon.stiffness": "10..30 N/cm step 10", "tendon.rest_length": "5..9 cm step 1"}
     folding = with_values(reference, {"protocol.stages": STAGES})
     runs = (*(cycle(number) for number in range(1, 5)), cycle(5, **STUCK))
-    driven = driven_transitions(reference)
+    driven = driven_transitions(structure_of(reference))
     cycling = Cycling(
         design=reference, runs=runs, seen=(2, 4), transitions=driven, verdict="Up to cycle 4.", remarks=()
     )

@@ -13,7 +13,7 @@ from forficula.design import with_values
 from forficula.errors import InputError
 from forficula.show import print_study, write_study
 from forficula.study import collect, estimate, load_study, run_study, table_csv
-from forficula.study.choice_groups import choice_groups, count_folded, count_opened
+from forficula.study.choice_groups import choice_groups, count_all, count_first
 from forficula.study.kept_runs import runs_to_keep
 from forficula.study.search import point_design
 
@@ -140,13 +140,13 @@ def test_the_choices_of_a_factor_stand_together_by_size_with_the_base_among_them
 
 def test_what_folds_and_opens_is_counted_at_every_choice(alone, gridded):
     _, table = alone
-    assert count_folded(table).tolist() == table["folded"].values.astype(int).tolist()
-    assert count_opened(table).tolist() == table["opened"].values.astype(int).tolist()
+    assert count_first(table).tolist() == table["folded"].values.astype(int).tolist()
+    assert count_all(table).tolist() == table["opened"].values.astype(int).tolist()
     _, table, _ = gridded
     by_hand = [sum(np.isfinite(table["least_fold_torque"].values[place].ravel())) for place in range(3)]
-    assert count_folded(table).tolist() == by_hand
+    assert count_first(table).tolist() == by_hand
     assert len(set(by_hand)) > 1
-    assert count_opened(table) is None
+    assert count_all(table) is None
 
 
 def test_a_search_without_unfold_torques_folds_and_lets_go_and_leaves_opening_out(gridded, tmp_path, capsys):
@@ -169,7 +169,7 @@ def test_a_search_without_unfold_torques_folds_and_lets_go_and_leaves_opening_ou
     print_study(study, table)
     told = capsys.readouterr().out
     assert "open" not in told
-    for count, words in zip(count_folded(table)[[1, 0, 2]], ("0.0001", "0.001", "0.01"), strict=True):
+    for count, words in zip(count_first(table)[[1, 0, 2]], ("0.0001", "0.001", "0.01"), strict=True):
         assert re.search(rf"^hinge damping {words} N m s/rad(, as in binder2025)? +{count} *$", told, re.MULTILINE)
 
 

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 import forficula as ff
 from forficula.analysis import Ending, Verdict
 from forficula.structure import structure_of
-from forficula.study.evaluate import ending_row, row_key
+from forficula.study.evaluate import ending_row
 from forficula.study.search import (
     first_design,
     point_design,
@@ -17,7 +17,7 @@ from forficula.study.search import (
     search_result,
     second_design,
 )
-from forficula.study.study import read_search
+from forficula.study.search_file import read_search
 
 DESIGN = ff.load_design("binder2025")
 FOLD, UNFOLD = structure_of(DESIGN).transitions
@@ -101,9 +101,9 @@ def answers(design, folds, opens, large="folded", released="folded", untrusted=(
 def found(search, folds, opens=no_torque, large="folded", released="folded", untrusted=()):
     """Ask until nothing is missing, and return what was found and every design that had to run."""
     rows, run = {}, []
-    while missing := [each for each in search_designs(DESIGN, search, rows) if row_key(each) not in rows]:
-        for each in missing:
-            rows[row_key(each)] = {"key": row_key(each), **answers(each, folds, opens, large, released, untrusted)}
+    while missing := [item for item in search_designs(DESIGN, search, rows).items() if item[0] not in rows]:
+        for key, each in missing:
+            rows[key] = {"key": key, **answers(each, folds, opens, large, released, untrusted)}
             run.append(each)
     return search_result(DESIGN, search, rows), run
 

@@ -12,8 +12,7 @@ from forficula.statics import energy_landscape
 from forficula.statics.potential import ensemble_of
 from forficula.statics.quasi_static import slow_transition, start_state, state_beyond
 from forficula.study import load_study
-from forficula.study.outcome_kinds import lost_text, table_transitions
-from forficula.study.static_map import (
+from forficula.study.map_comparison import (
     BOTH,
     BOTH_LESS,
     BOTH_MORE,
@@ -22,9 +21,9 @@ from forficula.study.static_map import (
     ONLY_SIMULATED,
     ONLY_STATIC,
     compare_maps,
-    map_study,
-    static_map,
 )
+from forficula.study.outcome_kinds import lost_text, table_transitions
+from forficula.study.static_map import map_study, static_map
 
 OVER = {"tendon.stiffness": ["10 N/cm", "60 N/cm"], "tendon.rest_length": ["0 cm", "8 cm", "9 cm"]}
 

@@ -4,9 +4,8 @@ import forficula as ff
 from forficula.design import tendon_law, with_values
 from forficula.errors import InputError
 from forficula.study import named_studies, run_study
-from forficula.study.evaluate import row_key
 from forficula.study.search import point_design, search_designs
-from forficula.study.study import load_study
+from forficula.study.study_file import load_study
 
 DRAWN = '"tendon.stiffness" = {distribution = "uniform", low = "10 N/cm", high = "20 N/cm"}'
 LISTED = '"tendon.rest_length" = ["5 cm", "7 cm"]'
@@ -21,12 +20,13 @@ def test_the_papers_search_has_sixty_tendons_with_six_fold_torques_and_ten_unfol
     assert (first.stiffness, first.rest_length) == (1000.0, 0.0)
     assert (last.stiffness, last.rest_length) == (6000.0, 0.09)
     designs = search_designs(study.base, study.search, {})
-    folding = [design.protocol for design in designs]
+    folding = [design.protocol for design in designs.values()]
     assert [protocol.fold_torque for protocol in folding] == pytest.approx([0.0, 0.1, 0.2, 0.3, 0.4, 0.5])
     assert {protocol.stages[-1].drive for protocol in folding} == {"fold"}
     # once the wing is known to fold it is released, and opened from the wing folded with 500 N cm
-    known = {row_key(design): {"verdict": "reached", "folded": True} for design in designs}
-    release, *opening = [each.protocol for each in search_designs(study.base, study.search, known)[len(folding) :]]
+    known = {key: {"verdict": "reached", "folded": True} for key in designs}
+    wanted = [each.protocol for each in search_designs(study.base, study.search, known).values()]
+    release, *opening = wanted[len(folding) :]
     assert release.fold_torque == 0.0
     assert {protocol.fold_torque for protocol in opening} == {5.0}
     assert [protocol.unfold_torque for protocol in opening] == pytest.approx([0.1 * n for n in range(1, 11)])

@@ -10,7 +10,7 @@ from matplotlib.collections import QuadMesh
 
 from forficula.show.folder.study_folder import study_drawings
 from forficula.show.page.study_data import study_data
-from forficula.show.study.maps import draw_fold_times, draw_work_maps, missing_reasons
+from forficula.show.study.maps import draw_first_times, draw_work_maps, missing_reasons
 from forficula.study import load_study, run_study, table_csv
 from tests.show.study.test_maps import legend, panels
 
@@ -112,7 +112,7 @@ def test_each_torque_of_a_search_says_what_became_of_it(searched):
     outcome = table["fold_outcome_by_torque"].values
     assert (np.isfinite(table["fold_time_by_torque"].values) == (outcome == "folded")).all()
     assert np.isin(outcome[2:], ["not to be trusted", "diverged"]).all()
-    assert {"not to be trusted", "diverged"} & set(legend(draw_fold_times(table)))
+    assert {"not to be trusted", "diverged"} & set(legend(draw_first_times(table)))
     for name in ("least_fold_torque", "least_unfold_torque", "fold_time", "opened_energy"):
         assert np.isin(missing_reasons(table, name).values[2:], ["not to be trusted", "diverged"]).all()
 

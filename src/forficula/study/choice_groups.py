@@ -1,4 +1,4 @@
-"""The choices of a study's table factor by factor, and how many of the grid fold and open at each."""
+"""The choices of a study's table factor by factor, and how many of the grid make their transitions at each."""
 
 from __future__ import annotations
 
@@ -59,12 +59,12 @@ def did_first(table: Dataset) -> DataArray:
     return table[first.state].astype(bool)
 
 
-def count_folded(table: Dataset) -> NDArray[np.int_]:
+def count_first(table: Dataset) -> NDArray[np.int_]:
     """How many of the grid do the first transition at each choice, shape (choices,)."""
     return _count(did_first(table))
 
 
-def count_opened(table: Dataset) -> NDArray[np.int_] | None:
+def count_all(table: Dataset) -> NDArray[np.int_] | None:
     """How many of the grid do all transitions at each choice, shape (choices,); None where that is not asked."""
     transitions = asked_transitions(table)
     if len(transitions) < 2:
@@ -76,7 +76,7 @@ def count_opened(table: Dataset) -> NDArray[np.int_] | None:
 
 
 def _count(done: DataArray) -> NDArray[np.int_]:
-    """How many of the grid there are at each choice."""
+    """How many of the grid did something at each choice."""
     return np.asarray(done.sum([name for name in done.dims if name != CHOICE]).values)
 
 

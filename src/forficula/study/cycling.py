@@ -1,4 +1,4 @@
-"""A structure after many cycles: folded and opened with its tendons as they are at each of them."""
+"""A structure after many cycles: through its protocol with its tendons as they are at each of them."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from forficula.design import Design, with_values
 from forficula.errors import InputError
 from forficula.material.law.law_cycle import change_at_cycle, drifts_of, law_at_cycle, stretched_before
 from forficula.material.law.material_law import MaterialLaw
-from forficula.structure import Transition, built_strains, drive_of, structure_of
+from forficula.structure import Structure, Transition, built_strains, drive_of, structure_of
 from forficula.study.evaluate import evaluate, row_key
 from forficula.study.journal import Row
 from forficula.study.slow_margin import least_slow_torques, margin
@@ -72,7 +72,7 @@ class Cycling:
 
     @property
     def first_failure(self) -> int | None:
-        """The first cycle that did not fold and open, after one that did; None where there is none."""
+        """The first cycle that did not work, after one that did; None where there is none."""
         works = [self.works(run) for run in self.runs]
         later = (index for index in range(1, len(works)) if works[index - 1] and not works[index])
         return next((self.runs[index].cycle for index in later), None)
@@ -95,10 +95,11 @@ def cycle_counts(last: int) -> tuple[int, ...]:
 
 def why_unchanged(design: Design) -> str:
     """Why the tendons of a design are the same at every cycle, in a sentence; empty where they change."""
-    strained = _strained(design)
+    structure = structure_of(design)
+    strained = _strained(structure)
     if not strained:
         return "the design has no tendon.law, so nothing tells how cycles change its tendons: every cycle is the first"
-    law = _material(design)
+    law = _material(structure)
     name = law.name or "the tendons"
     softens = law.softening is not None and max(strained.values()) > law.residual_strain
     if softens or any(drift.kind != "none" for drift in drifts_of(law).values()):
@@ -119,11 +120,12 @@ def design_at_cycle(design: Design, cycle: int) -> Design:
         design: whose tendons have a law.
         cycle: from 1 on.
     """
-    return with_values(design, {f"{key}.law": law for key, (law, _) in _laws_at(design, cycle).items()})
+    laws = _laws_at(structure_of(design), cycle)
+    return with_values(design, {f"{key}.law": law for key, (law, _) in laws.items()})
 
 
 def run_cycles(design: Design, last: int, progress: Progress | None = None) -> Cycling:
-    """Fold and open a structure with its tendons as they are at each of many cycles, side by side.
+    """Take a structure through its protocol with its tendons as they are at each of many cycles, side by side.
 
     Args:
         design: whose tendons change.
@@ -131,12 +133,13 @@ def run_cycles(design: Design, last: int, progress: Progress | None = None) -> C
         progress: called with the runs done, the most that there can be, and the last one's row.
 
     Raises:
-        InputError: the tendons do not change, the protocol does not fold, or the last is not >= 1.
+        InputError: the tendons do not change, the protocol drives no transition, or the last is not >= 1.
     """
     check_cycles(design, last)
     if reason := why_unchanged(design):
         raise InputError(f"cycles: {reason}")
-    counts = cycle_counts(last)
+    structure, counts = structure_of(design), cycle_counts(last)
+    law = _material(structure)
     designs = [design_at_cycle(design, cycle) for cycle in counts]
     distinct = {row_key(each): each for each in designs}
     rows: dict[str, Row] = {}
@@ -149,13 +152,13 @@ def run_cycles(design: Design, last: int, progress: Progress | None = None) -> C
     cycling = Cycling(
         design=design,
         runs=tuple(
-            _run_at(design, cycle, each, rows[row_key(each)], least[row_key(each)])
+            _run_at(law, cycle, each, rows[row_key(each)], least[row_key(each)])
             for cycle, each in zip(counts, designs, strict=True)
         ),
-        seen=_seen(_material(design)),
-        transitions=driven_transitions(design),
+        seen=_seen(law),
+        transitions=driven_transitions(structure),
         verdict="",
-        remarks=tuple(_remarks(design, counts)),
+        remarks=tuple(_remarks(structure, counts)),
     )
     remarks = (*cycling.remarks, *_unsettled(cycling), *_beside_statics(cycling))
     return replace(cycling, verdict=_verdict(cycling), remarks=remarks)
@@ -165,24 +168,24 @@ def check_cycles(design: Design, last: int) -> None:
     """Refuse what cannot be cycled, before a run that takes a while.
 
     Raises:
-        InputError: the protocol does not fold, the last cycle is not >= 1, or tendons are of several materials.
+        InputError: the protocol drives no transition, the last cycle is not >= 1, or tendons are of several materials.
     """
     cycle_counts(last)
-    if _strained(design):
-        _material(design)
-    if not driven_transitions(design):
-        drives = " or ".join(f'"{drive.name}"' for drive in structure_of(design).drives[:1])
+    structure = structure_of(design)
+    if _strained(structure):
+        _material(structure)
+    if not driven_transitions(structure):
+        drives = " or ".join(f'"{drive.name}"' for drive in structure.drives[:1])
         raise InputError(f"need a stage with drive = {drives} in protocol.stages, got none")
 
 
-def driven_transitions(design: Design) -> tuple[Transition, ...]:
-    """The transitions that a design's protocol drives."""
-    return tuple(each for each in structure_of(design).transitions if each.stage is not None)
+def driven_transitions(structure: Structure) -> tuple[Transition, ...]:
+    """The transitions that a structure's protocol drives."""
+    return tuple(each for each in structure.transitions if each.stage is not None)
 
 
-def _strained(design: Design) -> dict[str, float]:
+def _strained(structure: Structure) -> dict[str, float]:
     """The largest strain, as built, of the tendons of each key of the design under which there is a law."""
-    structure = structure_of(design)
     strained: dict[str, float] = {}
     for tendon, strain in zip(structure.tendons, built_strains(structure).tolist(), strict=True):
         if tendon.material is not None:
@@ -190,15 +193,15 @@ def _strained(design: Design) -> dict[str, float]:
     return strained
 
 
-def _material(design: Design) -> MaterialLaw:
+def _material(structure: Structure) -> MaterialLaw:
     """The material of the tendons that are of one.
 
     Raises:
         InputError: there is none, or there are several.
     """
-    given = dict.fromkeys(tendon.material for tendon in structure_of(design).tendons if tendon.material is not None)
+    given = dict.fromkeys(tendon.material for tendon in structure.tendons if tendon.material is not None)
     if not given:
-        raise InputError(f"{design.name}: has no tendon.law")
+        raise InputError(f"{structure.name}: has no tendon.law")
     first, *others = given
     if others:
         names = ", ".join(each.name or "one without a name" for each in given)
@@ -206,20 +209,20 @@ def _material(design: Design) -> MaterialLaw:
     return first
 
 
-def _laws_at(design: Design, cycle: int) -> dict[str, tuple[MaterialLaw, float]]:
+def _laws_at(structure: Structure, cycle: int) -> dict[str, tuple[MaterialLaw, float]]:
     """Laws at a cycle by the key of their tendons, and what their softened springs miss, shares of the peak stress."""
-    law = law_at_cycle(_material(design), cycle)
+    law = law_at_cycle(_material(structure), cycle)
     laws = {}
-    for key, strain in _strained(design).items():
+    for key, strain in _strained(structure).items():
         peak = min(strain - law.residual_strain, law.yield_strain or np.inf)
         laws[key] = stretched_before(law, peak) if cycle > 1 and peak > 0 else (law, 0.0)
     return laws
 
 
-def _run_at(design: Design, cycle: int, own: Design, row: Row, least: Sequence[float]) -> CycleRun:
-    """A cycle, its design and what became of it."""
-    seen, drift = _seen(_material(design)), _material(design).stiffness_drift
-    structure = structure_of(own)
+def _run_at(law: MaterialLaw, cycle: int, design: Design, row: Row, least: Sequence[float]) -> CycleRun:
+    """A cycle of tendons that had a law at the first, its design and what became of it."""
+    seen, drift = _seen(law), law.stiffness_drift
+    structure = structure_of(design)
     sets = [each.material.residual_strain for each in structure.tendons if each.material is not None]
     return CycleRun(
         cycle=cycle,
@@ -240,8 +243,8 @@ def _seen(law: MaterialLaw) -> tuple[int, int] | None:
     return (max(each.seen[0] for each in drifts), min(each.seen[1] for each in drifts)) if drifts else None
 
 
-def _remarks(design: Design, counts: Sequence[int]) -> Iterator[str]:
-    last, law = counts[-1], _material(design)
+def _remarks(structure: Structure, counts: Sequence[int]) -> Iterator[str]:
+    last, law = counts[-1], _material(structure)
     seen = _seen(law)
     if seen is None:
         yield "the tests do not tell whether the material drifts: all that changes is its softening after cycle 1"
@@ -260,12 +263,12 @@ def _remarks(design: Design, counts: Sequence[int]) -> Iterator[str]:
         middle, low, high = (100 * each for each in change_at_cycle(drift, last))
         yield f"at cycle {last} their set is longer by {middle:.3g} % of their length ({low:.3g} to {high:.3g} %)"
     if law.branches:
-        whole = structure_of(design).appearance.whole
+        whole = structure.appearance.whole
         yield f"every cycle begins with tendons at rest: their Maxwell branches have relaxed in the flat {whole}"
     if last > _EVERY_COUNT:
         yield f"beyond cycle {_EVERY_COUNT} only every few are run: {', '.join(map(str, counts[_EVERY_COUNT:]))}"
     told = {counts[-1], counts[min(1, len(counts) - 1)]}
-    missed = max(share for cycle in told for _, share in _laws_at(design, cycle).values())
+    missed = max(share for cycle in told for _, share in _laws_at(structure, cycle).values())
     if missed > _LARGEST_MISS:
         yield f"the softened spring is a polynomial that misses the law by up to {missed:.0%} of its largest stress"
 

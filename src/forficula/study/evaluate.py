@@ -82,7 +82,7 @@ def _transition(name: str, transition: TransitionOutcome | None) -> Row:
 
 
 def _state(name: str, state: State | None) -> Row:
-    """Energy of all tendons, and the first measure's reading of the hinge that is furthest from folded."""
+    """Energy of all tendons, and the first measure's reading of what is furthest from the goal."""
     if state is None:
         return {f"{name}_energy_J": None}
     energy = {f"{name}_energy_J": float(np.sum(state.tendon_energy))}

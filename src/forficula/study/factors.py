@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import re
 from collections.abc import Mapping, Sequence
@@ -143,6 +144,23 @@ def range_values(key: str, text: str, *, numbers: bool = False) -> tuple[object,
     if numbers and not unit:
         return tuple(int(value) if value.is_integer() else value for value in values)
     return tuple(f"{value:.12g} {unit}".strip() for value in values)
+
+
+def grid_points(factors: tuple[Factor, ...], times: int = 1) -> list[dict[str, object]]:
+    """Every combination of the factors' values, the last factor fastest.
+
+    Args:
+        factors: with values.
+        times: how often the study has this grid.
+
+    Raises:
+        InputError: more than a million in all.
+    """
+    keys = [factor.key for factor in factors]
+    count = times * math.prod(len(factor.values) for factor in factors)
+    if count > MOST_VALUES:
+        raise InputError(f"factors: need at most {MOST_VALUES} points, got {count}")
+    return [dict(zip(keys, values, strict=True)) for values in itertools.product(*(each.values for each in factors))]
 
 
 def drawn_values(factors: tuple[Factor, ...], method: str, count: int, seed: int) -> list[dict[str, object]]:

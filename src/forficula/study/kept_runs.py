@@ -22,13 +22,14 @@ from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.files import clear_leftovers, replacing_all
 from forficula.lock import held
-from forficula.quantities import as_written
-from forficula.structure import structure_of, transition_of
+from forficula.quantities import as_written, is_whole
+from forficula.structure import Structure, structure_of, transition_of
 from forficula.study.evaluate import outcome_row, row_key
 from forficula.study.journal import Row
 from forficula.study.runs import run_each
 from forficula.study.search import first_design, point_design, release_design, second_design
-from forficula.study.study import SearchStep, Study
+from forficula.study.search_steps import SearchStep
+from forficula.study.study import Study
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -88,27 +89,28 @@ class KeptRun:
 def runs_to_keep(study: Study, table: Dataset, most: int = MOST_POINTS) -> list[RunToKeep]:
     """Choose the runs that the numbers of a table come from.
 
-    Of a plain study that is the run of each point. Of a search for the least torques it is folding with the least
-    torque that folds, and the release, and opening with the least torque that opens, after folding with the
-    search's large torque; where no torque worked, the largest that was tried, which shows why.
+    Of a plain study that is the run of each point. Of a search it is the first transition with
+    the least value that does it, and the release, and the second with the least value that does that, from where the
+    search's reference value left the first; where no value worked, the last that was tried, which shows why.
 
     Args:
         study: what was asked.
         table: what came out.
-        most: points at most. Where there are more, only those count that folded, spread evenly over the study.
+        most: points at most. Where there are more, only those count that did the first transition, spread evenly
+            over the study.
 
     Raises:
         InputError: `most` is no whole number, or below 0.
     """
     check_most(most)
     width = len(str(len(study.points)))
-    runs = []
+    runs, structure = [], structure_of(study.base)
     for point in _points(study, table, most):
         try:
             design = point_design(study.base, study.points[point], study.search)
         except InputError:  # its row says why
             continue
-        for part, transition, each in _parts(study, table, point, design):
+        for part, transition, each in _parts(study, structure, table, point, design):
             name = f"{point + 1:0{width}d}{'' if part == 'run' else f'-{part}'}"
             runs.append(RunToKeep(point=point, part=part, name=name, design=each, transition=transition))
     return runs
@@ -120,7 +122,7 @@ def check_most(most: int) -> None:
     Raises:
         InputError: it is no whole number, or below 0.
     """
-    if isinstance(most, bool) or not isinstance(most, int) or most < 0:
+    if not is_whole(most, 0):
         raise InputError(f"need a whole number of points >= 0, got {as_written(most)}")
 
 
@@ -203,7 +205,9 @@ def _worked(study: Study, table: Dataset) -> NDArray[np.bool_]:
     return np.asarray(table[transitions[0].state].values, dtype=bool)
 
 
-def _parts(study: Study, table: Dataset, point: int, design: Design) -> Iterator[tuple[str, int | None, Design]]:
+def _parts(
+    study: Study, structure: Structure, table: Dataset, point: int, design: Design
+) -> Iterator[tuple[str, int | None, Design]]:
     """The runs of one point that a row of the table comes from, with their names and numbers of their transitions."""
     search = study.search
     if search is None:
@@ -213,7 +217,7 @@ def _parts(study: Study, table: Dataset, point: int, design: Design) -> Iterator
     least = float(table[first.least_name].values.ravel()[point])
     # of a run that says nothing there is nothing to see
     tells = Verdict(str(table["verdict"].values.ravel()[point])).tells
-    part = _part_name(study, first)
+    part = _part_name(structure, first)
     if math.isnan(least):
         if tells:
             yield *part, first_design(design, search, first.values[-1])
@@ -225,12 +229,11 @@ def _parts(study: Study, table: Dataset, point: int, design: Design) -> Iterator
     least = float(table[second.least_name].values.ravel()[point])
     if tells or not math.isnan(least):
         value = second.values[-1] if math.isnan(least) else least
-        yield *_part_name(study, second), second_design(design, search, value)
+        yield *_part_name(structure, second), second_design(design, search, value)
 
 
-def _part_name(study: Study, step: SearchStep) -> tuple[str, int | None]:
+def _part_name(structure: Structure, step: SearchStep) -> tuple[str, int | None]:
     """What the folder of a search's run says of it, such as "folding", and the number of its transition."""
-    structure = structure_of(study.base)
     transition = transition_of(structure, step.drive)
     if transition is None:
         return step.transition, None
@@ -238,7 +241,7 @@ def _part_name(study: Study, step: SearchStep) -> tuple[str, int | None]:
 
 
 def _run(runs: Sequence[RunToKeep], threads: int) -> Iterator[tuple[RunToKeep, Record]]:
-    """Take runs through their protocols side by side; those that cannot be built are left out, as their rows say."""
+    """Take designs through their protocols side by side; those that cannot be built are left out, as their rows say."""
     for number, record in run_each([run.design for run in runs], threads):
         if not isinstance(record, InputError):
             yield runs[number], record

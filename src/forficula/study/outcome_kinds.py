@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from forficula.analysis import Verdict, verdict_word
 from forficula.errors import InputError
 from forficula.structure import Appearance, Structure, Wording
-from forficula.study.study import Search
+from forficula.study.search_steps import Search
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from forficula.design import Design
 from forficula.errors import InputError
-from forficula.quantities import as_written
+from forficula.quantities import as_written, is_whole
 from forficula.study.evaluate import evaluate, row_key
 from forficula.study.journal import Row, open_journal, read_rows
 from forficula.study.run_count import RunCount
@@ -65,7 +65,7 @@ def run_study(
     if not 1 <= shard[0] <= shard[1]:
         raise InputError(f"shard: need a number from 1 to the count, got {shard[0]} of {shard[1]}")
     for name, value, least in (("threads", threads, 0), ("batch", batch, 1)):
-        if isinstance(value, bool) or not isinstance(value, int) or value < least:
+        if not is_whole(value, least):
             raise InputError(f"{name}: need a whole number >= {least}, got {as_written(value)}")
     folder = Path(out)
     rows = read_rows(folder, study.base)
@@ -164,8 +164,9 @@ def _design(study: Study, number: int) -> Design | str:
         return str(error)
 
 
-def _wanted(study: Study, design: Design, rows: Mapping[str, Row]) -> list[Design]:
-    return [design] if study.search is None else search_designs(design, study.search, rows)
+def _wanted(study: Study, design: Design, rows: Mapping[str, Row]) -> dict[str, Design]:
+    """The runs of a point as far as the rows tell, by key, in the order in which they are tried."""
+    return {row_key(design): design} if study.search is None else search_designs(design, study.search, rows)
 
 
 def _known(study: Study, designs: Mapping[int, Design | str], rows: Mapping[str, Row]) -> set[str]:
@@ -174,8 +175,8 @@ def _known(study: Study, designs: Mapping[int, Design | str], rows: Mapping[str,
         key
         for design in designs.values()
         if isinstance(design, Design)
-        for each in _wanted(study, design, rows)
-        if (key := row_key(each)) in rows
+        for key in _wanted(study, design, rows)
+        if key in rows
     }
 
 
@@ -183,11 +184,11 @@ def _missing_by_point(
     study: Study, designs: Mapping[int, Design | str], rows: Mapping[str, Row]
 ) -> list[dict[str, Design]]:
     """Runs that are not in the rows, by key, for every point that lacks some, in the order in which they are tried."""
-    points = []
-    for design in designs.values():
-        if isinstance(design, Design):
-            wanted = {row_key(each): each for each in _wanted(study, design, rows)}
-            points.append({key: each for key, each in wanted.items() if key not in rows})
+    points = [
+        {key: each for key, each in _wanted(study, design, rows).items() if key not in rows}
+        for design in designs.values()
+        if isinstance(design, Design)
+    ]
     return [point for point in points if point]
 
 

@@ -1,4 +1,4 @@
-"""The least values that bring a structure to its states: of torques that fold a fan and that open it again."""
+"""The least values that bring a structure to its states: which runs find them, and what these say."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from forficula.quantities import show_quantity
 from forficula.structure import drive_keys
 from forficula.study.evaluate import row_key
 from forficula.study.journal import Row
-from forficula.study.study import Search, SearchStep
+from forficula.study.search_steps import Search, SearchStep
 
 Rows = Mapping[str, Row]
 
 _NUMBERS = {"time": "s", "work": "J"}
 
 
-def search_designs(design: Design, search: Search, rows: Rows) -> list[Design]:
-    """The designs that must run to find the least values, as far as the rows so far tell.
+def search_designs(design: Design, search: Search, rows: Rows) -> dict[str, Design]:
+    """The designs that must run to find the least values, as far as the rows so far tell, by the keys of their rows.
 
     The first transition is tried with every value, for it need not be monotone, and only the least that does it is also
     released. The second is tried where there is a least value of the first, from where the search's reference value
@@ -27,18 +27,21 @@ def search_designs(design: Design, search: Search, rows: Rows) -> list[Design]:
     runs next can depend on the last rows: ask again until none is missing.
     """
     values = _values(design, search, rows, search.first)
-    wanted = [first_design(design, search, value) for value in values]
-    found = [rows.get(row_key(each)) for each in wanted]
+    tried = [first_design(design, search, value) for value in values]
+    keys = [row_key(each) for each in tried]
+    wanted, found = dict(zip(keys, tried, strict=True)), [rows.get(key) for key in keys]
     if any(row is None for row in found):
         return wanted
     least, _ = _decided({value: row for value, row in zip(values, found, strict=True) if row}, search.first.state)
     if least is None:
         return wanted
     if search.next_drive is not None:
-        wanted.append(release_design(design, search, least))
+        release = release_design(design, search, least)
+        wanted[row_key(release)] = release
     for value in _values(design, search, rows, search.second):
-        wanted.append(second_design(design, search, value))
-        if search.second is not None and rows.get(row_key(wanted[-1]), {}).get(search.second.state):
+        second = second_design(design, search, value)
+        wanted[key := row_key(second)] = second
+        if search.second is not None and rows.get(key, {}).get(search.second.state):
             break
     return wanted
 
@@ -52,7 +55,8 @@ def most_runs(search: Search) -> int:
 def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
     """What the rows say of one point: the least values (SI), times (s), work and energies (J), and its ending.
 
-    Times, work and energies of a transition are those at the least value that does it; None where no value does.
+    Times, work and energies of a transition are those at the least value that does it; None where no value does. By
+    value there are times and outcomes of the first transition, `times_tried` and `outcomes_tried`.
     """
     first, second = search.first, search.second
     tried = {
@@ -76,6 +80,8 @@ def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
         f"{first.transition}_outcome": done["outcome"],
         "reference_outcome": _reference(search, next_done),
         "residual": max(residuals, default=None),
+        "times_tried": {value: row.get(f"{first.transition}_time_s") for value, row in tried.items()},
+        "outcomes_tried": {value: row["outcome"] for value, row in tried.items()},
         **_ending(search, done, next_done),
     }
     if search.start_state:
@@ -106,12 +112,11 @@ def _decided(found: Mapping[float, Row], goal: str) -> tuple[float | None, Row]:
     That is the first one, in the order of the values, that says nothing of the structure: before what reaches the goal
     it may hide a value that does. Otherwise it is that of the last value; an empty one where nothing was tried.
     """
-    least = _least(found, goal)
     for value, row in found.items():
         if not Verdict(row["verdict"]).tells:
             return None, row
-        if value == least:
-            return least, row
+        if row.get(goal):
+            return value, row
     return None, list(found.values())[-1] if found else {}
 
 
@@ -194,19 +199,18 @@ def _values(design: Design, search: Search, rows: Rows, step: SearchStep | None)
     if step is None:
         return []
     tried = list(step.values)
+    if not search.refinements:
+        return tried
     designs = first_design if step is search.first else second_design
+    found = [rows.get(row_key(designs(design, search, value))) for value in tried]
     for _ in range(search.refinements):
-        found = [rows.get(row_key(designs(design, search, value))) for value in tried]
         least = next((index for index, row in enumerate(found) if row is None or row.get(step.state)), 0)
         if least == 0 or found[least] is None:
             return tried
-        tried.insert(least, (tried[least - 1] + tried[least]) / 2)
+        half = (tried[least - 1] + tried[least]) / 2
+        tried.insert(least, half)
+        found.insert(least, rows.get(row_key(designs(design, search, half))))
     return tried
-
-
-def _least(found: Mapping[float, Row | None], goal: str) -> float | None:
-    """The least value whose row says that the goal was reached."""
-    return next((value for value, row in found.items() if row is not None and row.get(goal)), None)
 
 
 def point_design(base: Design, point: Mapping[str, object], search: Search | None = None) -> Design:

@@ -21,8 +21,8 @@ _MORE = 10.0
 def least_slow_torques(designs: Sequence[Design]) -> tuple[Array, ...]:
     """The least slowly growing torques of every transition, to 1 %, up to ten times the protocol's.
 
-    Statics without inertia. In a simulation the least torque that folds is no smooth function of the design: swinging
-    helps one structure and hinders the next.
+    Statics without inertia. In a simulation the least torque that makes a transition is no smooth function of the
+    design: swinging helps one structure and hinders the next.
 
     Args:
         designs: that differ in their tendons only.

@@ -1,4 +1,4 @@
-"""Which wings of a grid fold and open under slowly growing torques: a map without any simulation."""
+"""Which structures of a grid make their transitions under slowly growing torques: a map without any simulation."""
 
 from __future__ import annotations
 
@@ -15,11 +15,13 @@ from forficula.errors import InputError
 from forficula.statics.lines import line_energy
 from forficula.statics.potential import Ensemble, ensemble_of
 from forficula.statics.quasi_static import at_goal, slow_transition, start_state, state_beyond
-from forficula.structure import Transition, static_keys, structure_of
-from forficula.study.factors import read_factor
-from forficula.study.outcome_kinds import TableTransition, table_transitions, transitions_text
+from forficula.structure import Structure, Transition, static_keys, structure_of
+from forficula.study.factors import grid_points, read_factor
+from forficula.study.outcome_kinds import transitions_text
 from forficula.study.search import point_design
-from forficula.study.study import Search, Study, grid_points, read_search
+from forficula.study.search_file import read_search
+from forficula.study.search_steps import Search
+from forficula.study.study import Study
 from forficula.study.table import table_axes
 
 if TYPE_CHECKING:
@@ -110,10 +112,11 @@ def static_map(study: Study, progress: Callable[[int, int], None] | None = None)
             done += len(part)
             if progress is not None:
                 progress(done, len(study.points))
+    structure = structure_of(study.base)
     coordinates, dimensions, shape = table_axes(study)
     variables: dict[str, Any] = {
         name: (dimensions, _column(results, name).reshape(shape), {"units": unit, "long_name": meaning})
-        for name, (unit, meaning) in _numbers(study.base, search).items()
+        for name, (unit, meaning) in _numbers(structure, search).items()
     }
     for name in ("status", "verdict", "outcome"):
         words = np.array([result[name] for result in results], dtype=object).reshape(shape)
@@ -126,16 +129,16 @@ def static_map(study: Study, progress: Callable[[int, int], None] | None = None)
             "design": study.base.name,
             "design_hash": study.base.hash,
             "ask": "statics",
-            "transitions": transitions_text(structure_of(study.base), search),
+            "transitions": transitions_text(structure, search),
             "start_state": search.start_state,
-            "whole": structure_of(study.base).appearance.whole,
+            "whole": structure.appearance.whole,
         },
     )
 
 
-def _numbers(design: Design, search: Search) -> dict[str, tuple[str, str]]:
+def _numbers(structure: Structure, search: Search) -> dict[str, tuple[str, str]]:
     """Unit and what it is, by name."""
-    wordings = {each.name: each.wording for each in structure_of(design).transitions}
+    wordings = {each.name: each.wording for each in structure.transitions}
     steps = {
         step.least_name: ("N m", f"least slowly growing torque that {wordings[step.transition].does}")
         for step in search.steps
@@ -197,83 +200,3 @@ def _ending(ways: Sequence[tuple[Transition, bool, bool]]) -> Ending:
 
 def _column(results: Sequence[Mapping[str, float | str]], name: str) -> np.ndarray:
     return np.array([float(result.get(name, math.nan)) for result in results])
-
-
-_SAME = 1e-9  # share by which two torques of one grid may differ
-BOTH, BOTH_LESS, BOTH_MORE, ONLY_SIMULATED, ONLY_STATIC, NEITHER, NOT_SIMULATED = (
-    "in both, at the same torque",
-    "in both, at less when simulated",
-    "in both, at more when simulated",
-    "in the simulation only: inertia",
-    "in the statics only",
-    "in neither",
-    "not run",
-)
-
-
-def compare_maps(statics: xarray.Dataset, simulated: xarray.Dataset, name: str) -> xarray.DataArray:
-    """Say for every point where it has a least torque: in the statics, in the simulation, in both.
-
-    Args:
-        statics: from `static_map`.
-        simulated: table of a search for the least torques, with the same factors; other values of them are left out.
-        name: of a least torque, such as "least_fold_torque".
-
-    Returns:
-        Words, over the factors of the static map.
-
-    Raises:
-        InputError: the tables have different factors, or no point in common.
-    """
-    there = simulated_values(statics, simulated, name).values
-    first, *_ = table_transitions(statics)
-    found = np.isfinite(there)
-    tried = simulated_values(statics, simulated.assign(tried=_tried(simulated, name, first)), "tried").values == 1
-    slow = np.isfinite(statics[name].values)
-    words = np.full(found.shape, NEITHER, dtype=object)
-    with np.errstate(invalid="ignore"):
-        ratio = there / statics[name].values
-        less, more = ratio < 1 - _SAME, ratio > 1 + _SAME
-    for where, word in (
-        (slow, ONLY_STATIC),
-        (found, ONLY_SIMULATED),
-        (found & slow, BOTH),
-        (less, BOTH_LESS),
-        (more, BOTH_MORE),
-        (~tried, NOT_SIMULATED),
-    ):
-        words[where] = word
-    return statics[name].copy(data=words)
-
-
-def simulated_values(statics: xarray.Dataset, simulated: xarray.Dataset, name: str) -> xarray.DataArray:
-    """A variable of a simulated table at the points of a static map, nan where it has none.
-
-    Raises:
-        InputError: as `compare_maps`.
-    """
-    factors = [str(factor) for factor in statics["outcome"].dims]
-    theirs = [str(factor) for factor in simulated["outcome"].dims]
-    if set(factors) != set(theirs) or name not in simulated:
-        raise InputError(
-            f"the simulated study: need a search for the least torques over {', '.join(factors)}, got a table of"
-            f" {', '.join(theirs)}"
-        )
-    values = simulated[name].transpose(*factors)
-    # the same text of a value gives the same number, so no nearest one is looked for
-    return values.reindex({factor: statics[factor] for factor in factors})
-
-
-def _tried(simulated: xarray.Dataset, name: str, first: TableTransition) -> xarray.DataArray:
-    """1 where a simulation tells of this torque: that of the second transition is tried where some makes the first."""
-    outcome = simulated["outcome"]
-    if name == first.least:
-        return outcome.copy(data=_tells(simulated.get(f"{first.name}_outcome", outcome)).astype(np.float64))
-    tells = np.isfinite(simulated[first.least].values) & _tells(outcome)
-    return outcome.copy(data=tells.astype(np.float64))
-
-
-def _tells(outcomes: xarray.DataArray) -> np.ndarray:
-    """Where outcomes say something of the structure."""
-    silent = [ending_word(Ending(verdict=verdict)) for verdict in Verdict if not verdict.tells]
-    return np.asarray(~np.isin(outcomes.values.astype(str), silent))

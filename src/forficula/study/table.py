@@ -19,8 +19,9 @@ from forficula.study.evaluate import ending_row, row_key
 from forficula.study.factors import Factor
 from forficula.study.journal import Row
 from forficula.study.outcome_kinds import transitions_text
-from forficula.study.search import first_design, search_result
-from forficula.study.study import Search, SearchStep, Study
+from forficula.study.search import search_result
+from forficula.study.search_steps import Search, SearchStep
+from forficula.study.study import Study
 
 if TYPE_CHECKING:
     import xarray
@@ -47,13 +48,14 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
     import xarray
 
     structure, search = structure_of(study.base), study.search
-    results = [_result(study, designs[number], rows) for number in range(len(study.points))]
+    numbers = _numbers(study, structure)
+    results = [_result(study, designs[number], rows, numbers) for number in range(len(study.points))]
     coordinates, dimensions, shape = table_axes(study)
     words: tuple[str, ...] = ("status", "verdict", "outcome")
     if search is not None:
         words += (f"{search.first.transition}_outcome", "reference_outcome")
     variables: dict[str, Any] = {}
-    for name, (unit, meaning) in _numbers(study, structure).items():
+    for name, (unit, meaning) in numbers.items():
         # springs are not in every structure
         if name.endswith("_hinge_energy") and all(result.get(name) is None for result in results):
             continue
@@ -175,24 +177,16 @@ def table_csv(study: Study, table: xarray.Dataset) -> str:
     return csv_text(rows)
 
 
-def _result(study: Study, design: Design | str, rows: Mapping[str, Row]) -> dict[str, Any]:
+def _result(
+    study: Study, design: Design | str, rows: Mapping[str, Row], numbers: Mapping[str, tuple[str, str]]
+) -> dict[str, Any]:
+    """What became of a point: numbers by their names in the table, SI, and words."""
     if isinstance(design, str):
         return ending_row(Ending(verdict=Verdict.NOT_BUILT, why=design))
-    search = study.search
-    if search is None:
-        row = rows[row_key(design)]
-        numbers = {
-            name: row.get(f"{name}_{unit}")
-            for name, (unit, _) in _numbers(study, structure_of(study.base)).items()
-            if unit
-        }
-        return row | numbers
-    tried = {value: rows[row_key(first_design(design, search, value))] for value in search.first.values}
-    return {
-        **search_result(design, search, rows),
-        "times_tried": {value: row.get(f"{search.first.transition}_time_s") for value, row in tried.items()},
-        "outcomes_tried": {value: row["outcome"] for value, row in tried.items()},
-    }
+    if study.search is not None:
+        return search_result(design, study.search, rows)
+    row = rows[row_key(design)]
+    return row | {name: row.get(f"{name}_{unit}") for name, (unit, _) in numbers.items() if unit}
 
 
 def table_axes(study: Study) -> tuple[dict[str, Any], tuple[str, ...], tuple[int, ...]]:

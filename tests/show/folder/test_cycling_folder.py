@@ -9,6 +9,7 @@ import forficula as ff
 from forficula.show.folder.cycling_folder import CYCLING_FILES, print_cycling, write_cycling
 from forficula.show.folder.run_folder import write_run
 from forficula.show.run.cycling_figure import draw_cycling
+from forficula.structure import structure_of
 from forficula.study.cycling import CycleRun, Cycling, driven_transitions
 
 
@@ -40,7 +41,7 @@ def cycling(reference):
         design=reference,
         runs=runs,
         seen=(2, 4),
-        transitions=driven_transitions(reference),
+        transitions=driven_transitions(structure_of(reference)),
         verdict="up to cycle 4",
         remarks=("[2] to 4 seen",),
     )

@@ -19,6 +19,7 @@ from forficula.show.folder.run_folder import run_drawings
 from forficula.show.folder.static_map_folder import static_map_drawings
 from forficula.show.study.maps import map_drawings
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, figure_files, save_figure
+from forficula.structure import structure_of
 from forficula.study.convergence import converge
 from forficula.study.convergence_file import load_convergence, save_convergence
 from forficula.study.cycling import Cycling, driven_transitions
@@ -37,7 +38,7 @@ STAGES = [
 @pytest.fixture(scope="module")
 def cycling(reference):
     runs = (cycle(1), cycle(2, fold_time_s=None), cycle(3, **STUCK))
-    driven = driven_transitions(reference)
+    driven = driven_transitions(structure_of(reference))
     return Cycling(
         design=reference, runs=runs, seen=(2, 4), transitions=driven, verdict="Up to cycle 2.", remarks=("Seen.",)
     )

@@ -9,7 +9,7 @@ from matplotlib.collections import PolyCollection, QuadMesh
 from forficula.errors import InputError
 from forficula.show.study.maps import (
     draw_energy_maps,
-    draw_fold_times,
+    draw_first_times,
     draw_status_map,
     draw_torque_maps,
     draw_work_maps,
@@ -271,7 +271,7 @@ def test_what_is_not_to_be_trusted_is_drawn_as_such_in_every_map_and_never_as_a_
         for axes in panels(figure).values():
             assert marked(axes).count(2) >= 2
     # by torque, too: two wings at three torques each
-    figure = draw_fold_times(table)
+    figure = draw_first_times(table)
     assert set(legend(figure)) == {"diverged", "not to be trusted", "still folding", "did not fold"}
 
 
@@ -287,7 +287,7 @@ def test_torques_that_are_not_to_be_trusted_stand_beside_others_that_are():
     table["fold_time_by_torque"][0, 1, 2] = table["fold_time_by_torque"][0, 2, 1] = np.nan
     table["fold_outcome_by_torque"][0, 1, 2] = "not to be trusted"
     table["fold_outcome_by_torque"][0, 2, 1] = "diverged"
-    figure = draw_fold_times(table)
+    figure = draw_first_times(table)
     assert legend(figure) == ["diverged", "not to be trusted"]
     assert marked(panels(figure)["tendon stiffness 10 N/cm"]) == [1, 1]
 
@@ -379,7 +379,7 @@ def test_the_three_states_share_one_scale():
 
 def test_fold_times_have_a_panel_a_value_of_the_first_factor():
     table = many_ends()
-    figure = draw_fold_times(table)
+    figure = draw_first_times(table)
     titles = [f"tendon stiffness {value} N/cm" for value in (10, 20, 30)]
     assert list(panels(figure)) == titles
     axes = panels(figure)[titles[0]]
@@ -390,7 +390,7 @@ def test_fold_times_have_a_panel_a_value_of_the_first_factor():
     }
     assert written(axes) == pytest.approx(expected, rel=5e-3)  # three digits
     assert panels(figure)[titles[2]].get_xlabel() == "fold torque (N cm)"
-    turned = draw_fold_times(table, panels="tendon.rest_length")
+    turned = draw_first_times(table, panels="tendon.rest_length")
     assert list(panels(turned)) == [f"tendon rest length {value} cm" for value in (0, 3, 6, 9)]
 
 
@@ -401,9 +401,9 @@ def test_what_cannot_be_drawn_is_refused_by_name():
     with pytest.raises(InputError, match="two factors, got tendon_stiffness twice"):
         draw_torque_maps(table, x="tendon_stiffness", y="tendon_stiffness")
     with pytest.raises(InputError, match="grid of factors"):
-        draw_fold_times(sampled(table))
+        draw_first_times(sampled(table))
     with pytest.raises(InputError, match="two factors"):
-        draw_fold_times(table, panels="tendon_stiffness", y="tendon_stiffness")
+        draw_first_times(table, panels="tendon_stiffness", y="tendon_stiffness")
 
 
 def test_small_designs_are_written_in_small_units():

@@ -115,7 +115,7 @@ def read_cycling(folder: Path) -> Cycling:
         design=design,
         runs=runs,
         seen=seen,
-        transitions=driven_transitions(design),
+        transitions=driven_transitions(structure),
         verdict=verdict,
         remarks=remarks,
     )

@@ -13,8 +13,8 @@ from forficula.files import replacing_all, write_bytes, write_text
 from forficula.show.study.static_maps import draw_static_maps
 from forficula.show.style import PAGE_WIDTH, Drawing, save_figures
 from forficula.study import Study, table_csv
+from forficula.study.map_comparison import compare_maps
 from forficula.study.outcome_kinds import check_table, least_values, lost_text, table_transitions
-from forficula.study.static_map import compare_maps
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -76,7 +76,7 @@ def static_map_drawings(table: Dataset, simulated: Dataset | None = None) -> dic
 
 
 def print_static_map(table: Dataset, whole: str, simulated: Dataset | None = None) -> None:
-    """Say how many structures fold and open slowly, and where a simulation differs.
+    """Say how many structures make their transitions slowly, and where a simulation differs.
 
     Args:
         table: from `static_map`.

@@ -14,10 +14,10 @@ from numpy.typing import NDArray
 from forficula.analysis import Verdict
 from forficula.quantities import reading_unit
 from forficula.show.study.factor_text import display_values, number_text, plain_name, value_with_unit
-from forficula.show.study.map_page import NOT_RUN
 from forficula.show.study.maps import missing_reasons, times_by_value
 from forficula.study import Study
 from forficula.study.choices import CHOICE
+from forficula.study.map_comparison import NOT_SIMULATED
 from forficula.study.outcome_kinds import Kind, outcome_kinds, table_transitions
 
 if TYPE_CHECKING:
@@ -138,7 +138,7 @@ class _Signs:
 def _signs(table: Dataset) -> _Signs:
     kinds = outcome_kinds(table)
     by_kind = {word: sign for kind, sign in _SIGNS.items() for word, its in kinds.items() if its is kind}
-    return _Signs(signs={**by_kind, NOT_RUN: "·"})
+    return _Signs(signs={**by_kind, NOT_SIMULATED: "·"})
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -27,7 +27,7 @@ from forficula.study import Study, named_studies, table_csv
 from forficula.study.factors import Factor
 from forficula.study.kept_runs import KeptRun
 from forficula.study.outcome_kinds import TableTransition, asked_transitions, did_all, least_values, lost_text
-from forficula.study.study import SearchStep
+from forficula.study.search_steps import SearchStep
 
 if TYPE_CHECKING:
     from xarray import Dataset

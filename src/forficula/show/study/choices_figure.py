@@ -20,7 +20,7 @@ from forficula.show.study.factor_text import display_values, factor_label, numbe
 from forficula.show.study.map_page import look_of, map_style
 from forficula.show.study.maps import missing_reasons
 from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, SKY, VERMILION, describe, is_narrow
-from forficula.study.choice_groups import choice_groups, count_folded, count_opened, count_unknown
+from forficula.study.choice_groups import choice_groups, count_all, count_first, count_unknown
 from forficula.study.choices import CHOICE
 from forficula.study.outcome_kinds import asked_verbs, table_transitions, whole_of
 
@@ -35,7 +35,7 @@ _INK = "0.35"
 # keeps the paper's line out of words
 _BEHIND_TEXT: dict[str, Any] = {"fc": "white", "ec": "none", "pad": 0.6}
 _NAME: dict[str, Any] = {"va": "center", "fontweight": "bold", "fontsize": 7, "bbox": _BEHIND_TEXT}
-_OPENED: dict[str, Any] = {"ls": "", "marker": "D", "ms": 3, "color": "white", "mec": BLACK, "mew": 0.8}
+_DID_ALL: dict[str, Any] = {"ls": "", "marker": "D", "ms": 3, "color": "white", "mec": BLACK, "mew": 0.8}
 # of single structures
 _MOST_PANELS = 3
 _SMALL = 1e-3
@@ -57,7 +57,7 @@ class _Row:
 
 
 def draw_choices(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
-    """Draw, factor by factor, how many points of the grid fold at each choice; of single ones, their numbers.
+    """Draw, factor by factor, how many points of the grid do the first transition; of single ones, their numbers.
 
     Args:
         table: of a study that varies its factors one at a time.
@@ -120,13 +120,13 @@ def _value_texts(values: Sequence[object]) -> list[str]:
 
 
 def _draw_counts(axes: Axes, table: Dataset, rows: Sequence[_Row]) -> None:
-    """A bar a choice, as long as points fold, and behind it those of which that is not known."""
-    folded, opened, unknown = count_folded(table), count_opened(table), count_unknown(table)
+    """A bar a choice, as long as points do the first transition, and behind it those of which that is not known."""
+    first, every, unknown = count_first(table), count_all(table), count_unknown(table)
     count = table["status"].size // table.sizes[CHOICE]
     for row in rows:
         if row.place is None:
             continue
-        least = end = int(folded[row.place])
+        least = end = int(first[row.place])
         axes.barh(row.height, end, _BAR, color=_colour(row.place))
         for word, numbers in unknown.items():
             if number := int(numbers[row.place]):
@@ -135,8 +135,8 @@ def _draw_counts(axes: Axes, table: Dataset, rows: Sequence[_Row]) -> None:
                 end += number
         text = str(least) if end == least else f"{least} to {end}"
         axes.text(end + 0.01 * count, row.height, text, va="center", fontsize=7, bbox=_BEHIND_TEXT, zorder=3)
-        if opened is not None:
-            axes.plot(opened[row.place], row.height, zorder=3, **_OPENED)
+        if every is not None:
+            axes.plot(every[row.place], row.height, zorder=3, **_DID_ALL)
     handles: list[Artist] = [
         Patch(color=BLUE, label=f"{table.attrs['design']}"),
         Patch(color=SKY, label="with one value changed"),
@@ -145,8 +145,8 @@ def _draw_counts(axes: Axes, table: Dataset, rows: Sequence[_Row]) -> None:
             for word in unknown
         ),
     ]
-    if opened is not None:
-        handles.append(Line2D([], [], label=f"{asked_verbs(table)[-1]} again", **_OPENED))
+    if every is not None:
+        handles.append(Line2D([], [], label=f"{asked_verbs(table)[-1]} again", **_DID_ALL))
     paper = named_reproduction(table.attrs.get("reproduces"))
     if paper is not None and (folds := paper.fold_count) is not None:
         line = axes.axvline(folds, color=VERMILION, ls="--", lw=1, zorder=2, label=f"the paper: {folds}")
@@ -206,7 +206,7 @@ def _colour(place: int) -> str:
 def _tell(table: Dataset, rows: Sequence[_Row]) -> str:
     """What the figure shows, in words."""
     singles = table["status"].dims == (CHOICE,)
-    folded, count = count_folded(table), table["status"].size // table.sizes[CHOICE]
+    first, count = count_first(table), table["status"].size // table.sizes[CHOICE]
     whole = whole_of(table)
     what = f"Numbers of a {whole}" if singles else f"How many of {count} {whole}s {asked_verbs(table)[0]}"
     told, name = [], ""
@@ -214,6 +214,6 @@ def _tell(table: Dataset, rows: Sequence[_Row]) -> str:
         if row.place is None:
             name = row.text
         else:
-            came = table["status"].values[row.place] if singles else folded[row.place]
+            came = table["status"].values[row.place] if singles else first[row.place]
             told.append(f"{name} {row.text}: {came}")
     return f"{what} with values of {table.attrs['design']} varied one at a time. {'; '.join(told)}."

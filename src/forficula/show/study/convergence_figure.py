@@ -1,4 +1,4 @@
-"""What a convergence study shows: a distal angle over time, and the times over what was varied."""
+"""What a convergence study shows: an angle over time, and the times over what was varied."""
 
 from __future__ import annotations
 
@@ -39,9 +39,9 @@ _BEFORE, _AFTER = 0.15, 1.6
 
 
 def draw_convergence_angles(convergence: Convergence, width: float = PAGE_WIDTH) -> Figure:
-    """Draw a distal angle over time for every value: the whole run, and folding and unfolding close up.
+    """Draw an angle over time for every value: the whole run, and its transitions close up.
 
-    As Binder et al. 2025 do in Figure 6C. Unfolding begins when the folded wing rests, which is later in some
+    As Binder et al. 2025 do in Figure 6C. A transition begins when the state before it rests, which is later in some
     runs than in others: the close-ups count the time from their stage's start.
 
     Args:
@@ -87,7 +87,7 @@ def draw_convergence_angles(convergence: Convergence, width: float = PAGE_WIDTH)
 
 
 def draw_convergence_times(convergence: Convergence, width: float = PAGE_WIDTH) -> Figure:
-    """Draw fold and opening times over the values, with the law towards h -> 0 where there is one; width in inch."""
+    """Draw the times of transitions over the values, with the law towards h -> 0 where there is one; width in inch."""
     with figure_style():
         narrow = is_narrow(width)
         figure = Figure(figsize=(width, 4.2 if narrow else 2.5), layout="constrained")

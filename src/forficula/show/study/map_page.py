@@ -23,8 +23,16 @@ from numpy.typing import NDArray
 from forficula.show.study.factor_text import display_values, factor_label, number_text, plain_name
 from forficula.show.study.map_text import maps_text
 from forficula.show.style import BLUE, ORANGE, PAGE_WIDTH, PURPLE, SKY, describe, figure_style, is_narrow
+from forficula.study.map_comparison import (
+    BOTH,
+    BOTH_LESS,
+    BOTH_MORE,
+    NEITHER,
+    NOT_SIMULATED,
+    ONLY_SIMULATED,
+    ONLY_STATIC,
+)
 from forficula.study.outcome_kinds import Kind, outcome_kinds, whole_of
-from forficula.study.static_map import BOTH, BOTH_LESS, BOTH_MORE, NEITHER, ONLY_SIMULATED, ONLY_STATIC
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
@@ -40,7 +48,6 @@ _BESIDE, _TWO_DIGITS, _THREE_DIGITS = 0.9, 0.19, 0.23
 _SHAPE = {"handleheight": 1.4, "handlelength": 2.2, "fontsize": 7}
 _INK = "0.35"
 
-NOT_RUN = "not run"
 OTHER = "no value"
 
 
@@ -75,7 +82,7 @@ _OTHER_LOOKS = {
     ONLY_SIMULATED: Look(face=ORANGE, hatch="", marker="^"),
     ONLY_STATIC: Look(face=PURPLE, hatch="", marker="v"),
     NEITHER: Look(face="0.93", hatch="", marker="x"),
-    NOT_RUN: Look(face="1.0", hatch="", marker="."),
+    NOT_SIMULATED: Look(face="1.0", hatch="", marker="."),
     OTHER: Look(face="0.97", hatch="---", marker="+"),
 }
 

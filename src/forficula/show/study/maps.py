@@ -41,7 +41,7 @@ def map_drawings(table: Dataset) -> dict[str, Drawing]:
     if _known(table, *(f"{state}_energy" for state in _states(table))):
         drawings["energy"] = lambda width: draw_energy_maps(table, width=width)
     if times_by_value(table) is not None and not _is_sampled(table):
-        drawings["fold_times"] = lambda width: draw_fold_times(table, width=width)
+        drawings["fold_times"] = lambda width: draw_first_times(table, width=width)
     return drawings
 
 
@@ -98,7 +98,7 @@ def draw_status_map(table: Dataset, x: str | None = None, y: str | None = None, 
         return draw_page(view, [Panel(title="outcome", values=nothing, reasons=outcomes, unit="")], width=width)
 
 
-def draw_fold_times(
+def draw_first_times(
     table: Dataset, panels: str | None = None, y: str | None = None, *, width: float = PAGE_WIDTH
 ) -> Figure:
     """Draw the time that the first transition takes over the value that drives it and a factor, for values of another.
@@ -166,7 +166,7 @@ def _draw(
                 title=title, values=view.table[name], reasons=missing_reasons(view.table, name), unit=_unit(table, name)
             )
             for name, title in names.items()
-            if name in table  # a search may leave opening out
+            if name in table  # a search may leave the second transition out
         ]
         return draw_page(view, panels, one_scale=one_scale, quantity=quantity, width=width)
 
@@ -275,18 +275,18 @@ def missing_reasons(table: Dataset, name: str) -> DataArray:
     if not transitions or name in (f"{_states(table)[0]}_energy", "residual"):
         return outcome
     first = transitions[0]
-    folding = table.get(f"{first.name}_outcome", outcome)
+    first_outcome = table.get(f"{first.name}_outcome", outcome)
     if name in (first.least, f"{first.name}_time", f"{first.name}_work", f"{first.state}_energy"):
 
         def why_not_first(word: str) -> str:
             return OTHER if word in kinds and kinds[word].did_first else word
 
-        return folding.copy(data=np.vectorize(why_not_first, otypes=[object])(folding.values))
+        return first_outcome.copy(data=np.vectorize(why_not_first, otypes=[object])(first_outcome.values))
     searched = "reference_outcome" in table
     reference = table["reference_outcome"] if searched else outcome.copy(data=outcome.values)
     where = f" with {100 * reference.attrs['torque']:.4g} N cm" if searched else ""
     why = np.vectorize(_why_not_later(kinds, not_tried_word(transitions), where), otypes=[object])
-    return outcome.copy(data=why(outcome.values, folding.values, reference.values))
+    return outcome.copy(data=why(outcome.values, first_outcome.values, reference.values))
 
 
 def _why_not_later(kinds: Mapping[str, Kind], not_tried: str, where: str) -> Callable[[str, str, str], str]:
@@ -304,7 +304,7 @@ def _why_not_later(kinds: Mapping[str, Kind], not_tried: str, where: str) -> Cal
 
     def why(outcome: str, first: str, reference: str) -> str:
         if where and reference in did_first:
-            # what only the large value folds was asked to open, too
+            # what the reference value alone brings to the first state was asked for the later one, too
             word = outcome if first in did_first else stuck_later
         elif where and reference:
             word = reference if kinds.get(reference) in silent else f"{reference}{where}"

@@ -10,8 +10,8 @@ from matplotlib.figure import Figure
 from forficula.show.study.map_page import Panel, View, draw_page, map_style
 from forficula.show.study.maps import table_view
 from forficula.show.style import PAGE_WIDTH, is_narrow
+from forficula.study.map_comparison import NOT_SIMULATED, compare_maps, simulated_values
 from forficula.study.outcome_kinds import Kind, table_transitions, word_of
-from forficula.study.static_map import NOT_SIMULATED, compare_maps, simulated_values
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
@@ -39,7 +39,7 @@ def draw_static_maps(statics: Dataset, simulated: Dataset | None = None, width: 
         for name in torques:
             extra[f"simulated_{name}"] = simulated_values(statics, simulated, name)
             extra[f"verdict_{name}"] = compare_maps(statics, simulated, name)
-        # where nothing is known of a point it was not run at all
+        # where nothing is known of a structure it was not run at all
         energies = simulated_values(statics, simulated, _of_every_run(statics, simulated))
         extra["simulated"] = energies.copy(data=np.isfinite(energies.values))
         view = table_view(statics.assign(extra))

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def print_study(study: Study, table: Dataset) -> None:
-    """Print how many points came to what, how many fold at each choice, and the least torques searched for."""
+    """Print how many points came to what, how many do their transitions at each choice, and the least values found."""
     print(f"{study.name}: {len(study.points)} points")
     lines = Table(box=None, padding=(0, 2, 0, 0))
     lines.add_column("outcome")

@@ -1,0 +1,50 @@
+"""Keys of a study file: which there are, and those of nested tables with dots."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Mapping
+from typing import Any
+
+from forficula.errors import InputError
+
+
+def check_keys(table: Mapping[str, object], keys: tuple[str, ...], prefix: str) -> None:
+    """Refuse keys that are none.
+
+    Args:
+        table: of the file.
+        keys: that it may have.
+        prefix: what stands before them in errors, such as "search.".
+
+    Raises:
+        InputError: one of them is unknown, and which is near.
+    """
+    for key in table:
+        if key not in keys:
+            near = difflib.get_close_matches(key, keys, n=1)
+            hint = f"did you mean {prefix}{near[0]}?" if near else f"allowed here: {', '.join(keys)}"
+            raise InputError(f"{prefix}{key}: unknown key; {hint}")
+
+
+def dotted_values(table: Mapping[str, Any], header: str, prefix: str = "") -> dict[str, Any]:
+    """The values of nested tables by dotted key.
+
+    A table with a distribution is a value, and so is a law with what it is based on.
+
+    Args:
+        table: of the file.
+        header: what errors call it.
+        prefix: what stands before its keys, such as "tendon.".
+
+    Raises:
+        InputError: one of them is given twice.
+    """
+    flat: dict[str, Any] = {}
+    for key, value in table.items():
+        nested = isinstance(value, dict) and not {"distribution", "based_on"} & value.keys()
+        more = dotted_values(value, header, f"{prefix}{key}.") if nested else {f"{prefix}{key}": value}
+        if twice := flat.keys() & more.keys():
+            raise InputError(f"{header}.{min(twice)}: is given twice, once with dots in its name and once in a table")
+        flat |= more
+    return flat

@@ -1,0 +1,141 @@
+"""What a study file says of its search, read and checked."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from forficula.design import TORQUE, Design, key_quantity, key_value
+from forficula.errors import InputError
+from forficula.names import one_of
+from forficula.quantities import Unit, as_written, format_quantity, is_whole, parse_quantity
+from forficula.structure import Drive, Structure, Transition, drive_of, first_state, structure_of
+from forficula.study.factors import range_values
+from forficula.study.file_keys import check_keys
+from forficula.study.search_steps import Search, SearchStep
+
+SEARCHES = ("least-torques", "least-value")
+_MOST_TORQUES = 1000  # every one of them is a run of every point
+
+
+def read_search(ask: str, given: Mapping[str, Any], base: Design) -> Search:
+    """Read the table `search` of a study file.
+
+    Args:
+        ask: "least-torques", of the first two transitions of the base, with keys such as `fold_torques`, `fold_with`,
+            `unfold_torques`; or "least-value", with `key`, `values` and the `state` that is to be reached.
+        given: the table; torques that it does not give are those of the drive.
+        base: the design that is varied.
+
+    Raises:
+        InputError: an unknown key, or a value that is not allowed.
+    """
+    structure = structure_of(base)
+    if not structure.transitions:
+        raise InputError(f'ask: "{ask}" needs a design that a protocol drives to a state, got {base.name}')
+    start = first_state(structure, structure.stage_states)
+    if ask == "least-value":
+        return _value_search(given, base, structure, start)
+    first, *others = structure.transitions[:2]
+    names = [f"{each.name}_torques" for each in (first, *others)]
+    check_keys(given, (names[0], f"{first.name}_with", *names[1:], "refinements"), "search.")
+    steps = [
+        _torque_step(each, drive_of(structure, each.drive), given, none=each is not first) for each in (first, *others)
+    ]
+    if len({step.key for step in steps}) < len(steps):
+        raise InputError(
+            f'ask: "least-torques" needs transitions with drives of their own, got {steps[0].key} for both'
+            f' {first.name} and {others[0].name}; ask "least-value" of one'
+        )
+    large = given.get(f"{first.name}_with", drive_of(structure, first.drive).large or _shown(steps[0].values[-1]))
+    return Search(
+        first=steps[0],
+        second=next((step for step in steps[1:] if step.values), None),
+        reference=_torques(f"{first.name}_with", [large])[0],
+        next_drive=next((each.drive for each in others), None),
+        start_state=start,
+        refinements=_refinements(given),
+    )
+
+
+def _value_search(given: Mapping[str, Any], base: Design, structure: Structure, start: str) -> Search:
+    """A search for the least value of any key that reaches a state."""
+    check_keys(given, ("key", "values", "state", "refinements"), "search.")
+    states = {transition.state: transition for transition in structure.transitions}
+    state, key = given.get("state", next(iter(states))), given.get("key")
+    if state not in states:
+        raise InputError(f"search.state: need {one_of(list(states), str(state))}")
+    if key is None:
+        raise InputError('search.key: is missing; give the key whose least value is asked for: "tendon.stiffness"')
+    if not isinstance(key, str):
+        raise InputError(f'search.key: need a key such as "tendon.stiffness", got {as_written(key)}')
+    quantity = key_quantity(key, type(base))
+    if quantity is None:
+        raise InputError(f"search.key: need a key whose value has a unit, got {key}")
+    # refuses entries of lists that there are not
+    key_value(base, key)
+    transition = states[state]
+    step = SearchStep(
+        transition=transition.name,
+        drive=transition.drive,
+        state=state,
+        done=transition.wording.done,
+        key=key,
+        values=_rising("values", given.get("values"), quantity.unit, none=False),
+        unit=quantity.unit,
+    )
+    return Search(
+        first=step, second=None, reference=0.0, next_drive=None, start_state=start, refinements=_refinements(given)
+    )
+
+
+def _torque_step(transition: Transition, drive: Drive, given: Mapping[str, Any], *, none: bool) -> SearchStep:
+    name = f"{transition.name}_torques"
+    return SearchStep(
+        transition=transition.name,
+        drive=transition.drive,
+        state=transition.state,
+        done=transition.wording.done,
+        key=drive.key,
+        values=_torques(name, given.get(name, drive.tries or [_shown(abs(drive.torque))]), none=none),
+        unit=TORQUE,
+        sign=-1.0 if drive.torque < 0 else 1.0,
+    )
+
+
+def _shown(torque: float) -> str:
+    return format_quantity(torque, TORQUE)
+
+
+def _refinements(given: Mapping[str, Any]) -> int:
+    refinements = given.get("refinements", 0)
+    if not is_whole(refinements, 0, 20):
+        raise InputError(f"search.refinements: need a whole number from 0 to 20, got {refinements!r}")
+    return refinements
+
+
+def _torques(key: str, given: object, *, none: bool = False) -> tuple[float, ...]:
+    return _rising(key, given, TORQUE, none=none)
+
+
+def _rising(key: str, given: object, unit: Unit, *, none: bool) -> tuple[float, ...]:
+    """Read values, a list or a range: torques that rise from 0 or more, or those of any key, which may fall, too."""
+    what = "torques" if unit is TORQUE else "values"
+    values = range_values(f"search.{key}", given) if isinstance(given, str) else given
+    if not isinstance(values, list | tuple) or not (values or none):
+        raise InputError(f'search.{key}: need {what} such as "0..50 {unit.display} step 10", got {given!r}')
+    if len(values) > _MOST_TORQUES:
+        raise InputError(f"search.{key}: need at most {_MOST_TORQUES} {what}, got {len(values)}")
+    try:
+        numbers = tuple(parse_quantity(value, unit) for value in values)
+    except InputError as error:
+        raise InputError(f"search.{key}: {error}") from None
+    rising = sorted(set(numbers))
+    if key == "values":
+        if list(numbers) not in (rising, rising[::-1]):
+            raise InputError(f"search.{key}: need values that rise, or that fall, got {as_written(given)}")
+    elif list(numbers) != rising or min(numbers, default=0.0) < 0:
+        raise InputError(
+            f"search.{key}: need rising torques >= 0, whose sign is that of the drive, got {as_written(given)}"
+        )
+    return numbers

@@ -1,0 +1,208 @@
+"""Studies in files: named ones, and those of a user."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+from forficula.design import Design, key_quantity, key_value, load_design, value_from_folder
+from forficula.errors import InputError
+from forficula.names import folder_name, one_of
+from forficula.quantities import as_written, is_whole
+from forficula.structure import structure_of
+from forficula.study.choices import one_at_a_time, with_own_word
+from forficula.study.factors import MOST_VALUES, Factor, drawn_values, grid_points, read_factor
+from forficula.study.file_keys import check_keys, dotted_values
+from forficula.study.search_file import SEARCHES, read_search
+from forficula.study.search_steps import Search
+from forficula.study.study import Study
+from forficula.toml_text import parse_toml
+
+_KEYS = (
+    "name",
+    "source",
+    "reproduces",
+    "design",
+    "ask",
+    "vary",
+    "settings",
+    "factors",
+    "grid",
+    "sampling",
+    "search",
+)
+
+
+def load_study(name_or_path: str | Path) -> Study:
+    """Read a named study or a study file.
+
+    Args:
+        name_or_path: one of `named_studies`, or the path of a TOML file.
+
+    Raises:
+        InputError: no such study or file, not TOML, an unknown key, or a value that is not allowed.
+    """
+    text, where, folder = _read(str(name_or_path))
+    try:
+        tables = parse_toml(text, "a study")
+        tables.setdefault("name", Path(where).stem)
+        return _study(tables, folder)
+    except InputError as error:
+        raise InputError(f"{where}: {error}") from None
+
+
+def named_studies() -> list[str]:
+    """The names of the studies that come with the package."""
+    folder = resources.files("forficula.study") / "references"
+    return sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml"))
+
+
+def _read(name_or_path: str) -> tuple[str, str, Path]:
+    """Text of a study, how errors call it, and the folder that paths in it start from."""
+    if name_or_path in named_studies():
+        file = resources.files("forficula.study") / "references" / f"{name_or_path}.toml"
+        return file.read_text("utf-8"), name_or_path, Path()
+    if not name_or_path.endswith(".toml"):
+        raise InputError(
+            f'"{name_or_path}" is neither a named study nor a .toml file; the named studies are'
+            f" {', '.join(named_studies())}"
+        )
+    path = Path(name_or_path)
+    try:
+        return path.read_text("utf-8-sig"), name_or_path, path.parent
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise InputError(f"{path}: cannot be read: need UTF-8") from None
+    except ValueError as error:  # a null byte
+        raise InputError(f"{as_written(name_or_path)}: cannot be read: {error}") from None
+
+
+def _study(tables: dict[str, Any], folder: Path) -> Study:
+    check_keys(tables, _KEYS, "")
+    for key in ("settings", "sampling", "search"):
+        if not isinstance(tables.get(key, {}), dict):
+            raise InputError(f"{key}: need a table, got {as_written(tables[key])}")
+    try:
+        title = folder_name(tables["name"])
+    except InputError as error:
+        raise InputError(f"name: {error}") from None
+    reproduces = tables.get("reproduces")
+    if not isinstance(reproduces, str | None):
+        raise InputError(f"reproduces: need the name of a paper, in quotes, got {as_written(reproduces)}")
+    base = _base(tables, folder)
+    factors = _factors(tables, "factors", folder, type(base))
+    drawn = [factor for factor in factors if factor.distribution is not None]
+    if drawn and len(drawn) < len(factors):
+        raise InputError("factors: need either all of them as distributions or none, got both kinds")
+    vary = tables.get("vary", "grid")
+    if vary not in ("grid", "one-at-a-time"):
+        raise InputError(f'vary: need "grid" or "one-at-a-time", got {as_written(vary)}')
+    if "vary" in tables and drawn:
+        raise InputError(f"vary: needs factors that are lists or ranges, got distributions with {as_written(vary)}")
+    grid = _repeated_grid(tables, vary, factors, folder, type(base))
+    for factor in (*factors, *grid):
+        now = key_value(base, factor.key)
+        if factor in drawn and key_quantity(factor.key, factor.model) is None and not isinstance(now, float):
+            raise InputError(f"{factor.key}: need a list or a range; only numbers with fractions are drawn")
+    ask = tables.get("ask", "run")
+    if ask not in ("run", *SEARCHES):
+        raise InputError(f"ask: need {one_of(('run', *SEARCHES), str(ask))}")
+    if "sampling" in tables and not drawn:
+        raise InputError("sampling: needs factors that are distributions, got lists and ranges")
+    search = _search(tables, ask, base, (*factors, *grid))
+    choices: tuple[Mapping[str, object], ...] = ()
+    if vary == "one-at-a-time":
+        factors = tuple(with_own_word(base, factor) for factor in factors)
+        choices = one_at_a_time(base, factors)
+    if drawn:
+        points = _drawn(factors, tables.get("sampling", {}))
+    elif choices:
+        points = [{**choice, **point} for choice in choices for point in grid_points(grid, len(choices))]
+    else:
+        points = grid_points(factors)
+    return Study(
+        name=title,
+        source=str(tables.get("source", "")),
+        base=base,
+        factors=factors,
+        points=tuple(points),
+        sampled=bool(drawn),
+        search=search,
+        choices=choices,
+        grid=grid,
+        reproduces=reproduces,
+    )
+
+
+def _base(tables: Mapping[str, Any], folder: Path) -> Design:
+    """The design that is varied, with the study's settings."""
+    name = tables.get("design")
+    if name is None:
+        raise InputError('design: is missing; give the name or path of a design, such as "binder2025"')
+    if not isinstance(name, str):
+        raise InputError(f'design: need the name or path of a design, such as "binder2025", got {as_written(name)}')
+    settings = {
+        key: value_from_folder(key, value, folder)
+        for key, value in dotted_values(tables.get("settings", {}), "settings").items()
+    }
+    return load_design(str(folder / name) if name.endswith(".toml") else name, settings)
+
+
+def _factors(tables: Mapping[str, Any], name: str, folder: Path, model: type[Design]) -> tuple[Factor, ...]:
+    """The factors of a table of the file."""
+    given = tables.get(name)
+    if not isinstance(given, dict) or not given:
+        raise InputError(f'{name}: need a table with at least one, such as "tendon.stiffness" = "10..60 N/cm step 10"')
+    values = dotted_values(given, name).items()
+    return tuple(read_factor(key, value_from_folder(key, value, folder), model) for key, value in values)
+
+
+def _repeated_grid(
+    tables: Mapping[str, Any], vary: str, factors: tuple[Factor, ...], folder: Path, model: type[Design]
+) -> tuple[Factor, ...]:
+    """The factors that are crossed wherever the others, varied one at a time, are."""
+    if "grid" not in tables:
+        return ()
+    if vary != "one-at-a-time":
+        raise InputError('grid: needs vary = "one-at-a-time"; otherwise all factors are a grid, under [factors]')
+    grid = _factors(tables, "grid", folder, model)
+    if twice := {factor.key for factor in grid} & {factor.key for factor in factors}:
+        raise InputError(f"grid.{min(twice)}: is under [factors], too; need it in one of them")
+    if drawn := [factor.key for factor in grid if factor.distribution is not None]:
+        raise InputError(f"grid.{drawn[0]}: need a list or a range, got a distribution")
+    return grid
+
+
+def _search(tables: Mapping[str, Any], ask: str, base: Design, factors: Sequence[Factor]) -> Search | None:
+    """What the study looks for, none of which its factors may vary; None where it runs the protocol as it is."""
+    if "search" in tables and ask not in SEARCHES:
+        raise InputError('search: needs ask = "least-torques" or "least-value"')
+    if ask not in SEARCHES:
+        return None
+    search = read_search(ask, tables.get("search", {}), base)
+    looked_for = {step.key for step in search.steps}
+    if ask == "least-torques":
+        looked_for |= {drive.key for drive in structure_of(base).drives}
+    if taken := looked_for & {factor.key for factor in factors}:
+        raise InputError(f'factors.{min(taken)}: is what "{ask}" looks for; give it under [search], or ask "run"')
+    return search
+
+
+def _drawn(factors: tuple[Factor, ...], sampling: Mapping[str, Any]) -> list[dict[str, object]]:
+    check_keys(sampling, ("method", "count", "seed"), "sampling.")
+    method = sampling.get("method", "sobol")
+    if method not in ("random", "sobol"):
+        raise InputError(f'sampling.method: need "random" or "sobol", got {method!r}')
+    count, seed = _whole("count", sampling.get("count"), 1), _whole("seed", sampling.get("seed", 0), 0)
+    if count > MOST_VALUES:
+        raise InputError(f"sampling.count: need at most {MOST_VALUES}, got {as_written(count)}")
+    return drawn_values(factors, method, count, seed)
+
+
+def _whole(key: str, value: object, least: int) -> int:
+    if not is_whole(value, least):
+        raise InputError(f"sampling.{key}: need a whole number >= {least}, got {value!r}")
+    return value
