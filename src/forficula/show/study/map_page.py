@@ -21,6 +21,7 @@ from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from forficula.show.study.factor_text import display_values, factor_label, number_text, plain_name
+from forficula.show.study.map_panel import Panel, View
 from forficula.show.study.map_text import maps_text
 from forficula.show.style import BLUE, ORANGE, PAGE_WIDTH, PURPLE, SKY, describe, figure_style, is_narrow
 from forficula.study.map_comparison import (
@@ -35,7 +36,7 @@ from forficula.study.map_comparison import (
 from forficula.study.outcome_kinds import Kind, outcome_kinds, whole_of
 
 if TYPE_CHECKING:
-    from xarray import DataArray, Dataset
+    from xarray import Dataset
 
 Array = NDArray[np.float64]
 
@@ -95,42 +96,6 @@ _READABLE = {
     "J": (("J", 1.0), ("mJ", 1e3), ("µJ", 1e6), ("nJ", 1e9)),
     "s": (("s", 1.0), ("ms", 1e3), ("µs", 1e6)),
 }
-
-
-@dataclass(frozen=True, kw_only=True)
-class Panel:
-    """What one pair of axes shows.
-
-    Attributes:
-        title: what it is.
-        values: in SI, nan where there is none.
-        reasons: why there is none, of the same shape; read only there.
-        unit: SI; empty where there are verdicts only.
-    """
-
-    title: str
-    values: DataArray
-    reasons: DataArray
-    unit: str
-
-
-@dataclass(frozen=True, kw_only=True)
-class View:
-    """Where things are drawn: over which factors, and what of the table.
-
-    Attributes:
-        table: the slice that is drawn.
-        x: factor across.
-        y: factor upwards, or None where a quantity is.
-        note: which slice it is, or nothing.
-        sampled: whether the rows are samples rather than a grid.
-    """
-
-    table: Dataset
-    x: str
-    y: str | None
-    note: str
-    sampled: bool
 
 
 @contextmanager

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from forficula.show.study.map_page import Panel
+from forficula.show.study.map_panel import Panel
 
 
 def maps_text(

@@ -11,7 +11,8 @@ from matplotlib.figure import Figure
 
 from forficula.errors import InputError
 from forficula.show.study.factor_text import plain_name, value_text
-from forficula.show.study.map_page import OTHER, Panel, View, draw_page, map_style
+from forficula.show.study.map_page import OTHER, draw_page, map_style
+from forficula.show.study.map_panel import Panel, View
 from forficula.show.style import PAGE_WIDTH, Drawing
 from forficula.study.choices import CHOICE
 from forficula.study.outcome_kinds import Kind, asked_transitions, not_tried_word, outcome_kinds, table_transitions
