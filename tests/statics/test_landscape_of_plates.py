@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy import ndimage
 from scipy.optimize import minimize
 
 import forficula as ff
@@ -160,6 +161,63 @@ def test_tendons_across_several_hinges_are_said_to_be_left_out_of_a_single_one()
     tendons = [LEFT | {"name": "left", "stiffness": "0.5 N/cm"}, over | {"rest_length": "5 cm"}]
     remarks = ff.energy_landscape(ff.load_design("letter-fold", {"tendon": tendons}), points=61).remarks
     assert "the landscapes of single hinges leave out what lies across several: over" in remarks
+
+
+@pytest.mark.parametrize(
+    ("stiffness", "rest_angle", "over", "length", "right"),
+    [
+        (0.02, 0, 0.2, 8, True),
+        (0.02, 0, 0.05, 15, True),
+        (0.01, 0, 0.3, 12, False),
+        (0.05, 30, 0.2, 8, True),
+        (0.02, 0, 1.0, 3, False),
+    ],
+)
+def test_states_and_barriers_of_hinges_that_a_tendon_couples(stiffness, rest_angle, over, length, right):
+    """The letter with a tendon over both creases, over all its angles: by coordinates in its plane, and by flooding.
+
+    The least barrier is the level at which the valley of the first state joins another one's.
+    """
+    ends = {
+        "left": ("facet 0 at 0.5, 0.5", "facet 1 at 0.4, 0.5"),
+        "right": ("facet 2 at 0.5, 0.5", "facet 1 at 0.6, 0.5"),
+    }
+    tendons = [
+        {"name": name, "from": ends[name][0], "to": ends[name][1], "stiffness": 50.0, "rest_length": 0.05}
+        for name in (["left", "right"] if right else ["left"])
+    ]
+    tendons.append({"name": "over", "from": ends["left"][0], "to": ends["right"][0]})
+    tendons[-1] |= {"stiffness": 100 * over, "rest_length": length / 100}
+    values = {"tendon": tendons, "crease.stiffness": stiffness, "crease.rest_angle": math.radians(rest_angle)}
+    landscape = ff.energy_landscape(with_values(ff.load_design("letter-fold"), values), points=11)
+
+    angles = np.radians(np.linspace(-3, 175, 713))
+    one, other = np.meshgrid(angles, angles, indexing="ij")
+
+    def across(angle):
+        return 25 * np.maximum(np.sqrt(0.0495**2 + 0.0396**2 + 2 * 0.0495 * 0.0396 * np.cos(angle)) - 0.05, 0) ** 2
+
+    wide = np.hypot(0.099 + 0.0495 * (np.cos(one) + np.cos(other)), 0.0495 * (np.sin(one) - np.sin(other)))
+    energy = across(one) + right * across(other) + 50 * over * np.maximum(wide - length / 100, 0) ** 2
+    energy += stiffness * 0.21 / 2 * ((one - math.radians(rest_angle)) ** 2 + (other - math.radians(rest_angle)) ** 2)
+    wells = np.argwhere(energy == ndimage.minimum_filter(energy, 3))
+    found = np.array([state.angles for state in landscape.partial_folds if state.stable])
+    apart = np.abs(angles[wells][:, None] - found).max(axis=2)
+    assert max(apart.min(axis=0).max(), apart.min(axis=1).max()) < math.radians(0.5)
+
+    # one of those that the grid has twice
+    wells = wells[apart.argmin(axis=0)]
+    first = tuple(wells[np.abs(angles[wells] - landscape.rests[0].angles).sum(axis=1).argmin()])
+    low, high = energy[first], float(energy.max())
+    while high - low > 1e-9:
+        level = (low + high) / 2
+        valleys, _ = ndimage.label(energy <= level, np.ones((3, 3)))
+        joined = sum(valleys[tuple(well)] == valleys[first] for well in wells) > 1
+        low, high = (low, level) if joined else (level, high)
+    if landscape.easiest_barrier is None:  # folded where it starts: no hinge is left to fold
+        assert (landscape.rests[0].angles > math.radians(90)).all()
+    else:
+        assert landscape.easiest_barrier == pytest.approx(high - energy[first], rel=0.005)
 
 
 def test_without_tendons_it_rests_at_one_place_and_nothing_opens_what_never_closed():

@@ -14,7 +14,7 @@ from forficula.statics.hinge import folding_sense, ideal_hinges, tendon_hinge, t
 from forficula.statics.lines import largest_pull
 from forficula.statics.potential import Ensemble, potential, rest, sheet_torque, slight_energy
 from forficula.statics.sheet import sheet_energy
-from forficula.structure import Structure
+from forficula.structure import Structure, hinges_between
 
 Array = NDArray[np.float64]
 
@@ -60,11 +60,11 @@ class PartialFold:
 
 
 def folding_hinges(structure: Structure) -> tuple[int, ...]:
-    """Numbers of the hinges that fold: those of the rigid fold, or, where there is none, those that tendons cross."""
+    """Numbers of the hinges that fold: those of the rigid fold, or, where there is none, those under tendons."""
     if structure.rigid_fold is not None:
         return structure.rigid_fold.folds
-    crossings = [tendon.crossing for tendon in structure.tendons if tendon.crossing is not None]
-    return tuple(dict.fromkeys(crossing.hinge for crossing in crossings))
+    bodies = ([structure.points[point].body for point in tendon.points] for tendon in structure.tendons)
+    return tuple(dict.fromkeys(hinge for ends in bodies for hinge in hinges_between(structure, *ends)))
 
 
 def fold_levels(structure: Structure) -> Array | None:
@@ -111,7 +111,9 @@ def single_hinge_barriers(structures: Ensemble, flat: Array) -> Array:
         held[rows, hinge] = True
     energy = rest(many, start, held=held).energy.reshape(count, _WAYS)
     level = potential(structures.repeated(1), flat)[0][0]
-    return np.where(places.folds, np.maximum(0.0, energy.max(axis=1) - level), np.nan)
+    rises = places.shared & (energy[:, :-1].argmax(axis=1) == _WAYS - 2)
+    folds = ~rises & (~places.shared | (places.senses * (flat[0, list(folding)] - places.top) >= 0))
+    return np.where(folds, np.maximum(0.0, energy.max(axis=1) - level), np.nan)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -120,19 +122,20 @@ class _Places:
 
     Attributes:
         senses: +1 where negative angles fold them, else -1.
+        shared: whether springs, several tendons or tendons across several hinges act on them, and not one tendon alone.
         top: between folded and not, where their tendons are longest, within the stops; straight where they have none.
-            Where a spring or more tendons act on them too, where the energy is largest between two places at rest.
-        folded: a little beyond, from where they fold by themselves; with springs, where the energy is least there.
-        opened: their stops on the other side, or as far from the top where there is none; with springs, where the
-            energy is least there.
-        folds: False where springs and tendons let them rest at one place only, or they rest folded when flat.
+            Of shared ones, where the energy is largest between two places at rest, if there are two.
+        folded: a little beyond, from where they fold by themselves; of shared ones, where the energy is least on that
+            side, or their limit.
+        opened: their stops on the other side, or as far from the top where there is none; of shared ones, where the
+            energy is least on that side, or their limit.
     """
 
     senses: Array
+    shared: NDArray[np.bool_]
     top: Array
     folded: Array
     opened: Array
-    folds: NDArray[np.bool_]
 
 
 def _places(structures: Ensemble, folding: Sequence[int], flat: Array) -> _Places:
@@ -152,20 +155,18 @@ def _places(structures: Ensemble, folding: Sequence[int], flat: Array) -> _Place
     stops = np.where(senses > 0, upper, lower)
     folded = np.clip(top - senses * _START, lower, upper)
     opened = np.where(np.isfinite(stops), stops, top + senses * _START)
-    folds = np.ones(len(folding), dtype=bool)
     alone = (structures.stiffness == 0) & (structures.crossings.sum(axis=0) <= 1) & (structures.lines is None)
-    for number in np.flatnonzero(~alone[list(folding)]).tolist():
-        hinge, sense = folding[number], senses[number]
-        between, folded[number], opened[number] = _sides(structures, hinge, sense, flat)
+    shared = ~alone[list(folding)]
+    for number in np.flatnonzero(shared).tolist():
+        between, folded[number], opened[number] = _sides(structures, folding[number], senses[number], flat)
         top[number] = top[number] if between is None else between
-        folds[number] = between is not None and sense * (flat[hinge] - between) >= 0
-    return _Places(senses=senses, top=top, folded=folded, opened=opened, folds=folds)
+    return _Places(senses=senses, shared=shared, top=top, folded=folded, opened=opened)
 
 
 def _sides(structures: Ensemble, hinge: int, sense: float, flat: Array) -> tuple[float | None, float, float]:
     """Where one hinge has most energy between two places at rest, and these, the folded one first; all others are flat.
 
-    Where it has one such place only, there is nothing between.
+    Where it has one such place only, there is nothing between, and its limits count: others may move, too.
     """
     many, angles = structures.repeated(_FINE), np.tile(flat, (_FINE, 1))
     lower, upper = np.clip([structures.lower[hinge], structures.upper[hinge]], -math.pi, math.pi)
@@ -175,8 +176,7 @@ def _sides(structures: Ensemble, hinge: int, sense: float, flat: Array) -> tuple
     tops = 1 + np.flatnonzero((energy[1:-1] > energy[:-2]) & (energy[1:-1] >= energy[2:]))
     tops = tops[[min(energy[top] - energy[:top].min(), energy[top] - energy[top:].min()) > least for top in tops]]
     if not len(tops):
-        only = float(turned[np.argmin(energy)])
-        return None, only, only
+        return None, float(turned[-1]), float(turned[0])
     top = int(tops[np.argmax(energy[tops])])
     before, at, after = energy[top - 1 : top + 2]
     # the top of the parabola through the highest three
