@@ -91,6 +91,15 @@ def test_a_letter_that_springs_open_does_not_stay_closed_in_the_map_as_in_its_la
     assert lost_text(table, table_transitions(table)[0]) == " (1 did not stay closed)"
 
 
+def test_torques_of_a_map_that_is_told_none_are_those_of_the_landscape_to_a_tenth_of_the_drive():
+    letter = load_design("letter-fold")
+    table = static_map(map_study(letter, {"crease.stiffness": ["0.02 N m/rad/m"]}))
+    slow = energy_landscape(letter).least_torques
+    for name in ("close", "open"):
+        # 3 N cm, tried in tenths
+        assert 0 <= float(table[f"least_{name}_value"][0]) - slow[name] < 0.003 + 0.01 * slow[name]
+
+
 def test_a_key_that_statics_does_not_look_at_is_refused(reference):
     with pytest.raises(InputError, match=r"protocol\.fold_torque: changes nothing under slowly growing torques"):
         map_study(reference, {"protocol.fold_torque": "10..20 N cm step 10"})

@@ -24,7 +24,7 @@ def read_search(ask: str, given: Mapping[str, Any], base: Design) -> Search:
     Args:
         ask: "least-torques", of the first two transitions of the base, with keys such as `fold_torques`, `fold_with`,
             `unfold_torques`; or "least-value", with `key`, `values` and the `state` that is to be reached.
-        given: the table; torques that it does not give are those of the drive.
+        given: the table; torques that it does not give are those that the drive tries, or ten up to its own.
         base: the design that is varied.
 
     Raises:
@@ -97,10 +97,15 @@ def _torque_step(transition: Transition, drive: Drive, given: Mapping[str, Any],
         state=transition.state,
         done=transition.wording.done,
         key=drive.key,
-        values=_torques(name, given.get(name, drive.tries or [_shown(abs(drive.torque))]), none=none),
+        values=_torques(name, given.get(name, drive.tries or _tenths(drive.torque)), none=none),
         unit=TORQUE,
         sign=-1.0 if drive.torque < 0 else 1.0,
     )
+
+
+def _tenths(torque: float) -> list[str]:
+    """Ten torques up to one's size, or none at all."""
+    return [_shown(abs(torque) * tenths / 10) for tenths in range(1, 11)] if torque else [_shown(0.0)]
 
 
 def _shown(torque: float) -> str:

@@ -117,7 +117,7 @@ def test_a_letter_that_did_not_stay_closed_was_not_opened_by_its_drive(studied, 
 
 def test_single_letters_of_a_search_have_their_numbers(studied, tmp_path):
     study, table = studied(5, f'ask = "least-torques"\n{CHOICES}[search]\n{CLOSE}')
-    sentence = "4 points: 4 get closed, with 1 N cm; 3 get opened again, with 3 N cm."
+    sentence = "4 points: 4 get closed, with 1 N cm; 3 get opened again, with 2.7 N cm to 3 N cm."
     check(study, table, tmp_path, {"choices"}, sentence)
     figure = study_drawings(table)["choices"](PAGE_WIDTH)
     opens = figure.axes[1]

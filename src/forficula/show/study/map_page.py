@@ -46,6 +46,7 @@ _COLOURS = matplotlib.colormaps["cividis"]
 _MOST_NUMBERS = 12
 # inch: beside the cells, and what a cell needs to hold a number
 _BESIDE, _TWO_DIGITS, _THREE_DIGITS = 0.9, 0.19, 0.23
+_POINTS_HEIGHT, _UPWARDS = 1.7, 27  # inch, of axes with points; letters that fit upwards
 _SHAPE = {"handleheight": 1.4, "handlelength": 2.2, "fontsize": 7}
 _INK = "0.35"
 
@@ -179,7 +180,11 @@ def _empty_page(view: View, count: int, columns: int, width: float, cells: bool)
     """A figure with axes for so many panels, as high as their cells need."""
     rows = math.ceil(count / columns)
     upwards = _across_and_upwards(view)[1]
-    height = float(np.clip((0.27 if rows == 1 else 0.21) * upwards, 0.9 if rows == 1 else 1.2, 3.2)) if cells else 1.7
+    height = (
+        float(np.clip((0.27 if rows == 1 else 0.21) * upwards, 0.9 if rows == 1 else 1.2, 3.2))
+        if cells
+        else _POINTS_HEIGHT
+    )
     figure = Figure(figsize=(width, rows * (height + 0.5) + 0.75), layout="constrained")
     grid = figure.subplots(rows, columns, squeeze=False).ravel()
     for axes in grid[count:]:
@@ -347,7 +352,7 @@ def _draw_points(axes: Axes, view: View, panel: Panel, scale: _Scale) -> None:
         axes.set_xlim(across.min() - margin, across.max() + margin)
         if panel.unit:
             axes.plot(across, values, "o" if view.sampled else "o-", color=BLUE, ms=3.5)
-            axes.set_ylabel(f"{panel.title} ({scale.unit})")
+            axes.set_ylabel(textwrap.fill(f"{panel.title} ({scale.unit})", _UPWARDS))
             # room for the failures under the least value
             low, high = (
                 (0.0, 1.0)
