@@ -231,7 +231,9 @@ class Stepper:
         if steps.angles is not None:
             for place, (row, step) in enumerate(zip(rows.tolist(), taken.tolist(), strict=True)):
                 near = steps.angles[place, min(step // FOLLOWED, steps.angles.shape[1] - 1)]
-                self._angles[row] = without_jump(self._creases(row)[0], near)
+                folds, dof = self._structures[row].folds, steps.dof
+                position = self._state[row, self._moving][1 : 1 + dof]
+                self._angles[row] = without_jump(folds.angles(position)[folds.creases], near)
 
     def follow_leader(self, row: int, leader: int) -> None:
         """Put a structure where another one is."""
@@ -313,18 +315,14 @@ class Stepper:
         """Give the creases of a structure what they have where it is; their angles, without jumps, (crease,)."""
         model = self._structures[row]
         assert model.creases is not None
-        angles, speeds = self._creases(row)
-        angles = without_jump(angles, near)
-        rests, torques = model.settings(effort)
-        engine_rows(self._models[row])[model.creases.rows] = model.creases.follow(angles, speeds, rests, torques)
-        return angles
-
-    def _creases(self, row: int) -> tuple[Array, Array]:
-        """Angles of the creases of a structure, from -pi to pi, and their speeds, in own senses, (crease,)."""
-        folds, moving = self._structures[row].folds, self._state[row, self._moving]
-        dof = self._structures[row].engine.nv
+        moving, dof, folds = self._state[row, self._moving], model.engine.nv, model.folds
         position, velocity = moving[1 : 1 + dof], moving[1 + dof : 1 + 2 * dof]
-        return folds.angles(position)[folds.creases], folds.travel(position, velocity)[folds.creases]
+        angles = without_jump(folds.angles(position)[folds.creases], near)
+        speeds = folds.travel(position, velocity)[folds.creases]
+        rests, torques = model.settings(effort)
+        rows = model.creases.follow(folds.corners(position), angles, speeds, rests, torques)
+        engine_rows(self._models[row])[model.creases.rows] = rows
+        return angles
 
 
 def without_jump(angles: Array, near: Array) -> Array:
