@@ -23,9 +23,11 @@ from forficula.pattern.miura_ori import MiuraSize, miura_pattern, miura_size
 from forficula.pattern.pleats import pleat_pattern
 from forficula.pattern.svg_file import write_svg
 from forficula.pattern.triangulation import Triangulation, triangulated
+from forficula.pattern.waterbomb import Apex, waterbomb_base, waterbomb_pattern
 
 __all__ = [
     "ASSIGNMENTS",
+    "Apex",
     "CreasePattern",
     "EarwigFan",
     "FacetLink",
@@ -61,6 +63,8 @@ __all__ = [
     "triangulated",
     "vein_gaps",
     "vertex_checks",
+    "waterbomb_base",
+    "waterbomb_pattern",
     "write_fold",
     "write_svg",
 ]
