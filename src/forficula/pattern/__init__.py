@@ -24,6 +24,7 @@ from forficula.pattern.pleats import pleat_pattern
 from forficula.pattern.svg_file import write_svg
 from forficula.pattern.triangulation import Triangulation, triangulated
 from forficula.pattern.waterbomb import Apex, waterbomb_base, waterbomb_pattern
+from forficula.pattern.yoshimura import yoshimura_pattern, yoshimura_tube
 
 __all__ = [
     "ASSIGNMENTS",
@@ -67,4 +68,6 @@ __all__ = [
     "waterbomb_pattern",
     "write_fold",
     "write_svg",
+    "yoshimura_pattern",
+    "yoshimura_tube",
 ]
