@@ -57,13 +57,12 @@ def test_bases_are_valleys_of_the_fold_given_and_slanted_sides_mountains(roll):
             assert folds[edge] == pytest.approx(roll[4], abs=rounding)
         else:
             assert folds[edge] <= rounding
-    assert {
-        role for role, letter in zip(pattern.edges_role, pattern.edges_assignment, strict=True) if letter == "V"
-    } <= {"base"}
+    valleys = {role for role, letter in zip(pattern.edges_role, pattern.edges_assignment, strict=True) if letter == "V"}
+    assert valleys <= {"base"}
 
 
 @settings(max_examples=15)
-@given(st.integers(1, 5), st.integers(1, 5), st.floats(0.3, 3))
+@given(st.integers(1, 5), st.integers(1, 5), st.floats(0.1, math.sqrt(3) / 2))
 def test_the_flat_sheet_folds_flat_at_every_vertex(columns, rows, height):
     flat = yoshimura_pattern(columns, rows, 1.0, height)
     assert not flat.vertices_coords[:, 2].any()
@@ -75,9 +74,13 @@ def test_the_flat_sheet_folds_flat_at_every_vertex(columns, rows, height):
     assert (vector_areas(flat)[:, 2] > 0).all()
 
 
+def test_triangles_steeper_than_equilateral_ones_trap_their_points():
+    assert big_little_big_residuals(yoshimura_pattern(2, 2, 1.0, 0.9)).tolist() == [2]
+
+
 def test_the_rolled_sheet_grows_out_of_the_flat_one():
     flat, rolled = (yoshimura_pattern(4, 3, 0.02, 0.01, fold) for fold in (0.0, 1e-7))
-    assert rolled.vertices_coords == pytest.approx(flat.vertices_coords, abs=1e-8)
+    assert rolled.vertices_coords == pytest.approx(flat.vertices_coords, abs=2e-8)
     assert rolled.vertices_coords[:, 2].max() <= 0
 
 
@@ -125,7 +128,7 @@ def test_the_radius_of_a_tube_is_that_of_its_polygons():
         (lambda: yoshimura_pattern(1, 1, 1, 1, 4.0), "pattern.fold: need >= 0 deg and < 180 deg, got 229.183 deg"),
         (
             lambda: yoshimura_pattern(4, 1, 1, 0.5, 2.0),
-            "pattern.fold: need at most 48.9395 deg, where 4 columns close around their axis, got 114.592 deg",
+            "pattern.fold: need at most 48.9396 deg, where 4 columns close around their axis, got 114.592 deg",
         ),
         (lambda: yoshimura_tube(2, 1, 1, 1), "pattern.sides: need a whole number, 3 or more, got 2"),
         (lambda: yoshimura_tube(3, 1, 0.01, 0.002), "pattern.height: need > 0.288675 cm, by which the corners"),
