@@ -19,6 +19,13 @@ from forficula.pattern.kinematics import (
     folded_coordinates,
     folded_frames,
 )
+from forficula.pattern.kresling import (
+    KreslingLengths,
+    KreslingState,
+    kresling_lengths,
+    kresling_other_state,
+    kresling_pattern,
+)
 from forficula.pattern.miura_ori import MiuraSize, miura_pattern, miura_size
 from forficula.pattern.pleats import pleat_pattern
 from forficula.pattern.svg_file import write_svg
@@ -32,6 +39,8 @@ __all__ = [
     "CreasePattern",
     "EarwigFan",
     "FacetLink",
+    "KreslingLengths",
+    "KreslingState",
     "MiuraSize",
     "Tangent",
     "Triangulation",
@@ -51,6 +60,9 @@ __all__ = [
     "interior_vertices",
     "kawasaki_residuals",
     "kept_as_built",
+    "kresling_lengths",
+    "kresling_other_state",
+    "kresling_pattern",
     "maekawa_residuals",
     "miura_pattern",
     "miura_size",
