@@ -30,6 +30,7 @@ from forficula.pattern.miura_ori import MiuraSize, miura_pattern, miura_size
 from forficula.pattern.pleats import pleat_pattern
 from forficula.pattern.svg_file import write_svg
 from forficula.pattern.triangulation import Triangulation, triangulated
+from forficula.pattern.vertex import vertex_pattern
 from forficula.pattern.waterbomb import Apex, waterbomb_base, waterbomb_pattern
 from forficula.pattern.yoshimura import yoshimura_pattern, yoshimura_tube
 
@@ -76,6 +77,7 @@ __all__ = [
     "triangulated",
     "vein_gaps",
     "vertex_checks",
+    "vertex_pattern",
     "waterbomb_base",
     "waterbomb_pattern",
     "write_fold",

@@ -68,9 +68,9 @@ def kresling_pattern(
         end_plates: whether polygons close the tower below and above.
 
     Returns:
-        The pattern with its facets counterclockwise from outside and with its fold angles as built. They are what it
-        keeps: a tower does not fold flat but by stretching, or where `kresling_other_state` says so. Polygon creases
-        have the letter of how they are built.
+        The pattern, its facets counterclockwise seen from outside, with its fold angles as built: it is folded from no
+        flat sheet. Where else its creases let it stand, `kresling_other_state` says. Polygon creases have the letter of
+        how they are built.
 
     Raises:
         InputError: a number that is no whole one, or below 3 sides or 1 layer; a length that is not > 0; a twist that
