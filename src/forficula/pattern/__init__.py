@@ -19,16 +19,29 @@ from forficula.pattern.kinematics import (
     folded_coordinates,
     folded_frames,
 )
+from forficula.pattern.kresling import (
+    KreslingLengths,
+    KreslingState,
+    kresling_lengths,
+    kresling_other_state,
+    kresling_pattern,
+)
 from forficula.pattern.miura_ori import MiuraSize, miura_pattern, miura_size
 from forficula.pattern.pleats import pleat_pattern
 from forficula.pattern.svg_file import write_svg
 from forficula.pattern.triangulation import Triangulation, triangulated
+from forficula.pattern.vertex import vertex_pattern
+from forficula.pattern.waterbomb import Apex, waterbomb_base, waterbomb_pattern
+from forficula.pattern.yoshimura import yoshimura_pattern, yoshimura_tube
 
 __all__ = [
     "ASSIGNMENTS",
+    "Apex",
     "CreasePattern",
     "EarwigFan",
     "FacetLink",
+    "KreslingLengths",
+    "KreslingState",
     "MiuraSize",
     "Tangent",
     "Triangulation",
@@ -48,6 +61,9 @@ __all__ = [
     "interior_vertices",
     "kawasaki_residuals",
     "kept_as_built",
+    "kresling_lengths",
+    "kresling_other_state",
+    "kresling_pattern",
     "maekawa_residuals",
     "miura_pattern",
     "miura_size",
@@ -61,6 +77,11 @@ __all__ = [
     "triangulated",
     "vein_gaps",
     "vertex_checks",
+    "vertex_pattern",
+    "waterbomb_base",
+    "waterbomb_pattern",
     "write_fold",
     "write_svg",
+    "yoshimura_pattern",
+    "yoshimura_tube",
 ]
