@@ -10,7 +10,7 @@ from forficula.pattern.crease_pattern import (
 )
 from forficula.pattern.earwig import EarwigFan, Tangent, earwig_pattern, hub_points, ring_vertices, tips, vein_gaps
 from forficula.pattern.facet_tree import FacetLink, edges_between, facet_tree
-from forficula.pattern.flat_folding import VertexCheck, flat_folding_faults, pattern_text, vertex_checks
+from forficula.pattern.flat_folding import VertexCheck, flat_folding_faults, flat_folding_text, vertex_checks
 from forficula.pattern.fold_file import read_fold, read_folded_frames, write_fold
 from forficula.pattern.kinematics import (
     degree4_fold_angles,
@@ -18,39 +18,61 @@ from forficula.pattern.kinematics import (
     folded_coordinates,
     folded_frames,
 )
+from forficula.pattern.pattern_facts import Freedoms, PatternFacts, pattern_facts
 from forficula.pattern.pleats import pleat_pattern
+from forficula.pattern.rigid_folding import begins_as_assigned, folded_as_assigned, vertex_folds
+from forficula.pattern.rigidity import Rigidity, rigidity
 from forficula.pattern.svg_file import write_svg
+from forficula.pattern.vertex_closure import degree4_closure, vertex_freedoms, vertex_walk
+from forficula.pattern.vertex_creases import VertexCreases, vertex_creases
+from forficula.pattern.vertex_facts import VertexFacts, fault_words, vertex_facts
 
 __all__ = [
     "ASSIGNMENTS",
     "CreasePattern",
     "EarwigFan",
     "FacetLink",
+    "Freedoms",
+    "PatternFacts",
+    "Rigidity",
     "Tangent",
     "VertexCheck",
+    "VertexCreases",
+    "VertexFacts",
+    "begins_as_assigned",
     "big_little_big_residuals",
     "creases_inside",
+    "degree4_closure",
     "degree4_fold_angles",
     "earwig_pattern",
     "edges_between",
     "facet_tree",
     "fan_fold_angles",
+    "fault_words",
     "flat_folding_faults",
+    "flat_folding_text",
+    "folded_as_assigned",
     "folded_coordinates",
     "folded_frames",
     "hub_points",
     "interior_vertices",
     "kawasaki_residuals",
     "maekawa_residuals",
-    "pattern_text",
+    "pattern_facts",
     "pleat_pattern",
     "read_fold",
     "read_folded_frames",
+    "rigidity",
     "ring_vertices",
     "sectors_between",
     "tips",
     "vein_gaps",
     "vertex_checks",
+    "vertex_creases",
+    "vertex_facts",
+    "vertex_folds",
+    "vertex_freedoms",
+    "vertex_walk",
     "write_fold",
     "write_svg",
 ]
