@@ -43,15 +43,15 @@ class Rigidity:
 def rigidity(pattern: CreasePattern, coords: Array | None = None, *, bending: bool = False) -> Rigidity:
     """Count mechanisms and states of self-stress from the rank of the rigidity matrix.
 
-    With b rows for j points in p parts and the rank r there are 3 j - 6 p - r mechanisms and b - r states of self-stress
-    (Pellegrino and Calladine 1986). A bar along every edge makes a row. Facets that bend have n - 3 bars along diagonals
-    more, if they have n corners, and fold along these (Schenk and Guest 2011). Rigid facets have n - 3 rows against
-    bending on top of that: taken together as 3 n - 6 orthonormal rows which leave a plate of n points its rigid motions.
-    A plate is a facet with those beyond its flat edges; they bend there where facets do.
+    With b rows for j points in p parts and the rank r there are 3 j - 6 p - r mechanisms and b - r states of
+    self-stress (Pellegrino and Calladine 1986). A bar along every edge makes a row. A facet of n corners that bends has
+    n - 3 bars along diagonals more, and folds along them (Schenk and Guest 2011). A rigid one has n - 3 rows against
+    bending on top of that: taken together as 3 n - 6 orthonormal rows, which leave a plate of n points its rigid
+    motions. A plate is a facet with those beyond its flat edges, which fold where facets bend.
 
     Rank is by gap: of the singular values in falling order, it ends at the largest ratio of neighbours of which the
-    smaller one is below 1e-5 of the first. Up to 900 columns all are computed; beyond, those below 1e-5.5 and below
-    1e-4.5 of a bound of the largest are counted by the signs of pivots (Sylvester's law of inertia).
+    smaller one is below 1e-5 of the first. Up to 900 columns all are computed; beyond, those below 3e-6 and below
+    3e-5 of a bound of the largest are counted by the signs of pivots (Sylvester's law of inertia).
 
     Args:
         pattern: with faces counterclockwise.
