@@ -11,6 +11,7 @@ from forficula.pattern.crease_pattern import (
 from forficula.pattern.earwig import EarwigFan, Tangent, earwig_pattern, hub_points, ring_vertices, tips, vein_gaps
 from forficula.pattern.facet_tree import FacetLink, edges_between, facet_tree
 from forficula.pattern.flat_folding import VertexCheck, flat_folding_faults, flat_folding_text, vertex_checks
+from forficula.pattern.fold_angles import built_fold_angles, kept_as_built
 from forficula.pattern.fold_file import read_fold, read_folded_frames, write_fold
 from forficula.pattern.kinematics import (
     degree4_fold_angles,
@@ -18,11 +19,13 @@ from forficula.pattern.kinematics import (
     folded_coordinates,
     folded_frames,
 )
+from forficula.pattern.miura_ori import MiuraSize, miura_pattern, miura_size
 from forficula.pattern.pattern_facts import Freedoms, PatternFacts, pattern_facts
 from forficula.pattern.pleats import pleat_pattern
 from forficula.pattern.rigid_folding import begins_as_assigned, folded_as_assigned, vertex_folds
 from forficula.pattern.rigidity import Rigidity, rigidity
 from forficula.pattern.svg_file import write_svg
+from forficula.pattern.triangulation import Triangulation, triangulated
 from forficula.pattern.vertex_closure import degree4_closure, vertex_freedoms, vertex_walk
 from forficula.pattern.vertex_creases import VertexCreases, vertex_creases
 from forficula.pattern.vertex_facts import VertexFacts, fault_words, vertex_facts
@@ -33,14 +36,17 @@ __all__ = [
     "EarwigFan",
     "FacetLink",
     "Freedoms",
+    "MiuraSize",
     "PatternFacts",
     "Rigidity",
     "Tangent",
+    "Triangulation",
     "VertexCheck",
     "VertexCreases",
     "VertexFacts",
     "begins_as_assigned",
     "big_little_big_residuals",
+    "built_fold_angles",
     "creases_inside",
     "degree4_closure",
     "degree4_fold_angles",
@@ -57,7 +63,10 @@ __all__ = [
     "hub_points",
     "interior_vertices",
     "kawasaki_residuals",
+    "kept_as_built",
     "maekawa_residuals",
+    "miura_pattern",
+    "miura_size",
     "pattern_facts",
     "pleat_pattern",
     "read_fold",
@@ -66,6 +75,7 @@ __all__ = [
     "ring_vertices",
     "sectors_between",
     "tips",
+    "triangulated",
     "vein_gaps",
     "vertex_checks",
     "vertex_creases",

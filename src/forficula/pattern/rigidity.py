@@ -13,6 +13,7 @@ from scipy.sparse.linalg import splu
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.facet_nodes import FacetNodes, facet_nodes
+from forficula.pattern.triangulation import triangulated
 
 Array = NDArray[np.float64]
 
@@ -45,9 +46,9 @@ def rigidity(pattern: CreasePattern, coords: Array | None = None, *, bending: bo
 
     With b rows for j points in p parts and the rank r there are 3 j - 6 p - r mechanisms and b - r states of
     self-stress (Pellegrino and Calladine 1986). A bar along every edge makes a row. A facet of n corners that bends has
-    n - 3 bars along diagonals more, and folds along them (Schenk and Guest 2011). A rigid one has n - 3 rows against
-    bending on top of that: taken together as 3 n - 6 orthonormal rows, which leave a plate of n points its rigid
-    motions. A plate is a facet with those beyond its flat edges, which fold where facets bend.
+    n - 3 bars more, along the diagonals of `triangulated`, and folds along them (Schenk and Guest 2011). A rigid one
+    has n - 3 rows against bending on top of that: taken together as 3 n - 6 orthonormal rows, which leave a plate of n
+    points its rigid motions. A plate is a facet with those beyond its flat edges, which fold where facets bend.
 
     Rank is by gap: of the singular values in falling order, it ends at the largest ratio of neighbours of which the
     smaller one is below 1e-5 of the first. Up to 900 columns all are computed; beyond, those below 3e-6 and below
@@ -62,12 +63,13 @@ def rigidity(pattern: CreasePattern, coords: Array | None = None, *, bending: bo
         What was counted; in a flat state there are more first-order motions than become folds.
 
     Raises:
-        InputError: coords of another shape, or faces that are not counterclockwise.
+        InputError: coords of another shape, faces that are not counterclockwise, or facets that bend and that cannot be
+            split into triangles.
     """
     places = pattern.vertices_coords if coords is None else np.asarray(coords, dtype=np.float64)
     if places.shape != pattern.vertices_coords.shape:
         raise InputError(f"coords: need shape {pattern.vertices_coords.shape}, got {places.shape}")
-    nodes = facet_nodes(pattern)
+    nodes = facet_nodes(triangulated(pattern).pattern if bending else pattern)
     points = places[nodes.vertices]
     rows = list(_bars(nodes, points) if bending else _plates(nodes, points))
     matrix = _matrix(rows, 3 * len(points))
@@ -96,28 +98,12 @@ def _plates(nodes: FacetNodes, points: Array) -> Iterator[tuple[NDArray[np.int64
 
 
 def _bars(nodes: FacetNodes, points: Array) -> Iterator[tuple[NDArray[np.int64], Array]]:
-    """Points and rows, (1, 2, 3), of every edge and diagonal."""
-    ends = set()
-    for facet in nodes.facets:
-        bars = [*zip(facet, np.roll(facet, -1), strict=True), *_diagonals(facet, points)]
-        ends.update((int(min(bar)), int(max(bar))) for bar in bars)
-    for bar in sorted(ends):
+    """Points and rows, (1, 2, 3), of every side of a triangle."""
+    sides = np.concatenate([[facet, np.roll(facet, -1)] for facet in nodes.facets], axis=1).T
+    for bar in np.unique(np.sort(sides, axis=1), axis=0):
         along = points[bar[1]] - points[bar[0]]
         along /= np.linalg.norm(along)
-        yield np.array(bar), np.stack([-along, along])[np.newaxis]
-
-
-def _diagonals(facet: NDArray[np.int64], points: Array) -> list[tuple[int, int]]:
-    """Cut the fattest corner off a facet until a triangle is left, so that none of the triangles is a line."""
-    left, cuts = facet.tolist(), []
-    while len(left) > 3:
-        here, before, after = points[left], points[np.roll(left, 1)], points[np.roll(left, -1)]
-        areas = np.linalg.norm(np.cross(here - before, after - here), axis=1)
-        sides = [np.linalg.norm(side, axis=1) for side in (here - before, after - here, after - before)]
-        corner = int(np.argmax(areas / np.max(sides, axis=0) ** 2))
-        cuts.append((left[corner - 1], left[(corner + 1) % len(left)]))
-        del left[corner]
-    return cuts
+        yield bar, np.stack([-along, along])[np.newaxis]
 
 
 def _matrix(blocks: list[tuple[NDArray[np.int64], Array]], columns: int) -> csr_array:

@@ -8,17 +8,26 @@ from typing import Literal
 from forficula.structure.parts import Array
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Motor:
-    """A torque on some hinges, the same on each, in their own senses.
+    """What a drive sets: a torque on hinges, a force at points, or by how much the springs of creases rest further on.
 
     Attributes:
         name: of its own, as works and powers are called by.
+        kind: "torque": on each hinge in its own sense, N m; "rest-angle": by which the rest angle of each crease goes
+            on in its own sense, rad; "force": at each point, N.
         hinges: numbers of the hinges.
+        gains: of each hinge, by which what is set counts there; empty where it counts once.
+        points: numbers of the points.
+        direction: of a force, unit vector in the axes of the ground, (3,); None of what acts on hinges.
     """
 
     name: str
-    hinges: tuple[int, ...]
+    kind: Literal["torque", "rest-angle", "force"] = "torque"
+    hinges: tuple[int, ...] = ()
+    gains: tuple[float, ...] = ()
+    points: tuple[int, ...] = ()
+    direction: Array | None = None
 
 
 @dataclass(frozen=True, kw_only=True)

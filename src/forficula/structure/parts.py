@@ -1,4 +1,4 @@
-"""What a structure is made of: bodies and the points, bars and plates on them, hinges, tendons, limits, membranes.
+"""What a structure is made of: bodies and the points, bars and plates on them, hinges, springs, tendons, membranes.
 
 Frozen data in SI and radians, or in any other coherent units that a design was written in.
 """
@@ -6,7 +6,7 @@ Frozen data in SI and radians, or in any other coherent units that a design was 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +30,9 @@ class Body:
         parent: number of the body that it hangs on, an earlier one, or GROUND. Without hinges it is fixed there.
         position: of its origin in the axes of its parent, m, (3,).
         frame: rotation from its axes to those of its parent, (3, 3).
+        slides: axes of the ground, 0 to 2, along which its origin is free to go; only of a body that hangs on the
+            ground and has no hinges.
+        mass: at its origin, beside that of its bars and plates, kg.
     """
 
     name: str
@@ -37,6 +40,8 @@ class Body:
     parent: int
     position: Array
     frame: Array
+    slides: tuple[int, ...] = ()
+    mass: float = 0.0
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -95,41 +100,90 @@ class Plate:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Hinge:
-    """A hinge by which a body turns against its parent, through the body's origin.
+class Facet:
+    """A polygon between points of any bodies: a panel of a sheet that may bend.
 
-    Several hinges of one body follow each other: the first one turns the axes of the next. Angles are 0 in the built
-    shape, and count in the hinge's own sense.
+    Attributes:
+        name: of its own.
+        points: numbers of its corners, one after another.
+        thickness: m.
+    """
+
+    name: str
+    points: tuple[int, ...]
+    thickness: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Hinge:
+    """Where a structure folds: a joint by which a body turns against its parent, or a crease between two flaps.
+
+    A joint goes through its body's origin; several of one body follow each other: the first one turns the axes of the
+    next, and their angles are 0 in the built shape. A crease has no body of its own: its angle is that between two
+    triangles, 0 where they lie in one plane, positive where both rise to the side from which the left one is seen
+    counterclockwise. Angles count in the hinge's own sense.
 
     Attributes:
         name: of its own.
         role: what it is called with others of its kind, in goals, groups and tables.
-        body: number of the body that it turns.
-        axis: unit vector in the axes of the body, (3,).
-        sense: +1 or -1: an angle in the hinge's own sense is a right-handed turn about the axis times that.
+        body: number of the body that it turns; GROUND of a crease.
+        axis: unit vector in the axes of the body, (3,); zeros of a crease.
+        flaps: of a crease, numbers of points: tail, head and corner of the triangle on its left, and tail, head and
+            corner of that on its right, seen along it from tail to head; None of a joint.
+        sense: +1 or -1: an angle in the hinge's own sense is a right-handed turn about the axis, or the angle between
+            the flaps, times that.
         lower: where a stop ends its range, rad; -inf where none does.
         upper: alike; inf where none does.
         stiffness: of its spring, N m/rad.
         rest_angle: where its spring rests, rad.
+        lock_below: below which its spring stiffens until it locks at -180 deg, as of panels that touch, rad; -inf for
+            a spring that does not.
+        lock_above: alike towards 180 deg; inf for a spring that does not.
         damping: N m s/rad.
         armature: inertia added to it, kg m^2.
-        start: its angle at the start, rad.
+        start: its angle at the start, rad; of a crease, that of the built shape.
         label: what tables and figures call it; its name if empty.
     """
 
     name: str
     role: str
-    body: int
-    axis: Array
+    body: int = GROUND
+    axis: Array = field(default_factory=lambda: np.zeros(3))
+    flaps: tuple[int, int, int, int, int, int] | None = None
     sense: int = 1
     lower: float = -math.inf
     upper: float = math.inf
     stiffness: float = 0.0
     rest_angle: float = 0.0
+    lock_below: float = -math.inf
+    lock_above: float = math.inf
     damping: float = 0.0
     armature: float = 0.0
     start: float = 0.0
     label: str = ""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Spring:
+    """An elastic bar between two points: it pulls and it pushes.
+
+    Attributes:
+        name: of its own.
+        role: what it is called with others of its kind.
+        points: numbers of its ends.
+        stiffness: N/m.
+        rest_length: m.
+        damping: N s/m.
+        area: of its cross-section, by which its force is a stress, m^2; 0 where it has none.
+    """
+
+    name: str
+    role: str
+    points: tuple[int, int]
+    stiffness: float
+    rest_length: float
+    damping: float = 0.0
+    area: float = 0.0
 
 
 @dataclass(frozen=True, kw_only=True)

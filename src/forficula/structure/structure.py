@@ -12,11 +12,13 @@ from forficula.structure.course import Drive, Goal, Measure, Motor, RestState, R
 from forficula.structure.parts import (
     Bar,
     Body,
+    Facet,
     Hinge,
     LengthLimit,
     Membrane,
     Plate,
     Point,
+    Spring,
     Tendon,
 )
 
@@ -31,7 +33,9 @@ class Structure:
         points: on bodies.
         bars: of bodies.
         plates: of bodies.
-        hinges: in the order of their bodies, and of one body in the order in which they turn it.
+        facets: between points of any bodies.
+        hinges: joints in the order of their bodies, and of one body in the order in which they turn it; then creases.
+        springs: elastic bars.
         tendons: pull-only springs.
         limits: unstressed length limits.
         membranes: elastic sheets, each of neighbouring bodies.
@@ -55,7 +59,9 @@ class Structure:
     points: tuple[Point, ...]
     bars: tuple[Bar, ...] = ()
     plates: tuple[Plate, ...] = ()
+    facets: tuple[Facet, ...] = ()
     hinges: tuple[Hinge, ...]
+    springs: tuple[Spring, ...] = ()
     tendons: tuple[Tendon, ...] = ()
     limits: tuple[LengthLimit, ...] = ()
     membranes: tuple[Membrane, ...] = ()

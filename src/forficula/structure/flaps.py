@@ -1,0 +1,43 @@
+"""The angle between the two flaps of a crease."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from forficula.structure.parts import Array, Indices
+from forficula.structure.structure import Structure
+from forficula.structure.tree import built_points
+
+
+def crease_numbers(structure: Structure) -> Indices:
+    """Numbers of the hinges that are creases, (crease,)."""
+    return np.array([number for number, hinge in enumerate(structure.hinges) if hinge.flaps], dtype=np.int64)
+
+
+def crease_flaps(structure: Structure) -> Indices:
+    """Points of the flaps of all creases, (crease, 6): tail, head and corner on the left, then on the right."""
+    return np.array([hinge.flaps for hinge in structure.hinges if hinge.flaps], dtype=np.int64).reshape(-1, 6)
+
+
+def flap_angles(corners: Array) -> Array:
+    """Fold angles from where the points of the flaps are: 0 flat, valley positive, from -pi to pi, rad, (...).
+
+    With the normals m and n of the left and the right flap and the unit vector e along the crease that is
+    atan2(e . (n x m), m . n).
+
+    Args:
+        corners: m, (..., 6, 3): tail, head and corner of the left flap, then of the right one.
+    """
+    tail, head, left, right_tail, right_head, right = np.moveaxis(corners, -2, 0)
+    along = (head - tail) + (right_head - right_tail)
+    along = along / np.linalg.norm(along, axis=-1, keepdims=True)
+    one = np.cross(head - tail, left - tail)
+    other = np.cross(right - right_tail, right_head - right_tail)
+    sine = np.sum(along * np.cross(other, one), axis=-1)
+    return np.asarray(np.arctan2(sine, np.sum(one * other, axis=-1)))
+
+
+def built_creases(structure: Structure) -> Array:
+    """Angles of the creases in the built shape, in their own senses, rad, (crease,)."""
+    senses = np.array([hinge.sense for hinge in structure.hinges if hinge.flaps], dtype=np.int64)
+    return np.asarray(senses * flap_angles(built_points(structure)[crease_flaps(structure)]))
