@@ -75,7 +75,7 @@ def fault_words(facts: VertexFacts) -> tuple[str, ...]:
     if check is None:
         return ()
     if math.isinf(check.kawasaki):
-        words.append(f"odd: {check.creases} creases" if check.creases > 1 else "a single crease")
+        words.append(f"{check.creases} creases: odd" if check.creases > 1 else "a single crease")
     elif abs(check.kawasaki) > check.allowed:
         words.append(f"{math.degrees(facts.missing):.2g}° missing")
     if check.maekawa and not math.isinf(check.kawasaki):
