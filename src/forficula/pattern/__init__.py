@@ -8,11 +8,18 @@ from forficula.pattern.crease_pattern import (
     maekawa_residuals,
     sectors_between,
 )
+from forficula.pattern.drawing_file import read_drawing
 from forficula.pattern.earwig import EarwigFan, Tangent, earwig_pattern, hub_points, ring_vertices, tips, vein_gaps
 from forficula.pattern.facet_tree import FacetLink, edges_between, facet_tree
-from forficula.pattern.flat_folding import VertexCheck, flat_folding_faults, flat_folding_text, vertex_checks
+from forficula.pattern.flat_folding import (
+    VertexCheck,
+    flat_folding_faults,
+    flat_folding_text,
+    vertex_checks,
+)
 from forficula.pattern.fold_angles import built_fold_angles, kept_as_built
-from forficula.pattern.fold_file import read_fold, read_folded_frames, write_fold
+from forficula.pattern.fold_file import fold_pattern, read_fold, read_folded_frames
+from forficula.pattern.fold_writer import write_fold
 from forficula.pattern.kinematics import (
     degree4_fold_angles,
     fan_fold_angles,
@@ -21,6 +28,7 @@ from forficula.pattern.kinematics import (
 )
 from forficula.pattern.miura_ori import MiuraSize, miura_pattern, miura_size
 from forficula.pattern.pattern_facts import Freedoms, PatternFacts, pattern_facts
+from forficula.pattern.pattern_file import PATTERN_FILES, read_pattern
 from forficula.pattern.pleats import pleat_pattern
 from forficula.pattern.rigid_folding import begins_as_assigned, folded_as_assigned, vertex_folds
 from forficula.pattern.rigidity import Rigidity, rigidity
@@ -32,6 +40,7 @@ from forficula.pattern.vertex_facts import VertexFacts, fault_words, vertex_fact
 
 __all__ = [
     "ASSIGNMENTS",
+    "PATTERN_FILES",
     "CreasePattern",
     "EarwigFan",
     "FacetLink",
@@ -57,6 +66,7 @@ __all__ = [
     "fault_words",
     "flat_folding_faults",
     "flat_folding_text",
+    "fold_pattern",
     "folded_as_assigned",
     "folded_coordinates",
     "folded_frames",
@@ -69,8 +79,10 @@ __all__ = [
     "miura_size",
     "pattern_facts",
     "pleat_pattern",
+    "read_drawing",
     "read_fold",
     "read_folded_frames",
+    "read_pattern",
     "rigidity",
     "ring_vertices",
     "sectors_between",

@@ -8,12 +8,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from forficula.errors import InputError
 from forficula.pattern.crease_pattern import (
     CreasePattern,
     big_little_big_residuals,
-    check_flat,
     creases_inside,
+    is_unfolded,
     kawasaki_residuals,
     maekawa_residuals,
 )
@@ -76,19 +75,16 @@ def vertex_checks(pattern: CreasePattern) -> tuple[VertexCheck, ...]:
 
 
 def flat_folding_faults(pattern: CreasePattern) -> list[str]:
-    """Why a sheet does not fold flat, a sentence for each condition that a vertex fails; none of a solid shape."""
-    try:
-        checks = vertex_checks(pattern)
-    except InputError:
+    """Why a sheet does not fold flat, a sentence for each condition that a vertex fails; none of a folded one."""
+    if not is_unfolded(pattern):
         return []
+    checks = vertex_checks(pattern)
     return [sentence for fails, sentence in (_kawasaki(checks), _maekawa(checks), _big_little_big(checks)) if fails]
 
 
 def flat_folding_text(pattern: CreasePattern) -> list[str]:
     """Whether a sheet folds flat, and why, a sentence each."""
-    try:
-        check_flat(pattern)
-    except InputError:
+    if not is_unfolded(pattern):
         return ["The sheet is not flat, so nothing is said of folding flat."]
     checks = vertex_checks(pattern)
     if not checks:

@@ -9,7 +9,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from forficula.errors import InputError
-from forficula.pattern.crease_pattern import ASSIGNMENTS, CreasePattern
+from forficula.pattern.crease_pattern import ASSIGNMENTS, CreasePattern, is_unfolded
 from forficula.pattern.facet_nodes import FacetNodes, facet_nodes
 from forficula.pattern.facet_tree import facet_tree
 from forficula.pattern.flat_folding import flat_folding_text
@@ -49,7 +49,7 @@ class PatternFacts:
         edges: how many by letter, those that are there, in the order of `ASSIGNMENTS`.
         roles: of edges, those that are there.
         size: along x, y and z, m.
-        flat: whether it lies in one plane of constant z.
+        flat: whether it lies unfolded in one plane of constant z.
         flat_folding: whether it folds flat, and why, in sentences.
         loop: why facets are no tree, that hang on one another one by one; empty where they are.
         not_counted: why there is nothing of what follows; empty where there is.
@@ -86,21 +86,21 @@ def pattern_facts(pattern: CreasePattern) -> PatternFacts:
         edges={letter: count for letter, count in counts.items() if count},
         roles=tuple(dict.fromkeys(role for role in pattern.edges_role if role)),
         size=(x, y, z),
-        flat=not z > 0,
+        flat=is_unfolded(pattern),
         flat_folding=tuple(flat_folding_text(pattern)),
         loop=_loop(pattern),
     )
     try:
         nodes = facet_nodes(pattern)
+        return replace(
+            facts,
+            inside=vertex_facts(pattern),
+            parts=int(nodes.parts.max()) + 1,
+            holes=_holes(nodes),
+            freedoms=_freedoms(pattern, facts.flat),
+        )
     except InputError as error:
         return replace(facts, not_counted=str(error))
-    return replace(
-        facts,
-        inside=vertex_facts(pattern),
-        parts=int(nodes.parts.max()) + 1,
-        holes=_holes(nodes),
-        freedoms=_freedoms(pattern, facts.flat),
-    )
 
 
 def _freedoms(pattern: CreasePattern, flat: bool) -> Freedoms:

@@ -12,7 +12,7 @@ from scipy.sparse import coo_array, csr_array, eye_array
 from scipy.sparse.linalg import splu
 
 from forficula.errors import InputError
-from forficula.pattern.crease_pattern import CreasePattern, check_flat
+from forficula.pattern.crease_pattern import CreasePattern, is_unfolded
 from forficula.pattern.kinematics import folded_coordinates
 from forficula.pattern.shared_edges import shared_edges
 from forficula.pattern.vertex_closure import vertex_walk
@@ -73,9 +73,9 @@ def begins_as_assigned(pattern: CreasePattern) -> bool:
     linear programme looks for the rates.
 
     Raises:
-        InputError: the sheet is not flat, or faces are not counterclockwise.
+        InputError: the sheet is not flat and unfolded.
     """
-    check_flat(pattern)
+    _check_unfolded(pattern)
     signs = senses(pattern)
     rows: list[tuple[Array, NDArray[np.int64]]] = []
     for each in vertex_creases(pattern):
@@ -100,9 +100,9 @@ def folded_as_assigned(pattern: CreasePattern) -> Array | None:
         where none was found, or where no crease has a sense.
 
     Raises:
-        InputError: the sheet is not flat, or faces are not counterclockwise.
+        InputError: the sheet is not flat and unfolded.
     """
-    check_flat(pattern)
+    _check_unfolded(pattern)
     moving = np.zeros(len(pattern.edges_vertices), dtype=bool)
     moving[[each.edge for each in shared_edges(pattern) if pattern.edges_assignment[each.edge] != "F"]] = True
     signs = np.where(moving, senses(pattern), 0)
@@ -121,6 +121,12 @@ def folded_as_assigned(pattern: CreasePattern) -> Array | None:
             continue
         return angles
     return None
+
+
+def _check_unfolded(pattern: CreasePattern) -> None:
+    """Refuse a sheet that has begun to fold."""
+    if not is_unfolded(pattern):
+        raise InputError("vertices_coords: need a sheet that lies flat and unfolded, got one that does not")
 
 
 def _closed(around: Sequence[VertexCreases], angles: Array) -> Array | None:

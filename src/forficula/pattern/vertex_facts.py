@@ -5,9 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-import numpy as np
-
-from forficula.pattern.crease_pattern import CreasePattern
+from forficula.pattern.crease_pattern import CreasePattern, is_unfolded
 from forficula.pattern.flat_folding import VertexCheck, vertex_checks
 from forficula.pattern.rigid_folding import vertex_folds
 from forficula.pattern.vertex_closure import vertex_freedoms
@@ -52,7 +50,7 @@ def vertex_facts(pattern: CreasePattern) -> tuple[VertexFacts, ...]:
     Raises:
         InputError: faces that are not counterclockwise.
     """
-    flat = not np.ptp(pattern.vertices_coords[:, 2]) > 0
+    flat = is_unfolded(pattern)
     around = vertex_creases(pattern)
     checks = vertex_checks(pattern) if flat else (None,) * len(around)
     return tuple(

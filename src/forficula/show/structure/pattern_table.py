@@ -17,13 +17,18 @@ from forficula.quantities import reading_unit
 _MOST_ROWS, _MOST_NAMED = 12, 5
 
 
-def print_pattern(facts: PatternFacts) -> None:
-    """Print what a crease pattern is."""
-    Console(width=110, highlight=False).print(pattern_table(facts))
+def print_pattern(facts: PatternFacts, remarks: Sequence[str] = ()) -> None:
+    """Print what a crease pattern is; args are those of `pattern_table`."""
+    Console(width=110, highlight=False).print(pattern_table(facts, remarks))
 
 
-def pattern_table(facts: PatternFacts) -> RenderableType:
-    """Lay out what there is, in how many ways it moves, vertices that do not fold flat, and what follows of it."""
+def pattern_table(facts: PatternFacts, remarks: Sequence[str] = ()) -> RenderableType:
+    """Lay out what there is, in how many ways it moves, vertices that do not fold flat, and what follows of it.
+
+    Args:
+        facts: what to show.
+        remarks: on how the pattern was read.
+    """
     parts: list[RenderableType] = [Text(_heading(facts), style="bold"), Text(), _parts(facts)]
     if facts.freedoms is not None:
         parts += [Text(), _freedoms(facts.freedoms)]
@@ -35,7 +40,8 @@ def pattern_table(facts: PatternFacts) -> RenderableType:
         parts += [Text(), table]
         if len(faults) > _MOST_ROWS:
             parts.append(Text(f"and {len(faults) - _MOST_ROWS} more"))
-    return Group(*parts, Text(), *(Text(sentence) for sentence in (*facts.flat_folding, *_rigid_folding(facts))))
+    sentences = [*facts.flat_folding, *_rigid_folding(facts), *(f"{each}." for each in remarks)]
+    return Group(*parts, Text(), *map(Text, sentences))
 
 
 def _heading(facts: PatternFacts) -> str:
@@ -57,7 +63,9 @@ def _parts(facts: PatternFacts) -> Table:
     if facts.freedoms is not None:
         table.add_row("hangs together as", f"{_counted(facts.parts, 'piece')}, {_counted(facts.holes, 'hole')}")
         table.add_row("interior vertices", _inside(facts))
-    table.add_row("facets as a tree", f"no: {facts.loop}" if facts.loop else "yes: no creases close a loop")
+    table.add_row(
+        "facets as a tree", f"no: {facts.loop.partition(':')[0]}" if facts.loop else "yes: no creases close a loop"
+    )
     return table
 
 
@@ -103,11 +111,14 @@ def _rigid_folding(facts: PatternFacts) -> Iterator[str]:
     if not freedoms.begins:
         yield "Rigid facets cannot fold with every crease in its sense: they cannot begin to, at first order already."
     elif freedoms.folded is not None:
-        yield f"Rigid facets fold with every crease in its sense: they were, by {_fold_range(freedoms)}."
+        yield (
+            f"Rigid facets fold with every crease in its sense: found folded by {_fold_range(freedoms)}; whether facets"
+            " pass through one another is not checked."
+        )
     elif not stuck:
         yield "Rigid facets may fold in the assigned sense at first order; no such state was found, so they may not."
     if stuck:
-        yield f"Rigid facets do not fold in the assigned sense at {_places(stuck)}: there it folds only by bending."
+        yield f"At {_places(stuck)} rigid facets do not leave the flat state in the assigned sense: they have to bend."
     if freedoms.folded is not None and freedoms.folded.mechanisms < freedoms.rigid.mechanisms:
         yield "A flat sheet has more motions at first order than become folds; the folded state has those that last."
 

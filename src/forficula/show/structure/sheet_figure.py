@@ -47,6 +47,8 @@ def draw_sheet(pattern: CreasePattern, facts: PatternFacts, width: float = PAGE_
     with figure_style():
         figure, axes = sheet_axes(factor * pattern.vertices_coords, factor * max(facts.size), unit, width)
         handles = draw_creases(axes, pattern, factor)
+        if not facts.flat:
+            axes.set_xlabel(f"{axes.get_xlabel()}, seen from above")
         if faults:
             handles.append(_mark(axes, pattern, faults, factor))
         figure.legend(handles=handles, loc="outside upper center", ncols=3)
@@ -63,8 +65,8 @@ def _mark(axes: Axes, pattern: CreasePattern, faults: list[VertexFacts], factor:
     """Ring vertices, and label as many as there is room for; returns what the rings mean."""
     points = factor * pattern.vertices_coords[:, :2]
     rings, many = points[[each.vertex for each in faults]], len(faults) > _MANY
-    style = {"marker": "o", "ms": _RING / 2 if many else _RING, "mec": PURPLE, "ls": "none"}
-    axes.plot(*rings.T, **style, mfc="none", mew=0.6 if many else 1.2, zorder=3)
+    wide = _RING / 2 if many else _RING
+    axes.plot(*rings.T, "o", ms=wide, mec=PURPLE, mfc="none", mew=0.6 if many else 1.2, zorder=3)
     low, size = points.min(axis=0), np.ptp(points, axis=0)
     across = 72 * (float(axes.get_figure(root=True).get_size_inches()[0]) - _BESIDE)
     around = {each.vertex: each for each in vertex_creases(pattern)}
@@ -79,7 +81,7 @@ def _mark(axes: Axes, pattern: CreasePattern, faults: list[VertexFacts], factor:
         if left < 0 or left + long > across or any(_meet(box, other) for other in taken):
             continue
         taken.append(box)
-        axes.plot(*points[each.vertex], **style, mfc=PURPLE, zorder=3)
+        axes.plot(*points[each.vertex], "o", ms=wide, mec=PURPLE, mfc=PURPLE, zorder=3)
         axes.annotate(
             words,
             points[each.vertex],
@@ -93,7 +95,9 @@ def _mark(axes: Axes, pattern: CreasePattern, faults: list[VertexFacts], factor:
         )
         if len(taken) == _MOST_LABELS:
             break
-    return Line2D([], [], **style, mfc="none", label="does not fold flat")
+    fill = PURPLE if len(taken) == len(faults) else "none"
+    told = f"does not fold flat ({len(faults)})"
+    return Line2D([], [], marker="o", ls="none", ms=wide, mec=PURPLE, mfc=fill, label=told)
 
 
 def _towards(pattern: CreasePattern, around: VertexCreases, inwards: float) -> tuple[float, float]:
@@ -117,7 +121,7 @@ def _tell(facts: PatternFacts, faults: list[VertexFacts]) -> str:
     """The sheet in words."""
     edges = ", ".join(f"{count} {ASSIGNMENTS[letter]}" for letter, count in facts.edges.items())
     size = " by ".join(show_value(length, "m") for length in facts.size[: 2 if facts.flat else 3])
-    seen = "" if facts.flat else " It is not flat, and seen from above."
+    seen = "" if facts.flat else " It is folded, and seen from above."
     verdict = "No inner vertex keeps it from folding flat." if facts.flat else ""
     if faults:
         worst = max((each.missing for each in faults if math.isfinite(each.missing)), default=0.0)
