@@ -11,6 +11,7 @@ from forficula.pattern.crease_pattern import (
 from forficula.pattern.earwig import EarwigFan, Tangent, earwig_pattern, hub_points, ring_vertices, tips, vein_gaps
 from forficula.pattern.facet_tree import FacetLink, edges_between, facet_tree
 from forficula.pattern.flat_folding import VertexCheck, flat_folding_faults, pattern_text, vertex_checks
+from forficula.pattern.fold_angles import built_fold_angles, kept_as_built
 from forficula.pattern.fold_file import read_fold, read_folded_frames, write_fold
 from forficula.pattern.kinematics import (
     degree4_fold_angles,
@@ -18,17 +19,25 @@ from forficula.pattern.kinematics import (
     folded_coordinates,
     folded_frames,
 )
+from forficula.pattern.miura_ori import MiuraSize, miura_pattern, miura_size
 from forficula.pattern.pleats import pleat_pattern
 from forficula.pattern.svg_file import write_svg
+from forficula.pattern.triangulation import Triangulation, triangulated
+from forficula.pattern.waterbomb import Apex, waterbomb_base, waterbomb_pattern
+from forficula.pattern.yoshimura import yoshimura_pattern, yoshimura_tube
 
 __all__ = [
     "ASSIGNMENTS",
+    "Apex",
     "CreasePattern",
     "EarwigFan",
     "FacetLink",
+    "MiuraSize",
     "Tangent",
+    "Triangulation",
     "VertexCheck",
     "big_little_big_residuals",
+    "built_fold_angles",
     "creases_inside",
     "degree4_fold_angles",
     "earwig_pattern",
@@ -41,7 +50,10 @@ __all__ = [
     "hub_points",
     "interior_vertices",
     "kawasaki_residuals",
+    "kept_as_built",
     "maekawa_residuals",
+    "miura_pattern",
+    "miura_size",
     "pattern_text",
     "pleat_pattern",
     "read_fold",
@@ -49,8 +61,13 @@ __all__ = [
     "ring_vertices",
     "sectors_between",
     "tips",
+    "triangulated",
     "vein_gaps",
     "vertex_checks",
+    "waterbomb_base",
+    "waterbomb_pattern",
     "write_fold",
     "write_svg",
+    "yoshimura_pattern",
+    "yoshimura_tube",
 ]

@@ -1,0 +1,134 @@
+"""Facets split into triangles by diagonals that do not fold."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from typing import NamedTuple, NoReturn
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.errors import InputError
+from forficula.pattern.crease_pattern import CreasePattern
+
+# shares of a facet's size: diagonals that differ by less are equal, so that turning a sheet does not change which one
+# is taken, and corners this near a line lie on it
+_ALIKE = 1e-9
+
+
+class Triangulation(NamedTuple):
+    """A pattern of triangles, and where they come from.
+
+    Attributes:
+        pattern: with triangles only.
+        facets: number of the facet that every triangle was cut from, shape (triangles,).
+    """
+
+    pattern: CreasePattern
+    facets: NDArray[np.int64]
+
+
+def triangulated(pattern: CreasePattern) -> Triangulation:
+    """Split every facet of more than three corners by diagonals.
+
+    From every facet, projected on its own plane, the corner is cut off that leaves the shortest diagonal, until a
+    triangle is left: so a quadrilateral that is convex is split along its shorter diagonal, and a regular hexagon into
+    one large triangle and three around it. Of diagonals of one length, to 1e-9, that with the lowest vertex numbers is
+    taken. The plane of a facet that is not flat is the one across its vector area (Newell's normal).
+
+    Returns:
+        The pattern with the same vertices and, under their numbers, the same edges; the diagonals follow, "F" with
+        the role "diagonal" and the fold angle 0. The triangles of a facet follow one another, in the order of the
+        facets, with its sense around.
+
+    Raises:
+        InputError: a facet that crosses itself or has no area, or that cannot be split but along an edge there is.
+    """
+    taken = {frozenset(ends) for ends in pattern.edges_vertices.tolist()}
+    triangles: list[tuple[int, int, int]] = []
+    facets: list[int] = []
+    diagonals: list[tuple[int, int]] = []
+    for facet, corners in enumerate(pattern.faces_vertices):
+        cut = _ears(pattern.vertices_coords, facet, corners, taken)
+        diagonals += [(min(one, other), max(one, other)) for one, _, other in cut[:-1]]
+        triangles += cut
+        facets += [facet] * len(cut)
+    count = len(diagonals)
+    split = dataclasses.replace(
+        pattern,
+        edges_vertices=np.concatenate([pattern.edges_vertices, np.array(diagonals, dtype=np.int64).reshape(-1, 2)]),
+        edges_assignment=(*pattern.edges_assignment, *"F" * count),
+        edges_fold_angle=np.concatenate([pattern.edges_fold_angle, np.zeros(count)]),
+        edges_role=(*pattern.edges_role, *["diagonal"] * count),
+        faces_vertices=tuple(triangles),
+    )
+    return Triangulation(split, np.array(facets, dtype=np.int64))
+
+
+def _ears(
+    coords: NDArray[np.float64], facet: int, corners: Sequence[int], taken: set[frozenset[int]]
+) -> list[tuple[int, int, int]]:
+    """Cut off one corner after another; every triangle but the last lies beyond the diagonal from its end to its start.
+
+    The diagonals are added to the edges that are taken.
+    """
+    if len(corners) == 3:
+        return [(corners[0], corners[1], corners[2])]
+    places = dict(zip(corners, _in_own_plane(coords[list(corners)], facet), strict=True))
+    size = max(abs(place - other) for place in places.values() for other in places.values())
+    left, cut = list(corners), []
+    while len(left) > 3:
+        around = [(left[k - 1], left[k], left[(k + 1) % len(left)]) for k in range(len(left))]
+        ears = [ear for ear in around if frozenset((ear[0], ear[2])) not in taken and _is_ear(ear, left, places, size)]
+        if not ears:
+            _refuse(facet)
+        lengths = [abs(places[ear[0]] - places[ear[2]]) for ear in ears]
+        alike = [ear for ear, length in zip(ears, lengths, strict=True) if length <= min(lengths) + _ALIKE * size]
+        best = min(alike, key=lambda ear: sorted((ear[0], ear[2])))
+        taken.add(frozenset((best[0], best[2])))
+        left.remove(best[1])
+        cut.append(best)
+    last = (left[0], left[1], left[2])
+    if not _is_ear(last, left, places, size):
+        _refuse(facet)
+    return [*cut, last]
+
+
+def _refuse(facet: int) -> NoReturn:
+    """Say that no diagonals split a facet."""
+    raise InputError(
+        f"faces_vertices[{facet}]: need a face that diagonals split into triangles, got one that crosses itself, or of"
+        " which every diagonal is an edge already"
+    )
+
+
+def _in_own_plane(points: NDArray[np.float64], facet: int) -> list[complex]:
+    """The corners of a facet in its own plane, counterclockwise, m."""
+    away = points - points.mean(axis=0)
+    area = np.cross(away, np.roll(away, -1, axis=0)).sum(axis=0)
+    length = float(np.linalg.norm(area))
+    if not length > _ALIKE * float(np.square(away).sum()):
+        raise InputError(f"faces_vertices[{facet}]: need a face with an area, got {length / 2e-4:.3g} cm2")
+    normal = area / length
+    first = np.cross(np.eye(3)[int(np.argmin(np.abs(normal)))], normal)
+    first /= np.linalg.norm(first)
+    second = np.cross(normal, first)
+    return [complex(x, y) for x, y in zip((away @ first).tolist(), (away @ second).tolist(), strict=True)]
+
+
+def _is_ear(ear: tuple[int, int, int], left: list[int], places: dict[int, complex], size: float) -> bool:
+    """Whether a corner is convex, and no other one lies in its triangle or on the rim of that."""
+    start, corner, end = (places[vertex] for vertex in ear)
+    sides = [(start, corner), (corner, end), (end, start)]
+    heights = [_beside(side, third) for side, third in zip(sides, [end, start, corner], strict=True)]
+    if min(heights) <= _ALIKE * size:
+        return False
+    others = [places[vertex] for vertex in left if vertex not in ear]
+    return not any(all(_beside(side, place) >= -_ALIKE * size for side in sides) for place in others)
+
+
+def _beside(side: tuple[complex, complex], place: complex) -> float:
+    """How far a place lies to the left of the line through a side."""
+    along = side[1] - side[0]
+    return (along.conjugate() * (place - side[0])).imag / abs(along)
