@@ -12,7 +12,7 @@ from forficula.options import OutIfGiven, Settings, read_settings
 
 if TYPE_CHECKING:
     from forficula.pattern import CreasePattern
-    from forficula.pattern.fold_file import Frame
+    from forficula.pattern.fold_writer import Frame
 
 
 def new(

@@ -12,7 +12,8 @@ from forficula.pattern.earwig import EarwigFan, Tangent, earwig_pattern, hub_poi
 from forficula.pattern.facet_tree import FacetLink, edges_between, facet_tree
 from forficula.pattern.flat_folding import VertexCheck, flat_folding_faults, pattern_text, vertex_checks
 from forficula.pattern.fold_angles import built_fold_angles, kept_as_built
-from forficula.pattern.fold_file import read_fold, read_folded_frames, write_fold
+from forficula.pattern.fold_file import fold_pattern, read_fold, read_folded_frames
+from forficula.pattern.fold_writer import write_fold
 from forficula.pattern.kinematics import (
     degree4_fold_angles,
     fan_fold_angles,
@@ -45,6 +46,7 @@ __all__ = [
     "facet_tree",
     "fan_fold_angles",
     "flat_folding_faults",
+    "fold_pattern",
     "folded_coordinates",
     "folded_frames",
     "hub_points",

@@ -1,0 +1,42 @@
+"""What files call the kinds of edges: letters and words of assignments and layers."""
+
+from __future__ import annotations
+
+import re
+
+_WORDS = {
+    "mountain": "M",
+    "ridge": "M",
+    "valley": "V",
+    "border": "B",
+    "boundary": "B",
+    "outline": "B",
+    "contour": "B",
+    "cut": "C",
+    "slit": "C",
+    "flat": "F",
+    "facet": "F",
+    "join": "F",
+    "auxiliary": "F",
+    "triangulation": "F",
+    "unassigned": "U",
+    "undriven": "U",
+    "hinge": "U",
+}
+_LETTERS = {letter: "F" if letter == "J" else letter for letter in "BMVFUCJ"}
+
+
+def letter_of_name(name: str) -> str | None:
+    """Find what kind of edge a name means, such as "v", "Mountain folds" or "layer_cut_2".
+
+    A single letter is that of the FOLD format, "J" (join) flat; otherwise the name holds one of the words that origami
+    programs use, such as mountain, valley, border, boundary, cut, flat, facet, auxiliary, unassigned or hinge.
+
+    Returns:
+        One of "BMVFUC"; None where the name says nothing, or two things.
+    """
+    if (letter := name.strip().upper()) in _LETTERS:
+        return _LETTERS[letter]
+    lower = re.sub(r"[^a-z]", "", name.lower())
+    meant = {letter for word, letter in _WORDS.items() if word in lower}
+    return meant.pop() if len(meant) == 1 else None

@@ -1,0 +1,79 @@
+"""The plane in which a flat sheet lies, turned into a plane of constant z."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+_FLAT = 1e-6  # share of the sheet's size that vertices may lie off its plane: single precision is good to 1e-7
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SheetPlane:
+    """How a sheet is turned so that its plane is one of constant z: x -> rotation x, then z lowered.
+
+    Attributes:
+        rotation: shape (3, 3).
+        height: z of the plane once turned, m; the sheet is lowered by it.
+    """
+
+    rotation: NDArray[np.float64]
+    height: float
+
+    def turned(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Turn points of the sheet, or of a folded state of it, m, shape (N, 3)."""
+        moved: NDArray[np.float64] = points @ self.rotation.T - np.array([0.0, 0.0, self.height])
+        return moved + 0.0  # no -0.0
+
+
+def sheet_plane(points: NDArray[np.float64], faces: Sequence[Sequence[int]]) -> SheetPlane | None:
+    """Find the plane of a flat sheet and the side of it that is up.
+
+    FOLD lists the vertices of a face counterclockwise as seen from above; where the faces agree, that side is up, and
+    valleys stay valleys. Otherwise up is along the axis to which the plane is most nearly square. So a sheet in the
+    xz plane with up along y, as Origami Simulator writes it, is seen from +y, x to the right and -z upwards:
+    (x, y, z) becomes (x, -z, y). In general the turn is the smallest that brings up to z. A sheet in a plane of
+    constant z is not turned.
+
+    Args:
+        points: m, shape (N, 3).
+        faces: their vertices; none where they are not known.
+
+    Returns:
+        None where the sheet is not flat, to 1e-6 of its size.
+    """
+    centred = points - points.mean(axis=0)
+    size = float(np.ptp(points, axis=0).max())
+    for axis in (2, 1, 0):
+        if np.ptp(points[:, axis]) <= _FLAT * size:
+            normal = np.eye(3)[axis]
+            break
+    else:
+        normal = np.linalg.svd(centred, full_matrices=False)[2][-1]
+        normal = normal * np.sign(normal[np.argmax(np.abs(normal))])
+        if np.ptp(centred @ normal) > _FLAT * size:
+            return None
+    if normal[2] == 1:
+        return SheetPlane(rotation=np.eye(3), height=0.0)
+    areas = np.array([_area_vector(points[list(face)]) @ normal for face in faces])
+    if len(areas) and (areas < 0).all():
+        normal = -normal
+    rotation = _smallest_turn(normal)
+    return SheetPlane(rotation=rotation, height=float((points @ rotation[2]).mean()))
+
+
+def _area_vector(corners: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Twice the area of a face along the direction from which it runs counterclockwise (Newell)."""
+    around: NDArray[np.float64] = np.cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0)
+    return around
+
+
+def _smallest_turn(normal: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The rotation about an axis across both that brings a direction to z (Rodrigues 1840)."""
+    x, y, z = normal.tolist()
+    across = np.array([[0.0, 0.0, -x], [0.0, 0.0, -y], [x, y, 0.0]])
+    turn: NDArray[np.float64] = np.eye(3) + across + across @ across / (1 + z)
+    return turn
