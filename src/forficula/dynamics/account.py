@@ -7,9 +7,11 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.dynamics.crease_work import crease_works, motor_travel
 from forficula.dynamics.energy import branch_losses, letting_go_work
 from forficula.dynamics.model import Model
-from forficula.dynamics.stepper import Steps
+from forficula.dynamics.stepper import State, Steps
+from forficula.structure import Motor
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -26,8 +28,10 @@ class Account:
         self._damping = np.array(
             [np.array(model.engine.dof_damping).reshape(model.engine.nv, -1)[:, 0] for model in models]
         )
-        self._senses = np.array([model.senses for model in models])
-        self._motors = [np.array(motor.hinges, dtype=np.int64) for motor in models[0].structure.motors]
+        self._motors = models[0].structure.motors
+        self._senses = np.array([model.folds.senses for model in models])
+        # what the motors of each were last set to
+        self._set = np.zeros((len(models), len(self._motors)))
         self._done: dict[str, Array] = {}
 
     def add(self, rows: Indices, steps: Steps, torques: Array, taken: Indices) -> dict[str, Array]:
@@ -41,24 +45,37 @@ class Account:
         Args:
             rows: which structures.
             steps: of these, in their models' units.
-            torques: of every motor during each step, in the hinges' own senses and the models' units,
-                (row, step, motor).
+            torques: what every motor is set to during each step, in the models' units, (row, step, motor).
             taken: how many of the steps count, (row,).
 
         Returns:
-            By name the work since the start before each step, J, and the powers of the motors in it, W, (row, step);
-            those of motors by `motor_work_name` and `motor_power_name`.
+            By name the work since the start before each step, J, the powers of the motors in it, W, and what they were
+            set to before it, in the models' units, (row, step); those of motors by `motor_work_name`,
+            `motor_power_name` and `motor_setting_name`.
         """
         velocity = np.concatenate([steps.velocity_before[:, None], steps.velocity], axis=1)
         with np.errstate(over="ignore", invalid="ignore"):  # of what blows up, whose later steps do not count
             travel = (velocity[:, :-1] + velocity[:, 1:]) / 2 * self._timestep[rows, None, None]
             damping = self._damping[rows, None]
-            work = {
-                motor_work_name(motor): torques[:, :, motor] * self._along(rows, travel, hinges)
-                for motor, hinges in enumerate(self._motors)
-            }
+            before_step = np.concatenate([self._set[rows, None], torques[:, :-1]], axis=1)
+            if steps.angles is None:
+                work = {
+                    motor_work_name(number): torques[:, :, number] * self._along(rows, travel, motor)
+                    for number, motor in enumerate(self._motors)
+                }
+                of_creases = np.zeros(travel.shape[:2])
+            else:
+                each = [
+                    crease_works(self._models[row], steps, place, travel[place], torques[place], before_step[place])
+                    for place, row in enumerate(rows.tolist())
+                ]
+                work = {
+                    motor_work_name(number): np.array([motors[number] for motors, _ in each])
+                    for number in range(len(self._motors))
+                }
+                of_creases = np.array([damped for _, damped in each])
             # the engine takes hinge damping implicitly, at the velocity after the step
-            work["hinge_damping_work"] = np.sum(-damping * velocity[:, 1:] * travel, axis=2)
+            work["hinge_damping_work"] = np.sum(-damping * velocity[:, 1:] * travel, axis=2) + of_creases
             work["elastic_damping_work"] = np.sum(
                 (steps.derived["qfrc_damper"] + damping * velocity[:, :-1]) * travel, axis=2
             )
@@ -72,29 +89,37 @@ class Account:
             for motor in range(len(self._motors)):
                 done = work[motor_work_name(motor)]
                 before[motor_power_name(motor)] = self._unit[rows, None] * done / np.array(seconds)[:, None]
+                before[motor_setting_name(motor)] = before_step[:, :, motor]
+            self._set[rows] = np.where((taken > 0)[:, None], torques[np.arange(len(rows)), taken - 1], self._set[rows])
         return before
 
     def total(self, row: int) -> dict[str, float]:
         """The work on a structure since its start, J."""
         return {name: float(done[row]) for name, done in self._done.items()}
 
-    def power(self, row: int, torques: Array, velocity: Array) -> dict[str, float]:
-        """Powers of the motors' torques (motor,) on a structure at a velocity (dof,), W."""
-        unit = self._models[row].units.power
+    def power(self, row: int, torques: Array, end: State) -> dict[str, float]:
+        """Powers of the motors' torques (motor,) on a structure in a state, W, and what they were set to last."""
+        model, settings = self._models[row], self._set[row]
+        if model.creases is None:
+            along = [self._along(np.array([row]), end.velocity[None, None], motor)[0, 0] for motor in self._motors]
+        else:
+            along = list(motor_travel(model, end.position, end.velocity))
         return {
-            motor_power_name(motor): float(
-                unit * torques[motor] * self._along(np.array([row]), velocity[None, None], hinges)[0, 0]
-            )
-            for motor, hinges in enumerate(self._motors)
+            **{
+                motor_power_name(motor): float(model.units.power * torques[motor] * each)
+                for motor, each in enumerate(along)
+            },
+            **{motor_setting_name(motor): float(each) for motor, each in enumerate(settings)},
         }
 
     def follow_leader(self, row: int, leader: int) -> None:
         """Put a structure where another one is, which has gone the same way so far."""
-        for done in self._done.values():
+        for done in (*self._done.values(), self._set):
             done[row] = done[leader]
 
-    def _along(self, rows: Indices, travel: Array, hinges: Indices) -> Array:
-        """Sum of the travel of hinges in their own senses, (row, step)."""
+    def _along(self, rows: Indices, travel: Array, motor: Motor) -> Array:
+        """Sum of the travel of the hinges of a motor in their own senses, (row, step)."""
+        hinges = list(motor.hinges)
         return np.asarray(np.sum(self._senses[rows][:, None, hinges] * travel[:, :, hinges], axis=2))
 
     def _add_branches(self, work: dict[str, Array], place: int, model: Model, steps: Steps, travel: Array) -> None:
@@ -121,6 +146,11 @@ class Account:
 def motor_work_name(motor: int) -> str:
     """What the work of a motor, by number, is called in an account."""
     return f"motor{motor}_work"
+
+
+def motor_setting_name(motor: int) -> str:
+    """What the setting of a motor, by number, is called in an account."""
+    return f"motor{motor}_setting"
 
 
 def motor_power_name(motor: int) -> str:

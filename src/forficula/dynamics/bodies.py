@@ -1,4 +1,4 @@
-"""Bodies in the engine: bars and plates, their hinges and motors, and the points that they carry."""
+"""Bodies in the engine: bars, plates and nodes, their hinges, slides and motors, and the points that they carry."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ import math
 import mujoco
 import numpy as np
 
-from forficula.structure import GROUND, Bar, Hinge, Plate, Structure, mass_of
+from forficula.dynamics.folds import slide_name
+from forficula.structure import GROUND, Bar, Body, Hinge, Motor, Plate, Structure, mass_of
 
 # bits by which MuJoCo selects who touches whom
 _OVERLAPPING, _OTHERS = 1, 2
@@ -30,6 +31,8 @@ def add_bodies(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> No
         mujoco.mju_mat2Quat(frame, body.frame.ravel())
         parent = spec.worldbody if body.parent == GROUND else bodies[body.parent]
         bodies.append(parent.add_body(name=body.name, pos=body.position, quat=frame))
+        if body.slides:
+            _add_node(bodies[-1], body)
     for bar in structure.bars:
         _add_bar(bodies[bar.body], bar, structure, timestep)
     for plate in structure.plates:
@@ -40,14 +43,20 @@ def add_bodies(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> No
         body.add_site(name=point.name, pos=point.place)
     driven = {number for motor in structure.motors for number in motor.hinges}
     for number, hinge in enumerate(structure.hinges):
+        if hinge.flaps:
+            continue
         _add_hinge(bodies[hinge.body], hinge, timestep)
         if number in driven:
             _add_motor(spec, hinge)
+    for motor in structure.motors:
+        if motor.points:
+            _add_force(spec, motor, structure)
 
 
 def engine_sites(structure: Structure) -> list[int]:
     """Numbers of the points that the engine must place: those off the origins of their bodies, and ends of tendons."""
-    pairs = [*(tendon.points for tendon in structure.tendons), *(limit.points for limit in structure.limits)]
+    pairs = [spring.points for spring in structure.springs]
+    pairs += [*(tendon.points for tendon in structure.tendons), *(limit.points for limit in structure.limits)]
     pairs += [measure.points for measure in structure.measures if measure.points is not None]
     ends = {number for pair in pairs for number in pair}
     return [number for number, point in enumerate(structure.points) if point.place.any() or number in ends]
@@ -56,6 +65,14 @@ def engine_sites(structure: Structure) -> list[int]:
 def stop_reference(timestep: float) -> list[float]:
     """Time constant and damping ratio of joint limits: as stiff as the timestep allows without rebound."""
     return [2 * timestep, 1.0]
+
+
+def _add_node(added: mujoco.MjsBody, body: Body) -> None:
+    """Let a body without a shape slide; it never turns, so that its inertia is any."""
+    added.explicitinertial = True
+    added.mass, added.inertia = body.mass, [body.mass] * 3
+    for axis in body.slides:
+        added.add_joint(name=slide_name(body.name, axis), type=mujoco.mjtJoint.mjJNT_SLIDE, axis=np.eye(3)[axis])
 
 
 def _add_bar(body: mujoco.MjsBody, bar: Bar, structure: Structure, timestep: float) -> None:
@@ -112,3 +129,21 @@ def _add_motor(spec: mujoco.MjSpec, hinge: Hinge) -> None:
         name=hinge.name, target=hinge.name, trntype=mujoco.mjtTrn.mjTRN_JOINT, gear=[hinge.sense, 0, 0, 0, 0, 0]
     )
     motor.set_to_motor()
+
+
+def force_name(motor: str) -> str:
+    """What the engine calls the force of a motor."""
+    return f"force_{motor}"
+
+
+def _add_force(spec: mujoco.MjSpec, motor: Motor, structure: Structure) -> None:
+    """Add a force of one direction at points: on a tendon whose length is the sum of their ways along it."""
+    name, direction = force_name(motor.name), motor.direction
+    way = spec.add_tendon(name=name)
+    for point in motor.points:
+        body = structure.bodies[structure.points[point].body]
+        for axis in body.slides:
+            if direction is not None and direction[axis]:
+                way.wrap_joint(slide_name(body.name, axis), direction[axis])
+    force = spec.add_actuator(name=name, target=name, trntype=mujoco.mjtTrn.mjTRN_TENDON)
+    force.set_to_motor()

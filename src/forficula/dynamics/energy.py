@@ -90,21 +90,25 @@ def branch_numbers(model: Model) -> tuple[Array, Array]:
     return time, stiffness
 
 
-def state_series(model: Model, positions: Array, derived: Mapping[str, Array]) -> dict[str, Array]:
+def state_series(
+    model: Model, angles: Array, derived: Mapping[str, Array], efforts: Array | None = None
+) -> dict[str, Array]:
     """What the record says of states, SI.
 
     Args:
         model: the model.
-        positions: (state, dof), in the model's units.
+        angles: of the hinges in their own senses, rad, (state, hinge).
         derived: of the same states, by MuJoCo's names, in the model's units: energy, ten_length, flexvert_xpos, xpos,
             xipos, site_xpos; or ten_length alone.
+
+        efforts: what the motors are set to, in the model's units, (state, motor); none if not given.
 
     Returns:
         Arrays (state, ...) for the names of `record.VARIABLES` that are neither power nor work; of ten_length alone
         only those that need nothing else.
     """
     units, built = model.units, model.in_units
-    angle, length = model.senses * positions, derived["ten_length"][:, model.tendons]
+    length = derived["ten_length"][:, model.tendons]
     rest = model.elastic.rest_length
     # 0 where the resting length stays
     crept = np.zeros_like(length)
@@ -112,14 +116,18 @@ def state_series(model: Model, positions: Array, derived: Mapping[str, Array]) -
     if yielding.any():
         crept[:, yielding] = derived["plastic"][:, model.creep[yielding]] - np.asarray(rest)[yielding]
     series = {
-        "hinge_angle": angle,
+        "hinge_angle": angles,
         "tendon_length": units.length * length,
         "tendon_energy": units.energy * model.elastic.energy(length - crept),
     }
-    springs = np.array([hinge.stiffness for hinge in built.hinges])
-    if springs.any():
-        rests = np.array([hinge.rest_angle for hinge in built.hinges])
-        series["hinge_energy"] = units.energy * springs / 2 * (angle - rests) ** 2
+    series |= _hinge_series(model, angles, np.zeros((len(angles), len(built.motors))) if efforts is None else efforts)
+    if built.springs:
+        stiffness, lengths = (
+            np.array([getattr(spring, name) for spring in built.springs]) for name in ("stiffness", "rest_length")
+        )
+        longer = derived["ten_length"][:, model.springs] - lengths
+        series["spring_force"] = units.energy / units.length * stiffness * longer
+        series["spring_energy"] = units.energy * stiffness / 2 * longer**2
     if model.distances.size:
         series["distance"] = units.length * derived["ten_length"][:, model.distances]
     if yielding.any():
@@ -144,6 +152,24 @@ def state_series(model: Model, positions: Array, derived: Mapping[str, Array]) -
         "point_position": units.length * points,
         "membrane_position": units.length * derived["flexvert_xpos"],
     }
+
+
+def _hinge_series(model: Model, angles: Array, efforts: Array) -> dict[str, Array]:
+    """Energies of hinges' springs, where there are any, and where they rest, where motors move that."""
+    hinges, series = model.in_units.hinges, dict[str, Array]()
+    springs, rests = (np.array([getattr(hinge, name) for hinge in hinges]) for name in ("stiffness", "rest_angle"))
+    energy = model.units.energy * springs / 2 * (angles - rests) ** 2
+    if model.creases is not None:
+        creases, (further, _) = model.folds.creases, model.settings(efforts)
+        law = model.creases.law
+        energy[:, creases] = model.units.energy * law.energy(angles[:, creases], further)
+        springs = springs + np.bincount(creases, np.isfinite(law.lower + law.upper), len(hinges))
+        if any(motor.kind == "rest-angle" for motor in model.structure.motors):
+            series["hinge_rest_angle"] = np.broadcast_to(rests, angles.shape).copy()
+            series["hinge_rest_angle"][:, creases] += further
+    if springs.any():
+        series["hinge_energy"] = energy
+    return series
 
 
 def _site_places(model: Model, sites: Array) -> Array:

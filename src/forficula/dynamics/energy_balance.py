@@ -11,7 +11,7 @@ from forficula.dynamics.record import Record
 _ROUNDING = 1e-9
 # of the energy that is stored: where less is exchanged, a few steps leave what counts for nothing
 _SLIGHT = 1e-5
-_STORES = ("tendon_energy", "membrane_energy", "hinge_energy", "branch_energy")
+_STORES = ("tendon_energy", "membrane_energy", "hinge_energy", "spring_energy", "branch_energy")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -33,6 +33,7 @@ class EnergyBalance:
         letting_go: minus what their branches stored without work, where the tendon gave way and did not push; None
             where it never does.
         hinges: change of the energy of the hinges' springs; None where they have none.
+        springs: change of the energy of springs between points; None where there are none.
         at_hand: what tendons stretched by their levers would hold; a billionth of it is rounding.
         stored: in tendons, membrane and springs at the start or the end, where there is more; 1e-5 of it is slight.
     """
@@ -50,6 +51,7 @@ class EnergyBalance:
     yielding: float | None = None
     letting_go: float | None = None
     hinges: float | None = None
+    springs: float | None = None
     at_hand: float = 0.0
     stored: float = 0.0
 
@@ -57,14 +59,14 @@ class EnergyBalance:
     def missing(self) -> float:
         """Work that the account does not find, J: the error of the integration."""
         stored = self.tendon + self.membrane + self.kinetic + self.gravitational
-        of_law = (self.branches, self.branch_damping, self.yielding, self.letting_go, self.hinges)
+        of_law = (self.branches, self.branch_damping, self.yielding, self.letting_go, self.hinges, self.springs)
         others = sum(term or 0.0 for term in of_law)
         return self.work - stored - self.hinge_damping - self.elastic_damping - self.stops - others
 
     @property
     def exchanged(self) -> float:
         """Energy that torques, springs and weight gave or took, J."""
-        springs = (self.tendon, self.membrane, self.branches or 0.0, self.hinges or 0.0)
+        springs = (self.tendon, self.membrane, self.branches or 0.0, self.hinges or 0.0, self.springs or 0.0)
         return sum(abs(term) for term in (self.work, *springs, self.gravitational))
 
     @property
@@ -99,6 +101,7 @@ def energy_balance(record: Record) -> EnergyBalance:
         yielding=_taken(change, "yield_work"),
         letting_go=_taken(change, "letting_go_work"),
         hinges=change.get("hinge_energy"),
+        springs=change.get("spring_energy"),
         # levers no longer than half the tendon
         at_hand=max(
             (each.law.stiffness[0] * (each.longest / 2) ** 2 for each in record.structure.tendons), default=0.0

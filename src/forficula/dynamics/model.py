@@ -11,9 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.design import Design
-from forficula.dynamics.bodies import add_bodies, engine_sites
+from forficula.dynamics.bodies import add_bodies, engine_sites, force_name
+from forficula.dynamics.creases import Creases, add_creases, clear_rows, creases_of
+from forficula.dynamics.folds import Folds, folds_of, slide_name
 from forficula.dynamics.membrane import Mesh, add_membranes, joined_mesh
-from forficula.dynamics.tendons import add_branches, add_distance, add_limit, add_tendon
+from forficula.dynamics.tendons import add_branches, add_distance, add_limit, add_spring, add_tendon
 from forficula.dynamics.units import ModelUnits, design_in_model_units, model_units
 from forficula.errors import InputError
 from forficula.material.law.tendon_law import ElasticLaw, stacked_laws
@@ -30,8 +32,6 @@ _MOST_BODIES = 2002
 class Model:
     """A compiled structure and where its parts are.
 
-    A hinge's number is its place in the engine's positions and velocities.
-
     Attributes:
         design: the design, SI.
         structure: what was built of it, SI.
@@ -41,7 +41,10 @@ class Model:
         engine: the compiled model; copy it before changing anything.
         spec: the source that compiles to it.
         mesh: its membranes, in the model's units.
-        senses: +1 or -1 by hinge, (hinge,).
+        folds: how its hinges' angles follow from the engine's positions.
+        creases: those of its hinges that no joint makes; None where there are none.
+        pushed: by what each coordinate's shift takes the points of a force along it, (motor, dof); 0 for other motors.
+        springs: index of each spring among the engine's tendons, (spring,).
         tendons: index of each tendon, (tendon,).
         distances: index of the tendon that measures each distance that is watched, (distance,).
         branches: index into activations of the forces of the tendons' Maxwell branches, (tendon, branch); -1 where a
@@ -62,7 +65,10 @@ class Model:
     engine: mujoco.MjModel
     spec: mujoco.MjSpec
     mesh: Mesh
-    senses: Indices
+    folds: Folds
+    creases: Creases | None
+    pushed: Array
+    springs: Indices
     tendons: Indices
     distances: Indices
     branches: Indices
@@ -72,6 +78,21 @@ class Model:
     carriers: Indices
     elastic: ElasticLaw
     lets_go: NDArray[np.bool_]
+
+    def settings(self, efforts: Array) -> tuple[Array, Array]:
+        """What motors do to creases: by how much their springs rest further on, rad, and torques, (..., crease).
+
+        Args:
+            efforts: of all motors, in the model's units, (..., motor).
+        """
+        rests, torques = (np.zeros((*efforts.shape[:-1], len(self.structure.hinges))) for _ in range(2))
+        for number, motor in enumerate(self.structure.motors):
+            acting = efforts[..., number, None] * np.array(motor.gains or (1.0,) * len(motor.hinges))
+            if motor.kind == "rest-angle":
+                rests[..., list(motor.hinges)] += acting
+            elif motor.kind == "torque":
+                torques[..., list(motor.hinges)] += acting
+        return rests[..., self.folds.creases], torques[..., self.folds.creases]
 
     def levers(self, tendon: int) -> tuple[slice, Indices]:
         """Where in the engine's ten_J the change of a tendon's length by joint is, and the joints."""
@@ -127,6 +148,8 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
         name="units", data=f"length {units.length:g} m, mass {units.mass:g} kg, time {units.time:g} s, angle rad"
     )
     engine = _compiled(spec, design.name)
+    clear_rows(engine)
+    folds = folds_of(engine, in_units)
     kinds = mujoco.mjtObj
     tendons = _indices(engine, kinds.mjOBJ_TENDON, [tendon.name for tendon in in_units.tendons])
     plastic = engine.tendon_plasticadr[tendons]
@@ -143,7 +166,10 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
         engine=engine,
         spec=spec,
         mesh=mesh,
-        senses=np.array([hinge.sense for hinge in in_units.hinges], dtype=np.int64),
+        folds=folds,
+        creases=creases_of(engine, in_units, folds),
+        pushed=_pushed(engine, in_units),
+        springs=_indices(engine, kinds.mjOBJ_TENDON, [spring.name for spring in in_units.springs]),
         tendons=tendons,
         distances=_indices(engine, kinds.mjOBJ_TENDON, [f"distance_{measure.name}" for measure in distances]),
         branches=_branches([len(tendon.law.branches) for tendon in in_units.tendons]),
@@ -162,6 +188,9 @@ def _spec_of(structure: Structure, timestep: float, mesh: Mesh, distances: list[
     """All parts of a structure, not compiled yet."""
     spec = _empty_spec(structure, timestep)
     add_bodies(spec, structure, timestep)
+    add_creases(spec, structure)
+    for spring in structure.springs:
+        add_spring(spec, spring, structure)
     for tendon in structure.tendons:
         add_tendon(spec, tendon, structure)
     # after all motors, so that a motor and its control have the same index: branches have no control
@@ -187,7 +216,9 @@ def _empty_spec(structure: Structure, timestep: float) -> mujoco.MjSpec:
     # the default, 1e-8, would end the solver at a place that depends on the model's units
     option.tolerance = 1e-12
     # the sparse Cholesky factorisation of 4.0.0 is wrong where bars touch, and no faster for fewer than fifteen veins
-    option.jacobian = mujoco.mjtJacobian.mjJAC_DENSE
+    # what slides is free of both: it has no constraints, and many nodes
+    free = not structure.limits and any(body.slides for body in structure.bodies)
+    option.jacobian = mujoco.mjtJacobian.mjJAC_SPARSE if free else mujoco.mjtJacobian.mjJAC_DENSE
     option.enableflags |= mujoco.mjtEnableBit.mjENBL_ENERGY
     # what has diverged must stay so, not start again
     option.disableflags |= mujoco.mjtDisableBit.mjDSBL_AUTORESET
@@ -219,9 +250,24 @@ def _followed(engine: mujoco.MjModel, structure: Structure) -> Indices:
     """Number of the motor that each control of the engine follows, (control,), or -1."""
     follows = np.full(engine.nu, -1, dtype=np.int64)
     for number, motor in enumerate(structure.motors):
-        names = [structure.hinges[hinge].name for hinge in motor.hinges]
+        names = [structure.hinges[hinge].name for hinge in motor.hinges if not structure.hinges[hinge].flaps]
+        names += [force_name(motor.name)] if motor.points else []
         follows[_indices(engine, mujoco.mjtObj.mjOBJ_ACTUATOR, names)] = number
     return follows
+
+
+def _pushed(engine: mujoco.MjModel, structure: Structure) -> Array:
+    """By what the shift of each coordinate takes the points of every force along it, (motor, dof)."""
+    pushed = np.zeros((len(structure.motors), engine.nv))
+    for number, motor in enumerate(structure.motors):
+        if motor.direction is None:
+            continue
+        for point in motor.points:
+            body = structure.bodies[structure.points[point].body]
+            names = [slide_name(body.name, axis) for axis in body.slides]
+            places = engine.jnt_dofadr[_indices(engine, mujoco.mjtObj.mjOBJ_JOINT, names)]
+            pushed[number, places] += motor.direction[list(body.slides)]
+    return pushed
 
 
 def _indices(engine: mujoco.MjModel, kind: mujoco.mjtObj, names: list[str]) -> Indices:

@@ -46,6 +46,9 @@ VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
 # yield, and with tendons that let go
 SOMETIMES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "hinge_energy": (("hinge",), "J", "energy of the hinge's spring"),
+    "hinge_rest_angle": (("hinge",), "rad", "where the hinge's spring rests, which a drive moves"),
+    "spring_force": (("spring",), "N", "force of the spring, pulling positive"),
+    "spring_energy": (("spring",), "J", "energy of the spring"),
     "distance": (("measure",), "m", "distance that is watched"),
     "branch_energy": (("tendon",), "J", "energy of the tendon's Maxwell branches"),
     "branch_damping_work": ((), "J", "work of the dampers in the tendons' Maxwell branches since the start"),
@@ -154,6 +157,8 @@ class Record:
             "hinge_role": ("hinge", [hinge.role for hinge in built.hinges]),
             "tendon": [tendon.name for tendon in built.tendons],
             "tendon_role": ("tendon", [tendon.role for tendon in built.tendons]),
+            "spring": [spring.name for spring in built.springs],
+            "spring_role": ("spring", [spring.role for spring in built.springs]),
             "motor": [motor.name for motor in built.motors],
             "point": [point.name for point in built.points],
             "point_role": ("point", [point.role for point in built.points]),

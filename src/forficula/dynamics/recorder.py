@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.dynamics.account import motor_power_name, motor_work_name
+from forficula.dynamics.account import motor_power_name, motor_setting_name, motor_work_name
 from forficula.dynamics.energy import state_energies, state_series
 from forficula.dynamics.model import Model
 from forficula.dynamics.record import Record, StageEnd
@@ -42,7 +42,7 @@ class _Rows:
     """States that are kept, (row, ...), in the model's units, and the account until then, SI."""
 
     number: NDArray[np.int64]
-    position: Array
+    angle: Array
     derived: Mapping[str, Array]
     account: Mapping[str, Array]
 
@@ -110,14 +110,16 @@ class Recorder:
         recorded = self._stages[-1][0][0].derived
         last = _Rows(
             number=np.array([step]),
-            position=end.position[None],
+            angle=end.angle[None],
             derived={name: end.derived[name][None] for name in recorded},
             account={name: np.array([value]) for name, value in account.items()},
         )
         self._stages[-1].append((last, slice(None)))
         self._close_stage()
         rows, _ = _joined([part for parts in self._stages for part in parts])
-        series = {**state_series(self.model, rows.position, rows.derived), **self._works(rows.account)}
+        works = self._works(rows.account)
+        efforts = works.pop("motor_setting")
+        series = {**state_series(self.model, rows.angle, rows.derived, efforts), **works}
         if self._sparse:
             series |= self._energies_at_ends(start, end, len(rows.number))
         return Record(
@@ -133,7 +135,11 @@ class Recorder:
         """The account, with the works and powers of all motors as one array each, (row, motor)."""
         series = dict(account)
         motors = range(len(self.model.structure.motors))
-        for name, of_motor in (("motor_work", motor_work_name), ("motor_power", motor_power_name)):
+        for name, of_motor in (
+            ("motor_work", motor_work_name),
+            ("motor_power", motor_power_name),
+            ("motor_setting", motor_setting_name),
+        ):
             columns = [series.pop(of_motor(motor)) for motor in motors]
             series[name] = np.stack(columns, axis=1) if columns else np.zeros((len(series["stop_work"]), 0))
         return series
@@ -166,7 +172,7 @@ def keep(recorders: Sequence[Recorder], chunk: Chunk) -> None:
     inner = {name: steps.states(structure, before, place) for name, place in steps.inner.items()}
     rows = _Rows(
         number=number[structure, before],
-        position=steps.states(structure, before, slice(1, 1 + steps.dof)),
+        angle=_angles(recorders, steps, structure, before),
         derived={name: steps.derived[name][structure, before] for name in steps.kept} | inner,
         account={name: values[structure, before] for name, values in chunk.account.items()},
     )
@@ -175,12 +181,27 @@ def keep(recorders: Sequence[Recorder], chunk: Chunk) -> None:
         recorders[place].add(rows, slice(bounds[place], bounds[place + 1]), chunk, place)
 
 
+def _angles(
+    recorders: Sequence[Recorder], steps: Steps, structure: NDArray[np.int64], before: NDArray[np.int64]
+) -> Array:
+    """Angles of all hinges in the states that are kept, in own senses, rad, (row, hinge)."""
+    positions = steps.states(structure, before, slice(1, 1 + steps.dof))
+    if steps.angles is None:
+        return np.asarray(np.array([each.model.folds.senses for each in recorders])[structure] * positions)
+    angles = np.zeros((len(positions), len(recorders[0].model.folds.senses)))
+    for place in np.unique(structure).tolist():
+        rows, folds = structure == place, recorders[place].model.folds
+        every = np.arange(angles.shape[1])
+        angles[rows] = steps.angles_of(folds, place, positions[rows], before[rows], every)
+    return angles
+
+
 def _joined(parts: Sequence[_Part]) -> _Part:
     """Rows one after another, in memory of their own."""
     first, _ = parts[0]
     rows = _Rows(
         number=np.concatenate([rows.number[mine] for rows, mine in parts]),
-        position=np.concatenate([rows.position[mine] for rows, mine in parts]),
+        angle=np.concatenate([rows.angle[mine] for rows, mine in parts]),
         derived={name: np.concatenate([rows.derived[name][mine] for rows, mine in parts]) for name in first.derived},
         account={name: np.concatenate([rows.account[name][mine] for rows, mine in parts]) for name in first.account},
     )

@@ -101,7 +101,7 @@ def _records(
     while moving.any():
         while len(rows := _next_rows(moving & ~tracker.ended, [rows for rows, *_ in under_way], stepper.threads)):
             torques = tracker.torques(rows, _CHUNK)
-            under_way.append((rows, torques, stepper.start(rows, tracker.controls(torques))))
+            under_way.append((rows, torques, stepper.start(rows, tracker.controls(torques), torques)))
         if under_way:
             rows, torques, steps = under_way.popleft()
             _advance(stepper, tracker, account, recorders, rows, torques, steps.result())
@@ -119,7 +119,7 @@ def _records(
         moving[done] = False
         for row in done.tolist():
             end = stepper.state(row)
-            totals = account.total(row) | account.power(row, tracker.last_torques(row), end.velocity)
+            totals = account.total(row) | account.power(row, tracker.last_torques(row), end)
             record = recorders[row].record(
                 tracker.steps[row], starts[row], end, totals, tuple(tracker.ends[row]), tracker.diverged_at[row]
             )
@@ -155,9 +155,7 @@ def _advance(
     """Take note of a chunk of steps of some structures, of none beyond the end of its stage."""
     first = tracker.steps[rows]
     begins = first == tracker.stage_start[rows]
-    taken = tracker.follow(
-        rows, steps.before[:, 0], steps.time, steps.position, steps.velocity, steps.derived["ten_length"]
-    )
+    taken = tracker.follow(rows, steps)
     stepper.take_back(rows, steps, taken)
     chunk = Chunk(
         steps=steps,

@@ -6,16 +6,19 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import reduce
 
+import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
 from forficula.design import Stage, stage_drives
+from forficula.dynamics.creases import FOLLOWED
 from forficula.dynamics.model import Model
 from forficula.dynamics.record import StageEnd
+from forficula.dynamics.stepper import Steps
 from forficula.structure import Goal, drive_of, goal_of
 
 Array = NDArray[np.float64]
-Steps = NDArray[np.int64]
+Numbers = NDArray[np.int64]
 
 # torques on all motors, and the time over which they rise, s
 Effort = tuple[tuple[float, ...], float]
@@ -43,13 +46,16 @@ class StageTracker:
     def __init__(self, models: Sequence[Model]) -> None:
         self._models = models
         self._timestep = np.array([float(model.design.protocol.timestep) for model in models])
-        self._senses = np.array([model.senses for model in models])
+        self._folds = [model.folds for model in models]
+        self._senses = np.array([folds.senses for folds in self._folds])
+        # creases take what drives them block by block
+        self._block = 1 if models[0].creases is None else FOLLOWED
         self._distances = models[0].distances
         protocols = [model.design.protocol for model in models]
         self._least_hold = np.array([protocol.least_hold for protocol in protocols])
         self._lowest, self._highest = (np.array(each) for each in zip(*map(_far_beyond, models), strict=True))
         # speeds by unit of time
-        self._rest_speed = np.array([model.design.protocol.rest_speed / (1 / model.units.time) for model in models])
+        self._rest_speed = np.array([_rest_speeds(model) for model in models])
         self._last = np.array([len(protocol.stages) for protocol in protocols]) - 1
         # every row as long as the longest and one more, where a structure is when it has ended
         length = int(self._last.max()) + 2
@@ -80,23 +86,23 @@ class StageTracker:
         self._followed = models[0].motors
         count = len(models)
         self.ended = np.zeros(count, dtype=bool)
-        self.steps: Steps = np.zeros(count, dtype=np.int64)
-        self.stage: Steps = np.zeros(count, dtype=np.int64)
-        self.stage_start: Steps = np.zeros(count, dtype=np.int64)
+        self.steps: Numbers = np.zeros(count, dtype=np.int64)
+        self.stage: Numbers = np.zeros(count, dtype=np.int64)
+        self.stage_start: Numbers = np.zeros(count, dtype=np.int64)
         self.ends: list[list[StageEnd]] = [[] for _ in models]
         self.diverged_at: list[float | None] = [None] * count
         # the step since which the stage's goal has held and it has rested, or -1
-        self._goal_since: Steps = np.full(count, -1, dtype=np.int64)
-        self._rest_since: Steps = np.full(count, -1, dtype=np.int64)
+        self._goal_since: Numbers = np.full(count, -1, dtype=np.int64)
+        self._rest_since: Numbers = np.full(count, -1, dtype=np.int64)
         # whether it missed a goal or blew up, so that the rest of its protocol makes no sense
         self._stopped = np.zeros(count, dtype=bool)
 
-    def torques(self, rows: Steps, count: int) -> Array:
+    def torques(self, rows: Numbers, count: int) -> Array:
         """Torques of the motors in the next steps of these structures, (row, step, motor), in their models' units.
 
         In the hinges' own senses; each that of the step's middle.
         """
-        passed = (self.steps - self.stage_start)[rows, None] + np.arange(count) + 0.5
+        passed = (self.steps - self.stage_start)[rows, None] + self._block * (np.arange(count) // self._block + 0.5)
         rises, torques = self._rise[rows, self.stage[rows]], self._torques[rows, self.stage[rows]]
         total = []
         for drive in range(rises.shape[1]):
@@ -118,30 +124,25 @@ class StageTracker:
         # a control that follows no motor has index -1 and reads the 0 at the end
         return np.concatenate([torques, none], axis=2)[:, :, self._followed]
 
-    def follow(
-        self, rows: Steps, before: Array, time: Array, position: Array, velocity: Array, lengths: Array
-    ) -> Steps:
+    def follow(self, rows: Numbers, steps: Steps) -> Numbers:
         """Take note of some steps of these structures, up to the end of the stage of each.
 
         Args:
             rows: which structures.
-            before: time before the first step, (row,).
-            time: after each step, (row, step).
-            position: likewise, (row, step, dof).
-            velocity: likewise, (row, step, dof).
-            lengths: of the engine's tendons, before each step, (row, step, tendon).
+            steps: of these, in their models' units.
 
         Returns:
             How many of the steps count, (row,); the others belong to another stage, with other torques.
         """
+        position, velocity = steps.position, steps.velocity
         count = position.shape[1]
-        sound = _sound_steps(before, time, position, velocity)
+        sound = _sound_steps(steps.before[:, 0], steps.time, position, velocity)
         beyond = ((position < self._lowest[rows, None]) | (position > self._highest[rows, None])).any(axis=2)
         sound = np.minimum(sound, _first(np.asarray(beyond), count))
         stage = self.stage[rows]
         number = self.steps[rows, None] + np.arange(1, count + 1)
-        resting = np.all(np.abs(velocity) <= self._rest_speed[rows, None, None], axis=2)
-        reached = self._reached(rows, position, lengths, resting)
+        resting = np.all(np.abs(velocity) <= self._rest_speed[rows, None], axis=2)
+        reached = self._reached(rows, steps, resting)
         goal_since = _since(reached, number, self._goal_since[rows])
         rest_since = _since(resting, number, self._rest_since[rows])
         # what is met for an instant only may be a bounce
@@ -186,19 +187,28 @@ class StageTracker:
         passed = float(self.steps[row] * self._timestep[row])
         return stages[0].name, passed, start + sum(stage.time_limit for stage in stages)
 
-    def _in_steps(self, times: list[list[float]]) -> Steps:
+    def _in_steps(self, times: list[list[float]]) -> Numbers:
         # a time that is never over would overflow as a number of steps
         longest = NEVER * self._timestep[:, None]
         return np.asarray(np.rint(np.minimum(times, longest) / self._timestep[:, None]), dtype=np.int64)
 
-    def _reached(self, rows: Steps, position: Array, lengths: Array, resting: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    def _reached(self, rows: Numbers, steps: Steps, resting: NDArray[np.bool_]) -> NDArray[np.bool_]:
         """Whether the goal of each structure's stage holds after each step, (row, step)."""
-        stage, hinges = self.stage[rows], position.shape[2]
+        stage, hinges = self.stage[rows], len(self._folds[0].senses)
         angles = self._watched[self._watched < hinges]
-        watched = self._senses[rows][:, None, angles] * position[:, :, angles]
+        if steps.angles is None:
+            watched = self._senses[rows][:, None, angles] * steps.position[:, :, angles]
+        else:
+            number = np.arange(1, resting.shape[1] + 1)
+            watched = np.array(
+                [
+                    steps.angles_of(self._folds[row], place, steps.position[place], number, angles)
+                    for place, row in enumerate(rows.tolist())
+                ]
+            )
         if len(angles) < len(self._watched):
             # lengths are those before the step: a distance counts one step late
-            apart = lengths[:, :, self._distances[self._watched[len(angles) :] - hinges]]
+            apart = steps.derived["ten_length"][:, :, self._distances[self._watched[len(angles) :] - hinges]]
             watched = np.concatenate([watched, apart], axis=2)
         least, most = self._least[rows, stage][:, None], self._most[rows, stage][:, None]
         within = np.all((watched >= least) & (watched <= most), axis=2)
@@ -226,6 +236,13 @@ class StageTracker:
         self._goal_since[row] = self._rest_since[row] = -1
 
 
+def _rest_speeds(model: Model) -> Array:
+    """Below which a structure rests, by unit of time, (dof,): of joints as it is, of slides by the structure's size."""
+    speed = model.design.protocol.rest_speed / (1 / model.units.time)
+    slides = np.array(model.engine.jnt_type) == mujoco.mjtJoint.mjJNT_SLIDE
+    return np.where(slides, speed * model.in_units.span, speed)
+
+
 def _longest_rest(model: Model) -> float:
     """How long a structure may rest short of its goal before it is stuck, s: until its branches have relaxed, too."""
     times = [branch.time for tendon in model.structure.tendons for branch in tendon.law.branches]
@@ -239,7 +256,7 @@ def _far_beyond(model: Model) -> tuple[Array, Array]:
     return low - _FAR, high + _FAR
 
 
-def _first(holds: NDArray[np.bool_], count: int) -> Steps:
+def _first(holds: NDArray[np.bool_], count: int) -> Numbers:
     """By structure, the first step at which something holds; so many where it does at none."""
     return np.where(holds.any(axis=1), holds.argmax(axis=1), count)
 
@@ -266,7 +283,7 @@ def stage_goal(model: Model, stage: Stage) -> Goal:
     return replace(goal, least=goal.least / unit, most=goal.most / unit)
 
 
-def _since(holds: NDArray[np.bool_], number: Steps, carried: Steps) -> Steps:
+def _since(holds: NDArray[np.bool_], number: Numbers, carried: Numbers) -> Numbers:
     """By step, the number of the step since which a condition has held without a break, (row, step).
 
     Args:
@@ -279,7 +296,7 @@ def _since(holds: NDArray[np.bool_], number: Steps, carried: Steps) -> Steps:
     return np.where(broken < 0, before[:, None], broken + 1)
 
 
-def _sound_steps(before: Array, time: Array, position: Array, velocity: Array) -> Steps:
+def _sound_steps(before: Array, time: Array, position: Array, velocity: Array) -> Numbers:
     """How many steps each structure took before its numbers blew up, (row,); the engine then stops its clock.
 
     Args:

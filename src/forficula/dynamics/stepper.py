@@ -16,6 +16,8 @@ import numpy as np
 from mujoco.batch import Batch
 from numpy.typing import NDArray
 
+from forficula.dynamics.creases import FOLLOWED, engine_rows
+from forficula.dynamics.folds import Folds
 from forficula.dynamics.model import Model
 
 Array = NDArray[np.float64]
@@ -44,6 +46,8 @@ class Steps:
         after: likewise, after each step, (structure, step, number).
         derived: MuJoCo's fields of the state before each step, (structure, step, ...).
         kept: names of those that the states of a record are read from.
+        angles: of the creases at the start of every block of `FOLLOWED` steps, in own senses and without jumps, rad,
+            (structure, block, crease); None where there are none.
     """
 
     dof: int
@@ -52,6 +56,7 @@ class Steps:
     after: Array
     derived: Mapping[str, Array]
     kept: Sequence[str]
+    angles: Array | None = None
 
     @property
     def time(self) -> Array:
@@ -73,6 +78,29 @@ class Steps:
         """Before the first step, (structure, dof)."""
         return self.before[:, 1 + self.dof : 1 + 2 * self.dof]
 
+    @property
+    def position_before(self) -> Array:
+        """Before the first step, (structure, dof)."""
+        return self.before[:, 1 : 1 + self.dof]
+
+    def angles_of(self, folds: Folds, structure: int, positions: Array, step: Indices, hinges: Indices) -> Array:
+        """Angles of some hinges of a structure in own senses, without jumps, rad, (state, hinge).
+
+        Args:
+            folds: of the structure.
+            structure: its place among those stepped.
+            positions: (state, dof).
+            step: how many of the steps came before each state, (state,).
+            hinges: their numbers.
+        """
+        some = folds.some(hinges)
+        angles = some.angles(positions)
+        if self.angles is not None:
+            near = self.angles[structure, np.minimum(step // FOLLOWED, self.angles.shape[1] - 1)]
+            near = near[:, np.searchsorted(folds.creases, hinges[some.creases])]
+            angles[:, some.creases] = without_jump(angles[:, some.creases], near)
+        return angles
+
     def activation(self, structure: int, taken: int) -> Array:
         """Of a structure before the first of so many steps and after each, (step + 1, activation)."""
         place = self.inner.get("act", slice(0, 0))
@@ -92,11 +120,13 @@ class State:
     Attributes:
         position: of its joints, (dof,).
         velocity: likewise.
+        angle: of its hinges in their own senses, rad, (hinge,).
         derived: all fields of MuJoCo that states are read from, by their names.
     """
 
     position: Array
     velocity: Array
+    angle: Array
     derived: Mapping[str, Array]
 
 
@@ -130,7 +160,7 @@ class Stepper:
             chunk: steps to take at a time.
         """
         self._structures, self._chunk = models, chunk
-        self._models = _without_energy(models) if sparse else [model.engine for model in models]
+        self._models = _own_models(models, sparse)
         model = models[0].engine
         self._state = _start_states(models)
         self._moving, self._control = _columns(model, _MOVING), _columns(model, _CONTROL)
@@ -139,6 +169,9 @@ class Stepper:
         self._names = (*self._kept, *_OF_ACCOUNT, *(_OF_LETTING_GO if models[0].lets_go.any() else ()))
         # the same memory again and again: fresh memory costs as much time as looking at it
         self._memory = deque([_memory(models, self._names, chunk, len(self._moving)) for _ in range(2)])
+        # where the creases of each were last, without jumps
+        self._angles = [_start_creases(each) for each in models]
+        self._blocks = deque([np.empty((len(models), -(-chunk // FOLLOWED), len(self._angles[0]))) for _ in range(2)])
         self.threads = int(Batch(model, len(models), threads).nthread)
         self._engines: SimpleQueue[Batch] = SimpleQueue()
         for _ in range(self.threads):
@@ -146,15 +179,22 @@ class Stepper:
         self._workers = ThreadPoolExecutor(max_workers=self.threads)
         self._data = mujoco.MjData(model)
 
-    def start(self, rows: Indices, controls: Array) -> Pending:
-        """Set out to take these structures a chunk of steps further, driven by controls, (row, step, motor).
+    def start(self, rows: Indices, controls: Array, efforts: Array) -> Pending:
+        """Set out to take these structures a chunk of steps further.
 
         Others can be started before that is done, but the third steps overwrite the first.
+
+        Args:
+            rows: which.
+            controls: of the engine in each step, (row, step, control).
+            efforts: of all motors in each step, in the models' units, (row, step, motor), for creases.
         """
         # for `state`: what drives a structure in its last state drove it in the last step, too
         self._state[np.ix_(rows, self._control)] = controls[:, -1]
         self._memory.rotate()
+        self._blocks.rotate()
         mine = {name: each[: len(rows)] for name, each in self._memory[0].items()}
+        angles = None if self._structures[0].creases is None else self._blocks[0][: len(rows)]
         bounds = np.linspace(0, len(rows), min(len(rows), self.threads) + 1).astype(int).tolist()
         parts = [slice(*pair) for pair in itertools.pairwise(bounds)]
         steps = Steps(
@@ -164,11 +204,21 @@ class Stepper:
             after=mine[_MOVING],
             derived={name: mine[name] for name in self._names},
             kept=self._kept,
+            angles=angles,
         )
         return Pending(
             parts=[
                 self._workers.submit(
                     self._step, rows[part], controls[part], {name: each[part] for name, each in mine.items()}
+                )
+                if angles is None
+                else self._workers.submit(
+                    self._follow,
+                    rows[part],
+                    controls[part],
+                    efforts[part],
+                    {name: each[part] for name, each in mine.items()},
+                    angles[part],
                 )
                 for part in parts
             ],
@@ -178,10 +228,15 @@ class Stepper:
     def take_back(self, rows: Indices, steps: Steps, taken: Indices) -> None:
         """Put these structures where they were after as many of their last steps as count, (row,)."""
         self._state[np.ix_(rows, self._moving)] = steps.states(np.arange(len(rows)), taken)
+        if steps.angles is not None:
+            for place, (row, step) in enumerate(zip(rows.tolist(), taken.tolist(), strict=True)):
+                near = steps.angles[place, min(step // FOLLOWED, steps.angles.shape[1] - 1)]
+                self._angles[row] = without_jump(self._creases(row)[0], near)
 
     def follow_leader(self, row: int, leader: int) -> None:
         """Put a structure where another one is."""
         self._state[row] = self._state[leader]
+        self._angles[row] = self._angles[leader]
 
     def state(self, row: int) -> State:
         """What a structure is in."""
@@ -192,7 +247,10 @@ class Stepper:
         with _quiet:
             mujoco.mj_forward(engine, data)
         derived = {name: getattr(data, name).copy() for name in (*_OF_STATES, *self._inner)}
-        return State(position=data.qpos.copy(), velocity=data.qvel.copy(), derived=derived)
+        folds = self._structures[row].folds
+        angle = folds.angles(data.qpos)
+        angle[folds.creases] = without_jump(angle[folds.creases], self._angles[row])
+        return State(position=data.qpos.copy(), velocity=data.qvel.copy(), angle=angle, derived=derived)
 
     def close(self) -> None:
         """Wait for the steps that are being made, and make no more."""
@@ -217,6 +275,74 @@ class Stepper:
                 )
         finally:
             self._engines.put(engine)
+
+    def _follow(
+        self, rows: Indices, controls: Array, efforts: Array, memory: Mapping[str | int, Array], angles: Array
+    ) -> None:
+        """Do as `_step` does, block by block: in each the creases have what they have at its start."""
+        engine = self._engines.get()
+        try:
+            for block in range(angles.shape[1]):
+                steps = slice(block * FOLLOWED, min((block + 1) * FOLLOWED, self._chunk))
+                for place, row in enumerate(rows.tolist()):
+                    near = self._angles[row] if block == 0 else angles[place, block - 1]
+                    angles[place, block] = self._set_creases(row, near, efforts[place, steps].mean(axis=0))
+                every = [*range(len(rows)), *[0] * (engine.nsim - len(rows))]
+                engine.set_models([self._models[rows[place]] for place in every])
+                engine.state[: len(rows)] = self._state[rows]
+                out: dict[str | int | mujoco.mjtState, Array] = {
+                    name: np.empty((len(rows), steps.stop - steps.start, *each.shape[2:]))
+                    for name, each in memory.items()
+                }
+                with _quiet:
+                    engine.rollout(
+                        steps.stop - steps.start,
+                        control=np.ascontiguousarray(controls[:, steps]),
+                        control_spec=_CONTROL,
+                        record=tuple(out),
+                        ids=np.arange(len(rows)),
+                        out=out,
+                    )
+                for name, each in memory.items():
+                    each[:, steps] = out[name]
+                self._state[np.ix_(rows, self._moving)] = out[_MOVING][:, -1]
+        finally:
+            self._engines.put(engine)
+
+    def _set_creases(self, row: int, near: Array, effort: Array) -> Array:
+        """Give the creases of a structure what they have where it is; their angles, without jumps, (crease,)."""
+        model = self._structures[row]
+        assert model.creases is not None
+        angles, speeds = self._creases(row)
+        angles = without_jump(angles, near)
+        rests, torques = model.settings(effort)
+        engine_rows(self._models[row])[model.creases.rows] = model.creases.follow(angles, speeds, rests, torques)
+        return angles
+
+    def _creases(self, row: int) -> tuple[Array, Array]:
+        """Angles of the creases of a structure, from -pi to pi, and their speeds, in own senses, (crease,)."""
+        folds, moving = self._structures[row].folds, self._state[row, self._moving]
+        dof = self._structures[row].engine.nv
+        position, velocity = moving[1 : 1 + dof], moving[1 + dof : 1 + 2 * dof]
+        return folds.angles(position)[folds.creases], folds.travel(position, velocity)[folds.creases]
+
+
+def without_jump(angles: Array, near: Array) -> Array:
+    """Angles with as many whole turns as bring them closest to others, rad."""
+    return np.asarray(angles + 2 * np.pi * np.round((near - angles) / (2 * np.pi)))
+
+
+def _own_models(models: Sequence[Model], sparse: bool) -> list[mujoco.MjModel]:
+    """What the engine runs: models without energy if it is not looked at, of its own for each that has creases."""
+    engines = _without_energy(models) if sparse else [model.engine for model in models]
+    return [
+        engine if model.creases is None else copy.copy(engine) for engine, model in zip(engines, models, strict=True)
+    ]
+
+
+def _start_creases(model: Model) -> Array:
+    """Angles of the creases of the built shape, which start there, rad, (crease,)."""
+    return np.array([model.structure.hinges[number].start for number in model.folds.creases])
 
 
 def _memory(models: Sequence[Model], names: Sequence[str], chunk: int, moving: int) -> dict[str | int, Array]:
@@ -262,8 +388,12 @@ def _start_states(models: Sequence[Model]) -> Array:
 
 
 def _start_position(model: Model) -> Array:
-    """Joint angles at the start."""
-    return np.array([hinge.sense * hinge.start + 0.0 for hinge in model.structure.hinges])  # -0 would be another bit
+    """Joint angles at the start; what slides starts where it is built."""
+    position = np.zeros(model.engine.nq)
+    for hinge, place in zip(model.structure.hinges, model.folds.joints.tolist(), strict=True):
+        if place >= 0:
+            position[place] = hinge.sense * hinge.start + 0.0  # -0 would be another bit
+    return position
 
 
 def _start_creep(model: Model) -> Array:

@@ -1,4 +1,4 @@
-"""Tendons and length limits in the engine."""
+"""Springs, tendons and length limits in the engine."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from forficula.dynamics.bodies import stop_reference
 from forficula.material.law.tendon_law import TendonLaw
-from forficula.structure import LengthLimit, Structure, Tendon
+from forficula.structure import LengthLimit, Spring, Structure, Tendon
 
 # MuJoCo lets a limit harden over 0.001 of its length unit, which would be another share of every structure; the
 # other numbers are its defaults.
@@ -19,6 +19,15 @@ _PARTS = 1e6  # of the resting length: over one of them a spring of muscles sets
 _QUADRATIC = 1e3  # resting lengths up to which a quadratic spring is one
 _CUBIC_MISS = 1e-4  # of the largest force: how far a cubic spring of muscles may be from one
 _SLOW = 1e9  # lengths by unit of time: a muscle feels velocities as shares of that
+
+
+def add_spring(spec: mujoco.MjSpec, spring: Spring, structure: Structure) -> None:
+    """Add a spring, which pulls and pushes."""
+    line = spec.add_tendon(name=spring.name)
+    line.stiffness, line.damping = [spring.stiffness, 0.0, 0.0], [spring.damping, 0.0, 0.0]
+    line.springlength = [spring.rest_length, spring.rest_length]
+    for point in spring.points:
+        line.wrap_site(structure.points[point].name)
 
 
 def add_tendon(spec: mujoco.MjSpec, tendon: Tendon, structure: Structure) -> None:

@@ -1,0 +1,82 @@
+"""Work that motors and dampers do on creases and nodes, step by step."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.dynamics.creases import FOLLOWED
+from forficula.dynamics.model import Model
+from forficula.dynamics.stepper import Steps
+
+Array = NDArray[np.float64]
+
+
+def crease_works(
+    model: Model, steps: Steps, place: int, travel: Array, efforts: Array, before: Array
+) -> tuple[Array, Array]:
+    """Works on a structure with creases in some steps, in the model's units.
+
+    A rest angle that goes on does the work by which it changes the energy of the spring, which is a square of it: the
+    mean moment times the way.
+
+    Args:
+        model: of the structure.
+        steps: with its own.
+        place: which of them.
+        travel: of its coordinates in each step, (step, dof).
+        efforts: what its motors are set to in each step, (step, motor).
+        before: alike, before each step.
+
+    Returns:
+        Of every motor, (motor, step), and of the creases' damping, (step,).
+    """
+    assert model.creases is not None
+    assert steps.angles is not None
+    folds, creases = model.folds, model.creases
+    position = np.concatenate([steps.position_before[place, None], steps.position[place, :-1]])
+    block = np.arange(len(travel)) // FOLLOWED
+    along = motor_travel(model, position, travel)
+    damped = np.zeros(len(travel))
+    if creases.damping.any():
+        first = slice(0, None, FOLLOWED)
+        velocity = np.concatenate([steps.velocity_before[place, None], steps.velocity[place, :-1]])
+        speeds = folds.travel(position[first], velocity[first])[:, folds.creases]
+        turned = folds.travel(position, travel)[:, folds.creases]
+        damped = -np.sum((creases.damping * speeds)[block] * turned, axis=1)
+    angles = steps.angles[place][block]
+    rests, mean = model.settings(before)[0], model.settings((before + efforts) / 2)[0]
+    moments = creases.law.moment(angles, mean) if np.any(mean) or np.any(rests) else np.zeros_like(angles)
+    works = []
+    for number, motor in enumerate(model.structure.motors):
+        if motor.kind != "rest-angle":
+            works.append(efforts[:, number] * along[number])
+            continue
+        own = np.zeros_like(efforts)
+        own[:, number] = efforts[:, number] - before[:, number]
+        works.append(-np.sum(moments * model.settings(own)[0], axis=1))
+    return np.array(works).reshape(-1, len(travel)), damped
+
+
+def motor_travel(model: Model, position: Array, travel: Array) -> Array:
+    """How far small shifts of a structure's coordinates take what each motor acts on, (motor, ...).
+
+    Args:
+        model: of the structure, in whose units it is.
+        position: from which they go, (..., dof).
+        travel: alike.
+
+    Returns:
+        The turn of the hinges of a torque, rad, by their gains; the way of a force's points; 0 for a rest angle.
+    """
+    along = np.zeros((len(model.structure.motors), *travel.shape[:-1]))
+    for number, motor in enumerate(model.structure.motors):
+        if motor.kind == "torque":
+            hinges = np.array(motor.hinges, dtype=np.int64)
+            gains = np.array(motor.gains or (1.0,) * len(hinges))
+            order = np.argsort(hinges)
+            turned = model.folds.some(hinges[order]).travel(position, travel)
+            along[number] = np.sum(gains[order] * turned, axis=-1)
+        elif motor.kind == "force":
+            along[number] = np.sum(model.pushed[number] * travel, axis=-1)
+    return along

@@ -1,0 +1,171 @@
+"""Creases in the engine: rows of a bending flex, which follow any law, torque and damping.
+
+MuJoCo's bending of a flex is by edge and exact: a moment k sin(angle - r), without a jump anywhere. A row can be
+changed between steps, so that it has at any angle the moment and the slope that the crease has there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.dynamics.folds import Folds
+from forficula.errors import InputError
+from forficula.material import CreaseLaw
+from forficula.structure import Structure, crease_flaps
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+# steps over which a row stays as it is; each crease is of second order between
+FOLLOWED = 10
+_ROW = 17
+# of a crease's stiffness, or of the stiffest if it has none: its stops
+_STOP = 100.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Creases:
+    """The creases of a structure in the engine's model.
+
+    Attributes:
+        rows: of each in the engine's flex_bending, (crease,).
+        square: the first sixteen numbers of its row for k cos r = 1, (crease, 16).
+        volume: the last one for k sin r = 1, (crease,).
+        senses: +1 or -1, (crease,).
+        law: of the springs and stops, arrays (crease,), in own senses and the model's units.
+        damping: (crease,), in the model's units.
+    """
+
+    rows: Indices
+    square: Array
+    volume: Array
+    senses: Indices
+    law: CreaseLaw
+    damping: Array
+
+    def follow(self, angles: Array, speeds: Array, rests: Array, torques: Array) -> Array:
+        """The rows that have the moments and the slopes that the creases have where they are, (..., crease, 17).
+
+        Args:
+            angles: in own senses, rad, (..., crease).
+            speeds: alike, in the model's units.
+            rests: by how much the springs rest further on, rad, (..., crease).
+            torques: in the model's units, (..., crease).
+        """
+        moment = self.law.moment(angles - rests) + self.damping * speeds - torques
+        slope = self.law.slope(angles - rests)
+        size, ahead = np.hypot(moment, slope), np.arctan2(moment, slope)
+        # of the angle between the flaps, whose sense the row has
+        rest = self.senses * (angles - ahead)
+        first = (size * np.cos(rest))[..., None] * self.square
+        return np.concatenate([first, (size * np.sin(rest) * self.volume)[..., None]], axis=-1)
+
+
+def add_creases(spec: mujoco.MjSpec, structure: Structure) -> None:
+    """Add the flex whose edges are the creases of a structure in a model's units; its rows are set later."""
+    flaps = crease_flaps(structure)
+    if not len(flaps):
+        return
+    points, corners = np.unique(flaps, return_inverse=True)
+    corners = corners.reshape(-1, 6)
+    triangles = {tuple(sorted(each)): each for each in corners[:, [1, 0, 2]][:, [1, 0, 2]].tolist()}
+    # counterclockwise, as the left one is; the right one runs the other way along the crease
+    for each in corners[:, [4, 3, 5]].tolist():
+        triangles.setdefault(tuple(sorted(each)), each)
+    flex = spec.add_flex(
+        name="creases", dim=2, radius=1e-3, young=1, thickness=1, elastic2d=1, contype=0, conaffinity=0, selfcollide=0
+    )
+    flex.vertbody = [structure.bodies[structure.points[point].body].name for point in points.tolist()]
+    flex.vert = np.zeros(3 * len(points))
+    flex.elem = np.ravel(list(triangles.values()))
+
+
+def creases_of(engine: mujoco.MjModel, structure: Structure, folds: Folds) -> Creases | None:
+    """Find the creases in the compiled model, of a structure in its units; None where there are none.
+
+    Raises:
+        InputError: an edge between two triangles that are not the flaps of its crease.
+    """
+    hinges = [structure.hinges[number] for number in folds.creases]
+    if not hinges:
+        return None
+    flex = mujoco.mj_name2id(engine, mujoco.mjtObj.mjOBJ_FLEX, "creases")
+    first, count = int(engine.flex_edgeadr[flex]), int(engine.flex_edgenum[flex])
+    edges = np.column_stack([engine.flex_edge, engine.flex_edgeflap])[first : first + count]
+    known = {(frozenset(edge[:2]), frozenset(edge[2:])): number for number, edge in enumerate(edges.tolist())}
+    found = []
+    for hinge, (tail, head, left, _, _, right) in zip(hinges, folds.flaps.tolist(), strict=True):
+        number = known.get((frozenset((tail, head)), frozenset((left, right))))
+        if number is None:
+            raise InputError(f"{hinge.name}: need two facets that no others meet at their edge, got more")
+        found.append(number)
+    corners = folds.built[edges[found]]
+    square, volume = _shape(corners)
+    # the first flap of the engine's edge may lie on its left or its right
+    mine = edges[found]
+    ahead = mine[:, 0] == folds.flaps[:, 0]
+    on_left = mine[:, 2] == folds.flaps[:, 2]
+    return Creases(
+        rows=np.array(found, dtype=np.int64) + _first_row(engine, flex),
+        square=square,
+        volume=np.where(ahead == on_left, -1.0, 1.0) * volume,
+        senses=np.array([hinge.sense for hinge in hinges], dtype=np.int64),
+        law=crease_law(structure, folds.creases),
+        damping=np.array([hinge.damping for hinge in hinges]),
+    )
+
+
+def crease_law(structure: Structure, creases: Indices) -> CreaseLaw:
+    """The law of the springs of creases, by the numbers of their hinges, in own senses, arrays (crease,)."""
+    hinges = [structure.hinges[number] for number in creases]
+    stiffness = np.array([hinge.stiffness for hinge in hinges])
+    return CreaseLaw(
+        stiffness=stiffness,
+        rest_angle=np.array([hinge.rest_angle for hinge in hinges]),
+        lock_below=np.array([hinge.lock_below for hinge in hinges]),
+        lock_above=np.array([hinge.lock_above for hinge in hinges]),
+        lower=np.array([hinge.lower for hinge in hinges]),
+        upper=np.array([hinge.upper for hinge in hinges]),
+        stop_stiffness=_STOP * np.where(stiffness > 0, stiffness, stiffness.max(initial=0.0)),
+    )
+
+
+def clear_rows(engine: mujoco.MjModel) -> None:
+    """Take the bending of all edges out of a model; what creases there are sets its own."""
+    if mujoco.mj_name2id(engine, mujoco.mjtObj.mjOBJ_FLEX, "creases") >= 0:
+        engine.flex_bending[:] = 0
+
+
+def engine_rows(engine: mujoco.MjModel) -> Array:
+    """The rows of a model's flexes, (row, 17), to be written to."""
+    return np.asarray(engine.flex_bending).reshape(-1, _ROW)
+
+
+def _first_row(engine: mujoco.MjModel, flex: int) -> int:
+    return int(engine.flex_bendingadr[flex]) // _ROW
+
+
+def _shape(corners: Array) -> tuple[Array, Array]:
+    """What rows are made of, from the built places of edges' ends and flaps, (crease, 4, 3).
+
+    With e along the edge and u, v to the flaps, and c the cotangent weights of the four over |e|, which give
+    |c x|^2 = 2 (1 - cos angle) (Wardetzky et al. 2007): c c', (crease, 16), and |e| / (|e x u| |e x v|), (crease,).
+    """
+    edge, one, other = (corners[:, place] - corners[:, 0] for place in (1, 2, 3))
+    length = np.linalg.norm(edge, axis=1)
+    at_tail, at_tail_too = _cotangent(edge, one), _cotangent(edge, other)
+    at_head, at_head_too = _cotangent(-edge, one - edge), _cotangent(-edge, other - edge)
+    weights = np.stack(
+        [at_head + at_head_too, at_tail + at_tail_too, -at_tail - at_head, -at_tail_too - at_head_too], axis=1
+    )
+    weights /= length[:, None]
+    heights = np.linalg.norm(np.cross(edge, one), axis=1) * np.linalg.norm(np.cross(edge, other), axis=1)
+    return np.einsum("ij,ik->ijk", weights, weights).reshape(-1, 16), length / heights
+
+
+def _cotangent(one: Array, other: Array) -> Array:
+    return np.asarray(np.sum(one * other, axis=1) / np.linalg.norm(np.cross(one, other), axis=1))

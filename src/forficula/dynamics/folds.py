@@ -1,0 +1,139 @@
+"""Angles of hinges, joints and creases, from the positions that the engine has."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.structure import Structure, built_points, crease_flaps, crease_numbers, flap_angles
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Folds:
+    """How the angles of hinges follow from the engine's positions.
+
+    Attributes:
+        senses: +1 or -1 by hinge, (hinge,).
+        joints: place of each hinge in the engine's positions and velocities, (hinge,); -1 of a crease.
+        creases: numbers of the hinges that are creases, (crease,).
+        flaps: nodes at the corners of their flaps, (crease, 6).
+        built: these nodes in the built shape, in the model's units, (node, 3).
+        slides: place of each node's coordinates in the engine's positions, (node, 3); -1 where it is held.
+    """
+
+    senses: Indices
+    joints: Indices
+    creases: Indices
+    flaps: Indices
+    built: Array
+    slides: Indices
+
+    def some(self, hinges: Indices) -> Folds:
+        """Of some of the hinges only, by number."""
+        joints = self.joints[hinges]
+        which = np.flatnonzero(joints < 0)
+        return replace(
+            self,
+            senses=self.senses[hinges],
+            joints=joints,
+            creases=which,
+            flaps=self.flaps[np.searchsorted(self.creases, hinges[which])],
+        )
+
+    def angles(self, positions: Array) -> Array:
+        """Angles of all hinges in their own senses, rad, (..., hinge), from positions, (..., dof)."""
+        if not len(self.creases):
+            return np.asarray(self.senses * positions)
+        angles = np.zeros((*positions.shape[:-1], len(self.senses)))
+        turned = self.joints >= 0
+        angles[..., turned] = (self.senses * positions[..., self.joints])[..., turned]
+        angles[..., self.creases] = self.senses[self.creases] * flap_angles(self.corners(positions))
+        return angles
+
+    def travel(self, positions: Array, shifts: Array) -> Array:
+        """By how much small shifts of the positions turn all hinges in their own senses, rad, (..., hinge).
+
+        Args:
+            positions: from which they are, (..., dof).
+            shifts: alike.
+        """
+        if not len(self.creases):
+            return np.asarray(self.senses * shifts)
+        turned = np.zeros((*shifts.shape[:-1], len(self.senses)))
+        joints = self.joints >= 0
+        turned[..., joints] = (self.senses * shifts[..., self.joints])[..., joints]
+        turns = flap_turns(self.corners(positions), self._shifted(shifts)[..., self.flaps, :])
+        turned[..., self.creases] = self.senses[self.creases] * turns
+        return turned
+
+    def corners(self, positions: Array) -> Array:
+        """Where the corners of all flaps are, in the model's units, (..., crease, 6, 3)."""
+        return np.asarray((self.built + self._shifted(positions))[..., self.flaps, :])
+
+    def _shifted(self, positions: Array) -> Array:
+        """Shifts of the nodes, (..., node, 3)."""
+        held = np.concatenate([positions, np.zeros((*positions.shape[:-1], 1))], axis=-1)
+        return np.asarray(held[..., self.slides])
+
+
+def folds_of(engine: mujoco.MjModel, structure: Structure) -> Folds:
+    """Find the hinges of a structure in the model's units, and the nodes of its creases, in the compiled model."""
+    hinges = structure.hinges
+    joints = [-1 if hinge.flaps else _address(engine, hinge.name) for hinge in hinges]
+    points, flaps = np.unique(crease_flaps(structure), return_inverse=True)
+    slides = np.full((len(points), 3), -1, dtype=np.int64)
+    for node, point in enumerate(points.tolist()):
+        body = structure.bodies[structure.points[point].body]
+        for axis in body.slides:
+            slides[node, axis] = _address(engine, slide_name(body.name, axis))
+    return Folds(
+        senses=np.array([hinge.sense for hinge in hinges], dtype=np.int64),
+        joints=np.array(joints, dtype=np.int64),
+        creases=crease_numbers(structure),
+        flaps=flaps.reshape(-1, 6).astype(np.int64),
+        built=built_points(structure)[points],
+        slides=slides,
+    )
+
+
+def slide_name(body: str, axis: int) -> str:
+    """What the engine calls the slide of a body along an axis, 0 to 2."""
+    return f"{body}_{'xyz'[axis]}"
+
+
+def _address(engine: mujoco.MjModel, joint: str) -> int:
+    """The place of a joint in the engine's positions."""
+    return int(engine.jnt_qposadr[mujoco.mj_name2id(engine, mujoco.mjtObj.mjOBJ_JOINT, joint)])
+
+
+def flap_turns(corners: Array, shifts: Array) -> Array:
+    """By how much small shifts of the corners of flaps change the angles between them, rad, (...).
+
+    The corner of a flap, in front of its side, turns it by its shift along the flap's normal over its height; the ends
+    of the side count by the shares in which the corner's foot divides it (Bridson, Marino and Fedkiw 2003, section 4).
+
+    Args:
+        corners: as of `flap_angles`, (..., 6, 3).
+        shifts: alike.
+    """
+    turned = 0.0
+    for first, side in ((0, 1.0), (3, -1.0)):
+        tail, head, corner = (corners[..., first + place, :] for place in range(3))
+        along, away = head - tail, corner - tail
+        normal = side * np.cross(along, away)
+        square = np.sum(along**2, axis=-1)
+        share = np.sum(away * along, axis=-1) / square
+        lever = np.sqrt(square) / np.sum(normal**2, axis=-1)
+        moved = (
+            shifts[..., first + 2, :]
+            - (1 - share)[..., None] * shifts[..., first, :]
+            - share[..., None] * shifts[..., first + 1, :]
+        )
+        turned = turned + lever * np.sum(normal * moved, axis=-1)
+    return np.asarray(turned)
