@@ -20,10 +20,18 @@ from forficula.pattern.kinematics import (
     folded_coordinates,
     folded_frames,
 )
+from forficula.pattern.kresling import (
+    KreslingLengths,
+    KreslingState,
+    kresling_lengths,
+    kresling_other_state,
+    kresling_pattern,
+)
 from forficula.pattern.miura_ori import MiuraSize, miura_pattern, miura_size
 from forficula.pattern.pleats import pleat_pattern
 from forficula.pattern.svg_file import write_svg
 from forficula.pattern.triangulation import Triangulation, triangulated
+from forficula.pattern.vertex import vertex_pattern
 from forficula.pattern.waterbomb import Apex, waterbomb_base, waterbomb_pattern
 from forficula.pattern.yoshimura import yoshimura_pattern, yoshimura_tube
 
@@ -33,6 +41,8 @@ __all__ = [
     "CreasePattern",
     "EarwigFan",
     "FacetLink",
+    "KreslingLengths",
+    "KreslingState",
     "MiuraSize",
     "Tangent",
     "Triangulation",
@@ -53,6 +63,9 @@ __all__ = [
     "interior_vertices",
     "kawasaki_residuals",
     "kept_as_built",
+    "kresling_lengths",
+    "kresling_other_state",
+    "kresling_pattern",
     "maekawa_residuals",
     "miura_pattern",
     "miura_size",
@@ -66,6 +79,7 @@ __all__ = [
     "triangulated",
     "vein_gaps",
     "vertex_checks",
+    "vertex_pattern",
     "waterbomb_base",
     "waterbomb_pattern",
     "write_fold",
