@@ -8,6 +8,7 @@ from forficula.pattern.crease_pattern import (
     maekawa_residuals,
     sectors_between,
 )
+from forficula.pattern.drawing_file import read_drawing
 from forficula.pattern.earwig import EarwigFan, Tangent, earwig_pattern, hub_points, ring_vertices, tips, vein_gaps
 from forficula.pattern.facet_tree import FacetLink, edges_between, facet_tree
 from forficula.pattern.flat_folding import VertexCheck, flat_folding_faults, pattern_text, vertex_checks
@@ -28,6 +29,7 @@ from forficula.pattern.kresling import (
     kresling_pattern,
 )
 from forficula.pattern.miura_ori import MiuraSize, miura_pattern, miura_size
+from forficula.pattern.pattern_file import PATTERN_FILES, read_pattern
 from forficula.pattern.pleats import pleat_pattern
 from forficula.pattern.svg_file import write_svg
 from forficula.pattern.triangulation import Triangulation, triangulated
@@ -37,6 +39,7 @@ from forficula.pattern.yoshimura import yoshimura_pattern, yoshimura_tube
 
 __all__ = [
     "ASSIGNMENTS",
+    "PATTERN_FILES",
     "Apex",
     "CreasePattern",
     "EarwigFan",
@@ -71,8 +74,10 @@ __all__ = [
     "miura_size",
     "pattern_text",
     "pleat_pattern",
+    "read_drawing",
     "read_fold",
     "read_folded_frames",
+    "read_pattern",
     "ring_vertices",
     "sectors_between",
     "tips",

@@ -96,9 +96,7 @@ def faces_between(points: NDArray[np.float64], edges: NDArray[np.int64]) -> list
     return [face for face in faces if face_area(points, face) > 0]
 
 
-def check_edges_apart(
-    points: NDArray[np.float64], edges: NDArray[np.int64], numbers: NDArray[np.int64]
-) -> None:
+def check_edges_apart(points: NDArray[np.float64], edges: NDArray[np.int64], numbers: NDArray[np.int64]) -> None:
     """Refuse edges of a flat sheet that meet anywhere but at their vertices.
 
     Args:
@@ -120,8 +118,8 @@ def check_edges_apart(
         nearer = min(math.dist(points[vertex], points[end]) for end in (tail, head))
         if vertex not in (tail, head) and distance <= _ON_EDGE * nearer:
             raise InputError(
-                f"edges_vertices[{numbers[edge]}]: need vertices at its ends only, got vertex {vertex} on the edge from {tail} to"
-                f" {head}; write two edges, {tail} to {vertex} and {vertex} to {head}"
+                f"edges_vertices[{numbers[edge]}]: need vertices at its ends only, got vertex {vertex} on the edge"
+                f" from {tail} to {head}; write two edges, {tail} to {vertex} and {vertex} to {head}"
             )
     crossing, _ = crossings(starts, ends, _TOUCHING * size)
     for first, second in crossing.tolist():
@@ -174,9 +172,7 @@ def check_face_sides(points: NDArray[np.float64], faces: Sequence[Sequence[int]]
             )
 
 
-def check_faces_apart(
-    points: NDArray[np.float64], edges: NDArray[np.int64], faces: Sequence[Sequence[int]]
-) -> None:
+def check_faces_apart(points: NDArray[np.float64], edges: NDArray[np.int64], faces: Sequence[Sequence[int]]) -> None:
     """Refuse faces of a flat sheet that overlap.
 
     Args:
@@ -201,8 +197,8 @@ def check_faces_apart(
             inner = following[side]
             if inner != after:
                 raise InputError(
-                    f"faces_vertices[{number}]: need faces between the edges, got the edge from {inner[0]} to {inner[1]}"
-                    " inside the face; split the face there, or leave out the edge"
+                    f"faces_vertices[{number}]: need faces between the edges, got the edge from {inner[0]} to"
+                    f" {inner[1]} inside the face; split the face there, or leave out the edge"
                 )
     _check_islands(points, edges, faces)
 

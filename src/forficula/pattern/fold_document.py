@@ -138,8 +138,9 @@ def chosen_frame(frames: Sequence[FoldFrame], chosen: int | str | None) -> int:
     """
     if chosen is None:
         placed = [number for number, frame in enumerate(frames) if frame.get("vertices_coords")]
-        patterns = [number for number in placed if "creasePattern" in frame_classes(frames[number])]
-        return 0 if 0 in placed or not placed else (patterns or placed)[0]
+        if "vertices_coords" in frames[0] or not placed:
+            return 0
+        return next((number for number in placed if "creasePattern" in frame_classes(frames[number])), placed[0])
     if isinstance(chosen, bool) or not isinstance(chosen, int | str):
         raise InputError(f"frame: need a number or a title, got {as_written(chosen)}")
     if isinstance(chosen, int):

@@ -53,9 +53,7 @@ class _Sheet:
     remarks: list[str]
 
 
-def read_fold(
-    path: str | os.PathLike[str], unit: float | None = None, frame: int | str | None = None
-) -> CreasePattern:
+def read_fold(path: str | os.PathLike[str], unit: float | None = None, frame: int | str | None = None) -> CreasePattern:
     """Read a pattern from a FOLD file, as `fold_pattern` does, without its remarks."""
     return fold_pattern(path, unit, frame)[0]
 
@@ -139,9 +137,9 @@ def read_folded_frames(
 def _folded_state(frame: FoldFrame, unit: float | None, sheet: _Sheet) -> Frame:
     """Title, positions and fold angles of a frame."""
     coords = coords_of(frame) * metres_of(frame, unit)
-    edges = edges_of(frame, len(coords)) if "edges_vertices" in frame or "faces_vertices" in frame else []
-    fold_angles, _ = fold_angles_of(frame, len(edges))
-    if (len(coords), len(edges)) == sheet.counts:
+    edge_count = len(edges_of(frame, len(coords))) if "edges_vertices" in frame or "faces_vertices" in frame else 0
+    fold_angles, _ = fold_angles_of(frame, edge_count)
+    if (len(coords), edge_count) == sheet.counts:
         coords, fold_angles = coords[sheet.vertices], fold_angles[sheet.edges]
     if sheet.plane is not None:
         coords = sheet.plane.turned(coords)

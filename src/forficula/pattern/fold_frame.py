@@ -95,9 +95,8 @@ def vertex_lists(frame: FoldFrame, key: str, vertex_count: int) -> list[list[int
         if not isinstance(vertices, list):
             raise InputError(f"{where}: need a list of vertices, got {vertices!r}")
         checked: list[int] = []
-        for vertex in vertices:
-            if isinstance(vertex, float) and vertex.is_integer():
-                vertex = int(vertex)
+        for given in vertices:
+            vertex = int(given) if isinstance(given, float) and given.is_integer() else given
             if isinstance(vertex, bool) or not isinstance(vertex, int):
                 raise InputError(f"{where}: need whole numbers, got {vertex!r}")
             check_vertex(where, vertex, vertex_count)
@@ -184,8 +183,10 @@ def fold_angles_of(
         raise InputError(f"{key}: need one for each of the {edge_count} edges, got {len(values)}")
     remarks = []
     largest = max((abs(value) for value in values if not math.isnan(value)), default=0.0)
-    if key == "edges_foldAngles" and largest <= math.pi * (1 + 1e-6) and "Origami Simulator" in str(
-        frame.get("file_creator", "")
+    if (
+        key == "edges_foldAngles"
+        and largest <= math.pi * (1 + 1e-6)
+        and "Origami Simulator" in str(frame.get("file_creator", ""))
     ):
         values = [math.degrees(value) for value in values]
         remarks = ["edges_foldAngles: taken as radians, which Origami Simulator wrote under this name"]

@@ -1,4 +1,4 @@
-"""Crease patterns written as FOLD 1.2 files (specification by Demaine, Ku and Lang), JSON that origami programs share."""
+"""Crease patterns written as FOLD 1.2 files (Demaine, Ku and Lang), JSON that origami programs share."""
 
 from __future__ import annotations
 

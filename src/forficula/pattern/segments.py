@@ -86,7 +86,7 @@ def boxes_that_meet(
         meet = np.ones((len(part_low), len(other_low)), dtype=bool)
         for axis in (0, 1):
             meet &= (part_low[..., axis] <= other_high[:, axis]) & (other_low[:, axis] <= part_high[..., axis])
-        found.append(np.argwhere(meet) + (first, 0))
+        found.append(np.argwhere(meet) + np.array([first, 0]))
     return np.concatenate(found) if found else np.empty((0, 2), dtype=np.int64)
 
 
