@@ -15,7 +15,6 @@ from forficula.pattern.flat_folding import (
     VertexCheck,
     flat_folding_faults,
     flat_folding_text,
-    pattern_text,
     vertex_checks,
 )
 from forficula.pattern.fold_angles import built_fold_angles, kept_as_built
