@@ -18,6 +18,7 @@ _MOST_STEPS = 2000
 _CORRECTIONS = 7
 _SMALLEST_SHIFT, _LARGEST_SHIFT = 1e-9, 1e3  # of the largest stiffness
 _HOME = 1e-9  # step that ends the search, of the net's size
+_PUSH = 1e-3
 _ROUNDING = 1e-13
 # a curvature below this share of the largest one is none
 _NEUTRAL = 1e-11
@@ -90,9 +91,11 @@ def minimum(
                 break
             shift = _raised(shift, stiffest)
         else:
-            moved = np.abs(taken.positions - here.shape.positions).max()
-            settled = bool(moved <= _HOME * net.size and shift <= _SMALLEST_SHIFT * stiffest)
+            near = bool(np.abs(taken.positions - here.shape.positions).max() <= _HOME * net.size)
             here = expand(net, taken, load, factor)
+            # where a shift remains, it is no minimum: it rests there only if nothing pushes
+            pushed = np.abs(here.slope[net.free]).max(initial=0.0) > _PUSH * _HOME * net.size * stiffest
+            settled = near and (shift <= _SMALLEST_SHIFT * stiffest or not pushed)
             shift = shift / 10 if corrections <= 2 else shift / 2 if corrections <= 3 else shift
             shift = 0.0 if shift < _SMALLEST_SHIFT * stiffest else shift
         parts = factored(here.free, shift)
