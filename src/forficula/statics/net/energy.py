@@ -50,7 +50,7 @@ def shape_at(net: Net, positions: Array, near: Array | None = None) -> Shape:
         near: angles that those of the creases follow, rad, (crease,); None for 0.
     """
     near = np.zeros(len(net.creases.points)) if near is None else near
-    return Shape(positions=positions, angles=fold_angles(_split(net, positions)[2], near))
+    return Shape(positions=positions, angles=fold_angles(sides_of(net, positions)[2], near))
 
 
 def built_shape(net: Net) -> Shape:
@@ -60,7 +60,7 @@ def built_shape(net: Net) -> Shape:
 
 def stored_energy(net: Net, shape: Shape) -> float:
     """Energy stored, that of the weight included (0 at z = 0), J."""
-    springs, tendons, creases, triangles = _split(net, shape.positions)
+    springs, tendons, creases, triangles = sides_of(net, shape.positions)
     rise = _length(springs) - net.springs.rest_length
     energy = float(net.springs.stiffness @ rise**2) / 2
     energy += float(np.sum(net.tendons.law.energy(_length(tendons))))
@@ -86,7 +86,7 @@ def expand(net: Net, shape: Shape, load: Load | None = None, factor: float = 0.0
         factor: times which it does.
     """
     layout = layout_of(net)
-    springs, tendons, creases, triangles = _split(net, shape.positions)
+    springs, tendons, creases, triangles = sides_of(net, shape.positions)
     shortest = _SHORTEST * net.size
     pieces = [_bars(net, springs, shortest), _pulls(net, tendons, shortest)]
     torques = None if load is None else factor * load.torques
@@ -108,7 +108,7 @@ def expand(net: Net, shape: Shape, load: Load | None = None, factor: float = 0.0
 def slope_of(net: Net, shape: Shape, load: Load | None = None, factor: float = 0.0) -> Array:
     """The slope alone, N, (node, 3)."""
     layout = layout_of(net)
-    springs, tendons, creases, triangles = _split(net, shape.positions)
+    springs, tendons, creases, triangles = sides_of(net, shape.positions)
     shortest = _SHORTEST * net.size
     pull = net.springs.stiffness * (_length(springs) - net.springs.rest_length)
     moments = net.creases.law.moment(shape.angles) - (0.0 if load is None else factor * load.torques)
@@ -125,7 +125,7 @@ def slope_of(net: Net, shape: Shape, load: Load | None = None, factor: float = 0
 
 def angle_slopes(net: Net, shape: Shape) -> tuple[Array, Layout]:
     """Slopes of the creases' angles by their sides, 1/m, (crease, 3, 3), and how the sides hang on the nodes."""
-    return fold_angle_derivatives(_split(net, shape.positions)[2])[0], layout_of(net)
+    return fold_angle_derivatives(sides_of(net, shape.positions)[2])[0], layout_of(net)
 
 
 def load_slope(net: Net, shape: Shape, load: Load) -> Array:
@@ -138,12 +138,8 @@ def load_slope(net: Net, shape: Shape, load: Load) -> Array:
     return np.asarray(layout.sides.T @ sides + load.forces)
 
 
-def _work(net: Net, shape: Shape, load: Load) -> float:
-    return float(np.sum(load.forces * (shape.positions - net.nodes)) + load.torques @ shape.angles)
-
-
-def _split(net: Net, positions: Array) -> tuple[Array, Array, Array, Array]:
-    """Sides of springs and tendons, (side, 3), of creases, (crease, 3, 3), and triangles, (triangle, 2, 3)."""
+def sides_of(net: Net, positions: Array) -> tuple[Array, Array, Array, Array]:
+    """Sides of springs and tendons, m, (side, 3), of creases, (crease, 3, 3), and triangles, (triangle, 2, 3)."""
     layout = layout_of(net)
     springs, tendons, creases, _ = layout.counts
     sides = layout.sides @ positions
@@ -155,6 +151,10 @@ def _split(net: Net, positions: Array) -> tuple[Array, Array, Array, Array]:
         sides[bent:flat].reshape(-1, 3, 3),
         sides[flat:].reshape(-1, 2, 3),
     )
+
+
+def _work(net: Net, shape: Shape, load: Load) -> float:
+    return float(np.sum(load.forces * (shape.positions - net.nodes)) + load.torques @ shape.angles)
 
 
 def _length(sides: Array) -> Array:
@@ -200,17 +200,32 @@ def _folds(net: Net, sides: Array, angles: Array, torques: Array | None) -> Piec
     return float(np.sum(law.energy(angles))), acting[:, None, None] * slope, blocks
 
 
-def _stretched(membranes: Triangles, sides: Array) -> Piece:
-    """Triangles of a St Venant-Kirchhoff material (e.g. Bonet and Wood 2008, section 6.5), Green's strain."""
-    shape, area = _flat(membranes.built)
+def membrane_stresses(net: Net, shape: Shape) -> Array:
+    """Principal second Piola-Kirchhoff stresses of the membranes, the larger first, Pa, (triangle, 2)."""
+    if net.membranes is None:
+        return np.zeros((0, 2))
+    plane, area = _flat(net.membranes.built)
+    stress = _stressed(net.membranes, sides_of(net, shape.positions)[3], plane, area)[3]
+    volume = (area * net.membranes.thickness)[:, None]
+    return np.asarray(np.linalg.eigvalsh(stress)[:, ::-1] / volume)
+
+
+def _stressed(membranes: Triangles, sides: Array, shape: Array, area: Array) -> tuple[Array, Array, Array, Array]:
+    """Stiffness, N m, deformation gradient, (triangle, 3, 2), strain and stress x volume, (triangle, 2, 2)."""
     modulus, ratio = np.broadcast_arrays(membranes.youngs_modulus, membranes.poisson_ratio, np.empty(len(area)))[:2]
     stiff = (modulus / (1 - ratio**2) * area * membranes.thickness)[:, None, None]
     ratio = ratio[:, None, None]
-    # deformation gradient, (triangle, 3, 2)
     gradient = np.einsum("tsx,tsm->txm", sides, shape)
     strain = (np.einsum("txm,txn->tmn", gradient, gradient) - np.eye(2)) / 2
     trace = np.trace(strain, axis1=1, axis2=2)[:, None, None]
-    stress = stiff * ((1 - ratio) * strain + ratio * trace * np.eye(2))
+    return stiff, gradient, strain, stiff * ((1 - ratio) * strain + ratio * trace * np.eye(2))
+
+
+def _stretched(membranes: Triangles, sides: Array) -> Piece:
+    """Triangles of a St Venant-Kirchhoff material (e.g. Bonet and Wood 2008, section 6.5), Green's strain."""
+    shape, area = _flat(membranes.built)
+    stiff, gradient, strain, stress = _stressed(membranes, sides, shape, area)
+    ratio = np.broadcast_to(membranes.poisson_ratio, len(area))[:, None, None]
     energy = float(np.sum(stress * strain)) / 2
     slope = np.einsum("txm,tmn,tsn->tsx", gradient, stress, shape)
     # by sides: the change of stress with strain, and the stress itself
