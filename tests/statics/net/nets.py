@@ -60,12 +60,10 @@ def sheet(nodes, facets: Sequence[Sequence[int]], *, axial=1e4, crease=1.0, face
         points=net.springs.points, stiffness=axial / net.springs.rest_length, rest_length=net.springs.rest_length
     )
     creases = Creases(points=points, law=law)
-    return Net(
-        nodes=nodes, free=net.free, points=net.points, masses=net.masses, springs=springs, creases=creases
-    ), flat
+    return Net(nodes=nodes, free=net.free, points=net.points, masses=net.masses, springs=springs, creases=creases), flat
 
 
-def miura(columns, rows, *, side=1.0, other=1.0, acute=np.deg2rad(60), fold=0.0):
+def miura(columns, rows, *, side=1.0, other=1.0, acute=np.pi / 3, fold=0.0):
     """Nodes and facets of a Miura sheet; `fold` is the angle of its facets above the plane (Schenk and Guest 2013)."""
     height = side * np.sin(fold) * np.sin(acute)
     cosine = np.cos(fold) * np.tan(acute)

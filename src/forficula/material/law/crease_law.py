@@ -35,13 +35,13 @@ class CreaseLaw:
         InputError: a number out of these bounds, or bounds that cross.
     """
 
-    stiffness: ArrayLike
-    rest_angle: ArrayLike = 0.0
-    lock_below: ArrayLike = -np.inf
-    lock_above: ArrayLike = np.inf
-    lower: ArrayLike = -np.inf
-    upper: ArrayLike = np.inf
-    stop_stiffness: ArrayLike = 0.0
+    stiffness: Array | float
+    rest_angle: Array | float = 0.0
+    lock_below: Array | float = -np.inf
+    lock_above: Array | float = np.inf
+    lower: Array | float = -np.inf
+    upper: Array | float = np.inf
+    stop_stiffness: Array | float = 0.0
 
     def __post_init__(self) -> None:
         for name in ("stiffness", "stop_stiffness"):

@@ -10,7 +10,8 @@ from scipy.sparse import bsr_array, csc_array
 
 from forficula.statics.net.fold_angle import fold_angle_derivatives, fold_angles
 from forficula.statics.net.layout import Layout, layout_of
-from forficula.statics.net.net import Load, Net, Shape, Triangles
+from forficula.statics.net.load import Load
+from forficula.statics.net.net import Net, Shape, Triangles
 
 Array = NDArray[np.float64]
 
@@ -58,24 +59,6 @@ def built_shape(net: Net) -> Shape:
     return shape_at(net, net.nodes)
 
 
-def stored_energy(net: Net, shape: Shape) -> float:
-    """Energy stored, that of the weight included (0 at z = 0), J."""
-    springs, tendons, creases, triangles = sides_of(net, shape.positions)
-    rise = _length(springs) - net.springs.rest_length
-    energy = float(net.springs.stiffness @ rise**2) / 2
-    energy += float(np.sum(net.tendons.law.energy(_length(tendons))))
-    energy += float(np.sum(net.creases.law.energy(fold_angles(creases, shape.angles))))
-    if net.membranes is not None:
-        energy += _stretched(net.membranes, triangles)[0]
-    return energy - float(np.sum(layout_of(net).weight * shape.positions))
-
-
-def potential(net: Net, shape: Shape, load: Load | None = None, factor: float = 0.0) -> float:
-    """Energy stored less what the load does from the shape as built, J."""
-    stored = stored_energy(net, shape)
-    return stored if load is None else stored - factor * _work(net, shape, load)
-
-
 def expand(net: Net, shape: Shape, load: Load | None = None, factor: float = 0.0) -> Expansion:
     """The potential about a shape: energy, slope and sparse curvature in closed form, all elements at once.
 
@@ -103,24 +86,6 @@ def expand(net: Net, shape: Shape, load: Load | None = None, factor: float = 0.0
     return Expansion(
         shape=shape, stored=stored, energy=energy, slope=slope, curvature=whole, free=layout.free_part(whole)
     )
-
-
-def slope_of(net: Net, shape: Shape, load: Load | None = None, factor: float = 0.0) -> Array:
-    """The slope alone, N, (node, 3)."""
-    layout = layout_of(net)
-    springs, tendons, creases, triangles = sides_of(net, shape.positions)
-    shortest = _SHORTEST * net.size
-    pull = net.springs.stiffness * (_length(springs) - net.springs.rest_length)
-    moments = net.creases.law.moment(shape.angles) - (0.0 if load is None else factor * load.torques)
-    parts = [
-        _by_length(net.springs.stiffness, net.springs.rest_length, pull, springs, shortest),
-        (net.tendons.law.force(_length(tendons)) / np.maximum(_length(tendons), shortest))[:, None] * tendons,
-        (moments[:, None, None] * fold_angle_derivatives(creases)[0]).reshape(-1, 3),
-    ]
-    if net.membranes is not None:
-        parts.append(_stretched(net.membranes, triangles)[1].reshape(-1, 3))
-    slope = layout.sides.T @ np.concatenate(parts) - layout.weight
-    return np.asarray(slope if load is None else slope - factor * load.forces)
 
 
 def angle_slopes(net: Net, shape: Shape) -> tuple[Array, Layout]:
@@ -159,12 +124,6 @@ def _work(net: Net, shape: Shape, load: Load) -> float:
 
 def _length(sides: Array) -> Array:
     return np.asarray(np.linalg.norm(sides, axis=-1))
-
-
-def _by_length(stiffness: Array, rest_length: Array, pull: Array, sides: Array, shortest: float) -> Array:
-    """Forces of springs; those without a resting length need no direction."""
-    per_length = np.where(rest_length > 0, pull / np.maximum(_length(sides), shortest), stiffness)
-    return np.asarray(per_length[:, None] * sides)
 
 
 def _bars(net: Net, sides: Array, shortest: float) -> Piece:

@@ -8,10 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csc_array, eye_array
-from scipy.sparse.linalg import splu
+from scipy.sparse.linalg import LinearOperator, eigsh, splu
 
 Array = NDArray[np.float64]
 
+_DENSE = 100  # rows up to which all eigenvalues are worked out
 _NUDGE = 1e-13  # of the largest entry: what a matrix that is exactly singular is shifted by
 
 
@@ -45,11 +46,29 @@ def factored(matrix: csc_array, shift: float = 0.0) -> Factor:
         by = shift + nudge
         shifted = matrix + by * eye_array(matrix.shape[0], format="csc") if by else matrix
         try:
-            parts = splu(
-                shifted, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
-            )
+            parts = splu(shifted, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
         except RuntimeError:  # exactly singular
             continue
         if np.array_equal(parts.perm_r, parts.perm_c):
             return Factor(lower_upper=parts, index=int(np.count_nonzero(parts.U.diagonal() < 0)))
     raise ArithmeticError("a curvature that no shift makes regular")
+
+
+def softest(matrix: csc_array, parts: Factor, count: int) -> tuple[Array, Array]:
+    """Eigenvalues nearest to 0, rising, and their eigenvectors in columns, by Lanczos' method on the inverse.
+
+    Args:
+        matrix: symmetric.
+        parts: of it.
+        count: how many.
+    """
+    size = matrix.shape[0]
+    if size <= _DENSE:
+        values, vectors = np.linalg.eigh(matrix.toarray())
+        near = np.sort(np.argsort(np.abs(values))[:count])
+        return values[near], vectors[:, near]
+    inverse = LinearOperator((size, size), matvec=parts.solve, dtype=np.float64)
+    begin = np.random.default_rng(0).standard_normal(size)
+    values, vectors = eigsh(matrix, count, sigma=0.0, OPinv=inverse, v0=begin)
+    order = np.argsort(values)
+    return values[order], vectors[:, order]

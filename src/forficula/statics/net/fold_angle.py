@@ -62,9 +62,7 @@ def fold_angle_derivatives(sides: Array) -> tuple[Array, Array]:
         curvature[:, side, 0] = sign * tilted
         curvature[:, 0, side] = sign * np.swapaxes(tilted, 1, 2)
         both = (lifted + np.swapaxes(lifted, 1, 2)) * (share / (height * length))[:, None, None]
-        curvature[:, 0, 0] += sign * (
-            (share**2)[:, None, None] * bent + both - mixed / (2 * length**2)[:, None, None]
-        )
+        curvature[:, 0, 0] += sign * ((share**2)[:, None, None] * bent + both - mixed / (2 * length**2)[:, None, None])
     return slope, curvature
 
 

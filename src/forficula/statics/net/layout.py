@@ -136,8 +136,6 @@ def _gather(sides: csr_array, first: Indices, second: Indices) -> tuple[csr_arra
     # every node has a block of its own, so that shifts find a place
     places = np.concatenate((nodes[here] * count + nodes[there], np.arange(count) * (count + 1)))
     blocks, block = np.unique(places, return_inverse=True)
-    gather = csr_array(
-        (weights[here] * weights[there], (block[: len(pair)], pair)), shape=(len(blocks), len(first))
-    )
+    gather = csr_array((weights[here] * weights[there], (block[: len(pair)], pair)), shape=(len(blocks), len(first)))
     rows = np.searchsorted(blocks // count, np.arange(count + 1))
     return gather, blocks % count, rows

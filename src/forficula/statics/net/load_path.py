@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from forficula.errors import InputError
 from forficula.statics.net.energy import Expansion, expand, load_slope, shape_at
 from forficula.statics.net.factor import Factor, factored
-from forficula.statics.net.net import Load, Net, Shape, check_load
+from forficula.statics.net.load import Load, check_load
+from forficula.statics.net.net import Net, Shape
 from forficula.statics.net.supports import supported
 
 Array = NDArray[np.float64]
@@ -267,9 +268,7 @@ def _events_between(
     return [event for _, event in sorted(events, key=lambda each: each[0])]
 
 
-def _halved(
-    net: Net, load: Load, here: _Station, length: float, passed: Callable[[PathPoint], bool]
-) -> float:
+def _halved(net: Net, load: Load, here: _Station, length: float, passed: Callable[[PathPoint], bool]) -> float:
     """How far on something has happened, by halving the increment."""
     low, high = 0.0, length
     for _ in range(_HALVINGS):

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from forficula.statics.net.energy import Expansion, expand, shape_at
 from forficula.statics.net.factor import Factor, factored
-from forficula.statics.net.net import Load, Net, Shape, check_load
+from forficula.statics.net.load import Load, check_load
+from forficula.statics.net.net import Net, Shape
 from forficula.statics.net.supports import supported
 
 Array = NDArray[np.float64]

@@ -85,8 +85,7 @@ def _all_modes(curvature: csc_array, masses: csc_array) -> tuple[Array, Array]:
     """All modes; those of coordinates without a mass follow the others at once."""
     stiff, heavy = curvature.toarray(), masses.toarray()
     light = np.asarray(np.abs(heavy).sum(axis=1)) == 0
-    follow = np.zeros((len(stiff), np.count_nonzero(~light)))
-    follow[~light] = np.eye(np.count_nonzero(~light))
+    follow = np.eye(len(stiff))[:, ~light]
     if light.any():
         follow[light] = -np.linalg.lstsq(stiff[np.ix_(light, light)], stiff[np.ix_(light, ~light)])[0]
     squares, vectors = eigh(follow.T @ stiff @ follow, follow.T @ heavy @ follow)

@@ -52,7 +52,7 @@ def rigidity_matrix(net: Net, shape: Shape, stiff: Flags) -> csr_array:
         (bar and stiff crease, free coordinate), without a unit.
     """
     slopes, layout = angle_slopes(net, shape)
-    bars, tendons, creases, _ = layout.counts
+    bars, tendons = layout.counts[:2]
     sides = layout.sides @ shape.positions
     long = np.flatnonzero(net.springs.rest_length > 0)
     along = sides[long] / np.linalg.norm(sides[long], axis=1)[:, None]

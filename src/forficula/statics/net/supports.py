@@ -11,7 +11,8 @@ from scipy.linalg import null_space, qr
 
 from forficula.errors import InputError
 from forficula.statics.net.energy import built_shape, load_slope
-from forficula.statics.net.net import Load, Net
+from forficula.statics.net.load import Load
+from forficula.statics.net.net import Net
 
 Array = NDArray[np.float64]
 
