@@ -54,21 +54,32 @@ def factored(matrix: csc_array, shift: float = 0.0) -> Factor:
     raise ArithmeticError("a curvature that no shift makes regular")
 
 
-def softest(matrix: csc_array, parts: Factor, count: int) -> tuple[Array, Array]:
-    """Eigenvalues nearest to 0, rising, and their eigenvectors in columns, by Lanczos' method on the inverse.
+def softest(matrix: csc_array, count: int, about: float = 0.0) -> tuple[Array, Array]:
+    """Eigenvalues nearest to a number, rising, and their eigenvectors in columns.
+
+    By Lanczos' method on the inverse (Ericsson and Ruhe 1980, doi 10.1090/S0025-5718-1980-0583502-2).
 
     Args:
         matrix: symmetric.
-        parts: of it.
-        count: how many.
+        count: how many, at most as many as there are.
+        about: the number.
     """
     size = matrix.shape[0]
-    if size <= _DENSE:
+    if size <= max(_DENSE, count + 1):
         values, vectors = np.linalg.eigh(matrix.toarray())
-        near = np.sort(np.argsort(np.abs(values))[:count])
+        near = np.sort(np.argsort(np.abs(values - about))[:count])
         return values[near], vectors[:, near]
+    parts = factored(matrix, -about)
     inverse = LinearOperator((size, size), matvec=parts.solve, dtype=np.float64)
     begin = np.random.default_rng(0).standard_normal(size)
-    values, vectors = eigsh(matrix, count, sigma=0.0, OPinv=inverse, v0=begin)
+    values, vectors = eigsh(matrix, count, sigma=about, OPinv=inverse, v0=begin)
     order = np.argsort(values)
     return values[order], vectors[:, order]
+
+
+def lowest(matrix: csc_array) -> Array:
+    """The eigenvector of the lowest eigenvalue of a matrix of which it alone is below 0."""
+    shift = _NUDGE * float(np.abs(matrix.data).max())
+    while factored(matrix, shift).index:
+        shift *= 2
+    return softest(matrix, 1, -shift)[1][:, 0]

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from forficula.errors import InputError
 from forficula.statics.net.energy import Expansion, expand, load_slope, shape_at
-from forficula.statics.net.factor import Factor, factored
+from forficula.statics.net.factor import Factor, factored, softest
 from forficula.statics.net.load import Load, check_load
 from forficula.statics.net.net import Net, Shape
 from forficula.statics.net.supports import supported
@@ -122,7 +122,8 @@ def load_path(
         step: largest displacement of a coordinate in the first increment, m; None for 1/50 of the net's size.
         increments: largest number of them.
         factor: at the start.
-        target: ends the path where the factor passes it; the last point is exactly there.
+        target: ends the path where the factor passes it; the last point is exactly there. It may be that of the start,
+            to which the path then comes back.
         stop: ends the path after the first point for which it says so.
         events: ends the path after so many limits and bifurcations; None for any number.
         rising: whether the factor rises at first.
@@ -150,7 +151,7 @@ def load_path(
                 break
             continue
         new = _events_between(net, load, here, there, length, len(points) - 1)
-        passed = target is not None and (there.point.factor - target) * (here.point.factor - target) <= 0
+        passed = target is not None and (there.point.factor - target) * (here.point.factor - target) < 0
         if target is not None and passed:
             there = _at(net, load, here, there, length, target)
             new = [event for event in new if (event.point.factor - target) * (here.point.factor - target) > 0]
@@ -252,7 +253,9 @@ def _events_between(
         if not any(abs(at - place) <= _SAME * length for place in places):
             places.append(at)
     for number, place in enumerate(places):
-        station = _increment(net, load, here, place) or there
+        point = (_increment(net, load, here, place) or there).point
+        mode = np.zeros_like(net.nodes)
+        mode[net.free] = softest(expand(net, point.shape, load, point.factor).free, 1)[1][:, 0]
         limit = number == 0 and there.point.rising != here.point.rising
         events.append(
             (
@@ -260,8 +263,8 @@ def _events_between(
                 PathEvent(
                     kind="limit" if limit else "bifurcation",
                     after=after,
-                    point=station.point,
-                    mode=_softest(net, station.parts),
+                    point=point,
+                    mode=mode / mode.flat[np.argmax(np.abs(mode))],
                 ),
             )
         )
@@ -278,17 +281,6 @@ def _halved(net: Net, load: Load, here: _Station, length: float, passed: Callabl
         else:
             high = (low + high) / 2
     return high
-
-
-def _softest(net: Net, parts: Factor) -> Array:
-    """The way of the least stiffness, by inverse iteration, (node, 3)."""
-    mode = np.random.default_rng(0).standard_normal(np.count_nonzero(net.free))
-    for _ in range(8):
-        mode = parts.solve(mode)
-        mode /= mode[np.argmax(np.abs(mode))]
-    whole = np.zeros_like(net.nodes)
-    whole[net.free] = mode
-    return whole
 
 
 def _at(net: Net, load: Load, here: _Station, there: _Station, length: float, factor: float) -> _Station:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.statics.net.energy import expand, shape_at
-from forficula.statics.net.factor import factored, softest
+from forficula.statics.net.factor import lowest
 from forficula.statics.net.load import Load, no_load
 from forficula.statics.net.load_path import LoadPath, load_path
 from forficula.statics.net.minimum import Rest, minimum, stationary
@@ -19,7 +19,7 @@ from forficula.statics.net.supports import supported
 Array = NDArray[np.float64]
 
 _OFF = 1e-3  # push off the saddle, of the net's size
-_MODES = 12
+_STEP = 0.02  # longest one downhill of it, of the net's size
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -84,10 +84,8 @@ def find_saddle(
         if number > 1:
             towards = replace(towards, torques=towards.torques * random.uniform(0.0, 2.0, len(towards.torques)))
             towards = replace(towards, forces=towards.forces * random.uniform(0.0, 2.0, towards.forces.shape))
-        path = load_path(
-            net, here.shape, towards, step=step, increments=increments, stop=lambda point: point.factor <= 0
-        )
-        if path.ended != "stop":
+        path = load_path(net, here.shape, towards, step=step, increments=increments, target=0.0)
+        if path.ended != "target":
             continue
         found = _saddle_at(net, path, first, second)
         if found is not None and found.joins:
@@ -106,22 +104,15 @@ def _towards(net: Net, here: Rest, there: Rest) -> Load:
 
 def _saddle_at(net: Net, path: LoadPath, first: Rest, second: Rest) -> Saddle | None:
     """The saddle beside the end of a path; None where it ends at another stationary point."""
-    before, after = path.points[-2:]
-    share = before.factor / (before.factor - after.factor)
-    positions = before.shape.positions * (1 - share) + after.shape.positions * share
-    rest = stationary(net, shape_at(net, positions, after.shape.angles))
+    rest = stationary(net, path.points[-1].shape)
     if not rest.settled or rest.index != 1 or rest.neutral:
         return None
     held, _ = supported(net)
-    curvature = expand(held, rest.shape).free
-    size = curvature.shape[0]
-    values, modes = softest(curvature, factored(curvature), min(_MODES, size if size <= _MODES else size - 1))
     off = np.zeros_like(net.nodes)
-    off[held.free] = modes[:, np.argmin(values)]
+    off[held.free] = lowest(expand(held, rest.shape).free)
     off *= _OFF * net.size / np.abs(off).max()
-    one, another = (
-        minimum(net, shape_at(net, rest.shape.positions + sign * off, rest.shape.angles)) for sign in (1, -1)
-    )
+    sides = [shape_at(net, rest.shape.positions + sign * off, rest.shape.angles) for sign in (1, -1)]
+    one, another = (minimum(net, side, longest_step=_STEP * net.size) for side in sides)
     if same_shape(net, another.shape, first.shape) or same_shape(net, one.shape, second.shape):
         one, another = another, one
     joins = same_shape(net, one.shape, first.shape) and same_shape(net, another.shape, second.shape)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.statics.net.energy import expand, shape_at
-from forficula.statics.net.factor import factored, softest
+from forficula.statics.net.factor import softest
 from forficula.statics.net.minimum import Rest, minimum
 from forficula.statics.net.net import Net, Shape
 from forficula.statics.net.supports import loose_motions, supported
@@ -103,8 +103,7 @@ def _laid_on(places: Array, others: Array) -> Array:
 def _pushed(net: Net, shape: Shape, random: np.random.Generator) -> Shape:
     held, _ = supported(net)
     curvature = expand(held, shape).free
-    size = curvature.shape[0]
-    _, modes = softest(curvature, factored(curvature), min(_SOFT, size if size <= _SOFT else size - 1))
+    modes = softest(curvature, _SOFT)[1]
     push = np.zeros_like(net.nodes)
     push[held.free] = modes @ random.standard_normal(modes.shape[1])
     push *= random.uniform(*_PUSH) * net.size / np.abs(push).max()
