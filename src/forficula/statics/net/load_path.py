@@ -151,7 +151,7 @@ def load_path(
                 break
             continue
         new = _events_between(net, load, here, there, length, len(points) - 1)
-        passed = target is not None and (there.point.factor - target) * (here.point.factor - target) < 0
+        passed = target is not None and _passes(here.point.factor, there.point.factor, target)
         if target is not None and passed:
             there = _at(net, load, here, there, length, target)
             new = [event for event in new if (event.point.factor - target) * (here.point.factor - target) > 0]
@@ -163,6 +163,10 @@ def load_path(
         here = there
         length = min(2 * length, longest) if there.point.corrections <= _QUICK else length
     return LoadPath(load=load, points=tuple(points), events=tuple(found), ended=ended, pins=pins)
+
+
+def _passes(before: float, after: float, target: float) -> bool:
+    return after == target or (before - target) * (after - target) < 0
 
 
 def _settled(net: Net, load: Load, start: Shape, factor: float) -> Expansion | None:

@@ -45,8 +45,8 @@ class StableStates:
 def find_stable_states(net: Net, starts: Sequence[Shape], *, tries: int = 40, seed: int = 0) -> StableStates:
     """Go downhill from given shapes, then again and again from pushes of what was found.
 
-    A push is, by turns, a random combination of the softest modes, and a while with other rest angles: every crease's
-    angle times a random number.
+    A push is, by turns, a random combination of the softest modes, softer ones further, and a while with other rest
+    angles: every crease's angle times a random number.
 
     Args:
         net: as for `minimum`.
@@ -61,7 +61,8 @@ def find_stable_states(net: Net, starts: Sequence[Shape], *, tries: int = 40, se
             begin = starts[number]
         else:
             origin = states[random.integers(len(states))].shape if states else last
-            begin = _pushed(net, origin, random) if (number - len(starts)) % 2 else _folded(net, origin, random)
+            folds = len(net.creases.points) and (number - len(starts)) % 2
+            begin = _folded(net, origin, random) if folds else _pushed(net, origin, random)
         rest = minimum(net, begin)
         if not rest.stable:
             failed, last = failed + 1, rest.shape
@@ -103,9 +104,11 @@ def _laid_on(places: Array, others: Array) -> Array:
 def _pushed(net: Net, shape: Shape, random: np.random.Generator) -> Shape:
     held, _ = supported(net)
     curvature = expand(held, shape).free
-    modes = softest(curvature, _SOFT)[1]
+    stiffness, modes = softest(curvature, _SOFT)
+    # of the same energy on average, as heat gives them
+    shares = random.standard_normal(len(stiffness)) / np.sqrt(np.abs(stiffness) + 1e-9 * np.abs(stiffness).max())
     push = np.zeros_like(net.nodes)
-    push[held.free] = modes @ random.standard_normal(modes.shape[1])
+    push[held.free] = modes @ shares
     push *= random.uniform(*_PUSH) * net.size / np.abs(push).max()
     return shape_at(net, shape.positions + push, shape.angles)
 
