@@ -1,0 +1,213 @@
+"""The energy of a net, its slope and its curvature."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import bsr_array, csc_array
+
+from forficula.statics.net.fold_angle import fold_angle_derivatives, fold_angles
+from forficula.statics.net.layout import Layout, layout_of
+from forficula.statics.net.load import Load
+from forficula.statics.net.net import Net, Shape, Triangles
+
+Array = NDArray[np.float64]
+
+# energy, by side, by pair of sides
+Piece = tuple[float, Array, Array]
+
+_SHORTEST = 1e-12  # of the net's size; a shorter side has no direction
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Expansion:
+    """The potential of a net about a shape.
+
+    Attributes:
+        shape: there.
+        stored: energy, that of the weight included (0 at z = 0), J.
+        energy: the same less what the load does from the shape as built, J.
+        slope: by the nodes' coordinates, N, (node, 3): on held ones, what supports exert.
+        curvature: by all coordinates, N/m.
+        free: by the free ones, N/m.
+    """
+
+    shape: Shape
+    stored: float
+    energy: float
+    slope: Array
+    curvature: bsr_array
+    free: csc_array
+
+
+def shape_at(net: Net, positions: Array, near: Array | None = None) -> Shape:
+    """The shape with nodes at some places.
+
+    Args:
+        net: what is bent.
+        positions: m, (node, 3).
+        near: angles that those of the creases follow, rad, (crease,); None for 0.
+    """
+    near = np.zeros(len(net.creases.points)) if near is None else near
+    return Shape(positions=positions, angles=fold_angles(sides_of(net, positions)[2], near))
+
+
+def built_shape(net: Net) -> Shape:
+    """The shape as built."""
+    return shape_at(net, net.nodes)
+
+
+def expand(net: Net, shape: Shape, load: Load | None = None, factor: float = 0.0) -> Expansion:
+    """The potential about a shape: energy, slope and sparse curvature in closed form, all elements at once.
+
+    Args:
+        net: with its laws.
+        shape: anywhere.
+        load: that acts, None for none.
+        factor: times which it does.
+    """
+    layout = layout_of(net)
+    springs, tendons, creases, triangles = sides_of(net, shape.positions)
+    shortest = _SHORTEST * net.size
+    pieces = [_bars(net, springs, shortest), _pulls(net, tendons, shortest)]
+    torques = None if load is None else factor * load.torques
+    pieces.append(_folds(net, creases, shape.angles, torques))
+    if net.membranes is not None:
+        pieces.append(_stretched(net.membranes, triangles))
+    stored = sum(piece[0] for piece in pieces) - float(np.sum(layout.weight * shape.positions))
+    slope = layout.sides.T @ np.concatenate([piece[1].reshape(-1, 3) for piece in pieces]) - layout.weight
+    energy = stored
+    if load is not None:
+        slope = slope - factor * load.forces
+        energy = stored - factor * _work(net, shape, load)
+    whole = layout.whole(np.concatenate([piece[2].reshape(-1, 3, 3) for piece in pieces]))
+    return Expansion(
+        shape=shape, stored=stored, energy=energy, slope=slope, curvature=whole, free=layout.free_part(whole)
+    )
+
+
+def angle_slopes(net: Net, shape: Shape) -> tuple[Array, Layout]:
+    """Slopes of the creases' angles by their sides, 1/m, (crease, 3, 3), and how the sides hang on the nodes."""
+    return fold_angle_derivatives(sides_of(net, shape.positions)[2])[0], layout_of(net)
+
+
+def load_slope(net: Net, shape: Shape, load: Load) -> Array:
+    """What forces and torques of a load exert on the nodes in a shape, N, (node, 3)."""
+    slopes, layout = angle_slopes(net, shape)
+    springs, tendons, creases, _ = layout.counts
+    sides = np.zeros((layout.sides.shape[0], 3))
+    begin = springs + tendons
+    sides[begin : begin + 3 * creases] = (load.torques[:, None, None] * slopes).reshape(-1, 3)
+    return np.asarray(layout.sides.T @ sides + load.forces)
+
+
+def sides_of(net: Net, positions: Array) -> tuple[Array, Array, Array, Array]:
+    """Sides of springs and tendons, m, (side, 3), of creases, (crease, 3, 3), and triangles, (triangle, 2, 3)."""
+    layout = layout_of(net)
+    springs, tendons, creases, _ = layout.counts
+    sides = layout.sides @ positions
+    bent = springs + tendons
+    flat = bent + 3 * creases
+    return (
+        sides[:springs],
+        sides[springs:bent],
+        sides[bent:flat].reshape(-1, 3, 3),
+        sides[flat:].reshape(-1, 2, 3),
+    )
+
+
+def _work(net: Net, shape: Shape, load: Load) -> float:
+    return float(np.sum(load.forces * (shape.positions - net.nodes)) + load.torques @ shape.angles)
+
+
+def _length(sides: Array) -> Array:
+    return np.asarray(np.linalg.norm(sides, axis=-1))
+
+
+def _bars(net: Net, sides: Array, shortest: float) -> Piece:
+    stiffness, rest_length = net.springs.stiffness, net.springs.rest_length
+    length = np.maximum(_length(sides), shortest)
+    rise = _length(sides) - rest_length
+    # of a pull F at a length L along n, the curvature is F' n n^T + F / L (1 - n n^T)
+    per_length = np.where(rest_length > 0, stiffness * rise / length, stiffness)
+    blocks = _along(sides / length[:, None], stiffness, per_length)
+    return float(stiffness @ rise**2) / 2, per_length[:, None] * sides, blocks
+
+
+def _pulls(net: Net, sides: Array, shortest: float) -> Piece:
+    law, length = net.tendons.law, _length(sides)
+    per_length = law.force(length) / np.maximum(length, shortest)
+    blocks = _along(sides / np.maximum(length, shortest)[:, None], law.stiffness(length), per_length)
+    return float(np.sum(law.energy(length))), per_length[:, None] * sides, blocks
+
+
+def _along(unit: Array, stiffness: Array, per_length: Array) -> Array:
+    outer = unit[:, :, None] * unit[:, None, :]
+    return np.asarray((stiffness - per_length)[:, None, None] * outer + per_length[:, None, None] * np.eye(3))
+
+
+def _folds(net: Net, sides: Array, angles: Array, torques: Array | None) -> Piece:
+    law = net.creases.law
+    slope, curvature = fold_angle_derivatives(sides)
+    moment = law.moment(angles)
+    acting = moment if torques is None else moment - torques
+    blocks = acting[:, None, None, None, None] * curvature
+    rising = law.slope(angles)[:, None, None] * slope
+    blocks += rising[:, :, None, :, None] * slope[:, None, :, None, :]
+    return float(np.sum(law.energy(angles))), acting[:, None, None] * slope, blocks
+
+
+def membrane_stresses(net: Net, shape: Shape) -> Array:
+    """Principal second Piola-Kirchhoff stresses of the membranes, the larger first, Pa, (triangle, 2)."""
+    if net.membranes is None:
+        return np.zeros((0, 2))
+    plane, area = _flat(net.membranes.built)
+    stress = _stressed(net.membranes, sides_of(net, shape.positions)[3], plane, area)[3]
+    volume = (area * net.membranes.thickness)[:, None]
+    return np.asarray(np.linalg.eigvalsh(stress)[:, ::-1] / volume)
+
+
+def _stressed(membranes: Triangles, sides: Array, shape: Array, area: Array) -> tuple[Array, Array, Array, Array]:
+    """Stiffness, N m, deformation gradient, (triangle, 3, 2), strain and stress x volume, (triangle, 2, 2)."""
+    modulus, ratio = np.broadcast_arrays(membranes.youngs_modulus, membranes.poisson_ratio, np.empty(len(area)))[:2]
+    stiff = (modulus / (1 - ratio**2) * area * membranes.thickness)[:, None, None]
+    ratio = ratio[:, None, None]
+    gradient = np.einsum("tsx,tsm->txm", sides, shape)
+    strain = (np.einsum("txm,txn->tmn", gradient, gradient) - np.eye(2)) / 2
+    trace = np.trace(strain, axis1=1, axis2=2)[:, None, None]
+    return stiff, gradient, strain, stiff * ((1 - ratio) * strain + ratio * trace * np.eye(2))
+
+
+def _stretched(membranes: Triangles, sides: Array) -> Piece:
+    """Triangles of a St Venant-Kirchhoff material (e.g. Bonet and Wood 2008, section 6.5), Green's strain."""
+    shape, area = _flat(membranes.built)
+    stiff, gradient, strain, stress = _stressed(membranes, sides, shape, area)
+    ratio = np.broadcast_to(membranes.poisson_ratio, len(area))[:, None, None]
+    energy = float(np.sum(stress * strain)) / 2
+    slope = np.einsum("txm,tmn,tsn->tsx", gradient, stress, shape)
+    # by sides: the change of stress with strain, and the stress itself
+    turned = np.einsum("txm,tsm->tsx", gradient, shape)
+    inner = np.einsum("tsm,trm->tsr", shape, shape)
+    outer = np.einsum("txm,tym->txy", gradient, gradient)
+    linear = (1 - ratio[..., None, None]) / 2 * (
+        np.einsum("tsy,trx->tsrxy", turned, turned) + inner[:, :, :, None, None] * outer[:, None, None]
+    ) + ratio[..., None, None] * np.einsum("tsx,try->tsrxy", turned, turned)
+    geometric = np.einsum("tsm,tmn,trn->tsr", shape, stress, shape)[..., None, None] * np.eye(3)
+    return energy, slope, stiff[..., None, None] * linear + geometric
+
+
+def _flat(built: Array) -> tuple[Array, Array]:
+    """By which sides give the deformation gradient, 1/m, (triangle, side, 2), and the areas, m^2."""
+    first, second = built[:, 1] - built[:, 0], built[:, 2] - built[:, 0]
+    normal = np.cross(first, second)
+    doubled = np.linalg.norm(normal, axis=1)
+    length = np.linalg.norm(first, axis=1)
+    along = np.einsum("ti,ti->t", first, second) / length
+    # the inverse of ((length, along), (0, doubled / length)), whose columns are the sides in their plane
+    shape = np.zeros((len(built), 2, 2))
+    shape[:, 0, 0] = 1 / length
+    shape[:, 0, 1] = -along / doubled
+    shape[:, 1, 1] = length / doubled
+    return shape, doubled / 2

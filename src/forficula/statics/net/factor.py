@@ -1,0 +1,85 @@
+"""A sparse symmetric matrix in factors, with its inertia."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import csc_array, eye_array
+from scipy.sparse.linalg import LinearOperator, eigsh, splu
+
+Array = NDArray[np.float64]
+
+_DENSE = 100  # rows up to which all eigenvalues are worked out
+_NUDGE = 1e-13  # of the largest entry: what a matrix that is exactly singular is shifted by
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Factor:
+    """A symmetric matrix in factors.
+
+    Attributes:
+        lower_upper: of SuperLU; None for a matrix without rows.
+        index: how many eigenvalues are below 0: negative pivots (Sylvester's law of inertia).
+    """
+
+    lower_upper: Any
+    index: int
+
+    def solve(self, right: Array) -> Array:
+        """The solution for a right-hand side, (coordinate,), or several in columns."""
+        return right.copy() if self.lower_upper is None else np.asarray(self.lower_upper.solve(right))
+
+
+def factored(matrix: csc_array, shift: float = 0.0) -> Factor:
+    """Take a symmetric matrix, plus a multiple of the identity, apart.
+
+    Pivots stay on the diagonal (minimum degree order, symmetric mode, no threshold), so that their signs are the
+    inertia.
+    """
+    if not matrix.shape[0]:
+        return Factor(lower_upper=None, index=0)
+    scale = float(np.abs(matrix.data).max(initial=0.0)) or 1.0
+    for nudge in (0.0, _NUDGE * scale, -10 * _NUDGE * scale, 100 * _NUDGE * scale):
+        by = shift + nudge
+        shifted = matrix + by * eye_array(matrix.shape[0], format="csc") if by else matrix
+        try:
+            parts = splu(shifted, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
+        except RuntimeError:  # exactly singular
+            continue
+        if np.array_equal(parts.perm_r, parts.perm_c):
+            return Factor(lower_upper=parts, index=int(np.count_nonzero(parts.U.diagonal() < 0)))
+    raise ArithmeticError("a curvature that no shift makes regular")
+
+
+def softest(matrix: csc_array, count: int, about: float = 0.0) -> tuple[Array, Array]:
+    """Eigenvalues nearest to a number, rising, and their eigenvectors in columns.
+
+    By Lanczos' method on the inverse (Ericsson and Ruhe 1980, doi 10.1090/S0025-5718-1980-0583502-2).
+
+    Args:
+        matrix: symmetric.
+        count: how many, at most as many as there are.
+        about: the number.
+    """
+    size = matrix.shape[0]
+    if size <= max(_DENSE, count + 1):
+        values, vectors = np.linalg.eigh(matrix.toarray())
+        near = np.sort(np.argsort(np.abs(values - about))[:count])
+        return values[near], vectors[:, near]
+    parts = factored(matrix, -about)
+    inverse = LinearOperator((size, size), matvec=parts.solve, dtype=np.float64)
+    begin = np.random.default_rng(0).standard_normal(size)
+    values, vectors = eigsh(matrix, count, sigma=about, OPinv=inverse, v0=begin)
+    order = np.argsort(values)
+    return values[order], vectors[:, order]
+
+
+def lowest(matrix: csc_array) -> Array:
+    """The eigenvector of the lowest eigenvalue of a matrix of which it alone is below 0."""
+    shift = _NUDGE * float(np.abs(matrix.data).max())
+    while factored(matrix, shift).index:
+        shift *= 2
+    return softest(matrix, 1, -shift)[1][:, 0]

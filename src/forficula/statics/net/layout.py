@@ -1,0 +1,141 @@
+"""How sides of a net's elements hang on its nodes, and where what they do adds up: worked out once for a net."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import bsr_array, csc_array, csr_array, vstack
+
+from forficula.statics.net.net import Net
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Layout:
+    """The fixed pattern of a net's slope and curvature.
+
+    Sides are ways between points: one a spring and a tendon; of a crease the way along it (the mean where it is open)
+    and the ways from its tails to its left and right corners; of a triangle two.
+
+    Attributes:
+        sides: weights of the nodes, (side, node), springs first, then tendons, creases, triangles.
+        counts: of springs, tendons, creases and triangles.
+        gather: by which 3 x 3 blocks of pairs of sides add up to those of pairs of nodes, (block, pair).
+        columns: of the blocks, in rows, (block,).
+        rows: where each row of blocks begins, (node + 1,).
+        free: numbers of the free coordinates, (coordinate,).
+        taken: entries of all blocks that make up the free part, in its order, (entry,).
+        free_rows: of these entries, (entry,).
+        free_starts: where each column of the free part begins, (coordinate + 1,).
+        weight: forces of gravity, N, (node, 3).
+    """
+
+    sides: csr_array
+    counts: tuple[int, int, int, int]
+    gather: csr_array
+    columns: Indices
+    rows: Indices
+    free: Indices
+    taken: Indices
+    free_rows: Indices
+    free_starts: Indices
+    weight: Array
+
+    def whole(self, blocks: Array) -> bsr_array:
+        """The curvature by all coordinates, of the blocks of pairs of sides, (pair, 3, 3)."""
+        data = (self.gather @ blocks.reshape(-1, 9)).reshape(-1, 3, 3)
+        size = 3 * (len(self.rows) - 1)
+        return bsr_array((data, self.columns, self.rows), shape=(size, size))
+
+    def free_part(self, whole: bsr_array) -> csc_array:
+        """The curvature by the free coordinates."""
+        size = len(self.free)
+        data = whole.data.reshape(-1)[self.taken]
+        return csc_array((data, self.free_rows, self.free_starts), shape=(size, size))
+
+
+@lru_cache(maxsize=8)
+def layout_of(net: Net) -> Layout:
+    """Work out the pattern of a net; that of a net asked for again is kept."""
+    sides = _sides(net)
+    triangles = 0 if net.membranes is None else len(net.membranes.points)
+    counts = (len(net.springs.points), len(net.tendons.points), len(net.creases.points), triangles)
+    first, second = _pairs(counts)
+    gather, columns, rows = _gather(sides, first, second)
+    free = np.flatnonzero(net.free.ravel())
+    size = 3 * len(net.nodes)
+    numbered = bsr_array((1 + np.arange(9.0 * len(columns)).reshape(-1, 3, 3), columns, rows), shape=(size, size))
+    part = csc_array(numbered.tocsc()[:, free].tocsr()[free].tocsc())
+    part.sort_indices()
+    weight = np.zeros_like(net.nodes)
+    weight[:, 2] = -net.gravity * np.asarray(net.mass_matrix.sum(axis=1)).ravel()
+    return Layout(
+        sides=sides,
+        counts=counts,
+        gather=gather,
+        columns=columns,
+        rows=rows,
+        free=free,
+        taken=np.asarray(np.round(part.data) - 1, dtype=np.int64),
+        free_rows=part.indices,
+        free_starts=part.indptr,
+        weight=weight,
+    )
+
+
+def _sides(net: Net) -> csr_array:
+    points = csr_array(net.points)
+    tail, head, left, far_tail, far_head, right = net.creases.points.T
+    parts = [_ways(points, net.springs.points), _ways(points, net.tendons.points)]
+    along = 0.5 * (points[head] - points[tail] + points[far_head] - points[far_tail])
+    parts.append(_in_turn([along, points[left] - points[tail], points[right] - points[far_tail]]))
+    if net.membranes is not None:
+        a, b, c = net.membranes.points.T
+        parts.append(_in_turn([points[b] - points[a], points[c] - points[a]]))
+    sides = csr_array(vstack(parts))
+    sides.eliminate_zeros()
+    return sides
+
+
+def _ways(points: csr_array, ends: Indices) -> csr_array:
+    return csr_array(points[ends[:, 1]] - points[ends[:, 0]])
+
+
+def _in_turn(parts: list[csr_array]) -> csr_array:
+    """Rows of several matrices by turns."""
+    count = parts[0].shape[0]
+    order = np.arange(count * len(parts)).reshape(len(parts), count).T.ravel()
+    return csr_array(vstack(parts, format="csr"))[order]
+
+
+def _pairs(counts: tuple[int, int, int, int]) -> tuple[Indices, Indices]:
+    """Pairs of sides of the same element, in the order of the blocks of curvature."""
+    firsts, seconds, start = [], [], 0
+    for count, each in zip(counts, (1, 1, 3, 2), strict=True):
+        begin = start + each * np.arange(count)[:, None, None] + np.zeros((1, each, each), dtype=np.int64)
+        firsts.append((begin + np.arange(each)[None, :, None]).ravel())
+        seconds.append((begin + np.arange(each)[None, None, :]).ravel())
+        start += each * count
+    return np.concatenate(firsts), np.concatenate(seconds)
+
+
+def _gather(sides: csr_array, first: Indices, second: Indices) -> tuple[csr_array, Indices, Indices]:
+    """Which pairs of nodes have blocks, by rows, and how much every pair of sides counts there."""
+    starts, nodes, weights = sides.indptr.astype(np.int64), sides.indices.astype(np.int64), sides.data
+    many, more = np.diff(starts)[first], np.diff(starts)[second]
+    pair = np.repeat(np.arange(len(first)), many * more)
+    within = np.arange(len(pair)) - np.repeat(np.cumsum(many * more) - many * more, many * more)
+    here = starts[first][pair] + within // np.maximum(more[pair], 1)
+    there = starts[second][pair] + within % np.maximum(more[pair], 1)
+    count = sides.shape[1]
+    # every node has a block of its own, so that shifts find a place
+    places = np.concatenate((nodes[here] * count + nodes[there], np.arange(count) * (count + 1)))
+    blocks, block = np.unique(places, return_inverse=True)
+    gather = csr_array((weights[here] * weights[there], (block[: len(pair)], pair)), shape=(len(blocks), len(first)))
+    rows = np.searchsorted(blocks // count, np.arange(count + 1))
+    return gather, blocks % count, rows

@@ -1,0 +1,160 @@
+"""A net of points, bars, creases, tendons and membranes, as statics takes it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import csr_array, diags_array
+
+from forficula.errors import InputError
+from forficula.material.law.crease_law import CreaseLaw
+from forficula.material.law.tendon_law import ElasticLaw
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Flags = NDArray[np.bool_]
+
+_NO_PAIRS = np.zeros((0, 2), dtype=np.int64)
+_NONE = np.zeros(0)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Springs:
+    """Two-sided bars: the energy is stiffness (length - rest_length)^2 / 2.
+
+    Attributes:
+        points: their ends, (spring, 2).
+        stiffness: N/m, (spring,).
+        rest_length: m, (spring,); 0 is allowed.
+    """
+
+    points: Indices = field(default_factory=lambda: _NO_PAIRS)
+    stiffness: Array = field(default_factory=lambda: _NONE)
+    rest_length: Array = field(default_factory=lambda: _NONE)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Creases:
+    """Where panels turn against one another, diagonals of facets among them.
+
+    Attributes:
+        points: tail, head and the left corner of the panel on the left; tail, head and the right corner of the panel on
+            the right, (crease, 6). Where the crease does not open, the two tails are one point, and the two heads.
+        law: whose numbers are one or (crease,).
+    """
+
+    points: Indices = field(default_factory=lambda: np.zeros((0, 6), dtype=np.int64))
+    law: CreaseLaw = field(default_factory=lambda: CreaseLaw(stiffness=_NONE))
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Tendons:
+    """Springs that only pull.
+
+    Attributes:
+        points: their ends, (tendon, 2).
+        law: whose numbers are (tendon,).
+    """
+
+    points: Indices = field(default_factory=lambda: _NO_PAIRS)
+    law: ElasticLaw = field(default_factory=lambda: ElasticLaw(rest_length=_NONE, linear=_NONE))  # type: ignore[arg-type]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Triangles:
+    """Membranes: triangles of constant strain under plane stress.
+
+    Attributes:
+        points: corners, counterclockwise, (triangle, 3).
+        built: where the corners are without stress, m, (triangle, 3, 3): corner by corner.
+        youngs_modulus: Pa, one or (triangle,).
+        poisson_ratio: one or (triangle,).
+        thickness: m, one or (triangle,).
+    """
+
+    points: Indices
+    built: Array
+    youngs_modulus: Array | float
+    poisson_ratio: Array | float
+    thickness: Array | float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Net:
+    """Nodes with coordinates, and all that stores energy between points that are combinations of them.
+
+    Attributes:
+        nodes: as built, m, (node, 3).
+        free: coordinates that no support holds, (node, 3).
+        points: weights of the nodes, (point, node); rows add up to 1.
+        masses: lumped, kg, (node,); or a matrix, the same for x, y and z, (node, node).
+        springs: two-sided bars.
+        creases: between panels.
+        tendons: that only pull.
+        membranes: None for none.
+        gravity: acceleration along -z, m/s^2.
+
+    Raises:
+        InputError: arrays that do not fit one another, numbers out of their bounds.
+    """
+
+    nodes: Array
+    free: Flags
+    points: csr_array
+    masses: csr_array | Array
+    springs: Springs = field(default_factory=Springs)
+    creases: Creases = field(default_factory=Creases)
+    tendons: Tendons = field(default_factory=Tendons)
+    membranes: Triangles | None = None
+    gravity: float = 0.0
+
+    def __post_init__(self) -> None:
+        count = len(self.nodes)
+        for name, got, need in (
+            ("nodes", self.nodes.shape, (count, 3)),
+            ("free", self.free.shape, (count, 3)),
+            ("points", self.points.shape, (self.points.shape[0], count)),
+            ("masses", self.masses.shape[:1], (count,)),
+            ("springs.stiffness", self.springs.stiffness.shape, (len(self.springs.points),)),
+            ("springs.rest_length", self.springs.rest_length.shape, (len(self.springs.points),)),
+        ):
+            if got != need:
+                raise InputError(f"net.{name}: need an array of shape {need}, got {got}")
+        if not np.all(np.isfinite(self.nodes)):
+            raise InputError("net.nodes: need finite coordinates, got some that are not")
+        sums = np.asarray(self.points.sum(axis=1)).ravel()
+        if not np.allclose(sums, 1.0):
+            raise InputError(f"net.points: need weights that add up to 1, got {sums[np.argmax(np.abs(sums - 1))]:g}")
+        used = [self.springs.points, self.creases.points, self.tendons.points]
+        used += [] if self.membranes is None else [self.membranes.points]
+        numbers = np.concatenate([each.ravel() for each in used])
+        if len(numbers) and not (numbers.min() >= 0 and numbers.max() < len(sums)):
+            raise InputError(f"net: need points between 0 and {len(sums) - 1}, got {numbers.min()} to {numbers.max()}")
+        for name, value in (("stiffness", self.springs.stiffness), ("rest_length", self.springs.rest_length)):
+            if not np.all(np.isfinite(value) & (value >= 0)):
+                raise InputError(f"net.springs.{name}: need finite numbers >= 0, got {np.min(value):g}")
+
+    @property
+    def mass_matrix(self) -> csr_array:
+        """Masses by node, the same for x, y and z, kg, (node, node)."""
+        return csr_array(self.masses if self.masses.ndim == 2 else diags_array(np.asarray(self.masses)))
+
+    @property
+    def size(self) -> float:
+        """The largest extent as built, m."""
+        return float(np.ptp(self.nodes, axis=0).max())
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Shape:
+    """Where a net is.
+
+    Attributes:
+        positions: of the nodes, m, (node, 3).
+        angles: of the creases, rad, (crease,); beyond +-pi where a panel went through the other one.
+    """
+
+    positions: Array
+    angles: Array

@@ -1,0 +1,101 @@
+"""How many ways a net can move without straining its bars and facets, and how many stresses it can hold by itself."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import eigh
+from scipy.sparse import csr_array, eye_array, kron, vstack
+
+from forficula.statics.net.energy import angle_slopes
+from forficula.statics.net.net import Flags, Net, Shape
+from forficula.statics.net.supports import rigid_motions
+
+Array = NDArray[np.float64]
+
+_NONE = 1e-6  # share of the largest singular value that counts as none
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Rigidity:
+    """What the rigidity matrix of a net says.
+
+    Attributes:
+        degrees_of_freedom: mechanisms of first order, beside motions of the whole.
+        rigid_motions: of the whole, that the supports leave.
+        self_stresses: stresses in equilibrium without a load.
+        singular_values: of the matrix, falling, (value,); for lengths in m.
+        mechanisms: orthonormal, without motions of the whole, (mechanism, node, 3).
+    """
+
+    degrees_of_freedom: int
+    rigid_motions: int
+    self_stresses: int
+    singular_values: Array
+    mechanisms: Array
+
+
+def rigidity_matrix(net: Net, shape: Shape, stiff: Flags) -> csr_array:
+    """Changes of the bars' lengths and of stiff creases' angles (times the net's size) by displacements.
+
+    The rows of a truss (Pellegrino and Calladine 1986, doi 10.1016/0020-7683(86)90014-4), and facets kept flat as by
+    Schenk and Guest (2011, Origami 5, 291-304).
+
+    Args:
+        net: whose bars with a resting length count.
+        shape: there.
+        stiff: creases that do not turn, such as diagonals of flat facets, (crease,).
+
+    Returns:
+        (bar and stiff crease, free coordinate), without a unit.
+    """
+    slopes, layout = angle_slopes(net, shape)
+    bars, tendons = layout.counts[:2]
+    sides = layout.sides @ shape.positions
+    long = np.flatnonzero(net.springs.rest_length > 0)
+    along = sides[long] / np.linalg.norm(sides[long], axis=1)[:, None]
+    by_side = kron(layout.sides, eye_array(3), format="csr")
+    lengths = _rows(along.reshape(-1, 3), 3 * long[:, None] + np.arange(3), by_side.shape[0])
+    turning = np.flatnonzero(stiff)
+    begin = 3 * (bars + tendons)
+    angles = _rows(
+        net.size * slopes[turning].reshape(-1, 9), begin + 9 * turning[:, None] + np.arange(9), by_side.shape[0]
+    )
+    return csr_array((vstack((lengths, angles), format="csr") @ by_side)[:, net.free.ravel()])
+
+
+def rigidity(net: Net, shape: Shape, stiff: Flags) -> Rigidity:
+    """Count mechanisms of first order and states of self-stress; arguments as for `rigidity_matrix`.
+
+    Singular values are roots of the eigenvalues of R^T R, good to 1e-8 of the largest.
+    """
+    matrix = rigidity_matrix(net, shape, stiff)
+    squares, vectors = eigh((matrix.T @ matrix).toarray())
+    values = np.sqrt(np.maximum(squares[::-1], 0.0))
+    rank = int(np.count_nonzero(values > _NONE * values[0])) if len(values) else 0
+    loose = vectors[:, : len(values) - rank]
+    whole = rigid_motions(shape.positions)
+    # motions of the whole that are none of the held coordinates
+    free, held = whole[net.free], whole[~net.free]
+    _, sizes, axes = np.linalg.svd(held, full_matrices=True)
+    kept = np.concatenate((sizes, np.zeros(len(axes) - len(sizes)))) < 1e-9
+    motions = np.linalg.qr(free @ axes[kept].T)[0]
+    remains = loose - motions @ (motions.T @ loose)
+    axes, sizes, _ = np.linalg.svd(remains, full_matrices=False)
+    count = len(values) - rank - motions.shape[1]
+    mechanisms = np.zeros((count, *net.nodes.shape))
+    mechanisms[:, net.free] = axes[:, :count].T
+    return Rigidity(
+        degrees_of_freedom=count,
+        rigid_motions=motions.shape[1],
+        self_stresses=matrix.shape[0] - rank,
+        singular_values=values,
+        mechanisms=mechanisms,
+    )
+
+
+def _rows(numbers: Array, columns: NDArray[np.int64], width: int) -> csr_array:
+    count, each = numbers.shape
+    return csr_array((numbers.ravel(), columns.ravel(), each * np.arange(count + 1)), shape=(count, width))

@@ -1,0 +1,97 @@
+"""Which motions of a net as a whole its supports leave, and what takes them away without straining it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import null_space, qr
+
+from forficula.errors import InputError
+from forficula.statics.net.energy import built_shape, load_slope
+from forficula.statics.net.load import Load
+from forficula.statics.net.net import Net
+
+Array = NDArray[np.float64]
+
+_NONE = 1e-9  # share of the largest that counts as none
+
+
+def rigid_motions(positions: Array) -> Array:
+    """The six motions of a rigid body, orthonormal, (node, 3, 6); fewer for nodes on one line."""
+    centred = positions - positions.mean(axis=0)
+    shifts = np.broadcast_to(np.eye(3), (len(positions), 3, 3))
+    turns = np.cross(np.eye(3)[None, :, :], centred[:, None, :]).transpose(0, 2, 1)
+    scale = np.abs(centred).max() or 1.0
+    motions = np.concatenate((shifts, turns / scale), axis=2).reshape(-1, 6)
+    axes, sizes, _ = np.linalg.svd(motions, full_matrices=False)
+    return np.asarray(axes[:, sizes > _NONE * sizes[0]].reshape(len(positions), 3, -1))
+
+
+def loose_motions(net: Net) -> Array:
+    """Motions of a rigid body that the supports leave to the net as built, (node, 3, motion)."""
+    motions = rigid_motions(net.nodes)
+    held = motions[~net.free]
+    return np.asarray(motions @ null_space(held, rcond=_NONE)) if len(held) else motions
+
+
+def supported(net: Net, load: Load | None = None) -> tuple[Net, tuple[tuple[int, int], ...]]:
+    """Hold as many further coordinates as motions of the whole are left, which strains nothing.
+
+    They are taken from the corners of the largest panel beside the middle (of all nodes where there is no crease, or
+    these do not suffice), so that they hold however the net folds. Under gravity nothing is held: there the way the
+    whole turns matters.
+
+    Args:
+        net: supported or not.
+        load: that will act; None for none.
+
+    Returns:
+        The net, and the pairs of node and axis that are held now and were not.
+
+    Raises:
+        InputError: the load would carry the whole away.
+    """
+    loose = loose_motions(net)
+    if load is not None and loose.shape[2]:
+        pushed = load_slope(net, built_shape(net), load)
+        if np.abs(np.einsum("nim,ni->m", loose, pushed)).max() > 1e-6 * np.linalg.norm(pushed):
+            raise InputError(
+                f"support: need some that hold the whole against the load, got {loose.shape[2]} motions that are free"
+            )
+    return (net, ()) if net.gravity else _pinned(net)
+
+
+@lru_cache(maxsize=8)
+def _pinned(net: Net) -> tuple[Net, tuple[tuple[int, int], ...]]:
+    loose = loose_motions(net)
+    count = loose.shape[2]
+    if not count:
+        return net, ()
+    for nodes in (_panel(net), np.arange(len(net.nodes))):
+        coordinates = np.array([(node, axis) for node in nodes for axis in range(3) if net.free[node, axis]])
+        if len(coordinates) < count:
+            continue
+        _, remains, order = qr(loose[coordinates[:, 0], coordinates[:, 1]].T, mode="economic", pivoting=True)
+        if abs(remains[count - 1, count - 1]) > 1e-3 * abs(remains[0, 0]):
+            break
+    pins = coordinates[order[:count]]
+    free = net.free.copy()
+    free[pins[:, 0], pins[:, 1]] = False
+    return replace(net, free=free), tuple((int(node), int(axis)) for node, axis in pins)
+
+
+def _panel(net: Net) -> NDArray[np.int64]:
+    """Nodes at the corners of a large panel beside the middle; none where there is no such thing."""
+    if not len(net.creases.points):
+        return np.zeros(0, dtype=np.int64)
+    corners = net.points @ net.nodes
+    panels = net.creases.points[:, :3]
+    tail, head, left = (corners[panels[:, each]] for each in range(3))
+    area = np.linalg.norm(np.cross(head - tail, left - tail), axis=1)
+    away = np.linalg.norm((tail + head + left) / 3 - net.nodes.mean(axis=0), axis=1)
+    chosen = panels[np.argmax(area / (away + 0.1 * net.size) ** 2)]
+    rows = net.points[chosen]
+    return np.unique(rows.indices[rows.data != 0])

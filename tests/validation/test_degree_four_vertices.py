@@ -1,0 +1,87 @@
+"""Nets of stiff bars fold a vertex of four creases as rigid panels do.
+
+Flat-foldable vertices obey the tan-half-angle relations (Tachi 2009, doi 10.20898/j.iass.2009.161.014; Evans, Lang,
+Magleby and Howell 2015, doi 10.1098/rsos.150067); any others the closure of four rotations (Belcastro and Hull 2002,
+doi 10.1016/S0024-3795(01)00608-5), here as a product of matrices.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from forficula.material.law.crease_law import CreaseLaw
+from forficula.statics.net.energy import built_shape, shape_at
+from forficula.statics.net.minimum import minimum
+from tests.statics.net.nets import sheet
+
+STIFF = 1e6  # EA over the stiffness of a crease by its length, as the issue asks for
+
+
+def vertex(sectors):
+    """Four panels around the origin; crease 0 along x, angles of the creases from there."""
+    turns = np.cumsum([0.0, *sectors[:-1]])
+    rim = np.stack((np.cos(turns), np.sin(turns), np.zeros(4)), axis=1)
+    nodes = np.vstack((np.zeros(3), rim))
+    return sheet(nodes, [(0, 1, 2), (0, 2, 3), (0, 3, 4), (0, 4, 1)], axial=STIFF)[0]
+
+
+def folded(sectors, signs, target):
+    """Fold angles of the creases in turn, driven by the rest angle of the first; `signs` choose the branch."""
+    net = vertex(sectors)
+    creases = [int(np.flatnonzero(net.creases.points[:, 1] == rim)[0]) for rim in (1, 2, 3, 4)]
+    rest = np.zeros(4)
+    rest[creases] = 0.5 * np.asarray(signs)
+    start = built_shape(net)
+    for rest_angles, stiffness in ((rest, np.full(4, 1.0)), (np.eye(4)[creases[0]] * target, np.full(4, 1e-6))):
+        stiffness[creases[0]] = 1.0
+        law = CreaseLaw(stiffness=stiffness, rest_angle=rest_angles)
+        moved = replace(net, creases=replace(net.creases, law=law))
+        if rest_angles is rest:  # off the flat state, where the branches cross
+            lifted = net.nodes + 0.02 * np.array([0, 0, 1.0]) * np.array([0, *signs])[:, None]
+            start = shape_at(net, lifted)
+        start = minimum(moved, start, longest_step=0.05).shape
+    return start.angles[creases]
+
+
+@settings(deadline=None, max_examples=10)
+@given(st.floats(50, 80), st.floats(95, 130), st.floats(20, 150))
+def test_flat_foldable_vertices_keep_the_tan_half_angle_relations(first, second, target):
+    alpha, beta = np.deg2rad((first, second))
+    angles = folded((alpha, beta, np.pi - alpha, np.pi - beta), (1, 1, 1, -1), np.deg2rad(target))
+    assert angles[0] == pytest.approx(np.deg2rad(target), abs=np.deg2rad(0.1))
+    # opposite creases turn alike, one pair with the same sign, the other with opposite ones
+    alike = 0 if angles[0] * angles[2] > 0 else 1
+    assert angles[alike] == pytest.approx(angles[alike + 2], abs=np.deg2rad(1e-3))
+    assert angles[1 - alike] == pytest.approx(-angles[3 - alike], abs=np.deg2rad(1e-3))
+    half = np.tan(angles / 2)
+    ratio = abs(half[1] / half[0])
+    sums, differences = (alpha + beta) / 2, (alpha - beta) / 2
+    known = np.abs([np.cos(sums) / np.cos(differences), np.sin(differences) / np.sin(sums)])
+    known = np.concatenate((known, 1 / known))
+    nearest = known[np.argmin(np.abs(known - ratio))]
+    assert 2 * np.arctan(nearest * abs(half[0])) == pytest.approx(abs(angles[1]), abs=np.deg2rad(1e-3))
+
+
+@settings(deadline=None, max_examples=10)
+@given(st.floats(50, 85), st.floats(90, 110), st.floats(70, 100), st.floats(10, 80))
+def test_any_vertex_closes(first, second, third, target):
+    sectors = np.deg2rad((first, second, third, 360 - first - second - third))
+    angles = folded(sectors, (1, 1, 1, -1), np.deg2rad(target))
+    assert angles[0] == pytest.approx(np.deg2rad(target), abs=np.deg2rad(0.1))
+    around = np.eye(3)
+    for angle, sector in zip(angles, sectors, strict=True):
+        # across a valley the next panel turns about the crease, against the sense of the walk
+        around = around @ turn(0, angle) @ turn(2, sector)
+    np.testing.assert_allclose(around, np.eye(3), atol=np.deg2rad(2e-3))
+
+
+def turn(axis, angle):
+    cosine, sine = np.cos(angle), np.sin(angle)
+    i, j = (axis + 1) % 3, (axis + 2) % 3
+    matrix = np.eye(3)
+    matrix[i, i] = matrix[j, j] = cosine
+    matrix[i, j], matrix[j, i] = -sine, sine
+    return matrix

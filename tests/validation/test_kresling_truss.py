@@ -1,0 +1,98 @@
+"""Kresling's truss between rigid polygons: its energy is closed in height and twist.
+
+n bars of either kind join two regular polygons of radius R, the distance h apart and twisted by t; their squared lengths
+are h^2 + 2 R^2 (1 - cos t) and the same with t + 2 pi / n (Kresling 1995; the truss as in Yasuda, Tachi, Lee and Yang
+2017, doi 10.1038/s41467-017-00670-w). Both lengths recur at the twist pi - 2 pi / n - t.
+"""
+
+from itertools import combinations
+
+import numpy as np
+import pytest
+from scipy.optimize import minimize_scalar
+
+from forficula.statics.net.energy import built_shape
+from forficula.statics.net.load import point_forces
+from forficula.statics.net.load_path import load_path
+from forficula.statics.net.saddle import find_saddle
+from forficula.statics.net.stable_states import find_stable_states
+from tests.statics.net.nets import truss
+
+SIDES, RADIUS, STIFFNESS = 6, 1.0, 1000.0
+TWIST, HEIGHT = np.deg2rad(40), 1.3
+STEP = 2 * np.pi / SIDES
+RIGID = 1e5  # polygons, times stiffer than the bars: energies are that share too low
+APEX = 2 * SIDES  # above the upper polygon
+
+
+def kresling():
+    """Of bars, the upper polygon and its apex joined by all their diagonals, the lower one held."""
+    turn = STEP * np.arange(SIDES)
+    lower = np.stack((RADIUS * np.cos(turn), RADIUS * np.sin(turn), 0 * turn), axis=1)
+    upper = np.stack((RADIUS * np.cos(turn + TWIST), RADIUS * np.sin(turn + TWIST), 0 * turn + HEIGHT), axis=1)
+    nodes = np.concatenate((lower, upper, [[0, 0, HEIGHT + RADIUS]]))
+    bars = [(i, SIDES + i) for i in range(SIDES)] + [(i, SIDES + (i + 1) % SIDES) for i in range(SIDES)]
+    block = list(combinations(range(SIDES, 2 * SIDES + 1), 2))
+    stiffness = [STIFFNESS] * len(bars) + [RIGID * STIFFNESS] * len(block)
+    return truss(nodes, bars + block, stiffness=stiffness, held=range(SIDES))
+
+
+def energy(height, twist):
+    def length(h, t):
+        return np.sqrt(h**2 + 2 * RADIUS**2 * (1 - np.cos(t)))
+
+    sides = length(height, twist) - length(HEIGHT, TWIST)
+    diagonals = length(height, twist + STEP) - length(HEIGHT, TWIST + STEP)
+    return SIDES * STIFFNESS / 2 * (sides**2 + diagonals**2)
+
+
+def twisted(height):
+    """The twist of least energy at a height, and that energy."""
+    found = minimize_scalar(
+        lambda twist: energy(height, twist), bounds=(0.5, 1.6), method="bounded", options={"xatol": 1e-12}
+    )
+    return found.x, found.fun
+
+
+@pytest.fixture(scope="module")
+def truss_and_states():
+    net = kresling()
+    return net, find_stable_states(net, [built_shape(net)], tries=12)
+
+
+def test_it_has_the_two_states_without_stress(truss_and_states):
+    _, found = truss_and_states
+    other = np.pi - STEP - TWIST
+    low = np.sqrt(HEIGHT**2 + 2 * RADIUS**2 * (np.cos(other) - np.cos(TWIST)))
+    heights = sorted(state.shape.positions[APEX, 2] - RADIUS for state in found.states)
+    assert heights == pytest.approx([low, HEIGHT], abs=1e-9)
+    assert [state.energy for state in found.states] == pytest.approx([0, 0], abs=1e-18)
+
+
+def test_its_barrier_is_that_of_the_closed_form(truss_and_states):
+    net, found = truss_and_states
+    saddle = find_saddle(net, *found.states)
+    assert saddle is not None
+    assert saddle.joins
+    top = minimize_scalar(
+        lambda height: -twisted(height)[1], bounds=(0.72, 1.29), method="bounded", options={"xatol": 1e-9}
+    )
+    assert saddle.rest.energy == pytest.approx(-top.fun, rel=2 / RIGID * 10)
+    assert saddle.rest.shape.positions[APEX, 2] - RADIUS == pytest.approx(top.x, abs=1e-4)
+
+
+def test_a_force_leads_along_the_closed_form_and_peaks_with_it():
+    net = kresling()
+    push = point_forces(net, np.array([APEX]), np.array([[0.0, 0.0, -1.0]]))
+    path = load_path(net, built_shape(net), push, step=0.02, target=0.0)
+    assert path.ended == "target"  # at the saddle, where no force acts
+    assert [event.kind for event in path.events] == ["limit"]
+
+    def force(height):
+        return (twisted(height - 1e-5)[1] - twisted(height + 1e-5)[1]) / 2e-5
+
+    for point in path.points[1:-1:5]:
+        height = point.shape.positions[SIDES : 2 * SIDES, 2].mean()
+        assert point.factor == pytest.approx(force(height), rel=1e-4, abs=1e-3)
+    peak = -minimize_scalar(lambda height: -force(height), bounds=(1.1, 1.29), method="bounded").fun
+    assert path.events[0].point.factor == pytest.approx(peak, rel=1e-4)

@@ -1,0 +1,59 @@
+"""Miura sheets as nets: how many ways they move, and the closed form of the one way in which they fold.
+
+Counts as those of Schenk and Guest's rigidity matrix (2011, Origami 5, 291-304) for sheets of m x n facets kept flat:
+m + n - 2 flat, one folded. Dimensions in closed form: Schenk and Guest 2013, doi 10.1073/pnas.1217998110.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from forficula.statics.net.energy import built_shape
+from forficula.statics.net.minimum import minimum
+from forficula.statics.net.rigidity import rigidity
+from forficula.statics.net.supports import rigid_motions
+from tests.statics.net.nets import miura, sheet
+
+
+@pytest.mark.parametrize(("size", "fold", "expected"), [(4, 0.0, 6), (4, 0.6, 1), (8, 0.0, 14), (8, 0.6, 1)])
+def test_a_flat_sheet_has_many_mechanisms_and_a_folded_one_has_one(size, fold, expected):
+    net, diagonals = sheet(*miura(size, size, fold=fold))
+    found = rigidity(net, built_shape(net), diagonals)
+    assert found.degrees_of_freedom == expected
+    assert found.rigid_motions == 6
+    # the count of Calladine (1978): columns less rows
+    rows = len(net.springs.points) + np.count_nonzero(diagonals)
+    assert found.degrees_of_freedom + 6 - found.self_stresses == 3 * len(net.nodes) - rows
+    matrix_moves = found.mechanisms.reshape(expected, -1)
+    np.testing.assert_allclose(matrix_moves @ matrix_moves.T, np.eye(expected), atol=1e-9)
+
+
+def test_the_single_mechanism_is_the_folding_of_the_sheet():
+    net, diagonals = sheet(*miura(4, 4, fold=0.6))
+    mechanism = rigidity(net, built_shape(net), diagonals).mechanisms[0].ravel()
+    folding = (miura(4, 4, fold=0.6 + 1e-5)[0] - miura(4, 4, fold=0.6 - 1e-5)[0]).ravel()
+    # up to a motion of the whole
+    whole = rigid_motions(net.nodes).reshape(folding.size, -1)
+    folding -= whole @ (whole.T @ folding)
+    assert abs(folding @ mechanism) == pytest.approx(np.linalg.norm(folding), rel=1e-8)
+
+
+@settings(deadline=None, max_examples=6)
+@given(st.floats(0.3, 1.2), st.floats(0.9, 1.3), st.floats(0.5, 2.0))
+def test_one_driven_crease_folds_the_whole_sheet_as_in_closed_form(fold, acute, ratio):
+    start, facets = miura(4, 4, fold=0.5, acute=acute, other=ratio)
+    end = miura(4, 4, fold=fold, acute=acute, other=ratio)[0]
+    net, diagonals = sheet(start, facets, axial=1e6)
+    goal = built_shape(sheet(end, facets)[0]).angles
+    driven = np.flatnonzero(~diagonals)[0]
+    stiffness = np.where(diagonals, 1e2, 0.0)
+    stiffness[driven] = 1.0
+    law = replace(net.creases.law, stiffness=stiffness, rest_angle=np.where(diagonals, 0.0, goal))
+    rest = minimum(replace(net, creases=replace(net.creases, law=law)), built_shape(net))
+    assert rest.stable
+    np.testing.assert_allclose(rest.shape.angles, goal, atol=np.deg2rad(1e-3))
+    span = np.linalg.norm(rest.shape.positions[0] - rest.shape.positions[-1])
+    assert span == pytest.approx(np.linalg.norm(end[0] - end[-1]), rel=1e-6)

@@ -1,0 +1,50 @@
+"""Natural modes of nets beside closed forms: strings of masses, a molecule of four, a pendulum."""
+
+from itertools import combinations
+
+import numpy as np
+import pytest
+
+from forficula.statics.net.energy import built_shape
+from forficula.statics.net.minimum import minimum
+from forficula.statics.net.modes import natural_modes
+from tests.statics.net.nets import truss
+
+
+@pytest.mark.parametrize("count", [5, 120])
+def test_a_tight_string_of_masses_has_lagranges_frequencies(count):
+    # Lagrange 1788: 2 sqrt(k / m) sin(j pi / (2 (n + 1))) along it, sqrt(T / (m a)) for sqrt(k / m) across, twice
+    stiffness, mass, apart, rest = 50.0, 0.1, 0.2, 0.15
+    nodes = np.zeros((count + 2, 3))
+    nodes[:, 0] = apart * np.arange(count + 2)
+    bars = np.stack((np.arange(count + 1), np.arange(1, count + 2)), axis=1)
+    net = truss(
+        nodes, bars, stiffness=stiffness, rest=rest, held=[0, count + 1], masses=np.full(count + 2, mass)
+    )
+    shares = 2 * np.sin(np.arange(1, count + 1) * np.pi / (2 * (count + 1)))
+    tension = stiffness * (apart - rest)
+    across, along = np.sqrt(tension / (mass * apart)) * shares, np.sqrt(stiffness / mass) * shares
+    known = np.sort(np.concatenate((across, across, along)))[:12]
+    modes = natural_modes(net, built_shape(net), 12)
+    np.testing.assert_allclose(2 * np.pi * modes.frequencies, known, rtol=1e-7)
+    assert not modes.rigid.any()
+
+
+def test_a_free_tetrahedron_has_six_motions_of_the_whole_and_the_frequencies_of_a_molecule():
+    # four equal masses, central forces: 4, 2 and 1 k / m, of one, three and two modes (Herzberg 1945, II.4)
+    nodes = np.array([(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)])
+    net = truss(nodes, list(combinations(range(4), 2)), stiffness=3.0, masses=np.full(4, 0.5))
+    modes = natural_modes(net, built_shape(net), 12)
+    np.testing.assert_allclose(
+        (2 * np.pi * modes.frequencies[6:]) ** 2, np.array([1, 1, 2, 2, 2, 4]) * 6.0, rtol=1e-9
+    )
+    assert list(modes.rigid) == [True] * 6 + [False] * 6
+    np.testing.assert_allclose(modes.frequencies[:6], 0, atol=1e-6)
+
+
+def test_a_pendulum_swings_as_its_length_says():
+    net = truss([[0, 0, 0], [0.3, 0, -0.4]], [[0, 1]], stiffness=1e7, held=[0], gravity=9.81)
+    hanging = minimum(net, built_shape(net))
+    modes = natural_modes(net, hanging.shape)
+    np.testing.assert_allclose(2 * np.pi * modes.frequencies[:2], np.sqrt(9.81 / 0.5), rtol=1e-5)
+    assert hanging.shape.positions[1] == pytest.approx((0, 0, -0.5), abs=1e-5)

@@ -1,0 +1,135 @@
+"""Von Mises' truss: two bars between supports, in closed form (von Mises 1923, doi 10.1002/zamm.19230030302)."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.optimize import brentq
+
+from forficula.statics.net.collapse import collapse
+from forficula.statics.net.energy import built_shape, expand
+from forficula.statics.net.load import acceleration, held_displacements, point_forces
+from forficula.statics.net.load_path import load_path
+from forficula.statics.net.minimum import minimum
+from forficula.statics.net.modes import natural_modes
+from forficula.statics.net.saddle import find_saddle
+from forficula.statics.net.stable_states import find_stable_states
+from tests.statics.net.nets import truss
+
+STIFFNESS, HALF = 1000.0, 1.0  # N/m, m
+DOWN = np.array([[0.0, 0.0, -1.0]])
+APEX = np.array([1])
+
+
+def von_mises(height, held=()):
+    nodes = [[-HALF, 0, 0], [0, 0, height], [HALF, 0, 0]]
+    return truss(nodes, [[0, 1], [1, 2]], stiffness=STIFFNESS, held=[0, 2, (1, 1), *held])
+
+
+def force(height, z):
+    """Downwards on the apex, N."""
+    return 2 * STIFFNESS * z * (np.hypot(HALF, height) / np.hypot(HALF, z) - 1)
+
+
+def limit(height):
+    """Largest force: where the cube of the bars' length is that of their resting length times the half span squared."""
+    length = (np.hypot(HALF, height) * HALF**2) ** (1 / 3)
+    return force(height, np.sqrt(length**2 - HALF**2))
+
+
+@settings(deadline=None, max_examples=8)
+@given(st.floats(0.05, 1.5))
+def test_a_force_leads_along_the_closed_form_through_both_limits(height):
+    net = von_mises(height)
+    path = load_path(net, built_shape(net), point_forces(net, APEX, DOWN), step=height / 10, increments=26)
+    z = np.array([point.shape.positions[1, 2] for point in path.points])
+    factors = np.array([point.factor for point in path.points])
+    np.testing.assert_allclose(factors, force(height, z), atol=1e-9 * limit(height))
+    assert z[-1] < -height
+    assert [event.kind for event in path.events] == ["limit", "limit"]
+    for event, sign in zip(path.events, (1, -1), strict=True):
+        assert event.point.factor == pytest.approx(sign * limit(height), rel=1e-9)
+    inside = np.abs(z) < np.sqrt((np.hypot(HALF, height) * HALF**2) ** (2 / 3) - HALF**2)
+    assert [point.index for point in path.points] == list(inside.astype(int))
+
+
+def test_a_displacement_leads_through_without_a_limit():
+    net = von_mises(0.3, held=[1])
+    move = np.zeros((3, 3))
+    move[1] = DOWN
+    path = load_path(net, built_shape(net), held_displacements(net, move), target=0.6, increments=200)
+    assert path.ended == "target"
+    assert not path.events
+    for point in path.points:
+        reaction = -expand(net, point.shape).slope[1, 2]
+        assert reaction == pytest.approx(force(0.3, 0.3 - point.factor), abs=1e-9)
+
+
+def test_a_soft_spring_in_series_snaps_back_under_displacement():
+    height, soft = 0.3, 30.0
+    nodes = [[-HALF, 0, 0], [0, 0, height], [HALF, 0, 0], [0, 0, 2.0]]
+    net = truss(
+        nodes, [[0, 1], [1, 2], [1, 3]], stiffness=[STIFFNESS, STIFFNESS, soft], held=[0, 2, 3, (1, 0), (1, 1)]
+    )
+    move = np.zeros((4, 3))
+    move[3] = DOWN
+    path = load_path(net, built_shape(net), held_displacements(net, move), step=0.02, increments=60)
+
+    def driven(z):
+        return height - z + force(height, z) / soft
+
+    def slope(z):
+        return (driven(z + 1e-6) - driven(z - 1e-6)) / 2e-6
+
+    z = np.array([point.shape.positions[1, 2] for point in path.points])
+    np.testing.assert_allclose([point.factor for point in path.points], driven(z), atol=1e-9)
+    turns = [brentq(slope, 0.0, height), brentq(slope, -height, 0.0)]
+    assert driven(turns[1]) < driven(turns[0])  # it does snap back
+    assert [event.kind for event in path.events] == ["limit", "limit"]
+    for event, turn in zip(path.events, turns, strict=True):
+        assert event.point.factor == pytest.approx(driven(turn), rel=1e-8)
+
+
+def test_a_tall_truss_leaves_sideways_first():
+    # the sideways stiffness 1 - L0 z^2 / L^3 falls to 0 above the limit where L0 > 3 sqrt(3) / 2 of the half span
+    height = 2.6
+    net = von_mises(height)
+    rest = np.hypot(HALF, height)
+    z = brentq(lambda z: np.hypot(HALF, z) ** 3 - rest * z**2, np.sqrt(2), height)
+    path = load_path(net, built_shape(net), point_forces(net, APEX, DOWN), events=1, increments=200)
+    event = path.events[0]
+    assert event.kind == "bifurcation"
+    assert event.point.factor == pytest.approx(force(height, z), rel=1e-5)
+    np.testing.assert_allclose(event.mode[1], (1, 0, 0), atol=1e-6)
+
+
+def test_two_states_lie_on_either_side_of_the_saddle_of_straight_bars():
+    net = von_mises(0.3)
+    found = find_stable_states(net, [built_shape(net)], tries=10)
+    assert sorted(state.shape.positions[1, 2] for state in found.states) == pytest.approx([-0.3, 0.3])
+    saddle = find_saddle(net, *found.states)
+    assert saddle is not None
+    assert saddle.joins
+    barrier = STIFFNESS * (np.hypot(HALF, 0.3) - HALF) ** 2
+    assert saddle.barriers == pytest.approx((barrier, barrier), rel=1e-9)
+
+
+def test_it_collapses_at_the_limit_under_a_force_or_an_acceleration():
+    net = replace(von_mises(0.3), masses=np.array([1.0, 0.2, 1.0]))
+    rest = minimum(net, built_shape(net))
+    pushed = collapse(net, rest, point_forces(net, APEX, DOWN))
+    shaken = collapse(net, rest, acceleration(net, np.array([0.0, 0.0, 1.0])))
+    assert pushed.kind == shaken.kind == "limit"
+    assert pushed.factor == pytest.approx(limit(0.3), rel=1e-9)
+    assert shaken.factor == pytest.approx(limit(0.3) / 0.2, rel=1e-9)
+    assert collapse(net, rest, point_forces(net, APEX, DOWN), most=limit(0.3) / 2).kind == "none"
+
+
+def test_its_apex_vibrates_as_its_stiffness_says():
+    net = von_mises(0.3)
+    modes = natural_modes(net, built_shape(net))
+    squares = 2 * STIFFNESS * np.array([0.3**2, HALF**2]) / (0.3**2 + HALF**2)
+    np.testing.assert_allclose((2 * np.pi * modes.frequencies) ** 2, squares, rtol=1e-9)
+    assert not modes.rigid.any()
