@@ -70,9 +70,7 @@ def test_a_displacement_leads_through_without_a_limit():
 def test_a_soft_spring_in_series_snaps_back_under_displacement():
     height, soft = 0.3, 30.0
     nodes = [[-HALF, 0, 0], [0, 0, height], [HALF, 0, 0], [0, 0, 2.0]]
-    net = truss(
-        nodes, [[0, 1], [1, 2], [1, 3]], stiffness=[STIFFNESS, STIFFNESS, soft], held=[0, 2, 3, (1, 0), (1, 1)]
-    )
+    net = truss(nodes, [[0, 1], [1, 2], [1, 3]], stiffness=[STIFFNESS, STIFFNESS, soft], held=[0, 2, 3, (1, 0), (1, 1)])
     move = np.zeros((4, 3))
     move[3] = DOWN
     path = load_path(net, built_shape(net), held_displacements(net, move), step=0.02, increments=60)
