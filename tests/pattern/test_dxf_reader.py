@@ -21,8 +21,9 @@ def crease(*more):
 
 
 def letter_of(path, entity, **layers):
-    pattern, _ = read_drawing(dxf(path / "sheet.dxf", RIM, entity, layers=layers))
-    return next(letter for letter in pattern.edges_assignment if letter != "B")
+    beside = dxf_line(115, 100, 115, 160, (62, 6)), dxf_line(145, 100, 145, 160, (62, 6))
+    pattern, _ = read_drawing(dxf(path / "sheet.dxf", RIM, *beside, entity, layers=layers))
+    return next(letter for letter in reversed(pattern.edges_assignment) if letter != "B")
 
 
 @pytest.mark.parametrize("border", [RIM, OLD_RIM])

@@ -40,7 +40,9 @@ def crease(path, text):
     ],
 )
 def test_colours_are_read_as_origami_programs_mean_them(tmp_path, stroke, letter):
-    assert crease(tmp_path, f'<line {CREASE} stroke="{stroke}"/>')[0] == letter
+    beside = line(35, 20, 35, 80, "orange", 'data-assignment="U"') + line(65, 20, 65, 80, "#f0f")
+    pattern, _ = read(tmp_path, beside, f'<line {CREASE} stroke="{stroke}"/>')
+    assert next(each for each in reversed(pattern.edges_assignment) if each != "B") == letter
 
 
 @pytest.mark.parametrize(
