@@ -6,8 +6,6 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from forficula.pattern import CreasePattern, read_drawing
 
 BLACK, RED, BLUE, GREEN, YELLOW = "black", "#f00", "rgb(0, 0, 255)", "lime", "#FFFF00"
@@ -55,11 +53,8 @@ def dxf_line(x: float, y: float, other_x: float, other_y: float, *more: tuple[in
     return [(0, "LINE"), (5, "1F"), (8, "0"), *more, (10, x), (20, y), (30, 0), (11, other_x), (21, other_y), (31, 0)]
 
 
-def shape(pattern: CreasePattern) -> tuple[set[object], set[object]]:
-    """Edges and faces by where they are, in micrometres, whatever their order; edges with letter and fold angle."""
-    places = [tuple(place) for place in np.round(1e6 * (pattern.vertices_coords - pattern.vertices_coords.min(axis=0)))]
-    edges = zip(pattern.edges_vertices.tolist(), pattern.edges_assignment, pattern.edges_fold_angle, strict=True)
-    return (
-        {(frozenset(places[end] for end in ends), letter, f"{angle:.4f}") for ends, letter, angle in edges},
-        {frozenset(places[vertex] for vertex in face) for face in pattern.faces_vertices},
-    )
+def faces_like(pattern: CreasePattern, original: CreasePattern) -> set[frozenset[int]]:
+    """Faces by the vertices of the original, whose edges are in the same order."""
+    pairs = zip(pattern.edges_vertices.ravel().tolist(), original.edges_vertices.ravel().tolist(), strict=True)
+    number = dict(pairs)
+    return {frozenset(number[vertex] for vertex in face) for face in pattern.faces_vertices}

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from forficula.errors import InputError
 from forficula.pattern import EarwigFan, earwig_pattern, kawasaki_residuals, pleat_pattern, read_drawing, write_svg
-from tests.pattern.drawings import BLACK, BLUE, GREEN, RED, YELLOW, line, read, rim, shape, svg
+from tests.pattern.drawings import BLACK, BLUE, GREEN, RED, YELLOW, faces_like, line, read, rim, svg
 
 
 @given(
@@ -29,7 +29,12 @@ def test_what_is_drawn_is_read_back_as_the_same_pattern(tmp_path_factory, radius
     path = tmp_path_factory.getbasetemp() / "fan.svg"
     write_svg(pattern, path)
     again, remarks = read_drawing(path, tolerance=1e-6)
-    assert shape(again) == shape(pattern)
+    lowest = pattern.vertices_coords.min(axis=0)
+    for end in (0, 1):
+        place, drawn = (sheet.vertices_coords[sheet.edges_vertices[:, end]] for sheet in (again, pattern))
+        np.testing.assert_allclose(place, drawn - lowest, rtol=0, atol=2e-9)
+    assert faces_like(again, pattern) == {frozenset(face) for face in pattern.faces_vertices}
+    np.testing.assert_allclose(again.edges_fold_angle, pattern.edges_fold_angle, rtol=0, atol=1e-12)
     assert again.title == pattern.title
     assert remarks == [f"faces found between the lines, {len(pattern.faces_vertices)}"]
     assert again.edges_assignment == pattern.edges_assignment  # edges keep their order

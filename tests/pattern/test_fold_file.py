@@ -159,6 +159,8 @@ def test_a_form_folded_flat_keeps_the_faces_that_are_turned_over(tmp_path):
     }
     pattern, _ = outcome(tmp_path, folded | faces)
     assert pattern.faces_vertices == ((0, 1, 3), (1, 2, 3))
+    with pytest.raises(InputError, match=r"faces_vertices\[1\]: need a sheet laid flat, .*, got a face turned over"):
+        kawasaki_residuals(pattern)
 
 
 def test_border_between_two_faces_is_a_cut(tmp_path):
