@@ -153,6 +153,11 @@ def test_lines_that_are_no_sheet_are_refused(tmp_path, shapes, message):
         assert "\n" not in str(refusal.value)
 
 
+def test_a_drawing_of_a_point_is_refused(tmp_path):
+    with pytest.raises(InputError, match="need a drawing of a size > 0 m and up to .*, got 0 m"):
+        read_drawing(svg(tmp_path / "point.svg", line(5, 5, 5, 5)))
+
+
 def test_lines_of_other_colours_are_told(tmp_path):
     _, remarks = read(tmp_path, line(50, 20, 50, 80, "cyan"), line(40, 20, 40, 80, "orange"), line(30, 20, 30, 80))
     assert remarks[0] == "lines left out, as neither colour nor layer says what they are: 1 of cyan, 1 of orange"

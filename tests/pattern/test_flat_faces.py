@@ -34,6 +34,8 @@ RIM = SQUARE["edges_vertices"][:4]
             {"edges_vertices": [[0, 1], [1, 3], [3, 2], [2, 0]], "faces_vertices": [[0, 1, 3, 2]]},
             r"faces_vertices\[0\]: need a face that does not cross itself, got its sides 3 to 1 and 0 to 2 crossing",
         ),
+        ({"faces_vertices": [[0, 1, 2], []]}, r"faces_vertices\[1\]: need at least 3 vertices, got 0"),
+        ({"vertices_coords": [[1e200, 0], [0, 0]]}, r"vertices_coords: need numbers up to 1e\+100, got 1e\+200"),
         (
             {"faces_vertices": [[0, 1, 2, 3], [0, 1, 2]]},
             r"faces_vertices\[0\]: need faces between the edges, got the edge from 2 to 0 inside the face; split",

@@ -146,6 +146,7 @@ def test_a_unit_goes_before_pixels(tmp_path):
             r'path 1: d: need straight lines .*, got a curve \("A"\)',
         ),
         ('<path d="M0 0L1" stroke="red"/>', 'path 1: d: need 2 numbers a point after "L", got 1'),
+        ('<path d="M0 0L1e999 0" stroke="red"/>', "need a drawing of a size > 0 m and up to 1e\\+06 m, got nan m"),
         ('<circle r="9" stroke="red"/>', "circle 1: need straight lines, got a curve; draw it as short straight lines"),
         ('<rect width="9" height="9" rx="1" stroke="red"/>', "rect 2: need straight lines, got .* round corners"),
         ('<use href="#a"/>', "use 1: need lines themselves, got a copy; unlink"),
@@ -170,6 +171,7 @@ def test_what_is_no_straight_line_is_refused_with_its_name(tmp_path, text, messa
     ("content", "message"),
     [
         ("<svg", "need XML, as SVG files are: unclosed token"),
+        ('<?xml version="1.0" encoding="utf-9"?><svg/>', "need XML, as SVG files are: unknown encoding"),
         ("<html/>", "need an SVG drawing, got XML of <html>"),
         ('<svg xmlns="http://www.w3.org/2000/svg"/>', "need lines in red .*, got none"),
     ],

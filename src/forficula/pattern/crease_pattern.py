@@ -165,7 +165,7 @@ def _checked_faces(
 
 def face_sides(face: Sequence[int]) -> list[tuple[int, int]]:
     """List the directed sides of a face, from every vertex to the next and from the last to the first."""
-    return list(zip(face, [*face[1:], face[0]], strict=True))
+    return list(zip(face, [*face[1:], *face[:1]], strict=True))
 
 
 def face_area(points: NDArray[np.float64], face: Sequence[int]) -> float:
@@ -178,8 +178,7 @@ def face_area(points: NDArray[np.float64], face: Sequence[int]) -> float:
     Returns:
         m^2.
     """
-    sides = face_sides(face) if face else []
-    return math.fsum(points[a, 0] * points[b, 1] - points[b, 0] * points[a, 1] for a, b in sides) / 2
+    return math.fsum(points[a, 0] * points[b, 1] - points[b, 0] * points[a, 1] for a, b in face_sides(face)) / 2
 
 
 def check_flat(pattern: CreasePattern) -> None:

@@ -23,6 +23,7 @@ from forficula.pattern.svg_reader import read_svg
 from forficula.quantities import show_value
 
 _TOLERANCE = 1e-4  # of the drawing's size: drawing programs round to 1e-5 of it, people see 1e-3
+_LARGEST = 1e6  # m
 
 
 def read_drawing(
@@ -51,9 +52,10 @@ def read_drawing(
     """
     file = Path(path)
     try:
-        drawing = read_dxf(file) if file.suffix.lower() == ".dxf" else read_svg(file)
-        metres, remarks = _metres(drawing, unit)
-        pattern, more = _pattern_of(drawing, metres, tolerance)
+        with np.errstate(over="ignore", invalid="ignore"):  # what comes of it has no size, and is refused
+            drawing = read_dxf(file) if file.suffix.lower() == ".dxf" else read_svg(file)
+            metres, remarks = _metres(drawing, unit)
+            pattern, more = _pattern_of(drawing, metres, tolerance)
     except InputError as error:
         raise InputError(f"{file}: {error}") from error
     return pattern, [*drawing.remarks, *remarks, *more]
@@ -86,8 +88,8 @@ def _pattern_of(drawing: Drawing, metres: float, tolerance: float | None) -> tup
     ends = metres * np.array([(line.start, line.end) for line in lines])
     ends -= ends.min(axis=(0, 1))
     size = float(ends.max())
-    if not (math.isfinite(size) and size > 0):
-        raise InputError("need lines of some length, got all at one place")
+    if not 0 < size <= _LARGEST:
+        raise InputError(f"need a drawing of a size > 0 m and up to {_LARGEST:g} m, got {size:g} m")
     if tolerance is None:
         tolerance = _TOLERANCE * size
     elif not 0 < tolerance < size:
@@ -141,7 +143,7 @@ def _network_remarks(network: LineNetwork, tolerance: float) -> list[str]:
 def _closed_edges(network: LineNetwork, lines: Sequence[DrawnLine], remarks: list[str]) -> NDArray[np.int64]:
     """Numbers of the edges without flat ones that end freely; raise InputError where others do, or lie apart."""
     edges, kept = network.edges, np.arange(len(network.edges))
-    flat = np.array([lines[line].letter == "F" for line in network.lines.tolist()])
+    flat = np.array([lines[line].letter == "F" for line in network.lines.tolist()], dtype=bool)
     while True:
         degrees = np.bincount(edges[kept].ravel(), minlength=len(network.points))
         free = (degrees[edges[kept]] == 1).any(axis=1)
