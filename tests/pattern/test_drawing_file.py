@@ -1,4 +1,5 @@
 import math
+from itertools import combinations
 
 import numpy as np
 import pytest
@@ -154,7 +155,7 @@ def test_lines_that_are_no_sheet_are_refused(tmp_path, shapes, message):
 
 
 def test_a_drawing_of_a_point_is_refused(tmp_path):
-    with pytest.raises(InputError, match="need a drawing of a size > 0 m and up to .*, got 0 m"):
+    with pytest.raises(InputError, match=r"need a drawing of a size > 0 m and up to .*, got 0 m"):
         read_drawing(svg(tmp_path / "point.svg", line(5, 5, 5, 5)))
 
 
@@ -188,6 +189,24 @@ def test_a_unit_is_needed_where_the_file_has_none_and_refused_where_it_has_anoth
         read(tmp_path, line(50, 20, 50, 80), unit=0.01)
     with pytest.raises(InputError, match="unit: need a length > 0, got -1 m"):
         read_drawing(path, unit=-1.0)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_chords_divide_a_sheet_into_one_face_and_one_more_for_each_chord_and_crossing(tmp_path, seed):
+    """Regions of a convex sheet by n chords with k crossings, no three at one place: 1 + n + k (Steiner 1826)."""
+    random = np.random.default_rng(seed)
+    places = random.permutation(np.arange(24) + random.uniform(0.1, 0.9, 24)).reshape(12, 2) / 24  # around the rim
+
+    def on_rim(place):
+        side, along = divmod(4 * place, 1)
+        corner, way = [((20, 20), (1, 0)), ((80, 20), (0, 1)), ((80, 80), (-1, 0)), ((20, 80), (0, -1))][int(side)]
+        return corner[0] + 60 * along * way[0], corner[1] + 60 * along * way[1]
+
+    chords = [np.sort(pair) for pair in places if int(4 * pair[0]) != int(4 * pair[1])]
+    crossed = sum((a < c < b) != (a < d < b) for (a, b), (c, d) in combinations(chords, 2))
+    pattern, _ = read(tmp_path, *(line(*on_rim(a), *on_rim(b)) for a, b in chords))
+    assert len(pattern.faces_vertices) == 1 + len(chords) + crossed
+    assert len(pattern.vertices_coords) == 4 + 2 * len(chords) + crossed
 
 
 def test_sixty_by_sixty_lines_are_a_sheet(tmp_path):
