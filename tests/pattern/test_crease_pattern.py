@@ -53,7 +53,7 @@ def test_sectors_of_a_star_are_the_drawn_ones_counterclockwise():
 
 
 def test_a_sector_beyond_a_half_turn_is_measured():
-    pattern = star([10, 80, 130], "MMM")
+    pattern = star([10, 80, 130, 250], "MMMF")
     assert np.degrees(sectors_between(pattern, *creases_inside(pattern)[0])) == pytest.approx([70, 50, 240])
 
 

@@ -165,20 +165,39 @@ def _checked_faces(
 
 def face_sides(face: Sequence[int]) -> list[tuple[int, int]]:
     """List the directed sides of a face, from every vertex to the next and from the last to the first."""
-    return list(zip(face, [*face[1:], face[0]], strict=True))
+    return list(zip(face, [*face[1:], *face[:1]], strict=True))
+
+
+def face_area(points: NDArray[np.float64], face: Sequence[int]) -> float:
+    """Measure the area of a face, positive where it runs counterclockwise (shoelace formula).
+
+    Args:
+        points: m, shape (N, 2) or (N, 3), of which z is left out.
+        face: its vertices.
+
+    Returns:
+        m^2.
+    """
+    return math.fsum(points[a, 0] * points[b, 1] - points[b, 0] * points[a, 1] for a, b in face_sides(face)) / 2
 
 
 def check_flat(pattern: CreasePattern) -> None:
-    """Refuse a sheet that does not lie in one plane of constant z.
+    """Refuse a sheet that does not lie in one plane of constant z, or is folded onto itself there.
 
     Raises:
-        InputError: the vertices differ in z.
+        InputError: the vertices differ in z, or a face is turned over.
     """
     heights = pattern.vertices_coords[:, 2]
     if np.ptp(heights) > 0:
         raise InputError(
             f"vertices_coords: need one z for all vertices, got {heights.min():.6g} to {heights.max():.6g} m"
         )
+    for number, face in enumerate(pattern.faces_vertices):
+        if face_area(pattern.vertices_coords, face) < 0:
+            raise InputError(
+                f"faces_vertices[{number}]: need a sheet laid flat, all faces counterclockwise seen from +z, got a face"
+                " turned over, as in a sheet that is folded flat"
+            )
 
 
 def is_unfolded(pattern: CreasePattern) -> bool:

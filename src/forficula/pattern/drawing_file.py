@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -23,6 +23,7 @@ from forficula.pattern.svg_reader import read_svg
 from forficula.quantities import show_value
 
 _TOLERANCE = 1e-4  # of the drawing's size: drawing programs round to 1e-5 of it, people see 1e-3
+_LARGEST = 1e6  # m
 
 
 def read_drawing(
@@ -51,9 +52,10 @@ def read_drawing(
     """
     file = Path(path)
     try:
-        drawing = read_dxf(file) if file.suffix.lower() == ".dxf" else read_svg(file)
-        metres, remarks = _metres(drawing, unit)
-        pattern, more = _pattern_of(drawing, metres, tolerance)
+        with np.errstate(over="ignore", invalid="ignore"):  # what comes of it has no size, and is refused
+            drawing = read_dxf(file) if file.suffix.lower() == ".dxf" else read_svg(file)
+            metres, remarks = _metres(drawing, unit)
+            pattern, more = _pattern_of(drawing, metres, tolerance)
     except InputError as error:
         raise InputError(f"{file}: {error}") from error
     return pattern, [*drawing.remarks, *remarks, *more]
@@ -86,8 +88,8 @@ def _pattern_of(drawing: Drawing, metres: float, tolerance: float | None) -> tup
     ends = metres * np.array([(line.start, line.end) for line in lines])
     ends -= ends.min(axis=(0, 1))
     size = float(ends.max())
-    if not (math.isfinite(size) and size > 0):
-        raise InputError("need lines of some length, got all at one place")
+    if not 0 < size <= _LARGEST:
+        raise InputError(f"need a drawing of a size > 0 m and up to {_LARGEST:g} m, got {size:g} m")
     if tolerance is None:
         tolerance = _TOLERANCE * size
     elif not 0 < tolerance < size:
@@ -96,15 +98,15 @@ def _pattern_of(drawing: Drawing, metres: float, tolerance: float | None) -> tup
     remarks = _network_remarks(network, tolerance)
     kept = _closed_edges(network, lines, remarks)
     edges = network.edges[kept]
-    letters = [lines[line].letter for line in network.lines[kept].tolist()]
-    faces = _faces(network.points, edges, letters, remarks)
+    drawn = [lines[line] for line in network.lines[kept].tolist()]
+    faces = _faces(network.points, edges, drawn, remarks)
     faces_at = Counter(frozenset(side) for face in faces for side in face_sides(face))
     counts = np.array([faces_at[frozenset(pair)] for pair in edges.tolist()])
-    letters = _letters_by_faces(letters, counts, remarks)
+    letters = _letters_by_faces([line.letter for line in drawn], counts, remarks)
     beside = np.flatnonzero(counts > 0)
     vertices = _in_order(edges[beside])
     number = {vertex: place for place, vertex in enumerate(vertices)}
-    angles = np.array([lines[line].fold_angle for line in network.lines[kept][beside].tolist()])
+    angles = np.array([drawn[edge].fold_angle for edge in beside.tolist()])
     letters = [letters[edge] for edge in beside.tolist()]
     points = network.points[vertices] - network.points[vertices].min(axis=0)
     pattern = CreasePattern(
@@ -131,7 +133,8 @@ def _network_remarks(network: LineNetwork, tolerance: float) -> list[str]:
         gaps = "1 gap" if count == 1 else f"{count} gaps"
         remarks.append(f"{gaps} between ends closed, the largest {show_value(network.gaps.max(), 'm')} wide; {near}")
     if network.crossings:
-        remarks.append(f"lines split where they cross, {network.crossings} times")
+        places = "1 place" if network.crossings == 1 else f"{network.crossings} places"
+        remarks.append(f"lines split where they cross, at {places}")
     if network.lost:
         remarks.append(f"lines left out as too short, {network.lost}; {near}")
     return remarks
@@ -140,7 +143,7 @@ def _network_remarks(network: LineNetwork, tolerance: float) -> list[str]:
 def _closed_edges(network: LineNetwork, lines: Sequence[DrawnLine], remarks: list[str]) -> NDArray[np.int64]:
     """Numbers of the edges without flat ones that end freely; raise InputError where others do, or lie apart."""
     edges, kept = network.edges, np.arange(len(network.edges))
-    flat = np.array([lines[line].letter == "F" for line in network.lines.tolist()])
+    flat = np.array([lines[line].letter == "F" for line in network.lines.tolist()], dtype=bool)
     while True:
         degrees = np.bincount(edges[kept].ravel(), minlength=len(network.points))
         free = (degrees[edges[kept]] == 1).any(axis=1)
@@ -181,19 +184,14 @@ def _nearest_line(network: LineNetwork, kept: NDArray[np.int64], edge: int, end:
 
 
 def _faces(
-    points: NDArray[np.float64], edges: NDArray[np.int64], letters: Sequence[str], remarks: list[str]
+    points: NDArray[np.float64], edges: NDArray[np.int64], drawn: Sequence[DrawnLine], remarks: list[str]
 ) -> list[list[int]]:
     """The faces between the edges, without holes."""
+    lines = {frozenset(pair): line for pair, line in zip(edges.tolist(), drawn, strict=True)}
     found = faces_between(points, edges)
     for face in found:
-        if len(set(face)) < len(face):
-            twice = next(vertex for place, vertex in enumerate(face) if vertex in face[:place])
-            raise InputError(
-                f"need faces that lines surround once, got one that touches itself {place_text(points[twice])};"
-                " join what lies in it by more than one line"
-            )
-    ends = {frozenset(pair): letter for pair, letter in zip(edges.tolist(), letters, strict=True)}
-    faces = [face for face in found if any(ends[frozenset(side)] not in "BC" for side in face_sides(face))]
+        _check_surrounded(points, face, lines)
+    faces = [face for face in found if any(lines[frozenset(side)].letter not in "BC" for side in face_sides(face))]
     if len(found) == 1:
         return found
     if holes := len(found) - len(faces):
@@ -202,6 +200,26 @@ def _faces(
         raise InputError("need faces with creases between them, got border and cuts only")
     remarks.append(f"faces found between the lines, {len(faces)}")
     return faces
+
+
+def _check_surrounded(
+    points: NDArray[np.float64], face: Sequence[int], lines: Mapping[frozenset[int], DrawnLine]
+) -> None:
+    """Refuse a face that lines do not go around once."""
+    if len(set(face)) == len(face):
+        return
+    sides = face_sides(face)
+    for tail, head in sides:
+        if (head, tail) in sides:
+            raise InputError(
+                f"{lines[frozenset((tail, head))].name}: need a face on either side that is another, got one face"
+                f" around it, {place_text((points[tail] + points[head]) / 2)}; join what it leads to by others, too"
+            )
+    twice = next(vertex for place, vertex in enumerate(face) if vertex in face[:place])
+    raise InputError(
+        f"need faces that lines go around once, got one that touches itself {place_text(points[twice])}; join what lies"
+        " in it by other lines, too"
+    )
 
 
 def _letters_by_faces(letters: Sequence[str], counts: NDArray[np.int64], remarks: list[str]) -> list[str]:

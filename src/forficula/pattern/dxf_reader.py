@@ -226,10 +226,14 @@ def _points(entity: Sequence[Entity]) -> tuple[list[Point], bool]:
     of = dict(first)
     if of[0] == "LINE":
         return [(_at(of, 10), _at(of, 20)), (_at(of, 11), _at(of, 21))], False
+    normal = [_number(of.get(code, default)) for code, default in ((210, "0"), (220, "0"), (230, "1"))]
+    if normal[:2] != [0, 0] or normal[2] == 0:
+        raise InputError("need a polyline in the plane of the drawing, got one that stands on it (codes 210 to 230)")
+    sense = math.copysign(1.0, normal[2])  # seen from below, x is counted the other way
     closed = bool(int(_number(of.get(70, "0"))) & 1)
     if of[0] == "POLYLINE":
-        return [(_at(dict(vertex), 10), _at(dict(vertex), 20)) for vertex in vertices], closed
-    across = [_number(value) for code, value in first if code == 10]
+        return [(sense * _at(dict(vertex), 10), _at(dict(vertex), 20)) for vertex in vertices], closed
+    across = [sense * _number(value) for code, value in first if code == 10]
     upwards = [_number(value) for code, value in first if code == 20]
     if len(across) != len(upwards):
         raise InputError(f"need x and y for every corner, got {len(across)} x (code 10) and {len(upwards)} y (code 20)")

@@ -12,27 +12,13 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from forficula.errors import InputError
-from forficula.pattern.crease_pattern import face_sides
+from forficula.pattern.crease_pattern import face_area, face_sides
 from forficula.pattern.segments import crossings, points_on_segments
 
 Side = tuple[int, int]
 
 _TOUCHING = 1e-9  # share of the sheet's size within which two vertices are at one place
 _ON_EDGE = 1e-5  # rad off the direction of an edge; files of single precision are good to 1e-6 on most edges
-
-
-def face_area(points: NDArray[np.float64], face: Sequence[int]) -> float:
-    """Measure the area of a face, positive where it runs counterclockwise (shoelace formula).
-
-    Args:
-        points: m, shape (N, 2) or (N, 3), of which z is left out.
-        face: its vertices.
-
-    Returns:
-        m^2.
-    """
-    sides = face_sides(face) if face else []
-    return math.fsum(points[a, 0] * points[b, 1] - points[b, 0] * points[a, 1] for a, b in sides) / 2
 
 
 def parts_of(vertex_count: int, edges: NDArray[np.int64]) -> NDArray[np.int64]:

@@ -13,12 +13,11 @@ from numpy.typing import NDArray
 
 from forficula.errors import InputError
 from forficula.names import listed
-from forficula.pattern.crease_pattern import CreasePattern, check_edges, face_sides
+from forficula.pattern.crease_pattern import CreasePattern, check_edges, face_area, face_sides
 from forficula.pattern.flat_faces import (
     check_edges_apart,
     check_face_sides,
     check_faces_apart,
-    face_area,
     faces_between,
     parts_of,
 )

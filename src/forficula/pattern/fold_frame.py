@@ -16,6 +16,7 @@ from forficula.quantities import as_written, show_value
 
 _METRES = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "nm": 1e-9, "in": 0.0254, "pt": 0.0254 / 72}
 _FOLDED_FLAT = 180 * (1 + 1e-9)  # deg; more is only rounding
+_LARGEST = 1e100  # squares of lengths must be numbers
 _TARGETS = {"M": -math.pi, "V": math.pi, "F": 0.0}
 
 
@@ -67,7 +68,10 @@ def coords_of(frame: FoldFrame) -> NDArray[np.float64]:
         rows.append([_number(value, key) for value in [*position, 0.0][:3]])
     if not rows:
         raise InputError("vertices_coords: need at least one vertex, got none")
-    return np.array(rows, dtype=np.float64)
+    coords = np.array(rows, dtype=np.float64)
+    if (largest := float(np.abs(coords).max())) > _LARGEST:
+        raise InputError(f"vertices_coords: need numbers up to {_LARGEST:g}, got {largest:g}")
+    return coords
 
 
 def _number(value: object, key: str) -> float:

@@ -31,10 +31,10 @@ def crossings(
         # how far the ends of one lie to the left of the line of the other
         second_starts, second_ends = (_cross(here, way) / _length(here) for way in (between, between + there))
         first_starts, first_ends = (_cross(there, way) / _length(there) for way in (-between, here - between))
-        share = first_starts / (first_starts - first_ends)
-    crossing = (_apart(second_starts, second_ends, margin)) & (_apart(first_starts, first_ends, margin))
-    points = starts[first] + share[:, np.newaxis] * here
-    return pairs[crossing], points[crossing]
+    crossing = _apart(second_starts, second_ends, margin) & _apart(first_starts, first_ends, margin)
+    from_start, from_end = first_starts[crossing], first_ends[crossing]
+    share = from_start / (from_start - from_end)
+    return pairs[crossing], starts[first[crossing]] + share[:, np.newaxis] * here[crossing]
 
 
 def points_on_segments(

@@ -51,7 +51,7 @@ def read_svg(file: Path) -> Drawing:
         root = ElementTree.fromstring(file.read_bytes())
     except OSError as error:
         raise InputError(f"need a file that can be read, got {error.strerror}") from error
-    except ElementTree.ParseError as error:
+    except (ElementTree.ParseError, LookupError, ValueError) as error:
         raise InputError(f"need XML, as SVG files are: {error}") from error
     if _tag(root) != "svg":
         raise InputError(f"need an SVG drawing, got XML of <{_tag(root)}>")
