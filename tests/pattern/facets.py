@@ -19,5 +19,5 @@ def vector_areas(pattern):
 
 
 def folding(pattern):
-    """Letters of the edges between two facets, and where they are in the list of edges."""
+    """Numbers of the edges that are neither border nor cut."""
     return [edge for edge, letter in enumerate(pattern.edges_assignment) if letter not in "BC"]

@@ -79,10 +79,8 @@ def test_every_crease_folds_as_far_as_the_half_tangents_of_its_vertices_ask(valu
 def test_the_two_closed_forms_agree_at_a_vertex():
     angle, fold = math.radians(60), math.radians(100)
     pattern = sheet(acute_angle=angle, fold=fold)
-    straight = {
-        abs(f) for f, role in zip(built_fold_angles(pattern), pattern.edges_role, strict=True) if role[0] == "s"
-    }
-    folds = degree4_fold_angles(angle, angle, max(straight), "miura")
+    straight = abs(built_fold_angles(pattern)[pattern.edges_role.index("straight")])
+    folds = degree4_fold_angles(angle, angle, straight, "miura")
     assert abs(folds[1]) == pytest.approx(fold, rel=1e-12)
 
 
@@ -108,7 +106,7 @@ def test_folding_the_flat_sheet_by_its_fold_angles_gives_the_folded_one():
 
 
 def test_the_targets_close_the_sheet_to_a_stack_in_one_plane():
-    """At theta = 90 deg the rows advance by a cos(acute_angle) each, the zigzag adds b, and a sin(acute_angle) is high."""
+    """At theta = 90 deg every row is L = a cos(acute_angle) long, the zigzag adds b, and H = a sin(acute_angle)."""
     flat = sheet(columns=5, rows=5)
     shut = folded_coordinates(flat, flat.edges_fold_angle)
     assert np.ptp(shut[:, 2]) < 1e-15

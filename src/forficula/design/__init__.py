@@ -13,8 +13,8 @@ from forficula.design.keys import key_quantity, key_value, names_law, put
 from forficula.design.law import LawSection, tendon_material
 from forficula.design.new_design import write_new_design
 from forficula.design.part import LENGTH, TORQUE
-from forficula.design.plates import PlatesDesign
 from forficula.design.protocol import Protocol, Stage, stage_drives
+from forficula.design.sheet import SheetDesign
 from forficula.design.similarity import in_units, scale_design
 from forficula.design.tendon import TendonSection, tendon_law
 from forficula.design.tendon_tables import NO_LAW, value_from_folder
@@ -27,8 +27,8 @@ __all__ = [
     "FanDesign",
     "FanProtocol",
     "LawSection",
-    "PlatesDesign",
     "Protocol",
+    "SheetDesign",
     "Stage",
     "TendonSection",
     "design_frames",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from typing import Annotated, Any
+from typing import Annotated, Any, Self
 
 from pydantic import Field, field_validator
 
@@ -38,6 +38,10 @@ class Design(Part):
     def hash(self) -> str:
         """Sixteen hexadecimal digits that name the values, whatever the design or its material is called."""
         return hashlib.sha256(json.dumps(self.hash_values(), sort_keys=True).encode()).hexdigest()[:16]
+
+    def settled(self) -> Self:
+        """The design with the values that a rule chooses where none is given; there are such of sheets."""
+        return self
 
     def hash_values(self) -> dict[str, Any]:
         """The values but for what they are called and where they come from."""

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from forficula.design.design import Design
 from forficula.design.fan import FanDesign
-from forficula.design.plates import FoldFileDesign, PleatsDesign
+from forficula.design.sheet_kinds import FoldFileDesign, PleatsDesign
 from forficula.design.tables import RejectedError
 from forficula.names import one_of
 

@@ -14,7 +14,7 @@ from forficula.design.design import Design
 from forficula.design.design_file import load_design
 from forficula.design.kinds import KINDS, REFERENCES
 from forficula.design.part import Part, entry_part, field_quantity
-from forficula.design.plates_sections import FoldFile
+from forficula.design.sheet_patterns import FoldFile
 from forficula.design.tendon import TendonSection
 from forficula.errors import InputError
 from forficula.files import write_text

@@ -74,6 +74,22 @@ def facet_of(pattern: CreasePattern, text: str) -> int:
     return _facet(pattern, int(found[1]))
 
 
+def vertex_of(pattern: CreasePattern, text: str) -> tuple[int, int | None]:
+    """The number of a vertex written as "vertex 4", and of the facet in "vertex 4 of facet 2", else None.
+
+    Raises:
+        InputError: it is no such text, or there is no such vertex.
+    """
+    found = _VERTEX.fullmatch(" ".join(text.split()))
+    if found is None:
+        raise InputError(
+            f'need a vertex such as "vertex 4" where facets bend (facet.kind is not "rigid"), got {as_written(text)}'
+        )
+    facet = None if found[2] is None else int(found[2])
+    _at_vertex(pattern, int(found[1]), facet)
+    return int(found[1]), facet
+
+
 def keeps_distance(pattern: CreasePattern, one: SheetPlace, other: SheetPlace) -> bool:
     """Whether two places stay as far from each other however a sheet of plates folds.
 

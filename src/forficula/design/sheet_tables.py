@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from forficula.design.part import LENGTH
+import numpy as np
+
+from forficula.design.part import ANGLE, LENGTH
+from forficula.design.sheet_patterns import FOLDED
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, read_fold
-from forficula.pattern.crease_pattern import check_flat
-from forficula.quantities import format_quantity
+from forficula.quantities import format_quantity, parse_quantity
+
+# keys that name a file, in place of which stands what it holds
+_OF_THE_FILE = ("path", "unit", "frame")
 
 
 def with_sheet_read(tables: Mapping[str, Any], *, folder: Path | None = None) -> dict[str, Any]:
@@ -21,34 +27,38 @@ def with_sheet_read(tables: Mapping[str, Any], *, folder: Path | None = None) ->
         folder: that a path starts from; the working folder if not given.
 
     Raises:
-        InputError: the file cannot be read, or its sheet is not flat.
+        InputError: the file cannot be read, or holds no sheet.
     """
     read = dict(tables)
-    path = read.get("pattern.path")
-    if isinstance(path, str):
-        del read["pattern.path"]
-        read |= {f"pattern.{key}": value for key, value in _sheet(path, folder).items()}
+    keys = [f"pattern.{key}" for key in _OF_THE_FILE]
+    if isinstance(read.get(keys[0]), str):
+        named = {key: read.pop(f"pattern.{key}", None) for key in _OF_THE_FILE}
+        read |= {f"pattern.{key}": value for key, value in _sheet(named, folder).items()}
     pattern = read.get("pattern")
     if isinstance(pattern, dict) and isinstance(pattern.get("path"), str):
-        own = {key: value for key, value in pattern.items() if key != "path"}
-        read["pattern"] = own | _sheet(pattern["path"], folder)
+        own = {key: value for key, value in pattern.items() if key not in _OF_THE_FILE}
+        read["pattern"] = own | _sheet({key: pattern.get(key) for key in _OF_THE_FILE}, folder)
     return read
 
 
-def _sheet(path: str, folder: Path | None) -> dict[str, Any]:
-    file = Path(path) if folder is None else folder / path
+def _sheet(named: Mapping[str, Any], folder: Path | None) -> dict[str, Any]:
+    """What a file holds, by its path, the length of its unit, and its frame."""
+    file = Path(named["path"]) if folder is None else folder / named["path"]
     try:
-        pattern = read_fold(file)
-        check_flat(pattern)
+        unit = None if named["unit"] is None else parse_quantity(named["unit"], LENGTH)
+    except InputError as error:
+        raise InputError(f"pattern.unit: {error}") from None
+    try:
+        pattern = read_fold(file, unit, named["frame"])
     except InputError as error:
         raise InputError(f"pattern.path: {error}") from None
     return sheet_values(pattern) | {"title": pattern.title or file.stem}
 
 
 def sheet_values(pattern: CreasePattern) -> dict[str, Any]:
-    """A flat pattern as the keys of a design's section."""
-    across, upwards, _ = pattern.vertices_coords.T.tolist()
-    return {
+    """A pattern as the keys of a design's section."""
+    across, upwards, above = pattern.vertices_coords.T.tolist()
+    values = {
         "kind": "fold-file",
         "vertices_x": [format_quantity(value, LENGTH) for value in across],
         "vertices_y": [format_quantity(value, LENGTH) for value in upwards],
@@ -57,3 +67,10 @@ def sheet_values(pattern: CreasePattern) -> dict[str, Any]:
         "roles": list(pattern.edges_role),
         "facets": [list(facet) for facet in pattern.faces_vertices],
     }
+    if any(above):
+        values["vertices_z"] = [format_quantity(value, LENGTH) for value in above]
+    folded = [FOLDED.get(letter, math.nan) for letter in pattern.edges_assignment]
+    if not np.array_equal(pattern.edges_fold_angle, folded, equal_nan=True):
+        angles = pattern.edges_fold_angle.tolist()
+        values["fold_angles"] = ["none" if math.isnan(angle) else format_quantity(angle, ANGLE) for angle in angles]
+    return values

@@ -32,7 +32,7 @@ def in_units(design: Design, *, length: float, mass: float, time: float) -> Desi
     Raises:
         InputError: a number in these units is beyond those that can be computed with.
     """
-    return _rescaled(design, length, mass, time, f"{design.name}: ")
+    return _rescaled(design.settled(), length, mass, time, f"{design.name}: ")
 
 
 def scale_design(design: Design, factor: float) -> Design:
@@ -54,7 +54,7 @@ def scale_design(design: Design, factor: float) -> Design:
     """
     if not _SMALLEST <= factor <= _LARGEST:
         raise InputError(f"factor: need >= {_SMALLEST:g} and <= {_LARGEST:g}, got {factor}")
-    scaled = _rescaled(design, 1 / factor, 1 / factor**3, 1 / factor)
+    scaled = _rescaled(design.settled(), 1 / factor, 1 / factor**3, 1 / factor)
     return with_values(scaled, {"name": f"{design.name}-x{factor:g}"})
 
 

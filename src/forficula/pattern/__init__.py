@@ -26,6 +26,13 @@ from forficula.pattern.kinematics import (
     folded_coordinates,
     folded_frames,
 )
+from forficula.pattern.kresling import (
+    KreslingLengths,
+    KreslingState,
+    kresling_lengths,
+    kresling_other_state,
+    kresling_pattern,
+)
 from forficula.pattern.miura_ori import MiuraSize, miura_pattern, miura_size
 from forficula.pattern.pattern_facts import Freedoms, PatternFacts, pattern_facts
 from forficula.pattern.pattern_file import PATTERN_FILES, read_pattern
@@ -34,17 +41,23 @@ from forficula.pattern.rigid_folding import begins_as_assigned, folded_as_assign
 from forficula.pattern.rigidity import Rigidity, rigidity
 from forficula.pattern.svg_file import write_svg
 from forficula.pattern.triangulation import Triangulation, triangulated
+from forficula.pattern.vertex import vertex_pattern
 from forficula.pattern.vertex_closure import degree4_closure, vertex_freedoms, vertex_walk
 from forficula.pattern.vertex_creases import VertexCreases, vertex_creases
 from forficula.pattern.vertex_facts import VertexFacts, fault_words, vertex_facts
+from forficula.pattern.waterbomb import Apex, waterbomb_base, waterbomb_pattern
+from forficula.pattern.yoshimura import yoshimura_pattern, yoshimura_tube
 
 __all__ = [
     "ASSIGNMENTS",
     "PATTERN_FILES",
+    "Apex",
     "CreasePattern",
     "EarwigFan",
     "FacetLink",
     "Freedoms",
+    "KreslingLengths",
+    "KreslingState",
     "MiuraSize",
     "PatternFacts",
     "Rigidity",
@@ -74,6 +87,9 @@ __all__ = [
     "interior_vertices",
     "kawasaki_residuals",
     "kept_as_built",
+    "kresling_lengths",
+    "kresling_other_state",
+    "kresling_pattern",
     "maekawa_residuals",
     "miura_pattern",
     "miura_size",
@@ -94,7 +110,12 @@ __all__ = [
     "vertex_facts",
     "vertex_folds",
     "vertex_freedoms",
+    "vertex_pattern",
     "vertex_walk",
+    "waterbomb_base",
+    "waterbomb_pattern",
     "write_fold",
     "write_svg",
+    "yoshimura_pattern",
+    "yoshimura_tube",
 ]

@@ -41,9 +41,8 @@ def built_fold_angles(pattern: CreasePattern) -> NDArray[np.float64]:
     edge, tail, head, left, right = shared.T
     corners = np.array(triangles.faces_vertices).sum(axis=1)
     coords = pattern.vertices_coords
-    along, p, q = (
-        coords[end] - coords[tail] for end in (head, corners[left] - tail - head, corners[right] - tail - head)
-    )
+    ends = (head, corners[left] - tail - head, corners[right] - tail - head)
+    along, p, q = (coords[end] - coords[tail] for end in ends)
     left_normal, right_normal = np.cross(along, p), np.cross(q, along)
     rise = np.linalg.norm(along, axis=1) * np.einsum("ij,ij->i", q, left_normal)
     angles[edge] = np.arctan2(rise, np.einsum("ij,ij->i", left_normal, right_normal)) + 0.0

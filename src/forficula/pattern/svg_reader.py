@@ -97,8 +97,9 @@ def _shapes(group: ElementTree.Element, above: _Place, rules: Rules) -> Iterator
         to_page = above.to_page @ _matrix(group.get("transform", ""))
     except InputError as error:
         raise InputError(f"{_tag(group)} {as_written(group.get('id', ''))}: {error}") from None
-    names = [group.get(_LABEL), group.get("id")] if _tag(group) == "g" else []
-    letters = (letter_of_name(re.sub(r"_\d+_$", "", name)) for name in names if name)
+    # an id of one letter may be the work of a program that makes files short
+    names = [group.get(_LABEL, ""), group.get("id", "").rjust(2, "_")] if _tag(group) == "g" else []
+    letters = (letter_of_name(name) for name in names)
     place = _Place(style=style, to_page=to_page, letter=next(filter(None, letters), above.letter))
     for child in group:
         if _tag(child) in ("g", "a", "switch"):

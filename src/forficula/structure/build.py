@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from forficula.design import Design, FanDesign, PlatesDesign
+from forficula.design import Design, FanDesign, SheetDesign
 from forficula.errors import InputError
-from forficula.structure import fan_protocol, plates, plates_protocol, veins
+from forficula.structure import fan_protocol, nodes, plates, sheet_protocol, veins
 from forficula.structure.structure import Structure
 
 
@@ -22,6 +22,11 @@ class _Way:
     static_keys: Callable[[Any], tuple[str, ...]]
 
 
+def _sheet_structure(design: SheetDesign) -> Structure:
+    """Plates where facets are rigid, nodes where they bend."""
+    return plates.plate_structure(design) if design.facet.kind == "rigid" else nodes.node_structure(design)
+
+
 _WAYS: Mapping[type[Design], _Way] = {
     FanDesign: _Way(
         build=veins.vein_structure,
@@ -29,11 +34,11 @@ _WAYS: Mapping[type[Design], _Way] = {
         drive_keys=fan_protocol.drive_keys,
         static_keys=fan_protocol.static_keys,
     ),
-    PlatesDesign: _Way(
-        build=plates.plate_structure,
-        with_protocol=plates_protocol.with_protocol,
-        drive_keys=plates_protocol.drive_keys,
-        static_keys=plates_protocol.static_keys,
+    SheetDesign: _Way(
+        build=_sheet_structure,
+        with_protocol=sheet_protocol.with_protocol,
+        drive_keys=sheet_protocol.drive_keys,
+        static_keys=sheet_protocol.static_keys,
     ),
 }
 

@@ -7,29 +7,29 @@ from dataclasses import replace
 
 import numpy as np
 
-from forficula.design import PlatesDesign
-from forficula.design.plates import creases_by_edge
-from forficula.design.sheet_creases import crease_role, creases_of
+from forficula.design import SheetDesign
+from forficula.design.crease_values import creases_by_edge, rest_angle, stops
+from forficula.design.sheet_creases import crease_role, crease_sense
 from forficula.design.sheet_places import SheetPlace, place_on
 from forficula.errors import InputError
 from forficula.material.law.tendon_law import TendonLaw
 from forficula.pattern import CreasePattern, FacetLink, edges_between, facet_tree
 from forficula.structure.appearance import Appearance
-from forficula.structure.course import Measure
 from forficula.structure.crossing import tendon_crossing
 from forficula.structure.mass import mass_of
 from forficula.structure.parts import GROUND, Array, Body, Hinge, Plate, Point, Tendon
-from forficula.structure.plates_protocol import with_protocol
+from forficula.structure.sheet_measures import sheet_measures
+from forficula.structure.sheet_protocol import with_protocol
 from forficula.structure.structure import Structure
 
 
-def plate_structure(design: PlatesDesign) -> Structure:
+def plate_structure(design: SheetDesign) -> Structure:
     """Build a plate on every facet and a hinge at every crease of a design's sheet, in the units of the design.
 
     Raises:
         InputError: plates without a mass.
     """
-    pattern = design.sheet
+    design, pattern = design.settled(), design.sheet
     links = facet_tree(pattern, design.held_facet)
     number = {link.facet: place for place, link in enumerate(links)}
     origins = [pattern.vertices_coords[_origin(pattern, link)] for link in links]
@@ -46,12 +46,11 @@ def plate_structure(design: PlatesDesign) -> Structure:
     points, plates = _plates(design, pattern, links, origins)
     hinges, edges = _hinges(design, pattern, links)
 
-    def add(name: str, role: str, places: Sequence[SheetPlace]) -> tuple[int, int]:
-        """Points at two places, by their numbers."""
-        for end, place in zip(("from", "to"), places, strict=True):
-            body = number[place.facet]
-            points.append(Point(name=f"{name}_{end}", role=role, body=body, place=place.position - origins[body]))
-        return len(points) - 2, len(points) - 1
+    def add(name: str, role: str, place: SheetPlace) -> int:
+        """A point at a place, by its number."""
+        body = number[place.facet]
+        points.append(Point(name=name, role=role, body=body, place=place.position - origins[body]))
+        return len(points) - 1
 
     tendons = []
     for place, chosen in enumerate(design.tendon):
@@ -61,7 +60,10 @@ def plate_structure(design: PlatesDesign) -> Structure:
             Tendon(
                 name=chosen.name,
                 role="tendon",
-                points=add(f"tendon_{chosen.name}", "attachment", ends),
+                points=(
+                    add(f"tendon_{chosen.name}_from", "attachment", ends[0]),
+                    add(f"tendon_{chosen.name}_to", "attachment", ends[1]),
+                ),
                 law=TendonLaw(
                     rest_length=chosen.rest_length,
                     stiffness=(chosen.stiffness, 0.0, 0.0),
@@ -72,17 +74,7 @@ def plate_structure(design: PlatesDesign) -> Structure:
                 key=f"tendon.{place}",
             )
         )
-    every = range(len(hinges))
-    measures = [Measure(name="creases", kind="angle", hinges=tuple(every), signs=(1,) * len(every), label="fold angle")]
-    for watched in design.measure:
-        if watched.of is None:
-            pair = add(f"measure_{watched.name}", "measured", _ends(pattern, watched))
-            measures.append(Measure(name=watched.name, kind="distance", points=pair, label=watched.name))
-        else:
-            turned = tuple(edges[edge] for edge in creases_of(pattern, watched.of))
-            # a valley counts as positive
-            signs = tuple(hinges[hinge].sense for hinge in turned)
-            measures.append(Measure(name=watched.name, kind="angle", hinges=turned, signs=signs, label=watched.name))
+    measures = sheet_measures(design, hinges, edges, lambda name, text: add(name, "measured", place_on(pattern, text)))
     built = Structure(
         name=design.name,
         bodies=bodies,
@@ -90,7 +82,7 @@ def plate_structure(design: PlatesDesign) -> Structure:
         plates=plates,
         hinges=hinges,
         tendons=tuple(tendons),
-        measures=tuple(measures),
+        measures=measures,
         span=float(np.ptp(pattern.vertices_coords, axis=0).max()),
         mass=1.0,
         gravity=design.protocol.gravity,
@@ -106,7 +98,7 @@ def _origin(pattern: CreasePattern, link: FacetLink) -> int:
 
 
 def _plates(
-    design: PlatesDesign, pattern: CreasePattern, links: Sequence[FacetLink], origins: Sequence[Array]
+    design: SheetDesign, pattern: CreasePattern, links: Sequence[FacetLink], origins: Sequence[Array]
 ) -> tuple[list[Point], tuple[Plate, ...]]:
     """The corners of all facets, and a plate between those of each."""
     points: list[Point] = []
@@ -121,12 +113,12 @@ def _plates(
             for vertex in pattern.faces_vertices[link.facet]
         ]
         corners = tuple(range(first, len(points)))
-        plates.append(Plate(body=body, points=corners, thickness=facet.thickness, density=facet.density))
+        plates.append(Plate(body=body, points=corners, thickness=facet.thickness or 0.0, density=facet.density or 0.0))
     return points, tuple(plates)
 
 
 def _hinges(
-    design: PlatesDesign, pattern: CreasePattern, links: Sequence[FacetLink]
+    design: SheetDesign, pattern: CreasePattern, links: Sequence[FacetLink]
 ) -> tuple[tuple[Hinge, ...], dict[int, int]]:
     """The hinges, in the order of their bodies, and their numbers by edge."""
     creases = creases_by_edge(design)
@@ -136,6 +128,7 @@ def _hinges(
         if link.edge is None or link.edge not in creases:
             continue
         crease = creases[link.edge]
+        lower, upper = stops(design, crease)
         # the parent lies to the left of tail -> head: the plate on the right rises, a valley, about head -> tail
         along = pattern.vertices_coords[link.tail] - pattern.vertices_coords[link.head]
         length = float(np.linalg.norm(along))
@@ -146,12 +139,12 @@ def _hinges(
                 role=crease_role(pattern, link.edge),
                 body=body,
                 axis=along / length,
-                sense=1 if pattern.edges_assignment[link.edge] == "V" else -1,
-                lower=-crease.back_limit,
-                upper=crease.fold_limit,
-                stiffness=crease.stiffness * length,
-                rest_angle=crease.rest_angle,
-                damping=crease.damping * length,
+                sense=crease_sense(pattern, link.edge),
+                lower=lower,
+                upper=upper,
+                stiffness=(crease.stiffness or 0.0) * length,
+                rest_angle=rest_angle(crease, 0.0),
+                damping=(crease.damping or 0.0) * length,
                 start=crease.start,
                 label=f"crease {link.edge}",
             )
@@ -181,7 +174,7 @@ def _longest(pattern: CreasePattern, ends: tuple[SheetPlace, SheetPlace], crosse
     return float(np.linalg.norm(np.diff([*way, end], axis=0), axis=1).sum())
 
 
-def _largest_mass(design: PlatesDesign, structure: Structure) -> float:
+def _largest_mass(design: SheetDesign, structure: Structure) -> float:
     """Mass of the heaviest plate."""
     mass = max(mass_of(structure, body)[0] for body in range(len(structure.bodies)))
     if not 0 < mass < np.inf:

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from forficula.design import (
-    PlatesDesign,
+    SheetDesign,
     design_from_text,
     design_pattern,
     design_text,
@@ -21,8 +21,8 @@ from forficula.design import (
     write_new_design,
 )
 from forficula.design.keys import known_keys
-from forficula.design.plates import PleatsDesign
 from forficula.design.sheet_creases import creases_of
+from forficula.design.sheet_kinds import PleatsDesign
 from forficula.design.sheet_places import place_on
 from forficula.errors import InputError
 from forficula.pattern import earwig_pattern, pleat_pattern, write_fold
@@ -62,7 +62,7 @@ def test_a_design_that_is_written_reads_the_same_to_the_bit():
     assert again == odd
     assert again.hash == odd.hash != LETTER.hash
     assert again.crease.group[0].start == 0.1 / 3
-    assert isinstance(again, PlatesDesign)
+    assert isinstance(again, SheetDesign)
 
 
 def test_every_number_goes_to_other_units_and_back():
@@ -170,7 +170,7 @@ def test_every_key_that_a_file_has_is_known():
         ('[[support]]\nof = "vertex 3"', 'support.0.of: need a facet such as "facet 0", got "vertex 3"'),
         ('[[support]]\nof = "facet 0"\n[[support]]\nof = "facet 1"', "support: need at most 1 entry, got "),
         ('[support]\nof = "facet 0"', "support: need a list of tables, each under [[support]], got "),
-        ('[[drive]]\nname = "close"', "drive.0.kind: is missing; needed here: name, kind, of, value"),
+        ('[[drive]]\nname = "close"', "drive.0.kind: is missing; needed here: name, kind, of"),
         (
             '[[drive]]\nname = "none"\nkind = "torque"\nof = "creases"\nvalue = "1 N m"',
             'drive.0.name: need a name that means nothing yet, got "none"',
@@ -199,7 +199,7 @@ def test_every_key_that_a_file_has_is_known():
             '[[measure]]\nname = "a"\nkind = "distance"\nfrom = "vertex 0"\nto = "edge 3 at 2"',
             "measure.0.to: need a share of edge 3 from 0 to 1, got 2",
         ),
-        ("[protocol]\ncontact = true", "protocol.contact: need false, for plates do not touch each other, got true"),
+        ("[protocol]\ncontact = true", "protocol.contact: need false, for facets do not touch each other, got true"),
         ('[protocol]\ntimestep = "1 h"', "protocol.timestep: need >= "),
     ],
 )
@@ -248,7 +248,7 @@ def stage(until, more="", name="a"):
 @pytest.mark.parametrize(
     ("until", "message"),
     [
-        ("closed", 'need "time", "rest" or a bound such as "creases < -150 deg", got "closed"'),
+        ("closed", 'need "time", "rest", "target" or a bound such as "creases < -150 deg", got "closed"'),
         ("crese > 90 deg", 'need a bound on "creases", "crease" or "mouth", got "crese"; did you mean "crease"?'),
         ("creases > 3 cm", '"cm" is not a unit of the right kind; write it such as "15 deg", got "3 cm"'),
         ("mouth < 3 deg", '"deg" is not a unit of the right kind; write it such as "12 cm", got "3 deg"'),
@@ -387,7 +387,7 @@ def test_a_sheet_whose_creases_close_a_loop_is_refused_with_the_reason(tmp_path)
         load_design(path)
     assert str(caught.value) == (
         f"{path}: pattern: edge 7 closes a loop of facets around vertex 4, which lies inside the sheet: need creases"
-        " that join the facets as a tree"
+        ' that join the facets as a tree; or take facet.kind = "bars", of which facets bend'
     )
 
 

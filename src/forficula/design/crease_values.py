@@ -1,0 +1,44 @@
+"""What every crease of a design has: the values of its section, or of its groups."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from forficula.design.sheet_creases import creases_of, fold_edges
+
+if TYPE_CHECKING:
+    from forficula.design.sheet import SheetDesign
+    from forficula.design.sheet_parts import Crease
+
+
+def creases_by_edge(design: SheetDesign) -> dict[int, Crease]:
+    """The properties of every crease, those of its last group where that gives them, by the number of its edge."""
+    sheet, groups = design.sheet, design.crease.group
+    creases = dict.fromkeys(fold_edges(sheet), design.crease)
+    for number, group in enumerate(groups):
+        given = {key: value for key, value in group if key not in ("name", "of") and value is not None}
+        for edge in creases_of(sheet, group.of, groups[:number]):
+            creases[edge] = creases[edge].model_copy(update=given)
+    return creases
+
+
+def stops(design: SheetDesign, crease: Crease) -> tuple[float, float]:
+    """The least and the largest angle of a crease in its own sense, rad; infinite where nothing stops it.
+
+    A rigid facet that no limit is given for folds onto its neighbour and not the other way.
+    """
+    back, fold = (0.0, math.pi) if design.facet.kind == "rigid" else (math.inf, math.inf)
+    low = -(back if crease.back_limit is None else crease.back_limit)
+    return low, fold if crease.fold_limit is None else crease.fold_limit
+
+
+def rest_angle(crease: Crease, built: float) -> float:
+    """Where a crease's spring rests, rad, in its own sense: an angle, flat, or as built."""
+    match crease.rest_angle:
+        case "flat":
+            return 0.0
+        case str():
+            return built
+        case angle:
+            return angle

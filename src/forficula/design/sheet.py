@@ -1,0 +1,61 @@
+"""A sheet that folds at its creases, of panels that are rigid or bend, and what is done to it."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Self
+
+from pydantic import Field, model_validator
+
+from forficula.design.chosen import Choice, choices, with_choices
+from forficula.design.design import Design
+from forficula.design.sheet_checks import check_sheet
+from forficula.design.sheet_course import SheetDrive, SheetMeasure, SheetProtocol
+from forficula.design.sheet_parts import Crease, Facet, Support
+from forficula.design.sheet_places import facet_of
+from forficula.design.sheet_tendon import SheetTendon
+from forficula.pattern import CreasePattern
+
+
+class SheetDesign(Design):
+    """A sheet that folds at its creases, and what is done to it."""
+
+    pattern: Any
+    facet: Facet = Facet()
+    crease: Crease = Crease()
+    tendon: Annotated[tuple[SheetTendon, ...], Field(description="springs between two places, which only pull")] = ()
+    support: Annotated[
+        tuple[Support, ...], Field(description="what is held; of rigid facets one is, facet 0 if not given")
+    ] = ()
+    drive: Annotated[tuple[SheetDrive, ...], Field(description="what stages of the protocol switch on")] = ()
+    measure: Annotated[tuple[SheetMeasure, ...], Field(description="what is watched, for goals and tables")] = ()
+    protocol: SheetProtocol
+
+    @property
+    def sheet(self) -> CreasePattern:
+        """The crease pattern, as built."""
+        sheet: CreasePattern = self.pattern.sheet
+        return sheet
+
+    @property
+    def held_facet(self) -> int:
+        """Number of the facet that is held, of rigid ones."""
+        return facet_of(self.sheet, self.support[0].of) if self.support else 0
+
+    @property
+    def chosen(self) -> tuple[Choice, ...]:
+        """The values that a rule chooses, for they are not given."""
+        return choices(self.sheet, self.facet, self.crease)
+
+    def settled(self) -> Self:
+        """The design with the values that a rule chooses."""
+        return with_choices(self, self.chosen)
+
+    def hash_values(self) -> dict[str, Any]:
+        """The values but for what they are called, with those that a rule chooses."""
+        settled = self.settled()
+        return super(SheetDesign, settled).hash_values()
+
+    @model_validator(mode="after")
+    def _fits_together(self) -> SheetDesign:
+        check_sheet(self)
+        return self

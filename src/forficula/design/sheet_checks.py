@@ -1,0 +1,222 @@
+"""What must fit together in the design of a sheet, whatever is built of it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, TypeVar
+
+from forficula.design.crease_values import creases_by_edge, stops
+from forficula.design.design import check_duration
+from forficula.design.part import ANGLE, LENGTH, TORQUE
+from forficula.design.protocol import GoalText, check_bound, check_stages, read_goal, stage_drives
+from forficula.design.rigid_checks import check_rigid, check_rigid_creases, check_rigid_tendon
+from forficula.design.sheet_creases import crease_groups, crease_role, crease_sense, creases_of, fold_edges
+from forficula.design.sheet_places import facet_of, place_on, vertex_of
+from forficula.errors import InputError
+from forficula.pattern import CreasePattern
+from forficula.pattern.shared_edges import shared_edges
+from forficula.quantities import Unit, as_written, parse_quantity, show_quantity
+
+if TYPE_CHECKING:
+    from forficula.design.sheet import SheetDesign
+
+Found = TypeVar("Found")
+
+# share of the largest torque that a sum of torques may be off by
+_ROUNDING = 1e-12
+# what summaries and tables have beside the names of stages and states
+_TAKEN = (
+    *("design", "design_hash", "status", "verdict", "outcome", "residual", "advice", "goal", "key"),
+    *("states", "stages", "energy_balance", "diverged_at_s", "timestep_s", "warnings", "versions"),
+)
+
+
+def check_sheet(design: SheetDesign) -> None:
+    """Refuse a design whose parts do not fit together.
+
+    Raises:
+        InputError: which key, the rule and what was given.
+    """
+    sheet, groups = design.sheet, design.crease.group
+    _check_edges(sheet)
+    if design.facet.kind == "rigid":
+        check_rigid(sheet)
+    if not fold_edges(sheet):
+        raise InputError("pattern: need a mountain or a valley between two facets, got none")
+    _check_supports(design, sheet)
+    for number, group in enumerate(groups):
+        _keyed(f"crease.group.{number}.of", creases_of, sheet, group.of, groups[:number])
+    if design.facet.kind == "rigid":
+        check_rigid_creases(design)
+    elif design.crease.start or any(group.start for group in groups):
+        raise InputError("crease.start: is for rigid facets; others start as the pattern is built")
+    _check_names(design, sheet)
+    for number, _ in enumerate(design.tendon):
+        _check_tendon(design, sheet, number)
+    for number, _ in enumerate(design.drive):
+        _check_drive(design, sheet, number)
+    for number, measure in enumerate(design.measure):
+        if measure.of is not None:
+            _keyed(f"measure.{number}.of", creases_of, sheet, measure.of, groups)
+            continue
+        for end in ("from", "to"):
+            _keyed(f"measure.{number}.{end}", _place, design, sheet, getattr(measure, end))
+    if design.protocol.contact:
+        raise InputError("protocol.contact: need false, for facets do not touch each other, got true")
+    _check_protocol(design, sheet)
+    check_duration(design, len(sheet.faces_vertices), "facets")
+
+
+def _check_edges(sheet: CreasePattern) -> None:
+    """Refuse an edge between two facets that says nothing of how they hang together."""
+    for edge, _, _, left, right in shared_edges(sheet):
+        if sheet.edges_assignment[edge] == "B":
+            raise InputError(
+                f'pattern: edge {edge} lies between facets {left} and {right}: need "M" (mountain), "V" (valley),'
+                ' "F" (flat), "U" (unassigned) or "C" (cut), got "B"'
+            )
+
+
+def _check_supports(design: SheetDesign, sheet: CreasePattern) -> None:
+    """Refuse what is no part of the sheet, and more than one facet of rigid ones."""
+    rigid = design.facet.kind == "rigid"
+    if rigid and len(design.support) > 1:
+        raise InputError(f"support: need at most 1 entry, got {len(design.support)}, for rigid facets hang on one")
+    for number, support in enumerate(design.support):
+        if rigid or support.of.strip().startswith("facet"):
+            _keyed(f"support.{number}.of", facet_of, sheet, support.of)
+        else:
+            _keyed(f"support.{number}.of", vertex_of, sheet, support.of)
+        if rigid and support.axes is not None:
+            raise InputError(f"support.{number}.axes: is for facets that bend; a rigid one is held as a whole")
+
+
+def _check_names(design: SheetDesign, sheet: CreasePattern) -> None:
+    """Refuse two things of one name, and a measure or a group that is called like a group of creases."""
+    groups = crease_groups(sheet)
+    for section in ("crease.group", "tendon", "drive", "measure"):
+        names: list[str] = []
+        entries = design.crease.group if section == "crease.group" else getattr(design, section)
+        for number, entry in enumerate(entries):
+            if entry.name is None:
+                continue
+            taken = section in ("measure", "crease.group") and entry.name in groups
+            if entry.name in names or taken:
+                raise InputError(f"{section}.{number}.name: need a name of its own, got {as_written(entry.name)} again")
+            names.append(entry.name)
+
+
+def _check_tendon(design: SheetDesign, sheet: CreasePattern, number: int) -> None:
+    """Refuse a tendon between places that are none, or that keep their distance."""
+    ends = [str(getattr(design.tendon[number], end)) for end in ("from", "to")]
+    places = [
+        _keyed(f"tendon.{number}.{key}", _place, design, sheet, end)
+        for key, end in zip(("from", "to"), ends, strict=True)
+    ]
+    if design.facet.kind == "rigid":
+        check_rigid_tendon(sheet, number, ends)
+    elif places[0] == places[1]:
+        raise InputError(
+            f"tendon.{number}.to: need another vertex than tendon.{number}.from, got {as_written(ends[1])}"
+        )
+
+
+def _place(design: SheetDesign, sheet: CreasePattern, text: str) -> object:
+    """Where a text says, as what may be told from others."""
+    return place_on(sheet, text) if design.facet.kind == "rigid" else vertex_of(sheet, text)
+
+
+def _check_drive(design: SheetDesign, sheet: CreasePattern, number: int) -> None:
+    """Refuse a drive on what is not there."""
+    drive, key = design.drive[number], f"drive.{number}.of"
+    if drive.kind == "force":
+        if design.facet.kind == "rigid":
+            raise InputError(f'drive.{number}.kind: need "torque" where facets are rigid, got "force"')
+        for text in (drive.of,) if isinstance(drive.of, str) else drive.of:
+            _keyed(key, vertex_of, sheet, text)
+        return
+    edges = _keyed(key, creases_of, sheet, str(drive.of), design.crease.group)
+    if drive.kind == "rest-angle" and design.facet.kind == "rigid":
+        raise InputError(f'drive.{number}.kind: need "torque" where facets are rigid, got "rest-angle"')
+    if drive.to is not None and not any(sheet.edges_fold_angle[edge] for edge in _targeted(sheet, edges)):
+        raise InputError(f"{key}: need creases with a target, a mountain or a valley, got {as_written(drive.of)}")
+
+
+def _targeted(sheet: CreasePattern, edges: Sequence[int]) -> list[int]:
+    """Those of some creases that have a fold angle to go to."""
+    return [edge for edge in edges if not math.isnan(sheet.edges_fold_angle[edge])]
+
+
+def _check_protocol(design: SheetDesign, sheet: CreasePattern) -> None:
+    """Refuse stages that name nothing there is, states twice, and goals that stops keep the creases from."""
+    edges = fold_edges(sheet)
+    measured: dict[str, Unit] = dict.fromkeys(("creases", *(crease_role(sheet, edge) for edge in edges)), ANGLE)
+    for measure in design.measure:
+        measured[measure.name] = LENGTH if measure.of is None else ANGLE
+    goals = ["target"] if _targeted(sheet, edges) else []
+    check_stages(design.protocol, [drive.name for drive in design.drive], goals, measured)
+    _check_torques(design, sheet)
+    # what becomes of stages and of states stands side by side in a summary, and in the rows of a table
+    names: list[str] = []
+    for number, stage in enumerate(design.protocol.stages):
+        for key, name in (("name", stage.name), ("state", stage.state)):
+            if name is not None:
+                _check_name(f"protocol.stages.{number}.{key}", name, names)
+                names.append(name)
+        written = read_goal(stage.until)
+        if written is not None and measured[written.name] is ANGLE:
+            _check_angle_goal(design, sheet, f"protocol.stages.{number}.until", written)
+        elif written is not None and parse_quantity(written.value, LENGTH) <= 0:
+            raise InputError(f"protocol.stages.{number}.until: need a distance > 0 m, got {as_written(stage.until)}")
+
+
+def _check_angle_goal(design: SheetDesign, sheet: CreasePattern, key: str, written: GoalText) -> None:
+    """Refuse a bound on fold angles that a stop keeps a crease from."""
+    measure = next((each for each in design.measure if each.name == written.name), None)
+    creases = creases_by_edge(design)
+    name = written.name if measure is None else str(measure.of)
+    for edge in creases_of(sheet, name, design.crease.group):
+        low, high = stops(design, creases[edge])
+        if measure is not None and crease_sense(sheet, edge) < 0:
+            # measures are valley positive
+            low, high = -high, -low
+        check_bound(key, written, low, high, whose=f"crease {edge}")
+
+
+def _check_torques(design: SheetDesign, sheet: CreasePattern) -> None:
+    """Refuse a stage whose drives, at any time, cancel on every crease."""
+    for number, stage in enumerate(design.protocol.stages):
+        drives = [drive for drive in design.drive if drive.name in stage_drives(stage)]
+        if len(drives) < 2 or any(drive.kind != "torque" for drive in drives):
+            continue
+        torques = dict.fromkeys(fold_edges(sheet), 0.0)
+        for drive in drives:
+            for edge in creases_of(sheet, str(drive.of), design.crease.group):
+                torques[edge] += drive.value or 0.0
+        largest = max(abs(drive.value or 0.0) for drive in drives)
+        alike = len({drive.rise for drive in drives}) == 1
+        if largest and alike and max(map(abs, torques.values())) <= _ROUNDING * largest:
+            values = " and ".join(show_quantity(drive.value or 0.0, TORQUE) for drive in drives)
+            raise InputError(
+                f"protocol.stages.{number}.drive: need drives that do not cancel on every crease, got"
+                f" {as_written(stage.drive)}, {values}"
+            )
+
+
+def _check_name(key: str, name: str, names: Sequence[str]) -> None:
+    """Refuse a name of a stage or of a state that is empty, or that something else has."""
+    if not name.strip():
+        raise InputError(f"{key}: need a name, got {as_written(name)}")
+    if name in _TAKEN:
+        raise InputError(f"{key}: need a name that tables have for nothing else, got {as_written(name)}")
+    if name in names:
+        raise InputError(f"{key}: need a name that no stage and no other state has, got {as_written(name)} again")
+
+
+def _keyed(key: str, find: Callable[..., Found], *given: object) -> Found:
+    """What a function finds of what it is given; an error begins with a key."""
+    try:
+        return find(*given)
+    except InputError as error:
+        raise InputError(f"{key}: {error}") from None

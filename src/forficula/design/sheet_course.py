@@ -1,0 +1,147 @@
+"""Sections of a sheet's design that say what is done: its drives, its measures and its protocol."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from pydantic import Field, create_model, field_validator, model_validator
+
+from forficula.design.part import ANGLE, TIME, TORQUE, Part, quantity
+from forficula.design.protocol import Protocol
+from forficula.design.sheet_names import checked_name
+from forficula.errors import InputError
+from forficula.quantities import Unit
+
+FORCE = Unit(display="N", si="N", example="0.2 N")
+
+_CREASES = "creases, mountains, valleys, a group by name, or crease 2"
+# which key says how strong a drive is, by its kind
+STRENGTHS: Mapping[str, str] = {"torque": "value", "force": "force", "rest-angle": "angle"}
+
+
+def _between(description: str, **default: Any) -> Any:
+    """A named part with the keys "from" and "to", which are no names in Python."""
+    end: Any = Annotated[str | None if default else str, Field(description=description, **default)]
+    return create_model("_Between", __base__=Part, **{"name": str, "from": end, "to": end})
+
+
+if TYPE_CHECKING:
+
+    class Joined(Part):
+        """What `_between` makes."""
+
+        name: str
+
+    class _MaybeJoined(Part):
+        """What `_between` makes."""
+
+        name: str
+
+else:
+    Joined = _between("where it ends: vertex 4, edge 12 at 0.5, facet 3 at centre, facet 3 at 0.5, 1")
+    _MaybeJoined = _between("of a distance: where it begins and ends", default=None)
+
+
+class SheetDrive(Part):
+    """What a stage of the protocol switches on."""
+
+    name: Annotated[str, Field(description="as stages call it")]
+    kind: Annotated[
+        Literal["torque", "force", "rest-angle"],
+        Field(description="torque on creases, force at vertices, or rest-angle: springs of creases rest further on"),
+    ]
+    of: Annotated[
+        str | tuple[str, ...],
+        Field(description=f"where it acts: {_CREASES}; of a force vertex 4, or a list of vertices"),
+    ]
+    value: float | None = quantity(
+        TORQUE, "of kind torque: on each of these creases, folding where > 0", default=None, examples=["3 N cm"]
+    )
+    force: float | None = quantity(FORCE, "of kind force: on each of these vertices", default=None)
+    direction: Annotated[
+        tuple[float, float, float] | None,
+        Field(description="of a force: the way it points, of any length", examples=[[0, 0, -1]]),
+    ] = None
+    angle: float | None = quantity(
+        ANGLE,
+        "of kind rest-angle: by how much further on, folding where > 0",
+        default=None,
+        at_least=-2 * math.pi,
+        at_most=2 * math.pi,
+        examples=["90 deg"],
+    )
+    to: Annotated[
+        Literal["target"] | None,
+        Field(description="of kind rest-angle, instead of an angle: on to each crease's own target"),
+    ] = None
+    rise: float | None = quantity(
+        TIME, "time over which it rises evenly from 0; without it protocol.rise", default=None, at_least=0
+    )
+
+    _checked = field_validator("name")(checked_name)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _value_of_its_kind(cls, given: object) -> object:
+        """Read `value` as how strong it is, whatever its kind."""
+        if not isinstance(given, dict) or given.get("value") is None:
+            return given
+        key = STRENGTHS.get(str(given.get("kind")), "value")
+        return (
+            given
+            if key == "value"
+            else {name: each for name, each in given.items() if name != "value"} | {key: given["value"]}
+        )
+
+    @model_validator(mode="after")
+    def _has_what_its_kind_needs(self) -> SheetDrive:
+        key = STRENGTHS[self.kind]
+        others = [name for name in ("value", "force", "angle") if name != key]
+        if self.kind != "force":
+            others.append("direction")
+        if self.kind != "rest-angle":
+            others.append("to")
+        for name in others:
+            if getattr(self, name) is not None:
+                raise InputError(f'{name}: is not for kind = "{self.kind}", whose strength is {key}')
+        if self.to is None and getattr(self, key) is None:
+            raise InputError(f"{key}: is missing")
+        if self.to is not None and self.angle is not None:
+            raise InputError('angle: need either an angle or to = "target", got both')
+        if self.kind == "force" and (self.direction is None or not any(self.direction)):
+            raise InputError("direction: need the way it points, such as [0, 0, -1]")
+        if self.kind != "force" and not isinstance(self.of, str):
+            raise InputError(f"of: need one text: {_CREASES}")
+        return self
+
+
+class SheetMeasure(_MaybeJoined):
+    """What is watched by name, for goals and tables."""
+
+    name: Annotated[str, Field(description="as goals and tables call it")]
+    kind: Annotated[
+        Literal["fold-angle", "distance"],
+        Field(description="fold-angle: of creases, valley positive; distance: of two places"),
+    ]
+    of: Annotated[str | None, Field(description=f"of a fold angle: {_CREASES}")] = None
+
+    _checked = field_validator("name")(checked_name)
+
+    @model_validator(mode="after")
+    def _has_what_its_kind_needs(self) -> SheetMeasure:
+        given = [key for key in ("of", "from", "to") if getattr(self, key) is not None]
+        needed = ["of"] if self.kind == "fold-angle" else ["from", "to"]
+        if given != needed:
+            got = " and ".join(given) or "neither of them"
+            raise InputError(f'kind = "{self.kind}" needs {" and ".join(needed)}, and nothing else; got {got}')
+        return self
+
+
+class SheetProtocol(Protocol):
+    """What is done to a sheet, and what counts as done."""
+
+    arrival: float = quantity(
+        ANGLE, 'goal "target": within which every crease must be of its target', default=math.radians(5.0), above=0
+    )

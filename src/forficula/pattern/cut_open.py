@@ -1,0 +1,104 @@
+"""A sheet opened along its cuts: what lies on both sides of one has vertices of its own."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.pattern.crease_pattern import CreasePattern, face_sides
+from forficula.pattern.shared_edges import shared_edges
+
+
+class OpenSheet(NamedTuple):
+    """A pattern without cuts between faces, and where its vertices come from.
+
+    Attributes:
+        pattern: with a vertex for every part of the sheet that meets at one.
+        vertices: number of the vertex that each was, shape (vertices,).
+    """
+
+    pattern: CreasePattern
+    vertices: NDArray[np.int64]
+
+
+def cut_open(pattern: CreasePattern) -> OpenSheet:
+    """Split the vertices at which cuts, "C", keep faces apart.
+
+    At every vertex the faces that hang together around it, across edges that are no cuts, share one vertex; those of
+    lowest number keep its number, new ones follow all others. A cut that comes apart is a border on either side: the
+    side of the lower face keeps its number, the other follows all edges. One that comes apart at no end stays a cut.
+
+    Returns:
+        The same pattern where it has no cuts between faces.
+    """
+    if "C" not in pattern.edges_assignment:
+        return OpenSheet(pattern, np.arange(len(pattern.vertices_coords)))
+    corners = _corner_vertices(pattern)
+    sources = list(range(len(pattern.vertices_coords)))
+    numbers: dict[tuple[int, int], int] = {}
+    faces = []
+    for face, vertices in enumerate(pattern.faces_vertices):
+        row = []
+        for vertex in vertices:
+            part = (vertex, corners[face, vertex])
+            if part not in numbers:
+                taken = any(known == vertex for known, _ in numbers)
+                numbers[part] = len(sources) if taken else vertex
+                sources += [vertex] if taken else []
+            row.append(numbers[part])
+        faces.append(tuple(row))
+    return OpenSheet(_with_faces(pattern, faces, np.array(sources, dtype=np.int64)), np.array(sources, dtype=np.int64))
+
+
+def _corner_vertices(pattern: CreasePattern) -> dict[tuple[int, int], int]:
+    """The lowest face that hangs together around a vertex with a face, by face and vertex."""
+    first = {(face, vertex): face for face, vertices in enumerate(pattern.faces_vertices) for vertex in vertices}
+    joined = [
+        ((left, vertex), (right, vertex))
+        for _, tail, head, left, right in shared_edges(pattern)
+        for vertex in (tail, head)
+    ]
+    changed = True
+    while changed:
+        changed = False
+        for one, other in joined:
+            lowest = min(first[one], first[other])
+            changed |= first[one] != first[other]
+            first[one] = first[other] = lowest
+    return first
+
+
+def _with_faces(pattern: CreasePattern, faces: list[tuple[int, ...]], sources: NDArray[np.int64]) -> CreasePattern:
+    """The pattern with other vertices at its faces, and the edges along these."""
+    sides: dict[frozenset[int], list[frozenset[int]]] = {}
+    for face in faces:
+        for tail, head in face_sides(face):
+            ends = frozenset((tail, head))
+            copies = sides.setdefault(frozenset((int(sources[tail]), int(sources[head]))), [])
+            if ends not in copies:
+                copies.append(ends)
+    edges, letters = pattern.edges_vertices.tolist(), list(pattern.edges_assignment)
+    angles, roles = pattern.edges_fold_angle.tolist(), list(pattern.edges_role)
+    for edge, (tail, head) in enumerate(pattern.edges_vertices.tolist()):
+        copies = sides.get(frozenset((tail, head)), [frozenset((tail, head))])
+        for place, ends in enumerate(copies):
+            one, other = sorted(ends, key=lambda vertex: int(sources[vertex]) != tail)
+            if place == 0:
+                edges[edge] = [one, other]
+                continue
+            edges.append([one, other])
+            letters.append(letters[edge])
+            angles.append(angles[edge])
+            roles.append(roles[edge])
+    return dataclasses.replace(
+        pattern,
+        vertices_coords=pattern.vertices_coords[sources],
+        edges_vertices=np.array(edges, dtype=np.int64),
+        edges_assignment=tuple(letters),
+        edges_fold_angle=np.array(angles),
+        edges_role=tuple(roles),
+        faces_vertices=tuple(faces),
+    )

@@ -1,0 +1,251 @@
+"""A sheet of nodes: bars or a membrane between them, springs in its creases, and bends along its diagonals."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import dijkstra
+
+from forficula.design import SheetDesign
+from forficula.design.crease_values import creases_by_edge, rest_angle, stops
+from forficula.design.sheet_creases import crease_role, crease_sense
+from forficula.errors import InputError
+from forficula.material.law.tendon_law import TendonLaw
+from forficula.pattern import CreasePattern
+from forficula.pattern.shared_edges import shared_edges
+from forficula.structure.appearance import Appearance
+from forficula.structure.flaps import flap_angles
+from forficula.structure.parts import (
+    GROUND,
+    Array,
+    Body,
+    Facet,
+    Hinge,
+    Membrane,
+    MembraneLaw,
+    Point,
+    Spring,
+    Tendon,
+)
+from forficula.structure.sheet_measures import sheet_measures
+from forficula.structure.sheet_nodes import SheetNodes, held_axes, node_of, sheet_nodes
+from forficula.structure.sheet_protocol import with_protocol
+from forficula.structure.structure import Structure
+
+# rad; a crease this near to being folded onto itself as built is so in its own sense
+_FOLDED_FLAT = 1e-6
+
+
+def node_structure(design: SheetDesign) -> Structure:
+    """Build a node at every vertex of a design's sheet, in the units of the design, and what lies between them.
+
+    Raises:
+        InputError: facets that cannot be split into triangles, or nodes without a mass.
+    """
+    design, sheet = design.settled(), design.sheet
+    nodes = sheet_nodes(sheet)
+    triangles, facet = nodes.triangles, design.facet
+    bodies = _bodies(design, sheet, nodes)
+    thickness = facet.thickness or 0.0
+    springs = _springs(design, triangles) if facet.kind == "bars" else ()
+    hinges, edges = _hinges(design, triangles)
+    span = float(np.ptp(triangles.vertices_coords, axis=0).max())
+    built = Structure(
+        name=design.name,
+        bodies=bodies,
+        points=tuple(
+            Point(name=name, role="vertex", body=node, place=np.zeros(3)) for node, name in enumerate(nodes.names)
+        ),
+        facets=tuple(
+            Facet(name=f"facet{number}", points=corners, thickness=thickness)
+            for number, corners in enumerate(nodes.facets)
+        ),
+        hinges=hinges,
+        springs=springs,
+        tendons=_tendons(design, sheet, nodes),
+        membranes=(_membrane(design, triangles),) if facet.kind == "membrane" else (),
+        measures=sheet_measures(design, hinges, edges, lambda _, text: node_of(sheet, nodes, text)),
+        span=span,
+        mass=max(body.mass for body in bodies),
+        gravity=design.protocol.gravity,
+        appearance=Appearance(whole="sheet", bodies="one for every vertex", pattern=sheet),
+    )
+    return with_protocol(built, design)
+
+
+def _bodies(design: SheetDesign, sheet: CreasePattern, nodes: SheetNodes) -> tuple[Body, ...]:
+    """The nodes, each with a third of the mass of every triangle at it."""
+    triangles, facet = nodes.triangles, design.facet
+    corners = np.array(triangles.faces_vertices)
+    shares = (facet.density or 0.0) * (facet.thickness or 0.0) * _areas(triangles) / 3
+    masses = np.zeros(len(nodes.names))
+    np.add.at(masses, corners, shares[:, None])
+    if not (masses > 0).all() or not np.isfinite(masses).all():
+        lost = int(np.argmin((masses > 0) & np.isfinite(masses)))
+        raise InputError(
+            f"facet.thickness and facet.density: need vertices with a mass > 0 and finite, got {masses[lost]:g} kg at"
+            f" vertex {nodes.vertices[lost]}, from {facet.thickness:g} m and {facet.density:g} kg/m^3"
+        )
+    held: dict[int, set[int]] = {}
+    for support in design.support:
+        for node, axes in held_axes(sheet, nodes, support.of, support.axes).items():
+            held[node] = held.get(node, set()) | axes
+    return tuple(
+        Body(
+            name=name,
+            role="vertex",
+            parent=GROUND,
+            position=triangles.vertices_coords[node],
+            frame=np.eye(3),
+            slides=tuple(axis for axis in range(3) if axis not in held.get(node, ())),
+            mass=float(masses[node]),
+        )
+        for node, name in enumerate(nodes.names)
+    )
+
+
+def _springs(design: SheetDesign, triangles: CreasePattern) -> tuple[Spring, ...]:
+    """A bar along every edge and diagonal.
+
+    A triangle of area S and thickness t gives its three bars the cross-section A = 2 S t / ((1 - nu) sum of lengths),
+    by which they store as much as the sheet where it is stretched evenly: E S t e^2 / (1 - nu) = E A e^2 / 2 times the
+    sum of lengths (Filipov, Liu, Tachi, Schenk and Paulino 2017, doi 10.1016/j.ijsolstr.2017.05.028).
+    """
+    facet = design.facet
+    ends = triangles.vertices_coords[triangles.edges_vertices]
+    lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    number = {frozenset(pair): edge for edge, pair in enumerate(triangles.edges_vertices.tolist())}
+    sides = np.array(
+        [[number[frozenset((face[k - 1], face[k]))] for k in range(3)] for face in triangles.faces_vertices]
+    )
+    share = 2 * (facet.thickness or 0.0) / (1 - (facet.poisson_ratio or 0.0))
+    areas = np.zeros(len(lengths))
+    np.add.at(areas, sides, (share * _areas(triangles) / lengths[sides].sum(axis=1))[:, None])
+    stiffness = (facet.youngs_modulus or 0.0) * areas / lengths
+    return tuple(
+        Spring(
+            name=f"{role}{edge}",
+            role=role,
+            points=(int(tail), int(head)),
+            stiffness=float(stiffness[edge]),
+            rest_length=float(lengths[edge]),
+            damping=float(stiffness[edge]) * (facet.stretch_damping or 0.0),
+            area=float(areas[edge]),
+        )
+        for edge, (tail, head) in enumerate(triangles.edges_vertices)
+        if areas[edge]
+        for role in ["edge" if edge < _edge_count(design) else "diagonal"]
+    )
+
+
+def _edge_count(design: SheetDesign) -> int:
+    return len(design.sheet.edges_vertices)
+
+
+def _hinges(design: SheetDesign, triangles: CreasePattern) -> tuple[tuple[Hinge, ...], dict[int, int]]:
+    """The creases in the order of their edges, then the bends along flat edges; and the creases' numbers by edge."""
+    creases, coords = creases_by_edge(design), triangles.vertices_coords
+    hinges: list[Hinge] = []
+    bends: list[Hinge] = []
+    numbers: dict[int, int] = {}
+    for edge, tail, head, left, right in shared_edges(triangles):
+        beside = (sum(triangles.faces_vertices[face]) - tail - head for face in (left, right))
+        flaps = [each for corner in beside for each in (tail, head, corner)]
+        length = float(np.linalg.norm(coords[head] - coords[tail]))
+        angle = float(flap_angles(coords[flaps]))
+        points = (flaps[0], flaps[1], flaps[2], flaps[3], flaps[4], flaps[5])
+        if edge not in creases:
+            bends.append(
+                Hinge(
+                    name=f"bend{edge}",
+                    role="facet bend",
+                    flaps=points,
+                    stiffness=(design.facet.bend_stiffness or 0.0) * length,
+                    rest_angle=angle,
+                    damping=(design.crease.damping or 0.0) * length,
+                    start=angle,
+                    label=f"bend {edge}",
+                )
+            )
+            continue
+        crease, sense = creases[edge], crease_sense(triangles, edge)
+        built = sense * angle
+        if built < _FOLDED_FLAT - np.pi:
+            built += 2 * np.pi
+        lower, upper = stops(design, crease)
+        locks = crease.law == "locking"
+        numbers[edge] = len(hinges)
+        hinges.append(
+            Hinge(
+                name=f"crease{edge}",
+                role=crease_role(triangles, edge),
+                flaps=points,
+                sense=sense,
+                lower=lower,
+                upper=upper,
+                stiffness=(crease.stiffness or 0.0) * length,
+                rest_angle=rest_angle(crease, built),
+                lock_below=-crease.lock_angle if locks else -np.inf,
+                lock_above=crease.lock_angle if locks else np.inf,
+                damping=(crease.damping or 0.0) * length,
+                start=built,
+                label=f"crease {edge}",
+            )
+        )
+    return (*hinges, *bends), numbers
+
+
+def _membrane(design: SheetDesign, triangles: CreasePattern) -> Membrane:
+    """An elastic sheet over all triangles."""
+    facet, count = design.facet, len(triangles.vertices_coords)
+    return Membrane(
+        name="sheet",
+        bodies=np.arange(count, dtype=np.int64),
+        places=np.zeros((count, 3)),
+        built=triangles.vertices_coords,
+        triangles=np.array(triangles.faces_vertices, dtype=np.int64),
+        law=MembraneLaw(
+            youngs_modulus=facet.youngs_modulus or 0.0,
+            poisson_ratio=facet.poisson_ratio or 0.0,
+            thickness=facet.thickness or 0.0,
+            damping=facet.stretch_damping or 0.0,
+        ),
+        margin=0.0,
+    )
+
+
+def _tendons(design: SheetDesign, sheet: CreasePattern, nodes: SheetNodes) -> tuple[Tendon, ...]:
+    """The tendons; none is longer than the way along edges from one end to the other."""
+    ends = [
+        (node_of(sheet, nodes, getattr(each, "from")), node_of(sheet, nodes, getattr(each, "to")))  # noqa: B009
+        for each in design.tendon
+    ]
+    if not ends:
+        return ()
+    tails, heads = nodes.triangles.edges_vertices.T
+    coords = nodes.triangles.vertices_coords
+    lengths = np.linalg.norm(coords[heads] - coords[tails], axis=1)
+    graph = csr_array((lengths, (tails, heads)), shape=(len(coords), len(coords)))
+    ways = dijkstra(graph, directed=False, indices=[start for start, _ in ends])
+    return tuple(
+        Tendon(
+            name=chosen.name,
+            role="tendon",
+            points=pair,
+            law=TendonLaw(
+                rest_length=chosen.rest_length,
+                stiffness=(chosen.stiffness, 0.0, 0.0),
+                damping=(chosen.damping, 0.0, 0.0),
+            ),
+            longest=float(way[pair[1]]),
+            gauge_length=chosen.rest_length,
+            key=f"tendon.{number}",
+        )
+        for number, (chosen, pair, way) in enumerate(zip(design.tendon, ends, ways, strict=True))
+    )
+
+
+def _areas(triangles: CreasePattern) -> Array:
+    """Areas of triangles, (triangle,)."""
+    one, two, three = triangles.vertices_coords[np.array(triangles.faces_vertices)].transpose(1, 0, 2)
+    return np.asarray(np.linalg.norm(np.cross(two - one, three - one), axis=1) / 2)

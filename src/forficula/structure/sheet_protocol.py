@@ -1,0 +1,251 @@
+"""What a protocol does with a sheet: its drives, goals, states and transitions, and the words for them."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from forficula.design import SheetDesign, Stage, stage_drives
+from forficula.design.protocol import read_goal
+from forficula.design.sheet_course import STRENGTHS, SheetDrive
+from forficula.design.sheet_creases import creases_of, fold_edges
+from forficula.names import listed
+from forficula.structure.course import Drive, Goal, Motor, RestState, Transition, Wording
+from forficula.structure.goals import distances_of, drive_of, goal_of
+from forficula.structure.sheet_nodes import node_of, sheet_nodes
+from forficula.structure.structure import Structure
+
+# keys that matter to where plates rest beside those of their tendons
+_STATIC_KEYS = ("pattern", "crease", "support", "measure", "protocol.stages", "protocol.gravity")
+
+
+def with_protocol(structure: Structure, design: SheetDesign) -> Structure:
+    """A sheet with the drives, goals, states and transitions of a design's protocol."""
+    motors, drives = _driven(structure, design)
+    structure = replace(structure, motors=motors, drives=drives, goals=(), states=(), transitions=())
+    structure = replace(structure, goals=(_target(structure, design),))
+    stages = design.protocol.stages
+    goals = [goal_of(structure, stage.until) for stage in stages]
+    drives, transitions = _transitions(structure, stages, goals)
+    return replace(
+        structure,
+        drives=drives,
+        goals=tuple({goal.name: goal for goal in goals if goal.kind == "bounds"}.values()),
+        states=_states(stages, goals, goal_of(structure, "time")),
+        stage_states=tuple(stage.state or "" for stage in stages),
+        transitions=transitions,
+    )
+
+
+def _transitions(
+    structure: Structure, stages: Sequence[Stage], goals: Sequence[Goal]
+) -> tuple[tuple[Drive, ...], tuple[Transition, ...]]:
+    """The drives, with those of stages that have several, and a transition for each that leads to a state."""
+    drives, transitions = list(structure.drives), list[Transition]()
+    kinds = {measure.name: measure.kind for measure in structure.measures}
+    for number, (stage, goal) in enumerate(zip(stages, goals, strict=True)):
+        written, state = read_goal(stage.until), _state_after(stages, number)
+        if not stage_drives(stage) or goal.kind != "bounds" or state is None:
+            continue
+        name = "creases" if written is None else written.name
+        drive = _together(structure, stage_drives(stage))
+        if all(drive.name != known.name for known in drives):
+            drives.append(drive)
+        done = " and ".join([*(each.state for each in transitions), state])
+        transitions.append(
+            Transition(
+                name=stage.name,
+                drive=drive.name,
+                stage=number,
+                goal=goal.name,
+                state=state,
+                released=replace(goal, name=f"still {state}"),
+                measure=name,
+                kind=kinds.get(name, "angle"),
+                furthest="smallest" if written is None or written.relation == ">" else "largest",
+                begun=None,
+                wording=_wording(state, done, drive.key),
+            )
+        )
+    return tuple(drives), tuple(transitions)
+
+
+def _states(stages: Sequence[Stage], goals: Sequence[Goal], bounds: Goal) -> tuple[RestState, ...]:
+    """The states that stages end in, each within the goal of the last driven stage, or within bounds before one."""
+    states, last = list[RestState](), ""
+    for stage, goal in zip(stages, goals, strict=True):
+        if stage_drives(stage):
+            bounds, last = goal, stage.name
+        if stage.state is not None:
+            states.append(
+                RestState(
+                    name=stage.state,
+                    bounds=replace(bounds, name=stage.state, kind="bounds"),
+                    missed=f"not {stage.state}",
+                    unknown=f'after stage "{last or stage.name}"',
+                )
+            )
+    return tuple(states)
+
+
+def _driven(structure: Structure, design: SheetDesign) -> tuple[tuple[Motor, ...], tuple[Drive, ...]]:
+    """Motors and drives: creases that the same torques act on share a motor, all other drives have their own."""
+    numbers = {hinge.name: number for number, hinge in enumerate(structure.hinges)}
+    acting: list[set[int]] = []
+    for drive in design.drive:
+        edges = () if drive.kind == "force" else creases_of(design.sheet, str(drive.of), design.crease.group)
+        acting.append({numbers[f"crease{edge}"] for edge in edges})
+    motors, moved = _torques(structure, design, acting)
+    strengths: list[float] = []
+    for number, drive in enumerate(design.drive):
+        strength = drive.value if drive.kind == "torque" else drive.force if drive.kind == "force" else drive.angle
+        if drive.kind == "force":
+            motors.append(_force(design, drive))
+        elif drive.kind == "rest-angle":
+            motor, largest = _rest_angles(structure, design, drive, sorted(acting[number]))
+            motors.append(motor)
+            strength = largest if strength is None else strength
+        if drive.kind != "torque":
+            moved.append((number,))
+        strengths.append(strength or 0.0)
+    rises = [design.protocol.rise if drive.rise is None else drive.rise for drive in design.drive]
+    return tuple(motors), tuple(
+        Drive(
+            name=drive.name,
+            shares=tuple(1.0 if number in drives else 0.0 for drives in moved),
+            rise=rises[number],
+            key=f"drive.{drive.name}.{STRENGTHS[drive.kind]}",
+            torque=strengths[number],
+            where=_where(drive),
+        )
+        for number, drive in enumerate(design.drive)
+    )
+
+
+def _torques(
+    structure: Structure, design: SheetDesign, acting: Sequence[set[int]]
+) -> tuple[list[Motor], list[tuple[int, ...]]]:
+    """The motors of torques, and the numbers of the drives that each follows."""
+    turning = [number for number, drive in enumerate(design.drive) if drive.kind == "torque"]
+    shared: dict[tuple[int, ...], list[int]] = {}
+    for hinge in range(len(structure.hinges)):
+        drives = tuple(number for number in turning if hinge in acting[number])
+        if drives:
+            shared.setdefault(drives, []).append(hinge)
+    motors = []
+    for drives, hinges in shared.items():
+        whole = [str(design.drive[number].of) for number in drives if acting[number] == set(hinges)]
+        name = whole[0] if whole else ", ".join(structure.hinges[hinge].name for hinge in hinges)
+        motors.append(Motor(name=name, hinges=tuple(hinges)))
+    return motors, list(shared)
+
+
+def _force(design: SheetDesign, drive: SheetDrive) -> Motor:
+    """The motor of a force at vertices, which have the numbers of their points."""
+    nodes = sheet_nodes(design.sheet)
+    written = (drive.of,) if isinstance(drive.of, str) else drive.of
+    direction = np.array(drive.direction, dtype=np.float64)
+    return Motor(
+        name=drive.name,
+        kind="force",
+        points=tuple(node_of(design.sheet, nodes, text) for text in written),
+        direction=direction / np.linalg.norm(direction),
+    )
+
+
+def _rest_angles(
+    structure: Structure, design: SheetDesign, drive: SheetDrive, hinges: Sequence[int]
+) -> tuple[Motor, float]:
+    """The motor of springs that rest further on, and the furthest of those that go on to their targets."""
+    if drive.to is None:
+        return Motor(name=drive.name, kind="rest-angle", hinges=tuple(hinges)), 0.0
+    targets = target_angles(structure, design)
+    ways = {hinge: targets[hinge] - structure.hinges[hinge].rest_angle for hinge in hinges if hinge in targets}
+    largest = max(map(abs, ways.values()), default=0.0)
+    gains = tuple(way / largest if largest else 0.0 for way in ways.values())
+    return Motor(name=drive.name, kind="rest-angle", hinges=tuple(ways), gains=gains), largest
+
+
+def target_angles(structure: Structure, design: SheetDesign) -> dict[int, float]:
+    """Where creases are to fold to, in their own senses, rad, by the numbers of their hinges."""
+    numbers = {hinge.name: number for number, hinge in enumerate(structure.hinges)}
+    angles = design.sheet.edges_fold_angle
+    found = {numbers[f"crease{edge}"]: float(angles[edge]) for edge in fold_edges(design.sheet)}
+    return {hinge: structure.hinges[hinge].sense * angle for hinge, angle in found.items() if not math.isnan(angle)}
+
+
+def _target(structure: Structure, design: SheetDesign) -> Goal:
+    """The goal that every crease is where it is to fold to."""
+    count = len(structure.hinges) + len(distances_of(structure))
+    least, most = np.full(count, -np.inf), np.full(count, np.inf)
+    for hinge, angle in target_angles(structure, design).items():
+        least[hinge], most[hinge] = angle - design.protocol.arrival, angle + design.protocol.arrival
+    return Goal(name="target", kind="bounds", least=least, most=most)
+
+
+def _where(drive: SheetDrive) -> str:
+    """What a drive acts on, as sentences say it."""
+    if not isinstance(drive.of, str):
+        return f"on {listed(drive.of)}"
+    return f"on {drive.of}" if re.match(r"(crease|vertex) \d", drive.of) else f"on the {drive.of}"
+
+
+def _together(structure: Structure, names: Sequence[str]) -> Drive:
+    """The drives of a stage as one, which grow in proportion: of several, that of the first with the others' shares.
+
+    One of no strength is no measure of the others: the first that has some is.
+    """
+    drives = [drive_of(structure, name) for name in names]
+    lead = next((drive for drive in drives if drive.torque), drives[0])
+    others = [drive for drive in drives if drive is not lead]
+    if not others:
+        return lead
+    torques = [sum(each) for each in zip(*(drive.torques for drive in drives), strict=True)]
+    return replace(
+        lead,
+        name=" and ".join(names),
+        shares=tuple(torque / lead.torque if lead.torque else 0.0 for torque in torques),
+        rise=max(drive.rise for drive in drives),
+        where=f"{lead.where}, with {' and '.join(drive.name for drive in others)} in proportion",
+    )
+
+
+def _state_after(stages: Sequence[Stage], number: int) -> str | None:
+    """The state that a driven stage leads to: its own, or that of the release which follows."""
+    stage = stages[number]
+    if stage.state is not None or number + 1 == len(stages) or stage_drives(stages[number + 1]):
+        return stage.state
+    return stages[number + 1].state
+
+
+def _wording(state: str, done: str, key: str) -> Wording:
+    """How sentences speak of the way to a state, by the key of what drives it there."""
+    return Wording(
+        done=done,
+        verb=f"get {state}",
+        doing=f"getting {state}",
+        stays=state,
+        time=f"time to get {state}",
+        noun=f"getting {state}",
+        did=f"got {state}",
+        if_stuck=f"Take a stronger drive ({key}), or lower what holds it back: crease.stiffness, or the tendons.",
+        if_lost=(
+            f"It got {state} under torque and did not stay so when released: tendons that pull it there or springs that"
+            " rest there (crease.rest_angle) hold it."
+        ),
+    )
+
+
+def drive_keys(design: SheetDesign) -> tuple[str, ...]:
+    """Keys of the values that say how strong the drives are."""
+    return tuple(f"drive.{drive.name}.{STRENGTHS[drive.kind]}" for drive in design.drive)
+
+
+def static_keys(design: SheetDesign) -> tuple[str, ...]:
+    """Keys of what matters to where the plates rest, but for their tendons."""
+    # without gravity they rest where they rest, however heavy they are
+    return (*_STATIC_KEYS, "facet") if design.protocol.gravity else _STATIC_KEYS
