@@ -49,7 +49,7 @@ def vertex_folds(pattern: CreasePattern, around: VertexCreases) -> bool | None:
     directions = np.concatenate([[0.0], np.cumsum(around.sectors[:-1])])
     if len(letters) < 4:
         straight = len(letters) == 2 and abs(around.sectors[0] - math.pi) < _IN_LINE
-        return None if straight and "U" in letters else straight and letters[0] == letters[1]
+        return None if straight and "U" in letters else bool(straight and letters[0] == letters[1])
     if "U" in letters:
         return None if _span(directions) else False
     return any(

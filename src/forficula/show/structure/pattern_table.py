@@ -75,10 +75,9 @@ def _inside(facts: PatternFacts) -> str:
         return "none"
     degrees = Counter(each.creases for each in facts.inside)
     counts = listed(f"{count} of {_counted(degree, 'crease')}" for degree, count in sorted(degrees.items()))
-    if all(each.developable for each in facts.inside):
-        return f"{counts}; 360 deg around each"
-    totals = [math.degrees(each.total) for each in facts.inside]
-    return f"{counts}; {min(totals):.4g} to {max(totals):.4g} deg around them"
+    totals = [each.total for each in facts.inside]
+    least, most = (f"{math.degrees(total):.4g}" for total in (min(totals), max(totals)))
+    return f"{counts}; {least} deg around each" if least == most else f"{counts}; {least} to {most} deg around them"
 
 
 def _freedoms(freedoms: Freedoms) -> Table:
@@ -101,7 +100,9 @@ def _rigid_folding(facts: PatternFacts) -> Iterator[str]:
     if not (freedoms.rigid.clear and freedoms.bending.clear and (freedoms.folded is None or freedoms.folded.clear)):
         yield "Degrees of freedom are in doubt: a motion is nearly free, and rounding may hide whether it is."
     if not facts.flat:
-        if freedoms.rigid.mechanisms == 0:
+        if freedoms.bending.mechanisms == 0:
+            yield "It does not move from here: it folds only where edges stretch."
+        elif freedoms.rigid.mechanisms == 0:
             yield "With rigid facets it does not move from here: it folds only where facets bend."
         return
     folds = any(letter in facts.edges for letter in "MV")

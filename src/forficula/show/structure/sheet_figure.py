@@ -50,7 +50,7 @@ def draw_sheet(pattern: CreasePattern, facts: PatternFacts, width: float = PAGE_
         if not facts.flat:
             axes.set_xlabel(f"{axes.get_xlabel()}, seen from above")
         if faults:
-            handles.append(_mark(axes, pattern, faults, factor))
+            handles.append(_mark(axes, pattern, faults, factor, figure.get_figwidth()))
         figure.legend(handles=handles, loc="outside upper center", ncols=3)
         return describe(figure, _tell(facts, faults))
 
@@ -61,16 +61,14 @@ def _weight(vertex: VertexFacts) -> tuple[float, int]:
     return lacks, -vertex.vertex
 
 
-def _mark(axes: Axes, pattern: CreasePattern, faults: list[VertexFacts], factor: float) -> Line2D:
-    """Ring vertices, and label as many as there is room for; returns what the rings mean."""
+def _mark(axes: Axes, pattern: CreasePattern, faults: list[VertexFacts], factor: float, width: float) -> Line2D:
+    """Ring vertices, and label as many as there is room for in a width, inch; returns what the rings mean."""
     points = factor * pattern.vertices_coords[:, :2]
     rings, many = points[[each.vertex for each in faults]], len(faults) > _MANY
     wide = _RING / 2 if many else _RING
     axes.plot(*rings.T, "o", ms=wide, mec=PURPLE, mfc="none", mew=0.6 if many else 1.2, zorder=3)
     low, size = points.min(axis=0), np.ptp(points, axis=0)
-    figure = axes.get_figure(root=True)
-    assert figure is not None
-    across = 72 * (float(figure.get_size_inches()[0]) - _BESIDE)
+    across = 72 * (width - _BESIDE)
     around = {each.vertex: each for each in vertex_creases(pattern)}
     taken: list[tuple[float, float, float, float]] = []
     for each, place in zip(faults, (rings - low) * across / size[0], strict=True):

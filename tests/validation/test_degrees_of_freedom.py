@@ -1,0 +1,59 @@
+"""Degrees of freedom and self-stress are those that counting by vertices and by borders gives.
+
+Bars and panels are what the rigidity matrix knows; here the closure of vertices, Euler's formula and counts measured
+elsewhere stand against it.
+"""
+
+import math
+
+import numpy as np
+import pytest
+
+from forficula.pattern import folded_as_assigned, miura_pattern, pattern_facts, rigidity, vertex_creases, vertex_walk
+
+
+def sheet(columns, rows, fold=0.0):
+    return miura_pattern(columns, rows, 0.03, 0.02, math.radians(60), fold)
+
+
+def creases_of(pattern):
+    return sum(letter in "MV" for letter in pattern.edges_assignment)
+
+
+@pytest.mark.parametrize(("size", "flat"), [(4, 6), (8, 14)])
+def test_miura_sheets_have_as_many_mechanisms_as_were_measured(size, flat):
+    """A trial apart from this code found 6 and 14 in the flat sheet of 4 x 4 and 8 x 8 panels, 1 in a folded one."""
+    facts = pattern_facts(sheet(size, size))
+    assert facts.freedoms.rigid.mechanisms == flat
+    assert facts.freedoms.folded.mechanisms == 1
+    assert rigidity(sheet(size, size, 0.5)).mechanisms == 1
+
+
+@pytest.mark.parametrize(("columns", "rows"), [(2, 2), (3, 5), (7, 4)])
+def test_each_vertex_of_a_flat_sheet_takes_two_freedoms_and_leaves_one_stress(columns, rows):
+    """Fold rates as vectors along the creases add up to 0 in the plane: two equations of three, Belcastro, Hull 2002."""
+    found, inside = rigidity(sheet(columns, rows)), (columns - 1) * (rows - 1)
+    assert found.mechanisms == creases_of(sheet(columns, rows)) - 2 * inside
+    assert found.self_stress == inside
+
+
+@pytest.mark.parametrize(("columns", "rows"), [(2, 3), (5, 4)])
+def test_a_folded_sheet_is_as_free_as_the_walks_around_its_vertices(columns, rows):
+    """Mechanisms are creases less the rank of all walks' slopes, self-stress three a vertex less it, Tachi 2009."""
+    pattern = sheet(columns, rows)
+    angles = folded_as_assigned(pattern)
+    around = vertex_creases(pattern)
+    slope = np.zeros((3 * len(around), len(angles)))
+    for number, each in enumerate(around):
+        slope[3 * number : 3 * number + 3, each.edges] = vertex_walk(each.sectors, angles[each.edges])[1].T
+    rank = np.linalg.matrix_rank(slope, tol=1e-9)
+    found = pattern_facts(pattern).freedoms.folded
+    assert found.mechanisms == creases_of(pattern) - rank
+    assert found.self_stress == 3 * len(around) - rank
+
+
+@pytest.mark.parametrize(("columns", "rows"), [(2, 2), (4, 4), (5, 3)])
+def test_a_folded_sheet_that_bends_has_three_freedoms_fewer_than_sides_of_its_border(columns, rows):
+    """A triangulated disc has 3 V - 6 - E = B - 3 by Euler's formula, B sides of its border."""
+    found = rigidity(sheet(columns, rows, 0.6), bending=True)
+    assert (found.mechanisms, found.self_stress) == (2 * (columns + rows) - 3, 0)
