@@ -165,13 +165,33 @@ def test_the_named_designs_are_listed_with_their_sources(call):
 
 def test_a_pattern_is_described_where_no_file_is_to_be_written(call):
     fan = call("pattern", "binder2025").out.splitlines()
-    assert fan[0] == "earwig fan, 1 unit, 3 veins: 9 vertices, 4 facets, 22.35 cm by 15.06 cm."
-    assert fan[-1] == "Every vertex folds flat by itself; whether layers get into each other's way is not checked."
+    assert fan[0] == "earwig fan, 1 unit, 3 veins: 9 vertices, 4 facets, 22.35 cm by 15.06 cm"
+    assert "Every vertex folds flat by itself; whether layers get into each other's way is not checked." in fan
+    freedoms = [line.split()[-2:] for line in fan if line.startswith("rigid facets")]
+    assert freedoms == [["2", "1"], ["1", "0"]]
     call("pattern", "binder2025", "--out", "fan.fold")
     # residuals of a file's digits may differ from those of the design's
     assert call("pattern", "fan.fold").out.splitlines()[:3] == fan[:3]
     strip = call("pattern", "letter-fold").out
-    assert strip.endswith("No interior vertex: every crease folds on its own.\n")
+    assert "No interior vertex: every crease folds on its own.\n" in strip
+
+
+def test_a_file_without_a_unit_is_read_by_the_one_given(in_an_empty_folder, call, refusal):
+    call("pattern", "letter-fold", "--out", "sheet.fold")
+    document = json.loads((in_an_empty_folder / "sheet.fold").read_text())
+    (in_an_empty_folder / "sheet.fold").write_text(json.dumps(document | {"frame_unit": "unit"}))
+    assert "0.297 mm by 0.21 mm" in call("pattern", "sheet.fold", "--unit", "1 mm").out
+    assert "frame_unit: need a unit of length" in refusal("pattern", "sheet.fold")
+    assert refusal("pattern", "sheet.fold", "--unit", "0 mm") == '--unit: need > 0, got "0 mm"'
+    said = '--unit: a design has units of its own, got "1 mm"'
+    assert refusal("pattern", "letter-fold", "--unit", "1 mm") == said
+
+
+@pytest.mark.parametrize("ending", [".png", ".pdf"])
+def test_a_picture_of_a_pattern_is_written_by_the_ending_of_its_file(in_an_empty_folder, call, ending):
+    assert call("pattern", "binder2025", "--out", f"fan{ending}").out == f"written to fan{ending}\n"
+    start = (in_an_empty_folder / f"fan{ending}").read_bytes()[:5]
+    assert start.startswith(b"\x89PNG" if ending == ".png" else b"%PDF-")
 
 
 def test_a_fold_file_is_drawn_and_has_no_values_to_set(call, refusal):
@@ -272,7 +292,10 @@ def test_settings_are_values_as_in_a_file_or_bare_text(in_an_empty_folder, call)
             '"bindr2025" is neither a named design nor a .toml file; did you mean "binder2025"?',
         ),
         (["run", "binder2025", "--out", "bad.toml/a/b"], "--out: need a folder, got the file bad.toml"),
-        (["pattern", "binder2025", "--out", "a.pdf"], "--out: need a file that ends with .fold or .svg, got a.pdf"),
+        (
+            ["pattern", "binder2025", "--out", "a.txt"],
+            "--out: need a file that ends with .fold, .svg, .png or .pdf, got a.txt",
+        ),
         (
             ["pattern", "binder2025", "--out", "bad.toml/a.svg"],
             "bad.toml/a.svg: cannot be written: bad.toml is a file, not a folder",

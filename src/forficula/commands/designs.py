@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
 from forficula.errors import InputError
-from forficula.options import OutIfGiven, Settings, read_settings
+from forficula.options import OutIfGiven, Settings, read_quantity, read_settings
+from forficula.quantities import as_written
 
 if TYPE_CHECKING:
     from forficula.pattern import CreasePattern
@@ -38,38 +41,75 @@ def designs() -> None:
 
 def pattern(
     design: Annotated[
-        str, Parameter(help="A named design, or the path of a design file (.toml) or of a FOLD file (.fold).")
+        str,
+        Parameter(
+            help="A named design, or the path of a design file (.toml), of a FOLD file (.fold) or of a drawing "
+            "(.svg, .dxf)."
+        ),
     ],
     /,
     *,
-    out: Annotated[OutIfGiven, Parameter(help="A .fold or .svg file; without it, the pattern is described.")] = None,
+    out: Annotated[
+        OutIfGiven,
+        Parameter(
+            help="A file that ends with .fold or .svg for the pattern itself, with .png or .pdf for a picture of it "
+            "with its faults marked."
+        ),
+    ] = None,
+    unit: Annotated[
+        str | None,
+        Parameter(help='Length of one unit of a file that names none, as in --unit "1 cm".'),
+    ] = None,
     settings: Settings = None,
 ) -> None:
-    """Say what a crease pattern is and whether it folds flat, or write it as FOLD or SVG, by the ending of the file."""
-    from forficula.pattern import pattern_text, write_fold, write_svg
-
-    sheet, frames = _sheet(design, settings)
+    """Say what a crease pattern is, where it does not fold flat and how freely it moves, or write it to a file."""
+    sheet, remarks, frames = _sheet(design, unit, settings)
     if out is None:
-        print("\n".join(pattern_text(sheet)))
+        from forficula.pattern import pattern_facts
+        from forficula.show.structure.pattern_table import print_pattern
+
+        print_pattern(pattern_facts(sheet), remarks)
         return
+    for remark in remarks:
+        print(f"{design}: {remark}", file=sys.stderr)
     match out.suffix:
         case ".fold":
-            write_fold(sheet, out, frames=frames)
+            from forficula.pattern import write_fold
+
+            write_fold(sheet, out, frames=frames())
         case ".svg":
+            from forficula.pattern import write_svg
+
             write_svg(sheet, out)
+        case ".png" | ".pdf":
+            from forficula.pattern import pattern_facts
+            from forficula.show.structure.sheet_figure import draw_sheet
+            from forficula.show.style import save_figure
+
+            save_figure(draw_sheet(sheet, pattern_facts(sheet)), out)
         case _:
-            raise InputError(f"--out: need a file that ends with .fold or .svg, got {out}")
+            raise InputError(f"--out: need a file that ends with .fold, .svg, .png or .pdf, got {out}")
     print(f"written to {out}")
 
 
-def _sheet(name: str, settings: list[str] | None) -> tuple[CreasePattern, list[Frame]]:
-    """The pattern of a design or of a FOLD file, and its folded states."""
+def _sheet(
+    name: str, unit: str | None, settings: list[str] | None
+) -> tuple[CreasePattern, list[str], Callable[[], list[Frame]]]:
+    """The pattern of a design or of a file, remarks on how it was read, and what gives its folded states."""
     from forficula.design import design_frames, design_pattern, load_design
-    from forficula.pattern import read_fold, read_folded_frames
+    from forficula.design.part import LENGTH
+    from forficula.pattern import PATTERN_FILES, read_folded_frames, read_pattern
 
-    if not name.lower().endswith(".fold"):
+    kind = PATTERN_FILES.get(Path(name).suffix.lower())
+    if kind is None:
+        if unit is not None:
+            raise InputError(f"--unit: a design has units of its own, got {as_written(unit)}")
         chosen = load_design(name, read_settings(settings))
-        return design_pattern(chosen), design_frames(chosen)
+        return design_pattern(chosen), [], lambda: design_frames(chosen)
     if settings:
-        raise InputError(f"--set: a FOLD file has no values to replace, got {settings[0]}")
-    return read_fold(name), read_folded_frames(name)
+        raise InputError(f"--set: a {kind} file has no values to replace, got {settings[0]}")
+    metres = None if unit is None else read_quantity("--unit", unit, LENGTH)
+    if metres is not None and not metres > 0:
+        raise InputError(f"--unit: need > 0, got {as_written(unit)}")
+    sheet, remarks = read_pattern(name, metres)
+    return sheet, remarks, lambda: read_folded_frames(name, metres) if kind == "FOLD" else []

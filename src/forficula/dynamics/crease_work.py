@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.dynamics.creases import FOLLOWED
+from forficula.dynamics.crease_rows import FOLLOWED
 from forficula.dynamics.model import Model
 from forficula.dynamics.stepper import Steps
 

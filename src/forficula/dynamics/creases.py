@@ -20,8 +20,6 @@ from forficula.structure import Structure, crease_flaps
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-# steps over which a row stays as it is; each crease is of second order between
-FOLLOWED = 10
 _ROW = 17
 # of a crease's stiffness, or of the stiffest if it has none: its stops
 _STOP = 100.0
@@ -33,36 +31,17 @@ class Creases:
 
     Attributes:
         rows: of each in the engine's flex_bending, (crease,).
-        square: the first sixteen numbers of its row for k cos r = 1, (crease, 16).
-        volume: the last one for k sin r = 1, (crease,).
+        order: which of tail, head, left and right corner each of the four nodes of a row is, (crease, 4).
         senses: +1 or -1, (crease,).
         law: of the springs and stops, arrays (crease,), in own senses and the model's units.
         damping: (crease,), in the model's units.
     """
 
     rows: Indices
-    square: Array
-    volume: Array
+    order: Indices
     senses: Indices
     law: CreaseLaw
     damping: Array
-
-    def follow(self, angles: Array, speeds: Array, rests: Array, torques: Array) -> Array:
-        """The rows that have the moments and the slopes that the creases have where they are, (..., crease, 17).
-
-        Args:
-            angles: in own senses, rad, (..., crease).
-            speeds: alike, in the model's units.
-            rests: by how much the springs rest further on, rad, (..., crease).
-            torques: in the model's units, (..., crease).
-        """
-        moment = self.law.moment(angles - rests) + self.damping * speeds - torques
-        slope = self.law.slope(angles - rests)
-        size, ahead = np.hypot(moment, slope), np.arctan2(moment, slope)
-        # of the angle between the flaps, whose sense the row has
-        rest = self.senses * (angles - ahead)
-        first = (size * np.cos(rest))[..., None] * self.square
-        return np.concatenate([first, (size * np.sin(rest) * self.volume)[..., None]], axis=-1)
 
 
 def add_creases(spec: mujoco.MjSpec, structure: Structure) -> None:
@@ -103,16 +82,11 @@ def creases_of(engine: mujoco.MjModel, structure: Structure, folds: Folds) -> Cr
         if number is None:
             raise InputError(f"{hinge.name}: need two facets that no others meet at their edge, got more")
         found.append(number)
-    corners = folds.built[edges[found]]
-    square, volume = _shape(corners)
-    # the first flap of the engine's edge may lie on its left or its right
     mine = edges[found]
-    ahead = mine[:, 0] == folds.flaps[:, 0]
-    on_left = mine[:, 2] == folds.flaps[:, 2]
+    ahead, on_left = mine[:, 0] == folds.flaps[:, 0], mine[:, 2] == folds.flaps[:, 2]
     return Creases(
         rows=np.array(found, dtype=np.int64) + _first_row(engine, flex),
-        square=square,
-        volume=np.where(ahead == on_left, -1.0, 1.0) * volume,
+        order=np.column_stack([~ahead, ahead, 2 + ~on_left, 2 + on_left]).astype(np.int64),
         senses=np.array([hinge.sense for hinge in hinges], dtype=np.int64),
         law=crease_law(structure, folds.creases),
         damping=np.array([hinge.damping for hinge in hinges]),
@@ -147,25 +121,3 @@ def engine_rows(engine: mujoco.MjModel) -> Array:
 
 def _first_row(engine: mujoco.MjModel, flex: int) -> int:
     return int(engine.flex_bendingadr[flex]) // _ROW
-
-
-def _shape(corners: Array) -> tuple[Array, Array]:
-    """What rows are made of, from the built places of edges' ends and flaps, (crease, 4, 3).
-
-    With e along the edge and u, v to the flaps, and c the cotangent weights of the four over |e|, which give
-    |c x|^2 = 2 (1 - cos angle) (Wardetzky et al. 2007): c c', (crease, 16), and |e| / (|e x u| |e x v|), (crease,).
-    """
-    edge, one, other = (corners[:, place] - corners[:, 0] for place in (1, 2, 3))
-    length = np.linalg.norm(edge, axis=1)
-    at_tail, at_tail_too = _cotangent(edge, one), _cotangent(edge, other)
-    at_head, at_head_too = _cotangent(-edge, one - edge), _cotangent(-edge, other - edge)
-    weights = np.stack(
-        [at_head + at_head_too, at_tail + at_tail_too, -at_tail - at_head, -at_tail_too - at_head_too], axis=1
-    )
-    weights /= length[:, None]
-    heights = np.linalg.norm(np.cross(edge, one), axis=1) * np.linalg.norm(np.cross(edge, other), axis=1)
-    return np.einsum("ij,ik->ijk", weights, weights).reshape(-1, 16), length / heights
-
-
-def _cotangent(one: Array, other: Array) -> Array:
-    return np.asarray(np.sum(one * other, axis=1) / np.linalg.norm(np.cross(one, other), axis=1))

@@ -163,7 +163,9 @@ def _hinge_series(model: Model, angles: Array, efforts: Array) -> dict[str, Arra
         creases, (further, _) = model.folds.creases, model.settings(efforts)
         law = model.creases.law
         energy[:, creases] = model.units.energy * law.energy(angles[:, creases], further)
-        springs = springs + np.bincount(creases, np.isfinite(law.lower + law.upper), len(hinges))
+        springs = springs + np.bincount(
+            creases, (np.isfinite(law.lower) | np.isfinite(law.upper)).astype(float), len(hinges)
+        )
         if any(motor.kind == "rest-angle" for motor in model.structure.motors):
             series["hinge_rest_angle"] = np.broadcast_to(rests, angles.shape).copy()
             series["hinge_rest_angle"][:, creases] += further

@@ -49,7 +49,7 @@ class Folds:
     def angles(self, positions: Array) -> Array:
         """Angles of all hinges in their own senses, rad, (..., hinge), from positions, (..., dof)."""
         if not len(self.creases):
-            return np.asarray(self.senses * positions)
+            return np.asarray(self.senses * positions[..., self.joints])
         angles = np.zeros((*positions.shape[:-1], len(self.senses)))
         turned = self.joints >= 0
         angles[..., turned] = (self.senses * positions[..., self.joints])[..., turned]
@@ -64,7 +64,7 @@ class Folds:
             shifts: alike.
         """
         if not len(self.creases):
-            return np.asarray(self.senses * shifts)
+            return np.asarray(self.senses * shifts[..., self.joints])
         turned = np.zeros((*shifts.shape[:-1], len(self.senses)))
         joints = self.joints >= 0
         turned[..., joints] = (self.senses * shifts[..., self.joints])[..., joints]

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.design import Stage, stage_drives
-from forficula.dynamics.creases import FOLLOWED
+from forficula.dynamics.crease_rows import FOLLOWED
 from forficula.dynamics.model import Model
 from forficula.dynamics.record import StageEnd
 from forficula.dynamics.stepper import Steps

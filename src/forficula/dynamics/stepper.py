@@ -16,7 +16,8 @@ import numpy as np
 from mujoco.batch import Batch
 from numpy.typing import NDArray
 
-from forficula.dynamics.creases import FOLLOWED, engine_rows
+from forficula.dynamics.crease_rows import FOLLOWED, crease_rows, without_jump
+from forficula.dynamics.creases import engine_rows
 from forficula.dynamics.folds import Folds
 from forficula.dynamics.model import Model
 
@@ -170,7 +171,8 @@ class Stepper:
         # the same memory again and again: fresh memory costs as much time as looking at it
         self._memory = deque([_memory(models, self._names, chunk, len(self._moving)) for _ in range(2)])
         # where the creases of each were last, without jumps
-        self._angles = [_start_creases(each) for each in models]
+        self._angles = np.array([_start_creases(each) for each in models])
+        self._creases = crease_rows(models)
         self._blocks = deque([np.empty((len(models), -(-chunk // FOLLOWED), len(self._angles[0]))) for _ in range(2)])
         self.threads = int(Batch(model, len(models), threads).nthread)
         self._engines: SimpleQueue[Batch] = SimpleQueue()
@@ -231,7 +233,9 @@ class Stepper:
         if steps.angles is not None:
             for place, (row, step) in enumerate(zip(rows.tolist(), taken.tolist(), strict=True)):
                 near = steps.angles[place, min(step // FOLLOWED, steps.angles.shape[1] - 1)]
-                self._angles[row] = without_jump(self._creases(row)[0], near)
+                folds, dof = self._structures[row].folds, steps.dof
+                position = self._state[row, self._moving][1 : 1 + dof]
+                self._angles[row] = without_jump(folds.angles(position)[folds.creases], near)
 
     def follow_leader(self, row: int, leader: int) -> None:
         """Put a structure where another one is."""
@@ -284,9 +288,8 @@ class Stepper:
         try:
             for block in range(angles.shape[1]):
                 steps = slice(block * FOLLOWED, min((block + 1) * FOLLOWED, self._chunk))
-                for place, row in enumerate(rows.tolist()):
-                    near = self._angles[row] if block == 0 else angles[place, block - 1]
-                    angles[place, block] = self._set_creases(row, near, efforts[place, steps].mean(axis=0))
+                near = self._angles[rows] if block == 0 else angles[:, block - 1]
+                angles[:, block] = self._set_creases(rows, near, efforts[:, steps].mean(axis=1))
                 every = [*range(len(rows)), *[0] * (engine.nsim - len(rows))]
                 engine.set_models([self._models[rows[place]] for place in every])
                 engine.state[: len(rows)] = self._state[rows]
@@ -309,27 +312,15 @@ class Stepper:
         finally:
             self._engines.put(engine)
 
-    def _set_creases(self, row: int, near: Array, effort: Array) -> Array:
-        """Give the creases of a structure what they have where it is; their angles, without jumps, (crease,)."""
-        model = self._structures[row]
-        assert model.creases is not None
-        angles, speeds = self._creases(row)
-        angles = without_jump(angles, near)
-        rests, torques = model.settings(effort)
-        engine_rows(self._models[row])[model.creases.rows] = model.creases.follow(angles, speeds, rests, torques)
+    def _set_creases(self, rows: Indices, near: Array, efforts: Array) -> Array:
+        """Give the creases of structures what they have where they are; their angles, without jumps, (row, crease)."""
+        creases, dof = self._creases, self._structures[0].engine.nv
+        assert creases is not None
+        moving = self._state[np.ix_(rows, self._moving)]
+        angles, values = creases.follow(rows, moving[:, 1 : 1 + dof], moving[:, 1 + dof : 1 + 2 * dof], near, efforts)
+        for row, own in zip(rows.tolist(), values, strict=True):
+            engine_rows(self._models[row])[creases.rows] = own
         return angles
-
-    def _creases(self, row: int) -> tuple[Array, Array]:
-        """Angles of the creases of a structure, from -pi to pi, and their speeds, in own senses, (crease,)."""
-        folds, moving = self._structures[row].folds, self._state[row, self._moving]
-        dof = self._structures[row].engine.nv
-        position, velocity = moving[1 : 1 + dof], moving[1 + dof : 1 + 2 * dof]
-        return folds.angles(position)[folds.creases], folds.travel(position, velocity)[folds.creases]
-
-
-def without_jump(angles: Array, near: Array) -> Array:
-    """Angles with as many whole turns as bring them closest to others, rad."""
-    return np.asarray(angles + 2 * np.pi * np.round((near - angles) / (2 * np.pi)))
 
 
 def _own_models(models: Sequence[Model], sparse: bool) -> list[mujoco.MjModel]:

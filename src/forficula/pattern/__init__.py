@@ -11,16 +11,17 @@ from forficula.pattern.crease_pattern import (
 from forficula.pattern.drawing_file import read_drawing
 from forficula.pattern.earwig import EarwigFan, Tangent, earwig_pattern, hub_points, ring_vertices, tips, vein_gaps
 from forficula.pattern.facet_tree import FacetLink, edges_between, facet_tree
-from forficula.pattern.flat_folding import VertexCheck, flat_folding_faults, pattern_text, vertex_checks
+from forficula.pattern.flat_folding import (
+    VertexCheck,
+    flat_folding_faults,
+    flat_folding_text,
+    pattern_text,
+    vertex_checks,
+)
 from forficula.pattern.fold_angles import built_fold_angles, kept_as_built
 from forficula.pattern.fold_file import fold_pattern, read_fold, read_folded_frames
 from forficula.pattern.fold_writer import write_fold
-from forficula.pattern.kinematics import (
-    degree4_fold_angles,
-    fan_fold_angles,
-    folded_coordinates,
-    folded_frames,
-)
+from forficula.pattern.kinematics import degree4_fold_angles, fan_fold_angles, folded_coordinates, folded_frames
 from forficula.pattern.kresling import (
     KreslingLengths,
     KreslingState,
@@ -29,11 +30,17 @@ from forficula.pattern.kresling import (
     kresling_pattern,
 )
 from forficula.pattern.miura_ori import MiuraSize, miura_pattern, miura_size
+from forficula.pattern.pattern_facts import Freedoms, PatternFacts, pattern_facts
 from forficula.pattern.pattern_file import PATTERN_FILES, read_pattern
 from forficula.pattern.pleats import pleat_pattern
+from forficula.pattern.rigid_folding import begins_as_assigned, folded_as_assigned, vertex_folds
+from forficula.pattern.rigidity import Rigidity, rigidity
 from forficula.pattern.svg_file import write_svg
 from forficula.pattern.triangulation import Triangulation, triangulated
 from forficula.pattern.vertex import vertex_pattern
+from forficula.pattern.vertex_closure import degree4_closure, vertex_freedoms, vertex_walk
+from forficula.pattern.vertex_creases import VertexCreases, vertex_creases
+from forficula.pattern.vertex_facts import VertexFacts, fault_words, vertex_facts
 from forficula.pattern.waterbomb import Apex, waterbomb_base, waterbomb_pattern
 from forficula.pattern.yoshimura import yoshimura_pattern, yoshimura_tube
 
@@ -44,22 +51,32 @@ __all__ = [
     "CreasePattern",
     "EarwigFan",
     "FacetLink",
+    "Freedoms",
     "KreslingLengths",
     "KreslingState",
     "MiuraSize",
+    "PatternFacts",
+    "Rigidity",
     "Tangent",
     "Triangulation",
     "VertexCheck",
+    "VertexCreases",
+    "VertexFacts",
+    "begins_as_assigned",
     "big_little_big_residuals",
     "built_fold_angles",
     "creases_inside",
+    "degree4_closure",
     "degree4_fold_angles",
     "earwig_pattern",
     "edges_between",
     "facet_tree",
     "fan_fold_angles",
+    "fault_words",
     "flat_folding_faults",
+    "flat_folding_text",
     "fold_pattern",
+    "folded_as_assigned",
     "folded_coordinates",
     "folded_frames",
     "hub_points",
@@ -72,19 +89,26 @@ __all__ = [
     "maekawa_residuals",
     "miura_pattern",
     "miura_size",
+    "pattern_facts",
     "pattern_text",
     "pleat_pattern",
     "read_drawing",
     "read_fold",
     "read_folded_frames",
     "read_pattern",
+    "rigidity",
     "ring_vertices",
     "sectors_between",
     "tips",
     "triangulated",
     "vein_gaps",
     "vertex_checks",
+    "vertex_creases",
+    "vertex_facts",
+    "vertex_folds",
+    "vertex_freedoms",
     "vertex_pattern",
+    "vertex_walk",
     "waterbomb_base",
     "waterbomb_pattern",
     "write_fold",

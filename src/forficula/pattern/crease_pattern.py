@@ -181,6 +181,15 @@ def check_flat(pattern: CreasePattern) -> None:
         )
 
 
+def is_unfolded(pattern: CreasePattern) -> bool:
+    """Whether a sheet lies in one plane of constant z with no face turned over, as folded flat it would have some."""
+    coords = pattern.vertices_coords
+    if np.ptp(coords[:, 2]) > 0:
+        return False
+    x, y = coords[:, 0], coords[:, 1]
+    return all(sum(x[a] * y[b] - x[b] * y[a] for a, b in face_sides(face)) > 0 for face in pattern.faces_vertices)
+
+
 def interior_vertices(pattern: CreasePattern) -> NDArray[np.int64]:
     """Find the vertices that the sheet surrounds.
 

@@ -1,4 +1,4 @@
-"""What a crease pattern is, and whether it folds flat, in sentences."""
+"""Whether a crease pattern folds flat, and why, in sentences."""
 
 from __future__ import annotations
 
@@ -8,13 +8,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from forficula.errors import InputError
 from forficula.pattern.crease_pattern import (
-    ASSIGNMENTS,
     CreasePattern,
     big_little_big_residuals,
-    check_flat,
     creases_inside,
+    is_unfolded,
     kawasaki_residuals,
     maekawa_residuals,
 )
@@ -77,43 +75,28 @@ def vertex_checks(pattern: CreasePattern) -> tuple[VertexCheck, ...]:
 
 
 def flat_folding_faults(pattern: CreasePattern) -> list[str]:
-    """Why a sheet does not fold flat, a sentence for each condition that a vertex fails; none of a solid shape."""
-    try:
-        checks = vertex_checks(pattern)
-    except InputError:
+    """Why a sheet does not fold flat, a sentence for each condition that a vertex fails; none of a folded one."""
+    if not is_unfolded(pattern):
         return []
+    checks = vertex_checks(pattern)
     return [sentence for fails, sentence in (_kawasaki(checks), _maekawa(checks), _big_little_big(checks)) if fails]
 
 
-def pattern_text(pattern: CreasePattern) -> list[str]:
-    """What a pattern is and whether it folds flat, a sentence each."""
-    size = np.ptp(pattern.vertices_coords, axis=0) * 100
-    flat = not size[2] > 0
-    extent = " by ".join(f"{length:.4g} cm" for length in (size[:2] if flat else size).tolist())
-    counts = {letter: pattern.edges_assignment.count(letter) for letter in ASSIGNMENTS}
-    edges = ", ".join(_counted(count, ASSIGNMENTS[letter]) for letter, count in counts.items() if count)
-    roles = ", ".join(dict.fromkeys(role for role in pattern.edges_role if role))
-    sentences = [
-        f"{pattern.title or 'crease pattern'}: {_counted(len(pattern.vertices_coords), 'vertex', 'vertices')},"
-        f" {_counted(len(pattern.faces_vertices), 'facet', 'facets')}, {extent}.",
-        f"{_counted(len(pattern.edges_assignment), 'edge', 'edges')}: {edges}{f'; roles: {roles}' if roles else ''}.",
-    ]
-    try:
-        check_flat(pattern)
-    except InputError:
-        return [*sentences, "The sheet is not flat, so nothing is said of folding flat."]
+def flat_folding_text(pattern: CreasePattern) -> list[str]:
+    """Whether a sheet folds flat, and why, a sentence each."""
+    if not is_unfolded(pattern):
+        return ["The sheet is not flat, so nothing is said of folding flat."]
     checks = vertex_checks(pattern)
     if not checks:
-        folds = any(counts[letter] for letter in "MVU")
-        return [*sentences, "No interior vertex: every crease folds on its own." if folds else "No crease to fold."]
+        folds = any(letter in "MVU" for letter in pattern.edges_assignment)
+        return ["No interior vertex: every crease folds on its own." if folds else "No crease to fold."]
     results = _kawasaki(checks), _maekawa(checks), _big_little_big(checks)
     verdict = (
         "It does not fold flat."
         if any(fails for fails, _ in results)
         else "Every vertex folds flat by itself; whether layers get into each other's way is not checked."
     )
-    inside = _counted(len(checks), "interior vertex", "interior vertices")
-    return [*sentences, f"{inside}.", *(sentence for _, sentence in results), verdict]
+    return [*(sentence for _, sentence in results), verdict]
 
 
 def _kawasaki(checks: Sequence[VertexCheck]) -> tuple[bool, str]:

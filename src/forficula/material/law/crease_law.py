@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CreaseLaw:
-    """Springs of creases, linear between two angles and stiffer beyond, with stops; all are arrays (crease,).
+    """Springs of creases, linear between two angles and stiffer beyond, with stops; arrays (crease,), or one number.
 
     Beyond `lock_above` the moment goes on with k 2 w / pi tan(pi x / (2 w)), x from there on and w from there to
     180 deg, where the panels touch: the same slope where it begins, and no end (Liu and Paulino 2017, Proc. R. Soc.
@@ -29,13 +29,13 @@ class CreaseLaw:
         stop_stiffness: N m/rad.
     """
 
-    stiffness: Array
-    rest_angle: Array
-    lock_below: Array
-    lock_above: Array
-    lower: Array
-    upper: Array
-    stop_stiffness: Array
+    stiffness: Array | float
+    rest_angle: Array | float = 0.0
+    lock_below: Array | float = -math.inf
+    lock_above: Array | float = math.inf
+    lower: Array | float = -math.inf
+    upper: Array | float = math.inf
+    stop_stiffness: Array | float = 0.0
 
     def energy(self, angle: Array, further: Array | float = 0.0) -> Array:
         """Stored energy, J, (..., crease).

@@ -8,27 +8,15 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
-from forficula.pattern import CreasePattern
 from forficula.quantities import reading_unit, show_value
+from forficula.show.structure.crease_lines import draw_creases, sheet_axes
 from forficula.show.structure.labels import counted, label_of, parts_of, shown_angles
 from forficula.show.structure.painted_shape import BAR
-from forficula.show.style import BLACK, BLUE, ORANGE, PAGE_WIDTH, VERMILION, describe, figure_style, is_narrow
+from forficula.show.style import BLACK, ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
 from forficula.structure import Hinge, Structure, built_hinges, built_points
 
 Array = NDArray[np.float64]
 
-_STYLES = {
-    "M": (VERMILION, "-.", "mountain"),
-    "V": (BLUE, "--", "valley"),
-    "B": (BLACK, "-", "border"),
-    "C": (BLACK, ":", "cut"),
-    "F": ("0.6", "-", "flat"),
-    "U": ("0.6", "-.", "unassigned"),
-}
-_WIDEST = 4.6  # inch: it has one part, which a page would only blow up
-_LOW = 0.5  # height by width
-_LOWEST = 0.1  # height by width, or width by height, of what is drawn: what is longer is stretched across
-_MOST_LINES = 200  # of creases and edges, before they are drawn thinner
 _MOST_NUMBERED, _NUMBERED = 20, 9  # hinges on their lines, and so many of more
 _ON_AXIS = 1e-6  # by the size of the whole
 
@@ -39,16 +27,8 @@ def draw_pattern(structure: Structure, width: float = PAGE_WIDTH) -> Figure:
     places = points if pattern is None else pattern.vertices_coords
     unit, factor = reading_unit("m", float(np.abs(places).max(initial=structure.span)))
     with figure_style():
-        extent = np.maximum(np.ptp(factor * places[:, :2], axis=0), 1e-9 * factor * structure.span)
-        width = min(width, _WIDEST)
-        ratio = extent[1] / extent[0]
-        stretch = float(np.clip(1.0, _LOWEST / ratio, 1 / _LOWEST / ratio))
-        tall = min(2.0, max(0.3 if ratio > 0.15 else _LOWEST, ratio))
-        # a low one has no room to spare for a second row of the legend
-        room = 0.9 if tall > _LOW else 1.1
-        figure = Figure(figsize=(width, (width - 0.5) * tall + room), layout="constrained")
-        axes = figure.subplots()
-        handles = _draw_built(axes, structure, factor) if pattern is None else _draw_creases(axes, pattern, factor)
+        figure, axes = sheet_axes(factor * places, factor * structure.span, unit, width)
+        handles = _draw_built(axes, structure, factor) if pattern is None else draw_creases(axes, pattern, factor)
         angle = np.linspace(0, 2 * np.pi, 200)
         for radius in (factor * each for each in structure.appearance.circles.values()):
             axes.plot(radius * np.cos(angle), radius * np.sin(angle), ":", color="0.5", lw=0.8)
@@ -56,34 +36,11 @@ def draw_pattern(structure: Structure, width: float = PAGE_WIDTH) -> Figure:
             ends = factor * points[list(tendon.points)]
             axes.plot(*ends.T[:2], "o-", color=ORANGE, ms=3.5, lw=3, alpha=0.6)
         _number(axes, structure, factor)
-        axes.set_aspect(stretch)
-        axes.set_xlabel(f"x ({unit}){_stretched(stretch)}")
-        axes.set_ylabel(f"y ({unit})")
-        axes.margins(0.06)
         if structure.tendons:
             handles.append(Line2D([], [], color=ORANGE, marker="o", ms=3.5, lw=3, alpha=0.6, label="tendon"))
         handles += [Line2D([], [], color="0.5", ls=":", label=name) for name in structure.appearance.circles]
-        figure.legend(handles=handles, loc="outside upper center", ncols=3 if is_narrow(width) else 5)
+        figure.legend(handles=handles, loc="outside upper center", ncols=3 if is_narrow(figure.get_figwidth()) else 5)
         return describe(figure, _tell(structure))
-
-
-def _stretched(stretch: float) -> str:
-    """Says which axis is drawn larger than the other one, where one is."""
-    times, axis = max(stretch, 1 / stretch), "y" if stretch > 1 else "x"
-    return f"; {axis} is drawn {times:.2g} times as large" if times > 1 else ""
-
-
-def _draw_creases(axes: Axes, pattern: CreasePattern, factor: float) -> list[Line2D]:
-    """The edges of a pattern; returns what they mean."""
-    points, lw = factor * pattern.vertices_coords[:, :2], 1.1 if len(pattern.edges_vertices) <= _MOST_LINES else 0.5
-    for (start, end), assignment in zip(pattern.edges_vertices, pattern.edges_assignment, strict=True):
-        colour, style, _ = _STYLES[assignment]
-        axes.plot(*points[[start, end]].T, style, color=colour, lw=lw)
-    return [
-        Line2D([], [], color=colour, ls=style, label=name)
-        for letter, (colour, style, name) in _STYLES.items()
-        if letter in pattern.edges_assignment
-    ]
 
 
 def _draw_built(axes: Axes, structure: Structure, factor: float) -> list[Line2D]:

@@ -1,0 +1,79 @@
+"""The creases and sectors around every vertex that the sheet surrounds, of a sheet that is flat or not."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.pattern.crease_pattern import CreasePattern, interior_vertices
+from forficula.pattern.shared_edges import shared_edges
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class VertexCreases:
+    """What meets at a vertex.
+
+    Attributes:
+        vertex: its number.
+        edges: numbers of its edges, flat ones left out, counterclockwise as its facets are, shape (degree,).
+        sectors: rad, shape (degree,): number i lies between edges i and i + 1; of no edge, empty.
+        total: the angle around it, rad.
+    """
+
+    vertex: int
+    edges: NDArray[np.int64]
+    sectors: NDArray[np.float64]
+    total: float
+
+
+def vertex_creases(pattern: CreasePattern) -> tuple[VertexCreases, ...]:
+    """Walk around every interior vertex, from facet to facet, in the order of `interior_vertices`.
+
+    Raises:
+        InputError: faces that are not counterclockwise.
+    """
+    left_of = {(each.tail, each.head): (each.left, each.edge) for each in shared_edges(pattern)}
+    left_of |= {(each.head, each.tail): (each.right, each.edge) for each in shared_edges(pattern)}
+    start: dict[int, int] = {vertex: facet for facet, face in enumerate(pattern.faces_vertices) for vertex in face}
+    return tuple(_around(pattern, vertex, start[vertex], left_of) for vertex in interior_vertices(pattern).tolist())
+
+
+def _around(
+    pattern: CreasePattern, vertex: int, start: int, left_of: dict[tuple[int, int], tuple[int, int]]
+) -> VertexCreases:
+    """Walk around one vertex, from the facet where to start."""
+    edges: list[int] = []
+    corners: list[float] = []
+    facet = start
+    while not corners or facet != start:
+        face = pattern.faces_vertices[facet]
+        place = face.index(vertex)
+        corners.append(_corner(pattern.vertices_coords[list(face)], place))
+        facet, edge = left_of[vertex, face[place - 1]]
+        edges.append(edge)
+    folds = [place for place, edge in enumerate(edges) if pattern.edges_assignment[edge] != "F"]
+    # the corner after an edge is the next one in the walk
+    order = np.roll(corners, -1)
+    if folds:
+        first = min(folds, key=lambda place: edges[place])
+        order, edges = np.roll(order, -first), edges[first:] + edges[:first]
+        folds = [place for place, edge in enumerate(edges) if pattern.edges_assignment[edge] != "F"]
+    return VertexCreases(
+        vertex=vertex,
+        edges=np.array([edges[place] for place in folds], dtype=np.int64),
+        sectors=np.add.reduceat(order, folds) if folds else np.zeros(0),
+        total=float(np.sum(corners)),
+    )
+
+
+def _corner(points: NDArray[np.float64], place: int) -> float:
+    """The angle at one of the corners of a facet, rad: more than 180 deg where it points inwards."""
+    after, before = points[(place + 1) % len(points)] - points[place], points[place - 1] - points[place]
+    cross = np.cross(after, before)
+    angle = float(np.arctan2(np.linalg.norm(cross), after @ before))
+    arms = points - points[place]
+    inwards = cross @ np.cross(arms, np.roll(arms, -1, axis=0)).sum(axis=0) < 0
+    return 2 * math.pi - angle if inwards else angle

@@ -1,0 +1,131 @@
+"""A crease pattern by itself: its creases, and the vertices that do not fold flat with what they lack."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patheffects import Normal, Stroke
+
+from forficula.pattern import (
+    ASSIGNMENTS,
+    CreasePattern,
+    PatternFacts,
+    VertexCreases,
+    VertexFacts,
+    fault_words,
+    vertex_creases,
+)
+from forficula.quantities import reading_unit, show_value
+from forficula.show.structure.crease_lines import draw_creases, sheet_axes
+from forficula.show.style import PAGE_WIDTH, PURPLE, describe, figure_style
+
+_MOST_LABELS = 8
+_LETTER, _LINE = 4.2, 9.5  # pt, a little more than what a letter is wide and a line is high
+_AWAY = 7.0  # pt, from a vertex to its label
+_ASIDE = 0.4  # of the sine of a direction; what points more upwards or downwards has its label there
+_RING, _MANY = 7.0, 50  # pt, across; from so many on, half as large
+_BESIDE = 0.8  # inch, of the figure that is no axes
+
+
+def draw_sheet(pattern: CreasePattern, facts: PatternFacts, width: float = PAGE_WIDTH) -> Figure:
+    """Draw a crease pattern, seen from above.
+
+    Vertices that do not fold flat have rings, the worst of them words: the angle that every second sector together
+    lacks, or that the creases are odd in number, or the difference of mountains and valleys.
+
+    Args:
+        pattern: the sheet.
+        facts: those of the sheet.
+        width: of the figure at most, inch.
+    """
+    faults = sorted((each for each in facts.inside if fault_words(each)), key=_weight, reverse=True)
+    unit, factor = reading_unit("m", max(facts.size))
+    with figure_style():
+        figure, axes = sheet_axes(factor * pattern.vertices_coords, factor * max(facts.size), unit, width)
+        handles = draw_creases(axes, pattern, factor)
+        if not facts.flat:
+            axes.set_xlabel(f"{axes.get_xlabel()}, seen from above")
+        if faults:
+            handles.append(_mark(axes, pattern, faults, factor))
+        figure.legend(handles=handles, loc="outside upper center", ncols=3)
+        return describe(figure, _tell(facts, faults))
+
+
+def _weight(vertex: VertexFacts) -> tuple[float, int]:
+    """Vertices are marked in falling order of this: odd ones, then those that lack most, then the others."""
+    lacks = vertex.missing if vertex.check is not None and vertex.missing > vertex.check.allowed else 0.0
+    return lacks, -vertex.vertex
+
+
+def _mark(axes: Axes, pattern: CreasePattern, faults: list[VertexFacts], factor: float) -> Line2D:
+    """Ring vertices, and label as many as there is room for; returns what the rings mean."""
+    points = factor * pattern.vertices_coords[:, :2]
+    rings, many = points[[each.vertex for each in faults]], len(faults) > _MANY
+    wide = _RING / 2 if many else _RING
+    axes.plot(*rings.T, "o", ms=wide, mec=PURPLE, mfc="none", mew=0.6 if many else 1.2, zorder=3)
+    low, size = points.min(axis=0), np.ptp(points, axis=0)
+    across = 72 * (float(axes.figure.get_size_inches()[0]) - _BESIDE)
+    around = {each.vertex: each for each in vertex_creases(pattern)}
+    taken: list[tuple[float, float, float, float]] = []
+    for each, place in zip(faults, (rings - low) * across / size[0], strict=True):
+        words = "\n".join(fault_words(each))
+        x, y = _towards(pattern, around[each.vertex], inwards=float(np.sign(across / 2 - place[0])))
+        long, tall = _LETTER * max(map(len, words.split("\n"))), _LINE * (words.count("\n") + 1)
+        left = place[0] + _AWAY * x - (long if x < 0 else 0.0)
+        bottom = place[1] + _AWAY * y - (0.0 if y > _ASIDE else tall if y < -_ASIDE else tall / 2)
+        box = (left, left + long, bottom, bottom + tall)
+        if left < 0 or left + long > across or any(_meet(box, other) for other in taken):
+            continue
+        taken.append(box)
+        axes.plot(*points[each.vertex], "o", ms=wide, mec=PURPLE, mfc=PURPLE, zorder=3)
+        axes.annotate(
+            words,
+            points[each.vertex],
+            (_AWAY * x, _AWAY * y),
+            textcoords="offset points",
+            ha="right" if x < 0 else "left",
+            va="bottom" if y > _ASIDE else "top" if y < -_ASIDE else "center",
+            fontsize=7,
+            path_effects=[Stroke(linewidth=2, foreground="white"), Normal()],
+            zorder=4,
+        )
+        if len(taken) == _MOST_LABELS:
+            break
+    fill = PURPLE if len(taken) == len(faults) else "none"
+    told = f"does not fold flat ({len(faults)})"
+    return Line2D([], [], marker="o", ls="none", ms=wide, mec=PURPLE, mfc=fill, label=told)
+
+
+def _towards(pattern: CreasePattern, around: VertexCreases, inwards: float) -> tuple[float, float]:
+    """The direction in which a label finds most room between creases, of alike sectors the one that points inwards."""
+    if len(around.edges) == 0:
+        return 1.0, 0.0
+    first = pattern.vertices_coords[pattern.edges_vertices[around.edges[0]].sum() - around.vertex]
+    along = first - pattern.vertices_coords[around.vertex]
+    starts = math.atan2(along[1], along[0]) + np.concatenate([[0.0], np.cumsum(around.sectors[:-1])])
+    middles = starts + around.sectors / 2
+    best = int(np.argmax(np.round(around.sectors, 2) + 0.1 * inwards * np.cos(middles)))
+    return math.cos(middles[best]), math.sin(middles[best])
+
+
+def _meet(one: tuple[float, float, float, float], other: tuple[float, float, float, float]) -> bool:
+    """Whether two boxes, from left to right and from bottom to top, lie on one another."""
+    return one[0] < other[1] and other[0] < one[1] and one[2] < other[3] and other[2] < one[3]
+
+
+def _tell(facts: PatternFacts, faults: list[VertexFacts]) -> str:
+    """The sheet in words."""
+    edges = ", ".join(f"{count} {ASSIGNMENTS[letter]}" for letter, count in facts.edges.items())
+    size = " by ".join(show_value(length, "m") for length in facts.size[: 2 if facts.flat else 3])
+    seen = "" if facts.flat else " It is folded, and seen from above."
+    verdict = "No inner vertex keeps it from folding flat." if facts.flat else ""
+    if faults:
+        worst = max((each.missing for each in faults if math.isfinite(each.missing)), default=0.0)
+        lacks = f", by up to {math.degrees(worst):.2g} deg" if worst > 1e-6 else ""
+        verdict = f"{len(faults)} of {len(facts.inside)} inner vertices do not fold flat{lacks}."
+    title = facts.title[:1].upper() + facts.title[1:]
+    return f"{title}, {size}.{seen} Edges: {edges}. {verdict}".rstrip()
