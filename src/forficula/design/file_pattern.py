@@ -25,7 +25,7 @@ class FoldFile(Part):
     path: Annotated[
         str | None,
         Field(
-            description="of a .fold, .svg or .dxf file, from the design file on; what it holds is kept",
+            description="of a .fold, .svg or .dxf file, from here on; what it holds is kept",
             examples=["sheet.fold"],
         ),
     ] = None

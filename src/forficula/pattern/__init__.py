@@ -15,13 +15,17 @@ from forficula.pattern.flat_folding import (
     VertexCheck,
     flat_folding_faults,
     flat_folding_text,
-    pattern_text,
     vertex_checks,
 )
 from forficula.pattern.fold_angles import built_fold_angles, kept_as_built
 from forficula.pattern.fold_file import fold_pattern, read_fold, read_folded_frames
 from forficula.pattern.fold_writer import write_fold
-from forficula.pattern.kinematics import degree4_fold_angles, fan_fold_angles, folded_coordinates, folded_frames
+from forficula.pattern.kinematics import (
+    degree4_fold_angles,
+    fan_fold_angles,
+    folded_coordinates,
+    folded_frames,
+)
 from forficula.pattern.kresling import (
     KreslingLengths,
     KreslingState,
@@ -90,7 +94,6 @@ __all__ = [
     "miura_pattern",
     "miura_size",
     "pattern_facts",
-    "pattern_text",
     "pleat_pattern",
     "read_drawing",
     "read_fold",
