@@ -68,7 +68,9 @@ def _mark(axes: Axes, pattern: CreasePattern, faults: list[VertexFacts], factor:
     wide = _RING / 2 if many else _RING
     axes.plot(*rings.T, "o", ms=wide, mec=PURPLE, mfc="none", mew=0.6 if many else 1.2, zorder=3)
     low, size = points.min(axis=0), np.ptp(points, axis=0)
-    across = 72 * (float(axes.figure.get_size_inches()[0]) - _BESIDE)
+    figure = axes.get_figure(root=True)
+    assert figure is not None
+    across = 72 * (float(figure.get_size_inches()[0]) - _BESIDE)
     around = {each.vertex: each for each in vertex_creases(pattern)}
     taken: list[tuple[float, float, float, float]] = []
     for each, place in zip(faults, (rings - low) * across / size[0], strict=True):
