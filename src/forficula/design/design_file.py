@@ -20,10 +20,11 @@ from forficula.design.kinds import KINDS, design_class, kind_of, reference_of
 from forficula.design.rejection import File, origin, rejected
 from forficula.design.sheet_tables import with_sheet_read
 from forficula.design.tables import RejectedError, dotted_keys, laid_over, merged, nested, numbered
-from forficula.design.tendon_tables import tendons_over, value_from_folder
+from forficula.design.tendon_tables import entries_over, tendons_over, value_from_folder
 from forficula.errors import InputError
 from forficula.files import read_toml, write_text
 from forficula.quantities import as_written
+from forficula.toml_text import with_remarks
 
 
 def load_design(name_or_path: str | Path, settings: Mapping[str, object] | None = None) -> Design:
@@ -79,10 +80,12 @@ def save_design(design: Design, path: str | os.PathLike[str]) -> None:
 
 
 def design_text(design: Design) -> str:
-    """Every value of a design as TOML."""
-    tables = design.as_tables()
+    """Every value of a design as TOML; those that a rule chooses are marked, with the reason."""
+    tables = design.settled().as_tables()
     # what is built, then what is done to it
-    return tomli_w.dumps({name: tables[name] for name in sorted(tables, key=lambda name: name == "protocol")})
+    text = tomli_w.dumps({name: tables[name] for name in sorted(tables, key=lambda name: name == "protocol")})
+    reasons = {f"{choice.section}.{choice.key}": f"[chosen] {choice.reason}" for choice in design.chosen}
+    return with_remarks(text, reasons) if reasons else text
 
 
 def design_from_text(text: str) -> Design:
@@ -148,8 +151,7 @@ def _over(
     if "tendon" not in own:
         return both
     if not issubclass(design_class(both), FanDesign):
-        whole: dict[str, Any] = lay(tables, own)
-        return whole
+        return {**both, "tendon": entries_over(tables.get("tendon"), own["tendon"], si=si)}
     pattern = both.get("pattern")
     units = pattern.get("units") if isinstance(pattern, dict) else None
     veins = 2 * units + 1 if isinstance(units, int) and 0 < units <= MOST_UNITS else 0
