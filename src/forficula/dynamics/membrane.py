@@ -82,7 +82,7 @@ def stretch_energy(nodes: Array, mesh: Mesh) -> Array:
 
     Args:
         nodes: positions, (..., node, 3), in the units of the mesh.
-        mesh: with its built shape, flat in z = 0, and its law.
+        mesh: with its built shape and its law.
 
     Returns:
         Energy in the units of the mesh, (...).
@@ -92,7 +92,7 @@ def stretch_energy(nodes: Array, mesh: Mesh) -> Array:
         return np.zeros(nodes.shape[:-2])
     shear = law.youngs_modulus / (2 * (1 + law.poisson_ratio))
     lame = law.youngs_modulus * law.poisson_ratio / (1 - law.poisson_ratio**2)
-    rest = _edges(mesh.built, mesh.triangles)[..., :2, :]
+    rest = _in_plane(_edges(mesh.built, mesh.triangles))
     to_rest = np.linalg.inv(rest)
     gradient = _edges(nodes, mesh.triangles) @ to_rest
     strain = (np.swapaxes(gradient, -1, -2) @ gradient - np.eye(2)) / 2
@@ -101,6 +101,18 @@ def stretch_energy(nodes: Array, mesh: Mesh) -> Array:
     area = np.abs(np.linalg.det(rest)) / 2
     # in rows, so that a state's sum has the same bits beside others and alone
     return np.asarray(law.thickness * np.sum(np.ascontiguousarray(area * density), axis=-1))
+
+
+def _in_plane(edges: Array) -> Array:
+    """Edges of triangles, (triangle, 3, 2), in axes of their planes, (triangle, 2, 2)."""
+    if not edges[:, 2].any():
+        return edges[:, :2]
+    upper = np.zeros((len(edges), 2, 2))
+    first, second = edges[..., 0], edges[..., 1]
+    upper[:, 0, 0] = np.linalg.norm(first, axis=1)
+    upper[:, 0, 1] = np.sum(first * second, axis=1) / upper[:, 0, 0]
+    upper[:, 1, 1] = np.linalg.norm(np.cross(first, second), axis=1) / upper[:, 0, 0]
+    return upper
 
 
 def _edges(nodes: Array, triangles: NDArray[np.int64]) -> Array:
