@@ -54,7 +54,9 @@ Tolerate = Annotated[
     bool,
     Parameter(help="End with status 0, not 3, where a run diverged or is not to be trusted.", negative=()),
 ]
-DesignName = Annotated[str, Parameter(help="A named design, or the path of a design file (.toml).")]
+DesignName = Annotated[
+    str, Parameter(help="A named design, or the path of a design file (.toml), a FOLD file or a drawing (.svg, .dxf).")
+]
 
 
 def exit_status(verdicts: Iterable[Verdict], *, tolerate: bool) -> int:

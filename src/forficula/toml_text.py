@@ -1,9 +1,10 @@
-"""TOML text read, with errors that name the line and the key."""
+"""TOML text: read, with errors that name the line and the key, and written with remarks."""
 
 from __future__ import annotations
 
 import re
 import tomllib
+from collections.abc import Mapping
 from typing import Any
 
 from forficula.errors import InputError
@@ -33,6 +34,23 @@ def parse_toml(text: str, what: str) -> dict[str, Any]:
         raise InputError("not TOML: a whole number has too many digits") from None
     except RecursionError:
         raise InputError(f"not TOML for {what}: nested too deeply") from None
+
+
+def with_remarks(text: str, remarks: Mapping[str, str]) -> str:
+    """Write remarks behind values of a TOML text that are on one line.
+
+    Args:
+        text: with sections under headers, as tomli_w writes it.
+        remarks: by dotted key of the value.
+    """
+    lines, section = [], ""
+    for line in text.splitlines():
+        if header := _HEADER.fullmatch(line):
+            section = f"{header[2]}."
+        key = _KEY.match(line)
+        remark = remarks.get(f"{section}{key[1]}") if key else None
+        lines.append(f"{line}  # {remark}" if remark else line)
+    return "\n".join(lines) + "\n"
 
 
 def _table_and_list(text: str, reason: str) -> str:

@@ -254,8 +254,8 @@ def test_an_empty_key_is_unknown_like_any_other():
 
 SECTIONS = "based_on, name, source, reproduces, pattern, vein, membrane, hinge, tendon, guard, protocol"
 OF_TENDON = (
-    "stiffness, rest_length, damping, proximal_attachment, distal_attachment, proximal_offset, distal_offset,"
-    " proximal_aside, distal_aside, area, law"
+    "stiffness, rest_length, damping, area, law, proximal_attachment, distal_attachment, proximal_offset,"
+    " distal_offset, proximal_aside, distal_aside"
 )
 
 

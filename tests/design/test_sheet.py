@@ -28,6 +28,7 @@ from forficula.errors import InputError
 from forficula.pattern import earwig_pattern, pleat_pattern, write_fold
 
 LETTER = load_design("letter-fold")
+KINDS = '"earwig-fan", "miura-ori", "waterbomb", "yoshimura", "kresling", "pleats", "vertex" or "fold-file"'
 BASED = 'based_on = "letter-fold"\n'
 
 
@@ -149,9 +150,9 @@ def test_every_key_that_a_file_has_is_known():
         ('[pattern]\nassignment = "F"', 'pattern.assignment: need letters M (mountain) and V (valley), got "F"'),
         (
             '[pattern]\nkind = "plaets"',
-            'pattern.kind: need "earwig-fan", "pleats" or "fold-file", got "plaets"; did you',
+            f'pattern.kind: need {KINDS}, got "plaets"; did you',
         ),
-        ("[pattern]\nkind = 3", 'pattern.kind: need "earwig-fan", "pleats" or "fold-file", got 3'),
+        ("[pattern]\nkind = 3", f"pattern.kind: need {KINDS}, got 3"),
         ('[creases]\nstart = "1 deg"', "creases: unknown key; did you mean crease?"),
         ('[crease]\nstifness = "1 N m/rad/m"', "crease.stifness: unknown key; did you mean crease.stiffness?"),
         ('[crease]\nstart = "9 deg"\nfold_limit = "5 deg"', "crease.start: need >= -3 deg (-crease.back_limit) and"),

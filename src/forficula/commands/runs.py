@@ -19,6 +19,7 @@ from forficula.options import (
     check_folder,
     exit_status,
     read_option,
+    read_quantity,
     read_settings,
     read_size,
     tell_replaced,
@@ -34,6 +35,9 @@ def run(
     /,
     *,
     settings: Settings = None,
+    unit: Annotated[
+        str | None, Parameter(help='Length of one unit of a FOLD file or a drawing that names none, as in "1 cm".')
+    ] = None,
     out: Annotated[OutIfGiven, Parameter(help="Folder for the results; out/<name of the design> if not given.")] = None,
     cycles: Annotated[
         int | None,
@@ -44,8 +48,14 @@ def run(
 ) -> int:
     """Take a design through its protocol: energies, work, times, a verdict, and pictures."""
     from forficula.design import load_design
+    from forficula.design.part import LENGTH
+    from forficula.pattern import PATTERN_FILES, read_pattern
 
-    chosen = load_design(design, read_settings(settings))
+    length = None if unit is None else read_quantity("--unit", unit, LENGTH)
+    if Path(design).suffix.lower() in PATTERN_FILES:
+        for remark in read_pattern(design, length)[1]:
+            print(f"{design}: {remark}", file=sys.stderr)
+    chosen = load_design(design, read_settings(settings), unit=length)
     folder = out or Path("out") / chosen.name
     check_folder(folder)
     if cycles is not None:

@@ -123,7 +123,7 @@ def mean_bar_area(triangles: CreasePattern, thickness: float, poisson: float) ->
     triangle (Filipov, Liu, Tachi, Schenk and Paulino 2017, doi 10.1016/j.ijsolstr.2017.05.028). A bar on two triangles
     has the areas of both.
     """
-    areas = sum(_areas(triangles))
+    areas = sum(facet_areas(triangles))
     tails, heads = triangles.vertices_coords[triangles.edges_vertices].transpose(1, 0, 2)
     length = float(np.linalg.norm(heads - tails, axis=1).sum())
     return 2 * areas * thickness / ((1 - poisson) * length)
@@ -140,10 +140,10 @@ def _modulus(triangles: CreasePattern, thickness: float, poisson: float, crease:
 
 def _facet_size(sheet: CreasePattern) -> float:
     """Root of the area of a facet, mean over all, m."""
-    return float(np.mean(np.sqrt(_areas(sheet))))
+    return float(np.mean(np.sqrt(facet_areas(sheet))))
 
 
-def _areas(sheet: CreasePattern) -> list[float]:
+def facet_areas(sheet: CreasePattern) -> list[float]:
     """Areas of the facets, m^2; of one that is not flat, of its projection on its own plane (Newell)."""
     areas = []
     for corners in sheet.faces_vertices:
@@ -159,7 +159,7 @@ def _bend_shares(triangles: CreasePattern) -> Array:
     stiffness (Bergou, Wardetzky, Harmon, Zorin and Grinspun 2006, doi 10.2312/SGP/SGP06/227-230): 3 D l / (A + B) by
     length.
     """
-    areas = _areas(triangles)
+    areas = facet_areas(triangles)
     ends = triangles.vertices_coords[triangles.edges_vertices]
     return np.array(
         [

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from typing import Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 from pydantic import Field, field_validator
 
@@ -13,6 +13,9 @@ from forficula.design.protocol import Protocol
 from forficula.errors import InputError
 from forficula.names import folder_name
 from forficula.quantities import show_quantity
+
+if TYPE_CHECKING:
+    from forficula.design.chosen import Choice
 
 _MOST_STEPS = 1e9
 # rows of a record times parts: some 5 GB in memory
@@ -39,8 +42,13 @@ class Design(Part):
         """Sixteen hexadecimal digits that name the values, whatever the design or its material is called."""
         return hashlib.sha256(json.dumps(self.hash_values(), sort_keys=True).encode()).hexdigest()[:16]
 
+    @property
+    def chosen(self) -> tuple[Choice, ...]:
+        """The values that a rule chooses, for they are not given; there are such of sheets."""
+        return ()
+
     def settled(self) -> Self:
-        """The design with the values that a rule chooses where none is given; there are such of sheets."""
+        """The design with the values that a rule chooses."""
         return self
 
     def hash_values(self) -> dict[str, Any]:

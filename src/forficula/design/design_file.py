@@ -16,31 +16,45 @@ from pydantic import ValidationError
 from forficula.design.design import Design
 from forficula.design.fan import FanDesign
 from forficula.design.fan_sections import MOST_UNITS
+from forficula.design.file_design import file_tables
 from forficula.design.kinds import KINDS, design_class, kind_of, reference_of
 from forficula.design.rejection import File, origin, rejected
 from forficula.design.sheet_tables import with_sheet_read
 from forficula.design.tables import RejectedError, dotted_keys, laid_over, merged, nested, numbered
-from forficula.design.tendon_tables import tendons_over, value_from_folder
+from forficula.design.tendon_tables import entries_over, tendons_over, value_from_folder
 from forficula.errors import InputError
 from forficula.files import read_toml, write_text
+from forficula.pattern import PATTERN_FILES
 from forficula.quantities import as_written
+from forficula.toml_text import with_remarks
 
 
-def load_design(name_or_path: str | Path, settings: Mapping[str, object] | None = None) -> Design:
-    """Read a named design or a design file, with some values replaced.
+def load_design(
+    name_or_path: str | Path, settings: Mapping[str, object] | None = None, *, unit: float | None = None
+) -> Design:
+    """Read a named design or a design file, or make one of a FOLD file or a drawing, with some values replaced.
 
     Args:
-        name_or_path: one of `named_designs`, or the path of a TOML file.
+        name_or_path: one of `named_designs`, or the path of a TOML file, or of one that `read_pattern` reads: what that
+            does not say is chosen.
         settings: values by dotted key or in nested tables, as in {"tendon.stiffness": "20 N/cm"} or
             {"tendon": {"stiffness": "20 N/cm"}}; text with units, as in a file.
+        unit: length of the unit of a FOLD file or a drawing that names none, m.
 
     Returns:
         The design, checked.
 
     Raises:
-        InputError: no such design or file, not TOML, an unknown key, or a value that is not allowed.
+        InputError: no such design or file, not TOML, an unknown key, a value that is not allowed, or a unit for what
+            has units of its own.
     """
-    files = _read_files(str(name_or_path))
+    path = Path(name_or_path)
+    if path.suffix.lower() in PATTERN_FILES:
+        files = [(str(name_or_path), file_tables(path, unit))]
+    elif unit is not None:
+        raise InputError(f"unit: a design has units of its own, got {unit:g} m")
+    else:
+        files = _read_files(str(name_or_path))
     tables: dict[str, Any] = {}
     try:
         for _, given in files:
@@ -79,10 +93,12 @@ def save_design(design: Design, path: str | os.PathLike[str]) -> None:
 
 
 def design_text(design: Design) -> str:
-    """Every value of a design as TOML."""
-    tables = design.as_tables()
+    """Every value of a design as TOML; those that a rule chooses are marked, with the reason."""
+    tables = design.settled().as_tables()
     # what is built, then what is done to it
-    return tomli_w.dumps({name: tables[name] for name in sorted(tables, key=lambda name: name == "protocol")})
+    text = tomli_w.dumps({name: tables[name] for name in sorted(tables, key=lambda name: name == "protocol")})
+    reasons = {f"{choice.section}.{choice.key}": f"[chosen] {choice.reason}" for choice in design.chosen}
+    return with_remarks(text, reasons) if reasons else text
 
 
 def design_from_text(text: str) -> Design:
@@ -148,8 +164,7 @@ def _over(
     if "tendon" not in own:
         return both
     if not issubclass(design_class(both), FanDesign):
-        whole: dict[str, Any] = lay(tables, own)
-        return whole
+        return {**both, "tendon": entries_over(tables.get("tendon"), own["tendon"], si=si)}
     pattern = both.get("pattern")
     units = pattern.get("units") if isinstance(pattern, dict) else None
     veins = 2 * units + 1 if isinstance(units, int) and 0 < units <= MOST_UNITS else 0

@@ -6,13 +6,26 @@ from collections.abc import Mapping
 
 from forficula.design.design import Design
 from forficula.design.fan import FanDesign
-from forficula.design.sheet_kinds import FoldFileDesign, PleatsDesign
+from forficula.design.sheet_kinds import (
+    FoldFileDesign,
+    KreslingDesign,
+    MiuraDesign,
+    PleatsDesign,
+    VertexDesign,
+    WaterbombDesign,
+    YoshimuraDesign,
+)
 from forficula.design.tables import RejectedError
 from forficula.names import one_of
 
 KINDS: Mapping[str, type[Design]] = {
     "earwig-fan": FanDesign,
+    "miura-ori": MiuraDesign,
+    "waterbomb": WaterbombDesign,
+    "yoshimura": YoshimuraDesign,
+    "kresling": KreslingDesign,
     "pleats": PleatsDesign,
+    "vertex": VertexDesign,
     "fold-file": FoldFileDesign,
 }
 # by kind, a named design to begin with

@@ -12,9 +12,9 @@ from pydantic.fields import FieldInfo
 
 from forficula.design.design import Design
 from forficula.design.design_file import load_design
+from forficula.design.file_pattern import FoldFile
 from forficula.design.kinds import KINDS, REFERENCES
 from forficula.design.part import Part, entry_part, field_quantity
-from forficula.design.sheet_patterns import FoldFile
 from forficula.design.tendon import TendonSection
 from forficula.errors import InputError
 from forficula.files import write_text

@@ -2,8 +2,33 @@
 
 from __future__ import annotations
 
+from forficula.design.file_pattern import FoldFile
 from forficula.design.sheet import SheetDesign
-from forficula.design.sheet_patterns import FoldFile, Pleats
+from forficula.design.sheet_patterns import Kresling, MiuraOri, Pleats, Vertex, Waterbomb, Yoshimura
+
+
+class MiuraDesign(SheetDesign):
+    """A Miura sheet, and what is done to it."""
+
+    pattern: MiuraOri
+
+
+class WaterbombDesign(SheetDesign):
+    """A waterbomb, or a sheet of them, and what is done to it."""
+
+    pattern: Waterbomb
+
+
+class YoshimuraDesign(SheetDesign):
+    """A sheet or a tube of diamonds, and what is done to it."""
+
+    pattern: Yoshimura
+
+
+class KreslingDesign(SheetDesign):
+    """A Kresling tower, and what is done to it."""
+
+    pattern: Kresling
 
 
 class PleatsDesign(SheetDesign):
@@ -12,7 +37,13 @@ class PleatsDesign(SheetDesign):
     pattern: Pleats
 
 
+class VertexDesign(SheetDesign):
+    """One vertex with the facets around it, and what is done to it."""
+
+    pattern: Vertex
+
+
 class FoldFileDesign(SheetDesign):
-    """A sheet that a FOLD file describes, and what is done to it."""
+    """A sheet that a file holds, and what is done to it."""
 
     pattern: FoldFile

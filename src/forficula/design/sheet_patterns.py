@@ -1,21 +1,164 @@
-"""Sections of a sheet's design for its pattern: a strip of pleats, and what a file holds."""
+"""Sections of a sheet's design for patterns that are drawn by a formula, one for each kind."""
 
 from __future__ import annotations
 
 import math
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
-import numpy as np
 from pydantic import Field, model_validator
 
 from forficula.design.part import ANGLE, LENGTH, Part, quantity
 from forficula.errors import InputError
-from forficula.pattern import CreasePattern, pleat_pattern
+from forficula.pattern import (
+    CreasePattern,
+    kresling_pattern,
+    miura_pattern,
+    pleat_pattern,
+    vertex_pattern,
+    waterbomb_base,
+    waterbomb_pattern,
+    yoshimura_pattern,
+    yoshimura_tube,
+)
 from forficula.quantities import as_written
 
 _MOST_PANELS = 1000
-# where an edge folds to by its letter, rad
-FOLDED = {"M": -math.pi, "V": math.pi, "F": 0.0}
+# along either side of a sheet: a hundred thousand facets take minutes to draw
+_MOST = 300
+
+
+def _count(description: str, least: int = 1) -> Any:
+    """A whole number that must be given."""
+    return Field(strict=True, ge=least, le=_MOST, description=description)
+
+
+class MiuraOri(Part):
+    """The sheet: parallelograms in rows, every second one mirrored, which fold all at once."""
+
+    kind: Annotated[Literal["miura-ori"], Field(description="the family of crease patterns")]
+    columns: int = _count("of parallelograms, across the straight creases")
+    rows: int = _count("of parallelograms, across the zigzag creases")
+    long_side: float = quantity(LENGTH, "of a parallelogram, along the straight creases", above=0)
+    short_side: float = quantity(LENGTH, "of a parallelogram, along the zigzag creases", above=0)
+    acute_angle: float = quantity(ANGLE, "of a parallelogram", above=0, below=math.pi / 2, examples=["60 deg"])
+    fold: float = quantity(
+        ANGLE, "fold angle of the zigzag creases as built; 0 deg is flat", default=0.0, at_least=0, below=math.pi
+    )
+
+    @property
+    def sheet(self) -> CreasePattern:
+        """The crease pattern."""
+        return miura_pattern(self.columns, self.rows, self.long_side, self.short_side, self.acute_angle, self.fold)
+
+
+class Waterbomb(Part):
+    """The sheet: a waterbomb base, which snaps, or with columns and rows a flat sheet of waterbombs."""
+
+    kind: Annotated[Literal["waterbomb"], Field(description="the family of crease patterns")]
+    side: float = quantity(LENGTH, "of a square", above=0)
+    columns: Annotated[
+        int | None, Field(strict=True, ge=1, le=_MOST, description="of squares; with rows", examples=[4])
+    ] = None
+    rows: Annotated[
+        int | None, Field(strict=True, ge=1, le=_MOST, description="of squares; with columns", examples=[4])
+    ] = None
+    fold: float = quantity(
+        ANGLE, "of the base: fold angle of its diagonals as built", default=0.0, at_least=0, below=math.pi
+    )
+    apex: Annotated[
+        Literal["up", "down"], Field(description="of the base: whether its centre stands above its rim as built")
+    ] = "up"
+
+    @model_validator(mode="after")
+    def _base_or_sheet(self) -> Waterbomb:
+        if (self.columns is None) != (self.rows is None):
+            raise InputError("pattern.columns: need columns and rows for a sheet, neither for a base, got one of them")
+        if self.columns is not None and (self.fold or self.apex != "up"):
+            raise InputError("pattern.fold: is for the base; a sheet of waterbombs is built flat")
+        return self
+
+    @property
+    def sheet(self) -> CreasePattern:
+        """The crease pattern."""
+        if self.columns is None or self.rows is None:
+            return waterbomb_base(self.side, self.fold, self.apex)
+        return waterbomb_pattern(self.columns, self.rows, self.side)
+
+
+class Yoshimura(Part):
+    """The sheet: diamonds, flat, rolled up, or as a closed tube."""
+
+    kind: Annotated[Literal["yoshimura"], Field(description="the family of crease patterns")]
+    columns: int = _count("of triangles on every line, around the roll")
+    rows: int = _count("of triangles, along the roll")
+    base: float = quantity(LENGTH, "of a triangle", above=0)
+    height: float = quantity(LENGTH, "of a triangle over its base", above=0)
+    fold: float = quantity(
+        ANGLE, "fold angle of the bases as built; 0 deg is flat", default=0.0, at_least=0, below=math.pi
+    )
+    closed: Annotated[bool, Field(strict=True, description="whether it is a tube, which closes by itself")] = False
+
+    @model_validator(mode="after")
+    def _rolled_once(self) -> Yoshimura:
+        if self.closed and self.fold:
+            raise InputError("pattern.fold: is for an open sheet; how far a closed tube is folded follows from columns")
+        return self
+
+    @property
+    def sheet(self) -> CreasePattern:
+        """The crease pattern."""
+        if self.closed:
+            return yoshimura_tube(self.columns, self.rows, self.base, self.height)
+        return yoshimura_pattern(self.columns, self.rows, self.base, self.height, self.fold)
+
+
+class Kresling(Part):
+    """The sheet: a twisted tower of triangles between polygons, as it stands."""
+
+    kind: Annotated[Literal["kresling"], Field(description="the family of crease patterns")]
+    sides: int = _count("of every polygon", least=3)
+    layers: int = Field(default=1, strict=True, ge=1, le=_MOST, description="one above another")
+    radius: float = quantity(LENGTH, "of the circle through the corners of a polygon", above=0)
+    height: float = quantity(LENGTH, "of a layer", above=0)
+    twist: float = quantity(ANGLE, "by which a polygon is turned against the one below", above=-math.pi, below=math.pi)
+    alternating: Annotated[
+        bool, Field(strict=True, description="whether every second layer is twisted the other way")
+    ] = False
+    end_plates: Annotated[bool, Field(strict=True, description="whether polygons close it below and above")] = False
+
+    @property
+    def sheet(self) -> CreasePattern:
+        """The crease pattern."""
+        return kresling_pattern(
+            self.sides, self.layers, self.radius, self.height, self.twist, self.alternating, self.end_plates
+        )
+
+
+class Vertex(Part):
+    """The sheet: one vertex with triangles around it, which may add up to 360 deg or not."""
+
+    kind: Annotated[Literal["vertex"], Field(description="the family of crease patterns")]
+    sectors: tuple[float, ...] = quantity(
+        ANGLE, "angles between neighbouring creases, counterclockwise", above=0, below=math.pi
+    )
+    lengths: tuple[float, ...] = quantity(LENGTH, "of the creases, one for all or one for each", above=0)
+    assignment: Annotated[
+        str, Field(description="M, V, F or U for every crease; without it as the vertex is built")
+    ] = ""
+    fold: float | None = quantity(
+        ANGLE,
+        "of four creases: fold angle of the first one as built; without it flat, a cone or a saddle",
+        default=None,
+        at_least=0,
+        at_most=math.pi,
+        examples=["30 deg"],
+    )
+
+    @property
+    def sheet(self) -> CreasePattern:
+        """The crease pattern."""
+        lengths = self.lengths[0] if len(self.lengths) == 1 else self.lengths
+        return vertex_pattern(self.sectors, lengths, self.assignment, self.fold)
 
 
 class Pleats(Part):
@@ -54,76 +197,4 @@ class Pleats(Part):
             [lengths[panel % len(lengths)] for panel in range(self.panels)],
             self.width,
             "".join(letters[crease % len(letters)] for crease in range(self.panels - 1)),
-        )
-
-
-Whole = Annotated[int, Field(strict=True)]
-
-
-class FoldFile(Part):
-    """The sheet: as a FOLD file has it."""
-
-    kind: Annotated[Literal["fold-file"], Field(description="where the pattern comes from")]
-    path: Annotated[
-        str | None,
-        Field(description="of the FOLD file, from the design file on; what it holds is kept", examples=["sheet.fold"]),
-    ] = None
-    unit: float | None = quantity(
-        LENGTH, "length of the file's unit where it names none", default=None, above=0, examples=["1 cm"]
-    )
-    frame: Annotated[
-        Whole | str | None,
-        Field(description="number, title or class of its frame", examples=[0]),
-    ] = None
-    title: Annotated[str, Field(description="what the sheet is")] = ""
-    vertices_x: tuple[float, ...] = quantity(LENGTH, "x of every vertex as built", default=())
-    vertices_y: tuple[float, ...] = quantity(LENGTH, "y of every vertex", default=())
-    vertices_z: tuple[float, ...] = quantity(LENGTH, "z of every vertex; 0 if not given", default=())
-    edges: Annotated[tuple[tuple[Whole, Whole], ...], Field(description="the two vertices of every edge")] = ()
-    assignment: Annotated[str, Field(description="letter of every edge: B, M, V, F or C")] = ""
-    roles: Annotated[tuple[str, ...], Field(description="what every edge is called with others of its kind")] = ()
-    facets: Annotated[tuple[tuple[Whole, ...], ...], Field(description="the vertices of every facet")] = ()
-    fold_angles: tuple[float | str, ...] = quantity(
-        ANGLE,
-        'where every edge folds to, valley positive, or "none"; without it V to 180 deg, M to -180 deg',
-        default=(),
-        words=("none",),
-        at_least=-math.pi,
-        at_most=math.pi,
-    )
-
-    @model_validator(mode="after")
-    def _is_a_sheet(self) -> FoldFile:
-        if not self.vertices_x:
-            raise InputError('pattern.path: is missing; name a FOLD file, as in path = "sheet.fold"')
-        for key, given, rule in (
-            ("vertices_y", self.vertices_y, self.vertices_x),
-            ("vertices_z", self.vertices_z, self.vertices_x),
-            ("fold_angles", self.fold_angles, self.assignment),
-        ):
-            if len(given) != len(rule) and (given or key == "vertices_y"):
-                other = "assignment" if key == "fold_angles" else "vertices_x"
-                raise InputError(f"pattern.{key}: need {len(rule)} entries, as pattern.{other} has, got {len(given)}")
-        try:
-            _ = self.sheet
-        except InputError as error:
-            raise InputError(f"pattern: {error}") from None
-        return self
-
-    @property
-    def sheet(self) -> CreasePattern:
-        """The crease pattern."""
-        return CreasePattern(
-            title=self.title,
-            vertices_coords=np.column_stack(
-                [self.vertices_x, self.vertices_y, self.vertices_z or np.zeros(len(self.vertices_x))]
-            ),
-            edges_vertices=np.array(self.edges, dtype=np.int64).reshape(-1, 2),
-            edges_assignment=tuple(self.assignment),
-            edges_fold_angle=np.array(
-                [math.nan if isinstance(angle, str) else angle for angle in self.fold_angles]
-                or [FOLDED.get(letter, math.nan) for letter in self.assignment]
-            ),
-            edges_role=self.roles,
-            faces_vertices=self.facets,
         )

@@ -1,4 +1,4 @@
-"""The sheet of a FOLD file in the tables of a design: read from where it is named, kept as what it holds."""
+"""The sheet of a file in the tables of a design: read from where it is named, kept as what it holds."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ from typing import Any
 
 import numpy as np
 
+from forficula.design.file_pattern import FOLDED
 from forficula.design.part import ANGLE, LENGTH
-from forficula.design.sheet_patterns import FOLDED
 from forficula.errors import InputError
-from forficula.pattern import CreasePattern, read_fold
+from forficula.pattern import CreasePattern, read_pattern
 from forficula.quantities import format_quantity, parse_quantity
 
 # keys that name a file, in place of which stands what it holds
-_OF_THE_FILE = ("path", "unit", "frame")
+_OF_THE_FILE = ("path", "unit", "tolerance", "frame")
 
 
 def with_sheet_read(tables: Mapping[str, Any], *, folder: Path | None = None) -> dict[str, Any]:
-    """Replace the path of a FOLD file by what the file holds, so that a design says all by itself.
+    """Replace the path of a FOLD file or a drawing by what the file holds, so that a design says all by itself.
 
     Args:
         tables: of a design file, or values by dotted key.
@@ -42,14 +42,16 @@ def with_sheet_read(tables: Mapping[str, Any], *, folder: Path | None = None) ->
 
 
 def _sheet(named: Mapping[str, Any], folder: Path | None) -> dict[str, Any]:
-    """What a file holds, by its path, the length of its unit, and its frame."""
+    """What a file holds, by its path, the length of its unit, how near lines must be to meet, and its frame."""
     file = Path(named["path"]) if folder is None else folder / named["path"]
+    lengths: dict[str, float | None] = {}
+    for key in ("unit", "tolerance"):
+        try:
+            lengths[key] = None if named[key] is None else parse_quantity(named[key], LENGTH)
+        except InputError as error:
+            raise InputError(f"pattern.{key}: {error}") from None
     try:
-        unit = None if named["unit"] is None else parse_quantity(named["unit"], LENGTH)
-    except InputError as error:
-        raise InputError(f"pattern.unit: {error}") from None
-    try:
-        pattern = read_fold(file, unit, named["frame"])
+        pattern, _ = read_pattern(file, lengths["unit"], frame=named["frame"], tolerance=lengths["tolerance"])
     except InputError as error:
         raise InputError(f"pattern.path: {error}") from None
     return sheet_values(pattern) | {"title": pattern.title or file.stem}

@@ -1,9 +1,9 @@
-"""The section of a design for a tendon, and the law that it comes to."""
+"""The sections of a design for tendons, and the law that they come to."""
 
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Field, model_validator
 
@@ -25,11 +25,11 @@ _ROUNDING = 1e-9
 _OFF_THE_BARS = ("proximal_offset", "distal_offset", "proximal_aside", "distal_aside")
 
 
-class TendonSection(Part):
-    """The elastic patch across each distal hinge."""
+class ElasticTendon(Part):
+    """What pulls: a spring with a damper, or the law of a material."""
 
-    heading: ClassVar[str] = "Tendons"
-    numbered_by: ClassVar[str] = "vein"
+    # keys that one without a law must have
+    needed: ClassVar[tuple[str, ...]] = ("stiffness", "damping")
 
     stiffness: float | None = quantity(
         STIFFNESS, "force by extension beyond the resting length", default=None, at_least=0
@@ -38,16 +38,6 @@ class TendonSection(Part):
     damping: float | None = quantity(
         TENDON_DAMPING, "viscous damping, which works at any length, slack or taut", default=None, at_least=0
     )
-    proximal_attachment: float = quantity(LENGTH, "distance of its end on the proximal bar from the ring fold", above=0)
-    distal_attachment: float = quantity(LENGTH, "distance of its end on the distal bar from the ring fold", above=0)
-    proximal_offset: float = quantity(
-        LENGTH, "how far that end stands off the proximal bar's axis, towards the overbend side", default=0.0
-    )
-    distal_offset: float = quantity(LENGTH, "alike, of its end on the distal bar", default=0.0)
-    proximal_aside: float = quantity(
-        LENGTH, "how far its end on the proximal bar lies beside the bar's axis, towards the next vein", default=0.0
-    )
-    distal_aside: float = quantity(LENGTH, "alike, of its end on the distal bar", default=0.0)
     area: float | None = quantity(AREA, "cross-section; only with a law", default=None, above=0)
     law: Annotated[
         LawSection | None,
@@ -58,14 +48,14 @@ class TendonSection(Part):
     ] = None
 
     @model_validator(mode="after")
-    def _spring_or_law(self) -> TendonSection:
+    def _spring_or_law(self) -> Self:
         """Keep the law alone where stiffness and damping are given, too, and agree with it."""
         if self.law is None:
             if self.area is not None:
                 raise InputError(
                     "area: needs tendon.law, which gives force by area; give a law, too, or tendon.stiffness instead"
                 )
-            for key in _FOLLOWING:
+            for key in self.needed:
                 if getattr(self, key) is None:
                     raise InputError(f"{key}: is missing")
             return self
@@ -86,11 +76,32 @@ class TendonSection(Part):
 
     def hash_values(self) -> dict[str, Any]:
         """The values that tell it from others, with the stiffness and the damping that follow from a law."""
-        values = super().hash_values() | small_extension(self)
-        return {key: value for key, value in values.items() if value or key not in _OFF_THE_BARS}
+        return super().hash_values() | small_extension(self)
 
 
-def tendon_law(tendon: TendonSection) -> TendonLaw:
+class TendonSection(ElasticTendon):
+    """The elastic patch across each distal hinge."""
+
+    heading: ClassVar[str] = "Tendons"
+    numbered_by: ClassVar[str] = "vein"
+
+    proximal_attachment: float = quantity(LENGTH, "distance of its end on the proximal bar from the ring fold", above=0)
+    distal_attachment: float = quantity(LENGTH, "distance of its end on the distal bar from the ring fold", above=0)
+    proximal_offset: float = quantity(
+        LENGTH, "how far that end stands off the proximal bar's axis, towards the overbend side", default=0.0
+    )
+    distal_offset: float = quantity(LENGTH, "alike, of its end on the distal bar", default=0.0)
+    proximal_aside: float = quantity(
+        LENGTH, "how far its end on the proximal bar lies beside the bar's axis, towards the next vein", default=0.0
+    )
+    distal_aside: float = quantity(LENGTH, "alike, of its end on the distal bar", default=0.0)
+
+    def hash_values(self) -> dict[str, Any]:
+        """The values that tell it from others, with the stiffness and the damping that follow from a law."""
+        return {key: value for key, value in super().hash_values().items() if value or key not in _OFF_THE_BARS}
+
+
+def tendon_law(tendon: ElasticTendon) -> TendonLaw:
     """The law of a tendon, in its units, whatever they are; linear, with linear damping, where it names no material.
 
     Raises:
@@ -105,7 +116,7 @@ def tendon_law(tendon: TendonSection) -> TendonLaw:
     )
 
 
-def small_extension(tendon: TendonSection) -> dict[str, float]:
+def small_extension(tendon: ElasticTendon) -> dict[str, float]:
     """Stiffness and damping of a tendon where it is hardly stretched: with a law E1 A / L and eta1 A / L."""
     if tendon.law is None:
         return {"stiffness": tendon.stiffness or 0.0, "damping": tendon.damping or 0.0}

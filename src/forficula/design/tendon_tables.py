@@ -11,8 +11,9 @@ from pydantic import ValidationError
 from forficula.design.fan_sections import MOST_UNITS
 from forficula.design.law import law_tables, tendon_material
 from forficula.design.part import field_quantity
-from forficula.design.tables import RejectedError, laid_over, written_key
-from forficula.design.tendon import TendonSection, small_extension
+from forficula.design.sheet_tendon import SheetTendon
+from forficula.design.tables import RejectedError, entry_index, laid_over, written_key
+from forficula.design.tendon import ElasticTendon, TendonSection, small_extension
 from forficula.errors import InputError
 from forficula.material.law.material_law import MaterialLaw
 from forficula.quantities import as_written, format_quantity
@@ -108,14 +109,49 @@ def tendons_over(below: object, own: object, *, veins: int, si: bool) -> object:
     return _as_list(entries)
 
 
-def tendon_over(below: object, own: Mapping[str, Any], vein: str, *, si: bool) -> dict[str, Any]:
+def entries_over(below: object, own: object, *, si: bool) -> object:
+    """Lay the tendons of a sheet over those below: a list in place of them, a number or a name over one of them.
+
+    Args:
+        below: the value of the key `tendon` so far, a list of tables, or None.
+        own: what is laid over it.
+        si: whether numbers are SI floats instead of text.
+
+    Raises:
+        RejectedError: there is no such tendon, or what is laid over it cannot be.
+    """
+    if isinstance(own, list):
+        return [
+            tendon_over({}, entry, f"{number}", si=si, model=SheetTendon) if isinstance(entry, dict) else entry
+            for number, entry in enumerate(own)
+        ]
+    if not isinstance(own, dict) or not isinstance(below, list):
+        return laid_over(below, own, ("tendon",))
+    entries = list(below)
+    for text, value in own.items():
+        try:
+            number = entry_index(("tendon",), text, below, list(value)[:1] if isinstance(value, dict) else ())
+        except InputError as error:
+            raise RejectedError(("tendon", text), str(error)) from None
+        entries[number] = (
+            tendon_over(entries[number], value, f"{number}", si=si, model=SheetTendon)
+            if isinstance(value, dict)
+            else value
+        )
+    return entries
+
+
+def tendon_over(
+    below: object, own: Mapping[str, Any], vein: str, *, si: bool, model: type[ElasticTendon] = TendonSection
+) -> dict[str, Any]:
     """Lay a tendon's values over those below: a spring takes off a law, a law a spring.
 
     Args:
         below: the table so far; what is none counts as empty.
         own: what is laid over it; with "none" for a law the tendon keeps the spring that it had at small extension.
-        vein: number of its vein; empty for a table that stands for all.
+        vein: number of its vein, or of its entry; empty for a table that stands for all.
         si: whether numbers are SI floats instead of text.
+        model: its section.
 
     Raises:
         RejectedError: a law that cannot be read, a vein, or a key that goes on where there is a value.
@@ -123,17 +159,17 @@ def tendon_over(below: object, own: Mapping[str, Any], vein: str, *, si: bool) -
     place = ("tendon", vein) if vein else ("tendon",)
     table = dict(below) if isinstance(below, dict) else {}
     own = dict(own)
-    if "vein" in own:
+    if "vein" in own and model is TendonSection:
         rule = "unknown key; a tendon of one vein stands under [[tendon]], where it names its vein"
         raise RejectedError((*place, "vein"), f"{written_key((*place, 'vein'))}: {rule}")
     if own.get("law") == NO_LAW:
-        table = _without_law(table, si=si)
+        table = _without_law(table, si=si, model=model)
         del own["law"]
     elif "law" in own:
         own["law"] = _law_over(table.get("law"), own["law"], (*place, "law"), si=si)
         table = _but(table, "law", "stiffness", "damping")
     elif "law" in table and "stiffness" in own:
-        table = _without_law(table, si=si)
+        table = _without_law(table, si=si, model=model)
     elif "law" in table and {"area", "rest_length"} & own.keys():
         # of a file that holds both: they follow from what changes
         table = _but(table, "stiffness", "damping")
@@ -159,17 +195,17 @@ def _law_over(below: object, own: object, place: tuple[str, ...], *, si: bool) -
     return laid_over(table, own, place)
 
 
-def _without_law(table: dict[str, Any], *, si: bool) -> dict[str, Any]:
+def _without_law(table: dict[str, Any], *, si: bool, model: type[ElasticTendon]) -> dict[str, Any]:
     """A tendon's table with its spring and damping at small extension instead of its law, if it is a right one."""
     rest = _but(table, "law", "area")
     if "law" not in table:
         return rest
     try:
-        tendon = TendonSection.model_validate(table, context={"si": si})
+        tendon = model.model_validate(table, context={"si": si})
     except ValidationError:  # whoever checks what is left says what is wrong with it
         return rest
     for key, value in small_extension(tendon).items():
-        reader = field_quantity(TendonSection.model_fields[key])
+        reader = field_quantity(model.model_fields[key])
         rest[key] = value if si or reader is None else format_quantity(value, reader.unit)
     return rest
 

@@ -6,11 +6,10 @@ import numpy as np
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import dijkstra
 
-from forficula.design import SheetDesign
+from forficula.design import SheetDesign, tendon_law
 from forficula.design.crease_values import creases_by_edge, rest_angle, stops
 from forficula.design.sheet_creases import crease_role, crease_sense
 from forficula.errors import InputError
-from forficula.material.law.tendon_law import TendonLaw
 from forficula.pattern import CreasePattern
 from forficula.pattern.shared_edges import shared_edges
 from forficula.structure.appearance import Appearance
@@ -232,13 +231,10 @@ def _tendons(design: SheetDesign, sheet: CreasePattern, nodes: SheetNodes) -> tu
             name=chosen.name,
             role="tendon",
             points=pair,
-            law=TendonLaw(
-                rest_length=chosen.rest_length,
-                stiffness=(chosen.stiffness, 0.0, 0.0),
-                damping=(chosen.damping, 0.0, 0.0),
-            ),
+            law=tendon_law(chosen),
             longest=float(way[pair[1]]),
             gauge_length=chosen.rest_length,
+            material=None if chosen.law is None else chosen.law.material,
             key=f"tendon.{number}",
         )
         for number, (chosen, pair, way) in enumerate(zip(design.tendon, ends, ways, strict=True))

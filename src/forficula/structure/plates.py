@@ -7,12 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from forficula.design import SheetDesign
+from forficula.design import SheetDesign, tendon_law
 from forficula.design.crease_values import creases_by_edge, rest_angle, stops
 from forficula.design.sheet_creases import crease_role, crease_sense
 from forficula.design.sheet_places import SheetPlace, place_on
 from forficula.errors import InputError
-from forficula.material.law.tendon_law import TendonLaw
 from forficula.pattern import CreasePattern, FacetLink, edges_between, facet_tree
 from forficula.structure.appearance import Appearance
 from forficula.structure.crossing import tendon_crossing
@@ -64,13 +63,10 @@ def plate_structure(design: SheetDesign) -> Structure:
                     add(f"tendon_{chosen.name}_from", "attachment", ends[0]),
                     add(f"tendon_{chosen.name}_to", "attachment", ends[1]),
                 ),
-                law=TendonLaw(
-                    rest_length=chosen.rest_length,
-                    stiffness=(chosen.stiffness, 0.0, 0.0),
-                    damping=(chosen.damping, 0.0, 0.0),
-                ),
+                law=tendon_law(chosen),
                 longest=_longest(pattern, ends, crossed),
                 gauge_length=chosen.rest_length,
+                material=None if chosen.law is None else chosen.law.material,
                 key=f"tendon.{place}",
             )
         )

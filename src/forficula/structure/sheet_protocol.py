@@ -19,6 +19,8 @@ from forficula.structure.goals import distances_of, drive_of, goal_of
 from forficula.structure.sheet_nodes import node_of, sheet_nodes
 from forficula.structure.structure import Structure
 
+# rad; a crease this near to its target is there
+_NO_WAY = 1e-9
 # keys that matter to where plates rest beside those of their tendons
 _STATIC_KEYS = ("pattern", "crease", "support", "measure", "protocol.stages", "protocol.gravity")
 
@@ -165,9 +167,11 @@ def _rest_angles(
         return Motor(name=drive.name, kind="rest-angle", hinges=tuple(hinges)), 0.0
     targets = target_angles(structure, design)
     ways = {hinge: targets[hinge] - structure.hinges[hinge].rest_angle for hinge in hinges if hinge in targets}
-    largest = max(map(abs, ways.values()), default=0.0)
-    gains = tuple(way / largest if largest else 0.0 for way in ways.values())
-    return Motor(name=drive.name, kind="rest-angle", hinges=tuple(ways), gains=gains), largest
+    furthest = max(map(abs, ways.values()), default=0.0)
+    if furthest <= _NO_WAY:
+        return Motor(name=drive.name, kind="rest-angle", hinges=tuple(ways)), 0.0
+    gains = tuple(way / furthest for way in ways.values())
+    return Motor(name=drive.name, kind="rest-angle", hinges=tuple(ways), gains=gains), furthest
 
 
 def target_angles(structure: Structure, design: SheetDesign) -> dict[int, float]:
