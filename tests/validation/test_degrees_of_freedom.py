@@ -31,7 +31,7 @@ def test_miura_sheets_have_as_many_mechanisms_as_were_measured(size, flat):
 
 @pytest.mark.parametrize(("columns", "rows"), [(2, 2), (3, 5), (7, 4)])
 def test_each_vertex_of_a_flat_sheet_takes_two_freedoms_and_leaves_one_stress(columns, rows):
-    """Fold rates as vectors along the creases add up to 0 in the plane: two equations of three, Belcastro, Hull 2002."""
+    """Fold rates as vectors along creases add up to 0 in the plane: two equations of three, Belcastro, Hull 2002."""
     found, inside = rigidity(sheet(columns, rows)), (columns - 1) * (rows - 1)
     assert found.mechanisms == creases_of(sheet(columns, rows)) - 2 * inside
     assert found.self_stress == inside
