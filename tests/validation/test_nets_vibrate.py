@@ -18,9 +18,7 @@ def test_a_tight_string_of_masses_has_lagranges_frequencies(count):
     nodes = np.zeros((count + 2, 3))
     nodes[:, 0] = apart * np.arange(count + 2)
     bars = np.stack((np.arange(count + 1), np.arange(1, count + 2)), axis=1)
-    net = truss(
-        nodes, bars, stiffness=stiffness, rest=rest, held=[0, count + 1], masses=np.full(count + 2, mass)
-    )
+    net = truss(nodes, bars, stiffness=stiffness, rest=rest, held=[0, count + 1], masses=np.full(count + 2, mass))
     shares = 2 * np.sin(np.arange(1, count + 1) * np.pi / (2 * (count + 1)))
     tension = stiffness * (apart - rest)
     across, along = np.sqrt(tension / (mass * apart)) * shares, np.sqrt(stiffness / mass) * shares
@@ -35,9 +33,7 @@ def test_a_free_tetrahedron_has_six_motions_of_the_whole_and_the_frequencies_of_
     nodes = np.array([(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)])
     net = truss(nodes, list(combinations(range(4), 2)), stiffness=3.0, masses=np.full(4, 0.5))
     modes = natural_modes(net, built_shape(net), 12)
-    np.testing.assert_allclose(
-        (2 * np.pi * modes.frequencies[6:]) ** 2, np.array([1, 1, 2, 2, 2, 4]) * 6.0, rtol=1e-9
-    )
+    np.testing.assert_allclose((2 * np.pi * modes.frequencies[6:]) ** 2, np.array([1, 1, 2, 2, 2, 4]) * 6.0, rtol=1e-9)
     assert list(modes.rigid) == [True] * 6 + [False] * 6
     np.testing.assert_allclose(modes.frequencies[:6], 0, atol=1e-6)
 

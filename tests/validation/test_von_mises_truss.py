@@ -1,4 +1,4 @@
-"""Von Mises' truss: two bars between supports, in closed form (von Mises 1923, doi 10.1002/zamm.19230030302)."""
+"""Von Mises' truss: two bars between supports, in closed form (von Mises 1923, ZAMM 3, 406-422)."""
 
 from dataclasses import replace
 
@@ -70,9 +70,7 @@ def test_a_displacement_leads_through_without_a_limit():
 def test_a_soft_spring_in_series_snaps_back_under_displacement():
     height, soft = 0.3, 30.0
     nodes = [[-HALF, 0, 0], [0, 0, height], [HALF, 0, 0], [0, 0, 2.0]]
-    net = truss(
-        nodes, [[0, 1], [1, 2], [1, 3]], stiffness=[STIFFNESS, STIFFNESS, soft], held=[0, 2, 3, (1, 0), (1, 1)]
-    )
+    net = truss(nodes, [[0, 1], [1, 2], [1, 3]], stiffness=[STIFFNESS, STIFFNESS, soft], held=[0, 2, 3, (1, 0), (1, 1)])
     move = np.zeros((4, 3))
     move[3] = DOWN
     path = load_path(net, built_shape(net), held_displacements(net, move), step=0.02, increments=60)
@@ -103,6 +101,23 @@ def test_a_tall_truss_leaves_sideways_first():
     assert event.kind == "bifurcation"
     assert event.point.factor == pytest.approx(force(height, z), rel=1e-5)
     np.testing.assert_allclose(event.mode[1], (1, 0, 0), atol=1e-6)
+
+    for sense in (1, -1):
+        aside = load_path(
+            net,
+            event.point.shape,
+            point_forces(net, APEX, DOWN),
+            factor=event.point.factor,
+            way=sense * event.mode,
+            increments=20,
+        )
+        for point in aside.points[1:]:
+            x, _, z = point.shape.positions[1]
+            assert sense * x > 0
+            lengths = np.hypot(x + HALF, z), np.hypot(x - HALF, z)
+            pulls = [STIFFNESS * (rest / length - 1) for length in lengths]
+            assert pulls[0] * (x + HALF) + pulls[1] * (x - HALF) == pytest.approx(0, abs=1e-8)
+            assert sum(pulls) * z == pytest.approx(point.factor, abs=1e-8)
 
 
 def test_two_states_lie_on_either_side_of_the_saddle_of_straight_bars():

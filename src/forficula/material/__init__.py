@@ -1,4 +1,5 @@
 from forficula.material.fit.fit import Candidate, LawFit, Residual, fit_law
+from forficula.material.law.crease_law import CreaseLaw
 from forficula.material.law.drift import Drift, fit_drift
 from forficula.material.law.law_cycle import change_at_cycle, drifts_of, law_at_cycle, stretched_before
 from forficula.material.law.law_file import law_text, law_values, load_law, named_laws, save_law
@@ -28,6 +29,7 @@ __all__ = [
     "Bounds",
     "Branch",
     "Candidate",
+    "CreaseLaw",
     "Cycle",
     "CycleDrift",
     "CycleMedians",

@@ -65,13 +65,13 @@ class CreaseLaw:
         bent = linear - self.rest_angle
         energy = self.stiffness * (bent**2 / 2 + bent * (angle - linear))
         for room, share in self._locked(angle):
-            with np.errstate(divide="ignore"):
-                energy = energy - self.stiffness * (2 * room / np.pi) ** 2 * np.log(np.cos(np.pi / 2 * share))
+            locked = -self.stiffness * (2 * room / np.pi) ** 2 * np.log(np.cos(np.pi / 2 * share))
+            energy = energy + np.where(share < 1, locked, np.inf)
         below, above = self._stopped(angle)
         return np.asarray(energy + np.asarray(self.stop_stiffness) * (below**2 + above**2) / 2)
 
     def moment(self, angle: ArrayLike) -> Array:
-        """Slope of the energy, N m, in the shape of `angle` (rad)."""
+        """Slope of the energy, N m, in the shape of `angle` (rad); huge, not infinite, at contact and beyond."""
         angle = np.asarray(angle, dtype=np.float64)
         moment = self.stiffness * (np.clip(angle, self.lock_below, self.lock_above) - self.rest_angle)
         for side, (room, share) in zip((-1, 1), self._locked(angle), strict=True):
