@@ -23,6 +23,8 @@ _QUICK = 4  # corrections after which the next increment may be longer
 _HOME = 1e-7  # last correction, of an increment
 _ASTRAY = 0.5  # longest way aside, of an increment
 _SHORTEST = 1e-5  # increment, of the first one
+_CORNER = 1e-2  # increment, of the first one, below which a corner is looked for
+_ALIGNED = 0.9  # cosine of the ways before and after it
 _HALVINGS = 16  # of an increment, to find where something happens
 _SAME = 1e-3  # of an increment: two things so near are one
 
@@ -149,6 +151,8 @@ def load_path(
     ended: Literal["target", "count", "stop", "stuck"] = "count"
     while len(points) <= increments:
         there = _increment(net, load, here, length)
+        if there is None and length <= _CORNER * longest:
+            here, there = _around_corner(net, load, here, length)
         if there is None:
             length /= 2
             if length < _SHORTEST * longest:
@@ -248,6 +252,20 @@ def _increment(net: Net, load: Load, here: _Station, length: float) -> _Station 
         if moved <= _HOME * length:
             return _station(net, load, there, factor, here.way, True, corrections)
     return None
+
+
+def _around_corner(net: Net, load: Load, here: _Station, length: float) -> tuple[_Station, _Station | None]:
+    """Past a kink of a law, such as a tendon that goes slack: the way turns at once to that of the other side."""
+    factor = here.point.factor + length * here.pace
+    over = expand(net, _moved(net, here.point.shape, length * here.way), load, factor)
+    tangent = _tangent(net, load, over, factored(over.free))
+    for pace in (1 / np.linalg.norm(tangent), -1 / np.linalg.norm(tangent)):
+        turned = replace(here, way=pace * tangent, pace=float(pace))
+        there = _increment(net, load, turned, length)
+        # the other orientation would lead back to this side, or to nothing
+        if there is not None and np.sum(there.way * turned.way) > _ALIGNED:
+            return turned, there
+    return here, None
 
 
 def _events_between(
