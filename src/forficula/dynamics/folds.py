@@ -125,7 +125,7 @@ def flap_turns(corners: Array, shifts: Array) -> Array:
     """
     # coordinates first: several times as fast as along the last axis
     places, moves = (np.moveaxis(each, (-2, -1), (0, 1)) for each in (corners, shifts))
-    turned = 0.0
+    turned: Array | float = 0.0
     for first, side in ((0, 1.0), (3, -1.0)):
         (tail, head, corner), (at_tail, at_head, at_corner) = (each[first : first + 3] for each in (places, moves))
         along, away = head - tail, corner - tail

@@ -47,8 +47,8 @@ class Steps:
         after: likewise, after each step, (structure, step, number).
         derived: MuJoCo's fields of the state before each step, (structure, step, ...).
         kept: names of those that the states of a record are read from.
-        angles: of the creases at the start of every block of steps in which their rows stay, in own senses and without jumps, rad,
-            (structure, block, crease); None where there are none.
+        angles: of the creases at the start of every block of steps in which their rows stay, in own senses and without
+            jumps, rad, (structure, block, crease); None where there are none.
         followed: steps of a block.
     """
 

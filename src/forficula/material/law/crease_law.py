@@ -40,6 +40,7 @@ class CreaseLaw:
     def energy(self, angle: Array, further: Array | float = 0.0) -> Array:
         """Stored energy, J, (..., crease).
 
+<<<<<<< HEAD
         Args:
             angle: fold angle, rad, (..., crease).
             further: by how much the springs rest further on, rad.
@@ -56,6 +57,28 @@ class CreaseLaw:
         locked = 2 * width / math.pi * np.tan(math.pi * beyond / (2 * width))
         spring = self.stiffness * (within - self.rest_angle - further + locked)
         return np.asarray(spring + self.stop_stiffness * self._stopped(angle))
+=======
+    def energy(self, angle: ArrayLike) -> Array:
+        """Energy stored, J, in the shape of `angle` (rad); infinite at and beyond contact where it locks."""
+        angle = np.asarray(angle, dtype=np.float64)
+        linear = np.clip(angle, self.lock_below, self.lock_above)
+        bent = linear - self.rest_angle
+        energy = self.stiffness * (bent**2 / 2 + bent * (angle - linear))
+        for room, share in self._locked(angle):
+            locked = -self.stiffness * (2 * room / np.pi) ** 2 * np.log(np.cos(np.pi / 2 * share))
+            energy = energy + np.where(share < 1, locked, np.inf)
+        below, above = self._stopped(angle)
+        return np.asarray(energy + np.asarray(self.stop_stiffness) * (below**2 + above**2) / 2)
+
+    def moment(self, angle: ArrayLike) -> Array:
+        """Slope of the energy, N m, in the shape of `angle` (rad); huge, not infinite, at contact and beyond."""
+        angle = np.asarray(angle, dtype=np.float64)
+        moment = self.stiffness * (np.clip(angle, self.lock_below, self.lock_above) - self.rest_angle)
+        for side, (room, share) in zip((-1, 1), self._locked(angle), strict=True):
+            moment = moment + side * np.asarray(self.stiffness) * (2 * room / np.pi) * np.tan(np.pi / 2 * share)
+        below, above = self._stopped(angle)
+        return np.asarray(moment + np.asarray(self.stop_stiffness) * (above - below))
+>>>>>>> r3
 
     def slope(self, angle: Array) -> Array:
         """Slope of the moment, N m/rad, (..., crease)."""
