@@ -82,7 +82,7 @@ class CreaseRows:
         turning = dot(first, left - tail - share * (head - tail)) / area
         turning += dot(second, right - tail - other_share * (head - tail)) / other_area
         rests, torques = (np.einsum("rm,rmc->rc", efforts, each[which]) for each in (self.rests, self.torques))
-        law = _some(self.law, which)
+        law = self.law.some(which)
         moment = law.moment(angles, rests) + self.damping[which] * senses * length * turning - torques
         slope = law.slope(angles)
         # of the angle between the flaps, whose sense the row has
@@ -164,9 +164,3 @@ def crease_rows(models: Sequence[Model]) -> CreaseRows | None:
 def without_jump(angles: Array, near: Array) -> Array:
     """Angles with as many whole turns as bring them closest to others, rad."""
     return np.asarray(angles + 2 * np.pi * np.round((near - angles) / (2 * np.pi)))
-
-
-def _some(law: CreaseLaw, which: Indices) -> CreaseLaw:
-    """Of some structures."""
-    fields = {each.name: np.asarray(getattr(law, each.name))[which] for each in dataclasses.fields(CreaseLaw)}
-    return CreaseLaw(**fields)
