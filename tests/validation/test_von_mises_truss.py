@@ -8,8 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import brentq
 
+from forficula.errors import InputError
 from forficula.material.law.tendon_law import ElasticLaw
-from forficula.statics.net.collapse import collapse
+from forficula.statics.net.collapse import collapse, snapped
 from forficula.statics.net.energy import built_shape, expand
 from forficula.statics.net.load import acceleration, held_displacements, point_forces
 from forficula.statics.net.load_path import load_path
@@ -160,6 +161,20 @@ def test_it_collapses_at_the_limit_under_a_force_or_an_acceleration():
     assert pushed.factor == pytest.approx(limit(0.3), rel=1e-9)
     assert shaken.factor == pytest.approx(limit(0.3) / 0.2, rel=1e-9)
     assert collapse(net, rest, point_forces(net, APEX, DOWN), most=limit(0.3) / 2).kind == "none"
+
+
+def test_from_the_limit_it_snaps_to_where_the_inverted_truss_bears_the_same_force():
+    net = von_mises(0.3)
+    state = minimum(net, built_shape(net))
+    lost = collapse(net, state, point_forces(net, APEX, DOWN))
+    there = snapped(net, lost)
+    assert there.stable
+    z = brentq(lambda z: force(0.3, z) - 1.001 * limit(0.3), -1.0, -0.3)
+    assert there.shape.positions[1] == pytest.approx((0, 0, z), abs=1e-8)
+    assert minimum(net, there.shape).shape.positions[1, 2] == pytest.approx(-0.3)
+    held = collapse(net, state, point_forces(net, APEX, DOWN), most=1.0)
+    with pytest.raises(InputError, match="lost: need a state that collapses"):
+        snapped(net, held)
 
 
 def test_its_apex_vibrates_as_its_stiffness_says():

@@ -1,4 +1,4 @@
-from forficula.statics.net.collapse import Collapse, collapse, holding_torque
+from forficula.statics.net.collapse import Collapse, collapse, holding_torque, snapped
 from forficula.statics.net.energy import Expansion, built_shape, expand, shape_at
 from forficula.statics.net.load import (
     Load,
@@ -58,6 +58,7 @@ __all__ = [
     "rigidity_matrix",
     "same_shape",
     "shape_at",
+    "snapped",
     "stationary",
     "strength",
     "supported",
