@@ -70,7 +70,9 @@ def plate_structure(design: SheetDesign) -> Structure:
                 key=f"tendon.{place}",
             )
         )
-    measures = sheet_measures(design, hinges, edges, lambda name, text: add(name, "measured", place_on(pattern, text)))
+    measures = sheet_measures(
+        design, hinges, edges, lambda name, text, _: add(name, "measured", place_on(pattern, text))
+    )
     built = Structure(
         name=design.name,
         bodies=bodies,
