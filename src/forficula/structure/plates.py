@@ -47,7 +47,9 @@ def plate_structure(design: SheetDesign) -> Structure:
         return len(points) - 1
 
     tendons = plate_tendons(design, pattern, links, add)
-    measures = sheet_measures(design, hinges, edges, lambda name, text: add(name, "measured", place_on(pattern, text)))
+    measures = sheet_measures(
+        design, hinges, edges, lambda name, text, _: add(name, "measured", place_on(pattern, text))
+    )
     structure = Structure(
         name=design.name,
         bodies=_bodies(pattern, links, number, origins, built),
@@ -158,6 +160,7 @@ def _hinges(
                 rest_angle=rest_angle(crease, folded),
                 damping=(crease.damping or 0.0) * length,
                 start=crease.start or folded,
+                assignment=pattern.edges_assignment[link.edge],
                 label=f"crease {link.edge}",
             )
         )
