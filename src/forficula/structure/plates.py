@@ -20,7 +20,7 @@ from forficula.structure.facet_plates import corner_name, facet_plates, largest_
 from forficula.structure.opening_creases import opening_creases, opening_parts
 from forficula.structure.parts import GROUND, Array, Body, Closure, Hinge, Point
 from forficula.structure.sheet_measures import sheet_measures
-from forficula.structure.sheet_protocol import with_protocol
+from forficula.structure.sheet_protocol import places_of, pushed_name, with_protocol
 from forficula.structure.structure import Structure
 
 
@@ -55,6 +55,9 @@ def plate_structure(design: SheetDesign) -> Structure:
     measures = sheet_measures(
         design, hinges, edges, lambda name, text, _: add(name, "measured", place_on(pattern, text))
     )
+    for drive in design.drive:
+        for place, text in enumerate(places_of(drive) if drive.kind == "force" else ()):
+            add(pushed_name(drive, place), "pushed", place_on(pattern, text))
     structure = Structure(
         name=design.name,
         bodies=_bodies(links, number, origins, held),
