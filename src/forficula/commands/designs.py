@@ -22,7 +22,12 @@ def new(
     file: Annotated[Path, Parameter(help="Where to write it; must end with .toml and not exist.")],
     /,
     *,
-    kind: Annotated[str, Parameter(help="What it folds: earwig-fan, pleats or fold-file.")] = "earwig-fan",
+    kind: Annotated[
+        str,
+        Parameter(
+            help="What it folds: earwig-fan, miura-ori, waterbomb, yoshimura, kresling, pleats, vertex or fold-file."
+        ),
+    ] = "earwig-fan",
 ) -> None:
     """Write a commented design file to start from."""
     from forficula.design import write_new_design
