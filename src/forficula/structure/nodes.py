@@ -16,6 +16,7 @@ from forficula.errors import InputError
 from forficula.pattern import CreasePattern
 from forficula.pattern.shared_edges import shared_edges
 from forficula.structure.appearance import Appearance
+from forficula.structure.facets import BEND
 from forficula.structure.flaps import flap_angles
 from forficula.structure.parts import (
     GROUND,
@@ -169,7 +170,7 @@ def _hinges(design: SheetDesign, triangles: CreasePattern) -> tuple[tuple[Hinge,
             bends.append(
                 Hinge(
                     name=f"bend{edge}",
-                    role="facet bend",
+                    role=BEND,
                     flaps=points,
                     stiffness=(design.facet.bend_stiffness or 0.0) * length,
                     rest_angle=angle,
@@ -200,6 +201,7 @@ def _hinges(design: SheetDesign, triangles: CreasePattern) -> tuple[tuple[Hinge,
                 lock_above=crease.lock_angle if locks else np.inf,
                 damping=(crease.damping or 0.0) * length,
                 start=built,
+                assignment=triangles.edges_assignment[edge],
                 label=f"crease {edge}",
             )
         )

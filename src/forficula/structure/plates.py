@@ -144,6 +144,7 @@ def _hinges(
                 rest_angle=rest_angle(crease, 0.0),
                 damping=(crease.damping or 0.0) * length,
                 start=crease.start,
+                assignment=pattern.edges_assignment[link.edge],
                 label=f"crease {link.edge}",
             )
         )

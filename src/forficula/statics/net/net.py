@@ -124,6 +124,8 @@ class Net:
                 raise InputError(f"net.{name}: need an array of shape {need}, got {got}")
         if not np.all(np.isfinite(self.nodes)):
             raise InputError("net.nodes: need finite coordinates, got some that are not")
+        if not (count and self.size > 0):
+            raise InputError(f"net.nodes: need some that are apart, got {count} at one place")
         sums = np.asarray(self.points.sum(axis=1)).ravel()
         if not np.allclose(sums, 1.0):
             raise InputError(f"net.points: need weights that add up to 1, got {sums[np.argmax(np.abs(sums - 1))]:g}")
