@@ -37,11 +37,13 @@ def new(
 
 
 def designs() -> None:
-    """List the named designs, each with its source."""
-    from forficula.design import named_designs
+    """List the named designs, each with its source and what one would look at it for."""
+    from forficula.design import load_design, named_designs
 
     for name, source in named_designs().items():
         print(f"{name}\n    {source}")
+        if shows := load_design(name).shows:
+            print(f"    shows {shows}")
 
 
 def pattern(
