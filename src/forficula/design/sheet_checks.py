@@ -12,7 +12,7 @@ from forficula.design.part import ANGLE, LENGTH, TORQUE
 from forficula.design.protocol import GoalText, check_bound, check_stages, read_goal, stage_drives
 from forficula.design.rigid_checks import check_rigid, check_rigid_creases, check_rigid_tendon
 from forficula.design.sheet_creases import crease_groups, crease_role, crease_sense, creases_of, fold_edges
-from forficula.design.sheet_places import facet_of, place_on, vertex_of
+from forficula.design.sheet_places import GROUND_PLACE, facet_of, place_on, vertex_of
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern
 from forficula.pattern.shared_edges import shared_edges
@@ -20,6 +20,8 @@ from forficula.quantities import Unit, as_written, parse_quantity, show_quantity
 
 if TYPE_CHECKING:
     from forficula.design.sheet import SheetDesign
+    from forficula.design.sheet_course import SheetMeasure
+    from forficula.design.sheet_tendon import SheetTendon
 
 Found = TypeVar("Found")
 
@@ -60,8 +62,7 @@ def check_sheet(design: SheetDesign) -> None:
         if measure.of is not None:
             _keyed(f"measure.{number}.of", creases_of, sheet, measure.of, groups)
             continue
-        for end in ("from", "to"):
-            _keyed(f"measure.{number}.{end}", _place, design, sheet, getattr(measure, end))
+        _ends(design, sheet, f"measure.{number}", measure)
     if design.protocol.contact:
         raise InputError("protocol.contact: need false, for facets do not touch each other, got true")
     _check_protocol(design, sheet)
@@ -110,10 +111,7 @@ def _check_names(design: SheetDesign, sheet: CreasePattern) -> None:
 def _check_tendon(design: SheetDesign, sheet: CreasePattern, number: int) -> None:
     """Refuse a tendon between places that are none, or that keep their distance."""
     ends = [str(getattr(design.tendon[number], end)) for end in ("from", "to")]
-    places = [
-        _keyed(f"tendon.{number}.{key}", _place, design, sheet, end)
-        for key, end in zip(("from", "to"), ends, strict=True)
-    ]
+    places = _ends(design, sheet, f"tendon.{number}", design.tendon[number])
     if design.facet.kind == "rigid":
         check_rigid_tendon(sheet, number, ends)
     elif places[0] == places[1]:
@@ -122,8 +120,21 @@ def _check_tendon(design: SheetDesign, sheet: CreasePattern, number: int) -> Non
         )
 
 
+def _ends(design: SheetDesign, sheet: CreasePattern, key: str, joined: SheetTendon | SheetMeasure) -> list[object]:
+    """The places of both ends, of which one may be on the ground."""
+    places = [_keyed(f"{key}.{end}", _place, design, sheet, getattr(joined, end)) for end in ("from", "to")]
+    if (GROUND_PLACE in places) != bool(joined.ground) or len(joined.ground) not in (0, 3):
+        raise InputError(
+            f'{key}.ground: need x, y and z where one end is "ground", as in ["0 cm", "0 cm", "-5 cm"], else nothing,'
+            f" got {len(joined.ground)} numbers"
+        )
+    return places
+
+
 def _place(design: SheetDesign, sheet: CreasePattern, text: str) -> object:
     """Where a text says, as what may be told from others."""
+    if design.facet.kind != "rigid" and text.strip() == GROUND_PLACE:
+        return GROUND_PLACE
     return place_on(sheet, text) if design.facet.kind == "rigid" else vertex_of(sheet, text)
 
 

@@ -15,6 +15,7 @@ from forficula.dynamics.bodies import add_bodies, engine_sites, force_name
 from forficula.dynamics.creases import Creases, add_creases, clear_rows, creases_of
 from forficula.dynamics.folds import Folds, folds_of, slide_name
 from forficula.dynamics.membrane import Mesh, add_membranes, joined_mesh
+from forficula.dynamics.node_modes import followed_steps
 from forficula.dynamics.tendons import add_branches, add_distance, add_limit, add_spring, add_tendon
 from forficula.dynamics.units import ModelUnits, design_in_model_units, model_units
 from forficula.errors import InputError
@@ -43,6 +44,7 @@ class Model:
         mesh: its membranes, in the model's units.
         folds: how its hinges' angles follow from the engine's positions.
         creases: those of its hinges that no joint makes; None where there are none.
+        followed: steps over which the engine's rows of creases stay as they are.
         pushed: by what each coordinate's shift takes the points of a force along it, (motor, dof); 0 for other motors.
         springs: index of each spring among the engine's tendons, (spring,).
         tendons: index of each tendon, (tendon,).
@@ -67,6 +69,7 @@ class Model:
     mesh: Mesh
     folds: Folds
     creases: Creases | None
+    followed: int
     pushed: Array
     springs: Indices
     tendons: Indices
@@ -168,6 +171,7 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
         mesh=mesh,
         folds=folds,
         creases=creases_of(engine, in_units, folds),
+        followed=followed_steps(in_units, timestep) if len(folds.creases) else 1,
         pushed=_pushed(engine, in_units),
         springs=_indices(engine, kinds.mjOBJ_TENDON, [spring.name for spring in in_units.springs]),
         tendons=tendons,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -20,6 +21,10 @@ Indices = NDArray[np.int64]
 _FEW = 60
 # of the largest eigenvalue; a thousandth of the step
 _CLOSE = 1e-3
+# of the longest step that creases allow
+_FOLLOWED = 0.3
+# all divide the steps between two looks at goals
+_BLOCKS = (1, 2, 5, 10, 20, 50, 100)
 
 
 class _Elements(NamedTuple):
@@ -29,6 +34,15 @@ class _Elements(NamedTuple):
     gradients: Array
     stiffness: Array
     damping: Array
+
+
+def followed_steps(structure: Structure, timestep: float) -> int:
+    """Steps over which the engine's rows of creases stay as they are: a share of what springs and dampers there allow.
+
+    Rows are of second order between; the work of folding a square base is by 1e-3 what it is with one step.
+    """
+    allowed = _FOLLOWED * node_timestep(replace(structure, springs=(), tendons=(), membranes=())) / timestep
+    return max(steps for steps in _BLOCKS if steps <= max(allowed, 1))
 
 
 def node_timestep(structure: Structure) -> float:

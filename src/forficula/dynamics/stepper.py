@@ -16,7 +16,7 @@ import numpy as np
 from mujoco.batch import Batch
 from numpy.typing import NDArray
 
-from forficula.dynamics.crease_rows import FOLLOWED, crease_rows, without_jump
+from forficula.dynamics.crease_rows import crease_rows, without_jump
 from forficula.dynamics.creases import engine_rows
 from forficula.dynamics.folds import Folds
 from forficula.dynamics.model import Model
@@ -47,8 +47,9 @@ class Steps:
         after: likewise, after each step, (structure, step, number).
         derived: MuJoCo's fields of the state before each step, (structure, step, ...).
         kept: names of those that the states of a record are read from.
-        angles: of the creases at the start of every block of `FOLLOWED` steps, in own senses and without jumps, rad,
-            (structure, block, crease); None where there are none.
+        angles: of the creases at the start of every block of steps in which their rows stay, in own senses and without
+            jumps, rad, (structure, block, crease); None where there are none.
+        followed: steps of a block.
     """
 
     dof: int
@@ -58,6 +59,7 @@ class Steps:
     derived: Mapping[str, Array]
     kept: Sequence[str]
     angles: Array | None = None
+    followed: int = 1
 
     @property
     def time(self) -> Array:
@@ -97,7 +99,7 @@ class Steps:
         some = folds.some(hinges)
         angles = some.angles(positions)
         if self.angles is not None:
-            near = self.angles[structure, np.minimum(step // FOLLOWED, self.angles.shape[1] - 1)]
+            near = self.angles[structure, np.minimum(step // self.followed, self.angles.shape[1] - 1)]
             near = near[:, np.searchsorted(folds.creases, hinges[some.creases])]
             angles[:, some.creases] = without_jump(angles[:, some.creases], near)
         return angles
@@ -173,7 +175,9 @@ class Stepper:
         # where the creases of each were last, without jumps
         self._angles = np.array([_start_creases(each) for each in models])
         self._creases = crease_rows(models)
-        self._blocks = deque([np.empty((len(models), -(-chunk // FOLLOWED), len(self._angles[0]))) for _ in range(2)])
+        self._blocks = deque(
+            [np.empty((len(models), chunk // models[0].followed, len(self._angles[0]))) for _ in range(2)]
+        )
         self.threads = int(Batch(model, len(models), threads).nthread)
         self._engines: SimpleQueue[Batch] = SimpleQueue()
         for _ in range(self.threads):
@@ -207,6 +211,7 @@ class Stepper:
             derived={name: mine[name] for name in self._names},
             kept=self._kept,
             angles=angles,
+            followed=self._structures[0].followed,
         )
         return Pending(
             parts=[
@@ -232,7 +237,7 @@ class Stepper:
         self._state[np.ix_(rows, self._moving)] = steps.states(np.arange(len(rows)), taken)
         if steps.angles is not None:
             for place, (row, step) in enumerate(zip(rows.tolist(), taken.tolist(), strict=True)):
-                near = steps.angles[place, min(step // FOLLOWED, steps.angles.shape[1] - 1)]
+                near = steps.angles[place, min(step // steps.followed, steps.angles.shape[1] - 1)]
                 folds, dof = self._structures[row].folds, steps.dof
                 position = self._state[row, self._moving][1 : 1 + dof]
                 self._angles[row] = without_jump(folds.angles(position)[folds.creases], near)
@@ -286,8 +291,9 @@ class Stepper:
         """Do as `_step` does, block by block: in each the creases have what they have at its start."""
         engine = self._engines.get()
         try:
+            followed = self._structures[0].followed
             for block in range(angles.shape[1]):
-                steps = slice(block * FOLLOWED, min((block + 1) * FOLLOWED, self._chunk))
+                steps = slice(block * followed, (block + 1) * followed)
                 near = self._angles[rows] if block == 0 else angles[:, block - 1]
                 angles[:, block] = self._set_creases(rows, near, efforts[:, steps].mean(axis=1))
                 every = [*range(len(rows)), *[0] * (engine.nsim - len(rows))]

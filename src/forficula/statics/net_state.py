@@ -19,7 +19,7 @@ from forficula.statics.net.net import Net, Shape, Springs
 from forficula.statics.net.net_of import bends, motor_load, own_angles
 from forficula.statics.net.rigidity import rigidity
 from forficula.statics.net.strength import strength
-from forficula.structure import Measure, Motor, Structure, crease_flaps
+from forficula.structure import Measure, Motor, Structure, facet_triangles
 
 Array = NDArray[np.float64]
 
@@ -192,7 +192,7 @@ def _loads(structure: Structure, net: Net, shape: Shape) -> list[tuple[str, str,
             for sign, mark in ((1.0, "+"), (-1.0, "−")):
                 push = acceleration(net, sign * np.eye(3)[axis])
                 loads.append((f"supports accelerated along {mark}{letter}", "m/s^2", push))
-        triangles = _triangles(structure)
+        triangles = np.array(facet_triangles(structure), dtype=np.int64)
         if len(triangles):
             loads.append(("pressure on the backs of all facets", "Pa", pressure(net, shape, triangles)))
             loads.append(("pressure on their fronts", "Pa", pressure(net, shape, triangles[:, ::-1])))
@@ -208,11 +208,3 @@ def _groups(structure: Structure) -> list[tuple[str, Motor]]:
     watched = [each for each in structure.measures if each.kind == "angle"]
     chosen = [each for each in watched if each.name != "creases"] or watched
     return [(each.name, Motor(name=each.name, hinges=each.hinges)) for each in chosen if each.hinges]
-
-
-def _triangles(structure: Structure) -> NDArray[np.int64]:
-    """Triangles at creases and bends, counterclockwise seen from the front, (triangle, 3)."""
-    flaps = crease_flaps(structure)
-    both = np.concatenate((flaps[:, [0, 1, 2]], flaps[:, [4, 3, 5]]))
-    _, first = np.unique(np.sort(both, axis=1), axis=0, return_index=True)
-    return np.asarray(both[np.sort(first)])

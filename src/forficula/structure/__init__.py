@@ -2,6 +2,7 @@ from forficula.structure.appearance import Appearance
 from forficula.structure.build import drive_keys, static_keys, structure_of, with_protocol
 from forficula.structure.course import Drive, Goal, Measure, Motor, RestState, RigidFold, Transition, Wording
 from forficula.structure.crossing import bar_crossing, tendon_crossing
+from forficula.structure.facets import facet_triangles, held_corners, hinge_groups
 from forficula.structure.flaps import built_creases, crease_flaps, crease_law, crease_numbers, flap_angles
 from forficula.structure.goals import (
     distances_of,
@@ -85,9 +86,12 @@ __all__ = [
     "drawn_points",
     "drive_keys",
     "drive_of",
+    "facet_triangles",
     "first_state",
     "flap_angles",
     "goal_of",
+    "held_corners",
+    "hinge_groups",
     "hinges_between",
     "hinges_of",
     "inertia_about",

@@ -32,13 +32,24 @@ def flap_angles(corners: Array) -> Array:
     Args:
         corners: m, (..., 6, 3): tail, head and corner of the left flap, then of the right one.
     """
-    tail, head, left, right_tail, right_head, right = np.moveaxis(corners, -2, 0)
-    along = (head - tail) + (right_head - right_tail)
-    along = along / np.linalg.norm(along, axis=-1, keepdims=True)
-    one = np.cross(head - tail, left - tail)
-    other = np.cross(right - right_tail, right_head - right_tail)
-    sine = np.sum(along * np.cross(other, one), axis=-1)
-    return np.asarray(np.arctan2(sine, np.sum(one * other, axis=-1)))
+    # coordinates first: several times as fast as along the last axis
+    tail, head, left, right_tail, right_head, right = np.moveaxis(corners, (-2, -1), (0, 1))
+    edge, right_edge = head - tail, right_head - right_tail
+    along = edge + right_edge
+    one, other = cross(edge, left - tail), cross(right - right_tail, right_edge)
+    sine = dot(along, cross(other, one)) / np.sqrt(dot(along, along))
+    return np.asarray(np.arctan2(sine, dot(one, other)))
+
+
+def dot(one: Array, other: Array) -> Array:
+    """Products of vectors, coordinates first, (3, ...)."""
+    return np.asarray(one[0] * other[0] + one[1] * other[1] + one[2] * other[2])
+
+
+def cross(one: Array, other: Array) -> Array:
+    """Vectors square to others, coordinates first, (3, ...); several times as fast as `np.cross`."""
+    (x, y, z), (u, v, w) = one, other
+    return np.stack([y * w - z * v, z * u - x * w, x * v - y * u])
 
 
 def built_creases(structure: Structure) -> Array:

@@ -142,6 +142,7 @@ class Hinge:
         damping: N m s/rad.
         armature: inertia added to it, kg m^2.
         start: its angle at the start, rad; of a crease, that of the built shape.
+        assignment: of one that is an edge of a pattern, its letter, such as "M"; empty of others.
         label: what tables and figures call it; its name if empty.
     """
 
@@ -160,6 +161,7 @@ class Hinge:
     damping: float = 0.0
     armature: float = 0.0
     start: float = 0.0
+    assignment: str = ""
     label: str = ""
 
 

@@ -70,7 +70,9 @@ def plate_structure(design: SheetDesign) -> Structure:
                 key=f"tendon.{place}",
             )
         )
-    measures = sheet_measures(design, hinges, edges, lambda name, text: add(name, "measured", place_on(pattern, text)))
+    measures = sheet_measures(
+        design, hinges, edges, lambda name, text, _: add(name, "measured", place_on(pattern, text))
+    )
     built = Structure(
         name=design.name,
         bodies=bodies,
@@ -142,6 +144,7 @@ def _hinges(
                 rest_angle=rest_angle(crease, 0.0),
                 damping=(crease.damping or 0.0) * length,
                 start=crease.start,
+                assignment=pattern.edges_assignment[link.edge],
                 label=f"crease {link.edge}",
             )
         )

@@ -35,9 +35,9 @@ def built_points(structure: Structure) -> Array:
 
 
 def drawn_points(structure: Structure) -> list[int]:
-    """Numbers of the points that bars and plates are drawn between."""
-    ends = [*(bar.points for bar in structure.bars), *(plate.points for plate in structure.plates)]
-    return sorted({point for points in ends for point in points})
+    """Numbers of the points that bars, plates and facets are drawn between."""
+    parts = (*structure.bars, *structure.plates, *structure.facets)
+    return sorted({point for part in parts for point in part.points})
 
 
 def built_lengths(structure: Structure) -> Array:

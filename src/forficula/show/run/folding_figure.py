@@ -21,7 +21,7 @@ from forficula.show.structure.painted_shape import paint_shape, shape_handles, s
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_at
 from forficula.show.style import ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
-from forficula.structure import Structure
+from forficula.structure import Structure, hinge_groups
 
 Array = NDArray[np.float64]
 
@@ -45,8 +45,8 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) ->
         columns = 2 if is_narrow(width) else 4
         times = time_texts([time for _, time in moments])
         surfaces = [surface_at(record, shape, time) for _, time in moments]
-        if len(shape.lines) > _MOST_LINES:
-            surfaces = [replace(surface, lines=surface.lines[:0]) for surface in surfaces]
+        if len(shape.lines) > _MOST_LINES and not structure.facets:
+            surfaces = [replace(each, lines=each.lines[:0], folds=each.folds[:0]) for each in surfaces]
         drawn = [paint_shape(surface, view, ORANGE, cells=_CELLS) for surface in surfaces]
         corners = np.concatenate([painted.polygons.reshape(-1, 2) for painted in drawn])
         low, high = corners.min(axis=0), corners.max(axis=0)
@@ -110,13 +110,18 @@ def _scale_bar(axes: Axes, size: Array, low: Array) -> None:
 
 
 def _moments(record: Record, outcome: Outcome) -> list[tuple[str, float]]:
-    """Names and times: the states, and between them moments at equal progress of every driven stage."""
+    """Names and times: the states, and between them moments at equal progress of every driven stage.
+
+    Where none is driven, of every stage, from the start.
+    """
     moments = [(name, state.time) for name, state in lettered_states(record.structure, outcome)]
-    for end in record.stages:
-        if stage_drives(end.stage):
-            moments += [(end.stage.name, time) for time in _halfway(record, end)]
+    driven = [end for end in record.stages if stage_drives(end.stage)]
+    if not driven:
+        moments.append(("start", 0.0))
+    for end in driven or record.stages:
+        moments += [(end.stage.name, time) for time in _halfway(record, end)]
     moments.sort(key=lambda moment: moment[1])
-    return moments or [("start", 0.0), ("last", float(record.time[-1]))]
+    return list({time: (name, time) for name, time in reversed(moments)}.values())[::-1]
 
 
 def _halfway(record: Record, end: StageEnd) -> list[float]:
@@ -130,7 +135,8 @@ def _halfway(record: Record, end: StageEnd) -> list[float]:
 def _progress(record: Record) -> Array:
     """How far the hinges of every motor are on their way to their further stops, on average, summed, (time,)."""
     structure, angles = record.structure, record.series["hinge_angle"]
-    groups = [motor.hinges for motor in structure.motors] or [tuple(range(len(structure.hinges)))]
+    groups = [motor.hinges for motor in structure.motors if motor.hinges]
+    groups = groups or [hinges for kind, hinges in hinge_groups(structure).items() if kind != "facet bends"]
     return sum(
         ((angles[:, list(group)] / _ways(structure, angles, group)).mean(axis=1) for group in groups),
         np.zeros(len(record.time)),

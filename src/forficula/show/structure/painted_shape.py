@@ -7,13 +7,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from matplotlib.colors import to_rgb, to_rgba_array
+from matplotlib.colors import to_rgb, to_rgba, to_rgba_array
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from numpy.typing import ArrayLike, NDArray
 
 from forficula.show.structure.shape import Shape
 from forficula.show.structure.surface import Surface
+from forficula.show.style import BLUE, VERMILION
 from forficula.structure import Structure, outer_ends
 
 Array = NDArray[np.float64]
@@ -28,7 +29,9 @@ _ELEVATION, _ASIDE = np.radians(47.0), np.radians(80.0)
 # strips of a tube: from where to where beside its axis, in radii, and how light they are
 _STRIPS = ((-1.0, -0.35, 0.75), (-0.35, 0.35, 1.5), (0.35, 1.0, 0.6))
 # half widths in radii of the thickest bar
-_TENDON, _CASED, _THIN = 0.62, 0.95, 0.14
+_TENDON, _CASED, _THIN, _FOLDED, _HELD = 0.62, 0.95, 0.14, 0.3, 1.0
+_CENTRED = 1e-3  # by the size of the whole: what is no further from the origin lies no way from it
+_FLAT = "#B8B8B8"  # of what is not folded
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -67,6 +70,8 @@ def structure_view(structure: Structure) -> View:
     """Look at a structure from above and from beside the way that it lies from the origin, built."""
     ends = outer_ends(structure)
     x, y, _ = ends.mean(axis=0) if len(ends) else np.zeros(3)
+    if math.hypot(x, y) < _CENTRED * structure.span:
+        x, y = 0.0, 0.0
     azimuth = math.atan2(y, x) + _ASIDE
     right = np.array([-math.sin(azimuth), math.cos(azimuth), 0.0])
     level = np.array([math.cos(azimuth), math.sin(azimuth), 0.0])
@@ -88,7 +93,13 @@ def paint_shape(
     radius, cell = surface.thickness / 2, surface.span / cells
     # what lies on a face is in front of the cells beside it, whose middles may be nearer to the eye
     above = radius + cell / 2
-    parts = [_faces(surface, view, cell), _ribbons(surface.lines, view, cell, _CREASE, _THIN * radius, cell / 2)]
+    plain = np.isnan(surface.folds)
+    parts = [
+        _faces(surface, view, cell),
+        _ribbons(surface.lines[plain], view, cell, _CREASE, _THIN * radius, cell / 2),
+        _ribbons(surface.lines[~plain], view, cell, fold_colours(surface.folds[~plain]), _FOLDED * radius, cell / 2),
+        _squares(surface.held, view, _HELD * radius, above),
+    ]
     for low, high, lustre in _STRIPS:
         shade = to_rgba_array(BAR) * [lustre, lustre, lustre, 1]
         # the bright strip last, so that the ends of the others do not lie on it
@@ -104,6 +115,13 @@ def paint_shape(
     return PaintedShape(polygons=polygons[order], colours=np.clip(shades[order], 0, 1))
 
 
+def fold_colours(angles: Array) -> Array:
+    """Colours of creases by how far they are folded, valleys positive, rad: the further, the less pale, (crease, 4)."""
+    full = np.where(angles[:, np.newaxis] > 0, to_rgba(BLUE), to_rgba(VERMILION))
+    share = np.sqrt(np.minimum(np.abs(angles) / np.pi, 1))[:, np.newaxis]
+    return np.asarray(share * full + (1 - share) * to_rgba(_FLAT))
+
+
 def tint(region: int) -> str:
     """The colour of a region."""
     return TINTS[region % len(TINTS)]
@@ -114,10 +132,15 @@ def shape_handles(shape: Shape, structure: Structure, tendon_colour: ArrayLike, 
     handles: list[Patch | Line2D] = [
         Patch(facecolor=tint(region), label=name) for region, name in enumerate(shape.regions)
     ]
+    if any(line.hinge is not None for line in shape.lines):
+        for colour, name in ((VERMILION, "mountain, pale if nearly flat"), (BLUE, "valley")):
+            handles.append(Line2D([], [], color=colour, lw=0.75 * width, label=name))
     if shape.bars:
         handles.append(Line2D([], [], color=BAR, lw=width, label=structure.appearance.bar))
     if shape.tendons:
         handles.append(Line2D([], [], color=tendon_colour, lw=width, label="tendon"))  # type: ignore[arg-type]
+    if len(shape.held):
+        handles.append(Line2D([], [], color=BAR, marker="s", ls="none", ms=1.5 * width, label="held vertex"))
     return handles
 
 
@@ -158,6 +181,13 @@ def _facing(quads: Array) -> Array:
     normals = np.cross(quads[:, 2] - quads[:, 0], quads[:, 3] - quads[:, 1])
     lengths = np.maximum(np.linalg.norm(normals, axis=1), 1e-300)
     return np.asarray(0.55 + 0.45 * np.abs(normals @ _LIGHT) / lengths / np.linalg.norm(_LIGHT))
+
+
+def _squares(places: Array, view: View, half: float, above: float) -> tuple[Array, Array, Array]:
+    """Depths, polygons and colours of squares that face the eye, by their middles, m, (square, axis)."""
+    corners = half * np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
+    shades = np.broadcast_to(to_rgba(BAR), (len(places), 4))
+    return places @ view.towards + above, view.project(places)[:, np.newaxis] + corners, shades
 
 
 def _ribbons(

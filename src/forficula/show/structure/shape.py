@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Literal
@@ -13,13 +13,23 @@ from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
 from forficula.show.structure.polygon import is_convex, triangles_of
-from forficula.structure import Membrane, Structure, ancestry, built_points, drawn_points
+from forficula.structure import (
+    Membrane,
+    Structure,
+    ancestry,
+    built_points,
+    drawn_points,
+    facet_triangles,
+    held_corners,
+    hinge_groups,
+)
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 # lengths by that of the whole: what lies on what, and the thickness of lines where there are no bars
 _TOLERANCE, _THICKNESS = 1e-7, 0.02
+_BY_SIDE = 0.12  # that thickness by the length of a facet's side, where that is less
 _DIGITS = 12  # of a share
 
 
@@ -46,11 +56,13 @@ class DrawnLine:
         kind: "crease" where it folds, "rim" of a sheet, or "edge" of a plate.
         crease: letter of a crease; "B" of the others.
         path: vertices that it is straight between.
+        hinge: number of the hinge that it is, whose angle it shows; None of others.
     """
 
     kind: Literal["crease", "rim", "edge"]
     crease: str
     path: tuple[int, ...]
+    hinge: int | None = None
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -70,6 +82,7 @@ class Shape:
         lines: rims, creases and edges of plates.
         tendons: two vertices each, in the structure's order.
         joints: vertices of the hinges at the ends of bars, (joint,).
+        held: vertices of facets that cannot go every way, (vertex,).
         thickness: of what lines are drawn by: that of the thickest bar, m.
         span: of the structure, m.
     """
@@ -86,6 +99,7 @@ class Shape:
     lines: tuple[DrawnLine, ...]
     tendons: tuple[tuple[int, int], ...]
     joints: Indices
+    held: Indices
     thickness: float
     span: float
 
@@ -107,7 +121,8 @@ def shape_of(structure: Structure) -> Shape:
     faces: list[tuple[int, ...]] = []
     names: list[str] = []
     first = len(structure.points)
-    for membrane in structure.membranes:
+    # where there are facets, they are what a membrane lies on
+    for membrane in () if structure.facets else structure.membranes:
         _add_sheet(vertices, structure, membrane, first, faces, names)
         first += len(membrane.bodies)
     for point in drawn_points(structure):
@@ -118,6 +133,9 @@ def shape_of(structure: Structure) -> Shape:
         for ends, count in _sides(faces).items()
         if count == 1 and not _along_bar(structure, (keys[end] for end in ends))
     ]
+    triangles, _ = facet_triangles(structure)
+    faces += (tuple(vertices.at(point, point, 0.0) for point in corners) for corners in triangles.tolist())
+    names += ["facet"] * len(triangles)
     sheets, edges = set(names), list[DrawnLine]()
     anchors = np.concatenate([built_points(structure), *(membrane.built for membrane in structure.membranes)])
     for plate in structure.plates:
@@ -136,6 +154,8 @@ def shape_of(structure: Structure) -> Shape:
     pairs = np.array([key[:2] for key in keys], dtype=np.int64).reshape(-1, 2)
     built = anchors[pairs[:, 0]] + share[:, np.newaxis] * (anchors[pairs[:, 1]] - anchors[pairs[:, 0]])
     letters, creases = _creases(structure, anchors, built[:on_sheet], faces, names)
+    if structure.facets:
+        creases = facet_lines(structure, lambda point: vertices.at(point, point, 0.0))
     regions = tuple(dict.fromkeys(names))
     hinged = {hinge.body for hinge in structure.hinges}
     used, places = np.unique(pairs, return_inverse=True)
@@ -162,7 +182,8 @@ def shape_of(structure: Structure) -> Shape:
             [vertices.at(bar.points[0], bar.points[0], 0.0) for bar in structure.bars if bar.body in hinged],
             dtype=np.int64,
         ),
-        thickness=max((bar.diameter for bar in structure.bars), default=_THICKNESS * structure.span),
+        held=np.array([vertices.at(point, point, 0.0) for point in held_corners(structure)], dtype=np.int64),
+        thickness=max((bar.diameter for bar in structure.bars), default=_line_thickness(structure, built, creases)),
         span=structure.span,
     )
 
@@ -171,6 +192,27 @@ def vertex_places(shape: Shape, anchors: Array) -> Array:
     """Where the vertices are, m, (..., vertex, 3), with the anchors at (..., anchor, 3)."""
     first, second = anchors[..., shape.between[:, 0], :], anchors[..., shape.between[:, 1], :]
     return np.asarray(first + shape.share[:, np.newaxis] * (second - first))
+
+
+def facet_lines(structure: Structure, vertex: Callable[[int], int]) -> list[DrawnLine]:
+    """The creases between facets, and their sides that no other facet has, by what finds the vertex at a point."""
+    hinges = [(number, structure.hinges[number]) for number in hinge_groups(structure).get("creases", ())]
+    sides = _sides(facet.points for facet in structure.facets)
+    rims = [DrawnLine(kind="rim", crease="B", path=tuple(map(vertex, ends))) for ends in sides if sides[ends] == 1]
+    creases = []
+    for number, hinge in hinges:
+        assert hinge.flaps is not None
+        letter = hinge.assignment if hinge.assignment in ("M", "V") else "B"
+        path = (vertex(hinge.flaps[0]), vertex(hinge.flaps[1]))
+        creases.append(DrawnLine(kind="crease", crease=letter, path=path, hinge=number))
+    return [*rims, *creases]
+
+
+def _line_thickness(structure: Structure, built: Array, lines: Sequence[DrawnLine]) -> float:
+    """By what lines are drawn where there are no bars, m: less where facets are small."""
+    sides = [float(np.linalg.norm(built[line.path[-1]] - built[line.path[0]])) for line in lines]
+    most = _THICKNESS * structure.span
+    return min(most, _BY_SIDE * float(np.mean(sides))) if structure.facets else most
 
 
 def _add_sheet(

@@ -23,6 +23,8 @@ class Surface:
         bars: ends of each, m, (bar, end, axis).
         radii: of these, m, (bar,).
         lines: ends of what folds and of what ends, m, (line, end, axis).
+        folds: how far these are folded, valleys positive, rad, (line,); nan of those of which that is not shown.
+        held: vertices that are held, m, (vertex, axis).
         tendons: ends of each, m, (tendon, end, axis).
         thickness: that lines are drawn by, m.
         span: a length of the size of the whole, m.
@@ -33,6 +35,8 @@ class Surface:
     bars: Array
     radii: Array
     lines: Array
+    folds: Array
+    held: Array
     tendons: Array
     thickness: float
     span: float
@@ -50,12 +54,17 @@ def surface_at(record: Record, shape: Shape, time: float) -> Surface:
     vertices = vertex_places(shape, np.concatenate(list(moved))[shape.anchors])
     corners = np.array([(*face, face[-1])[:4] for face in shape.faces], dtype=np.int64).reshape(-1, 4)
     ends = [pair for line in shape.lines for pair in zip(line.path[:-1], line.path[1:], strict=True)]
+    senses = np.array([hinge.sense for hinge in record.structure.hinges])
+    angles = np.append(senses * at_time(record, "hinge_angle", time), np.nan)
+    hinges = [-1 if line.hinge is None else line.hinge for line in shape.lines for _ in line.path[1:]]
     return Surface(
         faces=vertices[corners],
         regions=shape.face_region,
         bars=vertices[np.array([bar.ends for bar in shape.bars], dtype=np.int64).reshape(-1, 2)],
         radii=np.array([bar.radius for bar in shape.bars]),
         lines=vertices[np.array(ends, dtype=np.int64).reshape(-1, 2)],
+        folds=angles[np.array(hinges, dtype=np.int64)],
+        held=vertices[shape.held],
         tendons=vertices[np.array(shape.tendons, dtype=np.int64).reshape(-1, 2)],
         thickness=shape.thickness,
         span=shape.span,

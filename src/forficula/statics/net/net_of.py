@@ -15,12 +15,10 @@ from forficula.statics.net.energy import shape_at
 from forficula.statics.net.load import Load, no_load
 from forficula.statics.net.net import Creases, Net, Shape, Springs, Tendons, Triangles
 from forficula.structure import GROUND, Structure, built_points, crease_flaps, crease_law, crease_numbers
+from forficula.structure.facets import BEND
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
-
-# of hinges in which a panel bends, and which are no creases
-BEND = "facet bend"
 
 
 def is_net(structure: Structure) -> bool:
