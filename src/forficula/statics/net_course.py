@@ -64,8 +64,8 @@ def drive_course(structure: Structure, net: Net, start: Rest, drive: Drive, tran
     load = motor_load(structure, net, drive.torques)
     goal = None if transition is None else goal_of(structure, transition.goal)
 
-    def there(point: PathPoint) -> bool:
-        return goal is not None and short_of(structure, goal, point.shape) <= 0
+    def there(shape: Shape) -> bool:
+        return goal is not None and short_of(structure, goal, shape) <= 0
 
     end = 1.0 if goal is None else _MOST
     slow = slow_path(net, start.shape, load, end=end, increments=_INCREMENTS, stop=there)
@@ -76,6 +76,8 @@ def drive_course(structure: Structure, net: Net, start: Rest, drive: Drive, tran
     if slow.snaps:
         through = load_path(net, start.shape, load, target=factor, increments=_INCREMENTS)
     reached = None if goal is None else _first_at(structure, goal, slow.points)
+    if reached is None and slow.ended == "stop":
+        reached = factor
     return Course(
         name=drive.name if transition is None else transition.name,
         drive=drive,

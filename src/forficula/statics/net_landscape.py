@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse.csgraph import minimum_spanning_tree
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components, minimum_spanning_tree
 
 from forficula.errors import InputError
 from forficula.statics.net.energy import expand, shape_at
@@ -15,19 +16,20 @@ from forficula.statics.net.factor import softest
 from forficula.statics.net.minimum import Rest, minimum
 from forficula.statics.net.net import Net, Shape
 from forficula.statics.net.net_of import net_of, start_shape
+from forficula.statics.net.passing import panels_pass
 from forficula.statics.net.saddle import Saddle, find_saddle
 from forficula.statics.net.stable_states import StableStates, find_stable_states, same_shape
 from forficula.statics.net.supports import supported
 from forficula.statics.net_course import Course, drive_course, short_of
 from forficula.statics.net_state import Mobility, NetState, mobility, net_state
-from forficula.structure import Structure, drive_of, first_state, state_of
+from forficula.structure import Structure, drive_of, facet_triangles, first_state, state_of
 
 Array = NDArray[np.float64]
 Progress = Callable[[str], None]
 
-_TRIES = 20  # pushes of a search for stable states
-_SHOWN = 6  # states, the lowest and those of the protocol, of which more is worked out
-_PATHS, _INCREMENTS = 4, 120  # tried for a saddle, and increments of each
+_TRIES = 16  # pushes of a search for stable states
+_SHOWN = 4  # states that no protocol names, of which more is worked out
+_PATHS, _INCREMENTS = 3, 100  # tried for a saddle, and increments of each
 _OFF = 1e-3  # of the net's size: a push off a ridge
 _RIDGES = 8
 
@@ -38,11 +40,16 @@ class Pass:
 
     Attributes:
         ends: numbers of the states.
-        saddle: that lies between; None where none was found.
+        saddle: that lies between; its ends are in the same order.
     """
 
     ends: tuple[int, int]
-    saddle: Saddle | None
+    saddle: Saddle
+
+    @property
+    def barriers(self) -> tuple[float, float]:
+        """Energies to climb from either end, J."""
+        return self.saddle.barriers
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -55,7 +62,7 @@ class NetLandscape:
         rests: where it comes to rest without drives: let go as built, then after each course of the protocol; with the
             name that the protocol has for it, and whether it deserves that.
         states: stable ones that a search found, by rising energy.
-        passes: between neighbouring states, so that all hang together.
+        passes: that were found between neighbouring states.
         courses: what the protocol's transitions do, each from where the one before left it; then what other drives do
             from where it first rests.
         search: seeded: there may be more states.
@@ -90,24 +97,18 @@ def net_landscape(structure: Structure, progress: Progress = lambda _: None) -> 
     rests = _rests(structure, first, courses)
     progress("stable states")
     search = find_stable_states(net, [rest.shape for _, rest, _ in rests], tries=_TRIES)
-    names = _names(net, search, rests)
-    states = []
-    for number, rest in enumerate(search.states):
-        named = not names[number].startswith("state ")
-        if number < _SHOWN or named:
-            progress(f"what it withstands: {names[number]}" if named else names[number])
-            found = search.counts[number]
-            states.append(net_state(structure, net, rest, names[number], found, loads=named))
+    states = _states(structure, net, search, rests, progress)
     progress("saddles between states")
+    passes = _passes(net, states)
     return NetLandscape(
         net=net,
         built=mobility(structure, net, built),
         rests=rests,
         states=tuple(states),
-        passes=_passes(net, states),
+        passes=passes,
         courses=courses,
         search=search,
-        remarks=(*left, *refused, *_remarks(structure, net, search, states, courses)),
+        remarks=(*left, *refused, *_remarks(structure, search, states, passes, courses)),
     )
 
 
@@ -153,9 +154,7 @@ def _rests(structure: Structure, first: Rest, courses: Sequence[Course]) -> tupl
     """Where it rests, by the names of the protocol."""
     places = [(first_state(structure, [state.name for state in structure.states]), first)]
     by_name = {course.name: course for course in courses}
-    for transition in structure.transitions:
-        if transition.name in by_name:
-            places.append((transition.state, by_name[transition.name].rest))
+    places += [(each.state, by_name[each.name].rest) for each in structure.transitions if each.name in by_name]
     found = []
     for name, rest in places:
         state = state_of(structure, name)
@@ -164,52 +163,111 @@ def _rests(structure: Structure, first: Rest, courses: Sequence[Course]) -> tupl
     return tuple(found)
 
 
-def _names(net: Net, search: StableStates, rests: Sequence[tuple[str, Rest, bool]]) -> list[str]:
-    """What states are called: by the protocol where it rests there, else by their order."""
-    names = [f"state {number}" for number in range(1, len(search.states) + 1)]
-    for name, rest, within in reversed(rests):
-        for number, state in enumerate(search.states):
-            if name and within and rest.stable and same_shape(net, rest.shape, state.shape):
-                names[number] = name
-    return names
+def _states(
+    structure: Structure,
+    net: Net,
+    search: StableStates,
+    rests: Sequence[tuple[str, Rest, bool]],
+    progress: Progress,
+) -> list[NetState]:
+    """What is told of states: of those of the protocol, and the lowest others in which no panels pass one another."""
+    triangles, states, others = facet_triangles(structure)[0], list[NetState](), 0
+    for rest, found in zip(search.states, search.counts, strict=True):
+        name = _name(net, rest, rests)
+        others += not name
+        if name or (others <= _SHOWN and not panels_pass(net, rest.shape, triangles)):
+            called = name or f"state {len(states) + 1}"
+            progress(f"what it withstands: {name}" if name else called)
+            states.append(net_state(structure, net, rest, called, found, loads=bool(name)))
+    return states
+
+
+def _name(net: Net, state: Rest, rests: Sequence[tuple[str, Rest, bool]]) -> str:
+    """What the protocol calls a state, where it rests there; else nothing."""
+    for name, rest, within in rests:
+        if name and within and rest.stable and same_shape(net, rest.shape, state.shape):
+            return name
+    return ""
 
 
 def _passes(net: Net, states: Sequence[NetState]) -> tuple[Pass, ...]:
-    """Saddles between neighbours: the pairs of states by which all hang together over the shortest ways."""
+    """Saddles between neighbours: the pairs of states by which all hang together over the shortest ways.
+
+    A saddle that is found on such a way and joins two other states is kept for these.
+    """
     if len(states) < 2:
         return ()
     apart = np.array([[_apart(one.rest.shape, other.rest.shape) for other in states] for one in states])
     tree = minimum_spanning_tree(np.triu(apart, 1)).tocoo()
-    found = []
+    found = dict[tuple[int, int], Saddle]()
     for start, end in sorted(zip(tree.row.tolist(), tree.col.tolist(), strict=True)):
-        one, other = states[start].rest, states[end].rest
-        saddle = find_saddle(net, one, other, increments=_INCREMENTS, tries=_PATHS)
-        found.append(Pass(ends=(start, end), saddle=saddle))
-    return tuple(found)
+        saddle = find_saddle(net, states[start].rest, states[end].rest, increments=_INCREMENTS, tries=_PATHS)
+        if saddle is None:
+            continue
+        one, other = (_number(net, states, rest) for rest in saddle.ends)
+        if one is not None and other is not None and one != other:
+            found[min(one, other), max(one, other)] = saddle if one < other else _turned(saddle)
+    return tuple(Pass(ends=ends, saddle=saddle) for ends, saddle in sorted(found.items(), key=lambda each: each[0]))
+
+
+def _turned(saddle: Saddle) -> Saddle:
+    return replace(saddle, ends=saddle.ends[::-1])
+
+
+def _number(net: Net, states: Sequence[NetState], rest: Rest) -> int | None:
+    """The number of the state that a rest is, None for another one."""
+    same = (number for number, state in enumerate(states) if same_shape(net, state.rest.shape, rest.shape))
+    return next(same, None)
 
 
 def _apart(one: Shape, other: Shape) -> float:
     """How far two shapes differ: by all distances of the nodes, which motions of the whole leave."""
-    first, second = (
-        np.linalg.norm(each.positions[:, None] - each.positions[None], axis=2) for each in (one, other)
-    )
+    first, second = (np.linalg.norm(each.positions[:, None] - each.positions[None], axis=2) for each in (one, other))
     return float(np.linalg.norm(first - second)) + 1e-9 * float(np.linalg.norm(one.angles - other.angles))
 
 
+def _alone(count: int, passes: Sequence[Pass]) -> list[int]:
+    """States that no chain of passes joins to the first."""
+    if not count:
+        return []
+    rows, columns = [each.ends[0] for each in passes], [each.ends[1] for each in passes]
+    graph = coo_array((np.ones(len(passes)), (rows, columns)), shape=(count, count))
+    _, part = connected_components(graph, directed=False)
+    return np.flatnonzero(part != part[0]).tolist()
+
+
 def _remarks(
-    structure: Structure, net: Net, search: StableStates, states: Sequence[NetState], courses: Sequence[Course]
+    structure: Structure,
+    search: StableStates,
+    states: Sequence[NetState],
+    passes: Sequence[Pass],
+    courses: Sequence[Course],
 ) -> list[str]:
+    """What is to be known of what was found, and of what was not."""
     whole, count = structure.appearance.whole, len(search.states)
     remarks = [
         f"states were looked for downhill from where the protocol leaves the {whole} and from {search.tries} pushes"
         f" (seed {search.seed}): there may be more than these {count}"
     ]
     if len(states) < count:
-        remarks.append(f"of {count} states that were found {len(states)} are told of: the lowest, and those by name")
+        remarks.append(
+            f"of {count} states that were found {len(states)} are told of: those that the protocol names, and the"
+            f" lowest others in which no panels pass through one another, up to {_SHOWN}"
+        )
+    remarks += [
+        f'in "{state.name}" panels pass through one another, which nothing here keeps them from: a locking law'
+        ' (crease.law = "locking") or stops (crease.fold_limit) would'
+        for state in states
+        if state.passing
+    ]
     if search.failed:
         remarks.append(f"{search.failed} of the tries came to rest in no stable state")
     if not count:
         remarks.append("something moves without any force: a crease without a spring, or a support that is missing")
+    remarks += [
+        f'no saddle was found that leads from "{states[number].name}" to the first of the states'
+        for number in _alone(len(states), passes)
+    ]
     for course in courses:
         if any(snap.kind != "limit" for snap in course.slow.snaps):
             remarks.append(

@@ -10,13 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
-from forficula.statics.net.collapse import collapse
+from forficula.statics.net.collapse import Collapse, collapse
 from forficula.statics.net.energy import stored_by_part
 from forficula.statics.net.load import Load, acceleration, pressure
+from forficula.statics.net.load_path import PathPoint
 from forficula.statics.net.minimum import Rest
 from forficula.statics.net.modes import natural_modes
 from forficula.statics.net.net import Net, Shape, Springs
 from forficula.statics.net.net_of import bends, motor_load, own_angles
+from forficula.statics.net.passing import panels_pass
 from forficula.statics.net.rigidity import rigidity
 from forficula.statics.net.strength import strength
 from forficula.structure import Measure, Motor, Structure, facet_triangles
@@ -24,7 +26,8 @@ from forficula.structure import Measure, Motor, Structure, facet_triangles
 Array = NDArray[np.float64]
 
 _MODES = 4  # told of every state, beside motions of the whole
-_STEP, _INCREMENTS = 0.04, 40  # first increment of a path to collapse, of the net's size, and how many
+_STEPS, _INCREMENTS = (0.04, 0.01), 40  # first increments of a path to collapse, of the net's size, and how many
+_STRAINED = 0.05  # of a bar: where a path to collapse ends, for panels tear or crumple
 _LARGEST = 1500  # free coordinates up to which mechanisms are counted: all singular values are worked out
 
 
@@ -50,7 +53,7 @@ class Withstood:
         unit: SI, of the value.
         value: at which the state is lost, or the largest reached.
         kind: "limit", past which nothing holds it near by; "bifurcation", past which it gives way sideways; "none"
-            where it held as far as the load was followed.
+            where it held as far as the load was followed, at most until a bar is strained by 5 %.
     """
 
     load: str
@@ -75,6 +78,7 @@ class NetState:
         stress: the largest of a bar with a cross-section or of a membrane, by size, Pa.
         extension: the largest of a tendon, beyond its resting length and by that.
         withstands: loads that grow from none, of states that a protocol names.
+        passing: whether panels pass through one another.
         found: how often the search came to it.
     """
 
@@ -89,6 +93,7 @@ class NetState:
     stress: float
     extension: float
     withstands: tuple[Withstood, ...]
+    passing: bool
     found: int
 
 
@@ -120,6 +125,7 @@ def net_state(structure: Structure, net: Net, rest: Rest, name: str, found: int,
         stress=float(max(np.abs(by_area).max(initial=0.0), np.abs(borne.stresses).max(initial=0.0))),
         extension=float(borne.extensions.max(initial=0.0)),
         withstands=tuple(_withstands(structure, net, rest)) if loads else (),
+        passing=panels_pass(net, rest.shape, facet_triangles(structure)[0]),
         found=found,
     )
 
@@ -171,12 +177,27 @@ def _withstands(structure: Structure, net: Net, rest: Rest) -> list[Withstood]:
     """Every load that is tried; those that would carry the whole away are left out."""
     found = []
     for words, unit, load in _loads(structure, net, rest.shape):
-        try:
-            lost = collapse(net, rest, load, step=_STEP * net.size, increments=_INCREMENTS)
-        except InputError:
-            continue
-        found.append(Withstood(load=words, unit=unit, value=float(lost.factor), kind=lost.kind))
+        lost = _lost(net, rest, load)
+        if lost is not None:
+            found.append(Withstood(load=words, unit=unit, value=float(lost.factor), kind=lost.kind))
     return found
+
+
+def _lost(net: Net, rest: Rest, load: Load) -> Collapse | None:
+    """Where a load carries a state away; None where the whole would go, or no path is found."""
+
+    def strained(point: PathPoint) -> bool:
+        return bool(np.abs(strength(net, point.shape).strains).max(initial=0.0) > _STRAINED)
+
+    for step in _STEPS:
+        try:
+            lost = collapse(net, rest, load, stop=strained, step=step * net.size, increments=_INCREMENTS)
+        except InputError:
+            return None
+        # a load that grew from nothing acts its own way; else an increment took another path for its own
+        if lost.factor > 0:
+            return lost
+    return None
 
 
 def _loads(structure: Structure, net: Net, shape: Shape) -> list[tuple[str, str, Load]]:
@@ -192,14 +213,14 @@ def _loads(structure: Structure, net: Net, shape: Shape) -> list[tuple[str, str,
             for sign, mark in ((1.0, "+"), (-1.0, "−")):
                 push = acceleration(net, sign * np.eye(3)[axis])
                 loads.append((f"supports accelerated along {mark}{letter}", "m/s^2", push))
-        triangles = np.array(facet_triangles(structure), dtype=np.int64)
+        triangles = facet_triangles(structure)[0]
         if len(triangles):
             loads.append(("pressure on the backs of all facets", "Pa", pressure(net, shape, triangles)))
             loads.append(("pressure on their fronts", "Pa", pressure(net, shape, triangles[:, ::-1])))
     for name, motor in _groups(structure):
         for sign, words in ((1.0, "folding"), (-1.0, "unfolding")):
             load = motor_load(replace(structure, motors=(motor,)), net, (sign,))
-            loads.append((f"torque on each of the {name}, {words}", "N m", load))
+            loads.append((f"torque on each crease of {name}, {words}", "N m", load))
     return loads
 
 

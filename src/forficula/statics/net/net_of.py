@@ -75,9 +75,7 @@ def bends(structure: Structure) -> Flags:
 def valley_law(structure: Structure) -> CreaseLaw:
     """The law of the creases' springs by fold angles, valleys positive, where the structure has them in own senses."""
     law, back = crease_law(structure, crease_numbers(structure)), _senses(structure) < 0
-    below, above, lower, upper = (
-        np.asarray(each) for each in (law.lock_below, law.lock_above, law.lower, law.upper)
-    )
+    below, above, lower, upper = (np.asarray(each) for each in (law.lock_below, law.lock_above, law.lower, law.upper))
     return replace(
         law,
         rest_angle=_senses(structure) * np.asarray(law.rest_angle),

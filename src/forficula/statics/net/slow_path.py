@@ -18,8 +18,9 @@ from forficula.statics.net.net import Net, Shape
 Array = NDArray[np.float64]
 
 _MOST_SNAPS = 12
-_BEYOND = 1e-4  # of the range of the factor: how far past a limit the load is when it lands
+_BEYOND = 1e-4  # of the factor: how far past a limit the load is when it lands
 _PUSH = 1e-3  # of the net's size, along the mode in which a bifurcation loses its stiffness
+_STEP = 0.03  # longest one on the way, of the net's size
 _NEAR = 1e-2  # of the net's size: what moves less has not snapped
 
 
@@ -30,9 +31,9 @@ class Snap:
     Attributes:
         kind: "limit", from which it snaps for there is no equilibrium beyond; "bifurcation", from which it snaps to
             somewhere else; "branch", where it turns into another path that begins there.
-        factor: of the load.
+        factor: of the load at which it leaves.
         before: equilibrium that it leaves.
-        after: where it lands.
+        after: where it lands, or is told to stop on the way.
         released: what it loses of its potential on the way, J: what shakes it.
     """
 
@@ -72,7 +73,7 @@ def slow_path(
     end: float = 1.0,
     step: float | None = None,
     increments: int = 100,
-    stop: Callable[[PathPoint], bool] | None = None,
+    stop: Callable[[Shape], bool] | None = None,
 ) -> SlowPath:
     """Let a load grow or fall so slowly that the net always rests, but where it snaps.
 
@@ -87,11 +88,15 @@ def slow_path(
         end: factor.
         step: as for `load_path`.
         increments: of each path.
-        stop: ends it after the first point for which it says so.
+        stop: ends it at the first shape for which it says so, on a path or on the way of a snap.
 
     Raises:
         InputError: as for `load_path`.
     """
+
+    def told(shape: Shape) -> bool:
+        return stop is not None and stop(shape)
+
     paths, snaps, factor = list[LoadPath](), list[Snap](), begin
     ended: Literal["target", "stop", "lost"] = "lost"
     while len(snaps) <= _MOST_SNAPS:
@@ -103,18 +108,22 @@ def slow_path(
             increments=increments,
             factor=factor,
             target=end,
-            stop=stop,
+            stop=None if stop is None else (lambda point: told(point.shape)),
             events=1,
             rising=end > begin,
         )
-        told = stop is not None and stop(path.points[-1])
-        path = path if told or not path.events else _up_to(path)
+        there = told(path.points[-1].shape)
+        path = path if there or not path.events else _up_to(path)
         paths.append(path)
-        if told or not path.events:
-            ended = "stop" if told else "target" if path.ended == "target" else "lost"
+        if there or not path.events:
+            ended = "stop" if there else "target" if path.ended == "target" else "lost"
             break
-        factor = path.events[0].point.factor + _BEYOND * (end - begin)
-        snaps.append(_snap(net, path.events[0], load, factor))
+        limit = path.events[0].point.factor
+        factor = limit + _BEYOND * float(np.sign(end - begin)) * max(abs(limit - begin), _BEYOND * abs(end - begin))
+        snaps.append(_snap(net, path.events[0], load, factor, told))
+        if told(snaps[-1].after.shape):
+            ended = "stop"
+            break
         if not snaps[-1].after.stable or (end - factor) * (end - begin) <= 0:
             break
         start = snaps[-1].after.shape
@@ -128,19 +137,19 @@ def _up_to(path: LoadPath) -> LoadPath:
     return LoadPath(load=path.load, points=points, events=path.events[:1], ended=path.ended, pins=path.pins)
 
 
-def _snap(net: Net, event: PathEvent, load: Load, factor: float) -> Snap:
+def _snap(net: Net, event: PathEvent, load: Load, factor: float, stop: Callable[[Shape], bool]) -> Snap:
     """Where a net lands that a limit or a bifurcation throws off its path; of two ways the one further down."""
     before, landed = event.point.shape, list[tuple[float, Rest]]()
     for sign in (1.0, -1.0) if event.kind == "bifurcation" else (0.0,):
         pushed = shape_at(net, before.positions + sign * _PUSH * net.size * event.mode, before.angles)
-        rest = minimum(net, pushed, load, factor)
+        rest = minimum(net, pushed, load, factor, longest_step=_STEP * net.size, stop=stop)
         landed.append((expand(net, rest.shape, load, factor).energy, rest))
-    energy, after = min(landed, key=lambda each: (not each[1].stable, each[0]))
+    energy, after = min(landed, key=lambda each: each[0])
     moved = np.abs(after.shape.positions - before.positions).max()
     near = event.kind == "bifurcation" and moved < _NEAR * net.size
     return Snap(
         kind="branch" if near else event.kind,
-        factor=factor,
+        factor=event.point.factor,
         before=before,
         after=after,
         released=expand(net, before, load, factor).energy - energy,
