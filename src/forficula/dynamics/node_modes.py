@@ -11,9 +11,8 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_array, diags_array
 from scipy.sparse.linalg import eigsh
 
-from forficula.dynamics.creases import crease_law
 from forficula.dynamics.folds import flap_turns
-from forficula.structure import Membrane, Structure, built_points, crease_flaps, crease_numbers
+from forficula.structure import Membrane, Structure, built_points, crease_flaps, crease_law, crease_numbers
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
