@@ -200,7 +200,8 @@ def _reading_cell(structure: Structure, measure: Measure, factor: float) -> Call
         if reading is None:  # of a role that no measure watches
             return _number(factor * float(condensed(structure, measure, state_angles(state, measure))[entry]), digits)
         mean, low, high = (
-            factor * float(condensed(structure, measure, each)[entry]) for each in (reading.mean, reading.low, reading.high)
+            factor * float(condensed(structure, measure, each)[entry])
+            for each in (reading.mean, reading.low, reading.high)
         )
         swing = (high - low) / 2
         return f"{_number(mean, digits)} ± {swing:.{digits}f}" if swing > least else _number(mean, digits)
