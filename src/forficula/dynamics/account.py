@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from forficula.dynamics.crease_work import crease_works, motor_travel
 from forficula.dynamics.energy import branch_losses, letting_go_work
 from forficula.dynamics.explicit_work import explicit_works
-from forficula.dynamics.model import Model
+from forficula.dynamics.model import Model, joint_ranges
 from forficula.dynamics.stepper import State, Steps
 from forficula.structure import Motor
 
@@ -35,6 +35,8 @@ class Account:
         self._set = np.zeros((len(models), len(self._motors)))
         self._done: dict[str, Array] = {}
         self._gaps, self._explicit = models[0].gaps, models[0].explicit
+        # where stops end the ranges of joints
+        self._stops = [np.array(each) for each in zip(*(joint_ranges(model) for model in models), strict=True)]
         # the widest gap of each so far, m
         self._widest = np.zeros(len(models))
 
@@ -83,6 +85,10 @@ class Account:
                 of_creases = np.array([damped for _, damped in each])
             if self._explicit:
                 work |= explicit_works(steps, travel, self._damping[rows], self._timestep[rows])
+                if len(self._gaps):
+                    stopped = self._stopped(rows, steps)
+                    work["closure_work"] = np.where(stopped, 0.0, work["stop_work"])
+                    work["stop_work"] = np.where(stopped, work["stop_work"], 0.0)
             else:
                 # the engine takes hinge damping implicitly, at the velocity after the step
                 work["hinge_damping_work"] = np.sum(-damping * velocity[:, 1:] * travel, axis=2) + of_creases
@@ -146,6 +152,13 @@ class Account:
             damper, spared = letting_go_work(model, travel[place], forces, activations)
             work["elastic_damping_work"][place] += damper
             work.setdefault("letting_go_work", np.zeros(travel.shape[:2]))[place] = spared
+
+    def _stopped(self, rows: Indices, steps: Steps) -> NDArray[np.bool_]:
+        """Whether a hinge is at a stop before or after each step, (row, step): only then stops do work."""
+        low, high = (self._stops[end][rows, None] for end in (0, 1))
+        position = np.concatenate([steps.position_before[:, None], steps.position], axis=1)
+        at_stop = ((position <= low) | (position >= high)).any(axis=2)
+        return np.asarray(at_stop[:, :-1] | at_stop[:, 1:])
 
     def _widened(self, rows: Indices, steps: Steps, taken: Indices) -> Array:
         """The widest gap of a closure up to the state before each step, m, (row, step)."""
