@@ -388,7 +388,8 @@ def test_a_sheet_whose_creases_close_a_loop_is_refused_with_the_reason(tmp_path)
         load_design(path)
     assert str(caught.value) == (
         f"{path}: pattern: edge 7 closes a loop of facets around vertex 4, which lies inside the sheet: need creases"
-        ' that join the facets as a tree; or take facet.kind = "bars", of which facets bend'
+        ' that join the facets as a tree; or take facet.kind = "bars", of which facets bend;'
+        " as built it can begin to move in 2 ways with rigid facets and in 6 where they bend"
     )
 
 

@@ -6,18 +6,24 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from forficula.design.crease_values import creases_by_edge, stops
-from forficula.design.part import ANGLE
+from forficula.design.part import ANGLE, SMALL_LENGTH
 from forficula.design.sheet_creases import creases_between, creases_of
 from forficula.design.sheet_places import keeps_distance, place_on
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, facet_tree
+from forficula.pattern.rigidity import rigidity
 from forficula.quantities import as_written, show_quantity
 
 if TYPE_CHECKING:
     from forficula.design.sheet import SheetDesign
 
+Array = NDArray[np.float64]
+
+# share of a sheet's size by which a facet's corners may lie off its plane: rounding
+_FLAT = 1e-9
 _INSTEAD = 'or take facet.kind = "bars", of which facets bend'
 
 
@@ -28,6 +34,13 @@ def check_rigid(sheet: CreasePattern) -> None:
         InputError: facets that are not flat, a sheet that is not flat as built, or creases that close a loop.
     """
     coords = sheet.vertices_coords
+    for facet, corners in enumerate(sheet.faces_vertices):
+        away = _out_of_plane(coords[list(corners)])
+        if away > _FLAT * float(np.ptp(coords, axis=0).max()):
+            raise InputError(
+                f"facet.kind: need flat facets where they are rigid, got facet {facet}, whose corners lie up to"
+                f" {show_quantity(away, SMALL_LENGTH)} off its plane; {_INSTEAD}"
+            )
     if np.ptp(coords[:, 2]) > 0:
         low, high = coords[:, 2].min(), coords[:, 2].max()
         raise InputError(
@@ -37,7 +50,23 @@ def check_rigid(sheet: CreasePattern) -> None:
     try:
         facet_tree(sheet)
     except InputError as error:
-        raise InputError(f"pattern: {error}; {_INSTEAD}") from None
+        raise InputError(f"pattern: {error}; {_INSTEAD}{_freedoms(sheet)}") from None
+
+
+def _freedoms(sheet: CreasePattern) -> str:
+    """In how many ways a sheet moves, as the end of a sentence; "" of one whose facets cannot be counted on."""
+    try:
+        rigid, bending = (rigidity(sheet, bending=bends).mechanisms for bends in (False, True))
+    except InputError:
+        return ""
+    return f"; as built it can begin to move in {rigid} ways with rigid facets and in {bending} where they bend"
+
+
+def _out_of_plane(corners: Array) -> float:
+    """How far the corners of a polygon lie off the plane that fits them best, m."""
+    away = corners - corners.mean(axis=0)
+    normal = np.linalg.svd(away)[2][2]
+    return float(np.abs(away @ normal).max())
 
 
 def check_rigid_creases(design: SheetDesign) -> None:
