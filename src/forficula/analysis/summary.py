@@ -9,7 +9,7 @@ import numpy as np
 from forficula.analysis.outcome import Outcome, StageOutcome, State, TransitionOutcome
 from forficula.analysis.run_warnings import run_warnings
 from forficula.dynamics import EnergyBalance, Record
-from forficula.structure import Structure, drive_of, structure_warnings
+from forficula.structure import Structure, drive_of, hinge_groups, structure_warnings
 
 
 def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[str, Any]:
@@ -60,6 +60,11 @@ def _state_summary(structure: Structure, state: State) -> dict[str, Any]:
                 told[f"{measure.name}{kind}_m"] = values.tolist()
     if state.hinge_energy is not None:
         told["hinge_energy_J"] = state.hinge_energy.tolist()
+        groups = {kind: hinges for kind, hinges in hinge_groups(structure).items() if kind != "hinges"}
+        for kind, hinges in groups.items():
+            told[f"{kind.replace(' ', '_')}_energy_J"] = float(state.hinge_energy[list(hinges)].sum())
+    if state.spring_energy is not None:
+        told["spring_energy_J"] = state.spring_energy.tolist()
     return told | {
         "tendon_length_m": state.tendon_length.tolist(),
         "tendon_energy_J": state.tendon_energy.tolist(),
@@ -96,6 +101,7 @@ def _balance_summary(balance: EnergyBalance) -> dict[str, float]:
         "yielding_J": balance.yielding,
         "letting_go_J": balance.letting_go,
         "hinge_energy_change_J": balance.hinges,
+        "spring_energy_change_J": balance.springs,
     }
     return {
         "residual": balance.residual,

@@ -1,12 +1,16 @@
-"""The angle between the two flaps of a crease."""
+"""Creases between two flaps: their angles, and the laws of their springs."""
 
 from __future__ import annotations
 
 import numpy as np
 
+from forficula.material.law.crease_law import CreaseLaw
 from forficula.structure.parts import Array, Indices
 from forficula.structure.structure import Structure
 from forficula.structure.tree import built_points
+
+# of a crease's stiffness, or of the stiffest if it has none: its stops
+_STOP = 100.0
 
 
 def crease_numbers(structure: Structure) -> Indices:
@@ -52,3 +56,18 @@ def built_creases(structure: Structure) -> Array:
     """Angles of the creases in the built shape, in their own senses, rad, (crease,)."""
     senses = np.array([hinge.sense for hinge in structure.hinges if hinge.flaps], dtype=np.int64)
     return np.asarray(senses * flap_angles(built_points(structure)[crease_flaps(structure)]))
+
+
+def crease_law(structure: Structure, creases: Indices) -> CreaseLaw:
+    """The law of the springs of creases, by the numbers of their hinges, in own senses, arrays (crease,)."""
+    hinges = [structure.hinges[number] for number in creases]
+    stiffness = np.array([hinge.stiffness for hinge in hinges])
+    return CreaseLaw(
+        stiffness=stiffness,
+        rest_angle=np.array([hinge.rest_angle for hinge in hinges]),
+        lock_below=np.array([hinge.lock_below for hinge in hinges]),
+        lock_above=np.array([hinge.lock_above for hinge in hinges]),
+        lower=np.array([hinge.lower for hinge in hinges]),
+        upper=np.array([hinge.upper for hinge in hinges]),
+        stop_stiffness=_STOP * np.where(stiffness > 0, stiffness, stiffness.max(initial=0.0)),
+    )

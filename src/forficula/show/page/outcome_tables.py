@@ -9,9 +9,9 @@ from forficula.analysis import Outcome, State, Verdict
 from forficula.show.page.html import paragraph, table
 from forficula.show.page.words import readable
 from forficula.show.run.outcome_rows import (
-    TRANSITION_HEADINGS,
     balance_rows,
     state_rows,
+    transition_headings,
     transition_rows,
 )
 from forficula.show.run.state_names import states_reached
@@ -64,7 +64,7 @@ def _transitions(outcome: Outcome, structure: Structure) -> str:
         return ""
     caption = " and ".join(transition.wording.noun for transition in structure.transitions)
     rows = _signed(transition_rows(structure, outcome))
-    return table(f"{caption[:1].upper()}{caption[1:]}", TRANSITION_HEADINGS, rows)
+    return table(f"{caption[:1].upper()}{caption[1:]}", transition_headings(structure), rows)
 
 
 def _balance(outcome: Outcome, structure: Structure) -> str:

@@ -10,7 +10,7 @@ from rich.text import Text
 
 from forficula.analysis import Outcome, State, Verdict
 from forficula.quantities import reading_unit, show_value
-from forficula.show.run.outcome_rows import TRANSITION_HEADINGS, StateRows, balance_rows, state_rows, transition_rows
+from forficula.show.run.outcome_rows import StateRows, balance_rows, state_rows, transition_headings, transition_rows
 from forficula.show.run.state_names import states_reached
 from forficula.structure import Structure
 
@@ -74,7 +74,7 @@ def _state_table(rows: StateRows, there: Mapping[str, State], first: int, last: 
 
 def _transitions(outcome: Outcome, structure: Structure) -> Table:
     table = Table(box=None, padding=(0, 2, 0, 0), title="Transitions", title_justify="left")
-    for heading in TRANSITION_HEADINGS:
+    for heading in transition_headings(structure):
         table.add_column(heading, justify="left" if not heading else "right")
     for cells in transition_rows(structure, outcome):
         table.add_row(*cells)

@@ -13,7 +13,7 @@ from forficula.show.structure.crease_lines import draw_creases, sheet_axes
 from forficula.show.structure.labels import counted, label_of, parts_of, shown_angles
 from forficula.show.structure.painted_shape import BAR
 from forficula.show.style import BLACK, ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
-from forficula.structure import Hinge, Structure, built_hinges, built_points
+from forficula.structure import Hinge, Structure, built_hinges, built_points, held_corners
 
 Array = NDArray[np.float64]
 
@@ -36,6 +36,9 @@ def draw_pattern(structure: Structure, width: float = PAGE_WIDTH) -> Figure:
             ends = factor * points[list(tendon.points)]
             axes.plot(*ends.T[:2], "o-", color=ORANGE, ms=3.5, lw=3, alpha=0.6)
         _number(axes, structure, factor)
+        if held := list(held_corners(structure)):
+            axes.plot(*(factor * points[held, :2]).T, "s", color=BAR, ms=3.5, zorder=3)
+            handles.append(Line2D([], [], color=BAR, marker="s", ls="none", ms=3.5, label="held vertex"))
         if structure.tendons:
             handles.append(Line2D([], [], color=ORANGE, marker="o", ms=3.5, lw=3, alpha=0.6, label="tendon"))
         handles += [Line2D([], [], color="0.5", ls=":", label=name) for name in structure.appearance.circles]
@@ -63,9 +66,15 @@ def _number(axes: Axes, structure: Structure, factor: float) -> None:
     names = parts_of([label_of(structure.hinges[hinge]) for hinge in hinges]).names
     points, (origins, directions) = built_points(structure), built_hinges(structure)
     shown = range(len(hinges))
+    if len(hinges) > _MOST_NUMBERED and structure.facets:
+        return
     if len(hinges) > _MOST_NUMBERED:
         shown = np.linspace(0, len(hinges) - 1, _NUMBERED).round().astype(int).tolist()
     for hinge, name in ((hinges[place], names[place]) for place in shown):
+        flaps = structure.hinges[hinge].flaps
+        if flaps is not None:
+            _label(axes, factor * points[list(flaps[:2])].mean(axis=0), name)
+            continue
         bar = next((bar for bar in structure.bars if bar.body == structure.hinges[hinge].body), None)
         if bar is not None:
             place = factor * points[bar.points[1], :2]
@@ -80,8 +89,13 @@ def _number(axes: Axes, structure: Structure, factor: float) -> None:
             )
             continue
         place = factor * _middle(structure, structure.hinges[hinge], points, origins[hinge], directions[hinge])[:2]
-        box = {"boxstyle": "round,pad=0.15", "fc": "white", "ec": "none"}
-        axes.text(place[0], place[1], name, ha="center", va="center", bbox=box)
+        _label(axes, place, name)
+
+
+def _label(axes: Axes, place: Array, name: str) -> None:
+    """A name on a line."""
+    box = {"boxstyle": "round,pad=0.15", "fc": "white", "ec": "none"}
+    axes.text(place[0], place[1], name, ha="center", va="center", bbox=box)
 
 
 def _middle(structure: Structure, hinge: Hinge, points: Array, origin: Array, direction: Array) -> Array:

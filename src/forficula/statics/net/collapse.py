@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
@@ -41,7 +42,14 @@ class Collapse:
 
 
 def collapse(
-    net: Net, state: Rest, load: Load, *, most: float | None = None, step: float | None = None, increments: int = 300
+    net: Net,
+    state: Rest,
+    load: Load,
+    *,
+    most: float | None = None,
+    stop: Callable[[PathPoint], bool] | None = None,
+    step: float | None = None,
+    increments: int = 300,
 ) -> Collapse:
     """The first limit or bifurcation under a load that grows in proportion.
 
@@ -50,6 +58,7 @@ def collapse(
         state: stable, without the load.
         load: that grows from nothing.
         most: factor that is enough; None for no end.
+        stop: as for `load_path`.
         step: as for `load_path`.
         increments: largest number of them.
 
@@ -58,7 +67,7 @@ def collapse(
     """
     if not state.stable:
         raise InputError(f"state: need a stable one, got one with {state.index} ways downhill")
-    path = load_path(net, state.shape, load, step=step, increments=increments, target=most, events=1)
+    path = load_path(net, state.shape, load, step=step, increments=increments, target=most, stop=stop, events=1)
     if path.events:
         event = path.events[0]
         return Collapse(kind=event.kind, factor=event.point.factor, point=event.point, mode=event.mode, path=path)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -143,10 +144,12 @@ class Net:
         """Masses by node, the same for x, y and z, kg, (node, node)."""
         return csr_array(self.masses if self.masses.ndim == 2 else diags_array(np.asarray(self.masses)))
 
-    @property
+    @cached_property
     def size(self) -> float:
-        """The largest extent as built, m."""
-        return float(np.ptp(self.nodes, axis=0).max())
+        """The largest extent as built of what has a mass or moves, m."""
+        heavy = np.asarray(abs(self.mass_matrix).sum(axis=1)).ravel() > 0
+        moving = heavy | self.free.any(axis=1)
+        return float(np.ptp(self.nodes[moving] if moving.any() else self.nodes, axis=0).max())
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
