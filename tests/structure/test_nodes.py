@@ -236,8 +236,6 @@ def test_a_structure_in_other_units_is_the_same():
             {"measure": [{"name": "a", "kind": "distance", "from": "vertex 1", "to": "ground"}]},
             r"measure\.0\.ground: need x, y and z",
         ),
-        ({"facet.kind": "rigid"}, r"facet\.kind: rigid facets are built of a flat sheet"),
-        ({"facet.kind": "rigid", "pattern.fold": 0.0}, r'closes a loop .* or take facet\.kind = "bars"'),
     ],
 )
 def test_what_cannot_be_built_is_refused(values, message):
