@@ -10,6 +10,7 @@ import forficula as ff
 from forficula.design import Stage, with_values
 from forficula.dynamics import compile_model, energy_balance, simulate
 from forficula.dynamics.stages import StageTracker, stage_torques
+from forficula.dynamics.stepper import Steps
 from forficula.structure import hinges_of
 from tests.dynamics.protocols import on_protocol
 
@@ -150,10 +151,17 @@ def test_a_hinge_more_than_10_deg_beyond_its_stop_is_a_divergence(short, beyond,
     position = np.zeros((1, count, wing.engine.nv))
     fold = hinges_of(wing.structure, "ring")[1]
     # the overbend's stop, in the hinge's own sense
-    position[0, 1, fold] = wing.senses[fold] * (short.hinge.overbend + math.radians(beyond))
-    time = wing.timestep * np.arange(1, count + 1)[None]
-    lengths = np.zeros((1, count, wing.engine.ntendon))
-    taken = tracker.follow(np.array([0]), np.zeros(1), time, position, np.zeros_like(position), lengths)
+    position[0, 1, fold] = wing.folds.senses[fold] * (short.hinge.overbend + math.radians(beyond))
+    time = wing.timestep * np.arange(1, count + 1)[None, :, None]
+    steps = Steps(
+        dof=wing.engine.nv,
+        inner={},
+        before=np.zeros((1, 1 + 2 * wing.engine.nv)),
+        after=np.concatenate([time, position, np.zeros_like(position)], axis=2),
+        derived={"ten_length": np.zeros((1, count, wing.engine.ntendon))},
+        kept=(),
+    )
+    taken = tracker.follow(np.array([0]), steps)
     assert taken.tolist() == [1 if diverged else count]
     assert (tracker.diverged_at[0] is not None) == diverged
     if diverged:

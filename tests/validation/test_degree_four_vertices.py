@@ -1,6 +1,6 @@
 """Nets of stiff bars fold a vertex of four creases as rigid panels do.
 
-Flat-foldable vertices obey the tan-half-angle relations (Tachi 2009, doi 10.20898/j.iass.2009.161.014; Evans, Lang,
+Flat-foldable vertices obey the tan-half-angle relations (Tachi 2009, J. IASS 50, 173-179; Evans, Lang,
 Magleby and Howell 2015, doi 10.1098/rsos.150067); any others the closure of four rotations (Belcastro and Hull 2002,
 doi 10.1016/S0024-3795(01)00608-5), here as a product of matrices.
 """

@@ -1,6 +1,6 @@
 """Miura sheets as nets: how many ways they move, and the closed form of the one way in which they fold.
 
-Counts as those of Schenk and Guest's rigidity matrix (2011, Origami 5, 291-304) for sheets of m x n facets kept flat:
+Counts as those of Schenk and Guest's rigidity matrix (2011, Origami 5, 291-303) for sheets of m x n facets kept flat:
 m + n - 2 flat, one folded. Dimensions in closed form: Schenk and Guest 2013, doi 10.1073/pnas.1217998110.
 """
 

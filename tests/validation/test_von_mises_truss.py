@@ -1,4 +1,4 @@
-"""Von Mises' truss: two bars between supports, in closed form (von Mises 1923, doi 10.1002/zamm.19230030302)."""
+"""Von Mises' truss: two bars between supports, in closed form (von Mises 1923, ZAMM 3, 406-422)."""
 
 from dataclasses import replace
 
@@ -8,12 +8,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import brentq
 
-from forficula.statics.net.collapse import collapse
+from forficula.errors import InputError
+from forficula.material.law.tendon_law import ElasticLaw
+from forficula.statics.net.collapse import collapse, snapped
 from forficula.statics.net.energy import built_shape, expand
 from forficula.statics.net.load import acceleration, held_displacements, point_forces
 from forficula.statics.net.load_path import load_path
 from forficula.statics.net.minimum import minimum
 from forficula.statics.net.modes import natural_modes
+from forficula.statics.net.net import Tendons
 from forficula.statics.net.saddle import find_saddle
 from forficula.statics.net.stable_states import find_stable_states
 from tests.statics.net.nets import truss
@@ -90,6 +93,24 @@ def test_a_soft_spring_in_series_snaps_back_under_displacement():
         assert event.point.factor == pytest.approx(driven(turn), rel=1e-8)
 
 
+def test_a_tendon_that_goes_slack_turns_the_path_at_a_corner():
+    # it pulls the apex down as far as 0.1 m, and keeps it from snapping until then
+    slack, pull = 0.1, 400.0
+    nodes = [[-HALF, 0, 0], [0, 0, 0.3], [HALF, 0, 0], [0, 0, -1]]
+    net = truss(nodes, [[0, 1], [1, 2]], stiffness=STIFFNESS, held=[0, 2, 3, (1, 0), (1, 1)])
+    law = ElasticLaw(rest_length=np.array([1 + slack]), linear=np.array([pull]))
+    net = replace(net, tendons=Tendons(points=np.array([[1, 3]]), law=law))
+    start = minimum(net, built_shape(net))
+    path = load_path(net, start.shape, point_forces(net, APEX, DOWN), step=0.02, increments=40)
+    assert path.ended == "count"
+    z = np.array([point.shape.positions[1, 2] for point in path.points])
+    known = force(0.3, z) - pull * np.maximum(z - slack, 0)
+    np.testing.assert_allclose([point.factor for point in path.points], known, atol=1e-8)
+    assert z[-1] < -0.3
+    assert [event.kind for event in path.events] == ["limit", "limit"]
+    assert path.events[0].point.factor == pytest.approx(force(0.3, slack), rel=1e-3)
+
+
 def test_a_tall_truss_leaves_sideways_first():
     # the sideways stiffness 1 - L0 z^2 / L^3 falls to 0 above the limit where L0 > 3 sqrt(3) / 2 of the half span
     height = 2.6
@@ -101,6 +122,23 @@ def test_a_tall_truss_leaves_sideways_first():
     assert event.kind == "bifurcation"
     assert event.point.factor == pytest.approx(force(height, z), rel=1e-5)
     np.testing.assert_allclose(event.mode[1], (1, 0, 0), atol=1e-6)
+
+    for sense in (1, -1):
+        aside = load_path(
+            net,
+            event.point.shape,
+            point_forces(net, APEX, DOWN),
+            factor=event.point.factor,
+            way=sense * event.mode,
+            increments=20,
+        )
+        for point in aside.points[1:]:
+            x, _, z = point.shape.positions[1]
+            assert sense * x > 0
+            lengths = np.hypot(x + HALF, z), np.hypot(x - HALF, z)
+            pulls = [STIFFNESS * (rest / length - 1) for length in lengths]
+            assert pulls[0] * (x + HALF) + pulls[1] * (x - HALF) == pytest.approx(0, abs=1e-8)
+            assert sum(pulls) * z == pytest.approx(point.factor, abs=1e-8)
 
 
 def test_two_states_lie_on_either_side_of_the_saddle_of_straight_bars():
@@ -123,6 +161,20 @@ def test_it_collapses_at_the_limit_under_a_force_or_an_acceleration():
     assert pushed.factor == pytest.approx(limit(0.3), rel=1e-9)
     assert shaken.factor == pytest.approx(limit(0.3) / 0.2, rel=1e-9)
     assert collapse(net, rest, point_forces(net, APEX, DOWN), most=limit(0.3) / 2).kind == "none"
+
+
+def test_from_the_limit_it_snaps_to_where_the_inverted_truss_bears_the_same_force():
+    net = von_mises(0.3)
+    state = minimum(net, built_shape(net))
+    lost = collapse(net, state, point_forces(net, APEX, DOWN))
+    there = snapped(net, lost)
+    assert there.stable
+    z = brentq(lambda z: force(0.3, z) - 1.001 * limit(0.3), -1.0, -0.3)
+    assert there.shape.positions[1] == pytest.approx((0, 0, z), abs=1e-8)
+    assert minimum(net, there.shape).shape.positions[1, 2] == pytest.approx(-0.3)
+    held = collapse(net, state, point_forces(net, APEX, DOWN), most=1.0)
+    with pytest.raises(InputError, match="lost: need a state that collapses"):
+        snapped(net, held)
 
 
 def test_its_apex_vibrates_as_its_stiffness_says():

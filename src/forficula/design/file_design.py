@@ -59,7 +59,7 @@ def file_tables(path: Path, unit: float | None = None) -> dict[str, Any]:
 
 
 def _period(sheet: CreasePattern) -> float:
-    """About the slowest period of a sheet, s: that of its whole mass, as a bar as long as it, on all creases at once."""
+    """About the slowest period of a sheet, s: of its whole mass, as a bar as long as it, on all creases at once."""
     made = {choice.key: choice.value for choice in choices(sheet, Facet(), Crease()) if choice.key != "damping"}
     mass = made["density"] * made["thickness"] * sum(facet_areas(sheet))
     ends = sheet.vertices_coords[sheet.edges_vertices[list(fold_edges(sheet))]]

@@ -12,7 +12,7 @@ from forficula.design.part import ANGLE, LENGTH, TORQUE
 from forficula.design.protocol import GoalText, check_bound, check_stages, read_goal, stage_drives
 from forficula.design.rigid_checks import check_rigid, check_rigid_creases, check_rigid_tendon
 from forficula.design.sheet_creases import crease_groups, crease_role, crease_sense, creases_of, fold_edges
-from forficula.design.sheet_places import facet_of, place_on, vertex_of
+from forficula.design.sheet_places import GROUND_PLACE, facet_of, place_on, vertex_of
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern
 from forficula.pattern.shared_edges import shared_edges
@@ -20,6 +20,8 @@ from forficula.quantities import Unit, as_written, parse_quantity, show_quantity
 
 if TYPE_CHECKING:
     from forficula.design.sheet import SheetDesign
+    from forficula.design.sheet_course import SheetMeasure
+    from forficula.design.sheet_tendon import SheetTendon
 
 Found = TypeVar("Found")
 
@@ -40,17 +42,20 @@ def check_sheet(design: SheetDesign) -> None:
     """
     sheet, groups = design.sheet, design.crease.group
     _check_edges(sheet)
-    if design.facet.kind == "rigid":
-        check_rigid(sheet)
     if not fold_edges(sheet):
         raise InputError("pattern: need a mountain or a valley between two facets, got none")
     _check_supports(design, sheet)
     for number, group in enumerate(groups):
         _keyed(f"crease.group.{number}.of", creases_of, sheet, group.of, groups[:number])
     if design.facet.kind == "rigid":
+        check_rigid(design)
         check_rigid_creases(design)
     elif design.crease.start or any(group.start for group in groups):
         raise InputError("crease.start: is for rigid facets; others start as the pattern is built")
+    for number, each in enumerate((design.crease, *groups)):
+        if design.facet.kind != "rigid" and each.extension is not None:
+            key = f"crease.group.{number - 1}" if number else "crease"
+            raise InputError(f'{key}.extension: is for facet.kind = "rigid", between whose facets creases open')
     _check_names(design, sheet)
     for number, _ in enumerate(design.tendon):
         _check_tendon(design, sheet, number)
@@ -60,8 +65,7 @@ def check_sheet(design: SheetDesign) -> None:
         if measure.of is not None:
             _keyed(f"measure.{number}.of", creases_of, sheet, measure.of, groups)
             continue
-        for end in ("from", "to"):
-            _keyed(f"measure.{number}.{end}", _place, design, sheet, getattr(measure, end))
+        _ends(design, sheet, f"measure.{number}", measure)
     if design.protocol.contact:
         raise InputError("protocol.contact: need false, for facets do not touch each other, got true")
     _check_protocol(design, sheet)
@@ -81,7 +85,7 @@ def _check_edges(sheet: CreasePattern) -> None:
 def _check_supports(design: SheetDesign, sheet: CreasePattern) -> None:
     """Refuse what is no part of the sheet, and more than one facet of rigid ones."""
     rigid = design.facet.kind == "rigid"
-    if rigid and len(design.support) > 1:
+    if rigid and len(design.support) > 1 and not design.opens:
         raise InputError(f"support: need at most 1 entry, got {len(design.support)}, for rigid facets hang on one")
     for number, support in enumerate(design.support):
         if rigid or support.of.strip().startswith("facet"):
@@ -110,20 +114,30 @@ def _check_names(design: SheetDesign, sheet: CreasePattern) -> None:
 def _check_tendon(design: SheetDesign, sheet: CreasePattern, number: int) -> None:
     """Refuse a tendon between places that are none, or that keep their distance."""
     ends = [str(getattr(design.tendon[number], end)) for end in ("from", "to")]
-    places = [
-        _keyed(f"tendon.{number}.{key}", _place, design, sheet, end)
-        for key, end in zip(("from", "to"), ends, strict=True)
-    ]
+    places = _ends(design, sheet, f"tendon.{number}", design.tendon[number])
     if design.facet.kind == "rigid":
-        check_rigid_tendon(sheet, number, ends)
+        check_rigid_tendon(design, number, ends)
     elif places[0] == places[1]:
         raise InputError(
             f"tendon.{number}.to: need another vertex than tendon.{number}.from, got {as_written(ends[1])}"
         )
 
 
+def _ends(design: SheetDesign, sheet: CreasePattern, key: str, joined: SheetTendon | SheetMeasure) -> list[object]:
+    """The places of both ends, of which one may be on the ground."""
+    places = [_keyed(f"{key}.{end}", _place, design, sheet, getattr(joined, end)) for end in ("from", "to")]
+    if (GROUND_PLACE in places) != bool(joined.ground) or len(joined.ground) not in (0, 3):
+        raise InputError(
+            f'{key}.ground: need x, y and z where one end is "ground", as in ["0 cm", "0 cm", "-5 cm"], else nothing,'
+            f" got {len(joined.ground)} numbers"
+        )
+    return places
+
+
 def _place(design: SheetDesign, sheet: CreasePattern, text: str) -> object:
     """Where a text says, as what may be told from others."""
+    if design.facet.kind != "rigid" and text.strip() == GROUND_PLACE:
+        return GROUND_PLACE
     return place_on(sheet, text) if design.facet.kind == "rigid" else vertex_of(sheet, text)
 
 
@@ -131,14 +145,14 @@ def _check_drive(design: SheetDesign, sheet: CreasePattern, number: int) -> None
     """Refuse a drive on what is not there."""
     drive, key = design.drive[number], f"drive.{number}.of"
     if drive.kind == "force":
-        if design.facet.kind == "rigid":
-            raise InputError(f'drive.{number}.kind: need "torque" where facets are rigid, got "force"')
+        if design.facet.kind == "rigid" and not design.opens:
+            raise InputError(f'drive.{number}.kind: need "torque" where facets are hinged, got "force"')
         for text in (drive.of,) if isinstance(drive.of, str) else drive.of:
-            _keyed(key, vertex_of, sheet, text)
+            _keyed(key, _place, design, sheet, text)
         return
     edges = _keyed(key, creases_of, sheet, str(drive.of), design.crease.group)
-    if drive.kind == "rest-angle" and design.facet.kind == "rigid":
-        raise InputError(f'drive.{number}.kind: need "torque" where facets are rigid, got "rest-angle"')
+    if drive.kind == "rest-angle" and design.facet.kind == "rigid" and not design.opens:
+        raise InputError(f'drive.{number}.kind: need "torque" where facets are hinged, got "rest-angle"')
     if drive.to is not None and not any(sheet.edges_fold_angle[edge] for edge in _targeted(sheet, edges)):
         raise InputError(f"{key}: need creases with a target, a mountain or a valley, got {as_written(drive.of)}")
 
@@ -177,7 +191,7 @@ def _check_angle_goal(design: SheetDesign, sheet: CreasePattern, key: str, writt
     creases = creases_by_edge(design)
     name = written.name if measure is None else str(measure.of)
     for edge in creases_of(sheet, name, design.crease.group):
-        low, high = stops(design, creases[edge])
+        low, high = stops(design, edge, creases[edge])
         if measure is not None and crease_sense(sheet, edge) < 0:
             # measures are valley positive
             low, high = -high, -low

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import Field, create_model, field_validator, model_validator
 
-from forficula.design.part import ANGLE, TIME, TORQUE, Part, quantity
+from forficula.design.part import ANGLE, LENGTH, TIME, TORQUE, Part, quantity
 from forficula.design.protocol import Protocol
 from forficula.design.sheet_names import checked_name
 from forficula.errors import InputError
@@ -24,7 +24,11 @@ STRENGTHS: Mapping[str, str] = {"torque": "value", "force": "force", "rest-angle
 def _between(description: str, **default: Any) -> Any:
     """A named part with the keys "from" and "to", which are no names in Python."""
     end: Any = Annotated[str | None if default else str, Field(description=description, **default)]
-    return create_model("_Between", __base__=Part, **{"name": str, "from": end, "to": end})
+    ground = quantity(
+        LENGTH, 'x, y and z of the ground, where an end is "ground"', default=(), examples=[["0 cm", "0 cm", "-5 cm"]]
+    )
+    fields: dict[str, Any] = {"name": str, "from": end, "to": end, "ground": (tuple[float, ...], ground)}
+    return create_model("_Between", __base__=Part, **fields)
 
 
 if TYPE_CHECKING:
@@ -33,14 +37,18 @@ if TYPE_CHECKING:
         """What `_between` makes."""
 
         name: str
+        ground: tuple[float, ...]
 
     class _MaybeJoined(Part):
         """What `_between` makes."""
 
         name: str
+        ground: tuple[float, ...]
 
 else:
-    Joined = _between("where it ends: vertex 4, edge 12 at 0.5, facet 3 at centre, facet 3 at 0.5, 1")
+    Joined = _between(
+        "where it ends: vertex 4, ground; of rigid facets edge 12 at 0.5, facet 3 at centre, facet 3 at 0.5, 1"
+    )
     _MaybeJoined = _between("of a distance: where it begins and ends", default=None)
 
 
@@ -131,6 +139,8 @@ class SheetMeasure(_MaybeJoined):
 
     @model_validator(mode="after")
     def _has_what_its_kind_needs(self) -> SheetMeasure:
+        if self.kind == "fold-angle" and self.ground:
+            raise InputError('ground: is for kind = "distance"')
         given = [key for key in ("of", "from", "to") if getattr(self, key) is not None]
         needed = ["of"] if self.kind == "fold-angle" else ["from", "to"]
         if given != needed:

@@ -22,6 +22,8 @@ _EDGE = re.compile(rf"(?:edge|crease) (\d{{1,9}}) at {_NUMBER}")
 _FACET = re.compile(rf"facet (\d{{1,9}}) at (?:cent(?:re|er)|{_NUMBER}\s*,\s*{_NUMBER})")
 _WHOLE_FACET = re.compile(r"facet (\d{1,9})")
 _WRITTEN = '"vertex 4", "vertex 4 of facet 2", "edge 12 at 0.5", "facet 3 at centre" or "facet 3 at 0.5, 1"'
+# of an end that is no part of the sheet
+GROUND_PLACE = "ground"
 # share of a facet's size by which a place may lie beside it: rounding
 _BESIDE = 1e-9
 

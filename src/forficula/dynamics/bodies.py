@@ -33,6 +33,8 @@ def add_bodies(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> No
         bodies.append(parent.add_body(name=body.name, pos=body.position, quat=frame))
         if body.slides:
             _add_node(bodies[-1], body)
+    for closure in structure.closures:
+        _add_mass(bodies[closure.bodies[1]], closure.bodies[1], structure)
     for bar in structure.bars:
         _add_bar(bodies[bar.body], bar, structure, timestep)
     for plate in structure.plates:
@@ -58,6 +60,7 @@ def engine_sites(structure: Structure) -> list[int]:
     pairs = [spring.points for spring in structure.springs]
     pairs += [*(tendon.points for tendon in structure.tendons), *(limit.points for limit in structure.limits)]
     pairs += [measure.points for measure in structure.measures if measure.points is not None]
+    pairs += [pair for closure in structure.closures for pair in closure.points]
     ends = {number for pair in pairs for number in pair}
     return [number for number, point in enumerate(structure.points) if point.place.any() or number in ends]
 
@@ -93,10 +96,7 @@ def _add_bar(body: mujoco.MjsBody, bar: Bar, structure: Structure, timestep: flo
 
 def _add_plate(spec: mujoco.MjSpec, body: mujoco.MjsBody, plate: Plate, structure: Structure) -> None:
     """Give a body a plate's mass, and for viewers its shape, which has neither mass nor contact."""
-    mass, centre, inertia = mass_of(structure, plate.body)
-    body.explicitinertial = True
-    body.mass, body.ipos = mass, centre
-    body.fullinertia = [inertia[row, column] for row, column in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
+    _add_mass(body, plate.body, structure)
     corners = np.array([structure.points[point].place for point in plate.points])
     normal = np.cross(corners - corners[0], np.roll(corners, -1, axis=0) - corners[0]).sum(axis=0)
     half = plate.thickness / 2 * normal / np.linalg.norm(normal)
@@ -104,6 +104,14 @@ def _add_plate(spec: mujoco.MjSpec, body: mujoco.MjsBody, plate: Plate, structur
     # a thin plate has no volume to speak of
     shape.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
     body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=body.name, mass=0, contype=0, conaffinity=0)
+
+
+def _add_mass(body: mujoco.MjsBody, number: int, structure: Structure) -> None:
+    """Give a body the mass of what it is."""
+    mass, centre, inertia = mass_of(structure, number)
+    body.explicitinertial = True
+    body.mass, body.ipos = mass, centre
+    body.fullinertia = [inertia[row, column] for row, column in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
 
 
 def _add_hinge(body: mujoco.MjsBody, hinge: Hinge, timestep: float) -> None:

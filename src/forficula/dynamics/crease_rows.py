@@ -15,12 +15,11 @@ from numpy.typing import NDArray
 
 from forficula.dynamics.model import Model
 from forficula.material import CreaseLaw
+from forficula.structure.flaps import cross, dot
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-# steps over which a row stays as it is; it is of second order between
-FOLLOWED = 10
 # numbers of a row: of a quadratic form of its four nodes, and one of their determinant
 _FORM, _ROW = 16, 17
 
@@ -72,18 +71,18 @@ class CreaseRows:
         """
         tail, head, left, right = self._corners(self.built[which], positions)
         edge, one, other = head - tail, left - tail, right - tail
-        first, second = _cross(edge, one), _cross(other, edge)
-        square, area, other_area = _dot(edge, edge), _dot(first, first), _dot(second, second)
-        length, volume = np.sqrt(square), _dot(other, first)
-        share, other_share = _dot(one, edge) / square, _dot(other, edge) / square
+        first, second = cross(edge, one), cross(other, edge)
+        square, area, other_area = dot(edge, edge), dot(first, first), dot(second, second)
+        length, volume = np.sqrt(square), dot(other, first)
+        share, other_share = dot(one, edge) / square, dot(other, edge) / square
         senses = self.senses[which]
-        angles = without_jump(senses * np.arctan2(length * volume, _dot(first, second)), near)
+        angles = without_jump(senses * np.arctan2(length * volume, dot(first, second)), near)
 
         tail, head, left, right = self._corners(np.zeros_like(self.built[which]), velocities)
-        turning = _dot(first, left - tail - share * (head - tail)) / area
-        turning += _dot(second, right - tail - other_share * (head - tail)) / other_area
+        turning = dot(first, left - tail - share * (head - tail)) / area
+        turning += dot(second, right - tail - other_share * (head - tail)) / other_area
         rests, torques = (np.einsum("rm,rmc->rc", efforts, each[which]) for each in (self.rests, self.torques))
-        law = _some(self.law, which)
+        law = self.law.some(which)
         moment = law.moment(angles, rests) + self.damping[which] * senses * length * turning - torques
         slope = law.slope(angles)
         # of the angle between the flaps, whose sense the row has
@@ -110,11 +109,11 @@ class CreaseRows:
             (2, one, weights[2] * pull + last * second - moment * length / area * first, area),
             (3, other, weights[3] * pull + last * first - moment * length / other_area * second, other_area),
         ):
-            along, across, own = _dot(wrong, edge), _dot(edge, away), _dot(away, away)
-            off = _dot(wrong, away)
+            along, across, own = dot(wrong, edge), dot(edge, away), dot(away, away)
+            off = dot(wrong, away)
             densities[corner, 1] = (along * own - off * across) / normal
             densities[corner, 0] = (along * across - off * square) / normal - densities[corner, 1]
-        at_tail = weights[0] * _dot(pull, edge) - last * volume
+        at_tail = weights[0] * dot(pull, edge) - last * volume
         at_tail -= square * (densities[2, 0] * share + densities[3, 0] * other_share)
         densities[1, 0] = at_tail / square
         densities += np.swapaxes(densities, 0, 1)
@@ -165,20 +164,3 @@ def crease_rows(models: Sequence[Model]) -> CreaseRows | None:
 def without_jump(angles: Array, near: Array) -> Array:
     """Angles with as many whole turns as bring them closest to others, rad."""
     return np.asarray(angles + 2 * np.pi * np.round((near - angles) / (2 * np.pi)))
-
-
-def _some(law: CreaseLaw, which: Indices) -> CreaseLaw:
-    """Of some structures."""
-    fields = {each.name: np.asarray(getattr(law, each.name))[which] for each in dataclasses.fields(CreaseLaw)}
-    return CreaseLaw(**fields)
-
-
-def _dot(one: Array, other: Array) -> Array:
-    """Of vectors, (3, ...)."""
-    return np.asarray(one[0] * other[0] + one[1] * other[1] + one[2] * other[2])
-
-
-def _cross(one: Array, other: Array) -> Array:
-    """Of vectors, (3, ...); several times as fast as `np.cross`."""
-    (x, y, z), (u, v, w) = one, other
-    return np.stack([y * w - z * v, z * u - x * w, x * v - y * u])

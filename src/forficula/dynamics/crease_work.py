@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.dynamics.crease_rows import FOLLOWED
 from forficula.dynamics.model import Model
 from forficula.dynamics.stepper import Steps
 
@@ -35,11 +34,11 @@ def crease_works(
     assert steps.angles is not None
     folds, creases = model.folds, model.creases
     position = np.concatenate([steps.position_before[place, None], steps.position[place, :-1]])
-    block = np.arange(len(travel)) // FOLLOWED
+    block = np.arange(len(travel)) // steps.followed
     along = motor_travel(model, position, travel)
     damped = np.zeros(len(travel))
     if creases.damping.any():
-        first = slice(0, None, FOLLOWED)
+        first = slice(0, None, steps.followed)
         velocity = np.concatenate([steps.velocity_before[place, None], steps.velocity[place, :-1]])
         speeds = folds.travel(position[first], velocity[first])[:, folds.creases]
         turned = folds.travel(position, travel)[:, folds.creases]

@@ -15,14 +15,12 @@ from numpy.typing import NDArray
 from forficula.dynamics.folds import Folds
 from forficula.errors import InputError
 from forficula.material import CreaseLaw
-from forficula.structure import Structure, crease_flaps
+from forficula.structure import Structure, crease_flaps, crease_law
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 _ROW = 17
-# of a crease's stiffness, or of the stiffest if it has none: its stops
-_STOP = 100.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -90,21 +88,6 @@ def creases_of(engine: mujoco.MjModel, structure: Structure, folds: Folds) -> Cr
         senses=np.array([hinge.sense for hinge in hinges], dtype=np.int64),
         law=crease_law(structure, folds.creases),
         damping=np.array([hinge.damping for hinge in hinges]),
-    )
-
-
-def crease_law(structure: Structure, creases: Indices) -> CreaseLaw:
-    """The law of the springs of creases, by the numbers of their hinges, in own senses, arrays (crease,)."""
-    hinges = [structure.hinges[number] for number in creases]
-    stiffness = np.array([hinge.stiffness for hinge in hinges])
-    return CreaseLaw(
-        stiffness=stiffness,
-        rest_angle=np.array([hinge.rest_angle for hinge in hinges]),
-        lock_below=np.array([hinge.lock_below for hinge in hinges]),
-        lock_above=np.array([hinge.lock_above for hinge in hinges]),
-        lower=np.array([hinge.lower for hinge in hinges]),
-        upper=np.array([hinge.upper for hinge in hinges]),
-        stop_stiffness=_STOP * np.where(stiffness > 0, stiffness, stiffness.max(initial=0.0)),
     )
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.structure import Structure, built_points, crease_flaps, crease_numbers, flap_angles
+from forficula.structure.flaps import cross, dot
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -122,18 +123,15 @@ def flap_turns(corners: Array, shifts: Array) -> Array:
         corners: as of `flap_angles`, (..., 6, 3).
         shifts: alike.
     """
-    turned = 0.0
+    # coordinates first: several times as fast as along the last axis
+    places, moves = (np.moveaxis(each, (-2, -1), (0, 1)) for each in (corners, shifts))
+    turned: Array | float = 0.0
     for first, side in ((0, 1.0), (3, -1.0)):
-        tail, head, corner = (corners[..., first + place, :] for place in range(3))
+        (tail, head, corner), (at_tail, at_head, at_corner) = (each[first : first + 3] for each in (places, moves))
         along, away = head - tail, corner - tail
-        normal = side * np.cross(along, away)
-        square = np.sum(along**2, axis=-1)
-        share = np.sum(away * along, axis=-1) / square
-        lever = np.sqrt(square) / np.sum(normal**2, axis=-1)
-        moved = (
-            shifts[..., first + 2, :]
-            - (1 - share)[..., None] * shifts[..., first, :]
-            - share[..., None] * shifts[..., first + 1, :]
-        )
-        turned = turned + lever * np.sum(normal * moved, axis=-1)
+        normal = side * cross(along, away)
+        square = dot(along, along)
+        share = dot(away, along) / square
+        moved = at_corner - at_tail - share * (at_head - at_tail)
+        turned = turned + np.sqrt(square) / dot(normal, normal) * dot(normal, moved)
     return np.asarray(turned)

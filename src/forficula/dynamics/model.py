@@ -12,9 +12,11 @@ from numpy.typing import NDArray
 
 from forficula.design import Design
 from forficula.dynamics.bodies import add_bodies, engine_sites, force_name
+from forficula.dynamics.closures import add_closures, gap_name
 from forficula.dynamics.creases import Creases, add_creases, clear_rows, creases_of
 from forficula.dynamics.folds import Folds, folds_of, slide_name
 from forficula.dynamics.membrane import Mesh, add_membranes, joined_mesh
+from forficula.dynamics.node_modes import followed_steps
 from forficula.dynamics.tendons import add_branches, add_distance, add_limit, add_spring, add_tendon
 from forficula.dynamics.units import ModelUnits, design_in_model_units, model_units
 from forficula.errors import InputError
@@ -43,10 +45,12 @@ class Model:
         mesh: its membranes, in the model's units.
         folds: how its hinges' angles follow from the engine's positions.
         creases: those of its hinges that no joint makes; None where there are none.
+        followed: steps over which the engine's rows of creases stay as they are.
         pushed: by what each coordinate's shift takes the points of a force along it, (motor, dof); 0 for other motors.
         springs: index of each spring among the engine's tendons, (spring,).
         tendons: index of each tendon, (tendon,).
         distances: index of the tendon that measures each distance that is watched, (distance,).
+        gaps: index of the tendons that measure the gaps of closures, (gap,).
         branches: index into activations of the forces of the tendons' Maxwell branches, (tendon, branch); -1 where a
             tendon has fewer.
         creep: index into plastic states of the tendons' resting lengths, (tendon,); -1 for those that do not yield.
@@ -67,10 +71,12 @@ class Model:
     mesh: Mesh
     folds: Folds
     creases: Creases | None
+    followed: int
     pushed: Array
     springs: Indices
     tendons: Indices
     distances: Indices
+    gaps: Indices
     branches: Indices
     creep: Indices
     motors: Indices
@@ -78,6 +84,11 @@ class Model:
     carriers: Indices
     elastic: ElasticLaw
     lets_go: NDArray[np.bool_]
+
+    @property
+    def explicit(self) -> bool:
+        """Whether steps are those of Runge and Kutta, and not of semi-implicit Euler."""
+        return bool(self.engine.opt.integrator == mujoco.mjtIntegrator.mjINT_RK4)
 
     def settings(self, efforts: Array) -> tuple[Array, Array]:
         """What motors do to creases: by how much their springs rest further on, rad, and torques, (..., crease).
@@ -168,10 +179,16 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
         mesh=mesh,
         folds=folds,
         creases=creases_of(engine, in_units, folds),
+        followed=followed_steps(in_units) if len(folds.creases) else 1,
         pushed=_pushed(engine, in_units),
         springs=_indices(engine, kinds.mjOBJ_TENDON, [spring.name for spring in in_units.springs]),
         tendons=tendons,
         distances=_indices(engine, kinds.mjOBJ_TENDON, [f"distance_{measure.name}" for measure in distances]),
+        gaps=_indices(
+            engine,
+            kinds.mjOBJ_TENDON,
+            [gap_name(closure, end) for closure in in_units.closures for end in range(len(closure.points))],
+        ),
         branches=_branches([len(tendon.law.branches) for tendon in in_units.tendons]),
         # of the two numbers of a tendon the dead band's upper end
         creep=np.where(plastic >= 0, plastic + 1, -1),
@@ -189,6 +206,7 @@ def _spec_of(structure: Structure, timestep: float, mesh: Mesh, distances: list[
     spec = _empty_spec(structure, timestep)
     add_bodies(spec, structure, timestep)
     add_creases(spec, structure)
+    add_closures(spec, structure, timestep)
     for spring in structure.springs:
         add_spring(spec, spring, structure)
     for tendon in structure.tendons:
@@ -212,7 +230,8 @@ def _empty_spec(structure: Structure, timestep: float) -> mujoco.MjSpec:
     option = spec.option
     option.timestep = timestep
     option.gravity = [0, 0, -structure.gravity]
-    option.integrator = mujoco.mjtIntegrator.mjINT_EULER
+    # where loops are closed, Euler loses 5 to 9 % of the energy in a second of swinging: measured
+    option.integrator = mujoco.mjtIntegrator.mjINT_RK4 if structure.closures else mujoco.mjtIntegrator.mjINT_EULER
     # the default, 1e-8, would end the solver at a place that depends on the model's units
     option.tolerance = 1e-12
     # the sparse Cholesky factorisation of 4.0.0 is wrong where bars touch, and no faster for fewer than fifteen veins

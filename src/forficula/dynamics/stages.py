@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.design import Stage, stage_drives
-from forficula.dynamics.crease_rows import FOLLOWED
 from forficula.dynamics.model import Model
 from forficula.dynamics.record import StageEnd
 from forficula.dynamics.stepper import Steps
@@ -49,7 +48,7 @@ class StageTracker:
         self._folds = [model.folds for model in models]
         self._senses = np.array([folds.senses for folds in self._folds])
         # creases take what drives them block by block
-        self._block = 1 if models[0].creases is None else FOLLOWED
+        self._block = models[0].followed
         self._distances = models[0].distances
         protocols = [model.design.protocol for model in models]
         self._least_hold = np.array([protocol.least_hold for protocol in protocols])

@@ -16,7 +16,7 @@ import numpy as np
 from mujoco.batch import Batch
 from numpy.typing import NDArray
 
-from forficula.dynamics.crease_rows import FOLLOWED, crease_rows, without_jump
+from forficula.dynamics.crease_rows import crease_rows, without_jump
 from forficula.dynamics.creases import engine_rows
 from forficula.dynamics.folds import Folds
 from forficula.dynamics.model import Model
@@ -47,8 +47,11 @@ class Steps:
         after: likewise, after each step, (structure, step, number).
         derived: MuJoCo's fields of the state before each step, (structure, step, ...).
         kept: names of those that the states of a record are read from.
-        angles: of the creases at the start of every block of `FOLLOWED` steps, in own senses and without jumps, rad,
-            (structure, block, crease); None where there are none.
+        late: the same of the state after each step, but for its third power of the timestep, where steps are those of
+            Runge and Kutta; None where they are not.
+        angles: of the creases at the start of every block of steps in which their rows stay, in own senses and without
+            jumps, rad, (structure, block, crease); None where there are none.
+        followed: steps of a block.
     """
 
     dof: int
@@ -57,7 +60,9 @@ class Steps:
     after: Array
     derived: Mapping[str, Array]
     kept: Sequence[str]
+    late: Mapping[str, Array] | None = None
     angles: Array | None = None
+    followed: int = 1
 
     @property
     def time(self) -> Array:
@@ -97,7 +102,7 @@ class Steps:
         some = folds.some(hinges)
         angles = some.angles(positions)
         if self.angles is not None:
-            near = self.angles[structure, np.minimum(step // FOLLOWED, self.angles.shape[1] - 1)]
+            near = self.angles[structure, np.minimum(step // self.followed, self.angles.shape[1] - 1)]
             near = near[:, np.searchsorted(folds.creases, hinges[some.creases])]
             angles[:, some.creases] = without_jump(angles[:, some.creases], near)
         return angles
@@ -162,6 +167,7 @@ class Stepper:
         """
         self._structures, self._chunk = models, chunk
         self._models = _own_models(models, sparse)
+        self._explicit = models[0].explicit
         model = models[0].engine
         self._state = _start_states(models)
         self._moving, self._control = _columns(model, _MOVING), _columns(model, _CONTROL)
@@ -173,7 +179,9 @@ class Stepper:
         # where the creases of each were last, without jumps
         self._angles = np.array([_start_creases(each) for each in models])
         self._creases = crease_rows(models)
-        self._blocks = deque([np.empty((len(models), -(-chunk // FOLLOWED), len(self._angles[0]))) for _ in range(2)])
+        self._blocks = deque(
+            [np.empty((len(models), chunk // models[0].followed, len(self._angles[0]))) for _ in range(2)]
+        )
         self.threads = int(Batch(model, len(models), threads).nthread)
         self._engines: SimpleQueue[Batch] = SimpleQueue()
         for _ in range(self.threads):
@@ -199,6 +207,7 @@ class Stepper:
         angles = None if self._structures[0].creases is None else self._blocks[0][: len(rows)]
         bounds = np.linspace(0, len(rows), min(len(rows), self.threads) + 1).astype(int).tolist()
         parts = [slice(*pair) for pair in itertools.pairwise(bounds)]
+        late = {name: np.empty_like(mine[name]) for name in self._names} if self._explicit else None
         steps = Steps(
             dof=self._structures[0].engine.nv,
             inner=self._inner,
@@ -206,12 +215,18 @@ class Stepper:
             after=mine[_MOVING],
             derived={name: mine[name] for name in self._names},
             kept=self._kept,
+            late=late,
             angles=angles,
+            followed=self._structures[0].followed,
         )
         return Pending(
             parts=[
                 self._workers.submit(
-                    self._step, rows[part], controls[part], {name: each[part] for name, each in mine.items()}
+                    self._step,
+                    rows[part],
+                    controls[part],
+                    {name: each[part] for name, each in mine.items()},
+                    {name: each[part] for name, each in (late or {}).items()},
                 )
                 if angles is None
                 else self._workers.submit(
@@ -232,7 +247,7 @@ class Stepper:
         self._state[np.ix_(rows, self._moving)] = steps.states(np.arange(len(rows)), taken)
         if steps.angles is not None:
             for place, (row, step) in enumerate(zip(rows.tolist(), taken.tolist(), strict=True)):
-                near = steps.angles[place, min(step // FOLLOWED, steps.angles.shape[1] - 1)]
+                near = steps.angles[place, min(step // steps.followed, steps.angles.shape[1] - 1)]
                 folds, dof = self._structures[row].folds, steps.dof
                 position = self._state[row, self._moving][1 : 1 + dof]
                 self._angles[row] = without_jump(folds.angles(position)[folds.creases], near)
@@ -260,7 +275,9 @@ class Stepper:
         """Wait for the steps that are being made, and make no more."""
         self._workers.shutdown(cancel_futures=True)
 
-    def _step(self, rows: Indices, controls: Array, memory: Mapping[str | int, Array]) -> None:
+    def _step(
+        self, rows: Indices, controls: Array, memory: Mapping[str | int, Array], late: Mapping[str, Array]
+    ) -> None:
         """Take some structures a chunk of steps further; what comes of it goes to memory."""
         engine = self._engines.get()
         try:
@@ -268,6 +285,7 @@ class Stepper:
             engine.set_models([self._models[rows[place]] for place in every])
             engine.state[: len(rows)] = self._state[rows]
             out: dict[str | int | mujoco.mjtState, Array] = {**memory}
+            first = self._fields(engine, rows, controls[:, 0]) if late else {}
             with _quiet:
                 engine.rollout(
                     self._chunk,
@@ -277,8 +295,22 @@ class Stepper:
                     ids=np.arange(len(rows)),
                     out=out,
                 )
+            for name, each in late.items():
+                # the engine leaves what the last of its four stages saw, next to the state after the step
+                each[:] = memory[name]
+                memory[name][:, 0], memory[name][:, 1:] = first[name], each[:, :-1]
         finally:
             self._engines.put(engine)
+
+    def _fields(self, engine: Batch, rows: Indices, controls: Array) -> dict[str, Array]:
+        """The derived fields of structures in the states that they are in, (row, ...); the states stay."""
+        count = len(rows)
+        engine.state[:count, self._control] = controls
+        with _quiet:
+            engine.forward(np.arange(count))
+        fields = {name: engine.bind(name)[:count].copy() for name in self._names}
+        engine.state[:count] = self._state[rows]
+        return fields
 
     def _follow(
         self, rows: Indices, controls: Array, efforts: Array, memory: Mapping[str | int, Array], angles: Array
@@ -286,8 +318,9 @@ class Stepper:
         """Do as `_step` does, block by block: in each the creases have what they have at its start."""
         engine = self._engines.get()
         try:
+            followed = self._structures[0].followed
             for block in range(angles.shape[1]):
-                steps = slice(block * FOLLOWED, min((block + 1) * FOLLOWED, self._chunk))
+                steps = slice(block * followed, (block + 1) * followed)
                 near = self._angles[rows] if block == 0 else angles[:, block - 1]
                 angles[:, block] = self._set_creases(rows, near, efforts[:, steps].mean(axis=1))
                 every = [*range(len(rows)), *[0] * (engine.nsim - len(rows))]
@@ -372,15 +405,15 @@ def _start_states(models: Sequence[Model]) -> Array:
     """What the structures start in, (structure, number)."""
     batch = Batch(models[0].engine, len(models), 1)
     batch.set_models([model.engine for model in models])
-    batch.bind("qpos")[:] = [_start_position(model) for model in models]
+    batch.bind("qpos")[:] = [start_position(model) for model in models]
     if batch.model.nplastic:
         batch.bind("plastic")[:] = [_start_creep(model) for model in models]
     return np.array(batch.state)
 
 
-def _start_position(model: Model) -> Array:
-    """Joint angles at the start; what slides starts where it is built."""
-    position = np.zeros(model.engine.nq)
+def start_position(model: Model) -> Array:
+    """Positions at the start; what slides starts where it is built."""
+    position = np.array(model.engine.qpos0)
     for hinge, place in zip(model.structure.hinges, model.folds.joints.tolist(), strict=True):
         if place >= 0:
             position[place] = hinge.sense * hinge.start + 0.0  # -0 would be another bit
@@ -391,7 +424,7 @@ def _start_creep(model: Model) -> Array:
     """Plastic state at the start: a tendon that the start stretches too far has yielded when it was put there."""
     engine = model.engine
     data = mujoco.MjData(engine)
-    data.qpos[:] = _start_position(model)
+    data.qpos[:] = start_position(model)
     mujoco.mj_forward(engine, data)
     plastic = np.asarray(data.plastic.copy())
     for tendon, place, creep in zip(model.in_units.tendons, model.tendons, model.creep, strict=True):

@@ -10,7 +10,7 @@ from forficula.pattern.crease_pattern import (
 )
 from forficula.pattern.drawing_file import read_drawing
 from forficula.pattern.earwig import EarwigFan, Tangent, earwig_pattern, hub_points, ring_vertices, tips, vein_gaps
-from forficula.pattern.facet_tree import FacetLink, edges_between, facet_tree
+from forficula.pattern.facet_tree import FacetLink, central_facet, edges_between, facet_tree
 from forficula.pattern.flat_folding import (
     VertexCheck,
     flat_folding_faults,
@@ -73,6 +73,7 @@ __all__ = [
     "degree4_closure",
     "degree4_fold_angles",
     "earwig_pattern",
+    "central_facet",
     "edges_between",
     "facet_tree",
     "fan_fold_angles",

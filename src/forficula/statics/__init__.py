@@ -19,10 +19,11 @@ from forficula.statics.hinge_landscape import (
     hinge_remarks,
     hinge_states,
 )
-from forficula.statics.landscape import EnergyLandscape, Rest, StableState, barrier, energy_landscape, stable_states
+from forficula.statics.landscape import EnergyLandscape, Rest, StableState, barrier, stable_states
 from forficula.statics.landscape_summary import landscape_summary
 from forficula.statics.partial_folds import PartialFold, folding_hinges
 from forficula.statics.snap import final_speed, fold_time, growth_rate, time_scale
+from forficula.statics.survey import energy_landscape
 
 __all__ = [
     "EnergyLandscape",

@@ -19,6 +19,7 @@ from forficula.statics.equilibrium import Equilibria, PathState, barrier_between
 from forficula.statics.fold_path import FoldPath, fold_path, rigid_fold
 from forficula.statics.hinge import TendonHinge, tendon_hinge
 from forficula.statics.hinge_landscape import HingeLandscape, HingeSpring, hinge_landscape
+from forficula.statics.net_landscape import NetLandscape
 from forficula.statics.partial_folds import (
     PartialFold,
     fold_levels,
@@ -38,7 +39,7 @@ from forficula.statics.quasi_static import (
 )
 from forficula.statics.sprung_hinge import sprung_landscape
 from forficula.statics.tip_stiffness import TipStiffness, tip_stiffness
-from forficula.structure import Structure, Transition, drive_of, first_state, state_of, structure_of
+from forficula.structure import Structure, Transition, drive_of, first_state, state_of
 
 Array = NDArray[np.float64]
 
@@ -89,10 +90,12 @@ class EnergyLandscape:
         hinge_barriers: energy to climb until one hinge of the first state folds alone, J, (hinge,); nan where it never
             does, or is folded.
         rests: where it rests when let go from where the protocol starts it, and from where each transition leads.
-        least_torques: by transition, the size of the least slowly growing torque that makes it, N m; None where not
-            even the largest that was tried does, or where it does not rest in the state that it would start from.
+        least_torques: by transition, the size of the least slowly growing drive that makes it, N m, or of what is no
+            torque its SI unit; None where not even the largest that was tried does, or where it does not rest in the
+            state that it would start from.
         tips: resistance to a load at the tips; None where there is no one way to fold.
         remarks: sentences on what does not exist, and what to know of the rest.
+        net: stable states, saddles and paths of points that slide; None where bodies turn on joints.
     """
 
     design: Design
@@ -108,6 +111,7 @@ class EnergyLandscape:
     least_torques: Mapping[str, float | None]
     tips: TipStiffness | None
     remarks: tuple[str, ...]
+    net: NetLandscape | None = None
 
     @property
     def easiest_barrier(self) -> float | None:
@@ -153,19 +157,8 @@ class StableState:
     holding_torque: float
 
 
-def energy_landscape(design: Design, points: int = 181) -> EnergyLandscape:
-    """Survey the statics of a design.
-
-    What hangs on the one way in which rigid panels fold is left out where there is none.
-
-    Args:
-        design: what to build; its protocol says what counts as folded and as opened, and the largest fold torque.
-        points: places on every curve.
-
-    Raises:
-        InputError: it cannot be built, or a transition does not say where it leads.
-    """
-    structure = structure_of(design)
+def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyLandscape:
+    """Survey the statics of bodies on joints; see `forficula.statics.survey.energy_landscape`."""
     structures = ensemble([structure])
     tendons, ideal_hinges = _tendon_landscapes(structure, points)
     hinge = next((each for each in ideal_hinges if each is not None), None)

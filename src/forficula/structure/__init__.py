@@ -3,7 +3,7 @@ from forficula.structure.build import drive_keys, static_keys, structure_of, wit
 from forficula.structure.course import Drive, Goal, Measure, Motor, RestState, RigidFold, Transition, Wording
 from forficula.structure.crossing import bar_crossing, tendon_crossing
 from forficula.structure.facets import facet_triangles, held_corners, hinge_groups
-from forficula.structure.flaps import built_creases, crease_flaps, crease_numbers, flap_angles
+from forficula.structure.flaps import built_creases, crease_flaps, crease_law, crease_numbers, flap_angles
 from forficula.structure.goals import (
     distances_of,
     drive_of,
@@ -19,6 +19,7 @@ from forficula.structure.parts import (
     GROUND,
     Bar,
     Body,
+    Closure,
     Crossing,
     Facet,
     Hinge,
@@ -51,6 +52,7 @@ __all__ = [
     "Appearance",
     "Bar",
     "Body",
+    "Closure",
     "Crossing",
     "Drive",
     "Facet",
@@ -79,6 +81,7 @@ __all__ = [
     "built_points",
     "built_strains",
     "crease_flaps",
+    "crease_law",
     "crease_numbers",
     "crossing_tendons",
     "distances_of",

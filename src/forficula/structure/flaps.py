@@ -1,12 +1,16 @@
-"""The angle between the two flaps of a crease."""
+"""Creases between two flaps: their angles, and the laws of their springs."""
 
 from __future__ import annotations
 
 import numpy as np
 
+from forficula.material.law.crease_law import CreaseLaw
 from forficula.structure.parts import Array, Indices
 from forficula.structure.structure import Structure
 from forficula.structure.tree import built_points
+
+# of a crease's stiffness, or of the stiffest if it has none: its stops
+_STOP = 100.0
 
 
 def crease_numbers(structure: Structure) -> Indices:
@@ -28,16 +32,42 @@ def flap_angles(corners: Array) -> Array:
     Args:
         corners: m, (..., 6, 3): tail, head and corner of the left flap, then of the right one.
     """
-    tail, head, left, right_tail, right_head, right = np.moveaxis(corners, -2, 0)
-    along = (head - tail) + (right_head - right_tail)
-    along = along / np.linalg.norm(along, axis=-1, keepdims=True)
-    one = np.cross(head - tail, left - tail)
-    other = np.cross(right - right_tail, right_head - right_tail)
-    sine = np.sum(along * np.cross(other, one), axis=-1)
-    return np.asarray(np.arctan2(sine, np.sum(one * other, axis=-1)))
+    # coordinates first: several times as fast as along the last axis
+    tail, head, left, right_tail, right_head, right = np.moveaxis(corners, (-2, -1), (0, 1))
+    edge, right_edge = head - tail, right_head - right_tail
+    along = edge + right_edge
+    one, other = cross(edge, left - tail), cross(right - right_tail, right_edge)
+    sine = dot(along, cross(other, one)) / np.sqrt(dot(along, along))
+    return np.asarray(np.arctan2(sine, dot(one, other)))
+
+
+def dot(one: Array, other: Array) -> Array:
+    """Products of vectors, coordinates first, (3, ...)."""
+    return np.asarray(one[0] * other[0] + one[1] * other[1] + one[2] * other[2])
+
+
+def cross(one: Array, other: Array) -> Array:
+    """Vectors square to others, coordinates first, (3, ...); several times as fast as `np.cross`."""
+    (x, y, z), (u, v, w) = one, other
+    return np.stack([y * w - z * v, z * u - x * w, x * v - y * u])
 
 
 def built_creases(structure: Structure) -> Array:
     """Angles of the creases in the built shape, in their own senses, rad, (crease,)."""
     senses = np.array([hinge.sense for hinge in structure.hinges if hinge.flaps], dtype=np.int64)
     return np.asarray(senses * flap_angles(built_points(structure)[crease_flaps(structure)]))
+
+
+def crease_law(structure: Structure, creases: Indices) -> CreaseLaw:
+    """The law of the springs of creases, by the numbers of their hinges, in own senses, arrays (crease,)."""
+    hinges = [structure.hinges[number] for number in creases]
+    stiffness = np.array([hinge.stiffness for hinge in hinges])
+    return CreaseLaw(
+        stiffness=stiffness,
+        rest_angle=np.array([hinge.rest_angle for hinge in hinges]),
+        lock_below=np.array([hinge.lock_below for hinge in hinges]),
+        lock_above=np.array([hinge.lock_above for hinge in hinges]),
+        lower=np.array([hinge.lower for hinge in hinges]),
+        upper=np.array([hinge.upper for hinge in hinges]),
+        stop_stiffness=_STOP * np.where(stiffness > 0, stiffness, stiffness.max(initial=0.0)),
+    )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import dijkstra
@@ -9,6 +11,7 @@ from scipy.sparse.csgraph import dijkstra
 from forficula.design import SheetDesign, tendon_law
 from forficula.design.crease_values import creases_by_edge, rest_angle, stops
 from forficula.design.sheet_creases import crease_role, crease_sense
+from forficula.design.sheet_places import GROUND_PLACE
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern
 from forficula.pattern.shared_edges import shared_edges
@@ -49,22 +52,31 @@ def node_structure(design: SheetDesign) -> Structure:
     thickness = facet.thickness or 0.0
     springs = _springs(design, triangles) if facet.kind == "bars" else ()
     hinges, edges = _hinges(design, triangles)
+    points = [Point(name=name, role="vertex", body=node, place=np.zeros(3)) for node, name in enumerate(nodes.names)]
+
+    def point(name: str, text: str, ground: tuple[float, ...]) -> int:
+        """The point at a place, by its number: that of a vertex, or one on the ground."""
+        if text.strip() != GROUND_PLACE:
+            return node_of(sheet, nodes, text)
+        points.append(Point(name=name, role="ground", body=GROUND, place=np.array(ground)))
+        return len(points) - 1
+
+    tendons = _tendons(design, triangles, point)
+    measures = sheet_measures(design, hinges, edges, point)
     span = float(np.ptp(triangles.vertices_coords, axis=0).max())
     built = Structure(
         name=design.name,
         bodies=bodies,
-        points=tuple(
-            Point(name=name, role="vertex", body=node, place=np.zeros(3)) for node, name in enumerate(nodes.names)
-        ),
+        points=tuple(points),
         facets=tuple(
             Facet(name=f"facet{number}", points=corners, thickness=thickness)
             for number, corners in enumerate(nodes.facets)
         ),
         hinges=hinges,
         springs=springs,
-        tendons=_tendons(design, sheet, nodes),
+        tendons=tendons,
         membranes=(_membrane(design, triangles),) if facet.kind == "membrane" else (),
-        measures=sheet_measures(design, hinges, edges, lambda _, text: node_of(sheet, nodes, text)),
+        measures=measures,
         span=span,
         mass=max(body.mass for body in bodies),
         gravity=design.protocol.gravity,
@@ -172,7 +184,7 @@ def _hinges(design: SheetDesign, triangles: CreasePattern) -> tuple[tuple[Hinge,
         built = sense * angle
         if built < _FOLDED_FLAT - np.pi:
             built += 2 * np.pi
-        lower, upper = stops(design, crease)
+        lower, upper = stops(design, edge, crease)
         locks = crease.law == "locking"
         numbers[edge] = len(hinges)
         hinges.append(
@@ -215,32 +227,34 @@ def _membrane(design: SheetDesign, triangles: CreasePattern) -> Membrane:
     )
 
 
-def _tendons(design: SheetDesign, sheet: CreasePattern, nodes: SheetNodes) -> tuple[Tendon, ...]:
-    """The tendons; none is longer than the way along edges from one end to the other."""
-    ends = [
-        (node_of(sheet, nodes, getattr(each, "from")), node_of(sheet, nodes, getattr(each, "to")))  # noqa: B009
-        for each in design.tendon
-    ]
-    if not ends:
-        return ()
-    tails, heads = nodes.triangles.edges_vertices.T
-    coords = nodes.triangles.vertices_coords
+def _tendons(
+    design: SheetDesign, triangles: CreasePattern, point: Callable[[str, str, tuple[float, ...]], int]
+) -> tuple[Tendon, ...]:
+    """The tendons; between vertices none is longer than the way along edges, to the ground any may be."""
+    tails, heads = triangles.edges_vertices.T
+    coords = triangles.vertices_coords
     lengths = np.linalg.norm(coords[heads] - coords[tails], axis=1)
     graph = csr_array((lengths, (tails, heads)), shape=(len(coords), len(coords)))
-    ways = dijkstra(graph, directed=False, indices=[start for start, _ in ends])
-    return tuple(
-        Tendon(
-            name=chosen.name,
-            role="tendon",
-            points=pair,
-            law=tendon_law(chosen),
-            longest=float(way[pair[1]]),
-            gauge_length=chosen.rest_length,
-            material=None if chosen.law is None else chosen.law.material,
-            key=f"tendon.{number}",
+    tendons = []
+    for number, chosen in enumerate(design.tendon):
+        start, end = (
+            point(f"tendon_{chosen.name}_{key}", getattr(chosen, key), chosen.ground) for key in ("from", "to")
         )
-        for number, (chosen, pair, way) in enumerate(zip(design.tendon, ends, ways, strict=True))
-    )
+        on_ground = max(start, end) >= len(coords)
+        ways = dijkstra(graph, directed=False, indices=min(start, end))
+        tendons.append(
+            Tendon(
+                name=chosen.name,
+                role="tendon",
+                points=(start, end),
+                law=tendon_law(chosen),
+                longest=np.inf if on_ground else float(ways[max(start, end)]),
+                gauge_length=chosen.rest_length,
+                material=None if chosen.law is None else chosen.law.material,
+                key=f"tendon.{number}",
+            )
+        )
+    return tuple(tendons)
 
 
 def _areas(triangles: CreasePattern) -> Array:

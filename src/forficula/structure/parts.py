@@ -166,6 +166,28 @@ class Hinge:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
+class Closure:
+    """A crease that closes a loop: its hinge turns a copy of a body, which lies on that body and moves with it.
+
+    The body and all of its copies share its mass evenly.
+
+    Attributes:
+        name: of its own.
+        bodies: number of the body, and of its copy.
+        position: of the copy's origin in the axes of the body, m, (3,).
+        frame: rotation from the copy's axes to those of the body, (3, 3).
+        points: pairs of points at both ends of the crease, on the side of the copy's parent and on the body; the
+            distance of a pair is the gap of the closure.
+    """
+
+    name: str
+    bodies: tuple[int, int]
+    position: Array
+    frame: Array
+    points: tuple[tuple[int, int], ...]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Spring:
     """An elastic bar between two points: it pulls and it pushes.
 

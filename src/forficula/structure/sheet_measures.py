@@ -11,7 +11,10 @@ from forficula.structure.parts import Hinge
 
 
 def sheet_measures(
-    design: SheetDesign, hinges: Sequence[Hinge], edges: Mapping[int, int], point: Callable[[str, str], int]
+    design: SheetDesign,
+    hinges: Sequence[Hinge],
+    edges: Mapping[int, int],
+    point: Callable[[str, str, tuple[float, ...]], int],
 ) -> tuple[Measure, ...]:
     """The measures of a design, after that of all its creases.
 
@@ -19,13 +22,15 @@ def sheet_measures(
         design: of the sheet.
         hinges: that were built.
         edges: numbers of the creases' hinges by the numbers of their edges.
-        point: number of the point at a place, by what to call it and the place as text.
+        point: number of the point at a place, by what to call it, the place as text, and where "ground" is.
     """
     every = tuple(sorted(edges.values()))
     measures = [Measure(name="creases", kind="angle", hinges=every, signs=(1,) * len(every), label="fold angle")]
     for watched in design.measure:
         if watched.of is None:
-            start, end = (point(f"measure_{watched.name}_{key}", getattr(watched, key)) for key in ("from", "to"))
+            start, end = (
+                point(f"measure_{watched.name}_{key}", getattr(watched, key), watched.ground) for key in ("from", "to")
+            )
             measures.append(Measure(name=watched.name, kind="distance", points=(start, end), label=watched.name))
         else:
             turned = tuple(edges[edge] for edge in creases_of(design.sheet, watched.of, design.crease.group))

@@ -144,10 +144,10 @@ def run_each(
 
 
 def topology(model: Model) -> tuple[int, ...]:
-    """The sizes that models of one batch have in common."""
+    """What models of one batch have in common: sizes, and how often their creases are followed."""
     engine = model.engine
     sizes = (engine.nq, engine.nv, engine.nu, engine.nbody, engine.ngeom, engine.ntendon, engine.nflexvert)
-    return (*sizes, engine.nactuator, engine.na, engine.nplastic)
+    return (*sizes, engine.nactuator, engine.na, engine.nplastic, model.followed)
 
 
 def _results(

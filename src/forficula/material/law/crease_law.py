@@ -1,32 +1,41 @@
-"""The spring of a crease: moment against fold angle, up to where its panels touch, and stops."""
+"""Moment of a crease against its fold angle."""
 
 from __future__ import annotations
 
+import copy
+import dataclasses
 import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
+
+from forficula.errors import InputError
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CreaseLaw:
-    """Springs of creases, linear between two angles and stiffer beyond, with stops; arrays (crease,), or one number.
+    """Springs of creases: linear, stiffening towards contact of the panels, with stops.
 
-    Beyond `lock_above` the moment goes on with k 2 w / pi tan(pi x / (2 w)), x from there on and w from there to
-    180 deg, where the panels touch: the same slope where it begins, and no end (Liu and Paulino 2017, Proc. R. Soc.
-    A 473, 20170348, in fold angles). Below `lock_below` alike. Stops are linear springs on one side.
+    The moment is the slope of the energy by the fold angle (0 flat, contact at +-pi): positive where the spring pulls
+    the angle down. Between `lock_below` and `lock_above` it is stiffness (angle - rest_angle). Beyond them its slope
+    rises as 1 / cos^2 and it has no end at contact (Liu and Paulino 2017, Proc. R. Soc. A 473, 20170348, there by the
+    angle from contact). Stops are linear springs on one side, beside that. The numbers may be arrays, for many creases
+    at once, that go with the angles.
 
     Attributes:
-        stiffness: k, N m/rad.
+        stiffness: N m/rad.
         rest_angle: rad.
-        lock_below: rad; -inf for none.
-        lock_above: rad; inf for none.
-        lower: where a stop begins, rad; -inf for none.
-        upper: alike; inf for none.
-        stop_stiffness: N m/rad.
+        lock_below: angle below which it stiffens, rad, > -pi; -inf where it does not.
+        lock_above: angle above which it stiffens, rad, < pi; inf where it does not.
+        lower: angle of the lower stop, rad; -inf for none.
+        upper: angle of the upper stop, rad; inf for none.
+        stop_stiffness: of both stops, N m/rad.
+
+    Raises:
+        InputError: a number out of these bounds, or bounds that cross.
     """
 
     stiffness: Array | float
@@ -37,39 +46,77 @@ class CreaseLaw:
     upper: Array | float = math.inf
     stop_stiffness: Array | float = 0.0
 
-    def energy(self, angle: Array, further: Array | float = 0.0) -> Array:
-        """Stored energy, J, (..., crease).
+    def __post_init__(self) -> None:
+        for name in ("stiffness", "stop_stiffness"):
+            value = np.asarray(getattr(self, name))
+            if not np.all(np.isfinite(value) & (value >= 0)):
+                raise InputError(f"{name}: need a finite number >= 0, got {_worst(value):g} N m/rad")
+        if not np.all(np.isfinite(self.rest_angle)):
+            raise InputError(f"rest_angle: need a finite angle, got {_worst(self.rest_angle):g} rad")
+        for name in ("lock_below", "lock_above"):
+            value = np.asarray(getattr(self, name))
+            if not np.all(np.isinf(value) | (np.abs(value) < np.pi)):
+                raise InputError(f"{name}: need an angle between -180 deg and 180 deg, got {np.rad2deg(value)} deg")
+        for low, high in (("lock_below", "lock_above"), ("lower", "upper")):
+            if not np.all(np.asarray(getattr(self, low)) < np.asarray(getattr(self, high))):
+                raise InputError(f"{low}: need an angle below {high}, got one that is not")
+
+    def some(self, which: NDArray[np.int64]) -> CreaseLaw:
+        """Of some rows of arrays."""
+        # without another look at numbers that have been checked
+        law = copy.copy(self)
+        for each in dataclasses.fields(self):
+            object.__setattr__(law, each.name, np.asarray(getattr(self, each.name))[which])
+        return law
+
+    def energy(self, angle: ArrayLike, further: Array | float = 0.0) -> Array:
+        """Energy stored, J, (...); infinite at and beyond contact where it locks.
 
         Args:
-            angle: fold angle, rad, (..., crease).
+            angle: rad, (...).
             further: by how much the springs rest further on, rad.
         """
-        within, beyond, width = self._locked(angle)
+        angle = np.asarray(angle, dtype=np.float64)
+        within, share, room = self._locked(angle)
         turned = within - self.rest_angle - further
-        locked = 4 * width**2 / math.pi**2 * -np.log(np.cos(math.pi * beyond / (2 * width)))
-        spring = self.stiffness * (turned**2 / 2 + turned * (angle - within) + locked)
-        return np.asarray(spring + self.stop_stiffness / 2 * self._stopped(angle) ** 2)
+        locked = -((2 * room / math.pi) ** 2) * np.log(np.cos(math.pi / 2 * share))
+        # no float is a right angle: what is trapped beyond contact would seem to be at ease
+        locked = np.where(np.abs(share) < 1, locked, math.inf)
+        spring = self.stiffness * (turned**2 / 2 + turned * (angle - within))
+        # without a stiffness nothing locks
+        spring = spring + np.where(share == 0, 0.0, self.stiffness) * np.where(share == 0, 0.0, locked)
+        return np.asarray(spring + np.asarray(self.stop_stiffness) / 2 * self._stopped(angle) ** 2)
 
-    def moment(self, angle: Array, further: Array | float = 0.0) -> Array:
-        """Slope of the energy, N m: positive where the crease wants back to smaller angles; as `energy`."""
-        within, beyond, width = self._locked(angle)
-        locked = 2 * width / math.pi * np.tan(math.pi * beyond / (2 * width))
+    def moment(self, angle: ArrayLike, further: Array | float = 0.0) -> Array:
+        """Slope of the energy, N m; huge, not infinite, at contact and beyond; as `energy`."""
+        angle = np.asarray(angle, dtype=np.float64)
+        within, share, room = self._locked(angle)
+        locked = 2 * room / math.pi * np.tan(math.pi / 2 * share)
         spring = self.stiffness * (within - self.rest_angle - further + locked)
-        return np.asarray(spring + self.stop_stiffness * self._stopped(angle))
+        return np.asarray(spring + np.asarray(self.stop_stiffness) * self._stopped(angle))
 
-    def slope(self, angle: Array) -> Array:
-        """Slope of the moment, N m/rad, (..., crease)."""
-        _, beyond, width = self._locked(angle)
-        spring = self.stiffness / np.cos(math.pi * beyond / (2 * width)) ** 2
+    def slope(self, angle: ArrayLike) -> Array:
+        """Slope of the moment, N m/rad, in the shape of `angle` (rad)."""
+        angle = np.asarray(angle, dtype=np.float64)
+        _, share, _ = self._locked(angle)
+        spring = self.stiffness / np.cos(math.pi / 2 * share) ** 2
         return np.asarray(spring + np.where(self._stopped(angle) != 0, self.stop_stiffness, 0.0))
 
     def _locked(self, angle: Array) -> tuple[Array, Array, Array]:
-        """The angle up to where it locks, how far beyond it is, and how far it can be."""
+        """The angle up to where it stiffens, the share of the way from there to contact that is used up, and that way.
+
+        The share is negative below `lock_below`, and no more than one either way.
+        """
         within = np.clip(angle, self.lock_below, self.lock_above)
-        end = np.where(angle < self.lock_below, self.lock_below + math.pi, math.pi - self.lock_above)
-        # a spring that does not lock is never beyond
-        return within, angle - within, np.where(np.isfinite(end), end, 1.0)
+        room = np.where(angle < self.lock_below, math.pi + np.asarray(self.lock_below), math.pi - self.lock_above)
+        room = np.where(np.isfinite(room), room, 1.0)
+        return within, np.clip((angle - within) / room, -1.0, 1.0), room
 
     def _stopped(self, angle: Array) -> Array:
         """How far an angle is beyond a stop, rad, negative below the lower one."""
         return angle - np.clip(angle, self.lower, self.upper)
+
+
+def _worst(value: ArrayLike) -> float:
+    value = np.asarray(value, dtype=np.float64)
+    return float(value.flat[np.argmin(np.where(np.isfinite(value), value, -np.inf))])

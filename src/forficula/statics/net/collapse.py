@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
@@ -9,12 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
+from forficula.statics.net.energy import expand, shape_at
 from forficula.statics.net.load import Load, crease_torques
 from forficula.statics.net.load_path import LoadPath, PathPoint, load_path
-from forficula.statics.net.minimum import Rest
+from forficula.statics.net.minimum import Rest, minimum
 from forficula.statics.net.net import Net
 
 Array = NDArray[np.float64]
+
+_BEYOND = 1e-3
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -38,7 +42,14 @@ class Collapse:
 
 
 def collapse(
-    net: Net, state: Rest, load: Load, *, most: float | None = None, step: float | None = None, increments: int = 300
+    net: Net,
+    state: Rest,
+    load: Load,
+    *,
+    most: float | None = None,
+    stop: Callable[[PathPoint], bool] | None = None,
+    step: float | None = None,
+    increments: int = 300,
 ) -> Collapse:
     """The first limit or bifurcation under a load that grows in proportion.
 
@@ -47,6 +58,7 @@ def collapse(
         state: stable, without the load.
         load: that grows from nothing.
         most: factor that is enough; None for no end.
+        stop: as for `load_path`.
         step: as for `load_path`.
         increments: largest number of them.
 
@@ -55,12 +67,36 @@ def collapse(
     """
     if not state.stable:
         raise InputError(f"state: need a stable one, got one with {state.index} ways downhill")
-    path = load_path(net, state.shape, load, step=step, increments=increments, target=most, events=1)
+    path = load_path(net, state.shape, load, step=step, increments=increments, target=most, stop=stop, events=1)
     if path.events:
         event = path.events[0]
         return Collapse(kind=event.kind, factor=event.point.factor, point=event.point, mode=event.mode, path=path)
     last = path.points[-1]
     return Collapse(kind="none", factor=last.factor, point=last, mode=np.zeros_like(net.nodes), path=path)
+
+
+def snapped(net: Net, lost: Collapse) -> Rest:
+    """Where it goes from a limit or a bifurcation, under a load a thousandth larger.
+
+    Of the two senses of the mode the one that ends lower; what it comes to without the load is `minimum` from there.
+    It is not settled where nothing holds that load.
+
+    Args:
+        net: as for `collapse`.
+        lost: what it said.
+
+    Raises:
+        InputError: it did not collapse.
+    """
+    if lost.kind == "none":
+        raise InputError("lost: need a state that collapses, got one that held")
+    load, factor, here = lost.path.load, lost.factor * (1 + _BEYOND), lost.point.shape
+    ends = []
+    for sense in (1, -1):
+        beside = shape_at(net, here.positions + sense * _BEYOND * net.size * lost.mode, here.angles)
+        rest = minimum(net, beside, load, factor, longest_step=net.size / 50)
+        ends.append((expand(net, rest.shape, load, factor).energy, rest))
+    return min(ends, key=lambda each: each[0])[1]
 
 
 def holding_torque(

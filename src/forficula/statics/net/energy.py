@@ -88,6 +88,19 @@ def expand(net: Net, shape: Shape, load: Load | None = None, factor: float = 0.0
     )
 
 
+def stored_by_part(net: Net, shape: Shape) -> tuple[float, Array, float, float, float]:
+    """Energies, J: of the bars, of each crease, (crease,), of tendons, membranes and the weight (0 at z = 0)."""
+    springs, tendons, _, triangles = sides_of(net, shape.positions)
+    shortest = _SHORTEST * net.size
+    return (
+        _bars(net, springs, shortest)[0],
+        np.asarray(net.creases.law.energy(shape.angles)),
+        _pulls(net, tendons, shortest)[0],
+        0.0 if net.membranes is None else _stretched(net.membranes, triangles)[0],
+        -float(np.sum(layout_of(net).weight * shape.positions)),
+    )
+
+
 def angle_slopes(net: Net, shape: Shape) -> tuple[Array, Layout]:
     """Slopes of the creases' angles by their sides, 1/m, (crease, 3, 3), and how the sides hang on the nodes."""
     return fold_angle_derivatives(sides_of(net, shape.positions)[2])[0], layout_of(net)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -23,6 +23,8 @@ _QUICK = 4  # corrections after which the next increment may be longer
 _HOME = 1e-7  # last correction, of an increment
 _ASTRAY = 0.5  # longest way aside, of an increment
 _SHORTEST = 1e-5  # increment, of the first one
+_CORNER = 1e-2  # increment, of the first one, below which a corner is looked for
+_ALIGNED = 0.9  # cosine of the ways before and after it
 _HALVINGS = 16  # of an increment, to find where something happens
 _SAME = 1e-3  # of an increment: two things so near are one
 
@@ -107,11 +109,12 @@ def load_path(
     stop: Callable[[PathPoint], bool] | None = None,
     events: int | None = None,
     rising: bool = True,
+    way: Array | None = None,
 ) -> LoadPath:
     """Follow equilibria by modified generalised displacement control.
 
     Every increment goes a given length along the tangent, forwards as the increment before it went, and is corrected
-    in the plane across that tangent (Leon, Lages, de Araujo and Paulino 2014, doi 10.1016/j.mechrescom.2014.01.006;
+    in the plane across that tangent (Leon, Lages, de Araujo and Paulino 2014, Mech. Res. Commun. 56, 123-129;
     here the length of the predictor, not its factor, is kept, and halved where Newton's method does not converge). The
     inertia of every point is that of the factors of its curvature.
 
@@ -127,6 +130,8 @@ def load_path(
         stop: ends the path after the first point for which it says so.
         events: ends the path after so many limits and bifurcations; None for any number.
         rising: whether the factor rises at first.
+        way: in which the path leaves its start, (node, 3): the mode of a bifurcation, or its opposite, leads from the
+            point there onto the other path. None for the way of the load.
 
     Raises:
         InputError: the load does not fit or is none, or would carry the whole away; no equilibrium near the start.
@@ -135,22 +140,27 @@ def load_path(
     if not any(np.any(each) for each in (load.forces, load.torques, load.displacements)):
         raise InputError("load: need one that acts, got none")
     net, pins = supported(net, load)
-    first = _settled(net, load, start, factor)
+    first = expand(net, start, load, factor) if way is not None else _settled(net, load, start, factor)
     if first is None:
         raise InputError("start: need a shape at rest under the load at its start, got one that is not")
     here = _station(net, load, first, factor, None, rising, 0)
+    if way is not None:
+        here = replace(here, way=way / np.linalg.norm(way), pace=0.0)
     length = (net.size / 50 if step is None else step) / np.abs(here.way).max()
     longest, points, found = length, [here.point], list[PathEvent]()
     ended: Literal["target", "count", "stop", "stuck"] = "count"
     while len(points) <= increments:
         there = _increment(net, load, here, length)
+        if there is None and length <= _CORNER * longest:
+            here, there = _around_corner(net, load, here, length)
         if there is None:
             length /= 2
             if length < _SHORTEST * longest:
                 ended = "stuck"
                 break
             continue
-        new = _events_between(net, load, here, there, length, len(points) - 1)
+        branching = way is not None and len(points) == 1  # where the start is what happens
+        new = [] if branching else _events_between(net, load, here, there, length, len(points) - 1)
         passed = target is not None and _passes(here.point.factor, there.point.factor, target)
         if target is not None and passed:
             there = _at(net, load, here, there, length, target)
@@ -242,6 +252,20 @@ def _increment(net: Net, load: Load, here: _Station, length: float) -> _Station 
         if moved <= _HOME * length:
             return _station(net, load, there, factor, here.way, True, corrections)
     return None
+
+
+def _around_corner(net: Net, load: Load, here: _Station, length: float) -> tuple[_Station, _Station | None]:
+    """Past a kink of a law, such as a tendon that goes slack: the way turns at once to that of the other side."""
+    factor = here.point.factor + length * here.pace
+    over = expand(net, _moved(net, here.point.shape, length * here.way), load, factor)
+    tangent = _tangent(net, load, over, factored(over.free))
+    for pace in (1 / np.linalg.norm(tangent), -1 / np.linalg.norm(tangent)):
+        turned = replace(here, way=pace * tangent, pace=float(pace))
+        there = _increment(net, load, turned, length)
+        # the other orientation would lead back to this side, or to nothing
+        if there is not None and np.sum(there.way * turned.way) > _ALIGNED:
+            return turned, there
+    return here, None
 
 
 def _events_between(

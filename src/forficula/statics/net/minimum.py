@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -56,7 +57,13 @@ class Rest:
 
 
 def minimum(
-    net: Net, start: Shape, load: Load | None = None, factor: float = 0.0, *, longest_step: float | None = None
+    net: Net,
+    start: Shape,
+    load: Load | None = None,
+    factor: float = 0.0,
+    *,
+    longest_step: float | None = None,
+    stop: Callable[[Shape], bool] | None = None,
 ) -> Rest:
     """Go downhill to rest.
 
@@ -70,6 +77,7 @@ def minimum(
         load: that acts; its displacements are not applied to the start.
         factor: times which it does.
         longest_step: of any coordinate, m; None for a tenth of the net's size.
+        stop: ends it on the way, not settled, at the first shape for which it says so.
 
     Raises:
         InputError: the load does not fit, or would carry the whole away.
@@ -80,7 +88,7 @@ def minimum(
     longest = longest_step if longest_step is not None else net.size / 10
     here, shift, steps, settled = expand(net, start, load, factor), 0.0, 0, False
     parts = factored(here.free)
-    while steps < _MOST_STEPS and not settled:
+    while steps < _MOST_STEPS and not settled and not (stop is not None and stop(here.shape)):
         steps += 1
         stiffest = float(here.free.diagonal().max(initial=0.0)) or 1.0
         while parts.index and shift <= _LARGEST_SHIFT * stiffest:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -124,6 +125,8 @@ class Net:
                 raise InputError(f"net.{name}: need an array of shape {need}, got {got}")
         if not np.all(np.isfinite(self.nodes)):
             raise InputError("net.nodes: need finite coordinates, got some that are not")
+        if not (count and self.size > 0):
+            raise InputError(f"net.nodes: need some that are apart, got {count} at one place")
         sums = np.asarray(self.points.sum(axis=1)).ravel()
         if not np.allclose(sums, 1.0):
             raise InputError(f"net.points: need weights that add up to 1, got {sums[np.argmax(np.abs(sums - 1))]:g}")
@@ -141,10 +144,12 @@ class Net:
         """Masses by node, the same for x, y and z, kg, (node, node)."""
         return csr_array(self.masses if self.masses.ndim == 2 else diags_array(np.asarray(self.masses)))
 
-    @property
+    @cached_property
     def size(self) -> float:
-        """The largest extent as built, m."""
-        return float(np.ptp(self.nodes, axis=0).max())
+        """The largest extent as built of what has a mass or moves, m."""
+        heavy = np.asarray(abs(self.mass_matrix).sum(axis=1)).ravel() > 0
+        moving = heavy | self.free.any(axis=1)
+        return float(np.ptp(self.nodes[moving] if moving.any() else self.nodes, axis=0).max())
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -41,7 +41,7 @@ def rigidity_matrix(net: Net, shape: Shape, stiff: Flags) -> csr_array:
     """Changes of the bars' lengths and of stiff creases' angles (times the net's size) by displacements.
 
     The rows of a truss (Pellegrino and Calladine 1986, doi 10.1016/0020-7683(86)90014-4), and facets kept flat as by
-    Schenk and Guest (2011, Origami 5, 291-304).
+    Schenk and Guest (2011, Origami 5, 291-303).
 
     Args:
         net: whose bars with a resting length count.

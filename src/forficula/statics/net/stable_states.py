@@ -18,7 +18,8 @@ Array = NDArray[np.float64]
 
 _SOFT = 12  # modes of which a push is made
 _PUSH = (0.05, 0.6)  # largest displacement, of the net's size
-_FOLD = 1.2  # largest share of its angle, of either sign, to which a crease is folded for a while
+_FOLD = 1.5  # largest share of its angle, of either sign, to which a crease is folded for a while
+_STIFFER = 2.0  # powers of ten by which creases are stiffer for that while, at most
 _SAME = 1e-4  # of the net's size
 _SAME_ANGLE = 0.1  # rad; panels on the other side of one another are another state
 
@@ -45,8 +46,8 @@ class StableStates:
 def find_stable_states(net: Net, starts: Sequence[Shape], *, tries: int = 40, seed: int = 0) -> StableStates:
     """Go downhill from given shapes, then again and again from pushes of what was found.
 
-    A push is, by turns, a random combination of the softest modes, softer ones further, and a while with other rest
-    angles: every crease's angle times a random number.
+    A push is, by turns, a random combination of the softest modes, softer ones further, and a while with other and
+    stiffer creases, whose rest angles are the angles there times random numbers.
 
     Args:
         net: as for `minimum`.
@@ -114,6 +115,9 @@ def _pushed(net: Net, shape: Shape, random: np.random.Generator) -> Shape:
 
 
 def _folded(net: Net, shape: Shape, random: np.random.Generator) -> Shape:
-    rest_angles = shape.angles * random.uniform(-_FOLD, _FOLD, len(shape.angles))
-    law = replace(net.creases.law, rest_angle=rest_angles)
+    law = replace(
+        net.creases.law,
+        rest_angle=shape.angles * random.uniform(-_FOLD, _FOLD, len(shape.angles)),
+        stiffness=net.creases.law.stiffness * 10 ** random.uniform(0.0, _STIFFER),
+    )
     return minimum(replace(net, creases=replace(net.creases, law=law)), shape).shape

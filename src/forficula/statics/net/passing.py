@@ -1,0 +1,55 @@
+"""Panels that pass through one another in a shape, for nothing keeps them from it."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.statics.net.net import Net, Shape
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+_TURNED = 1e-3  # rad beyond 180 deg
+_WITHIN = 1e-6  # share of a side or a panel by which it is pierced at least
+
+
+def panels_pass(net: Net, shape: Shape, triangles: Indices) -> bool:
+    """Whether a crease is folded beyond 180 deg, or a side of one triangle goes through another.
+
+    Triangles that share a corner pass through one another at their creases only.
+
+    Args:
+        net: whose points the corners are.
+        shape: there.
+        triangles: points at the corners, (triangle, 3).
+    """
+    if np.abs(shape.angles).max(initial=0.0) > np.pi + _TURNED:
+        return True
+    corners = (net.points @ shape.positions)[triangles]
+    return len(triangles) > 1 and bool(_pierced(corners, triangles).any())
+
+
+def _pierced(corners: Array, triangles: Indices) -> NDArray[np.bool_]:
+    """Whether sides of the first of two go through the second, of all pairs apart whose boxes meet, (pair, side).
+
+    By Moller and Trumbore (1997, doi 10.1080/10867651.1997.10487468).
+    """
+    low, high = corners.min(axis=1), corners.max(axis=1)
+    near = np.all((low[:, None] <= high[None]) & (high[:, None] >= low[None]), axis=2)
+    near &= ~(triangles[:, None, :, None] == triangles[None, :, None, :]).any(axis=(2, 3))
+    one, other = np.nonzero(near)
+    begin = corners[one]
+    way = np.roll(begin, -1, axis=1) - begin
+    first, second, third = (corners[other, corner][:, None] for corner in range(3))
+    along, beside = second - first, third - first
+    across = np.cross(way, beside)
+    size = np.sum(along * across, axis=2)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        away = begin - first
+        u = np.sum(away * across, axis=2) / size
+        turned = np.cross(away, along)
+        v = np.sum(way * turned, axis=2) / size
+        share = np.sum(beside * turned, axis=2) / size
+        inside = (u > _WITHIN) & (v > _WITHIN) & (u + v < 1 - _WITHIN)
+        return np.asarray(inside & (share > _WITHIN) & (share < 1 - _WITHIN))

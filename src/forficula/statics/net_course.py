@@ -1,0 +1,138 @@
+"""What a drive that grows slowly does to a net: where it snaps, when it is at its goal, where it rests when let go."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.statics.net.load import Load
+from forficula.statics.net.load_path import LoadPath, PathPoint, load_path
+from forficula.statics.net.minimum import Rest, minimum
+from forficula.statics.net.net import Net, Shape
+from forficula.statics.net.net_of import motor_load, own_angles
+from forficula.statics.net.slow_path import SlowPath, slow_path
+from forficula.structure import Drive, Goal, Motor, Structure, Transition, distances_of, goal_of
+
+Array = NDArray[np.float64]
+
+_MOST = 4.0  # of a drive's strength: how far it is followed where that does not suffice
+_INCREMENTS = 120
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Course:
+    """What a slowly growing drive does, from a state in which the net rests.
+
+    Attributes:
+        name: of the transition that it makes, or of the drive.
+        drive: whose strength is the factor 1.
+        load: of that.
+        start: where it begins.
+        slow: what the net does, up to the goal, or as far as it was followed.
+        through: the equilibria on and beyond the first path, stable or not, where it snaps; else None.
+        least: size of the drive at which the goal is first reached, in its SI unit; None where it never is, or where
+            there is no goal.
+        rest: where it comes to rest when let go at the end.
+    """
+
+    name: str
+    drive: Drive
+    load: Load
+    start: Rest
+    slow: SlowPath
+    through: LoadPath | None
+    least: float | None
+    rest: Rest
+
+
+def drive_course(structure: Structure, net: Net, start: Rest, drive: Drive, transition: Transition | None) -> Course:
+    """Let a drive grow slowly from a stable state, to the goal of a transition or to its own strength.
+
+    Args:
+        structure: that the net is of.
+        net: of it.
+        start: stable.
+        drive: of some strength.
+        transition: that it makes; None for none.
+
+    Raises:
+        InputError: it would carry the whole away.
+    """
+    load = motor_load(structure, net, drive.torques)
+    goal = None if transition is None else goal_of(structure, transition.goal)
+
+    def there(shape: Shape) -> bool:
+        return goal is not None and short_of(structure, goal, shape) <= 0
+
+    end = 1.0 if goal is None else _MOST
+    slow = slow_path(net, start.shape, load, end=end, increments=_INCREMENTS, stop=there)
+    last = slow.points[-1] if len(slow.snaps) < len(slow.paths) else None
+    shape = slow.snaps[-1].after.shape if last is None else last.shape
+    factor = slow.snaps[-1].factor if last is None else last.factor
+    through = None
+    if slow.snaps:
+        through = load_path(net, start.shape, load, target=factor, increments=_INCREMENTS)
+    reached = None if goal is None else _first_at(structure, goal, slow.points)
+    if reached is None and slow.ended == "stop":
+        reached = factor
+    return Course(
+        name=drive.name if transition is None else transition.name,
+        drive=drive,
+        load=load,
+        start=start,
+        slow=slow,
+        through=through,
+        least=None if reached is None else reached * abs(drive.torque),
+        rest=minimum(net, shape),
+    )
+
+
+def watched(structure: Structure, shape: Shape) -> Array:
+    """What goals are bounds on: angles of the hinges in their own senses, rad, then distances, m, (coordinate,)."""
+    pairs = [list(each.points) for each in distances_of(structure) if each.points is not None]
+    distances = [np.linalg.norm(np.diff(shape.positions[pair], axis=0)) for pair in pairs]
+    return np.concatenate([own_angles(structure, shape), distances])
+
+
+def short_of(structure: Structure, goal: Goal, shape: Shape) -> float:
+    """By how much a shape is out of a goal's bounds, rad or m; not above 0 within."""
+    read = watched(structure, shape)
+    return float(max(np.max(goal.least - read, initial=-np.inf), np.max(read - goal.most, initial=-np.inf)))
+
+
+def driven_motor(structure: Structure, drive: Drive) -> Motor:
+    """The first motor that a drive sets."""
+    return next(motor for motor, share in zip(structure.motors, drive.shares, strict=True) if share)
+
+
+def drive_unit(structure: Structure, drive: Drive) -> str:
+    """The SI unit of a drive's strength."""
+    return {"torque": "N m", "force": "N", "rest-angle": "rad"}[driven_motor(structure, drive).kind]
+
+
+def gone(structure: Structure, net: Net, drive: Drive, shape: Shape) -> float:
+    """How far a drive has gone on the way that it pushes: m of its points, or rad of its hinges, their mean."""
+    motor = driven_motor(structure, drive)
+    sign = float(np.sign(drive.torque or 1.0))
+    if motor.direction is not None:
+        points = list(motor.points)
+        return sign * float(np.mean((shape.positions - net.nodes)[points] @ motor.direction))
+    gains = np.array(motor.gains or [1.0] * len(motor.hinges))
+    angles = own_angles(structure, shape)[list(motor.hinges)]
+    return sign * float(np.mean(np.sign(gains) * angles))
+
+
+def _first_at(structure: Structure, goal: Goal, points: Sequence[PathPoint]) -> float | None:
+    """The factor at which a goal is first reached, between two points in proportion; None where it never is."""
+    before, beside = None, np.inf
+    for point in points:
+        out = short_of(structure, goal, point.shape)
+        if out <= 0:
+            if before is None or not np.isfinite(beside) or point.factor <= before.factor:
+                return float(point.factor)
+            return float(before.factor + (point.factor - before.factor) * beside / (beside - out))
+        before, beside = point, out
+    return None

@@ -1,0 +1,46 @@
+"""Factors of sparse symmetric matrices: solutions, inertia, eigenvectors."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.sparse import csc_array, random_array
+
+from forficula.statics.net.factor import factored, lowest, softest
+
+
+def symmetric(size, seed):
+    part = random_array((size, size), density=min(1.0, 3 / size), rng=np.random.default_rng(seed), format="csc")
+    diagonal = np.random.default_rng(seed + 1).standard_normal(size)
+    return csc_array(part + part.T + csc_array(np.diag(diagonal)))
+
+
+@settings(deadline=None, max_examples=20)
+@given(st.integers(2, 150), st.integers(0, 1000))
+def test_the_index_counts_the_eigenvalues_below_zero(size, seed):
+    matrix = symmetric(size, seed)
+    values = np.linalg.eigvalsh(matrix.toarray())
+    assert factored(matrix).index == np.count_nonzero(values < 0)
+    assert factored(matrix, -values[size // 2] - 1e-6).index == size // 2 + 1
+
+
+def test_it_solves():
+    matrix, right = symmetric(50, 3), np.arange(50.0)
+    np.testing.assert_allclose(matrix @ factored(matrix).solve(right), right, atol=1e-8)
+    assert factored(csc_array((0, 0))).solve(np.zeros(0)).shape == (0,)
+
+
+@pytest.mark.parametrize("size", [40, 150])
+def test_softest_are_the_eigenvalues_nearest_to_zero(size):
+    matrix = symmetric(size, 5)
+    values = np.linalg.eigvalsh(matrix.toarray())
+    nearest = np.sort(values[np.argsort(np.abs(values))[:6]])
+    found, vectors = softest(matrix, 6)
+    np.testing.assert_allclose(found, nearest, atol=1e-9)
+    np.testing.assert_allclose(matrix @ vectors, vectors * found, atol=1e-8)
+
+
+@pytest.mark.parametrize("size", [40, 150])
+def test_the_lowest_is_found_however_far_below_zero(size):
+    matrix = csc_array(np.diag(np.linspace(1.0, 50.0, size) - 1000.0 * (np.arange(size) == 7)))
+    assert abs(lowest(matrix)[7]) == pytest.approx(1.0)

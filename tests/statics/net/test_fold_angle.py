@@ -1,0 +1,49 @@
+"""Fold angles: their sign, their way past contact, slopes and curvatures."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from forficula.statics.net.fold_angle import fold_angle_derivatives, fold_angles
+
+
+def sides(angle, left=(0.3, 1.0), right=(0.6, 0.8)):
+    """A crease along x, its left panel turned up by an angle, heights and offsets of the corners."""
+    up = (left[0], left[1] * np.cos(angle), left[1] * np.sin(angle))
+    return np.array([[(1.5, 0, 0), up, (right[0], -right[1], 0)]])
+
+
+@pytest.mark.parametrize("angle", [-3.1, -1.0, 0.0, 1e-9, 0.7, 3.1])
+def test_a_left_panel_that_rises_folds_a_valley(angle):
+    assert fold_angles(sides(angle), np.zeros(1)) == pytest.approx([angle], abs=1e-14)
+
+
+def test_a_panel_that_passes_through_contact_goes_on_without_a_jump():
+    angle = np.zeros(1)
+    for turned in np.linspace(0, 9, 50):
+        angle = fold_angles(sides(turned), angle)
+        assert angle == pytest.approx([turned], abs=1e-12)
+
+
+@settings(deadline=None, max_examples=40)
+@given(st.integers(0, 10**6))
+def test_slope_and_curvature_are_those_of_the_angle(seed):
+    here = np.random.default_rng(seed).standard_normal((1, 3, 3))
+    near, step = fold_angles(here, np.zeros(1)), 1e-6
+    slope, curvature = fold_angle_derivatives(here)
+    scale = np.abs(curvature).max()
+    for side, axis in np.ndindex(3, 3):
+        off = np.zeros((1, 3, 3))
+        off[0, side, axis] = step
+        rise = (fold_angles(here + off, near) - fold_angles(here - off, near)) / (2 * step)
+        assert slope[0, side, axis] == pytest.approx(rise[0], rel=1e-4, abs=1e-6 * scale)
+        rises = (fold_angle_derivatives(here + off)[0] - fold_angle_derivatives(here - off)[0]) / (2 * step)
+        np.testing.assert_allclose(curvature[0, side, :, axis], rises[0], atol=1e-4 * scale)
+
+
+@pytest.mark.parametrize("angle", [0.0, 1e-12, np.pi, np.pi - 1e-9])
+def test_nothing_is_singular_at_flat_and_at_contact(angle):
+    slope, curvature = fold_angle_derivatives(sides(angle))
+    assert slope[0, 1] == pytest.approx((0, -np.sin(angle), np.cos(angle)), abs=1e-12)
+    assert np.all(np.isfinite(curvature))

@@ -1,0 +1,94 @@
+"""Rest: from where it starts downhill, proven by inertia; what does not settle says so."""
+
+import time
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from forficula.material.law.crease_law import CreaseLaw
+from forficula.statics.net.energy import built_shape, expand, shape_at
+from forficula.statics.net.load import crease_torques
+from forficula.statics.net.minimum import minimum, stationary
+from tests.statics.net.nets import miura, sheet, truss
+
+
+@settings(deadline=None, max_examples=10)
+@given(st.integers(0, 1000))
+def test_a_disturbed_sheet_comes_back_to_rest_without_a_slope(seed):
+    net = sheet(*miura(3, 3, fold=0.5), rest=0.3)[0]
+    first = minimum(net, built_shape(net))
+    push = 0.02 * np.random.default_rng(seed).standard_normal(net.nodes.shape)
+    back = minimum(net, shape_at(net, first.shape.positions + push, first.shape.angles))
+    assert back.stable
+    assert back.energy == pytest.approx(first.energy, rel=1e-10)
+    assert back.slope < 1e-7
+    assert np.linalg.eigvalsh(expand(net, back.shape).free.toarray())[6] > 0
+
+
+def test_a_torque_on_a_crease_turns_it_by_its_stiffness():
+    # two triangles on a held one's edge: nothing but the crease resists
+    nodes = np.array([(0, 0, 0), (1, 0, 0), (0.5, 1, 0), (0.5, -1, 0)])
+    net = sheet(nodes, [(0, 1, 2), (1, 0, 3)], crease=2.0, held=[0, 1, 3])[0]
+    rest = minimum(net, built_shape(net), crease_torques(net, np.array([0]), 1.0), 0.6)
+    assert rest.shape.angles == pytest.approx([0.3], abs=1e-9)
+    assert rest.energy == pytest.approx(2.0 * 0.3**2 / 2)
+
+
+def test_a_flat_sheet_exactly_on_the_ridge_is_at_rest_but_not_stable():
+    net = sheet(*miura(2, 2, fold=0.0), crease=0.0, facet=0.0)[0]
+    squeezed = replace(net, springs=replace(net.springs, rest_length=1.05 * net.springs.rest_length))
+    # flat, the longer bars are all as long as in a flat sheet 1.05 times as large: held smaller they push
+    frame = squeezed.free.copy()
+    frame[[0, 1, 2, 3, 5, 6, 7, 8], :] = False
+    rest = minimum(replace(squeezed, free=frame), built_shape(squeezed))
+    assert rest.settled
+    assert rest.index == 1
+    assert not rest.stable
+
+
+def test_a_mechanism_without_springs_is_neutral():
+    net, flat = sheet(*miura(2, 2, fold=0.5))
+    law = CreaseLaw(stiffness=np.where(flat, 1e2, 0.0))
+    rest = minimum(replace(net, creases=replace(net.creases, law=law)), built_shape(net))
+    assert rest.settled
+    assert rest.index == 0
+    assert rest.neutral == 1
+    assert not rest.stable
+
+
+def test_what_falls_forever_does_not_settle():
+    net = truss([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1], [1, 2], [2, 0]], stiffness=1.0, gravity=9.81)
+    assert not minimum(net, built_shape(net)).settled
+
+
+def test_locking_panels_stop_short_of_contact():
+    nodes = np.array([(0, 0, 0), (1, 0, 0), (0.5, 1, 0), (0.5, -1, 0)])
+    net = sheet(nodes, [(0, 1, 2), (1, 0, 3)], held=[0, 1, 3])[0]
+    law = CreaseLaw(stiffness=np.ones(1), lock_above=np.array([2.5]))
+    net = replace(net, creases=replace(net.creases, law=law))
+    rest = minimum(net, built_shape(net), crease_torques(net, np.array([0]), 1.0), 50.0)
+    assert rest.stable
+    assert 2.5 < rest.shape.angles[0] < np.pi
+    assert law.moment(rest.shape.angles)[0] == pytest.approx(50.0)
+
+
+def test_newtons_method_finds_the_ridge_beside_it():
+    net = truss([[-1, 0, 0], [0, 0, 0.3], [1, 0, 0]], [[0, 1], [1, 2]], stiffness=1e3, held=[0, 2, (1, 1)])
+    ridge = stationary(net, shape_at(net, net.nodes * (1, 1, 0.1)))
+    assert ridge.settled
+    assert ridge.index == 1
+    assert ridge.shape.positions[1] == pytest.approx((0, 0, 0), abs=1e-12)
+
+
+def test_a_sheet_of_961_nodes_folds_in_seconds():
+    net, flat = sheet(*miura(30, 30, fold=0.3), axial=1e6)
+    goal = built_shape(sheet(*miura(30, 30, fold=0.9))[0]).angles
+    law = replace(net.creases.law, rest_angle=np.where(flat, 0.0, goal))
+    began = time.process_time()
+    rest = minimum(replace(net, creases=replace(net.creases, law=law)), built_shape(net))
+    assert time.process_time() - began < 20  # 1.2 s on one core
+    assert rest.stable
+    np.testing.assert_allclose(rest.shape.angles, law.rest_angle, atol=1e-8)
