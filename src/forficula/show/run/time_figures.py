@@ -181,11 +181,10 @@ def _draw_many(axes: Axes, time: Array, record: Record, measure: Measure) -> Non
     values, groups = np.degrees(record.measured(measure.name)), role_groups(record.structure, measure)
     for number, (role, places) in enumerate(groups.items()):
         look, own = _look(number, len(groups)), values[:, places]
-        kind = f"{len(places)} {role}{'s' * (role == 'crease')}"
         # one line with gaps: as many lines of their own would take long
         each = np.vstack([own, np.full(len(places), np.nan)]).T.ravel()
-        axes.plot(np.tile([*time, np.nan], len(places)), each, color=look["color"], lw=0.5, alpha=0.35, label=kind)
-        axes.plot(time, median(own), **look, lw=1.6, label="median")
+        axes.plot(np.tile([*time, np.nan], len(places)), each, color=look["color"], lw=0.5, alpha=0.35)
+        axes.plot(time, median(own), **look, lw=1.6, label=f"{role} ({len(places)}), median")
 
 
 def _scale_degrees(axes: Axes, record: Record, measures: tuple[Measure, ...]) -> None:

@@ -100,6 +100,9 @@ def _label(axes: Axes, place: Array, name: str) -> None:
 
 def _middle(structure: Structure, hinge: Hinge, points: Array, origin: Array, direction: Array) -> Array:
     """The middle of the side by which a plate hangs on its hinge, m, (3,)."""
+    for closure in structure.closures:
+        if closure.bodies[1] == hinge.body:
+            return np.asarray(points[[pair[1] for pair in closure.points]].mean(axis=0))
     for plate in structure.plates:
         if plate.body == hinge.body:
             corners = points[list(plate.points)]
