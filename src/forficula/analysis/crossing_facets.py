@@ -118,7 +118,7 @@ def _first_crossings(pieces: _Pieces, places: Array) -> list[tuple[int, int, int
         crosses = _cross(corners[pair, row], normals[pair, row], pieces.half[pair])
         owners = pieces.owner[pair[:, crosses]]
         order = np.argsort(row[crosses], kind="stable")
-        for one, other, when in zip(*np.sort(owners, axis=0)[:, order].tolist(), row[crosses][order].tolist(), strict=True):
+        for one, other, when in np.vstack([np.sort(owners, axis=0), row[crosses]]).T[order].tolist():
             found.setdefault((one, other), first + when)
     return sorted(((one, other, row) for (one, other), row in found.items()), key=lambda each: each[2])
 

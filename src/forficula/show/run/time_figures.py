@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 from forficula.analysis import Outcome
 from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
-from forficula.names import listed
 from forficula.quantities import reading_unit, show_value
 from forficula.show.run.outcome_rows import state_angles
 from forficula.show.run.state_names import state_letters
@@ -128,8 +127,8 @@ def _accounts(record: Record) -> dict[str, tuple[Array, str]]:
     accounts: dict[str, tuple[Array, str]] = {}
     if structure.motors:
         accounts[f"done by {acting(structure)}"] = (record.work, BLACK)
-    folds = listed(kind.removesuffix("s") for kind in hinge_groups(structure)) or "hinge"
-    accounts[f"taken by {folds} damping"] = (-series["hinge_damping_work"], GREEN)
+    hinged = hinge_groups(structure).keys() <= {"hinges"}
+    accounts[f"taken by {'hinge' if hinged else 'fold'} damping"] = (-series["hinge_damping_work"], GREEN)
     accounts["taken by stops"] = (-series["stop_work"], VERMILION)
     if structure.tendons or structure.membranes or structure.springs:
         name = "taken by other damping" if structure.membranes or structure.springs else "taken by tendons"

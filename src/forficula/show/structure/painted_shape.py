@@ -136,7 +136,7 @@ def shape_handles(shape: Shape, structure: Structure, tendon_colour: ArrayLike, 
     if structure.facets:
         handles.append(Patch(facecolor=_BACK, label="back of a facet"))
     if any(line.hinge is not None for line in shape.lines):
-        for colour, name in ((VERMILION, "mountain, pale if nearly flat"), (BLUE, "valley")):
+        for colour, name in ((VERMILION, "mountain"), (BLUE, "valley"), (_FLAT, "pale: nearly flat")):
             handles.append(Line2D([], [], color=colour, lw=0.75 * width, label=name))
     if shape.bars:
         handles.append(Line2D([], [], color=BAR, lw=width, label=structure.appearance.bar))
