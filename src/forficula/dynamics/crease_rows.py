@@ -9,6 +9,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -135,9 +136,6 @@ def crease_rows(models: Sequence[Model]) -> CreaseRows | None:
     if not creases:
         return None
     order, flaps = creases[0].order, models[0].folds.flaps
-    unit = [np.eye(len(model.structure.motors)) for model in models]
-    settings = [model.settings(each) for model, each in zip(models, unit, strict=True)]
-    laws = [each.law for each in creases]
     return CreaseRows(
         built=np.array([model.folds.built for model in models]),
         slides=models[0].folds.slides,
@@ -145,6 +143,17 @@ def crease_rows(models: Sequence[Model]) -> CreaseRows | None:
         rows=creases[0].rows,
         form=(4 * order[:, :, None] + order[:, None, :]).reshape(-1, _FORM),
         parity=np.where(order[:, 0] == order[:, 2] - 2, 1.0, -1.0),
+        **stacked_creases(models),
+    )
+
+
+def stacked_creases(models: Sequence[Model]) -> dict[str, Any]:
+    """Senses, law, damping and what motors do, of the creases of structures of one topology, as `CreaseRows` has them."""
+    creases = [model.creases for model in models if model.creases is not None]
+    unit = [np.eye(len(model.structure.motors)) for model in models]
+    settings = [model.settings(each) for model, each in zip(models, unit, strict=True)]
+    laws = [each.law for each in creases]
+    return dict(
         senses=np.array([each.senses for each in creases], dtype=np.float64),
         law=CreaseLaw(
             **{
