@@ -24,7 +24,8 @@ class SheetDesign(Design):
     crease: Crease = Crease()
     tendon: Annotated[tuple[SheetTendon, ...], Field(description="springs between two places, which only pull")] = ()
     support: Annotated[
-        tuple[Support, ...], Field(description="what is held; where no crease opens between rigid facets, facet 0 if not given")
+        tuple[Support, ...],
+        Field(description="what is held; where no crease opens between rigid facets, facet 0 if not given"),
     ] = ()
     drive: Annotated[tuple[SheetDrive, ...], Field(description="what stages of the protocol switch on")] = ()
     measure: Annotated[tuple[SheetMeasure, ...], Field(description="what is watched, for goals and tables")] = ()

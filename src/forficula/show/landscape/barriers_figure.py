@@ -38,7 +38,9 @@ def draw_barriers(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figu
         figure = Figure(figsize=(width, 2.8), layout="constrained")
         axes = figure.subplots()
         for each, top in zip(net.passes, tops, strict=True):
-            _draw_pass(axes, each, [places[end] for end in each.ends], [energies[end] for end in each.ends], top, factor)
+            _draw_pass(
+                axes, each, [places[end] for end in each.ends], [energies[end] for end in each.ends], top, factor
+            )
         for place, energy in zip(places, energies, strict=True):
             axes.plot([place - _HALF, place + _HALF], [factor * energy] * 2, color=BLUE, lw=2.5, zorder=4)
         axes.set_xlim(-0.6, max(places) + 0.6)
