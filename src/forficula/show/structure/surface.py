@@ -73,7 +73,7 @@ def surface_of(shape: Shape, places: Array, folds: Array) -> Surface:
     return Surface(
         faces=vertices[corners],
         regions=shape.face_region,
-        two_sided=bool(record.structure.facets),
+        two_sided=len(shape.regions) > 0 and not any(shape.solid) and not shape.bars,
         bars=vertices[np.array([bar.ends for bar in shape.bars], dtype=np.int64).reshape(-1, 2)],
         radii=np.array([bar.radius for bar in shape.bars]),
         lines=vertices[np.array(ends, dtype=np.int64).reshape(-1, 2)],
