@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Annotated, Any, Self
 
 from pydantic import Field, model_validator
@@ -34,8 +35,7 @@ class SheetDesign(Design):
     @property
     def sheet(self) -> CreasePattern:
         """The crease pattern, as built."""
-        sheet: CreasePattern = self.pattern.sheet
-        return sheet
+        return _drawn(self.pattern)
 
     @property
     def held_facets(self) -> tuple[int, ...]:
@@ -68,3 +68,10 @@ class SheetDesign(Design):
     def _fits_together(self) -> SheetDesign:
         check_sheet(self)
         return self
+
+
+@lru_cache(maxsize=64)
+def _drawn(pattern: Any) -> CreasePattern:
+    """The sheet of a pattern, which is asked for again and again while it is built."""
+    sheet: CreasePattern = pattern.sheet
+    return sheet
