@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from forficula.quantities import reading_unit
 from forficula.show.landscape.net_words import shown_value
-from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, in_column
+from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, in_column, is_narrow
 from forficula.statics import EnergyLandscape
 from forficula.statics.net_landscape import NetLandscape, Pass
 
@@ -38,7 +39,9 @@ def draw_barriers(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figu
         figure = Figure(figsize=(width, 2.8), layout="constrained")
         axes = figure.subplots()
         for each, top in zip(net.passes, tops, strict=True):
-            _draw_pass(axes, each, [places[end] for end in each.ends], [energies[end] for end in each.ends], top, factor)
+            _draw_pass(
+                axes, each, [places[end] for end in each.ends], [energies[end] for end in each.ends], top, factor
+            )
         for place, energy in zip(places, energies, strict=True):
             axes.plot([place - _HALF, place + _HALF], [factor * energy] * 2, color=BLUE, lw=2.5, zorder=4)
         axes.set_xlim(-0.6, max(places) + 0.6)
@@ -47,6 +50,12 @@ def draw_barriers(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figu
         axes.set_xticks(sorted(names), [names[place] for place in sorted(names)])
         axes.tick_params(axis="x", length=0)
         axes.set_ylabel(f"stored energy ({unit})")
+        handles = [Line2D([], [], color=BLUE, lw=2.5, label="stable state")]
+        if net.passes:
+            words = "saddle, and what is to climb to it from either side"
+            mark = {"marker": "^", "mfc": "white", "mec": VERMILION, "mew": 1.1, "ms": 5, "ls": "none"}
+            handles.append(Line2D([], [], label=words, **mark))  # type: ignore[arg-type]
+        figure.legend(handles=handles, loc="outside upper center", ncols=1 if is_narrow(width) else 2)
         return describe(figure, _tell(landscape, net))
 
 
