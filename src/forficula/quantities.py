@@ -30,6 +30,9 @@ _READING = {
     "N m": (("N cm", 1e2, 1e-3), ("mN cm", 1e5, 1e-6), ("µN cm", 1e8, 1e-9), ("nN cm", 1e11, 1e-12)),
     "m": (("m", 1.0, 2.0), ("cm", 1e2, 0.02), ("mm", 1e3, 1e-4), ("µm", 1e6, 1e-7)),
     "s": (("s", 1.0, 0.2), ("ms", 1e3, 1e-4), ("µs", 1e6, 1e-7)),
+    "N": (("N", 1.0, 0.1), ("mN", 1e3, 1e-4), ("µN", 1e6, 1e-7)),
+    "Pa": (("GPa", 1e-9, 1e9), ("MPa", 1e-6, 1e5), ("kPa", 1e-3, 1e2), ("Pa", 1.0, 0.0)),
+    "rad": (("deg", math.degrees(1.0), 0.0),),
 }
 
 
@@ -141,7 +144,7 @@ def reading_unit(unit: str, largest: float) -> tuple[str, float]:
     """Choose the unit in which values read well.
 
     Args:
-        unit: the SI unit of the values; there are others to choose from for "J", "N m", "m" and "s".
+        unit: the SI unit of the values; there are others to choose from for "J", "N m", "m", "s", "N", "Pa" and "rad".
         largest: of the values, in it.
 
     Returns:

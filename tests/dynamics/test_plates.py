@@ -241,7 +241,7 @@ def test_the_engine_puts_plates_where_the_pattern_folds_to(held):
     folded = folded_coordinates(pattern, signed, fixed_face=held)
     data = mujoco.MjData(model.engine)
     own = [sizes[int(hinge.name.removeprefix("crease"))] for hinge in model.structure.hinges]
-    data.qpos[:] = model.senses * own
+    data.qpos[:] = model.folds.senses * own
     mujoco.mj_forward(model.engine, data)
     for number, point in enumerate(model.structure.points):
         place = data.xpos[model.carriers[number]] if model.sites[number] < 0 else data.site_xpos[model.sites[number]]
@@ -288,7 +288,7 @@ def test_hinges_of_a_tree_that_branches_are_in_the_order_of_the_engine(tmp_path)
     data = mujoco.MjData(model.engine)
     rng = np.random.default_rng(5)
     own = rng.uniform(0, math.pi, 8)
-    data.qpos[:] = model.senses * own
+    data.qpos[:] = model.folds.senses * own
     mujoco.mj_forward(model.engine, data)
     signed = np.full(len(pattern.edges_assignment), np.nan)
     for hinge, angle in zip(model.structure.hinges, own, strict=True):

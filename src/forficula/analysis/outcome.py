@@ -51,6 +51,7 @@ class State:
         tendon_energy: J, (tendon,).
         membrane_energy: J; nan in a sparse record.
         hinge_energy: of the hinges' springs, J, (hinge,); None where they have none.
+        spring_energy: of the springs between points, J, (spring,); None where there are none.
         within: whether it is within the bounds of its name.
         swings: whether what is measured still moves, an angle by more than 0.1 deg, a distance by 0.1 % of the size.
         furthest: of the measure of the transition that leads there, what reads furthest from its goal, rad or m; of
@@ -66,6 +67,7 @@ class State:
     tendon_energy: Array
     membrane_energy: float
     hinge_energy: Array | None
+    spring_energy: Array | None
     within: bool
     swings: bool
     furthest: float | None
@@ -324,7 +326,7 @@ def _state(record: Record, end: StageEnd, name: str) -> State:
     far = _STIR_SHARE * record.structure.span
     moved = [readings[each.name] for each in record.structure.measures if each.kind == "distance"]
     mean, rest_state = coordinates.mean(axis=0), state_of(record.structure, name)
-    springs = record.series.get("hinge_energy")
+    hinges, springs = (record.series.get(f"{name}_energy") for name in ("hinge", "spring"))
     furthest, kind = _furthest(record.structure, name, readings)
     return State(
         name=name,
@@ -334,7 +336,8 @@ def _state(record: Record, end: StageEnd, name: str) -> State:
         tendon_length=record.series["tendon_length"][window].mean(axis=0),
         tendon_energy=record.series["tendon_energy"][window].mean(axis=0),
         membrane_energy=float(record.series["membrane_energy"][window].mean()),
-        hinge_energy=springs[window].mean(axis=0) if springs is not None else None,
+        hinge_energy=hinges[window].mean(axis=0) if hinges is not None else None,
+        spring_energy=springs[window].mean(axis=0) if springs is not None else None,
         within=rest_state is not None and _within(mean, rest_state.bounds),
         swings=any(bool(np.any(each.high - each.low > _STIR)) for each in swung)
         or any(bool(np.any(each.high - each.low > far)) for each in moved),

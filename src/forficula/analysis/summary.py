@@ -8,8 +8,9 @@ import numpy as np
 
 from forficula.analysis.outcome import Outcome, StageOutcome, State, TransitionOutcome
 from forficula.analysis.run_warnings import run_warnings
+from forficula.analysis.strength import FoldPeak, Peak, fold_peak, strain_peaks
 from forficula.dynamics import EnergyBalance, Record
-from forficula.structure import Structure, drive_of, structure_warnings
+from forficula.structure import Structure, drive_of, hinge_groups, structure_warnings
 
 
 def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[str, Any]:
@@ -26,7 +27,10 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[
         "residual": outcome.ending.residual,
         "advice": outcome.advice,
     }
+    furthest = fold_peak(record)
     last = {
+        "largest_strains": {peak.kind: _peak_summary(peak) for peak in strain_peaks(record)},
+        **({} if furthest is None else {"furthest_fold": _fold_summary(furthest)}),
         "energy_balance": _balance_summary(outcome.energy_balance),
         "diverged_at_s": record.diverged_at,
         "warnings": [*structure_warnings(record.design, structure), *run_warnings(record)],
@@ -60,6 +64,11 @@ def _state_summary(structure: Structure, state: State) -> dict[str, Any]:
                 told[f"{measure.name}{kind}_m"] = values.tolist()
     if state.hinge_energy is not None:
         told["hinge_energy_J"] = state.hinge_energy.tolist()
+        groups = {kind: hinges for kind, hinges in hinge_groups(structure).items() if kind != "hinges"}
+        for kind, hinges in groups.items():
+            told[f"{kind.replace(' ', '_')}_energy_J"] = float(state.hinge_energy[list(hinges)].sum())
+    if state.spring_energy is not None:
+        told["spring_energy_J"] = state.spring_energy.tolist()
     return told | {
         "tendon_length_m": state.tendon_length.tolist(),
         "tendon_energy_J": state.tendon_energy.tolist(),
@@ -79,6 +88,15 @@ def _transition_summary(transition: TransitionOutcome | None, torque: float) -> 
     }
 
 
+def _peak_summary(peak: Peak) -> dict[str, Any]:
+    stress = {} if peak.stress is None else {"stress_Pa": peak.stress}
+    return {"strain": peak.strain, **stress, "part": peak.part, "time_s": peak.time}
+
+
+def _fold_summary(furthest: FoldPeak) -> dict[str, Any]:
+    return {"angle_deg": float(np.degrees(furthest.angle)), "crease": furthest.crease, "time_s": furthest.time}
+
+
 def _stage_summary(stage: StageOutcome) -> dict[str, Any]:
     return {
         "drive": "none" if not stage.drive else stage.drive[0] if len(stage.drive) == 1 else list(stage.drive),
@@ -96,6 +114,7 @@ def _balance_summary(balance: EnergyBalance) -> dict[str, float]:
         "yielding_J": balance.yielding,
         "letting_go_J": balance.letting_go,
         "hinge_energy_change_J": balance.hinges,
+        "spring_energy_change_J": balance.springs,
     }
     return {
         "residual": balance.residual,

@@ -22,7 +22,12 @@ def new(
     file: Annotated[Path, Parameter(help="Where to write it; must end with .toml and not exist.")],
     /,
     *,
-    kind: Annotated[str, Parameter(help="What it folds: earwig-fan, pleats or fold-file.")] = "earwig-fan",
+    kind: Annotated[
+        str,
+        Parameter(
+            help="What it folds: earwig-fan, miura-ori, waterbomb, yoshimura, kresling, pleats, vertex or fold-file."
+        ),
+    ] = "earwig-fan",
 ) -> None:
     """Write a commented design file to start from."""
     from forficula.design import write_new_design
@@ -32,11 +37,13 @@ def new(
 
 
 def designs() -> None:
-    """List the named designs, each with its source."""
-    from forficula.design import named_designs
+    """List the named designs, each with its source and what one would look at it for."""
+    from forficula.design import load_design, named_designs
 
     for name, source in named_designs().items():
         print(f"{name}\n    {source}")
+        if shows := load_design(name).shows:
+            print(f"    shows {shows}")
 
 
 def pattern(

@@ -28,11 +28,19 @@ def design_pattern(design: Design) -> CreasePattern:
 
 
 def design_frames(design: Design) -> list[tuple[str, NDArray[np.float64], NDArray[np.float64]]]:
-    """Folded states of a design's sheet, from nearly open to flat-folded, as `write_fold` takes them."""
+    """Folded states of a design's sheet, from nearly open to flat-folded, as `write_fold` takes them.
+
+    Each crease by the same share of its angle; none of a sheet that is not built flat, or cannot fold so.
+    """
     if isinstance(design, FanDesign):
         return folded_frames(design.fan)
     pattern, frames = design_pattern(design), []
+    if np.ptp(pattern.vertices_coords[:, 2]) > 0:
+        return []
     for share in _SHARES:
         angles = share * pattern.edges_fold_angle
-        frames.append((f"creases at {180 * share:g} deg", folded_coordinates(pattern, angles), angles))
+        try:
+            frames.append((f"creases at {180 * share:g} deg", folded_coordinates(pattern, angles), angles))
+        except InputError:
+            return []
     return frames

@@ -27,6 +27,9 @@ class Design(Part):
 
     name: Annotated[str, Field(min_length=1, description="what outputs call it")]
     source: Annotated[str, Field(description="where its values come from")]
+    shows: Annotated[
+        str | None, Field(description="what one would look at it for", examples=["how a sheet folds all at once"])
+    ] = None
     reproduces: Annotated[
         str | None, Field(description="the paper that its figures are set beside", examples=["binder2025"])
     ] = None
@@ -53,7 +56,7 @@ class Design(Part):
 
     def hash_values(self) -> dict[str, Any]:
         """The values but for what they are called and where they come from."""
-        names = ("name", "source", "reproduces")
+        names = ("name", "source", "shows", "reproduces")
         return {key: value for key, value in super().hash_values().items() if key not in names}
 
 

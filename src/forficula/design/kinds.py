@@ -29,7 +29,16 @@ KINDS: Mapping[str, type[Design]] = {
     "fold-file": FoldFileDesign,
 }
 # by kind, a named design to begin with
-REFERENCES: Mapping[str, str] = {"earwig-fan": "binder2025", "pleats": "letter-fold"}
+REFERENCES: Mapping[str, str] = {
+    "earwig-fan": "binder2025",
+    "miura-ori": "miura-sheet",
+    "waterbomb": "waterbomb-base",
+    "kresling": "kresling-cell",
+    "pleats": "letter-fold",
+    "vertex": "bistable-clasp",
+}
+# those without one begin with this, and a pattern of their own
+OTHER_REFERENCE = "miura-sheet"
 
 
 def design_class(tables: Mapping[str, object]) -> type[Design]:

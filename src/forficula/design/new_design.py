@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -12,8 +13,7 @@ from pydantic.fields import FieldInfo
 
 from forficula.design.design import Design
 from forficula.design.design_file import load_design
-from forficula.design.file_pattern import FoldFile
-from forficula.design.kinds import KINDS, REFERENCES
+from forficula.design.kinds import KINDS, OTHER_REFERENCE, REFERENCES
 from forficula.design.part import Part, entry_part, field_quantity
 from forficula.design.tendon import TendonSection
 from forficula.errors import InputError
@@ -21,13 +21,19 @@ from forficula.files import write_text
 from forficula.names import near_name
 from forficula.quantities import as_written
 
+# of kinds without a design to begin with
+_PATTERNS: Mapping[str, Mapping[str, object]] = {
+    "yoshimura": {"columns": 5, "rows": 4, "base": "4 cm", "height": "2 cm", "fold": "30 deg"},
+    "fold-file": {"path": "sheet.fold"},
+}
+
 
 def write_new_design(path: str | os.PathLike[str], kind: str = "earwig-fan") -> None:
     """Write a commented design file to start from: the reference, every key with what it means.
 
     Args:
         path: of the file.
-        kind: of its pattern: "earwig-fan", "pleats", or "fold-file", of a file sheet.fold.
+        kind: of its pattern, one of `KINDS`; "fold-file" is that of a file sheet.fold.
 
     Raises:
         InputError: no such kind, or the file exists already, or cannot be written.
@@ -35,7 +41,7 @@ def write_new_design(path: str | os.PathLike[str], kind: str = "earwig-fan") -> 
     path = Path(path)
     if kind not in KINDS:
         raise InputError(f"kind: need one of {', '.join(KINDS)}, got {as_written(kind)}{near_name(kind, KINDS)}")
-    reference = REFERENCES.get(kind, "letter-fold")
+    reference = REFERENCES.get(kind, OTHER_REFERENCE)
     if path.suffix != ".toml":
         raise InputError(f"{path}: need a name that ends with .toml")
     try:
@@ -48,20 +54,28 @@ def write_new_design(path: str | os.PathLike[str], kind: str = "earwig-fan") -> 
         "# A forficula design. Every key is optional but based_on; what is left out comes from there.",
         f'based_on = "{reference}"',
     ]
-    of_a_file = kind not in REFERENCES
-    if of_a_file:
-        lines += _of_a_file(reference)
-    without = "pattern" if of_a_file else ""
+    own_pattern = kind not in REFERENCES
+    if own_pattern:
+        lines += _own_pattern(kind, reference)
+    without = "pattern" if own_pattern else ""
     write_text(path, "\n".join([*lines, *_commented(load_design(reference), without)]) + "\n")
 
 
-def _of_a_file(reference: str) -> Iterator[str]:
-    """What a design of a FOLD file has of its own: its sheet, and nothing that lies on that of the reference."""
+def _own_pattern(kind: str, reference: str) -> Iterator[str]:
+    """What a design has of its own that begins with another pattern: its sheet, and nothing that lies on the other."""
     for key in ("tendon", "support", "measure"):
         yield f"{f'{key} = []':<40}  # none of {reference}'s; take this line away to give some under [[{key}]]"
-    yield f"\n[pattern]  # {(FoldFile.__doc__ or '').removesuffix('.')}"
-    for key, value in (("kind", "fold-file"), ("path", "sheet.fold")):
-        yield f"{tomli_w.dumps({key: value}).strip():<40}  # {FoldFile.model_fields[key].description}"
+    section = _section_of(kind)
+    yield f"\n[pattern]  # {(section.__doc__ or '').removesuffix('.')}"
+    for key, value in {"kind": kind, **_PATTERNS[kind]}.items():
+        yield f"{tomli_w.dumps({key: value}).strip():<40}  # {section.model_fields[key].description}"
+
+
+def _section_of(kind: str) -> type[Part]:
+    """The section of a kind of pattern."""
+    section: Any = KINDS[kind].model_fields["pattern"].annotation
+    found: type[Part] = section
+    return found
 
 
 def _commented(design: Design, without: str) -> Iterator[str]:
@@ -83,8 +97,7 @@ def _commented(design: Design, without: str) -> Iterator[str]:
             if key not in values:
                 yield f"{'# ' + _example(key, entry):<40}  # {entry.description}"
                 continue
-            value = tomli_w.dumps({key: values[key]}).strip().replace("[\n    ", "[").replace(",\n]", "]")
-            yield f"{value:<40}  # {entry.description}"
+            yield f"{_line(key, values[key]):<40}  # {entry.description}"
         if isinstance(part, TendonSection):
             yield "# [[tendon]] with vein = 0 and what differs is the tendon of one vein; then a vein without has none."
         for key, entry in type(part).model_fields.items():
@@ -97,7 +110,13 @@ def _commented(design: Design, without: str) -> Iterator[str]:
 def _example(key: str, entry: FieldInfo) -> str:
     """A line for a value that is absent."""
     reader = field_quantity(entry)
-    return tomli_w.dumps({key: (entry.examples or [reader.unit.example if reader else ""])[0]}).strip()
+    return _line(key, (entry.examples or [reader.unit.example if reader else ""])[0])
+
+
+def _line(key: str, value: object) -> str:
+    """A value on one line."""
+    text = re.sub(r"\[\n\s+", "[", tomli_w.dumps({key: value}).strip())
+    return re.sub(r",\n\s+", ", ", re.sub(r",\n\s*\]", "]", text))
 
 
 def _commented_tables(header: str, entries: Sequence[Part], field: FieldInfo) -> Iterator[str]:
@@ -109,7 +128,7 @@ def _commented_tables(header: str, entries: Sequence[Part], field: FieldInfo) ->
         for key, entry in ({} if model is None else model.model_fields).items():
             if entries and key not in values:
                 continue
-            line = tomli_w.dumps({key: values[key]}).strip() if key in values else _example(key, entry)
+            line = _line(key, values[key]) if key in values else _example(key, entry)
             yield f"{'# ' + line:<40}  # {entry.description}"
 
 

@@ -42,17 +42,20 @@ def check_sheet(design: SheetDesign) -> None:
     """
     sheet, groups = design.sheet, design.crease.group
     _check_edges(sheet)
-    if design.facet.kind == "rigid":
-        check_rigid(sheet)
     if not fold_edges(sheet):
         raise InputError("pattern: need a mountain or a valley between two facets, got none")
     _check_supports(design, sheet)
     for number, group in enumerate(groups):
         _keyed(f"crease.group.{number}.of", creases_of, sheet, group.of, groups[:number])
     if design.facet.kind == "rigid":
+        check_rigid(design)
         check_rigid_creases(design)
     elif design.crease.start or any(group.start for group in groups):
         raise InputError("crease.start: is for rigid facets; others start as the pattern is built")
+    for number, each in enumerate((design.crease, *groups)):
+        if design.facet.kind != "rigid" and each.extension is not None:
+            key = f"crease.group.{number - 1}" if number else "crease"
+            raise InputError(f'{key}.extension: is for facet.kind = "rigid", between whose facets creases open')
     _check_names(design, sheet)
     for number, _ in enumerate(design.tendon):
         _check_tendon(design, sheet, number)
@@ -82,7 +85,7 @@ def _check_edges(sheet: CreasePattern) -> None:
 def _check_supports(design: SheetDesign, sheet: CreasePattern) -> None:
     """Refuse what is no part of the sheet, and more than one facet of rigid ones."""
     rigid = design.facet.kind == "rigid"
-    if rigid and len(design.support) > 1:
+    if rigid and len(design.support) > 1 and not design.opens:
         raise InputError(f"support: need at most 1 entry, got {len(design.support)}, for rigid facets hang on one")
     for number, support in enumerate(design.support):
         if rigid or support.of.strip().startswith("facet"):
@@ -113,7 +116,7 @@ def _check_tendon(design: SheetDesign, sheet: CreasePattern, number: int) -> Non
     ends = [str(getattr(design.tendon[number], end)) for end in ("from", "to")]
     places = _ends(design, sheet, f"tendon.{number}", design.tendon[number])
     if design.facet.kind == "rigid":
-        check_rigid_tendon(sheet, number, ends)
+        check_rigid_tendon(design, number, ends)
     elif places[0] == places[1]:
         raise InputError(
             f"tendon.{number}.to: need another vertex than tendon.{number}.from, got {as_written(ends[1])}"
@@ -142,14 +145,14 @@ def _check_drive(design: SheetDesign, sheet: CreasePattern, number: int) -> None
     """Refuse a drive on what is not there."""
     drive, key = design.drive[number], f"drive.{number}.of"
     if drive.kind == "force":
-        if design.facet.kind == "rigid":
-            raise InputError(f'drive.{number}.kind: need "torque" where facets are rigid, got "force"')
+        if design.facet.kind == "rigid" and not design.opens:
+            raise InputError(f'drive.{number}.kind: need "torque" where facets are hinged, got "force"')
         for text in (drive.of,) if isinstance(drive.of, str) else drive.of:
-            _keyed(key, vertex_of, sheet, text)
+            _keyed(key, _place, design, sheet, text)
         return
     edges = _keyed(key, creases_of, sheet, str(drive.of), design.crease.group)
-    if drive.kind == "rest-angle" and design.facet.kind == "rigid":
-        raise InputError(f'drive.{number}.kind: need "torque" where facets are rigid, got "rest-angle"')
+    if drive.kind == "rest-angle" and design.facet.kind == "rigid" and not design.opens:
+        raise InputError(f'drive.{number}.kind: need "torque" where facets are hinged, got "rest-angle"')
     if drive.to is not None and not any(sheet.edges_fold_angle[edge] for edge in _targeted(sheet, edges)):
         raise InputError(f"{key}: need creases with a target, a mountain or a valley, got {as_written(drive.of)}")
 
@@ -188,7 +191,7 @@ def _check_angle_goal(design: SheetDesign, sheet: CreasePattern, key: str, writt
     creases = creases_by_edge(design)
     name = written.name if measure is None else str(measure.of)
     for edge in creases_of(sheet, name, design.crease.group):
-        low, high = stops(design, creases[edge])
+        low, high = stops(design, edge, creases[edge])
         if measure is not None and crease_sense(sheet, edge) < 0:
             # measures are valley positive
             low, high = -high, -low

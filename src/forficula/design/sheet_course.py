@@ -24,7 +24,9 @@ STRENGTHS: Mapping[str, str] = {"torque": "value", "force": "force", "rest-angle
 def _between(description: str, **default: Any) -> Any:
     """A named part with the keys "from" and "to", which are no names in Python."""
     end: Any = Annotated[str | None if default else str, Field(description=description, **default)]
-    ground = quantity(LENGTH, 'where "ground" is that one of the ends may be: x, y, z', default=())
+    ground = quantity(
+        LENGTH, 'x, y and z of the ground, where an end is "ground"', default=(), examples=[["0 cm", "0 cm", "-5 cm"]]
+    )
     fields: dict[str, Any] = {"name": str, "from": end, "to": end, "ground": (tuple[float, ...], ground)}
     return create_model("_Between", __base__=Part, **fields)
 

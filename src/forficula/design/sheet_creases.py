@@ -83,7 +83,7 @@ def creases_between(pattern: CreasePattern, one: int, other: int) -> tuple[int, 
         InputError: its facets form no tree.
     """
     way = edges_between(facet_tree(pattern), one, other)
-    return tuple(edge for edge in way if pattern.edges_assignment[edge] in "MV")
+    return tuple(edge for edge in way if pattern.edges_assignment[edge] in "MVU")
 
 
 def _of_a_term(pattern: CreasePattern, term: str, named: Mapping[str, tuple[int, ...]], text: str) -> tuple[int, ...]:

@@ -12,6 +12,8 @@ from forficula.design.sheet_names import checked_name
 from forficula.quantities import Unit
 
 CREASE_STIFFNESS = Unit(display="N m/rad/m", si="N m/rad/m", example="1e-2 N m/rad/m")
+EXTENSION = Unit(display="N/m^2", si="N/m^2", example="1e5 N/m^2")
+EXTENSION_DAMPING = Unit(display="N s/m^2", si="N s/m^2", example="10 N s/m^2")
 CREASE_DAMPING = Unit(display="N m s/rad/m", si="N m s/rad/m", example="1e-3 N m s/rad/m")
 
 _RESTS = ("as built", "flat")
@@ -60,6 +62,10 @@ class CreaseGroup(Part):
         ANGLE, "beyond which a locking spring stiffens", default=None, above=0, below=math.pi, examples=["135 deg"]
     )
     damping: float | None = quantity(CREASE_DAMPING, "viscous damping by length", default=None, at_least=0)
+    extension: float | None = quantity(EXTENSION, "of springs in which they open, by length", default=None, above=0)
+    extension_damping: float | None = quantity(
+        EXTENSION_DAMPING, "damping of their opening, by length", default=None, at_least=0
+    )
     fold_limit: float | None = quantity(
         ANGLE, "how far they fold", default=None, above=0, at_most=math.pi, examples=["175 deg"]
     )
@@ -101,6 +107,18 @@ class Crease(Part):
     )
     damping: float | None = quantity(
         CREASE_DAMPING, "viscous damping by length of crease; chosen if not given", default=None, at_least=0
+    )
+    extension: float | None = quantity(
+        EXTENSION,
+        "of a spring in which the crease opens, by its length; only where facets are rigid, which are hinged without",
+        default=None,
+        above=0,
+    )
+    extension_damping: float | None = quantity(
+        EXTENSION_DAMPING,
+        "viscous damping of its opening, by its length; chosen if not given",
+        default=None,
+        at_least=0,
     )
     fold_limit: float | None = quantity(
         ANGLE,

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from forficula.dynamics.crease_work import crease_works, motor_travel
 from forficula.dynamics.energy import branch_losses, letting_go_work
+from forficula.dynamics.explicit_work import explicit_works
 from forficula.dynamics.model import Model
 from forficula.dynamics.stepper import State, Steps
 from forficula.structure import Motor
@@ -33,6 +34,9 @@ class Account:
         # what the motors of each were last set to
         self._set = np.zeros((len(models), len(self._motors)))
         self._done: dict[str, Array] = {}
+        self._gaps, self._explicit = models[0].gaps, models[0].explicit
+        # the widest gap of each so far, m
+        self._widest = np.zeros(len(models))
 
     def add(self, rows: Indices, steps: Steps, torques: Array, taken: Indices) -> dict[str, Array]:
         """Add what some steps of some structures do, J.
@@ -40,7 +44,8 @@ class Account:
         The engine changes the kinetic energy in a step by force times timestep times the mean of the velocities before
         and after it, exactly where the inertia is constant: every work here is a force times that travel. (With the
         later velocity alone, which is what turns the angles, the account would be out by a term of first order in the
-        timestep.)
+        timestep.) Steps of Runge and Kutta have another rule: a motor is set to the same all through a step and does
+        that times the way, to every order of the integration; for the others see `explicit_works`.
 
         Args:
             rows: which structures.
@@ -56,6 +61,8 @@ class Account:
         velocity = np.concatenate([steps.velocity_before[:, None], steps.velocity], axis=1)
         with np.errstate(over="ignore", invalid="ignore"):  # of what blows up, whose later steps do not count
             travel = (velocity[:, :-1] + velocity[:, 1:]) / 2 * self._timestep[rows, None, None]
+            if self._explicit:
+                travel = np.diff(np.concatenate([steps.position_before[:, None], steps.position], axis=1), axis=1)
             damping = self._damping[rows, None]
             before_step = np.concatenate([self._set[rows, None], torques[:, :-1]], axis=1)
             if steps.angles is None:
@@ -74,12 +81,15 @@ class Account:
                     for number in range(len(self._motors))
                 }
                 of_creases = np.array([damped for _, damped in each])
-            # the engine takes hinge damping implicitly, at the velocity after the step
-            work["hinge_damping_work"] = np.sum(-damping * velocity[:, 1:] * travel, axis=2) + of_creases
-            work["elastic_damping_work"] = np.sum(
-                (steps.derived["qfrc_damper"] + damping * velocity[:, :-1]) * travel, axis=2
-            )
-            work["stop_work"] = np.sum(steps.derived["qfrc_constraint"] * travel, axis=2)
+            if self._explicit:
+                work |= explicit_works(steps, travel, self._damping[rows], self._timestep[rows])
+            else:
+                # the engine takes hinge damping implicitly, at the velocity after the step
+                work["hinge_damping_work"] = np.sum(-damping * velocity[:, 1:] * travel, axis=2) + of_creases
+                work["elastic_damping_work"] = np.sum(
+                    (steps.derived["qfrc_damper"] + damping * velocity[:, :-1]) * travel, axis=2
+                )
+                work["stop_work"] = np.sum(steps.derived["qfrc_constraint"] * travel, axis=2)
             for place, row in enumerate(rows.tolist()):
                 self._add_branches(work, place, self._models[row], steps, travel)
             seconds = [float(self._models[row].design.protocol.timestep) for row in rows]
@@ -90,12 +100,15 @@ class Account:
                 done = work[motor_work_name(motor)]
                 before[motor_power_name(motor)] = self._unit[rows, None] * done / np.array(seconds)[:, None]
                 before[motor_setting_name(motor)] = before_step[:, :, motor]
+            if len(self._gaps):
+                before["closure_gap"] = self._widened(rows, steps, taken)
             self._set[rows] = np.where((taken > 0)[:, None], torques[np.arange(len(rows)), taken - 1], self._set[rows])
         return before
 
     def total(self, row: int) -> dict[str, float]:
         """The work on a structure since its start, J."""
-        return {name: float(done[row]) for name, done in self._done.items()}
+        gap = {"closure_gap": float(self._widest[row])} if len(self._gaps) else {}
+        return {name: float(done[row]) for name, done in self._done.items()} | gap
 
     def power(self, row: int, torques: Array, end: State) -> dict[str, float]:
         """Powers of the motors' torques (motor,) on a structure in a state, W, and what they were set to last."""
@@ -114,7 +127,7 @@ class Account:
 
     def follow_leader(self, row: int, leader: int) -> None:
         """Put a structure where another one is, which has gone the same way so far."""
-        for done in (*self._done.values(), self._set):
+        for done in (*self._done.values(), self._set, self._widest):
             done[row] = done[leader]
 
     def _along(self, rows: Indices, travel: Array, motor: Motor) -> Array:
@@ -133,6 +146,16 @@ class Account:
             damper, spared = letting_go_work(model, travel[place], forces, activations)
             work["elastic_damping_work"][place] += damper
             work.setdefault("letting_go_work", np.zeros(travel.shape[:2]))[place] = spared
+
+    def _widened(self, rows: Indices, steps: Steps, taken: Indices) -> Array:
+        """The widest gap of a closure up to the state before each step, m, (row, step)."""
+        unit = np.array([self._models[row].units.length for row in rows.tolist()])
+        assert steps.late is not None
+        ends = [each["ten_length"][:, :, self._gaps].max(axis=2) for each in (steps.derived, steps.late)]
+        each = unit[:, None] * np.concatenate([ends[0][:, :1], ends[1]], axis=1)
+        widest = np.maximum.accumulate(np.maximum(each, self._widest[rows, None]), axis=1)
+        self._widest[rows] = widest[np.arange(len(rows)), taken]
+        return np.asarray(widest[:, :-1])
 
     def _added_up(self, name: str, rows: Indices, each: Array, taken: Indices) -> Array:
         """Add steps to what was done, and say what that was before each of them, (row, step)."""

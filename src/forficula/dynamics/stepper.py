@@ -20,6 +20,7 @@ from forficula.dynamics.crease_rows import crease_rows, without_jump
 from forficula.dynamics.creases import engine_rows
 from forficula.dynamics.folds import Folds
 from forficula.dynamics.model import Model
+from forficula.dynamics.plate_creases import plate_rows
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -40,24 +41,29 @@ class Steps:
     """Steps of some structures, in their models' units; the stepper's next ones overwrite them.
 
     Attributes:
-        dof: number of joints.
+        positions: how many numbers a position has.
+        dof: how many a velocity has: one less for every body that turns freely.
         inner: where in what a step changes the forces of Maxwell branches ("act") and the resting lengths of tendons
             that yield ("plastic") are, if there are any, by MuJoCo's names.
         before: what a step changes, before the first step, (structure, number): time, positions, velocities, and more.
         after: likewise, after each step, (structure, step, number).
         derived: MuJoCo's fields of the state before each step, (structure, step, ...).
         kept: names of those that the states of a record are read from.
+        late: the same of the state after each step, but for its third power of the timestep, where steps are those of
+            Runge and Kutta; None where they are not.
         angles: of the creases at the start of every block of steps in which their rows stay, in own senses and without
             jumps, rad, (structure, block, crease); None where there are none.
         followed: steps of a block.
     """
 
+    positions: int
     dof: int
     inner: Mapping[str, slice]
     before: Array
     after: Array
     derived: Mapping[str, Array]
     kept: Sequence[str]
+    late: Mapping[str, Array] | None = None
     angles: Array | None = None
     followed: int = 1
 
@@ -68,23 +74,23 @@ class Steps:
 
     @property
     def position(self) -> Array:
-        """After each step, (structure, step, dof)."""
-        return self.after[:, :, 1 : 1 + self.dof]
+        """After each step, (structure, step, position)."""
+        return self.after[:, :, 1 : 1 + self.positions]
 
     @property
     def velocity(self) -> Array:
         """After each step, (structure, step, dof)."""
-        return self.after[:, :, 1 + self.dof : 1 + 2 * self.dof]
+        return self.after[:, :, 1 + self.positions : 1 + self.positions + self.dof]
 
     @property
     def velocity_before(self) -> Array:
         """Before the first step, (structure, dof)."""
-        return self.before[:, 1 + self.dof : 1 + 2 * self.dof]
+        return self.before[:, 1 + self.positions : 1 + self.positions + self.dof]
 
     @property
     def position_before(self) -> Array:
-        """Before the first step, (structure, dof)."""
-        return self.before[:, 1 : 1 + self.dof]
+        """Before the first step, (structure, position)."""
+        return self.before[:, 1 : 1 + self.positions]
 
     def angles_of(self, folds: Folds, structure: int, positions: Array, step: Indices, hinges: Indices) -> Array:
         """Angles of some hinges of a structure in own senses, without jumps, rad, (state, hinge).
@@ -164,6 +170,7 @@ class Stepper:
         """
         self._structures, self._chunk = models, chunk
         self._models = _own_models(models, sparse)
+        self._explicit = models[0].explicit
         model = models[0].engine
         self._state = _start_states(models)
         self._moving, self._control = _columns(model, _MOVING), _columns(model, _CONTROL)
@@ -174,7 +181,7 @@ class Stepper:
         self._memory = deque([_memory(models, self._names, chunk, len(self._moving)) for _ in range(2)])
         # where the creases of each were last, without jumps
         self._angles = np.array([_start_creases(each) for each in models])
-        self._creases = crease_rows(models)
+        self._creases = crease_rows(models) if models[0].folds.placement is None else plate_rows(models)
         self._blocks = deque(
             [np.empty((len(models), chunk // models[0].followed, len(self._angles[0]))) for _ in range(2)]
         )
@@ -203,20 +210,27 @@ class Stepper:
         angles = None if self._structures[0].creases is None else self._blocks[0][: len(rows)]
         bounds = np.linspace(0, len(rows), min(len(rows), self.threads) + 1).astype(int).tolist()
         parts = [slice(*pair) for pair in itertools.pairwise(bounds)]
+        late = {name: np.empty_like(mine[name]) for name in self._names} if self._explicit else None
         steps = Steps(
+            positions=self._structures[0].engine.nq,
             dof=self._structures[0].engine.nv,
             inner=self._inner,
             before=self._state[np.ix_(rows, self._moving)],
             after=mine[_MOVING],
             derived={name: mine[name] for name in self._names},
             kept=self._kept,
+            late=late,
             angles=angles,
             followed=self._structures[0].followed,
         )
         return Pending(
             parts=[
                 self._workers.submit(
-                    self._step, rows[part], controls[part], {name: each[part] for name, each in mine.items()}
+                    self._step,
+                    rows[part],
+                    controls[part],
+                    {name: each[part] for name, each in mine.items()},
+                    {name: each[part] for name, each in (late or {}).items()},
                 )
                 if angles is None
                 else self._workers.submit(
@@ -238,8 +252,8 @@ class Stepper:
         if steps.angles is not None:
             for place, (row, step) in enumerate(zip(rows.tolist(), taken.tolist(), strict=True)):
                 near = steps.angles[place, min(step // steps.followed, steps.angles.shape[1] - 1)]
-                folds, dof = self._structures[row].folds, steps.dof
-                position = self._state[row, self._moving][1 : 1 + dof]
+                folds = self._structures[row].folds
+                position = self._state[row, self._moving][1 : 1 + steps.positions]
                 self._angles[row] = without_jump(folds.angles(position)[folds.creases], near)
 
     def follow_leader(self, row: int, leader: int) -> None:
@@ -265,7 +279,9 @@ class Stepper:
         """Wait for the steps that are being made, and make no more."""
         self._workers.shutdown(cancel_futures=True)
 
-    def _step(self, rows: Indices, controls: Array, memory: Mapping[str | int, Array]) -> None:
+    def _step(
+        self, rows: Indices, controls: Array, memory: Mapping[str | int, Array], late: Mapping[str, Array]
+    ) -> None:
         """Take some structures a chunk of steps further; what comes of it goes to memory."""
         engine = self._engines.get()
         try:
@@ -273,6 +289,7 @@ class Stepper:
             engine.set_models([self._models[rows[place]] for place in every])
             engine.state[: len(rows)] = self._state[rows]
             out: dict[str | int | mujoco.mjtState, Array] = {**memory}
+            first = self._fields(engine, rows, controls[:, 0]) if late else {}
             with _quiet:
                 engine.rollout(
                     self._chunk,
@@ -282,8 +299,22 @@ class Stepper:
                     ids=np.arange(len(rows)),
                     out=out,
                 )
+            for name, each in late.items():
+                # the engine leaves what the last of its four stages saw, next to the state after the step
+                each[:] = memory[name]
+                memory[name][:, 0], memory[name][:, 1:] = first[name], each[:, :-1]
         finally:
             self._engines.put(engine)
+
+    def _fields(self, engine: Batch, rows: Indices, controls: Array) -> dict[str, Array]:
+        """The derived fields of structures in the states that they are in, (row, ...); the states stay."""
+        count = len(rows)
+        engine.state[:count, self._control] = controls
+        with _quiet:
+            engine.forward(np.arange(count))
+        fields = {name: engine.bind(name)[:count].copy() for name in self._names}
+        engine.state[:count] = self._state[rows]
+        return fields
 
     def _follow(
         self, rows: Indices, controls: Array, efforts: Array, memory: Mapping[str | int, Array], angles: Array
@@ -320,10 +351,11 @@ class Stepper:
 
     def _set_creases(self, rows: Indices, near: Array, efforts: Array) -> Array:
         """Give the creases of structures what they have where they are; their angles, without jumps, (row, crease)."""
-        creases, dof = self._creases, self._structures[0].engine.nv
+        creases, engine = self._creases, self._structures[0].engine
         assert creases is not None
-        moving = self._state[np.ix_(rows, self._moving)]
-        angles, values = creases.follow(rows, moving[:, 1 : 1 + dof], moving[:, 1 + dof : 1 + 2 * dof], near, efforts)
+        moving = self._state[np.ix_(rows, self._moving)][:, 1:]
+        position, velocity = moving[:, : engine.nq], moving[:, engine.nq : engine.nq + engine.nv]
+        angles, values = creases.follow(rows, position, velocity, near, efforts)
         for row, own in zip(rows.tolist(), values, strict=True):
             engine_rows(self._models[row])[creases.rows] = own
         return angles
@@ -385,8 +417,8 @@ def _start_states(models: Sequence[Model]) -> Array:
 
 
 def _start_position(model: Model) -> Array:
-    """Joint angles at the start; what slides starts where it is built."""
-    position = np.zeros(model.engine.nq)
+    """Positions at the start; what slides starts where it is built."""
+    position = np.array(model.engine.qpos0)
     for hinge, place in zip(model.structure.hinges, model.folds.joints.tolist(), strict=True):
         if place >= 0:
             position[place] = hinge.sense * hinge.start + 0.0  # -0 would be another bit

@@ -10,7 +10,7 @@ from forficula.pattern.crease_pattern import (
 )
 from forficula.pattern.drawing_file import read_drawing
 from forficula.pattern.earwig import EarwigFan, Tangent, earwig_pattern, hub_points, ring_vertices, tips, vein_gaps
-from forficula.pattern.facet_tree import FacetLink, edges_between, facet_tree
+from forficula.pattern.facet_tree import FacetLink, central_facet, edges_between, facet_tree
 from forficula.pattern.flat_folding import (
     VertexCheck,
     flat_folding_faults,
@@ -69,6 +69,7 @@ __all__ = [
     "begins_as_assigned",
     "big_little_big_residuals",
     "built_fold_angles",
+    "central_facet",
     "creases_inside",
     "degree4_closure",
     "degree4_fold_angles",

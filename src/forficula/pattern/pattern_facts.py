@@ -124,10 +124,11 @@ def _freedoms(pattern: CreasePattern, flat: bool) -> Freedoms:
 def _loop(pattern: CreasePattern) -> str:
     """Why facets are no tree, if they are not."""
     try:
-        facet_tree(pattern)
+        closing = sorted(link.edge for link in facet_tree(pattern) if link.closes and link.edge is not None)
     except InputError as error:
         return str(error)
-    return ""
+    others = f", and {len(closing) - 1} more do" if len(closing) > 1 else ""
+    return f"edge {closing[0]} closes a loop of facets{others}" if closing else ""
 
 
 def _holes(nodes: FacetNodes) -> int:

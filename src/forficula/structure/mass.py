@@ -6,13 +6,13 @@ import math
 
 import numpy as np
 
-from forficula.structure.parts import Array, Bar, Plate
+from forficula.structure.parts import Array, Bar, Closure, Plate
 from forficula.structure.structure import Structure
 from forficula.structure.tree import ancestry, built_frames
 
 
 def mass_of(structure: Structure, body: int) -> tuple[float, Array, Array]:
-    """Mass, centre and inertia of a body: of all bars and plates that it is.
+    """Mass, centre and inertia of a body: of all bars and plates that it is, shared with copies that close loops.
 
     Args:
         structure: SI, or in other units.
@@ -22,6 +22,24 @@ def mass_of(structure: Structure, body: int) -> tuple[float, Array, Array]:
         Mass, kg; centre of mass in the axes of the body, m, (3,); inertia about the centre in those axes, kg m^2,
         (3, 3). All 0 where it is nothing.
     """
+    original, copies = _copies(structure, body)
+    if copies:
+        mass, centre, inertia = _of_parts(structure, original)
+        own = next((each for each in copies if each.bodies[1] == body), None)
+        if own is not None:
+            centre, inertia = own.frame.T @ (centre - own.position), own.frame.T @ inertia @ own.frame
+        return mass / (len(copies) + 1), centre, inertia / (len(copies) + 1)
+    return _of_parts(structure, body)
+
+
+def _copies(structure: Structure, body: int) -> tuple[int, list[Closure]]:
+    """What a body is a copy of, itself if of nothing, and all copies of that."""
+    original = next((each.bodies[0] for each in structure.closures if each.bodies[1] == body), body)
+    return original, [each for each in structure.closures if each.bodies[0] == original]
+
+
+def _of_parts(structure: Structure, body: int) -> tuple[float, Array, Array]:
+    """The same of all bars and plates alone."""
     parts = [_of_bar(bar) for bar in structure.bars if bar.body == body]
     parts += [
         _of_plate(plate, np.array([structure.points[point].place for point in plate.points]))

@@ -184,7 +184,7 @@ def _hinges(design: SheetDesign, triangles: CreasePattern) -> tuple[tuple[Hinge,
         built = sense * angle
         if built < _FOLDED_FLAT - np.pi:
             built += 2 * np.pi
-        lower, upper = stops(design, crease)
+        lower, upper = stops(design, edge, crease)
         locks = crease.law == "locking"
         numbers[edge] = len(hinges)
         hinges.append(

@@ -1,49 +1,46 @@
-"""Rigid plates on the facets of a sheet, hinged at its creases in a tree, with tendons between places on them."""
+"""Rigid plates on the facets of a sheet: hinged in a tree, closed where creases make loops, sprung where these open."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from forficula.design import SheetDesign, tendon_law
+from forficula.design import SheetDesign
 from forficula.design.crease_values import creases_by_edge, rest_angle, stops
 from forficula.design.sheet_creases import crease_role, crease_sense
 from forficula.design.sheet_places import SheetPlace, place_on
-from forficula.errors import InputError
-from forficula.pattern import CreasePattern, FacetLink, edges_between, facet_tree
+from forficula.pattern import CreasePattern, FacetLink, facet_tree
+from forficula.pattern.crease_pattern import is_unfolded
+from forficula.pattern.fold_angles import built_fold_angles
 from forficula.structure.appearance import Appearance
 from forficula.structure.crossing import tendon_crossing
-from forficula.structure.mass import mass_of
-from forficula.structure.parts import GROUND, Array, Body, Hinge, Plate, Point, Tendon
+from forficula.structure.facet_plates import corner_name, facet_plates, largest_mass, plate_tendons
+from forficula.structure.opening_creases import opening_creases, opening_parts
+from forficula.structure.parts import GROUND, Array, Body, Closure, Hinge, Point
 from forficula.structure.sheet_measures import sheet_measures
-from forficula.structure.sheet_protocol import with_protocol
+from forficula.structure.sheet_protocol import places_of, pushed_name, with_protocol
 from forficula.structure.structure import Structure
 
 
 def plate_structure(design: SheetDesign) -> Structure:
     """Build a plate on every facet and a hinge at every crease of a design's sheet, in the units of the design.
 
+    A crease that closes a loop turns a copy of the facet on its right. Plates hang on one another by the creases that do
+    not open; what hangs on no plate that is held goes and turns freely.
+
     Raises:
         InputError: plates without a mass.
     """
     design, pattern = design.settled(), design.sheet
-    links = facet_tree(pattern, design.held_facet)
-    number = {link.facet: place for place, link in enumerate(links)}
-    origins = [pattern.vertices_coords[_origin(pattern, link)] for link in links]
-    bodies = tuple(
-        Body(
-            name=f"facet{link.facet}",
-            role="facet",
-            parent=GROUND if link.parent is None else number[link.parent],
-            position=origins[place] if link.parent is None else origins[place] - origins[number[link.parent]],
-            frame=np.eye(3),
-        )
-        for place, link in enumerate(links)
-    )
-    points, plates = _plates(design, pattern, links, origins)
-    hinges, edges = _hinges(design, pattern, links)
+    opening, held = opening_creases(design), design.held_facets
+    links = facet_tree(pattern, held, opening)
+    number = {link.facet: place for place, link in enumerate(links) if not link.closes}
+    built = _built(pattern)
+    origins = [_origin(pattern, link, free=link.parent is None and link.facet not in held) for link in links]
+    points, plates = facet_plates(design, pattern, [(number[facet], facet) for facet in number], origins)
+    hinges, edges = _hinges(design, pattern, links, built)
 
     def add(name: str, role: str, place: SheetPlace) -> int:
         """A point at a place, by its number."""
@@ -51,34 +48,24 @@ def plate_structure(design: SheetDesign) -> Structure:
         points.append(Point(name=name, role=role, body=body, place=place.position - origins[body]))
         return len(points) - 1
 
-    tendons = []
-    for place, chosen in enumerate(design.tendon):
-        ends = _ends(pattern, chosen)
-        crossed = edges_between(links, ends[0].facet, ends[1].facet)
-        tendons.append(
-            Tendon(
-                name=chosen.name,
-                role="tendon",
-                points=(
-                    add(f"tendon_{chosen.name}_from", "attachment", ends[0]),
-                    add(f"tendon_{chosen.name}_to", "attachment", ends[1]),
-                ),
-                law=tendon_law(chosen),
-                longest=_longest(pattern, ends, crossed),
-                gauge_length=chosen.rest_length,
-                material=None if chosen.law is None else chosen.law.material,
-                key=f"tendon.{place}",
-            )
-        )
+    springs, opened, numbers = opening_parts(design, pattern, points, add, built)
+    edges |= {edge: len(hinges) + number for edge, number in numbers.items()}
+    hinges = (*hinges, *opened)
+    tendons = plate_tendons(design, pattern, links, add)
     measures = sheet_measures(
         design, hinges, edges, lambda name, text, _: add(name, "measured", place_on(pattern, text))
     )
-    built = Structure(
+    for drive in design.drive:
+        for place, text in enumerate(places_of(drive) if drive.kind == "force" else ()):
+            add(pushed_name(drive, place), "pushed", place_on(pattern, text))
+    structure = Structure(
         name=design.name,
-        bodies=bodies,
+        bodies=_bodies(links, number, origins, held),
         points=tuple(points),
         plates=plates,
         hinges=hinges,
+        closures=_closures(links, number, origins, points),
+        springs=springs,
         tendons=tuple(tendons),
         measures=measures,
         span=float(np.ptp(pattern.vertices_coords, axis=0).max()),
@@ -86,37 +73,77 @@ def plate_structure(design: SheetDesign) -> Structure:
         gravity=design.protocol.gravity,
         appearance=Appearance(pattern=pattern),
     )
-    crossed_by = [replace(tendon, crossing=tendon_crossing(built, tendon.points)) for tendon in tendons]
-    return with_protocol(replace(built, tendons=tuple(crossed_by), mass=_largest_mass(design, built)), design)
+    if not structure.closures and not opening:
+        # in a loop no hinge moves alone
+        tendons = [replace(tendon, crossing=tendon_crossing(structure, tendon.points)) for tendon in tendons]
+    return with_protocol(replace(structure, tendons=tuple(tendons), mass=largest_mass(design, structure)), design)
 
 
-def _origin(pattern: CreasePattern, link: FacetLink) -> int:
-    """The vertex in which a plate's axes begin: an end of the crease that it hangs on."""
-    return pattern.faces_vertices[link.facet][0] if link.parent is None else link.tail
+def _built(pattern: CreasePattern) -> Array:
+    """By how much every crease is folded as built, rad, (edge,); facets along flat edges are one plate as they lie."""
+    if is_unfolded(pattern):
+        return np.zeros(len(pattern.edges_vertices))
+    return np.where(np.array(pattern.edges_assignment) == "F", 0.0, built_fold_angles(pattern))
 
 
-def _plates(
-    design: SheetDesign, pattern: CreasePattern, links: Sequence[FacetLink], origins: Sequence[Array]
-) -> tuple[list[Point], tuple[Plate, ...]]:
-    """The corners of all facets, and a plate between those of each."""
-    points: list[Point] = []
-    plates: list[Plate] = []
-    coords, facet = pattern.vertices_coords, design.facet
-    for body, link in enumerate(links):
-        first = len(points)
-        points += [
-            Point(
-                name=f"facet{link.facet}_vertex{vertex}", role="corner", body=body, place=coords[vertex] - origins[body]
+def _origin(pattern: CreasePattern, link: FacetLink, *, free: bool) -> Array:
+    """Where a plate's axes begin: in an end of the crease that it hangs on; in the middle of its corners if it is free."""
+    corners = list(pattern.faces_vertices[link.facet])
+    if free:
+        return np.asarray(pattern.vertices_coords[corners].mean(axis=0))
+    return np.asarray(pattern.vertices_coords[corners[0] if link.parent is None else link.tail])
+
+
+def _axis(pattern: CreasePattern, link: FacetLink) -> Array:
+    """Along the crease, its length, m: the plate on the right rises, a valley, about this."""
+    return np.asarray(pattern.vertices_coords[link.tail] - pattern.vertices_coords[link.head])
+
+
+def _bodies(
+    links: Sequence[FacetLink], number: Mapping[int, int], origins: Sequence[Array], held: Sequence[int]
+) -> tuple[Body, ...]:
+    """The plates and the copies, all with axes parallel to those of the pattern as built."""
+    bodies = []
+    for place, link in enumerate(links):
+        parent = GROUND if link.parent is None else number[link.parent]
+        free = link.parent is None and link.facet not in held
+        bodies.append(
+            Body(
+                name=f"facet{link.facet}_at_crease{link.edge}" if link.closes else f"facet{link.facet}",
+                role="copy" if link.closes else "facet",
+                parent=parent,
+                position=origins[place] if parent == GROUND else origins[place] - origins[parent],
+                frame=np.eye(3),
+                slides=(0, 1, 2) if free else (),
+                turns=free,
             )
-            for vertex in pattern.faces_vertices[link.facet]
-        ]
-        corners = tuple(range(first, len(points)))
-        plates.append(Plate(body=body, points=corners, thickness=facet.thickness or 0.0, density=facet.density or 0.0))
-    return points, tuple(plates)
+        )
+    return tuple(bodies)
+
+
+def _closures(
+    links: Sequence[FacetLink], number: Mapping[int, int], origins: Sequence[Array], points: Sequence[Point]
+) -> tuple[Closure, ...]:
+    """The copies, each on the plate that it is one of, by the crease that it hangs on."""
+    named = {point.name: place for place, point in enumerate(points)}
+    return tuple(
+        Closure(
+            name=f"closure{link.edge}",
+            bodies=(number[link.facet], place),
+            position=origins[place] - origins[number[link.facet]],
+            frame=np.eye(3),
+            points=tuple(
+                (named[corner_name(link.parent, vertex)], named[corner_name(link.facet, vertex)])
+                for vertex in (link.tail, link.head)
+            ),
+        )
+        for place, link in enumerate(links)
+        if link.closes and link.parent is not None
+    )
 
 
 def _hinges(
-    design: SheetDesign, pattern: CreasePattern, links: Sequence[FacetLink]
+    design: SheetDesign, pattern: CreasePattern, links: Sequence[FacetLink], built: Array
 ) -> tuple[tuple[Hinge, ...], dict[int, int]]:
     """The hinges, in the order of their bodies, and their numbers by edge."""
     creases = creases_by_edge(design)
@@ -125,11 +152,11 @@ def _hinges(
     for body, link in enumerate(links):
         if link.edge is None or link.edge not in creases:
             continue
-        crease = creases[link.edge]
-        lower, upper = stops(design, crease)
-        # the parent lies to the left of tail -> head: the plate on the right rises, a valley, about head -> tail
-        along = pattern.vertices_coords[link.tail] - pattern.vertices_coords[link.head]
+        crease, sense = creases[link.edge], crease_sense(pattern, link.edge)
+        lower, upper = stops(design, link.edge, crease)
+        along = _axis(pattern, link)
         length = float(np.linalg.norm(along))
+        folded = sense * float(built[link.edge]) + 0.0
         numbers[link.edge] = len(hinges)
         hinges.append(
             Hinge(
@@ -137,48 +164,16 @@ def _hinges(
                 role=crease_role(pattern, link.edge),
                 body=body,
                 axis=along / length,
-                sense=crease_sense(pattern, link.edge),
+                sense=sense,
                 lower=lower,
                 upper=upper,
                 stiffness=(crease.stiffness or 0.0) * length,
-                rest_angle=rest_angle(crease, 0.0),
+                rest_angle=rest_angle(crease, folded),
                 damping=(crease.damping or 0.0) * length,
-                start=crease.start,
+                built=folded,
+                start=crease.start or folded,
                 assignment=pattern.edges_assignment[link.edge],
                 label=f"crease {link.edge}",
             )
         )
     return tuple(hinges), numbers
-
-
-def _ends(pattern: CreasePattern, chosen: object) -> tuple[SheetPlace, SheetPlace]:
-    """The two places of a tendon or a distance."""
-    return place_on(pattern, getattr(chosen, "from")), place_on(pattern, getattr(chosen, "to"))  # noqa: B009
-
-
-def _longest(pattern: CreasePattern, ends: tuple[SheetPlace, SheetPlace], crossed: Sequence[int]) -> float:
-    """A length that the distance of two places cannot exceed, however the sheet folds.
-
-    A way over the sheet from one to the other, straight from crease to crease, is as long in every folded state: here
-    it goes where the straight line meets the creases, and is that line where it meets them all.
-    """
-    start, end = ends[0].position, ends[1].position
-    way = [start]
-    for edge in crossed:
-        tail, head = pattern.vertices_coords[pattern.edges_vertices[edge]]
-        along, line = head - tail, end - start
-        turn = line[0] * along[1] - line[1] * along[0]
-        share = (line[0] * (start - tail)[1] - line[1] * (start - tail)[0]) / turn if turn else 0.5
-        way.append(tail + min(max(share, 0.0), 1.0) * along)
-    return float(np.linalg.norm(np.diff([*way, end], axis=0), axis=1).sum())
-
-
-def _largest_mass(design: SheetDesign, structure: Structure) -> float:
-    """Mass of the heaviest plate."""
-    mass = max(mass_of(structure, body)[0] for body in range(len(structure.bodies)))
-    if not 0 < mass < np.inf:
-        raise InputError(
-            f"facet.thickness and facet.density: need plates with a mass > 0 and finite, got {mass:g} kg, from"
-            f" {design.facet.thickness:g} m and {design.facet.density:g} kg/m^3"
-        )
-    return mass

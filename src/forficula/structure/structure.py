@@ -12,6 +12,7 @@ from forficula.structure.course import Drive, Goal, Measure, Motor, RestState, R
 from forficula.structure.parts import (
     Bar,
     Body,
+    Closure,
     Facet,
     Hinge,
     LengthLimit,
@@ -35,6 +36,7 @@ class Structure:
         plates: of bodies.
         facets: between points of any bodies.
         hinges: joints in the order of their bodies, and of one body in the order in which they turn it; then creases.
+        closures: creases that close loops of bodies.
         springs: elastic bars.
         tendons: pull-only springs.
         limits: unstressed length limits.
@@ -61,6 +63,7 @@ class Structure:
     plates: tuple[Plate, ...] = ()
     facets: tuple[Facet, ...] = ()
     hinges: tuple[Hinge, ...]
+    closures: tuple[Closure, ...] = ()
     springs: tuple[Spring, ...] = ()
     tendons: tuple[Tendon, ...] = ()
     limits: tuple[LengthLimit, ...] = ()

@@ -23,6 +23,7 @@ from forficula.show.structure.painted_shape import paint_shape, shape_handles, s
 from forficula.show.structure.shape import Shape, shape_of
 from forficula.show.structure.surface import at_time, surface_at
 from forficula.show.style import LINE_STYLES, PAGE_WIDTH, figure_style
+from forficula.structure import hinge_groups
 
 Array = NDArray[np.float64]
 Picture = NDArray[np.uint8]
@@ -34,6 +35,7 @@ _PICTURE, _BAR, _KEY = (0.03, 0.32, 0.94, 0.66), (0.72, 0.945, 0.25, 0.018), (0.
 _PLOTS_LEFT, _PLOTS_RIGHT, _PLOTS_LOW, _PLOTS_HIGH, _PLOTS_GAP = 0.08, 0.735, 0.105, 0.25, 0.025
 # a time of 0.3 s reads better as 300.0 ms when it runs
 _HALF = 0.5
+_MOST_ENTRIES = 7  # of the legend in its place
 _LEAD = 0.04  # before and after a move, as a share of it
 
 
@@ -173,7 +175,7 @@ def _colour_bar(figure: Figure, norm: Normalize) -> None:
 def _energies(record: Record) -> dict[str, tuple[Array, str]]:
     """What a film plots: energies of what stretches and bends, J, (time,), and their colours; else of the motion."""
     stored = stored_energies(record)
-    springs = [name for name in stored if name in ("tendons", "membrane", "hinges")]
+    springs = [name for name in stored if name in ("tendons", "membrane", "bars", *hinge_groups(record.structure))]
     return {name: stored[name] for name in springs or ["kinetic"]}
 
 
@@ -186,7 +188,15 @@ def _key(figure: Figure, shape: Shape, record: Record) -> None:
         of = f"{'energy ' * (style == LINE_STYLES[0])}of the {name}"
         label = "kinetic energy" if name == "kinetic" else of
         handles.append(Line2D([], [], color=colour, ls=style, label=label))
-    axes.legend(handles=handles, loc="center left", borderaxespad=0, handlelength=1.6)
+    # of more than there is room for, upwards beside the picture
+    many = len(handles) > _MOST_ENTRIES
+    axes.legend(
+        handles=handles,
+        loc="lower left" if many else "center left",
+        borderaxespad=0,
+        handlelength=1.6,
+        labelspacing=0.2 if many else 0.5,
+    )
 
 
 def _clock_text(cut: Cut, time: float) -> str:

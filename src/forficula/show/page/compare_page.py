@@ -36,13 +36,14 @@ from forficula.show.page.plots import Line, Plot, energy_plot, plot_data
 from forficula.show.page.time_spans import shared_spans, span_data
 from forficula.show.page.words import angle_range, outcome_sentence, readable, reading_range
 from forficula.show.run.outcome_rows import state_angles
+from forficula.show.structure.drive_words import acting, drive_unit
 from forficula.show.structure.labels import shown_angles, shown_distances, title_of
-from forficula.structure import Measure
+from forficula.structure import Measure, drive_of
 
 Array = NDArray[np.float64]
 
 _FEWEST, _MOST = 2, 12
-_ELASTIC = ("tendons", "membrane", "hinges", "Maxwell branches")
+_ELASTIC = ("tendons", "membrane", "hinges", "creases", "facet bends", "bars", "Maxwell branches")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -214,11 +215,15 @@ def _sum(energies: list[Array], clip: Clip) -> Array:
 def _outcome_rows(runs: Sequence[ComparedRun]) -> list[list[str]]:
     rows = [["status", *(run.outcome.status for run in runs)]]
     for name in dict.fromkeys(each.name for run in runs for each in run.record.structure.transitions):
-        tried = [f"{name} torque, time, work", *("not tried" for _ in runs)]
-        for index, transition in enumerate((run.outcome.transitions.get(name) for run in runs), start=1):
-            if transition is not None:
-                time = "—" if transition.time is None else readable(transition.time, "s")
-                tried[index] = f"{readable(transition.torque, 'N m')}, {time}, {readable(transition.work, 'J')}"
+        kind = listed(dict.fromkeys(acting(run.record.structure).removesuffix("s") for run in runs), "or")
+        tried = [f"{name} {kind}, time, work", *("not tried" for _ in runs)]
+        for index, run in enumerate(runs, start=1):
+            found, built = run.outcome.transitions.get(name), run.record.structure
+            transition = next((each for each in built.transitions if each.name == name), None)
+            if found is not None and transition is not None:
+                time = "—" if found.time is None else readable(found.time, "s")
+                strength = readable(found.torque, drive_unit(built, drive_of(built, transition.drive)))
+                tried[index] = f"{strength}, {time}, {readable(found.work, 'J')}"
         rows.append(tried)
     measures = [
         {each.name: each for each in (*shown_angles(built), *shown_distances(built))}

@@ -20,10 +20,11 @@ from forficula.show.run.state_names import state_letters, table_name
 from forficula.show.run.time_figures import stored_energies
 from forficula.show.structure.labels import (
     aligned,
+    condensed,
     driven_angles,
     label_of,
-    measure_labels,
     parts_of,
+    reading_labels,
     shown_angles,
     shown_distances,
     title_of,
@@ -180,7 +181,10 @@ def mark_readings(clip: Clip, readings: Readings, mark: Mark) -> tuple[Array, Ar
     """What is read in a state: the means, and half the swings where the state knows them, both rad or m, (reading,)."""
     measured = mark.state.readings.get(readings.measure.name)
     if measured is not None:
-        return measured.mean, (measured.high - measured.low) / 2
+        mean, low, high = (
+            condensed(clip.structure, readings.measure, each) for each in (measured.mean, measured.low, measured.high)
+        )
+        return mean, (high - low) / 2
     # an outcome has no such means
     return readings.values[np.argmin(np.abs(clip.time - mark.time))], None
 
@@ -244,8 +248,8 @@ def _readings(record: Record) -> list[Readings]:
                 row=f"{row} ({unit})",
                 unit=unit,
                 factor=factor,
-                labels=tuple(measure_labels(structure, measure)),
-                values=values,
+                labels=tuple(reading_labels(structure, measure)),
+                values=condensed(structure, measure, values),
             )
         )
     return found
@@ -298,7 +302,7 @@ def legend_data(clips: Sequence[Clip]) -> list[dict[str, str]]:
         for region, name in enumerate(clip.mesh.names):
             told.setdefault(f"region {region}", name)
         if len(clip.mesh.joints):
-            told.setdefault("joint", "hinge")
+            told.setdefault("joint", "held vertex" if clip.mesh.held else "hinge")
         if clip.structure.tendons:
             told.setdefault("tendon", "tendon, energy stored")
     order = ("mountain", "valley", "border", "edge", "region", "joint", "tendon")

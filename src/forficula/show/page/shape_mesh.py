@@ -54,7 +54,8 @@ class ShapeMesh:
         names: of the regions, such as "distal panel".
         solid: whether each is of plates rather than of a sheet, (region,).
         tubes: bars, creases, rims of sheets, edges of plates, and last the tendons in the structure's order.
-        joints: vertices of the hinges at the ends of bars, (joint,).
+        joints: vertices of the hinges at the ends of bars, and of what is held, (joint,).
+        held: whether some are held.
         joint_radius: m.
     """
 
@@ -67,6 +68,7 @@ class ShapeMesh:
     solid: tuple[bool, ...]
     tubes: tuple[Tube, ...]
     joints: NDArray[np.int64]
+    held: bool
     joint_radius: float
 
 
@@ -97,7 +99,8 @@ def shape_mesh(structure: Structure) -> ShapeMesh:
         names=shape.regions,
         solid=shape.solid,
         tubes=tuple(tubes),
-        joints=shape.joints,
+        joints=np.concatenate([shape.joints, shape.held]),
+        held=len(shape.held) > 0,
         joint_radius=_JOINT * shape.thickness,
     )
 

@@ -12,8 +12,9 @@ from forficula.dynamics import Record
 from forficula.names import listed
 from forficula.quantities import reading_unit
 from forficula.show.page.playback import Clip, Readings, blown_up
-from forficula.show.structure.labels import counted
-from forficula.structure import Structure, drive_of
+from forficula.show.structure.drive_words import drive_unit
+from forficula.show.structure.labels import counted, measure_labels
+from forficula.structure import Structure, drive_of, hinge_groups
 
 Array = NDArray[np.float64]
 
@@ -28,7 +29,7 @@ def outcome_sentence(name: str, outcome: Outcome, structure: Structure) -> str:
         found = outcome.transitions[transition.name]
         assert found is not None
         drive = drive_of(structure, transition.drive)
-        torque = " ".join(filter(None, (readable(found.torque, "N m"), drive.where)))
+        torque = " ".join(filter(None, (readable(found.torque, drive_unit(structure, drive)), drive.where)))
         if not (outcome.holds[transition.state] and found.time is not None):
             if not clauses:
                 return f"{name}: {outcome.status}, with {torque}."
@@ -71,8 +72,10 @@ def structure_text(structure: Structure) -> str:
 
 
 def _counted_parts(structure: Structure) -> str:
-    counts = (("plate", structure.plates), ("bar", structure.bars), ("membrane", structure.membranes))
-    rest = (("hinge", structure.hinges), ("tendon", structure.tendons))
+    solid = (("plate", structure.plates), ("facet", structure.facets), ("membrane", structure.membranes))
+    bars = (("bar", (*structure.bars, *structure.springs)),)
+    hinges = tuple((kind.removesuffix("s"), hinges) for kind, hinges in hinge_groups(structure).items())
+    counts, rest = (*solid, *bars), (*hinges, ("tendon", structure.tendons))
     parts = [f"{len(parts)} {kind}{'s' * (len(parts) != 1)}" for kind, parts in (*counts, *rest) if parts]
     return f"A {structure.appearance.whole} of {listed(parts)}, {readable(structure.span, 'm')} in size"
 
@@ -84,7 +87,7 @@ def reading_text(readings: Readings, in_states: Sequence[Array], clip: Clip) -> 
         for values, mark in zip(in_states, clip.marks, strict=True)
     ]
     title, several = readings.title, readings.measure.kind == "angle"
-    of = f" of {counted(readings.labels, 'hinge')}" * several
+    of = f" of {counted(measure_labels(clip.structure, readings.measure), 'hinge')}" * several
     subject = f"{title[:1].upper()}{title[1:]}{of}"
     return f"{subject}: {', '.join(parts)}." if parts else f"{subject} over the time."
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,18 +13,19 @@ from forficula.analysis import Outcome, State, TransitionOutcome
 from forficula.dynamics import EnergyBalance
 from forficula.names import listed
 from forficula.quantities import reading_unit, show_value
+from forficula.show.structure.drive_words import acting, drive_text
 from forficula.show.structure.labels import (
+    MOST_TOLD,
     aligned,
+    condensed,
     label_of,
-    measure_labels,
     parts_of,
+    reading_labels,
     shown_angles,
     shown_distances,
     title_of,
 )
-from forficula.structure import Measure, Structure
-
-TRANSITION_HEADINGS = ("", "torque", "succeeded", "time", "work of the torques")
+from forficula.structure import Measure, Structure, Transition, drive_of, hinge_groups
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -37,6 +39,15 @@ class StateColumn:
 
     title: str
     unit: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Store:
+    """What stores energy and has a row: of what kind it is, what the row is called, and its energy in a state, J."""
+
+    kind: str
+    label: str
+    energy: Callable[[State], float]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -68,21 +79,21 @@ def state_rows(structure: Structure, states: Mapping[str, State]) -> StateRows:
             largest = max(float(state.readings[measure.name].mean[0]) for state in states.values())
             unit, factor = reading_unit("m", largest)
         columns.append(StateColumn(title=title_of(measure), unit=unit))
-        cells.append((measure_labels(structure, measure), _reading_cell(measure, factor)))
+        cells.append((reading_labels(structure, measure), _reading_cell(structure, measure, factor)))
     tendons, sums = [label_of(tendon) for tendon in structure.tendons], []
     if tendons:
         length_unit, length = reading_unit("m", max(float(state.tendon_length.max()) for state in states.values()))
         columns.append(StateColumn(title="tendon", unit=length_unit))
         cells.append((tendons, lambda state, tendon: f"{length * state.tendon_length[tendon]:.2f}"))
-    springs = [number for number, hinge in enumerate(structure.hinges) if hinge.stiffness]
-    if tendons or springs:
-        stored = {state.name: _stored(state, springs) for state in states.values()}
-        energy_unit, energy = reading_unit("J", max(float(each.max()) for each in stored.values()))
+    stores = _stores(structure)
+    if stores:
+        stored = {state.name: [part.energy(state) for part in stores] for state in states.values()}
+        largest = max(max(each) for each in stored.values())
+        energy_unit, energy = reading_unit("J", largest)
         columns.append(StateColumn(title="energy", unit=energy_unit))
-        labels = [*tendons, *(label_of(structure.hinges[hinge]) for hinge in springs)]
-        cells.append((labels, lambda state, part: f"{energy * stored[state.name][part]:.4g}"))
+        cells.append(([part.label for part in stores], lambda state, part: f"{energy * stored[state.name][part]:.4g}"))
         before = [""] * (len(columns) - 1)
-        sums = [cell for each in stored.values() for cell in (*before, f"{energy * each.sum():.4g}")]
+        sums = [cell for each in stored.values() for cell in (*before, f"{energy * sum(each):.4g}")]
     names, rows_of = aligned([entries for entries, _ in cells])
     heading, places = parts_of(names), [{row: entry for entry, row in enumerate(each)} for each in rows_of]
     rows = []
@@ -93,40 +104,77 @@ def state_rows(structure: Structure, states: Mapping[str, State]) -> StateRows:
             for (_, cell), place in zip(cells, places, strict=True)
         ]
         rows.append([name, *shown])
-    summed = " and ".join(name for name, there in (("tendons", tendons), ("springs", springs)) if there)
+    summed = listed(dict.fromkeys(part.kind for part in stores))
     return StateRows(heading=heading.heading, columns=tuple(columns), parts=rows, summed=summed, sums=sums)
 
 
-def _stored(state: State, springs: Sequence[int]) -> NDArray[np.float64]:
-    """Energy of the tendons, and of the springs of some hinges, J, (part,)."""
-    if state.hinge_energy is None:
-        return state.tendon_energy
-    return np.concatenate([state.tendon_energy, state.hinge_energy[list(springs)]])
+def _stores(structure: Structure) -> list[_Store]:
+    """What stores energy: tendons, springs of hinges, of many all creases and all bends together, and bars."""
+    stores = [
+        _Store(kind="tendons", label=label_of(tendon), energy=partial(_of_tendon, number))
+        for number, tendon in enumerate(structure.tendons)
+    ]
+    springs = [number for number, hinge in enumerate(structure.hinges) if hinge.stiffness]
+    groups = {kind: [each for each in group if each in springs] for kind, group in hinge_groups(structure).items()}
+    if len(springs) > MOST_TOLD and "creases" in groups:
+        stores += [
+            _Store(kind=kind, label=kind, energy=partial(_of_hinges, group)) for kind, group in groups.items() if group
+        ]
+    else:
+        stores += [
+            _Store(kind="springs", label=label_of(structure.hinges[hinge]), energy=partial(_of_hinges, [hinge]))
+            for hinge in springs
+        ]
+    if structure.springs:
+        stores.append(_Store(kind="bars", label="bars", energy=_of_bars))
+    return stores
+
+
+def _of_tendon(number: int, state: State) -> float:
+    return float(state.tendon_energy[number])
+
+
+def _of_hinges(hinges: Sequence[int], state: State) -> float:
+    return 0.0 if state.hinge_energy is None else float(state.hinge_energy[list(hinges)].sum())
+
+
+def _of_bars(state: State) -> float:
+    return 0.0 if state.spring_energy is None else float(state.spring_energy.sum())
+
+
+def transition_headings(structure: Structure) -> tuple[str, ...]:
+    """Of the columns of `transition_rows`."""
+    kind = acting(structure)
+    return ("", kind.removesuffix("s"), "succeeded", "time", f"work of the {kind}")
 
 
 def transition_rows(structure: Structure, outcome: Outcome) -> list[list[str]]:
-    """The transitions of a structure, under `TRANSITION_HEADINGS`."""
+    """The transitions of a structure, under `transition_headings`."""
     return [
-        [transition.wording.noun, *_transition_cells(outcome.transitions[transition.name])]
+        [transition.wording.noun, *_transition_cells(structure, transition, outcome.transitions[transition.name])]
         for transition in structure.transitions
     ]
 
 
 def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str, str]]:
     """An energy balance, term by term, in one unit, and what is missing as a share."""
-    largest = max(abs(balance.work), abs(balance.tendon), abs(balance.hinges or 0.0), 1e-12)
+    stored = (balance.tendon, balance.hinges or 0.0, balance.springs or 0.0)
+    largest = max(abs(balance.work), *map(abs, stored), 1e-12)
     unit, factor = reading_unit("J", largest)
     tendons, sheets, bars = (bool(each) for each in (structure.tendons, structure.membranes, structure.bars))
-    damped = " and ".join(name for name, there in (("tendon", tendons), ("membrane", sheets)) if there)
+    stretched = (("tendon", tendons), ("membrane", sheets), ("bar", bool(structure.springs)))
+    damped = listed(name for name, there in stretched if there)
+    folds = listed(name.removesuffix("s") for name in hinge_groups(structure)) or "hinge"
     stops = ["stops", *["guard tendons"] * bool(structure.limits), *["contacts"] * bars]
     terms = (
-        ("work of the torques", balance.work, True),
+        (f"work of the {acting(structure)}", balance.work, True),
         ("= change of tendon energy", balance.tendon, tendons),
         ("+ change of membrane energy", balance.membrane, sheets),
-        ("+ change of hinge energy", balance.hinges, True),
+        (f"+ change of {folds} energy", balance.hinges, True),
+        ("+ change of bar energy", balance.springs, True),
         ("+ change of kinetic energy", balance.kinetic, True),
         ("+ change of gravitational energy", balance.gravitational, True),
-        ("+ taken by hinge damping", balance.hinge_damping, True),
+        (f"+ taken by {folds} damping", balance.hinge_damping, True),
         (f"+ taken by {damped} damping", balance.elastic_damping, bool(damped)),
         (f"+ taken by {listed(stops)}", balance.stops, True),
         ("+ change of energy of the Maxwell branches", balance.branches, True),
@@ -143,16 +191,19 @@ def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str
     return [*rows, ("residual", f"{100 * balance.residual:.3f} % of what was exchanged")]
 
 
-def _reading_cell(measure: Measure, factor: float) -> Callable[[State, int], str]:
+def _reading_cell(structure: Structure, measure: Measure, factor: float) -> Callable[[State, int], str]:
     """Writes what a measure reads in a state: the mean, and half the envelope where it still swings."""
     digits, least = (1, 0.05) if measure.kind == "angle" else (2, 0.005)
+
+    def told(values: NDArray[np.float64], entry: int) -> float:
+        return factor * float(condensed(structure, measure, values)[entry])
 
     def cell(state: State, entry: int) -> str:
         reading = state.readings.get(measure.name)
         if reading is None:  # of a role that no measure watches
-            return _number(factor * float(state_angles(state, measure)[entry]), digits)
-        mean = _number(factor * float(reading.mean[entry]), digits)
-        swing = factor * float(reading.high[entry] - reading.low[entry]) / 2
+            return _number(told(state_angles(state, measure), entry), digits)
+        swing = (told(reading.high, entry) - told(reading.low, entry)) / 2
+        mean = _number(told(reading.mean, entry), digits)
         return f"{mean} ± {swing:.{digits}f}" if swing > least else mean
 
     return cell
@@ -167,10 +218,10 @@ def _number(value: float, digits: int) -> str:
     return f"{round(value, digits) + 0.0:.{digits}f}"  # adding 0 turns -0 into 0
 
 
-def _transition_cells(transition: TransitionOutcome | None) -> list[str]:
+def _transition_cells(structure: Structure, transition: Transition, found: TransitionOutcome | None) -> list[str]:
     """A transition in words and units."""
-    if transition is None:
+    if found is None:
         return ["not tried", "", "", ""]
-    time = "" if transition.time is None else show_value(transition.time, "s")
-    torque, work = show_value(transition.torque, "N m"), show_value(transition.work, "J")
-    return [torque, "yes" if transition.succeeded else "no", time, work]
+    time = "" if found.time is None else show_value(found.time, "s")
+    strength = drive_text(structure, drive_of(structure, transition.drive), found.torque)
+    return [strength, "yes" if found.succeeded else "no", time, show_value(found.work, "J")]

@@ -17,7 +17,16 @@ from forficula.dynamics import Record, StageEnd
 from forficula.quantities import reading_unit, show_value
 from forficula.show.run.outcome_rows import state_angles
 from forficula.show.run.state_names import state_letters
-from forficula.show.structure.labels import counted, measure_labels, shown_angles, shown_distances, title_of
+from forficula.show.structure.drive_words import acting
+from forficula.show.structure.labels import (
+    counted,
+    measure_labels,
+    median,
+    role_groups,
+    shown_angles,
+    shown_distances,
+    title_of,
+)
 from forficula.show.style import (
     BLACK,
     BLUE,
@@ -32,7 +41,7 @@ from forficula.show.style import (
     figure_style,
     is_narrow,
 )
-from forficula.structure import Measure, Structure
+from forficula.structure import Measure, Structure, hinge_groups
 
 Array = NDArray[np.float64]
 
@@ -57,8 +66,11 @@ def draw_angles(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) -> 
             lines = _lines(record, measures)
             for axes, (start, scale) in zip(axes_row, _spans(record), strict=True):
                 time = _time(record, start, scale)
-                for line, (name, values) in enumerate(lines.items()):
-                    axes.plot(time, values, **_look(line, len(lines)), label=name)
+                if role_groups(record.structure, measures[0]):
+                    _draw_many(axes, time, record, measures[0])
+                else:
+                    for line, (name, values) in enumerate(lines.items()):
+                        axes.plot(time, values, **_look(line, len(lines)), label=name)
                 axes.axhline(0, color="0.6", lw=0.5, zorder=0)
                 if measures[0].kind == "angle":
                     _scale_degrees(axes, record, measures)
@@ -97,7 +109,10 @@ def stored_energies(record: Record) -> dict[str, tuple[Array, str]]:
     if structure.membranes:
         stored["membrane"] = (series["membrane_energy"], ORANGE)
     if "hinge_energy" in series:
-        stored["hinges"] = (series["hinge_energy"].sum(axis=1), SKY)
+        for (kind, hinges), colour in zip(hinge_groups(structure).items(), (SKY, GREEN, PURPLE), strict=False):
+            stored[kind] = (series["hinge_energy"][:, list(hinges)].sum(axis=1), colour)
+    if "spring_energy" in series:
+        stored["bars"] = (series["spring_energy"].sum(axis=1), BLACK)
     stored["kinetic"] = (series["kinetic_energy"], VERMILION)
     if "branch_energy" in series:
         stored["Maxwell branches"] = (series["branch_energy"].sum(axis=1), GREEN)
@@ -111,11 +126,12 @@ def _accounts(record: Record) -> dict[str, tuple[Array, str]]:
     series, structure = record.series, record.structure
     accounts: dict[str, tuple[Array, str]] = {}
     if structure.motors:
-        accounts["done by torques"] = (record.work, BLACK)
-    accounts["taken by hinge damping"] = (-series["hinge_damping_work"], GREEN)
+        accounts[f"done by {acting(structure)}"] = (record.work, BLACK)
+    hinged = hinge_groups(structure).keys() <= {"hinges"}
+    accounts[f"taken by {'hinge' if hinged else 'fold'} damping"] = (-series["hinge_damping_work"], GREEN)
     accounts["taken by stops"] = (-series["stop_work"], VERMILION)
-    if structure.tendons or structure.membranes:
-        name = "taken by other damping" if structure.membranes else "taken by tendons"
+    if structure.tendons or structure.membranes or structure.springs:
+        name = "taken by other damping" if structure.membranes or structure.springs else "taken by tendons"
         accounts[name] = (-series["elastic_damping_work"], SKY)
     for name, words, colour in (
         ("branch_damping_work", "taken by Maxwell branches", ORANGE),
@@ -157,6 +173,17 @@ def _lines(record: Record, measures: tuple[Measure, ...]) -> dict[str, Array]:
         names = [title_of(measure)] if alone else measure_labels(record.structure, measure)
         lines |= dict(zip(names, scaled, strict=True))
     return lines
+
+
+def _draw_many(axes: Axes, time: Array, record: Record, measure: Measure) -> None:
+    """Many angles by role: each thin, and the one in the middle of them."""
+    values, groups = np.degrees(record.measured(measure.name)), role_groups(record.structure, measure)
+    for number, (role, places) in enumerate(groups.items()):
+        look, own = _look(number, len(groups)), values[:, places]
+        # one line with gaps: as many lines of their own would take long
+        each = np.vstack([own, np.full(len(places), np.nan)]).T.ravel()
+        axes.plot(np.tile([*time, np.nan], len(places)), each, color=look["color"], lw=0.5, alpha=0.35)
+        axes.plot(time, median(own), **look, lw=1.6, label=f"{role} ({len(places)}), median")
 
 
 def _scale_degrees(axes: Axes, record: Record, measures: tuple[Measure, ...]) -> None:
@@ -201,7 +228,7 @@ def _tell_energies(record: Record) -> str:
         f"{name} {show_value(float(values.max()), 'J')}" for name, (values, _) in stored_energies(record).items()
     )
     name, structure = record.design.name, record.structure
-    work = f"; work of the torques: {show_value(float(record.work[-1]), 'J')}" if structure.motors else ""
+    work = f"; work of the {acting(structure)}: {show_value(float(record.work[-1]), 'J')}" if structure.motors else ""
     return f"Stored energies and work over the time of a run of {name}. Largest: {largest}{work}."
 
 
@@ -296,7 +323,8 @@ def _mark_states(axes: Axes, record: Record, outcome: Outcome, measures: tuple[M
         if state is None or outcome.holds.get(name, True) is not True:
             continue
         if measure.kind == "angle":
-            value = float(np.degrees(state_angles(state, measure).mean()))
+            angles = np.degrees(state_angles(state, measure))
+            value = float(median(angles) if role_groups(record.structure, measure) else angles.mean())
         else:
             value = _length_unit(record, measures)[1] * float(state.readings[measure.name].mean[0])
         time = scale * state.time

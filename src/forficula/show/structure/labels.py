@@ -6,7 +6,14 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy as np
+from numpy.typing import NDArray
+
 from forficula.structure import Hinge, Measure, Structure, Tendon, measure_of
+
+Array = NDArray[np.float64]
+
+MOST_TOLD = 16  # hinges of a measure, each with a row of a table and a line of a plot of its own
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -32,6 +39,44 @@ def measure_labels(structure: Structure, measure: Measure) -> list[str]:
     if measure.points is not None:
         return [measure.label or measure.name]
     return [label_of(structure.hinges[hinge]) for hinge in measure.hinges]
+
+
+def role_groups(structure: Structure, measure: Measure) -> dict[str, list[int]]:
+    """Places of a measure's hinges by their role, where they are so many that each cannot be told; else none."""
+    groups: dict[str, list[int]] = {}
+    if len(measure.hinges) > MOST_TOLD:
+        for place, hinge in enumerate(measure.hinges):
+            groups.setdefault(structure.hinges[hinge].role, []).append(place)
+    return groups
+
+
+def reading_labels(structure: Structure, measure: Measure) -> list[str]:
+    """What the readings of a measure are called that tables and pages tell: each, or of many what `condensed` makes."""
+    groups = role_groups(structure, measure)
+    if not groups:
+        return measure_labels(structure, measure)
+    medians = [f"median {role}" for role in groups] if len(groups) > 1 else ["median"]
+    return ["smallest", *medians, "largest"]
+
+
+def condensed(structure: Structure, measure: Measure, values: Array) -> Array:
+    """The readings of a measure, (..., hinge), as tables and pages tell them, (..., reading).
+
+    Of many angles the smallest, the median of each role, and the largest. A median is one of them, the lower one of two
+    in the middle.
+    """
+    groups = role_groups(structure, measure)
+    if not groups:
+        return values
+    return np.stack(
+        [values.min(axis=-1), *(median(values[..., places]) for places in groups.values()), values.max(axis=-1)],
+        axis=-1,
+    )
+
+
+def median(values: Array) -> Array:
+    """The value in the middle, along the last axis; of two the lower one."""
+    return np.asarray(np.sort(values, axis=-1)[..., (values.shape[-1] - 1) // 2])
 
 
 def title_of(measure: Measure) -> str:

@@ -20,6 +20,7 @@ class Surface:
     Attributes:
         faces: of sheets and plates, m, (face, corner, axis); of three corners the last one stands twice.
         regions: number of each one's region, (face,).
+        two_sided: whether their two sides are told apart.
         bars: ends of each, m, (bar, end, axis).
         radii: of these, m, (bar,).
         lines: ends of what folds and of what ends, m, (line, end, axis).
@@ -32,6 +33,7 @@ class Surface:
 
     faces: Array
     regions: NDArray[np.int64]
+    two_sided: bool
     bars: Array
     radii: Array
     lines: Array
@@ -71,6 +73,7 @@ def surface_of(shape: Shape, places: Array, folds: Array) -> Surface:
     return Surface(
         faces=vertices[corners],
         regions=shape.face_region,
+        two_sided=bool(record.structure.facets),
         bars=vertices[np.array([bar.ends for bar in shape.bars], dtype=np.int64).reshape(-1, 2)],
         radii=np.array([bar.radius for bar in shape.bars]),
         lines=vertices[np.array(ends, dtype=np.int64).reshape(-1, 2)],
