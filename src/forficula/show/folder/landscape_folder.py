@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 from forficula.analysis.simulated_rests import rest_distances
 from forficula.analysis.simulated_snap import inner_tendon, simulation_summary
@@ -44,11 +45,7 @@ def _write_files(landscape: EnergyLandscape, folder: Path, record: Record | None
     save_design(landscape.design, folder / "design.toml")
     content = landscape_summary(landscape) | {
         "simulation": None if record is None else simulation_summary(record, tendon),
-        **(
-            {}
-            if record is None or landscape.net is None
-            else {"rests_apart_m": dict(rest_distances(landscape, record))}
-        ),
+        **({} if record is None or landscape.net is None else _apart(landscape, record)),
         "versions": versions(),
         "figures": list(landscape_kinds(landscape)),
     }
@@ -58,6 +55,10 @@ def _write_files(landscape: EnergyLandscape, folder: Path, record: Record | None
     texts = save_figures(landscape_drawings(landscape, record, tendon), folder)
     if landscape.net is not None:
         write_text(folder / "report.html", landscape_page(landscape, folder, texts))
+
+
+def _apart(landscape: EnergyLandscape, record: Record) -> dict[str, Any]:
+    return {"rests_apart_m": dict(rest_distances(landscape, record))}
 
 
 def landscape_drawings(

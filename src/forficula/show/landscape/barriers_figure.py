@@ -12,7 +12,7 @@ from forficula.quantities import reading_unit
 from forficula.show.landscape.net_words import shown_value
 from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, in_column, is_narrow
 from forficula.statics import EnergyLandscape
-from forficula.statics.net_landscape import NetLandscape, Pass
+from forficula.statics.net_landscape import NetLandscape
 
 Array = NDArray[np.float64]
 
@@ -39,9 +39,7 @@ def draw_barriers(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figu
         figure = Figure(figsize=(width, 2.8), layout="constrained")
         axes = figure.subplots()
         for each, top in zip(net.passes, tops, strict=True):
-            _draw_pass(
-                axes, each, [places[end] for end in each.ends], [energies[end] for end in each.ends], top, factor
-            )
+            _draw_pass(axes, [(places[end], energies[end]) for end in each.ends], top, factor)
         for place, energy in zip(places, energies, strict=True):
             axes.plot([place - _HALF, place + _HALF], [factor * energy] * 2, color=BLUE, lw=2.5, zorder=4)
         axes.set_xlim(-0.6, max(places) + 0.6)
@@ -76,9 +74,9 @@ def _places(net: NetLandscape) -> list[int]:
     return [order.index(number) for number in range(len(net.states))]
 
 
-def _draw_pass(axes: Axes, each: Pass, places: list[int], ends: list[float], top: float, factor: float) -> None:
+def _draw_pass(axes: Axes, ends: list[tuple[int, float]], top: float, factor: float) -> None:
     """A curve over a saddle, and the barrier from either side."""
-    (left, low), (right, other) = sorted(zip(places, ends, strict=True))
+    (left, low), (right, other) = sorted(ends)
     left_end, right_end = left + _HALF, right - _HALF
     middle = (left_end + right_end) / 2
     rise = (1 - np.cos(np.linspace(0, np.pi, _POINTS))) / 2

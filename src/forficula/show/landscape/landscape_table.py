@@ -31,6 +31,7 @@ from forficula.structure import RigidFold, Transition
 
 _KINDS = {"stop": "on its stop", "minimum": "minimum", "neutral": "range without force"}
 _NONE = "none"
+_NOTHING = 1e-9  # m, below which a distance is rounding
 
 
 def print_landscape(landscape: EnergyLandscape, record: Record | None = None, tendon: int | None = None) -> None:
@@ -237,7 +238,7 @@ def _rest_remarks(landscape: EnergyLandscape, record: Record | None) -> Iterator
     """How near to one another the two routes came to rest."""
     apart = {} if record is None else rest_distances(landscape, record)
     if apart:
-        told = ", ".join(f"{name} {_readable(distance, 'm')}" for name, distance in apart.items())
+        told = ", ".join(f"{name} {_readable(max(distance, _NOTHING), 'm')}" for name, distance in apart.items())
         yield f"at rest, distances between vertices in the run differ from those in statics by at most: {told}"
 
 

@@ -100,9 +100,8 @@ def _barriers(net: NetLandscape) -> TextTable:
         one, other = (net.states[end].name for end in each.ends)
         there, back = (shown_value(barrier, "J", 3) for barrier in each.barriers)
         rows.append((f"{one} to {other}", there, back))
-    return TextTable(
-        title="Barriers, over the saddles that were found", headings=("", "there", "back"), rows=tuple(rows)
-    )
+    title = "Barriers, over the saddles that were found"
+    return TextTable(title=title, headings=("", "there", "back"), rows=tuple(rows))
 
 
 def _courses(structure: Structure, net: NetLandscape) -> TextTable:
