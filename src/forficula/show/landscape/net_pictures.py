@@ -54,7 +54,12 @@ def net_pictures(structure: Structure, shapes: Sequence[Shape], cells: int) -> P
     nodes = [at[body] for membrane in structure.membranes for body in membrane.bodies.tolist()]
     painted, lines = list[PaintedShape](), list[Array]()
     for each in shapes:
-        surface = surface_of(shape, np.concatenate((each.positions, each.positions[nodes])), each.angles)
+        surface = surface_of(
+            shape,
+            np.concatenate((each.positions, each.positions[nodes])),
+            each.angles,
+            two_sided=bool(structure.facets),
+        )
         painted.append(paint_shape(surface, view, ORANGE, cells=cells))
         lines.append(view.project(surface.lines))
     corners = np.concatenate([each.polygons.reshape(-1, 2) for each in painted])
