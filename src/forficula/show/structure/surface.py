@@ -75,11 +75,7 @@ def surface_of(shape: Shape, places: Array, folds: Array, *, two_sided: bool) ->
     return Surface(
         faces=vertices[corners],
         regions=shape.face_region,
-<<<<<<< HEAD
-        two_sided=len(shape.regions) > 0 and not any(shape.solid) and not shape.bars,
-=======
         two_sided=two_sided,
->>>>>>> r7
         bars=vertices[np.array([bar.ends for bar in shape.bars], dtype=np.int64).reshape(-1, 2)],
         radii=np.array([bar.radius for bar in shape.bars]),
         lines=vertices[np.array(ends, dtype=np.int64).reshape(-1, 2)],
