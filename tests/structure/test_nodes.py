@@ -252,6 +252,6 @@ def test_a_facet_that_is_not_flat_cannot_be_rigid():
     values |= {"assignment": "".join(sheet.edges_assignment), "facets": [list(face) for face in sheet.faces_vertices]}
     assert len(structure_of(bare(MIURA, pattern=values)).bodies) == 6
     with pytest.raises(
-        InputError, match=r"need flat facets where they are rigid, got facet 0, whose corners lie up to"
+        InputError, match=r"need flat facets to be rigid, got facet 0, which is not; or take facet\.kind"):
     ):
         bare(MIURA, pattern=values, **{"facet.kind": "rigid"})
