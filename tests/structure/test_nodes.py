@@ -251,7 +251,5 @@ def test_a_facet_that_is_not_flat_cannot_be_rigid():
     values |= {"vertices_z": coords[:, 2].tolist(), "edges": sheet.edges_vertices.tolist()}
     values |= {"assignment": "".join(sheet.edges_assignment), "facets": [list(face) for face in sheet.faces_vertices]}
     assert len(structure_of(bare(MIURA, pattern=values)).bodies) == 6
-    with pytest.raises(
-        InputError, match=r"need flat facets to be rigid, got facet 0, which is not; or take facet\.kind"):
-    ):
+    with pytest.raises(InputError, match=r"need flat facets to be rigid, got facet 0, which is not"):
         bare(MIURA, pattern=values, **{"facet.kind": "rigid"})
