@@ -20,6 +20,7 @@ from forficula.pattern import CreasePattern
 class SheetDesign(Design):
     """A sheet that folds at its creases, and what is done to it."""
 
+    source: Annotated[str, Field(description="where its values come from")] = ""
     pattern: Any
     facet: Facet = Facet()
     crease: Crease = Crease()
