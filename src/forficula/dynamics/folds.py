@@ -8,8 +8,8 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.dynamics.plate_angles import PlateAngles, plate_angles
 from forficula.dynamics.placement import Placement, placement_of
+from forficula.dynamics.plate_angles import PlateAngles, plate_angles
 from forficula.structure import Structure, built_points, crease_flaps, crease_numbers, flap_angles
 from forficula.structure.flaps import cross, dot
 

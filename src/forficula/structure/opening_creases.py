@@ -96,9 +96,7 @@ def opening_parts(
     return tuple(springs), tuple(hinges), numbers
 
 
-def _flaps(
-    pattern: CreasePattern, shared: SharedEdge, named: dict[str, int]
-) -> tuple[int, int, int, int, int, int]:
+def _flaps(pattern: CreasePattern, shared: SharedEdge, named: dict[str, int]) -> tuple[int, int, int, int, int, int]:
     """Tail, head and the furthest corner of the facet on the left, and of that on the right."""
     tail, head = pattern.vertices_coords[[shared.tail, shared.head]]
     flaps = []

@@ -177,4 +177,3 @@ def _hinges(
             )
         )
     return tuple(hinges), numbers
-

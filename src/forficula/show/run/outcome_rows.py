@@ -27,6 +27,8 @@ from forficula.show.structure.labels import (
 )
 from forficula.structure import Measure, Structure, Transition, drive_of, hinge_groups
 
+_ROUNDING = 1e-12  # of energies, by the largest
+
 
 @dataclass(frozen=True, kw_only=True)
 class StateColumn:
@@ -89,6 +91,7 @@ def state_rows(structure: Structure, states: Mapping[str, State]) -> StateRows:
     if stores:
         stored = {state.name: [part.energy(state) for part in stores] for state in states.values()}
         largest = max(max(each) for each in stored.values())
+        stored = {name: [_sizeable(value, largest) for value in each] for name, each in stored.items()}
         energy_unit, energy = reading_unit("J", largest)
         columns.append(StateColumn(title="energy", unit=energy_unit))
         cells.append(([part.label for part in stores], lambda state, part: f"{energy * stored[state.name][part]:.4g}"))
@@ -128,6 +131,11 @@ def _stores(structure: Structure) -> list[_Store]:
     if structure.springs:
         stores.append(_Store(kind="bars", label="bars", energy=_of_bars))
     return stores
+
+
+def _sizeable(energy: float, largest: float) -> float:
+    """An energy, J; 0 where it is the rounding of the largest one."""
+    return energy if abs(energy) > _ROUNDING * largest else 0.0
 
 
 def _of_tendon(number: int, state: State) -> float:
@@ -195,16 +203,16 @@ def _reading_cell(structure: Structure, measure: Measure, factor: float) -> Call
     """Writes what a measure reads in a state: the mean, and half the envelope where it still swings."""
     digits, least = (1, 0.05) if measure.kind == "angle" else (2, 0.005)
 
+    def told(values: NDArray[np.float64], entry: int) -> float:
+        return factor * float(condensed(structure, measure, values)[entry])
+
     def cell(state: State, entry: int) -> str:
         reading = state.readings.get(measure.name)
         if reading is None:  # of a role that no measure watches
-            return _number(factor * float(condensed(structure, measure, state_angles(state, measure))[entry]), digits)
-        mean, low, high = (
-            factor * float(condensed(structure, measure, each)[entry])
-            for each in (reading.mean, reading.low, reading.high)
-        )
-        swing = (high - low) / 2
-        return f"{_number(mean, digits)} ± {swing:.{digits}f}" if swing > least else _number(mean, digits)
+            return _number(told(state_angles(state, measure), entry), digits)
+        swing = (told(reading.high, entry) - told(reading.low, entry)) / 2
+        mean = _number(told(reading.mean, entry), digits)
+        return f"{mean} ± {swing:.{digits}f}" if swing > least else mean
 
     return cell
 
