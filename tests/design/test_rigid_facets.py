@@ -3,11 +3,11 @@
 import math
 import re
 
+import numpy as np
 import pytest
 
-from forficula.design import load_design, with_values
 from forficula.errors import InputError
-from forficula.structure import structure_of
+from forficula.structure import built_lengths, structure_of
 from tests.plate_sheets import miura, plates, pleats, vertex
 
 BARS = r'or take facet\.kind = "bars", of which facets bend'
@@ -19,11 +19,17 @@ def refused(match, pattern, **more):
         plates(pattern, **more)
 
 
-def test_a_kresling_tower_does_not_fold_rigidly_and_bars_are_offered():
-    with pytest.raises(
-        InputError, match=rf"as built it has 0 degrees of freedom and \d+ states of self-stress; {BARS}"
-    ):
-        with_values(load_design("kresling-cell"), {"facet.kind": "rigid", "support": []})
+def test_an_octahedron_does_not_fold_and_bars_are_offered():
+    """Cauchy 1813: convex polyhedra are rigid."""
+    corners = [(1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
+    ring = [(number, (number + 1) % 4) for number in range(4)]
+    facets = [[*pair, 4] for pair in ring] + [[two, one, 5] for one, two in ring]
+    edges = [*map(list, ring), *([rim, pole] for rim in range(4) for pole in (4, 5))]
+    coords = "\n".join(
+        f"vertices_{axis} = {[f'{corner[place]} cm' for corner in corners]}" for place, axis in enumerate("xyz")
+    )
+    sheet = f'kind = "fold-file"\n{coords}\nedges = {edges}\nassignment = "{"U" * 12}"\nfacets = {facets}\n'
+    refused(rf"as built it has 0 degrees of freedom and 0 states of self-stress; {BARS}", sheet)
 
 
 def test_a_waterbomb_with_one_crease_of_the_wrong_sense_does_not_fold_rigidly():
@@ -57,7 +63,7 @@ def test_facets_that_are_not_flat_are_refused():
 def test_starts_at_which_the_facets_do_not_meet_are_refused():
     refused(
         "crease.start: need angles at which the facets meet",
-        vertex([60, 90, 120, 90], "VVVM"),
+        vertex([60, 90, 120, 90], "MVVV"),
         crease='start = "10 deg"',
     )
 
@@ -108,3 +114,13 @@ def test_the_message_names_no_key_twice():
     with pytest.raises(InputError) as caught:
         plates(vertex([90, 90, 90, 90], "MMMM"))
     assert len(re.findall("facet.kind", str(caught.value))) == 2
+
+
+def test_places_on_facets_lie_on_them_where_the_sheet_is_built_folded():
+    tendon = '[[tendon]]\nname = "t"\nfrom = "facet 0 at centre"\nto = "facet 3 at 0.5, 0.5"\n'
+    tendon += 'stiffness = "1 N/cm"\nrest_length = "1 cm"'
+    design = plates(miura(2, "80 deg"), more=tendon)
+    sheet = design.sheet
+    # of parallelograms, the mean of the corners
+    one, other = (sheet.vertices_coords[list(sheet.faces_vertices[facet])].mean(axis=0) for facet in (0, 3))
+    assert built_lengths(structure_of(design)) == pytest.approx([np.linalg.norm(other - one)], rel=1e-12)
