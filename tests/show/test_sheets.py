@@ -45,9 +45,8 @@ def test_the_facets_are_drawn_where_they_are_and_no_bar_on_them(name):
     shape = shape_of(structure)
     triangles, facets = facet_triangles(structure)
     assert np.bincount(facets).tolist() == [len(facet.points) - 2 for facet in structure.facets]
-    assert all(
-        set(corners) <= set(structure.facets[facet].points) for corners, facet in zip(triangles.tolist(), facets)
-    )
+    for corners, facet in zip(triangles.tolist(), facets.tolist(), strict=True):
+        assert set(corners) <= set(structure.facets[facet].points)
     surface = surface_at(record, shape, float(record.time[-1]))
     assert surface.faces[:, :3] == pytest.approx(record.series["point_position"][-1][triangles])
     assert len(surface.bars) == 0

@@ -76,7 +76,7 @@ def draw_angles(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) -> 
                     _scale_degrees(axes, record, measures)
                 _shade_stages(axes, record, start, scale)
             if list(lines) != [title_of(measures[0])]:
-                _legend(axes_row, width, columns=4 if max(map(len, lines)) <= _SHORTEST else 3)
+                _legend(axes_row, width, columns=4 if max(map(len, lines), default=0) <= _SHORTEST else 3)
         if rows_of:
             _mark_states(rows[0][0], record, outcome, rows_of[0], _run_unit(record)[1])
         return describe(figure, _tell_angles(record, outcome))
@@ -132,10 +132,9 @@ def _accounts(record: Record) -> dict[str, tuple[Array, str]]:
     accounts["taken by stops"] = (-series["stop_work"], VERMILION)
     damped = [name for name in ("tendons", "membranes", "springs") if getattr(structure, name)]
     if damped:
-        name = {("tendons",): "taken by tendons", ("springs",): "taken by bars"}.get(
-            (*damped,), "taken by other damping"
-        )
-        accounts[name] = (-series["elastic_damping_work"], SKY)
+        alone = {"tendons": "taken by tendons", "springs": "taken by bars"}
+        name = alone.get(damped[0]) if len(damped) == 1 else None
+        accounts[name or "taken by other damping"] = (-series["elastic_damping_work"], SKY)
     for name, words, colour in (
         ("branch_damping_work", "taken by Maxwell branches", ORANGE),
         ("letting_go_work", "branches that gave way", PURPLE),
