@@ -52,7 +52,7 @@ def test_the_flat_wing_lies_where_the_pattern_does(wing):
 def test_a_vein_folded_by_180_deg_comes_back_beside_itself_at_the_sector_angle(wing):
     # flat-folded degree-4 vertex: the distal crease lies one sector angle beside the proximal one (Kawasaki)
     data = mujoco.MjData(wing.engine)
-    data.qpos[ring_hinges(wing)] = -math.pi * wing.senses[ring_hinges(wing)]
+    data.qpos[ring_hinges(wing)] = -math.pi * wing.folds.senses[ring_hinges(wing)]
     mujoco.mj_forward(wing.engine, data)
     hub, ring, tips = (placed(wing, data, role) for role in ("hub", "ring", "tip"))
     back, distal = hub - ring, tips - ring

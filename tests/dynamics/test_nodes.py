@@ -210,8 +210,8 @@ def test_a_locking_crease_keeps_its_panels_from_passing_through_each_other():
     """At rest k (lock + 2 w / pi tan(pi x / (2 w))) is the torque, x beyond the lock and w from there to 180 deg."""
     torque, stiffness = 3e-3, 0.02 * WIDTH
     drive = {"name": "turn", "kind": "torque", "of": "creases", "value": torque, "rise": 0.1}
-    values = {"drive": [drive], "crease.law": "locking", "crease.damping": 1e-3, "facet.bend_stiffness": 5.0}
-    (record,) = run(strip(**values, **{"protocol.stages": [stage("turn", limit=0.2)]}))
+    values = {"drive": [drive], "crease.law": "locking", "crease.damping": 2e-3, "facet.bend_stiffness": 5.0}
+    (record,) = run(strip(**values, **{"protocol.stages": [stage("turn", limit=0.35)], "protocol.timestep": 4e-5}))
     angle = record.series["hinge_angle"][:, 0]
     lock, room = math.radians(135), math.radians(45)
     beyond = 2 * room / math.pi * math.atan((torque / stiffness - lock) * math.pi / (2 * room))

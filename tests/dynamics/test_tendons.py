@@ -103,8 +103,8 @@ def test_the_model_file_of_tendons_that_let_go_pulls_as_the_model_that_ran(modul
         torques = []
         for engine in (wing.engine, again):
             data = mujoco.MjData(engine)
-            data.qpos[RING] = np.radians(angle) * wing.senses[RING]
-            data.qvel[RING] = wing.senses[RING]
+            data.qpos[RING] = np.radians(angle) * wing.folds.senses[RING]
+            data.qvel[RING] = wing.folds.senses[RING]
             mujoco.mj_forward(engine, data)
             torques.append(data.qfrc_actuator[RING])
         # MuJoCo writes six digits, of which the sum of springs that stiffen and soften loses some
@@ -122,7 +122,7 @@ def test_tendons_that_let_go_go_side_by_side_without_a_bit_of_difference():
 
 def test_a_branch_acts_on_a_slack_tendon_that_yields_as_on_a_taut_one():
     data = mujoco.MjData(WING.engine)
-    data.qpos[RING] = -np.radians(150) * WING.senses[RING]
+    data.qpos[RING] = -np.radians(150) * WING.folds.senses[RING]
     data.act[WING.branches] = 1.0
     mujoco.mj_forward(WING.engine, data)
     assert np.all(data.ten_length[WING.tendons] < WING.elastic.rest_length)

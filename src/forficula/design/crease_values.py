@@ -27,13 +27,25 @@ def stops(design: SheetDesign, edge: int, crease: Crease) -> tuple[float, float]
     """The least and the largest angle of a crease in its own sense, rad; infinite where nothing stops it.
 
     A rigid facet that no limit is given for folds onto its neighbour and, but at a crease that is not assigned, not the
-    other way. A crease that opens has no stop of its own accord.
+    other way. A crease that opens folds both ways.
     """
     back, fold = math.inf, math.inf
-    if design.facet.kind == "rigid" and crease.extension is None:
-        back, fold = math.pi if design.sheet.edges_assignment[edge] == "U" else 0.0, math.pi
+    if design.facet.kind == "rigid":
+        both = crease.extension is not None or design.sheet.edges_assignment[edge] == "U"
+        back, fold = math.pi if both else 0.0, math.pi
     low = -(back if crease.back_limit is None else crease.back_limit)
     return low, fold if crease.fold_limit is None else crease.fold_limit
+
+
+def crease_key(design: SheetDesign, edge: int, key: str) -> str:
+    """Where a crease has a value from: the last group that gives it, or the section."""
+    groups = design.crease.group
+    given = (
+        f"crease.group.{number}.{key}"
+        for number, group in reversed(list(enumerate(groups)))
+        if getattr(group, key) is not None and edge in creases_of(design.sheet, group.of, groups[:number])
+    )
+    return next(given, f"crease.{key}")
 
 
 def rest_angle(crease: Crease, built: float) -> float:

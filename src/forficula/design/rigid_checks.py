@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from forficula.design.crease_values import creases_by_edge, stops
+from forficula.design.crease_values import crease_key, creases_by_edge, stops
 from forficula.design.part import ANGLE
-from forficula.design.sheet_creases import crease_sense, creases_between, creases_of
+from forficula.design.sheet_creases import crease_sense, creases_between
 from forficula.design.sheet_places import keeps_distance, place_on
 from forficula.errors import InputError
 from forficula.pattern import (
@@ -47,17 +47,22 @@ def check_rigid(design: SheetDesign) -> None:
         off = np.linalg.svd(places - places.mean(axis=0), compute_uv=False)
         if off[2] > _OFF_PLANE * off[0]:
             raise InputError(f"facet.kind: need flat facets to be rigid, got facet {facet}, which is not; {_INSTEAD}")
+    creases = creases_by_edge(design)
+    opening = [edge for edge, crease in creases.items() if crease.extension is not None]
     try:
-        links = facet_tree(sheet)
+        links = facet_tree(sheet, apart=opening)
     except InputError as error:
         raise InputError(f"pattern: {error}; {_INSTEAD}") from None
-    creases = creases_by_edge(design)
-    if design.opens:
-        shut = [edge for edge, crease in creases.items() if crease.extension is None]
-        if shut:
-            raise InputError(f"crease.extension: need one for every crease or for none, got none for crease {shut[0]}")
-        return
-    if not any(link.closes for link in links):
+    try:
+        facet_tree(sheet, design.held_facets, opening)
+    except InputError as error:
+        raise InputError(f"support: {error}") from None
+    closing = [link.edge for link in links if link.closes]
+    if closing and opening:
+        raise InputError(
+            f"crease.extension: need a crease that opens in every loop, or in none, got none in that of crease {closing[0]}"
+        )
+    if not closing:
         return
     # what may bend either way has no sense to be folded in
     letters = tuple(
@@ -109,7 +114,7 @@ def check_rigid_creases(design: SheetDesign) -> None:
     for edge, crease in creases.items():
         low, high = stops(design, edge, crease)
         folded = crease_sense(sheet, edge) * float(built[edge])
-        start, back, fold = (_crease_key(design, edge, key) for key in ("start", "back_limit", "fold_limit"))
+        start, back, fold = (crease_key(design, edge, key) for key in ("start", "back_limit", "fold_limit"))
         if crease.start and (design.opens or not unfolded):
             raise InputError(f"{start}: need 0 deg where a sheet starts as it is built, got {_shown(crease.start)}")
         starts[edge] = crease_sense(sheet, edge) * crease.start
@@ -151,14 +156,3 @@ def check_rigid_tendon(design: SheetDesign, number: int, ends: Sequence[str]) ->
             f"tendon.{number}.to: need a place that creases move against tendon.{number}.from, or its length"
             f" never changes, got {as_written(ends[1])}: {why}"
         )
-
-
-def _crease_key(design: SheetDesign, edge: int, key: str) -> str:
-    """Where a crease has a value from: the last group that gives it, or the section."""
-    groups = design.crease.group
-    given = (
-        f"crease.group.{number}.{key}"
-        for number, group in reversed(list(enumerate(groups)))
-        if getattr(group, key) is not None and edge in creases_of(design.sheet, group.of, groups[:number])
-    )
-    return next(given, f"crease.{key}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Annotated, Any, Self
 
 from pydantic import Field, model_validator
@@ -19,12 +20,14 @@ from forficula.pattern import CreasePattern
 class SheetDesign(Design):
     """A sheet that folds at its creases, and what is done to it."""
 
+    source: Annotated[str, Field(description="where its values come from")] = ""
     pattern: Any
     facet: Facet = Facet()
     crease: Crease = Crease()
     tendon: Annotated[tuple[SheetTendon, ...], Field(description="springs between two places, which only pull")] = ()
     support: Annotated[
-        tuple[Support, ...], Field(description="what is held; of hinged rigid facets one is, facet 0 if not given")
+        tuple[Support, ...],
+        Field(description="what is held; where no crease opens between rigid facets, facet 0 if not given"),
     ] = ()
     drive: Annotated[tuple[SheetDrive, ...], Field(description="what stages of the protocol switch on")] = ()
     measure: Annotated[tuple[SheetMeasure, ...], Field(description="what is watched, for goals and tables")] = ()
@@ -33,13 +36,14 @@ class SheetDesign(Design):
     @property
     def sheet(self) -> CreasePattern:
         """The crease pattern, as built."""
-        sheet: CreasePattern = self.pattern.sheet
-        return sheet
+        return _drawn(self.pattern)
 
     @property
-    def held_facet(self) -> int:
-        """Number of the facet that is held, of hinged rigid ones."""
-        return facet_of(self.sheet, self.support[0].of) if self.support else 0
+    def held_facets(self) -> tuple[int, ...]:
+        """Numbers of the facets that are held, of rigid ones."""
+        if self.support or self.opens:
+            return tuple(facet_of(self.sheet, support.of) for support in self.support)
+        return (0,)
 
     @property
     def opens(self) -> bool:
@@ -65,3 +69,10 @@ class SheetDesign(Design):
     def _fits_together(self) -> SheetDesign:
         check_sheet(self)
         return self
+
+
+@lru_cache(maxsize=64)
+def _drawn(pattern: Any) -> CreasePattern:
+    """The sheet of a pattern, which is asked for again and again while it is built."""
+    sheet: CreasePattern = pattern.sheet
+    return sheet

@@ -62,9 +62,7 @@ class CreaseGroup(Part):
         ANGLE, "beyond which a locking spring stiffens", default=None, above=0, below=math.pi, examples=["135 deg"]
     )
     damping: float | None = quantity(CREASE_DAMPING, "viscous damping by length", default=None, at_least=0)
-    extension: float | None = quantity(
-        EXTENSION, "of springs in which they open, by length", default=None, above=0
-    )
+    extension: float | None = quantity(EXTENSION, "of springs in which they open, by length", default=None, above=0)
     extension_damping: float | None = quantity(
         EXTENSION_DAMPING, "damping of their opening, by length", default=None, at_least=0
     )
