@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.analysis.crossing_plates import crossing_plates
+from forficula.analysis.crossing_facets import facets_that_cross
 from forficula.analysis.outcome import early_goal
 from forficula.dynamics import Record
 
@@ -17,21 +17,20 @@ def run_warnings(record: Record) -> list[str]:
     early = [early_goal(record, end) for end in record.stages]
     return [
         *filter(None, early),
-        *_crossing_plates(record),
+        *_crossing_facets(record),
         *_fast_tendons(record),
     ]
 
 
-def _crossing_plates(record: Record) -> list[str]:
-    """Of the plates that are the first to pass through each other, and how many others do."""
-    found = crossing_plates(record)
+def _crossing_facets(record: Record) -> list[str]:
+    """Of the facets that are the first to pass through each other, and how many others do."""
+    found = facets_that_cross(record)
     if not found:
         return []
-    bodies = [record.structure.bodies[record.structure.plates[plate].body] for plate in found[0].plates]
-    names = " and ".join(f"{body.role} {body.name.removeprefix(body.role)}" for body in bodies)
-    more = len(found) - 1
+    names, more = " and ".join(found[0].names), len(found) - 1
     others = f", and {more} more pair{'s' * (more > 1)} later" if more else ""
-    return [f"{names} pass through each other from {found[0].time:.3g} s{others}: plates do not touch each other"]
+    kind = "plates" if record.structure.plates else "facets"
+    return [f"{names} pass through each other from {found[0].time:.3g} s{others}: {kind} do not touch each other"]
 
 
 def _fast_tendons(record: Record) -> list[str]:

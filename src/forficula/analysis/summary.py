@@ -8,6 +8,7 @@ import numpy as np
 
 from forficula.analysis.outcome import Outcome, StageOutcome, State, TransitionOutcome
 from forficula.analysis.run_warnings import run_warnings
+from forficula.analysis.strength import FoldPeak, Peak, fold_peak, strain_peaks
 from forficula.dynamics import EnergyBalance, Record
 from forficula.structure import Structure, drive_of, hinge_groups, structure_warnings
 
@@ -26,7 +27,10 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[
         "residual": outcome.ending.residual,
         "advice": outcome.advice,
     }
+    furthest = fold_peak(record)
     last = {
+        "largest_strains": {peak.kind: _peak_summary(peak) for peak in strain_peaks(record)},
+        **({} if furthest is None else {"furthest_fold": _fold_summary(furthest)}),
         "energy_balance": _balance_summary(outcome.energy_balance),
         "diverged_at_s": record.diverged_at,
         "warnings": [*structure_warnings(record.design, structure), *run_warnings(record)],
@@ -82,6 +86,15 @@ def _transition_summary(transition: TransitionOutcome | None, torque: float) -> 
         "time_s": transition.time,
         "work_J": transition.work,
     }
+
+
+def _peak_summary(peak: Peak) -> dict[str, Any]:
+    stress = {} if peak.stress is None else {"stress_Pa": peak.stress}
+    return {"strain": peak.strain, **stress, "part": peak.part, "time_s": peak.time}
+
+
+def _fold_summary(furthest: FoldPeak) -> dict[str, Any]:
+    return {"angle_deg": float(np.degrees(furthest.angle)), "crease": furthest.crease, "time_s": furthest.time}
 
 
 def _stage_summary(stage: StageOutcome) -> dict[str, Any]:

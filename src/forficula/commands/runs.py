@@ -66,7 +66,7 @@ def run(
 
     from forficula.analysis import measure, run_warnings
     from forficula.dynamics import timestep_warnings
-    from forficula.show import print_outcome, run_progress, write_run
+    from forficula.show import print_outcome, print_strength, run_progress, write_run
     from forficula.show.progress import waiting
     from forficula.structure import structure_of, structure_warnings
     from forficula.study.runs import run as run_design
@@ -84,6 +84,7 @@ def run(
     outcome = measure(record)
     write_run(record, outcome, folder)
     print_outcome(chosen.name, outcome, record.structure)
+    print_strength(record)
     verdicts = [outcome.verdict, *_cycle(chosen, cycles, folder)]
     print(f"\nwritten to {folder}")
     return exit_status(verdicts, tolerate=tolerate)

@@ -27,11 +27,12 @@ def stops(design: SheetDesign, edge: int, crease: Crease) -> tuple[float, float]
     """The least and the largest angle of a crease in its own sense, rad; infinite where nothing stops it.
 
     A rigid facet that no limit is given for folds onto its neighbour and, but at a crease that is not assigned, not the
-    other way. A crease that opens has no stop of its own accord.
+    other way. A crease that opens folds both ways.
     """
     back, fold = math.inf, math.inf
-    if design.facet.kind == "rigid" and crease.extension is None:
-        back, fold = math.pi if design.sheet.edges_assignment[edge] == "U" else 0.0, math.pi
+    if design.facet.kind == "rigid":
+        both = crease.extension is not None or design.sheet.edges_assignment[edge] == "U"
+        back, fold = math.pi if both else 0.0, math.pi
     low = -(back if crease.back_limit is None else crease.back_limit)
     return low, fold if crease.fold_limit is None else crease.fold_limit
 

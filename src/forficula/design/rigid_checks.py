@@ -47,17 +47,22 @@ def check_rigid(design: SheetDesign) -> None:
         off = np.linalg.svd(places - places.mean(axis=0), compute_uv=False)
         if off[2] > _OFF_PLANE * off[0]:
             raise InputError(f"facet.kind: need flat facets to be rigid, got facet {facet}, which is not; {_INSTEAD}")
+    creases = creases_by_edge(design)
+    opening = [edge for edge, crease in creases.items() if crease.extension is not None]
     try:
-        links = facet_tree(sheet)
+        links = facet_tree(sheet, apart=opening)
     except InputError as error:
         raise InputError(f"pattern: {error}; {_INSTEAD}") from None
-    creases = creases_by_edge(design)
-    if design.opens:
-        shut = [edge for edge, crease in creases.items() if crease.extension is None]
-        if shut:
-            raise InputError(f"crease.extension: need one for every crease or for none, got none for crease {shut[0]}")
-        return
-    if not any(link.closes for link in links):
+    try:
+        facet_tree(sheet, design.held_facets, opening)
+    except InputError as error:
+        raise InputError(f"support: {error}") from None
+    closing = [link.edge for link in links if link.closes]
+    if closing and opening:
+        raise InputError(
+            f"crease.extension: need a crease that opens in every loop, or in none, got none in that of crease {closing[0]}"
+        )
+    if not closing:
         return
     # what may bend either way has no sense to be folded in
     letters = tuple(

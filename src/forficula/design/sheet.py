@@ -24,7 +24,8 @@ class SheetDesign(Design):
     crease: Crease = Crease()
     tendon: Annotated[tuple[SheetTendon, ...], Field(description="springs between two places, which only pull")] = ()
     support: Annotated[
-        tuple[Support, ...], Field(description="what is held; of hinged rigid facets one is, facet 0 if not given")
+        tuple[Support, ...],
+        Field(description="what is held; where no crease opens between rigid facets, facet 0 if not given"),
     ] = ()
     drive: Annotated[tuple[SheetDrive, ...], Field(description="what stages of the protocol switch on")] = ()
     measure: Annotated[tuple[SheetMeasure, ...], Field(description="what is watched, for goals and tables")] = ()
@@ -37,9 +38,11 @@ class SheetDesign(Design):
         return sheet
 
     @property
-    def held_facet(self) -> int:
-        """Number of the facet that is held, of hinged rigid ones."""
-        return facet_of(self.sheet, self.support[0].of) if self.support else 0
+    def held_facets(self) -> tuple[int, ...]:
+        """Numbers of the facets that are held, of rigid ones."""
+        if self.support or self.opens:
+            return tuple(facet_of(self.sheet, support.of) for support in self.support)
+        return (0,)
 
     @property
     def opens(self) -> bool:

@@ -15,6 +15,8 @@ _OVERLAPPING, _OTHERS = 1, 2
 # MuJoCo hardens a contact over 0.001 of its length unit, which would be another share of every structure; the other
 # numbers are its defaults.
 _SOFT_SHARE = 0.02
+# in whose axes forces on plates point
+GROUND_SITE = "ground"
 
 
 def add_bodies(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> None:
@@ -31,7 +33,9 @@ def add_bodies(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> No
         mujoco.mju_mat2Quat(frame, body.frame.ravel())
         parent = spec.worldbody if body.parent == GROUND else bodies[body.parent]
         bodies.append(parent.add_body(name=body.name, pos=body.position, quat=frame))
-        if body.slides:
+        if body.turns:
+            bodies[-1].add_joint(name=body.name, type=mujoco.mjtJoint.mjJNT_FREE)
+        elif body.slides:
             _add_node(bodies[-1], body)
     for closure in structure.closures:
         _add_mass(bodies[closure.bodies[1]], closure.bodies[1], structure)
@@ -50,6 +54,8 @@ def add_bodies(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> No
         _add_hinge(bodies[hinge.body], hinge, timestep)
         if number in driven:
             _add_motor(spec, hinge)
+    if structure.plates and any(motor.points for motor in structure.motors):
+        spec.worldbody.add_site(name=GROUND_SITE)
     for motor in structure.motors:
         if motor.points:
             _add_force(spec, motor, structure)
@@ -62,6 +68,7 @@ def engine_sites(structure: Structure) -> list[int]:
     pairs += [measure.points for measure in structure.measures if measure.points is not None]
     pairs += [pair for closure in structure.closures for pair in closure.points]
     ends = {number for pair in pairs for number in pair}
+    ends |= {number for motor in structure.motors for number in motor.points} if structure.plates else set()
     return [number for number, point in enumerate(structure.points) if point.place.any() or number in ends]
 
 
@@ -124,6 +131,7 @@ def _add_hinge(body: mujoco.MjsBody, hinge: Hinge, timestep: float) -> None:
         damping=[hinge.damping, 0, 0],
         armature=hinge.armature,
         limited=limited,
+        ref=hinge.sense * hinge.built,
         range=[0, 0] if not limited else [low, high] if hinge.sense > 0 else [-high, -low],
         solref_limit=stop_reference(timestep),
     )
@@ -145,13 +153,22 @@ def force_name(motor: str) -> str:
 
 
 def _add_force(spec: mujoco.MjSpec, motor: Motor, structure: Structure) -> None:
-    """Add a force of one direction at points: on a tendon whose length is the sum of their ways along it."""
+    """Add a force of one direction at points: on plates at sites, on nodes on a tendon, the sum of their ways along it."""
     name, direction = force_name(motor.name), motor.direction
+    if direction is None:
+        return
+    if structure.plates:
+        for point in motor.points:
+            force = spec.add_actuator(name=f"{name}_{point}", target=structure.points[point].name)
+            force.trntype, force.refsite = mujoco.mjtTrn.mjTRN_SITE, GROUND_SITE
+            force.gear = [*direction, 0, 0, 0]
+            force.set_to_motor()
+        return
     way = spec.add_tendon(name=name)
     for point in motor.points:
         body = structure.bodies[structure.points[point].body]
         for axis in body.slides:
-            if direction is not None and direction[axis]:
+            if direction[axis]:
                 way.wrap_joint(slide_name(body.name, axis), direction[axis])
     force = spec.add_actuator(name=name, target=name, trntype=mujoco.mjtTrn.mjTRN_TENDON)
     force.set_to_motor()

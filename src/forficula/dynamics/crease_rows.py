@@ -9,6 +9,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +23,8 @@ Indices = NDArray[np.int64]
 
 # numbers of a row: of a quadratic form of its four nodes, and one of their determinant
 _FORM, _ROW = 16, 17
+# the right flap runs the other way along the edge
+_UP = np.array([1.0, -1.0])[None, :, None, None]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -69,67 +72,62 @@ class CreaseRows:
         Returns:
             In own senses and without jumps, rad, (structure, crease); and (structure, crease, 17).
         """
-        tail, head, left, right = self._corners(self.built[which], positions)
-        edge, one, other = head - tail, left - tail, right - tail
-        first, second = cross(edge, one), cross(other, edge)
-        square, area, other_area = dot(edge, edge), dot(first, first), dot(second, second)
-        length, volume = np.sqrt(square), dot(other, first)
-        share, other_share = dot(one, edge) / square, dot(other, edge) / square
+        every = len(which) == len(self.built)
+        law = self.law if every else self.law.some(which)
         senses = self.senses[which]
-        angles = without_jump(senses * np.arctan2(length * volume, dot(first, second)), near)
-
-        tail, head, left, right = self._corners(np.zeros_like(self.built[which]), velocities)
-        turning = dot(first, left - tail - share * (head - tail)) / area
-        turning += dot(second, right - tail - other_share * (head - tail)) / other_area
+        edge, away = self._sides(self.built[which], positions)
+        edge_moves, moves = self._sides(None, velocities)
+        # of the left and the right flap, whose normals are up in a flat sheet
+        normals = cross(edge[:, None], away) * _UP
+        square, area = dot(edge, edge), dot(normals, normals)
+        length, share = np.sqrt(square), dot(away, edge[:, None]) / square
+        volume = dot(away[:, 1], normals[:, 0])
+        angles = without_jump(senses * np.arctan2(length * volume, dot(normals[:, 0], normals[:, 1])), near)
+        turning = length * (dot(normals, moves - share * edge_moves[:, None]) / area).sum(axis=0)
         rests, torques = (np.einsum("rm,rmc->rc", efforts, each[which]) for each in (self.rests, self.torques))
-        law = self.law.some(which)
-        moment = law.moment(angles, rests) + self.damping[which] * senses * length * turning - torques
-        slope = law.slope(angles)
+        moment, slope = law.moment_and_slope(angles, rests)
+        moment = moment + self.damping[which] * senses * turning - torques
         # of the angle between the flaps, whose sense the row has
         rest = senses * (angles - np.arctan2(moment, slope))
         size, moment = np.hypot(moment, slope), senses * moment
         cosine, sine = size * np.cos(rest), size * np.sin(rest)
 
         # with the cotangent weights c of the nodes over |edge|, |c x|^2 = 2 (1 - cos angle) (Wardetzky et al. 2007)
-        high, other_high = length / np.sqrt(area), length / np.sqrt(other_area)
-        weights = np.stack(
-            [
-                (1 - share) * high + (1 - other_share) * other_high,
-                share * high + other_share * other_high,
-                -high,
-                -other_high,
-            ]
-        )
-        last = -sine * high * other_high / length
+        high = length / np.sqrt(area)
+        weights = np.empty((4, *angles.shape))
+        weights[1] = (share * high).sum(axis=0)
+        weights[0] = high.sum(axis=0) - weights[1]
+        weights[2:] = -high
+        last = -sine * high[0] * high[1] / length
         # such a row pulls within the flaps, too, as soon as they are not in one plane: force densities along their
         # sides take that back, so that the force is that of the moment
-        pull = cosine * (weights[1] * edge + weights[2] * one + weights[3] * other)
+        pull = cosine * (weights[1] * edge + weights[2] * away[:, 0] + weights[3] * away[:, 1])
+        wrong = weights[2:] * pull[:, None] + last * normals[:, ::-1] - moment * length / area * normals
+        along, off = dot(wrong, edge[:, None]), dot(wrong, away)
+        across, own = share * square, dot(away, away)
         densities = np.zeros((4, 4, *angles.shape))
-        for corner, away, wrong, normal in (
-            (2, one, weights[2] * pull + last * second - moment * length / area * first, area),
-            (3, other, weights[3] * pull + last * first - moment * length / other_area * second, other_area),
-        ):
-            along, across, own = dot(wrong, edge), dot(edge, away), dot(away, away)
-            off = dot(wrong, away)
-            densities[corner, 1] = (along * own - off * across) / normal
-            densities[corner, 0] = (along * across - off * square) / normal - densities[corner, 1]
+        densities[2:, 1] = (along * own - off * across) / area
+        densities[2:, 0] = (along * across - off * square) / area - densities[2:, 1]
         at_tail = weights[0] * dot(pull, edge) - last * volume
-        at_tail -= square * (densities[2, 0] * share + densities[3, 0] * other_share)
-        densities[1, 0] = at_tail / square
+        densities[1, 0] = at_tail / square - (densities[2:, 0] * share).sum(axis=0)
         densities += np.swapaxes(densities, 0, 1)
         form = cosine * weights[:, None] * weights[None] - densities
         form[range(4), range(4)] += densities.sum(axis=0)
         rows = np.empty((*angles.shape, _ROW))
-        every = np.moveaxis(form.reshape(_FORM, *angles.shape), 0, -1)
-        rows[..., :_FORM] = np.take_along_axis(every, np.broadcast_to(self.form, every.shape), axis=-1)
+        rows[..., :_FORM] = form.reshape(_FORM, *angles.shape)[self.form.T, :, self._columns].transpose(2, 1, 0)
         rows[..., _FORM] = self.parity * last
         return angles, rows
 
-    def _corners(self, built: Array, shifts: Array) -> Array:
-        """Tails, heads, left and right corners, (4, 3, structure, crease)."""
+    @property
+    def _columns(self) -> Indices:
+        return np.arange(len(self.flaps))
+
+    def _sides(self, built: Array | None, shifts: Array) -> tuple[Array, Array]:
+        """From tails to heads, (3, structure, crease), and to the corners on the left and right, (3, 2, ...)."""
         held = np.concatenate([shifts, np.zeros((len(shifts), 1))], axis=1)
-        nodes = built + held[:, self.slides]
-        return np.ascontiguousarray(np.transpose(nodes[:, self.flaps], (2, 3, 0, 1)))
+        nodes = held[:, self.slides] if built is None else built + held[:, self.slides]
+        tail, head, left, right = np.transpose(nodes[:, self.flaps], (2, 3, 0, 1))
+        return head - tail, np.stack([left - tail, right - tail], axis=1)
 
 
 def crease_rows(models: Sequence[Model]) -> CreaseRows | None:
@@ -138,9 +136,6 @@ def crease_rows(models: Sequence[Model]) -> CreaseRows | None:
     if not creases:
         return None
     order, flaps = creases[0].order, models[0].folds.flaps
-    unit = [np.eye(len(model.structure.motors)) for model in models]
-    settings = [model.settings(each) for model, each in zip(models, unit, strict=True)]
-    laws = [each.law for each in creases]
     return CreaseRows(
         built=np.array([model.folds.built for model in models]),
         slides=models[0].folds.slides,
@@ -148,6 +143,17 @@ def crease_rows(models: Sequence[Model]) -> CreaseRows | None:
         rows=creases[0].rows,
         form=(4 * order[:, :, None] + order[:, None, :]).reshape(-1, _FORM),
         parity=np.where(order[:, 0] == order[:, 2] - 2, 1.0, -1.0),
+        **stacked_creases(models),
+    )
+
+
+def stacked_creases(models: Sequence[Model]) -> dict[str, Any]:
+    """Senses, law, damping and what motors do, of the creases of structures of one topology, as `CreaseRows` has them."""
+    creases = [model.creases for model in models if model.creases is not None]
+    unit = [np.eye(len(model.structure.motors)) for model in models]
+    settings = [model.settings(each) for model, each in zip(models, unit, strict=True)]
+    laws = [each.law for each in creases]
+    return dict(
         senses=np.array([each.senses for each in creases], dtype=np.float64),
         law=CreaseLaw(
             **{

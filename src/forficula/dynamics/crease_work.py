@@ -6,7 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.dynamics.model import Model
+from forficula.dynamics.placement import Placement
 from forficula.dynamics.stepper import Steps
+from forficula.structure import Motor, Structure
 
 Array = NDArray[np.float64]
 
@@ -78,4 +80,18 @@ def motor_travel(model: Model, position: Array, travel: Array) -> Array:
             along[number] = np.sum(gains[order] * turned, axis=-1)
         elif motor.kind == "force":
             along[number] = np.sum(model.pushed[number] * travel, axis=-1)
+            if model.folds.placement is not None:
+                along[number] = _pushed_on(model.in_units, model.folds.placement, motor, position, travel)
     return along
+
+
+def _pushed_on(structure: Structure, placement: Placement, motor: Motor, position: Array, travel: Array) -> Array:
+    """How far small shifts take points of plates along a force, (...)."""
+    origins, frames = placement.poses(position)
+    moves, turns = placement.rates(origins, frames, travel)
+    bodies = [structure.points[point].body for point in motor.points]
+    places = np.array([structure.points[point].place for point in motor.points])
+    arms = (frames[..., bodies, :, :] @ places[..., None])[..., 0]
+    return np.asarray(
+        np.sum((moves[..., bodies, :] + np.cross(turns[..., bodies, :], arms)) @ motor.direction, axis=-1)
+    )

@@ -28,8 +28,9 @@ class Creases:
     """The creases of a structure in the engine's model.
 
     Attributes:
-        rows: of each in the engine's flex_bending, (crease,).
-        order: which of tail, head, left and right corner each of the four nodes of a row is, (crease, 4).
+        rows: of each in the engine's flex_bending, (crease,); three a crease between plates that turn.
+        order: which of tail, head, left and right corner each of the four nodes of a row is, (row, 4); between plates
+            that turn, of start and end of a direction of the left one and of the right one's normal.
         senses: +1 or -1, (crease,).
         law: of the springs and stops, arrays (crease,), in own senses and the model's units.
         damping: (crease,), in the model's units.
@@ -47,18 +48,52 @@ def add_creases(spec: mujoco.MjSpec, structure: Structure) -> None:
     flaps = crease_flaps(structure)
     if not len(flaps):
         return
+    if structure.plates:
+        _add_couples(spec, structure)
+        return
     points, corners = np.unique(flaps, return_inverse=True)
     corners = corners.reshape(-1, 6)
     triangles = {tuple(sorted(each)): each for each in corners[:, [1, 0, 2]][:, [1, 0, 2]].tolist()}
     # counterclockwise, as the left one is; the right one runs the other way along the crease
     for each in corners[:, [4, 3, 5]].tolist():
         triangles.setdefault(tuple(sorted(each)), each)
+    bodies = [structure.bodies[structure.points[point].body].name for point in points.tolist()]
+    _add_flex(spec, bodies, np.zeros(3 * len(points)), np.ravel(list(triangles.values())))
+
+
+def _add_flex(spec: mujoco.MjSpec, bodies: list[str], places: Array, triangles: Array) -> None:
     flex = spec.add_flex(
         name="creases", dim=2, radius=1e-3, young=1, thickness=1, elastic2d=1, contype=0, conaffinity=0, selfcollide=0
     )
-    flex.vertbody = [structure.bodies[structure.points[point].body].name for point in points.tolist()]
-    flex.vert = np.zeros(3 * len(points))
-    flex.elem = np.ravel(list(triangles.values()))
+    flex.vertbody, flex.vert, flex.elem = bodies, places, triangles
+
+
+def _add_couples(spec: mujoco.MjSpec, structure: Structure) -> None:
+    """Add four nodes for every row of a crease between plates: start and end of a direction of each.
+
+    Of the left one its normal, what is square to that and to the crease, and along the crease; of the right one its
+    normal; all as long as the crease.
+    """
+    bodies: list[str] = []
+    places: list[Array] = []
+    for flaps in crease_flaps(structure).tolist():
+        corners = np.array([structure.points[point].place for point in flaps])
+        left, right = (structure.bodies[structure.points[flaps[place]].body].name for place in (0, 3))
+        along, length = corners[1] - corners[0], float(np.linalg.norm(corners[1] - corners[0]))
+        normal = np.cross(along, corners[2] - corners[0])
+        other = np.cross(corners[5] - corners[3], corners[4] - corners[3])
+        for direction in (normal, np.cross(normal, along), along):
+            bodies += [left, left, right, right]
+            places += [corners[0], corners[0] + length * direction / np.linalg.norm(direction)]
+            places += [corners[3], corners[3] + length * other / np.linalg.norm(other)]
+    first = np.arange(0, len(bodies), 4)
+    _add_flex(spec, bodies, np.ravel(places), (first[:, None] + [0, 1, 2, 1, 0, 3]).ravel())
+
+
+def _couples(engine: mujoco.MjModel, known: dict[tuple[frozenset[int], frozenset[int]], int], count: int) -> Indices:
+    """The edges of the rows of `_add_couples`."""
+    first = range(0, 12 * count, 4)
+    return np.array([known[frozenset((node, node + 1)), frozenset((node + 2, node + 3))] for node in first])
 
 
 def creases_of(engine: mujoco.MjModel, structure: Structure, folds: Folds) -> Creases | None:
@@ -74,7 +109,16 @@ def creases_of(engine: mujoco.MjModel, structure: Structure, folds: Folds) -> Cr
     first, count = int(engine.flex_edgeadr[flex]), int(engine.flex_edgenum[flex])
     edges = np.column_stack([engine.flex_edge, engine.flex_edgeflap])[first : first + count]
     known = {(frozenset(edge[:2]), frozenset(edge[2:])): number for number, edge in enumerate(edges.tolist())}
-    found = []
+    found: list[int] = []
+    if folds.placement is not None:
+        numbers = _couples(engine, known, len(hinges))
+        return Creases(
+            rows=numbers + _first_row(engine, flex),
+            order=np.asarray(edges[numbers] % 4, dtype=np.int64),
+            senses=np.array([hinge.sense for hinge in hinges], dtype=np.int64),
+            law=crease_law(structure, folds.creases),
+            damping=np.array([hinge.damping for hinge in hinges]),
+        )
     for hinge, (tail, head, left, _, _, right) in zip(hinges, folds.flaps.tolist(), strict=True):
         number = known.get((frozenset((tail, head)), frozenset((left, right))))
         if number is None:

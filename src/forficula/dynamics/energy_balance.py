@@ -104,7 +104,12 @@ def energy_balance(record: Record) -> EnergyBalance:
         springs=change.get("spring_energy"),
         # levers no longer than half the tendon
         at_hand=max(
-            (each.law.stiffness[0] * (each.longest / 2) ** 2 for each in record.structure.tendons), default=0.0
+            (
+                each.law.stiffness[0] * (each.longest / 2) ** 2
+                for each in record.structure.tendons
+                if np.isfinite(each.longest)
+            ),
+            default=0.0,
         ),
         # of a run that blew up, which ends with no number, none
         stored=max((each for each in ends if np.isfinite(each)), default=0.0),

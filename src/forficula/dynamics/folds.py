@@ -8,6 +8,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.dynamics.placement import Placement, placement_of
 from forficula.structure import Structure, built_points, crease_flaps, crease_numbers, flap_angles
 from forficula.structure.flaps import cross, dot
 
@@ -21,19 +22,27 @@ class Folds:
 
     Attributes:
         senses: +1 or -1 by hinge, (hinge,).
-        joints: place of each hinge in the engine's positions and velocities, (hinge,); -1 of a crease.
+        joints: place of each hinge in the engine's positions, (hinge,); -1 of a crease.
+        speeds: the same in its velocities, (hinge,).
         creases: numbers of the hinges that are creases, (crease,).
         flaps: nodes at the corners of their flaps, (crease, 6).
         built: these nodes in the built shape, in the model's units, (node, 3).
         slides: place of each node's coordinates in the engine's positions, (node, 3); -1 where it is held.
+        placement: of the bodies that carry the nodes; None where none of them turns.
+        carriers: number of the body of each node, (node,).
+        places: of the nodes in the axes of their bodies, in the model's units, (node, 3).
     """
 
     senses: Indices
     joints: Indices
+    speeds: Indices
     creases: Indices
     flaps: Indices
     built: Array
     slides: Indices
+    placement: Placement | None
+    carriers: Indices
+    places: Array
 
     def some(self, hinges: Indices) -> Folds:
         """Of some of the hinges only, by number."""
@@ -43,12 +52,13 @@ class Folds:
             self,
             senses=self.senses[hinges],
             joints=joints,
+            speeds=self.speeds[hinges],
             creases=which,
             flaps=self.flaps[np.searchsorted(self.creases, hinges[which])],
         )
 
     def angles(self, positions: Array) -> Array:
-        """Angles of all hinges in their own senses, rad, (..., hinge), from positions, (..., dof)."""
+        """Angles of all hinges in their own senses, rad, (..., hinge), from positions, (..., position)."""
         if not len(self.creases):
             return np.asarray(self.senses * positions[..., self.joints])
         angles = np.zeros((*positions.shape[:-1], len(self.senses)))
@@ -61,21 +71,34 @@ class Folds:
         """By how much small shifts of the positions turn all hinges in their own senses, rad, (..., hinge).
 
         Args:
-            positions: from which they are, (..., dof).
-            shifts: alike.
+            positions: from which they are, (..., position).
+            shifts: as velocities have their numbers, (..., dof).
         """
         if not len(self.creases):
-            return np.asarray(self.senses * shifts[..., self.joints])
+            return np.asarray(self.senses * shifts[..., self.speeds])
         turned = np.zeros((*shifts.shape[:-1], len(self.senses)))
         joints = self.joints >= 0
-        turned[..., joints] = (self.senses * shifts[..., self.joints])[..., joints]
-        turns = flap_turns(self.corners(positions), self._shifted(shifts)[..., self.flaps, :])
+        turned[..., joints] = (self.senses * shifts[..., self.speeds])[..., joints]
+        turns = flap_turns(self.corners(positions), self.moves(positions, shifts))
         turned[..., self.creases] = self.senses[self.creases] * turns
         return turned
 
     def corners(self, positions: Array) -> Array:
         """Where the corners of all flaps are, in the model's units, (..., crease, 6, 3)."""
-        return np.asarray((self.built + self._shifted(positions))[..., self.flaps, :])
+        if self.placement is None:
+            return np.asarray((self.built + self._shifted(positions))[..., self.flaps, :])
+        origins, frames = self.placement.poses(positions)
+        arms = (frames[..., self.carriers, :, :] @ self.places[..., None])[..., 0]
+        return np.asarray((origins[..., self.carriers, :] + arms)[..., self.flaps, :])
+
+    def moves(self, positions: Array, shifts: Array) -> Array:
+        """How small shifts move the corners of all flaps, in the model's units, (..., crease, 6, 3); see `travel`."""
+        if self.placement is None:
+            return np.asarray(self._shifted(shifts)[..., self.flaps, :])
+        origins, frames = self.placement.poses(positions)
+        moves, turns = (each[..., self.carriers, :] for each in self.placement.rates(origins, frames, shifts))
+        arms = (frames[..., self.carriers, :, :] @ self.places[..., None])[..., 0]
+        return np.asarray((moves + np.cross(turns, arms))[..., self.flaps, :])
 
     def _shifted(self, positions: Array) -> Array:
         """Shifts of the nodes, (..., node, 3)."""
@@ -87,19 +110,24 @@ def folds_of(engine: mujoco.MjModel, structure: Structure) -> Folds:
     """Find the hinges of a structure in the model's units, and the nodes of its creases, in the compiled model."""
     hinges = structure.hinges
     joints = [-1 if hinge.flaps else _address(engine, hinge.name) for hinge in hinges]
+    speeds = [-1 if hinge.flaps else _address(engine, hinge.name, "dofadr") for hinge in hinges]
     points, flaps = np.unique(crease_flaps(structure), return_inverse=True)
     slides = np.full((len(points), 3), -1, dtype=np.int64)
     for node, point in enumerate(points.tolist()):
         body = structure.bodies[structure.points[point].body]
-        for axis in body.slides:
+        for axis in () if body.turns else body.slides:
             slides[node, axis] = _address(engine, slide_name(body.name, axis))
     return Folds(
         senses=np.array([hinge.sense for hinge in hinges], dtype=np.int64),
         joints=np.array(joints, dtype=np.int64),
+        speeds=np.array(speeds, dtype=np.int64),
         creases=crease_numbers(structure),
         flaps=flaps.reshape(-1, 6).astype(np.int64),
         built=built_points(structure)[points],
         slides=slides,
+        placement=placement_of(structure) if structure.plates and len(flaps) else None,
+        carriers=np.array([structure.points[point].body for point in points.tolist()], dtype=np.int64),
+        places=np.array([structure.points[point].place for point in points.tolist()]).reshape(-1, 3),
     )
 
 
@@ -108,9 +136,9 @@ def slide_name(body: str, axis: int) -> str:
     return f"{body}_{'xyz'[axis]}"
 
 
-def _address(engine: mujoco.MjModel, joint: str) -> int:
-    """The place of a joint in the engine's positions."""
-    return int(engine.jnt_qposadr[mujoco.mj_name2id(engine, mujoco.mjtObj.mjOBJ_JOINT, joint)])
+def _address(engine: mujoco.MjModel, joint: str, of: str = "qposadr") -> int:
+    """The place of a joint in the engine's positions, or in its velocities."""
+    return int(getattr(engine, f"jnt_{of}")[mujoco.mj_name2id(engine, mujoco.mjtObj.mjOBJ_JOINT, joint)])
 
 
 def flap_turns(corners: Array, shifts: Array) -> Array:

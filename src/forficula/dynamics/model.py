@@ -46,7 +46,8 @@ class Model:
         folds: how its hinges' angles follow from the engine's positions.
         creases: those of its hinges that no joint makes; None where there are none.
         followed: steps over which the engine's rows of creases stay as they are.
-        pushed: by what each coordinate's shift takes the points of a force along it, (motor, dof); 0 for other motors.
+        pushed: by what each coordinate's shift takes the points of a force along it, (motor, dof); 0 for other motors
+            and on plates, where it changes.
         springs: index of each spring among the engine's tendons, (spring,).
         tendons: index of each tendon, (tendon,).
         distances: index of the tendon that measures each distance that is watched, (distance,).
@@ -270,7 +271,9 @@ def _followed(engine: mujoco.MjModel, structure: Structure) -> Indices:
     follows = np.full(engine.nu, -1, dtype=np.int64)
     for number, motor in enumerate(structure.motors):
         names = [structure.hinges[hinge].name for hinge in motor.hinges if not structure.hinges[hinge].flaps]
-        names += [force_name(motor.name)] if motor.points else []
+        force = force_name(motor.name)
+        on_plates = [f"{force}_{point}" for point in motor.points] if structure.plates else []
+        names += on_plates or ([force] if motor.points else [])
         follows[_indices(engine, mujoco.mjtObj.mjOBJ_ACTUATOR, names)] = number
     return follows
 
@@ -279,7 +282,7 @@ def _pushed(engine: mujoco.MjModel, structure: Structure) -> Array:
     """By what the shift of each coordinate takes the points of every force along it, (motor, dof)."""
     pushed = np.zeros((len(structure.motors), engine.nv))
     for number, motor in enumerate(structure.motors):
-        if motor.direction is None:
+        if motor.direction is None or structure.plates:
             continue
         for point in motor.points:
             body = structure.bodies[structure.points[point].body]

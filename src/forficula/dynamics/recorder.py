@@ -185,7 +185,7 @@ def _angles(
     recorders: Sequence[Recorder], steps: Steps, structure: NDArray[np.int64], before: NDArray[np.int64]
 ) -> Array:
     """Angles of all hinges in the states that are kept, in own senses, rad, (row, hinge)."""
-    positions = steps.states(structure, before, slice(1, 1 + steps.dof))
+    positions = steps.states(structure, before, slice(1, 1 + steps.positions))
     if steps.angles is None:
         return np.asarray(np.array([each.model.folds.senses for each in recorders])[structure] * positions)
     angles = np.zeros((len(positions), len(recorders[0].model.folds.senses)))

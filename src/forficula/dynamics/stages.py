@@ -236,9 +236,12 @@ class StageTracker:
 
 
 def _rest_speeds(model: Model) -> Array:
-    """Below which a structure rests, by unit of time, (dof,): of joints as it is, of slides by the structure's size."""
+    """Below which a structure rests, by unit of time, (dof,): of turns as it is, of slides by the structure's size."""
     speed = model.design.protocol.rest_speed / (1 / model.units.time)
-    slides = np.array(model.engine.jnt_type) == mujoco.mjtJoint.mjJNT_SLIDE
+    engine, kinds = model.engine, mujoco.mjtJoint
+    joint = np.array(engine.dof_jntid)
+    kind, place = np.array(engine.jnt_type)[joint], np.arange(engine.nv) - np.array(engine.jnt_dofadr)[joint]
+    slides = (kind == kinds.mjJNT_SLIDE) | ((kind == kinds.mjJNT_FREE) & (place < 3))
     return np.where(slides, speed * model.in_units.span, speed)
 
 
@@ -249,10 +252,12 @@ def _longest_rest(model: Model) -> float:
 
 
 def _far_beyond(model: Model) -> tuple[Array, Array]:
-    """Positions far beyond the stops of hinges, (dof,) each, which no sound run comes to."""
-    limited = np.array(model.engine.jnt_limited, dtype=bool)
-    low, high = np.where(limited[:, None], model.engine.jnt_range, (-np.inf, np.inf)).T
-    return low - _FAR, high + _FAR
+    """Positions far beyond the stops of hinges, (position,) each, which no sound run comes to."""
+    engine = model.engine
+    limited = np.array(engine.jnt_limited, dtype=bool)
+    ends = np.full((2, engine.nq), [[-np.inf], [np.inf]])
+    ends[:, np.array(engine.jnt_qposadr)[limited]] = np.array(engine.jnt_range)[limited].T
+    return ends[0] - _FAR, ends[1] + _FAR
 
 
 def _first(holds: NDArray[np.bool_], count: int) -> Numbers:

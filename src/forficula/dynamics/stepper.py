@@ -20,6 +20,7 @@ from forficula.dynamics.crease_rows import crease_rows, without_jump
 from forficula.dynamics.creases import engine_rows
 from forficula.dynamics.folds import Folds
 from forficula.dynamics.model import Model
+from forficula.dynamics.plate_creases import plate_rows
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -40,7 +41,8 @@ class Steps:
     """Steps of some structures, in their models' units; the stepper's next ones overwrite them.
 
     Attributes:
-        dof: number of joints.
+        positions: how many numbers a position has.
+        dof: how many a velocity has: one less for every body that turns freely.
         inner: where in what a step changes the forces of Maxwell branches ("act") and the resting lengths of tendons
             that yield ("plastic") are, if there are any, by MuJoCo's names.
         before: what a step changes, before the first step, (structure, number): time, positions, velocities, and more.
@@ -54,6 +56,7 @@ class Steps:
         followed: steps of a block.
     """
 
+    positions: int
     dof: int
     inner: Mapping[str, slice]
     before: Array
@@ -71,23 +74,23 @@ class Steps:
 
     @property
     def position(self) -> Array:
-        """After each step, (structure, step, dof)."""
-        return self.after[:, :, 1 : 1 + self.dof]
+        """After each step, (structure, step, position)."""
+        return self.after[:, :, 1 : 1 + self.positions]
 
     @property
     def velocity(self) -> Array:
         """After each step, (structure, step, dof)."""
-        return self.after[:, :, 1 + self.dof : 1 + 2 * self.dof]
+        return self.after[:, :, 1 + self.positions : 1 + self.positions + self.dof]
 
     @property
     def velocity_before(self) -> Array:
         """Before the first step, (structure, dof)."""
-        return self.before[:, 1 + self.dof : 1 + 2 * self.dof]
+        return self.before[:, 1 + self.positions : 1 + self.positions + self.dof]
 
     @property
     def position_before(self) -> Array:
-        """Before the first step, (structure, dof)."""
-        return self.before[:, 1 : 1 + self.dof]
+        """Before the first step, (structure, position)."""
+        return self.before[:, 1 : 1 + self.positions]
 
     def angles_of(self, folds: Folds, structure: int, positions: Array, step: Indices, hinges: Indices) -> Array:
         """Angles of some hinges of a structure in own senses, without jumps, rad, (state, hinge).
@@ -178,7 +181,7 @@ class Stepper:
         self._memory = deque([_memory(models, self._names, chunk, len(self._moving)) for _ in range(2)])
         # where the creases of each were last, without jumps
         self._angles = np.array([_start_creases(each) for each in models])
-        self._creases = crease_rows(models)
+        self._creases = crease_rows(models) if models[0].folds.placement is None else plate_rows(models)
         self._blocks = deque(
             [np.empty((len(models), chunk // models[0].followed, len(self._angles[0]))) for _ in range(2)]
         )
@@ -209,6 +212,7 @@ class Stepper:
         parts = [slice(*pair) for pair in itertools.pairwise(bounds)]
         late = {name: np.empty_like(mine[name]) for name in self._names} if self._explicit else None
         steps = Steps(
+            positions=self._structures[0].engine.nq,
             dof=self._structures[0].engine.nv,
             inner=self._inner,
             before=self._state[np.ix_(rows, self._moving)],
@@ -248,8 +252,8 @@ class Stepper:
         if steps.angles is not None:
             for place, (row, step) in enumerate(zip(rows.tolist(), taken.tolist(), strict=True)):
                 near = steps.angles[place, min(step // steps.followed, steps.angles.shape[1] - 1)]
-                folds, dof = self._structures[row].folds, steps.dof
-                position = self._state[row, self._moving][1 : 1 + dof]
+                folds = self._structures[row].folds
+                position = self._state[row, self._moving][1 : 1 + steps.positions]
                 self._angles[row] = without_jump(folds.angles(position)[folds.creases], near)
 
     def follow_leader(self, row: int, leader: int) -> None:
@@ -347,10 +351,11 @@ class Stepper:
 
     def _set_creases(self, rows: Indices, near: Array, efforts: Array) -> Array:
         """Give the creases of structures what they have where they are; their angles, without jumps, (row, crease)."""
-        creases, dof = self._creases, self._structures[0].engine.nv
+        creases, engine = self._creases, self._structures[0].engine
         assert creases is not None
-        moving = self._state[np.ix_(rows, self._moving)]
-        angles, values = creases.follow(rows, moving[:, 1 : 1 + dof], moving[:, 1 + dof : 1 + 2 * dof], near, efforts)
+        moving = self._state[np.ix_(rows, self._moving)][:, 1:]
+        position, velocity = moving[:, : engine.nq], moving[:, engine.nq : engine.nq + engine.nv]
+        angles, values = creases.follow(rows, position, velocity, near, efforts)
         for row, own in zip(rows.tolist(), values, strict=True):
             engine_rows(self._models[row])[creases.rows] = own
         return angles
@@ -405,13 +410,13 @@ def _start_states(models: Sequence[Model]) -> Array:
     """What the structures start in, (structure, number)."""
     batch = Batch(models[0].engine, len(models), 1)
     batch.set_models([model.engine for model in models])
-    batch.bind("qpos")[:] = [start_position(model) for model in models]
+    batch.bind("qpos")[:] = [_start_position(model) for model in models]
     if batch.model.nplastic:
         batch.bind("plastic")[:] = [_start_creep(model) for model in models]
     return np.array(batch.state)
 
 
-def start_position(model: Model) -> Array:
+def _start_position(model: Model) -> Array:
     """Positions at the start; what slides starts where it is built."""
     position = np.array(model.engine.qpos0)
     for hinge, place in zip(model.structure.hinges, model.folds.joints.tolist(), strict=True):
@@ -424,7 +429,7 @@ def _start_creep(model: Model) -> Array:
     """Plastic state at the start: a tendon that the start stretches too far has yielded when it was put there."""
     engine = model.engine
     data = mujoco.MjData(engine)
-    data.qpos[:] = start_position(model)
+    data.qpos[:] = _start_position(model)
     mujoco.mj_forward(engine, data)
     plastic = np.asarray(data.plastic.copy())
     for tendon, place, creep in zip(model.in_units.tendons, model.tendons, model.creep, strict=True):

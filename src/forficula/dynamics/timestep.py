@@ -13,7 +13,6 @@ from scipy.optimize import brentq
 from forficula.design import Design, with_values
 from forficula.dynamics.model import Model, compile_model
 from forficula.dynamics.node_modes import node_timestep
-from forficula.dynamics.stepper import start_position
 from forficula.errors import InputError
 from forficula.material.law.tendon_law import TendonBranch
 from forficula.structure import structure_of, tendon_arms
@@ -67,7 +66,7 @@ def stable_timestep(design: Design) -> float:
     shape, nearly all of the limit as built is taken: see `node_timestep`.
     """
     structure = structure_of(design)
-    if any(body.slides for body in structure.bodies):
+    if any(body.slides for body in structure.bodies) or any(hinge.flaps for hinge in structure.hinges):
         return _KEPT * node_timestep(structure)
     # what is linearised does not depend on the step it is compiled with
     any_step = {"protocol": design.protocol.model_copy(update={"timestep": _LONGEST})}
@@ -135,9 +134,6 @@ def _explicit_limit(linear: _Linear, branches: Sequence[tuple[int, TendonBranch]
 def _as_built(model: Model) -> _Linear:
     engine = model.engine
     data = mujoco.MjData(engine)
-    if model.explicit:
-        # bodies are built unfolded
-        data.qpos[:] = start_position(model)
     mujoco.mj_forward(engine, data)
     inertia = np.zeros((engine.nv, engine.nv))
     mujoco.mj_fullM(engine, data, inertia)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -36,7 +36,9 @@ class FacetLink:
     closes: bool = False
 
 
-def facet_tree(pattern: CreasePattern, root: int = 0) -> tuple[FacetLink, ...]:
+def facet_tree(
+    pattern: CreasePattern, root: int | Sequence[int] = 0, apart: Collection[int] = ()
+) -> tuple[FacetLink, ...]:
     """Hang all facets of a sheet on one of them, by as few creases as can be.
 
     Facets hang together along mountains, valleys, unassigned and flat edges, not along cuts. Nothing moves at a flat
@@ -44,33 +46,46 @@ def facet_tree(pattern: CreasePattern, root: int = 0) -> tuple[FacetLink, ...]:
 
     Args:
         pattern: with faces counterclockwise.
-        root: the facet that the others hang on.
+        root: the facet that the others hang on, or several that do not hang together.
+        apart: numbers of edges at which facets do not hang together, like cuts; what hangs on no root then hangs on the
+            first of it.
 
     Returns:
         The facets depth first: each follows its parent, and all that hangs on it follows before anything else, the
         creases that close loops on its right last.
 
     Raises:
-        InputError: no such facet, an edge between facets that says nothing of them, a crease within what flat edges
+        InputError: no such facet, roots that hang together, an edge between facets that says nothing of them, a crease within what flat edges
             make one plate, facets that hang on nothing, or faces that are not counterclockwise.
     """
     count = len(pattern.faces_vertices)
-    if not 0 <= root < count:
-        raise InputError(f"need a facet from 0 to {count - 1}, got {root}")
-    around = _neighbours(pattern)
-    above = _parents(pattern, around, root)
-    if len(above) < count:
-        lost = min(set(range(count)) - set(above))
-        raise InputError(f"facet {lost} does not hang together with facet {root}: need creases that join all facets")
-    _check_plates(pattern, above)
+    roots = [root] if isinstance(root, int) else list(root)
+    for facet in roots:
+        if not 0 <= facet < count:
+            raise InputError(f"need a facet from 0 to {count - 1}, got {facet}")
+    around = _neighbours(pattern, apart)
+    above: dict[int, FacetLink] = {}
+    starts: list[int] = []
+    for facet in [*roots, *range(count)]:
+        if facet in above and facet in roots and facet not in starts:
+            raise InputError(f"facet {facet} hangs together with another that is held: need one of them")
+        if facet in above:
+            continue
+        if starts and facet not in roots and not apart:
+            raise InputError(
+                f"facet {facet} does not hang together with facet {starts[0]}: need creases that join all facets"
+            )
+        above |= _parents(pattern, around, facet)
+        starts.append(facet)
+    _check_plates(pattern, above, apart)
     below: list[list[FacetLink]] = [[] for _ in range(count)]
     used = {link.edge for link in above.values()}
     for facet, links in enumerate(around):
         below[facet] += [link for link in links if above[link.facet] == link]
     for edge, tail, head, left, right in shared_edges(pattern):
-        if edge not in used and pattern.edges_assignment[edge] != "F":
+        if edge not in used and edge not in apart and pattern.edges_assignment[edge] != "F":
             below[left].append(FacetLink(facet=right, parent=left, edge=edge, tail=tail, head=head, closes=True))
-    listed, waiting = list[FacetLink](), [above[root]]
+    listed, waiting = list[FacetLink](), [above[start] for start in reversed(starts)]
     while waiting:
         link = waiting.pop()
         listed.append(link)
@@ -107,7 +122,7 @@ def central_facet(pattern: CreasePattern) -> int:
     return int(np.argmin(shortest_path(graph, directed=False, unweighted=True).max(axis=1)))
 
 
-def _neighbours(pattern: CreasePattern) -> list[list[FacetLink]]:
+def _neighbours(pattern: CreasePattern, apart: Collection[int]) -> list[list[FacetLink]]:
     """The neighbours of every facet, in the order of the edges between them."""
     around: list[list[FacetLink]] = [[] for _ in pattern.faces_vertices]
     for edge, tail, head, left, right in shared_edges(pattern):
@@ -116,6 +131,8 @@ def _neighbours(pattern: CreasePattern) -> list[list[FacetLink]]:
                 f'edge {edge} lies between facets {left} and {right}: need "M" (mountain), "V" (valley),'
                 f' "U" (unassigned), "F" (flat) or "C" (cut), got "{letter}"'
             )
+        if edge in apart:
+            continue
         around[left].append(FacetLink(facet=right, parent=left, edge=edge, tail=tail, head=head))
         around[right].append(FacetLink(facet=left, parent=right, edge=edge, tail=head, head=tail))
     return around
@@ -136,14 +153,14 @@ def _parents(pattern: CreasePattern, around: Sequence[Sequence[FacetLink]], root
     return above
 
 
-def _check_plates(pattern: CreasePattern, above: dict[int, FacetLink]) -> None:
+def _check_plates(pattern: CreasePattern, above: dict[int, FacetLink], apart: Collection[int]) -> None:
     """Refuse a crease between two facets of one plate, which flat edges make of them."""
     plate: dict[int, int] = {}
     for facet, link in above.items():
         flat = link.edge is not None and pattern.edges_assignment[link.edge] == "F"
         plate[facet] = plate[link.parent] if flat and link.parent is not None else facet
     for edge, _, _, left, right in shared_edges(pattern):
-        if pattern.edges_assignment[edge] != "F" and plate[left] == plate[right]:
+        if pattern.edges_assignment[edge] != "F" and edge not in apart and plate[left] == plate[right]:
             raise InputError(
                 f"edge {edge} lies between facets {left} and {right}, which flat edges make one plate: need"
                 ' "F" (flat) there, too, or a fold that parts the two'

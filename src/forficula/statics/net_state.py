@@ -28,6 +28,7 @@ Array = NDArray[np.float64]
 _MODES = 4  # told of every state, beside motions of the whole
 _STEPS, _INCREMENTS = (0.04, 0.01), 40  # first increments of a path to collapse, of the net's size, and how many
 _STRAINED = 0.05  # of a bar: where a path to collapse ends, for panels tear or crumple
+_ROUNDING = 1e-15
 _LARGEST = 1500  # free coordinates up to which mechanisms are counted: all singular values are worked out
 
 
@@ -69,7 +70,8 @@ class NetState:
     Attributes:
         name: that a protocol gives it; "state 2" where none does, the second by its energy.
         rest: where it is.
-        stored: energy by what stores it, J; what the structure does not have is left out.
+        energy: stored, J, that of the weight included (0 at z = 0).
+        stored: the same by what stores it, J; what the structure does not have is left out.
         readings: of the measures, rad or m, by name, each (coordinate,).
         frequencies: of the slowest modes that are no motions of the whole, Hz, (mode,).
         modes: these, kinetic energy 1/2 J at 1 m/s, (mode, node, 3).
@@ -84,6 +86,7 @@ class NetState:
 
     name: str
     rest: Rest
+    energy: float
     stored: Mapping[str, float]
     readings: Mapping[str, Array]
     frequencies: Array
@@ -116,6 +119,7 @@ def net_state(structure: Structure, net: Net, rest: Rest, name: str, found: int,
     return NetState(
         name=name,
         rest=rest,
+        energy=known(net, rest.energy),
         stored=stored_parts(structure, net, rest.shape),
         readings={each.name: readings(structure, each, rest.shape) for each in structure.measures},
         frequencies=modes.frequencies[own],
@@ -150,7 +154,14 @@ def stored_parts(structure: Structure, net: Net, shape: Shape) -> dict[str, floa
         "membranes": (bool(structure.membranes), membranes),
         "weight": (bool(structure.gravity), weight),
     }
-    return {name: energy for name, (there, energy) in parts.items() if there}
+    return {name: known(net, energy) for name, (there, energy) in parts.items() if there}
+
+
+def known(net: Net, energy: float) -> float:
+    """An energy, J, without what is rounding beside that of all creases and bars turned and stretched by 1."""
+    springs = np.sum(net.springs.stiffness * net.springs.rest_length**2)
+    scale = float(np.sum(net.creases.law.stiffness)) + float(springs)
+    return energy if abs(energy) > _ROUNDING * scale else 0.0
 
 
 def mobility(structure: Structure, net: Net, shape: Shape) -> Mobility | None:

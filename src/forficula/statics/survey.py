@@ -8,7 +8,7 @@ from forficula.design import Design
 from forficula.statics.landscape import EnergyLandscape, Rest, tree_landscape
 from forficula.statics.net.net_of import is_net, own_angles
 from forficula.statics.net_landscape import NetLandscape, Progress, net_landscape
-from forficula.statics.net_state import stored_parts
+from forficula.statics.net_state import known, stored_parts
 from forficula.structure import Structure, structure_of
 
 _SAME = 1e-3  # rad; hinges that rest no farther apart do so at one place, to what tables show
@@ -58,7 +58,7 @@ def _rests(structure: Structure, found: NetLandscape) -> tuple[Rest, ...]:
             Rest(
                 name=name,
                 angles=angles,
-                energy=rest.energy,
+                energy=known(found.net, rest.energy),
                 stored=stored_parts(structure, found.net, rest.shape),
                 stable=rest.stable,
                 within=within,

@@ -101,6 +101,6 @@ def tendon_crossing(structure: Structure, points: tuple[int, int]) -> Crossing |
         proximal_arm=float(radii[0]),
         distal_arm=float(radii[1]),
         axial_offset=float(heights[1] - heights[0]),
-        offset_angle=math.atan2(float(np.cross(opposite, arms[1]) @ axis), float(opposite @ arms[1])),
+        offset_angle=math.atan2(float(np.cross(opposite, arms[1]) @ axis), float(opposite @ arms[1])) - hinge.built,
         inertia=inertia_about(structure, between[0]),
     )

@@ -63,6 +63,8 @@ def plate_tendons(
     for place, chosen in enumerate(design.tendon):
         ends = tuple(place_on(pattern, getattr(chosen, key)) for key in ("from", "to"))
         crossed = edges_between(links, ends[0].facet, ends[1].facet)
+        # creases that open let them go any way
+        longest = np.inf if design.opens else _longest(pattern, (ends[0], ends[1]), crossed)
         tendons.append(
             Tendon(
                 name=chosen.name,
@@ -72,7 +74,7 @@ def plate_tendons(
                     add(f"tendon_{chosen.name}_to", "attachment", ends[1]),
                 ),
                 law=tendon_law(chosen),
-                longest=_longest(pattern, (ends[0], ends[1]), crossed),
+                longest=longest,
                 gauge_length=chosen.rest_length,
                 material=None if chosen.law is None else chosen.law.material,
                 key=f"tendon.{place}",

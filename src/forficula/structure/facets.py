@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
 from forficula.structure.parts import GROUND, Indices
@@ -31,7 +33,7 @@ def facet_triangles(structure: Structure) -> tuple[Indices, Indices]:
         own = [each for corners, each in inside.items() if corners <= set(facet.points)]
         if len(own) != len(facet.points) - 2:
             first, *rest = facet.points
-            own = [(first, *pair) for pair in zip(rest, rest[1:], strict=False)]
+            own = [(first, *pair) for pair in pairwise(rest)]
         triangles += own
         numbers += [number] * len(own)
     return np.array(triangles, dtype=np.int64).reshape(-1, 3), np.array(numbers, dtype=np.int64)

@@ -32,6 +32,7 @@ class Body:
         frame: rotation from its axes to those of its parent, (3, 3).
         slides: axes of the ground, 0 to 2, along which its origin is free to go; only of a body that hangs on the
             ground and has no hinges.
+        turns: whether it is free to turn, too; only of one that slides along all three.
         mass: at its origin, beside that of its bars and plates, kg.
     """
 
@@ -41,6 +42,7 @@ class Body:
     position: Array
     frame: Array
     slides: tuple[int, ...] = ()
+    turns: bool = False
     mass: float = 0.0
 
 
@@ -119,7 +121,7 @@ class Hinge:
     """Where a structure folds: a joint by which a body turns against its parent, or a crease between two flaps.
 
     A joint goes through its body's origin; several of one body follow each other: the first one turns the axes of the
-    next, and their angles are 0 in the built shape. A crease has no body of its own: its angle is that between two
+    next. A crease has no body of its own: its angle is that between two
     triangles, 0 where they lie in one plane, positive where both rise to the side from which the left one is seen
     counterclockwise. Angles count in the hinge's own sense.
 
@@ -141,6 +143,7 @@ class Hinge:
         lock_above: alike towards 180 deg; inf for a spring that does not.
         damping: N m s/rad.
         armature: inertia added to it, kg m^2.
+        built: of a joint, its angle in the built shape, rad.
         start: its angle at the start, rad; of a crease, that of the built shape.
         assignment: of one that is an edge of a pattern, its letter, such as "M"; empty of others.
         label: what tables and figures call it; its name if empty.
@@ -160,6 +163,7 @@ class Hinge:
     lock_above: float = math.inf
     damping: float = 0.0
     armature: float = 0.0
+    built: float = 0.0
     start: float = 0.0
     assignment: str = ""
     label: str = ""

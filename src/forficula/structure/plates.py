@@ -1,4 +1,4 @@
-"""Rigid plates on the facets of a sheet, hinged at its creases: in a tree, and closed where creases make loops."""
+"""Rigid plates on the facets of a sheet: hinged in a tree, closed where creases make loops, sprung where these open."""
 
 from __future__ import annotations
 
@@ -17,26 +17,28 @@ from forficula.pattern.fold_angles import built_fold_angles
 from forficula.structure.appearance import Appearance
 from forficula.structure.crossing import tendon_crossing
 from forficula.structure.facet_plates import corner_name, facet_plates, largest_mass, plate_tendons
+from forficula.structure.opening_creases import opening_creases, opening_parts
 from forficula.structure.parts import GROUND, Array, Body, Closure, Hinge, Point
 from forficula.structure.sheet_measures import sheet_measures
-from forficula.structure.sheet_protocol import with_protocol
+from forficula.structure.sheet_protocol import places_of, pushed_name, with_protocol
 from forficula.structure.structure import Structure
 
 
 def plate_structure(design: SheetDesign) -> Structure:
     """Build a plate on every facet and a hinge at every crease of a design's sheet, in the units of the design.
 
-    Every angle is that of the fold: where all are 0, the plates lie unfolded one beside another. A crease that closes a
-    loop turns a copy of the facet on its right.
+    A crease that closes a loop turns a copy of the facet on its right. Plates hang on one another by the creases that do
+    not open; what hangs on no plate that is held goes and turns freely.
 
     Raises:
         InputError: plates without a mass.
     """
     design, pattern = design.settled(), design.sheet
-    links = facet_tree(pattern, design.held_facet)
+    opening, held = opening_creases(design), design.held_facets
+    links = facet_tree(pattern, held, opening)
     number = {link.facet: place for place, link in enumerate(links) if not link.closes}
     built = _built(pattern)
-    origins = [pattern.vertices_coords[_origin(pattern, link)] for link in links]
+    origins = [_origin(pattern, link, free=link.parent is None and link.facet not in held) for link in links]
     points, plates = facet_plates(design, pattern, [(number[facet], facet) for facet in number], origins)
     hinges, edges = _hinges(design, pattern, links, built)
 
@@ -46,17 +48,24 @@ def plate_structure(design: SheetDesign) -> Structure:
         points.append(Point(name=name, role=role, body=body, place=place.position - origins[body]))
         return len(points) - 1
 
+    springs, opened, numbers = opening_parts(design, pattern, points, add, built)
+    edges |= {edge: len(hinges) + number for edge, number in numbers.items()}
+    hinges = (*hinges, *opened)
     tendons = plate_tendons(design, pattern, links, add)
     measures = sheet_measures(
         design, hinges, edges, lambda name, text, _: add(name, "measured", place_on(pattern, text))
     )
+    for drive in design.drive:
+        for place, text in enumerate(places_of(drive) if drive.kind == "force" else ()):
+            add(pushed_name(drive, place), "pushed", place_on(pattern, text))
     structure = Structure(
         name=design.name,
-        bodies=_bodies(pattern, links, number, origins, built),
+        bodies=_bodies(links, number, origins, held),
         points=tuple(points),
         plates=plates,
         hinges=hinges,
         closures=_closures(links, number, origins, points),
+        springs=springs,
         tendons=tuple(tendons),
         measures=measures,
         span=float(np.ptp(pattern.vertices_coords, axis=0).max()),
@@ -64,7 +73,7 @@ def plate_structure(design: SheetDesign) -> Structure:
         gravity=design.protocol.gravity,
         appearance=Appearance(pattern=pattern),
     )
-    if not structure.closures:
+    if not structure.closures and not opening:
         # in a loop no hinge moves alone
         tendons = [replace(tendon, crossing=tendon_crossing(structure, tendon.points)) for tendon in tendons]
     return with_protocol(replace(structure, tendons=tuple(tendons), mass=largest_mass(design, structure)), design)
@@ -77,9 +86,12 @@ def _built(pattern: CreasePattern) -> Array:
     return np.where(np.array(pattern.edges_assignment) == "F", 0.0, built_fold_angles(pattern))
 
 
-def _origin(pattern: CreasePattern, link: FacetLink) -> int:
-    """The vertex in which a plate's axes begin: an end of the crease that it hangs on."""
-    return pattern.faces_vertices[link.facet][0] if link.parent is None else link.tail
+def _origin(pattern: CreasePattern, link: FacetLink, *, free: bool) -> Array:
+    """Where a plate's axes begin: in an end of the crease that it hangs on; in the middle of its corners if it is free."""
+    corners = list(pattern.faces_vertices[link.facet])
+    if free:
+        return np.asarray(pattern.vertices_coords[corners].mean(axis=0))
+    return np.asarray(pattern.vertices_coords[corners[0] if link.parent is None else link.tail])
 
 
 def _axis(pattern: CreasePattern, link: FacetLink) -> Array:
@@ -88,23 +100,22 @@ def _axis(pattern: CreasePattern, link: FacetLink) -> Array:
 
 
 def _bodies(
-    pattern: CreasePattern,
-    links: Sequence[FacetLink],
-    number: Mapping[int, int],
-    origins: Sequence[Array],
-    built: Array,
+    links: Sequence[FacetLink], number: Mapping[int, int], origins: Sequence[Array], held: Sequence[int]
 ) -> tuple[Body, ...]:
-    """The plates and the copies, whose axes are parallel to those of the pattern where it is folded as built."""
+    """The plates and the copies, all with axes parallel to those of the pattern as built."""
     bodies = []
     for place, link in enumerate(links):
         parent = GROUND if link.parent is None else number[link.parent]
+        free = link.parent is None and link.facet not in held
         bodies.append(
             Body(
                 name=f"facet{link.facet}_at_crease{link.edge}" if link.closes else f"facet{link.facet}",
                 role="copy" if link.closes else "facet",
                 parent=parent,
                 position=origins[place] if parent == GROUND else origins[place] - origins[parent],
-                frame=np.eye(3) if link.edge is None else _turned(_axis(pattern, link), -float(built[link.edge])),
+                frame=np.eye(3),
+                slides=(0, 1, 2) if free else (),
+                turns=free,
             )
         )
     return tuple(bodies)
@@ -159,18 +170,10 @@ def _hinges(
                 stiffness=(crease.stiffness or 0.0) * length,
                 rest_angle=rest_angle(crease, folded),
                 damping=(crease.damping or 0.0) * length,
+                built=folded,
                 start=crease.start or folded,
                 assignment=pattern.edges_assignment[link.edge],
                 label=f"crease {link.edge}",
             )
         )
     return tuple(hinges), numbers
-
-
-def _turned(axis: Array, angle: float) -> Array:
-    """Rotation about an axis of any length (Rodrigues)."""
-    if not angle:
-        return np.eye(3)
-    x, y, z = (axis / np.linalg.norm(axis)).tolist()
-    across = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    return np.asarray(np.eye(3) + np.sin(angle) * across + (1 - np.cos(angle)) * across @ across)

@@ -106,7 +106,7 @@ def _driven(structure: Structure, design: SheetDesign) -> tuple[tuple[Motor, ...
     for number, drive in enumerate(design.drive):
         strength = drive.value if drive.kind == "torque" else drive.force if drive.kind == "force" else drive.angle
         if drive.kind == "force":
-            motors.append(_force(design, drive))
+            motors.append(_force(structure, design, drive))
         elif drive.kind == "rest-angle":
             motor, largest = _rest_angles(structure, design, drive, sorted(acting[number]))
             motors.append(motor)
@@ -146,17 +146,30 @@ def _torques(
     return motors, list(shared)
 
 
-def _force(design: SheetDesign, drive: SheetDrive) -> Motor:
-    """The motor of a force at vertices, which have the numbers of their points."""
+def _force(structure: Structure, design: SheetDesign, drive: SheetDrive) -> Motor:
+    """The motor of a force at vertices, which have the numbers of their points, or at places on plates."""
     nodes = sheet_nodes(design.sheet)
-    written = (drive.of,) if isinstance(drive.of, str) else drive.of
+    named = {point.name: number for number, point in enumerate(structure.points)}
     direction = np.array(drive.direction, dtype=np.float64)
     return Motor(
         name=drive.name,
         kind="force",
-        points=tuple(node_of(design.sheet, nodes, text) for text in written),
+        points=tuple(
+            named[pushed_name(drive, number)] if structure.plates else node_of(design.sheet, nodes, text)
+            for number, text in enumerate(places_of(drive))
+        ),
         direction=direction / np.linalg.norm(direction),
     )
+
+
+def places_of(drive: SheetDrive) -> tuple[str, ...]:
+    """Where a force acts, as a design has it."""
+    return (drive.of,) if isinstance(drive.of, str) else drive.of
+
+
+def pushed_name(drive: SheetDrive, number: int) -> str:
+    """What the point of a plate is called at which a force acts, by the number of its place."""
+    return f"drive_{drive.name}_{number}"
 
 
 def _rest_angles(

@@ -36,8 +36,8 @@ def built_points(structure: Structure) -> Array:
 
 def drawn_points(structure: Structure) -> list[int]:
     """Numbers of the points that bars, plates and facets are drawn between."""
-    parts = (*structure.bars, *structure.plates, *structure.facets)
-    return sorted({point for part in parts for point in part.points})
+    ends = [part.points for parts in (structure.bars, structure.plates, structure.facets) for part in parts]
+    return sorted({point for points in ends for point in points})
 
 
 def built_lengths(structure: Structure) -> Array:

@@ -25,8 +25,9 @@ from forficula.structure import Structure, drive_keys, structure_of, with_protoc
 
 # By how much of themselves times may differ between two timesteps of which the finer one is taken.
 _TIME_TOLERANCE = 0.02
-# How many timesteps, one after the other, must agree.
-_AGREEING = 3
+# How many timesteps, one after the other, must agree; of sheets of nodes, whose bars ask for a step far below what
+# resolves their folding, fewer.
+_AGREEING, _OF_NODES = 3, 2
 # How often a timestep is halved before it is given up.
 _HALVINGS = 8
 # What is missing of the energy falls with the timestep between in proportion and with its square.
@@ -44,21 +45,23 @@ class _Attempt:
         design: with the timestep, s, but for "auto" before the first attempt.
         halvings: by which it is shorter than the first one; None where the design gives it.
         before: outcomes at the timesteps before, the last two at most.
+        agreeing: how many timesteps must agree.
     """
 
     number: int
     design: Design
     halvings: int | None
     before: tuple[Outcome, ...] = ()
+    agreeing: int = _AGREEING
 
 
 def run(design: Design, progress: Progress | None = None) -> Record:
     """Take one structure through its protocol.
 
-    A timestep "auto" is found by halving, from what the stiffest mode allows on, until at three of them, one after the
-    other, the energy balance misses no more than `protocol.residual_limit`, the verdict is the same, and no
-    transition's time is off that of the last by more than 2 %. The record is that of the last one, and its design has
-    it.
+    A timestep "auto" is found by halving, from what the stiffest mode allows on, until at three of them (two of sheets
+    of nodes), one after the other, the energy balance misses no more than `protocol.residual_limit`, the verdict is the
+    same, and no transition's time is off that of the last by more than 2 %. The record is that of the last one, and its
+    design has it.
 
     Args:
         design: what to build and what to do with it.
@@ -208,7 +211,7 @@ def _following(attempt: _Attempt, outcome: Outcome) -> _Attempt | None:
     residual, limit = outcome.ending.residual, attempt.design.protocol.residual_limit
     if outcome.verdict is Verdict.UNTRUSTED and residual is not None and math.isfinite(residual):
         halvings = max(1, round(math.log2(residual / limit) / _RESIDUAL_ORDER))
-    elif len(attempt.before) == _AGREEING - 1 and all(_agree(each, outcome) for each in attempt.before):
+    elif len(attempt.before) >= attempt.agreeing - 1 and all(_agree(each, outcome) for each in attempt.before):
         return None
     total = min(attempt.halvings + halvings, _HALVINGS)
     timestep = float(attempt.design.protocol.timestep) / 2 ** (total - attempt.halvings)
@@ -216,7 +219,8 @@ def _following(attempt: _Attempt, outcome: Outcome) -> _Attempt | None:
         number=attempt.number,
         design=_with_step(attempt.design, timestep),
         halvings=total,
-        before=(*attempt.before, outcome)[1 - _AGREEING :],
+        before=(*attempt.before, outcome)[1 - attempt.agreeing :],
+        agreeing=attempt.agreeing,
     )
 
 
@@ -295,7 +299,8 @@ def _with_protocol(model: Model | InputError, attempt: _Attempt) -> tuple[_Attem
     if isinstance(model, InputError):
         raise model
     design = _with_step(attempt.design, float(model.design.protocol.timestep))
-    return replace(attempt, design=design), replace(
+    agreeing = _AGREEING if model.creases is None else _OF_NODES
+    return replace(attempt, design=design, agreeing=agreeing), replace(
         model,
         design=design,
         structure=with_protocol(model.structure, design),

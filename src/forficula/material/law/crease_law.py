@@ -89,18 +89,25 @@ class CreaseLaw:
 
     def moment(self, angle: ArrayLike, further: Array | float = 0.0) -> Array:
         """Slope of the energy, N m; huge, not infinite, at contact and beyond; as `energy`."""
-        angle = np.asarray(angle, dtype=np.float64)
-        within, share, room = self._locked(angle)
-        locked = 2 * room / math.pi * np.tan(math.pi / 2 * share)
-        spring = self.stiffness * (within - self.rest_angle - further + locked)
-        return np.asarray(spring + np.asarray(self.stop_stiffness) * self._stopped(angle))
+        return self.moment_and_slope(np.asarray(angle, dtype=np.float64), further)[0]
 
     def slope(self, angle: ArrayLike) -> Array:
         """Slope of the moment, N m/rad, in the shape of `angle` (rad)."""
-        angle = np.asarray(angle, dtype=np.float64)
-        _, share, _ = self._locked(angle)
-        spring = self.stiffness / np.cos(math.pi / 2 * share) ** 2
-        return np.asarray(spring + np.where(self._stopped(angle) != 0, self.stop_stiffness, 0.0))
+        return self.moment_and_slope(np.asarray(angle, dtype=np.float64))[1]
+
+    def moment_and_slope(self, angle: Array, further: Array | float = 0.0) -> tuple[Array, Array]:
+        """The moment and its slope, as `moment` and `slope`, in half the time."""
+        within, share, room = self._locked(angle)
+        spring = self.stiffness * (within - self.rest_angle - further)
+        slope = np.broadcast_to(np.asarray(self.stiffness, dtype=np.float64), angle.shape)
+        if share.any():
+            spring = spring + self.stiffness * (2 * room / math.pi * np.tan(math.pi / 2 * share))
+            slope = slope / np.cos(math.pi / 2 * share) ** 2
+        stopped = self._stopped(angle)
+        if stopped.any():
+            spring = spring + np.asarray(self.stop_stiffness) * stopped
+            slope = slope + np.where(stopped != 0, self.stop_stiffness, 0.0)
+        return np.asarray(spring), np.asarray(slope)
 
     def _locked(self, angle: Array) -> tuple[Array, Array, Array]:
         """The angle up to where it stiffens, the share of the way from there to contact that is used up, and that way.

@@ -35,6 +35,7 @@ _PICTURE, _BAR, _KEY = (0.03, 0.32, 0.94, 0.66), (0.72, 0.945, 0.25, 0.018), (0.
 _PLOTS_LEFT, _PLOTS_RIGHT, _PLOTS_LOW, _PLOTS_HIGH, _PLOTS_GAP = 0.08, 0.735, 0.105, 0.25, 0.025
 # a time of 0.3 s reads better as 300.0 ms when it runs
 _HALF = 0.5
+_MOST_ENTRIES = 7  # of the legend in its place
 _LEAD = 0.04  # before and after a move, as a share of it
 
 
@@ -187,7 +188,15 @@ def _key(figure: Figure, shape: Shape, record: Record) -> None:
         of = f"{'energy ' * (style == LINE_STYLES[0])}of the {name}"
         label = "kinetic energy" if name == "kinetic" else of
         handles.append(Line2D([], [], color=colour, ls=style, label=label))
-    axes.legend(handles=handles, loc="center left", borderaxespad=0, handlelength=1.6)
+    # of more than there is room for, upwards beside the picture
+    many = len(handles) > _MOST_ENTRIES
+    axes.legend(
+        handles=handles,
+        loc="lower left" if many else "center left",
+        borderaxespad=0,
+        handlelength=1.6,
+        labelspacing=0.2 if many else 0.5,
+    )
 
 
 def _clock_text(cut: Cut, time: float) -> str:

@@ -38,7 +38,7 @@ from forficula.show.page.words import angle_range, outcome_sentence, readable, r
 from forficula.show.run.outcome_rows import state_angles
 from forficula.show.structure.drive_words import acting, drive_unit
 from forficula.show.structure.labels import shown_angles, shown_distances, title_of
-from forficula.structure import Measure, drive_of, transition_of
+from forficula.structure import Measure, drive_of
 
 Array = NDArray[np.float64]
 
@@ -218,12 +218,12 @@ def _outcome_rows(runs: Sequence[ComparedRun]) -> list[list[str]]:
         kind = listed(dict.fromkeys(acting(run.record.structure).removesuffix("s") for run in runs), "or")
         tried = [f"{name} {kind}, time, work", *("not tried" for _ in runs)]
         for index, run in enumerate(runs, start=1):
-            transition, built = run.outcome.transitions.get(name), run.record.structure
-            if transition is not None:
-                time = "—" if transition.time is None else readable(transition.time, "s")
-                drive = drive_of(built, transition_of(built, name).drive)
-                strength = readable(transition.torque, drive_unit(built, drive))
-                tried[index] = f"{strength}, {time}, {readable(transition.work, 'J')}"
+            found, built = run.outcome.transitions.get(name), run.record.structure
+            transition = next((each for each in built.transitions if each.name == name), None)
+            if found is not None and transition is not None:
+                time = "—" if found.time is None else readable(found.time, "s")
+                strength = readable(found.torque, drive_unit(built, drive_of(built, transition.drive)))
+                tried[index] = f"{strength}, {time}, {readable(found.work, 'J')}"
         rows.append(tried)
     measures = [
         {each.name: each for each in (*shown_angles(built), *shown_distances(built))}

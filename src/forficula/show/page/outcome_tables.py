@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Sequence
 
 from forficula.analysis import Outcome, State, Verdict
+from forficula.dynamics import Record
 from forficula.show.page.html import paragraph, table
 from forficula.show.page.words import readable
 from forficula.show.run.outcome_rows import (
@@ -15,6 +16,7 @@ from forficula.show.run.outcome_rows import (
     transition_rows,
 )
 from forficula.show.run.state_names import states_reached
+from forficula.show.run.strength_rows import STRENGTH_HEADINGS, strength_rows
 from forficula.structure import Structure
 
 _NUMBERS = {1: "one", 2: "two", 3: "three"}
@@ -23,6 +25,12 @@ _NUMBERS = {1: "one", 2: "two", 3: "three"}
 def outcome_tables(outcome: Outcome, structure: Structure) -> list[str]:
     """States by hinge and tendon, transitions, and the energy balance, as HTML."""
     return [_states(outcome, structure), _transitions(outcome, structure), _balance(outcome, structure)]
+
+
+def strength_table(record: Record) -> str:
+    """The largest strains, stresses and folds of a run, as HTML; nothing of what has none."""
+    rows = strength_rows(record)
+    return table("Largest strains and folds", STRENGTH_HEADINGS, _signed(rows)) if rows else ""
 
 
 def _states(outcome: Outcome, structure: Structure) -> str:

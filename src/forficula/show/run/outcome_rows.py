@@ -195,16 +195,16 @@ def _reading_cell(structure: Structure, measure: Measure, factor: float) -> Call
     """Writes what a measure reads in a state: the mean, and half the envelope where it still swings."""
     digits, least = (1, 0.05) if measure.kind == "angle" else (2, 0.005)
 
+    def told(values: NDArray[np.float64], entry: int) -> float:
+        return factor * float(condensed(structure, measure, values)[entry])
+
     def cell(state: State, entry: int) -> str:
         reading = state.readings.get(measure.name)
         if reading is None:  # of a role that no measure watches
-            return _number(factor * float(condensed(structure, measure, state_angles(state, measure))[entry]), digits)
-        mean, low, high = (
-            factor * float(condensed(structure, measure, each)[entry])
-            for each in (reading.mean, reading.low, reading.high)
-        )
-        swing = (high - low) / 2
-        return f"{_number(mean, digits)} ± {swing:.{digits}f}" if swing > least else _number(mean, digits)
+            return _number(told(state_angles(state, measure), entry), digits)
+        swing = (told(reading.high, entry) - told(reading.low, entry)) / 2
+        mean = _number(told(reading.mean, entry), digits)
+        return f"{mean} ± {swing:.{digits}f}" if swing > least else mean
 
     return cell
 

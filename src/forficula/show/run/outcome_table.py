@@ -9,9 +9,11 @@ from rich.table import Table
 from rich.text import Text
 
 from forficula.analysis import Outcome, State, Verdict
+from forficula.dynamics import Record
 from forficula.quantities import reading_unit, show_value
 from forficula.show.run.outcome_rows import StateRows, balance_rows, state_rows, transition_headings, transition_rows
 from forficula.show.run.state_names import states_reached
+from forficula.show.run.strength_rows import STRENGTH_HEADINGS, strength_rows
 from forficula.structure import Structure
 
 _WIDTH = 100  # letters, of the table of states
@@ -34,6 +36,18 @@ def outcome_table(name: str, outcome: Outcome, structure: Structure) -> Renderab
 def print_outcome(name: str, outcome: Outcome, structure: Structure) -> None:
     """Print the outcome, as wide as it is."""
     Console(width=110, highlight=False).print(outcome_table(name, outcome, structure))
+
+
+def print_strength(record: Record) -> None:
+    """Print the largest strains, stresses and folds of a run of facets that bend; nothing of what has none."""
+    if not record.structure.facets or not (rows := strength_rows(record)):
+        return
+    table = Table(box=None, padding=(0, 2, 0, 0), title="Largest strains and folds", title_justify="left")
+    for heading in STRENGTH_HEADINGS:
+        table.add_column(heading, justify="right" if heading else "left")
+    for cells in rows:
+        table.add_row(*cells)
+    Console(width=110, highlight=False).print(Text(), table, sep="\n")
 
 
 def _states(outcome: Outcome, structure: Structure) -> Sequence[RenderableType]:

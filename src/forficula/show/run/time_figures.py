@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 from forficula.analysis import Outcome
 from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
-from forficula.names import listed
 from forficula.quantities import reading_unit, show_value
 from forficula.show.run.outcome_rows import state_angles
 from forficula.show.run.state_names import state_letters
@@ -128,8 +127,8 @@ def _accounts(record: Record) -> dict[str, tuple[Array, str]]:
     accounts: dict[str, tuple[Array, str]] = {}
     if structure.motors:
         accounts[f"done by {acting(structure)}"] = (record.work, BLACK)
-    folds = listed(kind.removesuffix("s") for kind in hinge_groups(structure)) or "hinge"
-    accounts[f"taken by {folds} damping"] = (-series["hinge_damping_work"], GREEN)
+    hinged = hinge_groups(structure).keys() <= {"hinges"}
+    accounts[f"taken by {'hinge' if hinged else 'fold'} damping"] = (-series["hinge_damping_work"], GREEN)
     accounts["taken by stops"] = (-series["stop_work"], VERMILION)
     if structure.tendons or structure.membranes or structure.springs:
         name = "taken by other damping" if structure.membranes or structure.springs else "taken by tendons"
@@ -181,11 +180,10 @@ def _draw_many(axes: Axes, time: Array, record: Record, measure: Measure) -> Non
     values, groups = np.degrees(record.measured(measure.name)), role_groups(record.structure, measure)
     for number, (role, places) in enumerate(groups.items()):
         look, own = _look(number, len(groups)), values[:, places]
-        kind = f"{len(places)} {role}{'s' * (role == 'crease')}"
         # one line with gaps: as many lines of their own would take long
         each = np.vstack([own, np.full(len(places), np.nan)]).T.ravel()
-        axes.plot(np.tile([*time, np.nan], len(places)), each, color=look["color"], lw=0.5, alpha=0.35, label=kind)
-        axes.plot(time, median(own), **look, lw=1.6, label="median")
+        axes.plot(np.tile([*time, np.nan], len(places)), each, color=look["color"], lw=0.5, alpha=0.35)
+        axes.plot(time, median(own), **look, lw=1.6, label=f"{role} ({len(places)}), median")
 
 
 def _scale_degrees(axes: Axes, record: Record, measures: tuple[Measure, ...]) -> None:

@@ -56,9 +56,9 @@ def _stretched(stretch: float) -> str:
     return f"; {axis} is drawn {times:.2g} times as large" if times > 1 else ""
 
 
-def draw_creases(axes: Axes, pattern: CreasePattern, factor: float) -> list[Line2D]:
-    """The edges of a pattern, lengths times a factor; returns what they mean."""
-    points, lw = factor * pattern.vertices_coords[:, :2], 1.1 if len(pattern.edges_vertices) <= _MOST_LINES else 0.5
+def draw_creases(axes: Axes, pattern: CreasePattern, points: NDArray[np.float64]) -> list[Line2D]:
+    """The edges of a pattern between its vertices as they are drawn, (vertex, 2); returns what they mean."""
+    lw = 1.1 if len(pattern.edges_vertices) <= _MOST_LINES else 0.5
     for (start, end), assignment in zip(pattern.edges_vertices, pattern.edges_assignment, strict=True):
         colour, style, _ = _STYLES[assignment]
         axes.plot(*points[[start, end]].T, style, color=colour, lw=lw)

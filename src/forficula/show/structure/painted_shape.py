@@ -22,6 +22,7 @@ Array = NDArray[np.float64]
 # of the regions of sheets and plates, in their order
 TINTS = ("#E3D2AC", "#93BBDA", "#B7CFA2", "#D6AEB9", "#BDB6DC", "#CFCFCF")
 BAR = "#3A3A3A"
+_BACK = "#AEBFCB"  # of a facet, the side from which valleys fold away
 _CREASE, _CASING = "#6E6E6E", "#FFFFFF"
 _LIGHT = np.array([0.35, -0.25, 0.9])
 # the eye's height, and how far from the middle of what lies flat it looks
@@ -132,8 +133,10 @@ def shape_handles(shape: Shape, structure: Structure, tendon_colour: ArrayLike, 
     handles: list[Patch | Line2D] = [
         Patch(facecolor=tint(region), label=name) for region, name in enumerate(shape.regions)
     ]
+    if structure.facets:
+        handles.append(Patch(facecolor=_BACK, label="back of a facet"))
     if any(line.hinge is not None for line in shape.lines):
-        for colour, name in ((VERMILION, "mountain, pale if nearly flat"), (BLUE, "valley")):
+        for colour, name in ((VERMILION, "mountain"), (BLUE, "valley"), (_FLAT, "pale: nearly flat")):
             handles.append(Line2D([], [], color=colour, lw=0.75 * width, label=name))
     if shape.bars:
         handles.append(Line2D([], [], color=BAR, lw=width, label=structure.appearance.bar))
@@ -153,8 +156,10 @@ def _faces(surface: Surface, view: View, cell: float) -> tuple[Array, Array, Arr
         small = _cut(face, cell)
         cells.append(small)
         tints.append(np.tile(to_rgb(tint(region)), (len(small), 1)))
-    every = np.concatenate(cells)
-    shades = np.column_stack([np.concatenate(tints) * _facing(every)[:, np.newaxis], np.ones(len(every))])
+    every, colours = np.concatenate(cells), np.concatenate(tints)
+    if surface.two_sided:
+        colours[_normals(every) @ view.towards < 0] = to_rgb(_BACK)
+    shades = np.column_stack([colours * _facing(every)[:, np.newaxis], np.ones(len(every))])
     return every.mean(axis=1) @ view.towards, view.project(every), shades
 
 
@@ -176,9 +181,14 @@ def _pieces(length: float, cell: float) -> int:
     return max(1, math.ceil(length / cell))
 
 
+def _normals(quads: Array) -> Array:
+    """Twice the area of cells, along their normals, m^2, (quad, axis)."""
+    return np.cross(quads[:, 2] - quads[:, 0], quads[:, 3] - quads[:, 1])
+
+
 def _facing(quads: Array) -> Array:
     """Lambert shading of both sides alike, (quad,)."""
-    normals = np.cross(quads[:, 2] - quads[:, 0], quads[:, 3] - quads[:, 1])
+    normals = _normals(quads)
     lengths = np.maximum(np.linalg.norm(normals, axis=1), 1e-300)
     return np.asarray(0.55 + 0.45 * np.abs(normals @ _LIGHT) / lengths / np.linalg.norm(_LIGHT))
 

@@ -11,31 +11,38 @@ from numpy.typing import NDArray
 from forficula.quantities import reading_unit, show_value
 from forficula.show.structure.crease_lines import draw_creases, sheet_axes
 from forficula.show.structure.labels import counted, label_of, parts_of, shown_angles
-from forficula.show.structure.painted_shape import BAR
+from forficula.show.structure.painted_shape import BAR, structure_view
 from forficula.show.style import BLACK, ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
 from forficula.structure import Hinge, Structure, built_hinges, built_points, held_corners
 
 Array = NDArray[np.float64]
 
 _MOST_NUMBERED, _NUMBERED = 20, 9  # hinges on their lines, and so many of more
+_TALL = 0.5  # height by the lesser of length and width
 _ON_AXIS = 1e-6  # by the size of the whole
 
 
 def draw_pattern(structure: Structure, width: float = PAGE_WIDTH) -> Figure:
     """Draw the crease pattern of a structure, the circles behind it and its tendons, at most `width` wide, inch."""
-    pattern, points = structure.appearance.pattern, built_points(structure)
-    places = points if pattern is None else pattern.vertices_coords
+    pattern, turn = structure.appearance.pattern, _turn(structure)
+    points = built_points(structure) @ turn
+    places = points if pattern is None else pattern.vertices_coords @ turn
     unit, factor = reading_unit("m", float(np.abs(places).max(initial=structure.span)))
     with figure_style():
         figure, axes = sheet_axes(factor * places, factor * structure.span, unit, width)
-        handles = _draw_built(axes, structure, factor) if pattern is None else draw_creases(axes, pattern, factor)
+        if not np.array_equal(turn, np.eye(3)):
+            axes.set(xlabel=f"across ({unit}), seen from above and beside", ylabel=f"upwards ({unit})")
+        if pattern is None:
+            handles = _draw_built(axes, structure, factor * points[:, :2])
+        else:
+            handles = draw_creases(axes, pattern, factor * places[:, :2])
         angle = np.linspace(0, 2 * np.pi, 200)
         for radius in (factor * each for each in structure.appearance.circles.values()):
             axes.plot(radius * np.cos(angle), radius * np.sin(angle), ":", color="0.5", lw=0.8)
         for tendon in structure.tendons:
             ends = factor * points[list(tendon.points)]
             axes.plot(*ends.T[:2], "o-", color=ORANGE, ms=3.5, lw=3, alpha=0.6)
-        _number(axes, structure, factor)
+        _number(axes, structure, factor, turn)
         if held := list(held_corners(structure)):
             axes.plot(*(factor * points[held, :2]).T, "s", color=BAR, ms=3.5, zorder=3)
             handles.append(Line2D([], [], color=BAR, marker="s", ls="none", ms=3.5, label="held vertex"))
@@ -46,9 +53,19 @@ def draw_pattern(structure: Structure, width: float = PAGE_WIDTH) -> Figure:
         return describe(figure, _tell(structure))
 
 
-def _draw_built(axes: Axes, structure: Structure, factor: float) -> list[Line2D]:
-    """Plates and bars as built; returns what they mean."""
-    points, handles = factor * built_points(structure)[:, :2], []
+def _turn(structure: Structure) -> Array:
+    """What takes places, m, (point, 3), to those that are drawn: seen from beside, too, where the sheet stands tall."""
+    pattern = structure.appearance.pattern
+    extent = np.ptp(built_points(structure) if pattern is None else pattern.vertices_coords, axis=0)
+    if extent[2] <= _TALL * extent[:2].min():
+        return np.eye(3)
+    view = structure_view(structure)
+    return np.stack([view.right, view.up, view.towards], axis=1)
+
+
+def _draw_built(axes: Axes, structure: Structure, points: Array) -> list[Line2D]:
+    """Plates and bars between points as they are drawn, (point, 2); returns what they mean."""
+    handles = []
     for plate in structure.plates:
         axes.plot(*points[[*plate.points, plate.points[0]]].T, "-", color=BLACK, lw=1.1)
     if structure.plates:
@@ -60,11 +77,11 @@ def _draw_built(axes: Axes, structure: Structure, factor: float) -> list[Line2D]
     return handles
 
 
-def _number(axes: Axes, structure: Structure, factor: float) -> None:
+def _number(axes: Axes, structure: Structure, factor: float, turn: Array) -> None:
     """Say which of the hinges that figures show is which: at the end of its bar, or on its line."""
     hinges = list(dict.fromkeys(hinge for measure in shown_angles(structure) for hinge in measure.hinges))
     names = parts_of([label_of(structure.hinges[hinge]) for hinge in hinges]).names
-    points, (origins, directions) = built_points(structure), built_hinges(structure)
+    points, (origins, directions) = (built_points(structure) @ turn, (each @ turn for each in built_hinges(structure)))
     shown = range(len(hinges))
     if len(hinges) > _MOST_NUMBERED and structure.facets:
         return
@@ -100,6 +117,9 @@ def _label(axes: Axes, place: Array, name: str) -> None:
 
 def _middle(structure: Structure, hinge: Hinge, points: Array, origin: Array, direction: Array) -> Array:
     """The middle of the side by which a plate hangs on its hinge, m, (3,)."""
+    for closure in structure.closures:
+        if closure.bodies[1] == hinge.body:
+            return np.asarray(points[[pair[1] for pair in closure.points]].mean(axis=0))
     for plate in structure.plates:
         if plate.body == hinge.body:
             corners = points[list(plate.points)]

@@ -46,7 +46,7 @@ def draw_sheet(pattern: CreasePattern, facts: PatternFacts, width: float = PAGE_
     unit, factor = reading_unit("m", max(facts.size))
     with figure_style():
         figure, axes = sheet_axes(factor * pattern.vertices_coords, factor * max(facts.size), unit, width)
-        handles = draw_creases(axes, pattern, factor)
+        handles = draw_creases(axes, pattern, factor * pattern.vertices_coords[:, :2])
         if not facts.flat:
             axes.set_xlabel(f"{axes.get_xlabel()}, seen from above")
         if faults:

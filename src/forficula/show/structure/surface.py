@@ -20,6 +20,7 @@ class Surface:
     Attributes:
         faces: of sheets and plates, m, (face, corner, axis); of three corners the last one stands twice.
         regions: number of each one's region, (face,).
+        two_sided: whether their two sides are told apart.
         bars: ends of each, m, (bar, end, axis).
         radii: of these, m, (bar,).
         lines: ends of what folds and of what ends, m, (line, end, axis).
@@ -32,6 +33,7 @@ class Surface:
 
     faces: Array
     regions: NDArray[np.int64]
+    two_sided: bool
     bars: Array
     radii: Array
     lines: Array
@@ -51,15 +53,27 @@ def surface_at(record: Record, shape: Shape, time: float) -> Surface:
         time: s; between two samples positions are interpolated, outside of them it is as at the nearest.
     """
     moved = (at_time(record, name, time) for name in ("point_position", "membrane_position"))
-    vertices = vertex_places(shape, np.concatenate(list(moved))[shape.anchors])
+    senses = np.array([hinge.sense for hinge in record.structure.hinges])
+    return surface_of(shape, np.concatenate(list(moved)), senses * at_time(record, "hinge_angle", time))
+
+
+def surface_of(shape: Shape, places: Array, folds: Array) -> Surface:
+    """Lay the surface through points.
+
+    Args:
+        shape: of a structure.
+        places: of its points, then of the nodes of its membranes, m, (point, axis).
+        folds: how far its hinges are folded, valleys positive, rad, (hinge,).
+    """
+    vertices = vertex_places(shape, places[shape.anchors])
     corners = np.array([(*face, face[-1])[:4] for face in shape.faces], dtype=np.int64).reshape(-1, 4)
     ends = [pair for line in shape.lines for pair in zip(line.path[:-1], line.path[1:], strict=True)]
-    senses = np.array([hinge.sense for hinge in record.structure.hinges])
-    angles = np.append(senses * at_time(record, "hinge_angle", time), np.nan)
+    angles = np.append(folds, np.nan)
     hinges = [-1 if line.hinge is None else line.hinge for line in shape.lines for _ in line.path[1:]]
     return Surface(
         faces=vertices[corners],
         regions=shape.face_region,
+        two_sided=len(shape.regions) > 0 and not any(shape.solid) and not shape.bars,
         bars=vertices[np.array([bar.ends for bar in shape.bars], dtype=np.int64).reshape(-1, 2)],
         radii=np.array([bar.radius for bar in shape.bars]),
         lines=vertices[np.array(ends, dtype=np.int64).reshape(-1, 2)],

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from forficula.analysis import run_warnings
-from forficula.analysis.crossing_plates import crossing_plates
+from forficula.analysis.crossing_facets import facets_that_cross
 from forficula.design import design_pattern, load_design
 from forficula.dynamics import Record
 from forficula.pattern import folded_coordinates
@@ -37,11 +37,7 @@ def strip(letters, *angles):
 
 def names(record):
     """The plates that cross by the names of their bodies, and since when."""
-    structure = record.structure
-    return [
-        (*(structure.bodies[structure.plates[plate].body].name for plate in each.plates), each.time)
-        for each in crossing_plates(record)
-    ]
+    return [(*(name.replace(" ", "") for name in each.names), each.time) for each in facets_that_cross(record)]
 
 
 def test_two_plates_that_cross_are_named_with_the_first_time():
@@ -54,7 +50,7 @@ def test_two_plates_that_cross_are_named_with_the_first_time():
     ids=["edges meet", "a box", "on one another", "rolled up", "nearly on one another", "hinged"],
 )
 def test_plates_that_touch_or_lie_on_one_another_do_not_cross(letters, angle):
-    assert crossing_plates(strip(letters, 0, angle)) == []
+    assert facets_that_cross(strip(letters, 0, angle)) == []
 
 
 @pytest.mark.parametrize(("place", "crosses"), [(1.5, False), (0.5, True), (3.5, False)])
@@ -75,7 +71,7 @@ def test_a_plate_may_stand_in_the_gap_of_one_that_is_not_convex(place, crosses):
         name="gap", bodies=tuple(bodies), points=tuple(points), plates=tuple(plates), hinges=(), span=3.0, mass=1.0
     )
     record = replace(strip("V", 0), structure=structure, series={"point_position": corners[None]})
-    assert bool(crossing_plates(record)) is crosses
+    assert bool(facets_that_cross(record)) is crosses
 
 
 def test_a_letter_that_closes_too_fast_passes_through_itself_and_the_example_does_not():

@@ -1,0 +1,157 @@
+"""Facets that pass through each other, in a run or in one shape, for nothing keeps them from it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.dynamics import Record
+from forficula.structure import Structure, facet_triangles
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+_ROWS = 400  # of a record that are looked at, evenly
+_TOGETHER = 16  # rows whose boxes are compared at once
+
+
+@dataclass(frozen=True, kw_only=True)
+class CrossingFacets:
+    """Two plates, or two facets between points, that pass through each other.
+
+    Attributes:
+        names: of the two, by the bodies of plates.
+        time: of the first row that is looked at in which they do, s.
+    """
+
+    names: tuple[str, str]
+    time: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Pieces:
+    """Flat polygons that may cross.
+
+    Attributes:
+        corners: points of each, the last one again and again where there are fewer, (piece, corner).
+        half: half its thickness, m, (piece,).
+        owner: number of the plate or facet that it is of, (piece,).
+        names: of these, (owner,).
+        joined: pairs of pieces that a hinge or a side joins, (piece, piece).
+    """
+
+    corners: Indices
+    half: Array
+    owner: Indices
+    names: tuple[str, ...]
+    joined: NDArray[np.bool_]
+
+
+def facets_that_cross(record: Record) -> list[CrossingFacets]:
+    """The pairs of facets that pass through each other in a run, in the order in which they begin to.
+
+    Returns:
+        None of a record without places, or of a run that diverged.
+    """
+    places = record.series.get("point_position")
+    if places is None or record.diverged_at is not None:
+        return []
+    rows = np.unique(np.linspace(0, len(places) - 1, _ROWS).astype(np.int64))
+    pieces = _pieces(record.structure)
+    return [
+        CrossingFacets(names=(pieces.names[one], pieces.names[other]), time=float(record.time[rows[row]]))
+        for one, other, row in _first_crossings(pieces, places[rows])
+    ]
+
+
+def crossing_facets(structure: Structure, places: Array) -> list[tuple[str, str]]:
+    """The names of the pairs of facets that pass through each other, with the points at places, m, (point, 3)."""
+    pieces = _pieces(structure)
+    return [(pieces.names[one], pieces.names[other]) for one, other, _ in _first_crossings(pieces, places[None])]
+
+
+def _pieces(structure: Structure) -> _Pieces:
+    """Plates, and the triangles of facets."""
+    triangles, numbers = facet_triangles(structure)
+    plates, facets = structure.plates, structure.facets
+    polygons = [plate.points for plate in plates] + [tuple(corners) for corners in triangles.tolist()]
+    most = max(map(len, polygons), default=0)
+    # a last corner again and again adds sides without a length, which cross nothing
+    corners = [[*points, *[points[-1]] * (most - len(points))] for points in polygons]
+    thickness = [plate.thickness for plate in plates] + [facets[number].thickness for number in numbers.tolist()]
+    bodies = [structure.bodies[plate.body] for plate in plates]
+    joined = np.zeros((len(polygons), len(polygons)), dtype=bool)
+    own = np.array([plate.body for plate in plates], dtype=np.int64)
+    parents = np.array([body.parent for body in bodies], dtype=np.int64)
+    hinged = own[:, None] == parents
+    joined[: len(plates), : len(plates)] = hinged | hinged.T | (own[:, None] == own)
+    common = (triangles[:, None, :, None] == triangles[None, :, None, :]).sum(axis=(2, 3))
+    joined[len(plates) :, len(plates) :] = common > 1
+    return _Pieces(
+        corners=np.array(corners, dtype=np.int64).reshape(len(polygons), most),
+        half=np.array(thickness) / 2,
+        owner=np.concatenate([np.arange(len(plates)), len(plates) + numbers]),
+        names=(
+            *(f"{body.role} {body.name.removeprefix(body.role)}" for body in bodies),
+            *(f"facet {facet.name.removeprefix('facet')}" for facet in facets),
+        ),
+        joined=joined,
+    )
+
+
+def _first_crossings(pieces: _Pieces, places: Array) -> list[tuple[int, int, int]]:
+    """Pairs of owners and the first row, of places, (row, point, 3), in which they cross, in the order of the rows.
+
+    Pieces cross where both have corners on either side of the other's plane, by more than half its thickness, and the
+    lengths that they cut out of the line in which these planes meet overlap by more than that. So pieces that touch
+    along a side or at a corner, or lie on one another, do not count.
+    """
+    found: dict[tuple[int, int], int] = {}
+    for first in range(0, len(places) if len(pieces.corners) > 1 else 0, _TOGETHER):
+        corners = np.moveaxis(places[first : first + _TOGETHER, pieces.corners], 1, 0)
+        pair, row = _near(pieces, corners)
+        away = corners - corners[:, :, :1]
+        normals = np.cross(away, np.roll(away, -1, axis=2)).sum(axis=2)
+        normals /= np.maximum(np.linalg.norm(normals, axis=2, keepdims=True), 1e-300)
+        crosses = _cross(corners[pair, row], normals[pair, row], pieces.half[pair])
+        owners = pieces.owner[pair[:, crosses]]
+        order = np.argsort(row[crosses], kind="stable")
+        for one, other, when in np.vstack([np.sort(owners, axis=0), row[crosses]]).T[order].tolist():
+            found.setdefault((one, other), first + when)
+    return sorted(((one, other, row) for (one, other), row in found.items()), key=lambda each: each[2])
+
+
+def _near(pieces: _Pieces, corners: Array) -> tuple[Indices, Indices]:
+    """Pairs of pieces, (2, case), and rows, (case,), whose boxes overlap; corners, (piece, row, corner, 3)."""
+    low, high = corners.min(axis=2), corners.max(axis=2)
+    # first by the boxes of all rows together
+    least, most = low.min(axis=1), high.max(axis=1)
+    near = np.triu(~pieces.joined, 1)
+    for axis in range(3):
+        near &= (least[:, None, axis] <= most[None, :, axis]) & (most[:, None, axis] >= least[None, :, axis])
+    one, other = np.nonzero(near)
+    which, row = np.nonzero(np.all((low[one] <= high[other]) & (high[one] >= low[other]), axis=2))
+    return np.array([one[which], other[which]]), row
+
+
+def _cross(corners: Array, normals: Array, half: Array) -> NDArray[np.bool_]:
+    """Whether two facets cross, (case,), by corners, (2, case, corner, 3), normals and half thicknesses, (2, case)."""
+    # over the other's plane
+    height = np.einsum("pckx,pcx->pck", corners - corners[::-1, :, :1], normals[::-1])
+    deep = half[::-1, :, None]
+    crosses = np.asarray(((height > deep).any(axis=2) & (height < -deep).any(axis=2)).all(axis=0))
+    height, corners = height[:, crosses], corners[:, crosses]
+    along = np.cross(normals[0, crosses], normals[1, crosses])
+    along /= np.linalg.norm(along, axis=1, keepdims=True)
+    place = np.einsum("pckx,cx->pck", corners, along)
+    after, next_place = (np.roll(each, -1, axis=2) for each in (height, place))
+    cut = (height >= 0) != (after >= 0)
+    share = np.divide(height, height - after, out=np.zeros_like(height), where=cut)
+    # a line goes into a polygon at every other side that it cuts; nan, of the others, overlaps nothing
+    cuts = np.sort(np.where(cut, place + share * (next_place - place), np.nan), axis=2)
+    start, end = cuts[:, :, :-1:2], cuts[:, :, 1::2]
+    overlap = np.minimum(end[0, :, :, None], end[1, :, None]) - np.maximum(start[0, :, :, None], start[1, :, None])
+    crosses[crosses] = (overlap > half.max(axis=0)[crosses][:, None, None]).any(axis=(1, 2))
+    return crosses

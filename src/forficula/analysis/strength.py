@@ -1,0 +1,167 @@
+"""What a run asks of its parts: the largest strains and stresses of bars, sheets and tendons, and of creases."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.dynamics import Record
+from forficula.structure import MembraneLaw, hinge_groups
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Peak:
+    """The largest strain of some parts in a run.
+
+    Attributes:
+        kind: of the parts, such as "bars".
+        strain: of largest size, stretching positive.
+        stress: of the part then, Pa; None where it has no cross-section or law to tell it by.
+        part: name of the part.
+        time: s.
+    """
+
+    kind: str
+    strain: float
+    stress: float | None
+    part: str
+    time: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class FoldPeak:
+    """The furthest that a crease was folded in a run, in its own sense.
+
+    Attributes:
+        angle: rad.
+        crease: its name.
+        time: s.
+    """
+
+    angle: float
+    crease: str
+    time: float
+
+
+def strain_peaks(record: Record) -> tuple[Peak, ...]:
+    """The largest strains of bars, membranes and tendons at the rows of a record, of those that the structure has.
+
+    Returns:
+        None of a run that diverged.
+    """
+    if record.diverged_at is not None:
+        return ()
+    found = (_bars(record), *_membranes(record), _tendons(record))
+    return tuple(peak for peak in found if peak is not None)
+
+
+def fold_peak(record: Record) -> FoldPeak | None:
+    """The crease that was folded furthest; None of a structure without creases, and of a run that diverged."""
+    creases = hinge_groups(record.structure).get("creases", ())
+    if not creases or record.diverged_at is not None:
+        return None
+    angles = record.series["hinge_angle"][:, list(creases)]
+    row, crease = _furthest(angles)
+    return FoldPeak(
+        angle=float(angles[row, crease]),
+        crease=record.structure.hinges[creases[crease]].name,
+        time=float(record.time[row]),
+    )
+
+
+def _bars(record: Record) -> Peak | None:
+    """Axial strain by the resting length, and the stress over the cross-section."""
+    springs = record.structure.springs
+    if not springs or "spring_force" not in record.series:
+        return None
+    stiffness, rest = (np.array([getattr(each, name) for each in springs]) for name in ("stiffness", "rest_length"))
+    forces = record.series["spring_force"]
+    strains = np.divide(forces, stiffness * rest, out=np.zeros_like(forces), where=stiffness * rest > 0)
+    row, bar = _furthest(strains)
+    area = springs[bar].area
+    return Peak(
+        kind="bars",
+        strain=float(strains[row, bar]),
+        stress=float(forces[row, bar]) / area if area else None,
+        part=springs[bar].name,
+        time=float(record.time[row]),
+    )
+
+
+def _membranes(record: Record) -> list[Peak]:
+    """The largest principal strain of every membrane's triangles, and the principal stress beside it.
+
+    Green's strain of a flat triangle is E = (F^T F - 1) / 2 with F from its sides as built to those of now, and the
+    stress of a Saint Venant-Kirchhoff sheet in plane stress Y / (1 - nu^2) ((1 - nu) E + nu tr(E)) (Holzapfel 2000,
+    Nonlinear Solid Mechanics, equation 6.151, with the stress across the sheet 0).
+    """
+    peaks, first = [], 0
+    for membrane in record.structure.membranes:
+        places = record.series["membrane_position"][:, first : first + len(membrane.bodies)]
+        first += len(membrane.bodies)
+        built, moved = _sides(membrane.built[membrane.triangles]), _sides(places[:, membrane.triangles])
+        inverse = np.linalg.inv(_in_plane(built))
+        metric = np.einsum("...ix,...jx->...ij", moved, moved)
+        strains = (np.swapaxes(inverse, -1, -2) @ metric @ inverse - np.eye(2)) / 2
+        principal = np.linalg.eigvalsh(strains)
+        largest = np.take_along_axis(principal, np.abs(principal).argmax(axis=-1)[..., None], axis=-1)[..., 0]
+        row, triangle = _furthest(largest)
+        peaks.append(
+            Peak(
+                kind="membranes",
+                strain=float(largest[row, triangle]),
+                stress=_plane_stress(membrane.law, principal[row, triangle]),
+                part=membrane.name,
+                time=float(record.time[row]),
+            )
+        )
+    return peaks
+
+
+def _sides(corners: Array) -> Array:
+    """Two sides of triangles from their first corners, m, (..., 2, 3)."""
+    return np.asarray(corners[..., 1:, :] - corners[..., :1, :])
+
+
+def _in_plane(sides: Array) -> Array:
+    """Two sides of triangles in axes of their planes, as columns, m, (..., 2, 2)."""
+    lengths = np.linalg.norm(sides, axis=-1)
+    along = np.sum(sides[..., 0, :] * sides[..., 1, :], axis=-1) / lengths[..., 0]
+    across = np.linalg.norm(np.cross(sides[..., 0, :], sides[..., 1, :]), axis=-1) / lengths[..., 0]
+    columns = [[lengths[..., 0], along], [np.zeros_like(along), across]]
+    return np.moveaxis(np.array(columns), (0, 1), (-2, -1))
+
+
+def _plane_stress(law: MembraneLaw, principal: Array) -> float:
+    """The principal stress of largest size, Pa, of two principal strains."""
+    nu = law.poisson_ratio
+    stresses = law.youngs_modulus / (1 - nu**2) * ((1 - nu) * principal + nu * principal.sum())
+    return float(stresses[np.abs(stresses).argmax()])
+
+
+def _tendons(record: Record) -> Peak | None:
+    """Extension by the length that a law counts strain by; no stress, for a tendon's force is what its law tells."""
+    tendons = record.structure.tendons
+    gauges = np.array([tendon.gauge_length for tendon in tendons])
+    known = np.flatnonzero(gauges > 0)
+    if not len(known):
+        return None
+    strains = np.maximum(record.series["tendon_length"][:, known] / gauges[known] - 1, 0)
+    row, tendon = _furthest(strains)
+    return Peak(
+        kind="tendons",
+        strain=float(strains[row, tendon]),
+        stress=None,
+        part=tendons[int(known[tendon])].name,
+        time=float(record.time[row]),
+    )
+
+
+def _furthest(values: Array) -> tuple[int, int]:
+    """Row and column of the value of largest size."""
+    row, column = np.unravel_index(int(np.argmax(np.abs(values))), values.shape)
+    return int(row), int(column)

@@ -1,0 +1,123 @@
+"""Creases between plates that turn, in the engine: couples between directions of one plate and the normal of the other.
+
+A row of a bending flex is a quadratic form of four nodes. With a direction d of the left plate as the difference of two
+nodes of it and the normal n of the right one alike, a row is the energy -k d . n: a couple and no force, wherever the
+plates are. Three rows, for the left plate's normal, the direction square to that and to the crease, and the crease,
+have any moment about it and any slope of that; the third takes back what the first two do to a crease that is askew.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.dynamics.crease_rows import stacked_creases, without_jump
+from forficula.dynamics.folds import Folds, flap_turns
+from forficula.dynamics.model import Model
+from forficula.material import CreaseLaw
+from forficula.structure.flaps import cross, dot, flap_angles
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+
+@dataclass(frozen=True, kw_only=True)
+class PlateRows:
+    """Creases between plates of structures of one topology, side by side.
+
+    Attributes:
+        folds: of all of them: constants have a leading dimension, (structure, ...).
+        rows: in the engine's flex_bending, three a crease, (crease x 3,).
+        forms: a row of energy -d . n, (structure, crease x 3, 17).
+        senses: +1 or -1, (structure, crease).
+        law: of the springs, arrays (structure, crease).
+        damping: (structure, crease).
+        rests: by how much what a motor is set to moves each rest angle, (structure, motor, crease).
+        torques: by how much it turns each crease, (structure, motor, crease).
+    """
+
+    folds: Folds
+    rows: Indices
+    forms: Array
+    senses: Array
+    law: CreaseLaw
+    damping: Array
+    rests: Array
+    torques: Array
+
+    def follow(
+        self, which: Indices, positions: Array, velocities: Array, near: Array, efforts: Array
+    ) -> tuple[Array, Array]:
+        """Angles of creases, and the rows that have their moments and slopes there; see `CreaseRows.follow`."""
+        folds, senses = _of(self.folds, which), self.senses[which]
+        corners = folds.corners(positions)
+        angles = without_jump(senses * flap_angles(corners), near)
+        speeds = senses * flap_turns(corners, folds.moves(positions, velocities))
+        rests, torques = (np.einsum("rm,rmc->rc", efforts, each[which]) for each in (self.rests, self.torques))
+        law = self.law.some(which)
+        moment = senses * (law.moment(angles, rests) + self.damping[which] * speeds - torques)
+        slope = law.slope(angles)
+        tail, head, left, right_tail, right_head, right = np.moveaxis(corners, (-2, -1), (0, 1))
+        along = _unit(head - tail)
+        normal = _unit(cross(along, left - tail))
+        other = _unit(cross(right - right_tail, right_head - right_tail))
+        up, side, askew = dot(normal, other), dot(cross(normal, along), other), dot(along, other)
+        plane = np.hypot(up, side)
+        cosine, sine, moment = up / plane, side / plane, moment / plane
+        factors = [moment * sine + slope * cosine, slope * sine - moment * cosine, slope * askew / plane]
+        values = np.stack(factors, axis=-1).reshape(len(which), -1)
+        return angles, values[..., None] * self.forms[which]
+
+
+def plate_rows(models: Sequence[Model]) -> PlateRows:
+    """Lay the creases between plates of structures of one topology side by side."""
+    each = [model.folds for model in models]
+    placements = [folds.placement for folds in each if folds.placement is not None]
+    stacked = {
+        name: np.array([getattr(placement, name) for placement in placements])
+        for name in ("positions", "frames", "axes", "built")
+    }
+    folds = replace(
+        each[0],
+        placement=replace(placements[0], **stacked),
+        places=np.array([folds.places for folds in each]),
+    )
+    creases = models[0].creases
+    assert creases is not None
+    return PlateRows(
+        folds=folds,
+        rows=creases.rows,
+        forms=np.array([_forms(model, creases.order) for model in models]),
+        **stacked_creases(models),
+    )
+
+
+def _forms(model: Model, order: Indices) -> Array:
+    """A row of energy -d . n for each, of directions as long as its crease, (row, 17)."""
+    folds = model.folds
+    ends = folds.places[folds.flaps[:, :2]]
+    square = np.repeat(np.sum((ends[:, 1] - ends[:, 0]) ** 2, axis=1), 3)
+    # of the nodes in the engine's order: start and end of the direction on the left, and of that on the right
+    left = (order == 1).astype(float) - (order == 0)
+    right = (order == 3).astype(float) - (order == 2)
+    both = left[:, :, None] * right[:, None, :]
+    forms = -(both + np.swapaxes(both, 1, 2)) / square[:, None, None]
+    return np.concatenate([forms.reshape(len(order), -1), np.zeros((len(order), 1))], axis=1)
+
+
+def _of(folds: Folds, which: Indices) -> Folds:
+    """Of some of the structures whose constants `plate_rows` stacks."""
+    assert folds.placement is not None
+    placement = replace(
+        folds.placement,
+        **{name: getattr(folds.placement, name)[which] for name in ("positions", "frames", "axes", "built")},
+    )
+    return replace(folds, placement=placement, places=folds.places[which])
+
+
+def _unit(vectors: Array) -> Array:
+    """Coordinates first."""
+    return np.asarray(vectors / np.sqrt(dot(vectors, vectors)))

@@ -1,0 +1,105 @@
+"""The energies of a net's stable states, and of the saddles over which the ways between them lead."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from forficula.quantities import reading_unit
+from forficula.show.landscape.net_words import shown_value
+from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, in_column
+from forficula.statics import EnergyLandscape
+from forficula.statics.net_landscape import NetLandscape, Pass
+
+Array = NDArray[np.float64]
+
+_HALF = 0.22  # of the mark of a state
+_POINTS = 41  # of a curve
+
+
+def draw_barriers(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
+    """Draw what stable states store, and over how much the ways between neighbours lead.
+
+    Only the energies at states and saddles are worked out; the curves between them guide the eye.
+
+    Args:
+        landscape: of points that slide, with a stable state.
+        width: of the figure, inch.
+    """
+    net = landscape.net
+    assert net is not None
+    places = _places(net)
+    energies = [state.energy for state in net.states]
+    tops = [energies[each.ends[0]] + each.barriers[0] for each in net.passes]
+    unit, factor = reading_unit("J", max(map(abs, [*energies, *tops])))
+    with figure_style():
+        figure = Figure(figsize=(width, 2.8), layout="constrained")
+        axes = figure.subplots()
+        for each, top in zip(net.passes, tops, strict=True):
+            _draw_pass(
+                axes, each, [places[end] for end in each.ends], [energies[end] for end in each.ends], top, factor
+            )
+        for place, energy in zip(places, energies, strict=True):
+            axes.plot([place - _HALF, place + _HALF], [factor * energy] * 2, color=BLUE, lw=2.5, zorder=4)
+        axes.set_xlim(-0.6, max(places) + 0.6)
+        axes.margins(y=0.15)
+        names = {places[number]: state.name.replace(" ", "\n") for number, state in enumerate(net.states)}
+        axes.set_xticks(sorted(names), [names[place] for place in sorted(names)])
+        axes.tick_params(axis="x", length=0)
+        axes.set_ylabel(f"stored energy ({unit})")
+        return describe(figure, _tell(landscape, net))
+
+
+def _places(net: NetLandscape) -> list[int]:
+    """Where states stand: beside the one from which a pass leads to them."""
+    beside: dict[int, list[int]] = {number: [] for number in range(len(net.states))}
+    for each in net.passes:
+        beside[each.ends[0]].append(each.ends[1])
+        beside[each.ends[1]].append(each.ends[0])
+    order: list[int] = []
+    for start in sorted(beside, key=lambda number: (len(beside[number]) != 1, number)):
+        waiting = [start]
+        while waiting:
+            number = waiting.pop()
+            if number not in order:
+                order.append(number)
+                waiting += sorted(beside[number], reverse=True)
+    return [order.index(number) for number in range(len(net.states))]
+
+
+def _draw_pass(axes: Axes, each: Pass, places: list[int], ends: list[float], top: float, factor: float) -> None:
+    """A curve over a saddle, and the barrier from either side."""
+    (left, low), (right, other) = sorted(zip(places, ends, strict=True))
+    left_end, right_end = left + _HALF, right - _HALF
+    middle = (left_end + right_end) / 2
+    rise = (1 - np.cos(np.linspace(0, np.pi, _POINTS))) / 2
+    for start, base in ((left_end, low), (right_end, other)):
+        along = np.linspace(start, middle, _POINTS)
+        axes.plot(along, factor * (base + (top - base) * rise), color="0.6", lw=0.9, zorder=2)
+    axes.plot(middle, factor * top, "^", color="white", mec=VERMILION, mew=1.1, ms=5, zorder=5)
+    barriers = [shown_value(top - base, "J", 3) for base in (low, other)]
+    words = f"{barriers[0]} →\n← {barriers[1]}"
+    axes.annotate(
+        words,
+        (middle, factor * top),
+        xytext=(0, 5),
+        textcoords="offset points",
+        ha="center",
+        va="bottom",
+        fontsize=6 if in_column(axes) else 7,
+        color=BLACK,
+    )
+
+
+def _tell(landscape: EnergyLandscape, net: NetLandscape) -> str:
+    states = ", ".join(f"{state.name} {shown_value(state.energy, 'J', 3)}" for state in net.states)
+    ways = [
+        f"{net.states[each.ends[0]].name} to {net.states[each.ends[1]].name} {shown_value(each.barriers[0], 'J', 3)}"
+        f" and back {shown_value(each.barriers[1], 'J', 3)}"
+        for each in net.passes
+    ]
+    barriers = f" Barriers: {'; '.join(ways)}." if ways else " No saddle between them was found."
+    what = f"Energies of the stable states of the {landscape.structure.appearance.whole} {landscape.design.name}"
+    return f"{what} and of saddles between them. States: {states}.{barriers}"

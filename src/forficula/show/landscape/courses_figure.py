@@ -1,0 +1,164 @@
+"""What slowly growing drives do to a net: the drive against how far it has gone, and the shapes where it turns."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure, SubFigure
+from matplotlib.lines import Line2D
+from numpy.typing import NDArray
+
+from forficula.show.landscape.net_pictures import Pictures, hang, net_pictures
+from forficula.show.landscape.net_words import course_words, shown_value, value_unit
+from forficula.show.style import BLACK, BLUE, GREEN, PAGE_WIDTH, VERMILION, describe, figure_style, is_narrow
+from forficula.statics import EnergyLandscape
+from forficula.statics.net.load_path import PathPoint
+from forficula.statics.net.net import Shape
+from forficula.statics.net_course import Course, drive_unit, driven_motor, gone
+
+Array = NDArray[np.float64]
+
+_MOST = 5  # pictures of a course
+_PLOT = 2.3  # inch
+_LEGEND = 0.45
+_LETTERS = "abcdefgh"
+
+
+def draw_courses(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
+    """Draw the equilibria under every drive, what it does where it grows slowly, and shapes on the way.
+
+    Args:
+        landscape: of points that slide, with a drive that moves them.
+        width: of the figure, inch.
+    """
+    assert landscape.net is not None
+    courses = landscape.net.courses
+    moments = [_moments(course) for course in courses]
+    columns = 1 if is_narrow(width) else min(2, len(courses))
+    rows = -(-len(courses) // columns)
+    pictures = [net_pictures(landscape.structure, [shape for _, shape, _ in each]) for each in moments]
+    most = max(len(each) for each in moments)
+    height = _PLOT + min(max(each.slope for each in pictures) * width / columns / most, 1.3) + 0.25
+    with figure_style():
+        figure = Figure(figsize=(width, rows * height + _LEGEND * (1 + is_narrow(width))), layout="constrained")
+        panels = np.ravel(figure.subfigures(rows, columns, squeeze=False))
+        for panel, course, each, picture in zip(panels, courses, moments, pictures, strict=False):
+            _draw_course(panel, landscape, course, each, picture)
+        figure.legend(handles=_handles(courses), loc="outside lower center", ncols=2 if is_narrow(width) else 4)
+        return describe(figure, _tell(landscape, courses))
+
+
+def _draw_course(
+    panel: SubFigure,
+    landscape: EnergyLandscape,
+    course: Course,
+    moments: Sequence[tuple[float, Shape, str]],
+    pictures: Pictures,
+) -> None:
+    """One drive: the plot, and beneath it pictures with the letters of their places."""
+    plot = _Plot(landscape, course)
+    grid = panel.add_gridspec(2, len(moments), height_ratios=[_PLOT, max(pictures.slope, 0.3)])
+    axes = panel.add_subplot(grid[0, :])
+    axes.axhline(0, color="0.8", lw=0.5, zorder=0)
+    if course.through is not None:
+        plot.lines(axes, course.through.points)
+    for path in course.slow.paths:
+        axes.plot(*plot.place(path.points), color=BLUE, lw=1.8, zorder=3)
+    for snap in course.slow.snaps:
+        colour = GREEN if snap.kind == "branch" else VERMILION
+        ends = [plot.at(snap.factor, shape) for shape in (snap.before, snap.after.shape)]
+        arrow = {"arrowstyle": "->", "color": colour, "lw": 1.2, "shrinkA": 0, "shrinkB": 0}
+        axes.annotate("", ends[1], ends[0], arrowprops=arrow, zorder=4)
+        axes.plot(*ends[0], "o", color="white", mec=colour, ms=4, zorder=5)
+    last = moments[-2] if len(moments) > 1 else moments[-1]
+    ends = [plot.at(last[0], last[1]), plot.at(0.0, course.rest.shape)]
+    axes.plot(*zip(*ends, strict=True), ":", color="0.4", lw=1.0, zorder=2)
+    for letter, (factor, shape, _) in zip(_LETTERS, moments, strict=False):
+        axes.annotate(letter, plot.at(factor, shape), xytext=(3, 3), textcoords="offset points", fontsize=8, zorder=6)
+    axes.set_xlabel(f"{plot.along} ({plot.unit_along})")
+    axes.set_ylabel(f"{plot.drive} ({plot.unit})")
+    axes.set_title(course.name, loc="left")
+    axes.margins(x=0.06, y=0.1)
+    small = [panel.add_subplot(grid[1, number]) for number in range(len(moments))]
+    hang(pictures, small)
+    for letter, each, (_, _, words) in zip(_LETTERS, small, moments, strict=False):
+        each.set_title(f"{letter}\n{words}" if words else letter, pad=1, fontsize=7)
+
+
+class _Plot:
+    """The axes of a course's plot: how far the drive has gone, and its strength."""
+
+    def __init__(self, landscape: EnergyLandscape, course: Course) -> None:
+        assert landscape.net is not None
+        self._structure, self._net, self._drive = landscape.structure, landscape.net.net, course.drive
+        points = [*course.slow.points, *(() if course.through is None else course.through.points)]
+        self._size = abs(course.drive.torque)
+        kind = driven_motor(self._structure, course.drive).kind
+        si = "m" if kind == "force" else "rad"
+        self._zero = self._gone(course.start.shape)
+        far = max(abs(self._gone(point.shape) - self._zero) for point in points)
+        self.unit_along, self._along = value_unit(si, far)
+        largest = max(abs(point.factor) for point in points) * self._size
+        self.unit, self._factor = value_unit(drive_unit(self._structure, course.drive), largest)
+        self.drive = {"force": "force", "torque": "torque", "rest-angle": "rest angle moved"}[kind]
+        self.along = "way along the force" if kind == "force" else "angle turned"
+
+    def _gone(self, shape: Shape) -> float:
+        return gone(self._structure, self._net, self._drive, shape)
+
+    def at(self, factor: float, shape: Shape) -> tuple[float, float]:
+        """Where a shape under a factor of the load stands."""
+        return self._along * (self._gone(shape) - self._zero), self._factor * self._size * factor
+
+    def place(self, points: Sequence[PathPoint]) -> tuple[list[float], list[float]]:
+        """Where equilibria stand."""
+        across, upwards = zip(*(self.at(point.factor, point.shape) for point in points), strict=True)
+        return list(across), list(upwards)
+
+    def lines(self, axes: Axes, points: Sequence[PathPoint]) -> None:
+        """Equilibria: a line where they hold under the load, dashes where they do not."""
+        for one, other in pairwise(points):
+            holds = one.index == 0 and other.index == 0
+            axes.plot(*self.place([one, other]), color=BLACK if holds else "0.5", lw=0.9, ls="-" if holds else "--")
+
+
+def _moments(course: Course) -> list[tuple[float, Shape, str]]:
+    """Factor, shape and words of what is pictured: the start, the ends of snaps, the end, and where it rests."""
+    found: list[tuple[float, Shape, str]] = [(0.0, course.start.shape, "start")]
+    for snap in course.slow.snaps:
+        if snap.kind != "branch":
+            found += [(snap.factor, snap.before, "snaps"), (snap.factor, snap.after.shape, "lands")]
+    last = course.slow.points[-1]
+    landed = bool(course.slow.snaps) and len(course.slow.snaps) == len(course.slow.paths)
+    if not landed:
+        found.append((last.factor, last.shape, "goal" if course.least is not None else "end"))
+    elif course.least is not None:
+        found[-1] = (*found[-1][:2], "at goal")
+    kept = found if len(found) < _MOST else [found[0], *found[1 : _MOST - 2], found[-1]]
+    return [*kept, (0.0, course.rest.shape, "let go")]
+
+
+def _handles(courses: Sequence[Course]) -> list[Line2D]:
+    kinds = {snap.kind == "branch" for course in courses for snap in course.slow.snaps}
+    handles = [Line2D([], [], color=BLUE, lw=1.8, label="grows slowly")]
+    if False in kinds:
+        handles.append(Line2D([], [], color=VERMILION, marker="o", mfc="white", ms=4, lw=1.2, label="snaps"))
+    if True in kinds:
+        handles.append(Line2D([], [], color=GREEN, marker="o", mfc="white", ms=4, lw=1.2, label="way branches"))
+    if any(course.through is not None for course in courses):
+        handles.append(Line2D([], [], color="0.5", lw=0.9, ls="--", label="equilibria that do not hold"))
+    handles.append(Line2D([], [], color="0.4", lw=1.0, ls=":", label="let go"))
+    return handles
+
+
+def _tell(landscape: EnergyLandscape, courses: Sequence[Course]) -> str:
+    told = []
+    for course in courses:
+        unit = drive_unit(landscape.structure, course.drive)
+        least = "" if course.least is None else f", at its goal with {shown_value(course.least, unit)}"
+        told.append(f"{course.name}: {course_words(landscape.structure, course)}{least}")
+    what = f"What slowly growing drives do to the {landscape.structure.appearance.whole} {landscape.design.name}"
+    return f"{what}, each against how far it has gone, with {len(courses)} plots. {'; '.join(told)}."

@@ -1,0 +1,92 @@
+"""The stable states of a net side by side, and the modes in which it swings about them."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
+
+from forficula.show.landscape.net_pictures import hang, net_pictures
+from forficula.show.landscape.net_words import shown_value
+from forficula.show.style import PAGE_WIDTH, describe, figure_style, is_narrow
+from forficula.statics import EnergyLandscape
+from forficula.statics.net.energy import shape_at
+from forficula.statics.net.net import Shape
+from forficula.statics.net_landscape import NetLandscape
+from forficula.statics.net_state import NetState
+
+_SWING = 0.12  # largest displacement that is drawn of a mode, of the net's size
+_TITLE, _LEGEND = 0.42, 0.35  # inch
+_MOST = 4  # states whose modes are drawn
+
+
+def draw_states(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
+    """Draw the stable states that were found, by rising energy.
+
+    Args:
+        landscape: of points that slide, with a stable state.
+        width: of the figure, inch.
+    """
+    net, structure = _net(landscape), landscape.structure
+    pictures = net_pictures(structure, [state.rest.shape for state in net.states])
+    columns = min(2 if is_narrow(width) else 4, len(net.states))
+    rows = -(-len(net.states) // columns)
+    height = min(width / columns * pictures.slope, 2.4) + _TITLE
+    with figure_style():
+        figure = Figure(figsize=(width, rows * height + _LEGEND * (1 + is_narrow(width))), layout="constrained")
+        axes = np.ravel(figure.subplots(rows, columns, squeeze=False))
+        hang(pictures, axes)
+        for each, state in zip(axes, net.states, strict=False):
+            each.set_title(f"{state.name}\n{shown_value(state.energy, 'J', 3)}", pad=2)
+        columns = 2 if is_narrow(width) else 4
+        figure.legend(handles=list(pictures.handles), loc="outside lower center", ncols=columns)
+        told = "; ".join(f"{each.name} with {shown_value(each.energy, 'J', 3)}" for each in net.states)
+        what = f"The stable states of the {structure.appearance.whole} {landscape.design.name} in space"
+        return describe(figure, f"{what}. {told}.")
+
+
+def draw_modes(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
+    """Draw the slowest modes about stable states, a row for each, far larger than they swing, and dotted the states.
+
+    Args:
+        landscape: of points that slide, with a stable state.
+        width: of the figure, inch.
+    """
+    net, structure = _net(landscape), landscape.structure
+    told = [state for state in net.states if state.withstands] or net.states
+    states = [state for state in told if len(state.modes)][:_MOST]
+    count = max(len(state.modes) for state in states)
+    columns = min(count, 2 if is_narrow(width) else 4)
+    swung = [_swung(net, state, mode) for state in states for mode in range(min(columns, len(state.modes)))]
+    pictures = net_pictures(structure, [*swung, *(state.rest.shape for state in states)])
+    height = min(width / columns * pictures.slope, 2.0) + _TITLE
+    with figure_style():
+        figure = Figure(figsize=(width, len(states) * height), layout="constrained")
+        grid = figure.subplots(len(states), columns, squeeze=False)
+        drawn = [axes for row, state in zip(grid, states, strict=True) for axes in row[: len(state.modes)]]
+        for axes in grid.ravel():
+            axes.set_axis_off()
+        hang(pictures, drawn)
+        for row, state, still in zip(grid, states, pictures.lines[len(swung) :], strict=True):
+            for axes, frequency in zip(row, state.frequencies, strict=False):
+                axes.add_collection(LineCollection(list(still), colors="0.35", linewidths=0.5, linestyles=":"))
+                first = axes is row[0]
+                axes.set_title(f"{state.name}\n{_hertz(frequency)}" if first else f"\n{_hertz(frequency)}", pad=2)
+        told = "; ".join(f"{each.name} {', '.join(map(_hertz, each.frequencies.tolist()))}" for each in states)
+        what = f"The slowest modes of the {structure.appearance.whole} {landscape.design.name} about its states"
+        return describe(figure, f"{what}, at the end of a swing. {told}.")
+
+
+def _swung(net: NetLandscape, state: NetState, mode: int) -> Shape:
+    """A state at the end of a swing that is far larger than it would be."""
+    shift = state.modes[mode] / np.linalg.norm(state.modes[mode], axis=1).max()
+    return shape_at(net.net, state.rest.shape.positions + _SWING * net.net.size * shift, state.rest.shape.angles)
+
+
+def _hertz(frequency: float) -> str:
+    return f"{frequency:.3g} Hz"
+
+
+def _net(landscape: EnergyLandscape) -> NetLandscape:
+    assert landscape.net is not None
+    return landscape.net

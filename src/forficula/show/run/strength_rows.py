@@ -1,0 +1,28 @@
+"""The largest strains, stresses and folds of a run as rows of text with units."""
+
+from __future__ import annotations
+
+from forficula.analysis.strength import fold_peak, strain_peaks
+from forficula.dynamics import Record
+from forficula.quantities import show_value
+
+STRENGTH_HEADINGS = ("", "strain", "stress", "where", "at")
+
+
+def strength_rows(record: Record) -> list[list[str]]:
+    """What a run asked of bars, membranes and tendons, and how far creases folded, under `STRENGTH_HEADINGS`."""
+    rows = [
+        [
+            peak.kind,
+            f"{100 * peak.strain:.3g} %",
+            "" if peak.stress is None else show_value(peak.stress, "Pa", 3),
+            peak.part,
+            show_value(peak.time, "s"),
+        ]
+        for peak in strain_peaks(record)
+    ]
+    furthest = fold_peak(record)
+    if furthest is not None:
+        angle, time = show_value(furthest.angle, "rad"), show_value(furthest.time, "s")
+        rows.append([f"creases: {angle}", "", "", furthest.crease, time])
+    return rows

@@ -1,0 +1,109 @@
+"""Creases that open: springs between the two plates along them, and the fold between these."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from forficula.design import SheetDesign
+from forficula.design.crease_values import creases_by_edge, rest_angle, stops
+from forficula.design.sheet_creases import crease_role, crease_sense
+from forficula.design.sheet_places import SheetPlace
+from forficula.pattern import CreasePattern
+from forficula.pattern.shared_edges import SharedEdge, shared_edges
+from forficula.structure.facet_plates import AddPoint, corner_name
+from forficula.structure.parts import Array, Hinge, Point, Spring
+
+# of a spring along a crease: gaps grow evenly along it, so that Simpson's rule is exact for their squares
+_WEIGHTS = (1 / 6, 4 / 6, 1 / 6)
+OPENING = "opening"  # role of these springs
+
+
+def opening_creases(design: SheetDesign) -> frozenset[int]:
+    """Numbers of the edges at which rigid facets come apart."""
+    return frozenset(edge for edge, crease in creases_by_edge(design).items() if crease.extension is not None)
+
+
+def opening_parts(
+    design: SheetDesign, pattern: CreasePattern, points: Sequence[Point], add: AddPoint, built: Array
+) -> tuple[tuple[Spring, ...], tuple[Hinge, ...], dict[int, int]]:
+    """The springs and the folds of creases that open.
+
+    Args:
+        design: of the sheet.
+        pattern: alike.
+        points: of the corners of its plates, and others.
+        add: gives a place a point.
+        built: by how much every edge is folded as built, rad, (edge,).
+
+    Returns:
+        Three springs a crease, each of no length; the hinges; and their numbers among these by edge.
+    """
+    creases, opening = creases_by_edge(design), opening_creases(design)
+    named = {point.name: number for number, point in enumerate(points)}
+    springs: list[Spring] = []
+    hinges: list[Hinge] = []
+    numbers: dict[int, int] = {}
+    for shared in shared_edges(pattern):
+        edge = shared.edge
+        if edge not in opening:
+            continue
+        crease, sense = creases[edge], crease_sense(pattern, edge)
+        ends = pattern.vertices_coords[[shared.tail, shared.head]]
+        length = float(np.linalg.norm(ends[1] - ends[0]))
+        middle = [
+            add(f"crease{edge}_on_facet{facet}", "crease", SheetPlace(facet=facet, position=ends.mean(axis=0)))
+            for facet in (shared.left, shared.right)
+        ]
+        pairs = [
+            tuple(named[corner_name(facet, vertex)] for facet in (shared.left, shared.right))
+            for vertex in (shared.tail, shared.head)
+        ]
+        for place, (pair, weight) in enumerate(zip((pairs[0], middle, pairs[1]), _WEIGHTS, strict=True)):
+            springs.append(
+                Spring(
+                    name=f"crease{edge}_opening{place}",
+                    role=OPENING,
+                    points=(pair[0], pair[1]),
+                    stiffness=weight * length * (crease.extension or 0.0),
+                    rest_length=0.0,
+                    damping=weight * length * (crease.extension_damping or 0.0),
+                )
+            )
+        lower, upper = stops(design, edge, crease)
+        folded = sense * float(built[edge]) + 0.0
+        locks = crease.law == "locking"
+        numbers[edge] = len(hinges)
+        hinges.append(
+            Hinge(
+                name=f"crease{edge}",
+                role=crease_role(pattern, edge),
+                flaps=_flaps(pattern, shared, named),
+                sense=sense,
+                lower=lower,
+                upper=upper,
+                stiffness=(crease.stiffness or 0.0) * length,
+                rest_angle=rest_angle(crease, folded),
+                lock_below=-crease.lock_angle if locks else -np.inf,
+                lock_above=crease.lock_angle if locks else np.inf,
+                damping=(crease.damping or 0.0) * length,
+                start=folded,
+                assignment=pattern.edges_assignment[edge],
+                label=f"crease {edge}",
+            )
+        )
+    return tuple(springs), tuple(hinges), numbers
+
+
+def _flaps(pattern: CreasePattern, shared: SharedEdge, named: dict[str, int]) -> tuple[int, int, int, int, int, int]:
+    """Tail, head and the furthest corner of the facet on the left, and of that on the right."""
+    tail, head = pattern.vertices_coords[[shared.tail, shared.head]]
+    flaps = []
+    for facet in (shared.left, shared.right):
+        corners = pattern.faces_vertices[facet]
+        heights = np.linalg.norm(np.cross(pattern.vertices_coords[list(corners)] - tail, head - tail), axis=1)
+        for vertex in (shared.tail, shared.head, corners[int(np.argmax(heights))]):
+            flaps.append(named[corner_name(facet, vertex)])
+    one, two, three, four, five, six = flaps
+    return one, two, three, four, five, six

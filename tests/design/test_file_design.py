@@ -1,0 +1,60 @@
+"""Designs of FOLD files and drawings alone."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from forficula.design import design_from_text, design_text, load_design
+from forficula.errors import InputError
+from forficula.pattern import read_pattern, write_fold
+from forficula.structure import structure_of
+
+FILES = Path(__file__).parents[1] / "pattern" / "fold"
+
+
+@pytest.mark.parametrize("name", ["diagonal-cp", "simple", "squareBase"])
+def test_a_file_of_others_is_a_design(name):
+    design = load_design(FILES / f"{name}.fold", unit=0.05)
+    structure = structure_of(design)
+    assert design.name == name
+    sheet, _ = read_pattern(FILES / f"{name}.fold", 0.05)
+    assert np.array_equal(design.sheet.vertices_coords, sheet.vertices_coords)
+    assert len(structure.bodies) == len(sheet.vertices_coords)
+    assert [(stage.drive, stage.until) for stage in design.protocol.stages] == [("fold", "target")]
+    again = design_from_text(design_text(design))
+    assert again.hash == design.hash
+    assert np.array_equal(again.sheet.edges_fold_angle, sheet.edges_fold_angle, equal_nan=True)
+
+
+def test_creases_go_to_the_angles_that_a_file_gives(tmp_path):
+    sheet = load_design("miura-sheet").sheet
+    angles = sheet.edges_fold_angle / 3
+    write_fold(type(sheet)(**{**vars(sheet), "edges_fold_angle": angles}), tmp_path / "third.fold")
+    structure = structure_of(load_design(tmp_path / "third.fold"))
+    (motor,), (drive,) = structure.motors, structure.drives
+    ends = [
+        structure.hinges[hinge].start + gain * drive.torque
+        for hinge, gain in zip(motor.hinges, motor.gains, strict=True)
+    ]
+    assert ends == pytest.approx([np.pi / 3] * 24)
+
+
+def test_settings_hold_for_a_file_too():
+    design = load_design(FILES / "simple.fold", {"facet.thickness": "1 mm"}, unit=0.05)
+    assert design.facet.thickness == 1e-3
+    assert not any(choice.key == "thickness" for choice in design.chosen)
+
+
+@pytest.mark.parametrize(
+    ("name", "unit", "message"),
+    [
+        ("simple.fold", None, "frame_unit"),
+        ("none.fold", 0.05, "need a file that can be read"),
+        ("miura-sheet", 0.05, "unit: a design has units of its own, got 0.05 m"),
+    ],
+)
+def test_what_is_no_file_or_lacks_its_unit_is_refused(name, unit, message):
+    path = FILES / name if name.endswith(".fold") else name
+    with pytest.raises(InputError, match=message):
+        load_design(path, unit=unit)
