@@ -2,7 +2,7 @@
 
 A vertex of four creases folds as a spherical linkage of four bars (Huffman 1976; `vertex_closure`). A sheet of
 quadrilaterals with straight creases along its columns and, on every line between two rows, zigzag creases that cross
-them all at one angle g of that line, is flat-foldable at every vertex (Kawasaki 1989), and all its straight creases fold
+them all at one angle g of that line, is flat-foldable at every vertex (Kawasaki 1989): all its straight creases fold
 by one size s, the zigzag creases of a line by z with tan(s / 2) = |cos g| tan(z / 2) (Huffman 1976; Tachi 2009,
 J. IASS 50, 173-179): a Miura-ori with columns, rows and angles that differ. With rigid facets the energy of the creases
 is then a function of one angle, and its least value is where the sheet rests.
@@ -47,8 +47,8 @@ def rest_of(record):
 
 
 def driven(pattern, fold, of, limit, stiff):
-    """The record of a sheet that the springs of some creases fold, resting `fold` further on within half the time; EA of the
-    bars is about `stiff` times their stiffness."""
+    """The record of a sheet that the springs of some creases fold, resting `fold` further on within half the time; EA
+    of the bars is about `stiff` times their stiffness."""
     drive = {"name": "fold", "kind": "rest-angle", "of": of, "angle": fold, "rise": limit / 2}
     values = {"drive": [drive], "protocol.stages": [stage("fold", limit=limit)], "facet.youngs_modulus": 1.7e4 * stiff}
     design = sheet_design(pattern, STIFF | values)
