@@ -48,8 +48,8 @@ class SheetDesign(Design):
     @property
     def opens(self) -> bool:
         """Whether creases open between rigid facets."""
-        groups = (self.crease, *self.crease.group)
-        return self.facet.kind == "rigid" and any(each.extension is not None for each in groups)
+        stiffness = (self.crease.extension, *(group.extension for group in self.crease.group))
+        return self.facet.kind == "rigid" and any(each is not None for each in stiffness)
 
     @property
     def chosen(self) -> tuple[Choice, ...]:

@@ -56,8 +56,8 @@ def check_sheet(design: SheetDesign) -> None:
         raise InputError("crease.start: is for rigid facets; others start as the pattern is built")
     else:
         _check_built(design, sheet)
-    for number, each in enumerate((design.crease, *groups)):
-        if design.facet.kind != "rigid" and each.extension is not None:
+    for number, extension in enumerate((design.crease.extension, *(group.extension for group in groups))):
+        if design.facet.kind != "rigid" and extension is not None:
             key = f"crease.group.{number - 1}" if number else "crease"
             raise InputError(f'{key}.extension: is for facet.kind = "rigid", between whose facets creases open')
     _check_names(design, sheet)
