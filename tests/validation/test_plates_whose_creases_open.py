@@ -131,11 +131,7 @@ def flattened_energy(design):
         across = (other - one) / np.linalg.norm(other - one)
         frames.append(np.array([bisector, across]))
     local = [
-        [
-            (carriers[structure.points[point].body], point)
-            for point in spring.points
-        ]
-        for spring in structure.springs
+        [(carriers[structure.points[point].body], point) for point in spring.points] for spring in structure.springs
     ]
 
     def energy(shifts):
@@ -146,7 +142,9 @@ def flattened_energy(design):
                 x, y, turn = shifts[3 * plate : 3 * plate + 3]
                 turn += math.radians(90) * plate
                 u, v = frames[plate] @ (structure.points[point].place - flat[plate][0])
-                places.append([x + u * math.cos(turn) - v * math.sin(turn), y + u * math.sin(turn) + v * math.cos(turn)])
+                places.append(
+                    [x + u * math.cos(turn) - v * math.sin(turn), y + u * math.sin(turn) + v * math.cos(turn)]
+                )
             total += spring.stiffness / 2 * float(np.sum((np.array(places[0]) - places[1]) ** 2))
         return total / (EXTENSION * RADIUS**3)
 
