@@ -20,6 +20,7 @@ Array = NDArray[np.float64]
 
 _MOST = 4.0  # of a drive's strength: how far it is followed where that does not suffice
 _INCREMENTS = 120
+_FINE = 0.008  # first increment of the equilibria through a snap, of the net's size: they are drawn
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -74,7 +75,7 @@ def drive_course(structure: Structure, net: Net, start: Rest, drive: Drive, tran
     factor = slow.snaps[-1].factor if last is None else last.factor
     through = None
     if slow.snaps:
-        through = load_path(net, start.shape, load, target=factor, increments=_INCREMENTS)
+        through = load_path(net, start.shape, load, target=factor, step=_FINE * net.size, increments=2 * _INCREMENTS)
     reached = None if goal is None else _first_at(structure, goal, slow.points)
     if reached is None and slow.ended == "stop":
         reached = factor

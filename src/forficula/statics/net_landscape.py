@@ -29,7 +29,7 @@ Progress = Callable[[str], None]
 
 _TRIES = 16  # pushes of a search for stable states
 _SHOWN = 4  # states that no protocol names, of which more is worked out
-_PATHS, _INCREMENTS = 3, 100  # tried for a saddle, and increments of each
+_PATHS, _INCREMENTS = 4, 100  # tried for a saddle, and increments of each
 _OFF = 1e-3  # of the net's size: a push off a ridge
 _RIDGES = 8
 

@@ -231,7 +231,8 @@ def _loads(structure: Structure, net: Net, shape: Shape) -> list[tuple[str, str,
     for name, motor in _groups(structure):
         for sign, words in ((1.0, "folding"), (-1.0, "unfolding")):
             load = motor_load(replace(structure, motors=(motor,)), net, (sign,))
-            loads.append((f"torque on each crease of {name}, {words}", "N m", load))
+            of = "" if name == "creases" else f" of {name}"
+            loads.append((f"torque on each crease{of}, {words}", "N m", load))
     return loads
 
 

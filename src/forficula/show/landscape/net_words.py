@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from forficula.quantities import reading_unit, show_value
+from forficula.quantities import reading_unit
 from forficula.statics.net_course import Course, drive_unit
 from forficula.statics.net_state import Withstood
 from forficula.structure import Structure, measure_of
@@ -19,8 +19,9 @@ def value_unit(unit: str, largest: float) -> tuple[str, float]:
 
 def shown_value(value: float, unit: str, digits: int = 4) -> str:
     """Write an SI float in the unit in which it reads well, with a minus sign and not a hyphen."""
-    text = f"{math.degrees(value):.{digits}g} {_ANGLES}" if unit == "rad" else show_value(value, unit, digits)
-    return text.replace("-", "−").replace("m/s^2", "m/s²")
+    name, factor = value_unit(unit, abs(value))
+    rounded = float(f"{factor * value:.{digits}g}")
+    return f"{rounded:g} {name}".replace("-", "−").replace("m/s^2", "m/s²")
 
 
 def shown_strength(structure: Structure, course: Course, size: float) -> str:

@@ -24,7 +24,8 @@ Flags = NDArray[np.bool_]
 def is_net(structure: Structure) -> bool:
     """Whether all that moves are points that slide, without joints, and nothing but springs joins them."""
     jointed = any(hinge.flaps is None for hinge in structure.hinges)
-    return any(body.slides for body in structure.bodies) and not jointed and not structure.limits
+    turning = any(body.turns for body in structure.bodies)
+    return any(body.slides for body in structure.bodies) and not (jointed or turning or structure.limits)
 
 
 def net_of(structure: Structure) -> Net:
