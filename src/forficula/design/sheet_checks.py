@@ -12,7 +12,6 @@ from forficula.design.part import ANGLE, LENGTH, TORQUE
 from forficula.design.protocol import GoalText, check_bound, check_stages, read_goal, stage_drives
 from forficula.design.rigid_checks import check_rigid, check_rigid_creases, check_rigid_tendon
 from forficula.design.sheet_creases import crease_groups, crease_role, crease_sense, creases_of, fold_edges
-from forficula.design.sheet_parts import largest_extension
 from forficula.design.sheet_places import GROUND_PLACE, facet_of, place_on, vertex_of
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, built_fold_angles
@@ -57,8 +56,10 @@ def check_sheet(design: SheetDesign) -> None:
         raise InputError("crease.start: is for rigid facets; others start as the pattern is built")
     else:
         _check_built(design, sheet)
-    if design.facet.kind != "rigid" and largest_extension(design.crease):
-        raise InputError('crease.extension: is for facet.kind = "rigid", between whose facets creases open')
+    for number, extension in enumerate((design.crease.extension, *(group.extension for group in groups))):
+        if design.facet.kind != "rigid" and extension is not None:
+            key = f"crease.group.{number - 1}" if number else "crease"
+            raise InputError(f'{key}.extension: is for facet.kind = "rigid", between whose facets creases open')
     _check_names(design, sheet)
     for number, _ in enumerate(design.tendon):
         _check_tendon(design, sheet, number)

@@ -87,8 +87,8 @@ def landscape_kinds(landscape: EnergyLandscape) -> tuple[str, ...]:
     """
     structure, net = landscape.structure, landscape.net
     if net is not None:
-        states = ("states", "modes", "barriers") if net.states else ()
-        return (*states, *["courses"] * bool(net.courses))
+        states = ("states", "modes") if net.states else ()
+        return (*states, *["barriers"] * (len(net.states) > 1), *["courses"] * bool(net.courses))
     tendon = ("tendon",) if inner_tendon(structure) is not None else ()
     levels = ("levels",) if folding_hinges(structure) else ()
     return (*tendon, "rests" if structure.rigid_fold is None else "wing", *levels)

@@ -26,6 +26,7 @@ _MOST = 5  # pictures of a course
 _PLOT = 2.3  # inch
 _LEGEND = 0.45
 _LETTERS = "abcdefgh"
+_SAME = 0.04  # of the size of a plot: letters so near are written together
 
 
 def draw_courses(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
@@ -77,8 +78,8 @@ def _draw_course(
     last = moments[-2] if len(moments) > 1 else moments[-1]
     ends = [plot.at(last[0], last[1]), plot.at(0.0, course.rest.shape)]
     axes.plot(*zip(*ends, strict=True), ":", color="0.4", lw=1.0, zorder=2)
-    for letter, (factor, shape, _) in zip(_LETTERS, moments, strict=False):
-        axes.annotate(letter, plot.at(factor, shape), xytext=(3, 3), textcoords="offset points", fontsize=8, zorder=6)
+    for place, letters in _lettered([plot.at(factor, shape) for factor, shape, _ in moments]):
+        axes.annotate(letters, place, xytext=(3, 3), textcoords="offset points", fontsize=8, zorder=6)
     axes.set_xlabel(f"{plot.along} ({plot.unit_along})")
     axes.set_ylabel(f"{plot.drive} ({plot.unit})")
     axes.set_title(course.name, loc="left")
@@ -124,6 +125,20 @@ class _Plot:
         for one, other in pairwise(points):
             holds = one.index == 0 and other.index == 0
             axes.plot(*self.place([one, other]), color=BLACK if holds else "0.5", lw=0.9, ls="-" if holds else "--")
+
+
+def _lettered(places: Sequence[tuple[float, float]]) -> list[tuple[tuple[float, float], str]]:
+    """The letters of places, those that are one with all of theirs."""
+    size = np.ptp(np.array(places), axis=0) + 1e-12
+    found: list[tuple[tuple[float, float], str]] = []
+    for letter, place in zip(_LETTERS, places, strict=False):
+        near = [np.abs((np.array(each) - place) / size).max() < _SAME for each, _ in found]
+        if any(near):
+            number = near.index(True)
+            found[number] = (found[number][0], f"{found[number][1]}, {letter}")
+        else:
+            found.append((place, letter))
+    return found
 
 
 def _moments(course: Course) -> list[tuple[float, Shape, str]]:

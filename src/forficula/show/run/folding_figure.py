@@ -29,7 +29,7 @@ _LEGEND_HEIGHT = 0.9  # inch
 _BAR_HEIGHT = 0.3  # inch, of a scale bar with its number
 _MOST_LINES = 200  # of creases and edges: more would hide what they lie on
 # to the size of the whole: the more, the larger the file; facets hide more of one another than sheets between bars do
-_CELLS, _FACET_CELLS = 16, 18
+_CELLS, _FACET_CELLS = 16, 20
 
 
 def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) -> Figure:
