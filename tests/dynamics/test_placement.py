@@ -12,7 +12,7 @@ from forficula.dynamics.creases import engine_rows
 from forficula.dynamics.plate_angles import plate_angles
 from forficula.dynamics.plate_creases import plate_rows
 from forficula.structure import flap_angles
-from tests.plate_sheets import plates, pleats, vertex
+from tests.plate_sheets import miura, plates, pleats, vertex
 
 OPENS = 'stiffness = "1e-2 N m/rad/m"\nrest_angle = "20 deg"\nextension = "1e4 N/m^2"\nextension_damping = "0 N s/m^2"'
 # a held plate, one that hangs on it, and a free one
@@ -120,3 +120,21 @@ def test_a_hinged_plate_starts_at_the_angle_at_which_it_is_built():
     assert max(map(abs, starts)) == pytest.approx(math.radians(30), rel=0.6)
     # closed as built: no constraint is violated
     assert np.abs(data.efc_pos).max() < 1e-9
+
+
+def test_sheets_that_close_loops_run_side_by_side_as_alone_and_sparse_as_whole():
+    """At stops, too, whose work is told apart step by step."""
+    drive = '[[drive]]\nname = "fold"\nkind = "torque"\nof = "creases"\nvalue = "2e-3 N cm"\nrise = "20 ms"'
+    crease = 'stiffness = "1e-3 N m/rad/m"\ndamping = "1e-5 N m s/rad/m"\nfold_limit = "60 deg"'
+    stages = [{"name": "fold", "drive": "fold", "limit": "80 ms"}, {"name": "release", "limit": "30 ms"}]
+    models = [
+        compile_model(plates(miura(2, fold), crease=crease, more=drive, stages=stages, step="0.1 ms"))
+        for fold in ("20 deg", "30 deg", "30 deg")
+    ]
+    for record, sparse, model in zip(simulate(models), simulate(models, sparse=True), models, strict=True):
+        (alone,) = simulate([model])
+        assert record.series["stop_work"][-1] < 0
+        for name, values in record.series.items():
+            np.testing.assert_array_equal(values, alone.series[name], err_msg=name)
+            if name in sparse.series:
+                np.testing.assert_array_equal(values[-1], sparse.series[name][-1], err_msg=name)

@@ -12,8 +12,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from forficula.analysis import measure
 from forficula.dynamics import compile_model, energy_balance, simulate
 from forficula.structure import mass_of, structure_of
+from forficula.study.runs import run
 from tests.plate_sheets import miura, plates, vertex
 
 SPRINGS = 'stiffness = "1e-3 N m/rad/m"\nrest_angle = "75 deg"\ndamping = "0 N m s/rad/m"'
@@ -126,3 +128,22 @@ def test_a_plate_and_its_copies_share_its_mass():
     (mass, _, inertia), (other, _, same) = mass_of(structure, original), mass_of(structure, copy)
     assert mass == other
     np.testing.assert_allclose(inertia, same, rtol=1e-12, atol=1e-20)
+
+
+def test_at_the_timestep_that_is_chosen_the_account_closes_and_so_do_the_loops():
+    damped = SPRINGS.replace('damping = "0 N', 'damping = "1e-5 N')
+    stages = [{"name": "swing", "limit": "60 ms"}]
+    record = run(plates(miura(3), crease=damped, step="auto", stages=stages))
+    assert energy_balance(record).residual < record.design.protocol.residual_limit
+    assert record.series["closure_gap"][-1] < 1e-4 * 0.02
+    assert record.doubt == ""
+
+
+def test_a_run_whose_loops_come_apart_is_not_to_be_trusted():
+    """A hundred times the longest stable step of its springs: welds cannot follow."""
+    record = swing(
+        miura(3), step="10 ms", crease=SPRINGS.replace("1e-3", "2e-2"), stages=[{"name": "a", "limit": "1 s"}]
+    )
+    assert record.diverged_at is not None or "come apart by" in record.doubt
+    outcome = measure(record)
+    assert not outcome.verdict.tells

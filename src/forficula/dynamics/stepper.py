@@ -310,9 +310,11 @@ class Stepper:
         """The derived fields of structures in the states that they are in, (row, ...); the states stay."""
         count = len(rows)
         engine.state[:count, self._control] = controls
+        # the engine fills what was bound before
+        bound = {name: engine.bind(name) for name in self._names}
         with _quiet:
             engine.forward(np.arange(count))
-        fields = {name: engine.bind(name)[:count].copy() for name in self._names}
+        fields = {name: each[:count].copy() for name, each in bound.items()}
         engine.state[:count] = self._state[rows]
         return fields
 

@@ -66,7 +66,9 @@ def outer_ends(structure: Structure) -> Array:
 
     One a body, in the built shape: the tip of a bar, a corner of a plate.
     """
-    carrying, ends = {body.parent for body in structure.bodies}, drawn_points(structure)
+    copies = {closure.bodies[1] for closure in structure.closures}
+    carrying = {body.parent for number, body in enumerate(structure.bodies) if number not in copies}
+    ends = drawn_points(structure)
     furthest: dict[int, int] = {}
     for number in ends:
         point = structure.points[number]
