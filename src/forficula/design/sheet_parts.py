@@ -149,6 +149,11 @@ class Crease(Part):
     ] = ()
 
 
+def largest_extension(crease: Crease) -> float:
+    """The stiffest springs in which creases of a section or of its groups open, by length; 0 where none opens."""
+    return max(crease.extension or 0.0, *(group.extension or 0.0 for group in crease.group), 0.0)
+
+
 class Support(Part):
     """What is held."""
 
