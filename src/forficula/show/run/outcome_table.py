@@ -40,7 +40,8 @@ def print_outcome(name: str, outcome: Outcome, structure: Structure) -> None:
 
 def print_strength(record: Record) -> None:
     """Print the largest strains, stresses and folds of a run of facets that bend; nothing of what has none."""
-    if not record.structure.facets or not (rows := strength_rows(record)):
+    rows = strength_rows(record)
+    if not rows:
         return
     table = Table(box=None, padding=(0, 2, 0, 0), title="Largest strains and folds", title_justify="left")
     for heading in STRENGTH_HEADINGS:
