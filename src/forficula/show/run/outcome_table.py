@@ -43,7 +43,8 @@ def print_strength(record: Record) -> None:
     """Print which way a sheet left its flat state, and its largest strains, stresses and folds; nothing of others."""
     if (branch := branch_taken(record)) is not None:
         Console(width=110, highlight=False).print(Text(), Text(_sentence(branch_text(branch))), sep="\n")
-    if not record.structure.facets or not (rows := strength_rows(record)):
+    rows = strength_rows(record)
+    if not rows:
         return
     table = Table(box=None, padding=(0, 2, 0, 0), title="Largest strains and folds", title_justify="left")
     for heading in STRENGTH_HEADINGS:
