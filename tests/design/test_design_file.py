@@ -300,7 +300,7 @@ def test_a_misspelt_key_is_named_rather_than_the_one_that_is_missing_for_it(refu
         ),
         (
             f'{BASED}[[protocol.stages]]\nname = "a"',
-            "protocol.stages.0.drive: is missing; needed here: name, drive, until, hold, time_limit",
+            "protocol.stages.0.drive: is missing; needed here: name, drive, until, time_limit",
         ),
     ],
     ids=["empty file", "one value", "in a stage"],

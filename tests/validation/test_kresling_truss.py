@@ -1,14 +1,8 @@
 """Kresling's truss between rigid polygons: its energy is closed in height and twist.
 
-<<<<<<< HEAD
-n bars of either kind join two regular polygons of radius R, the distance h apart and twisted by t; their squared
-lengths are h^2 + 2 R^2 (1 - cos t) and the same with t + 2 pi / n (Kresling 1995; the truss as in Yasuda, Tachi, Lee
-and Yang 2017, doi 10.1038/s41467-017-00670-w). Both lengths recur at the twist pi - 2 pi / n - t.
-=======
 n bars of either kind join two regular polygons of radius R, a distance h apart and twisted by t; their squared lengths
 are h^2 + 2 R^2 (1 - cos t) and the same with t + 2 pi / n (Kresling 1995; the truss as in Yasuda, Tachi, Lee and Yang
 2017, doi 10.1038/s41467-017-00670-w). Both lengths recur at the twist pi - 2 pi / n - t.
->>>>>>> r3
 """
 
 from itertools import combinations

@@ -32,6 +32,7 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[
         "largest_strains": {peak.kind: _peak_summary(peak) for peak in strain_peaks(record)},
         **({} if furthest is None else {"furthest_fold": _fold_summary(furthest)}),
         "energy_balance": _balance_summary(outcome.energy_balance),
+        **({"closure_gap_m": float(record.series["closure_gap"][-1])} if "closure_gap" in record.series else {}),
         "diverged_at_s": record.diverged_at,
         "warnings": [*structure_warnings(record.design, structure), *run_warnings(record)],
         "design_hash": record.design.hash,
@@ -115,6 +116,7 @@ def _balance_summary(balance: EnergyBalance) -> dict[str, float]:
         "letting_go_J": balance.letting_go,
         "hinge_energy_change_J": balance.hinges,
         "spring_energy_change_J": balance.springs,
+        "closures_J": balance.closures,
     }
     return {
         "residual": balance.residual,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Annotated, Any, Self
 
 from pydantic import Field, model_validator
@@ -19,6 +20,7 @@ from forficula.pattern import CreasePattern
 class SheetDesign(Design):
     """A sheet that folds at its creases, and what is done to it."""
 
+    source: Annotated[str, Field(description="where its values come from")] = ""
     pattern: Any
     facet: Facet = Facet()
     crease: Crease = Crease()
@@ -34,8 +36,7 @@ class SheetDesign(Design):
     @property
     def sheet(self) -> CreasePattern:
         """The crease pattern, as built."""
-        sheet: CreasePattern = self.pattern.sheet
-        return sheet
+        return _drawn(self.pattern)
 
     @property
     def held_facets(self) -> tuple[int, ...]:
@@ -47,8 +48,8 @@ class SheetDesign(Design):
     @property
     def opens(self) -> bool:
         """Whether creases open between rigid facets."""
-        groups = (self.crease, *self.crease.group)
-        return self.facet.kind == "rigid" and any(each.extension is not None for each in groups)
+        stiffness = (self.crease.extension, *(group.extension for group in self.crease.group))
+        return self.facet.kind == "rigid" and any(each is not None for each in stiffness)
 
     @property
     def chosen(self) -> tuple[Choice, ...]:
@@ -68,3 +69,10 @@ class SheetDesign(Design):
     def _fits_together(self) -> SheetDesign:
         check_sheet(self)
         return self
+
+
+@lru_cache(maxsize=64)
+def _drawn(pattern: Any) -> CreasePattern:
+    """The sheet of a pattern, which is asked for again and again while it is built."""
+    sheet: CreasePattern = pattern.sheet
+    return sheet

@@ -134,6 +134,7 @@ def _springs(design: SheetDesign, triangles: CreasePattern) -> tuple[Spring, ...
     areas = np.zeros(len(lengths))
     np.add.at(areas, sides, (share * _areas(triangles) / lengths[sides].sum(axis=1))[:, None])
     stiffness = (facet.youngs_modulus or 0.0) * areas / lengths
+    edges = len(design.sheet.edges_vertices)
     return tuple(
         Spring(
             name=f"{role}{edge}",
@@ -146,12 +147,8 @@ def _springs(design: SheetDesign, triangles: CreasePattern) -> tuple[Spring, ...
         )
         for edge, (tail, head) in enumerate(triangles.edges_vertices)
         if areas[edge]
-        for role in ["edge" if edge < _edge_count(design) else "diagonal"]
+        for role in ["edge" if edge < edges else "diagonal"]
     )
-
-
-def _edge_count(design: SheetDesign) -> int:
-    return len(design.sheet.edges_vertices)
 
 
 def _hinges(design: SheetDesign, triangles: CreasePattern) -> tuple[tuple[Hinge, ...], dict[int, int]]:

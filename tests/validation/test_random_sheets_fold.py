@@ -1,0 +1,149 @@
+"""Flat-foldable sheets drawn at random fold in the one way of their closed form, and rest where it says.
+
+A vertex of four creases folds as a spherical linkage of four bars (Huffman 1976; `vertex_closure`). A sheet of
+quadrilaterals with straight creases along its columns and, on every line between two rows, zigzag creases that cross
+them all at one angle g of that line, is flat-foldable at every vertex (Kawasaki 1989): all its straight creases fold
+by one size s, the zigzag creases of a line by z with tan(s / 2) = |cos g| tan(z / 2) (Huffman 1976; Tachi 2009,
+J. IASS 50, 173-179): a Miura-ori with columns, rows and angles that differ. With rigid facets the energy of the creases
+is then a function of one angle, and its least value is where the sheet rests.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import Phase, given, settings
+from hypothesis import strategies as st
+from scipy.optimize import minimize_scalar
+
+from forficula.design import with_values
+from forficula.dynamics import compile_model, simulate, stable_timestep
+from forficula.pattern import degree4_closure, folded_coordinates, kawasaki_residuals, vertex_pattern, vertex_walk
+from forficula.pattern.facet_sheet import sheet_of_facets
+from forficula.statics.net import minimum
+from forficula.statics.net.net_of import net_of, start_shape
+from tests.sheets import fold_angles, sheet_design, stage, stored_energy
+
+GENERATE = (Phase.explicit, Phase.generate)  # shrinking a run takes minutes
+STIFFNESS = 0.02  # of creases by length, N m/rad/m
+# bends 1e3 times that; damping about critical for facets of 2 cm
+STIFF = {
+    "facet.bend_stiffness": 20.0,
+    "crease.stiffness": STIFFNESS,
+    "crease.rest_angle": "as built",
+    "crease.damping": 2e-4,
+    "protocol.sample_interval": 2e-3,
+}
+
+
+def rest_of(record):
+    """Where statics puts the sheet of a record from how it is built, with springs that rest as at the record's end."""
+    built = record.structure
+    net = net_of(built)
+    senses = np.array([hinge.sense for hinge in built.hinges])
+    law = replace(net.creases.law, rest_angle=senses * record.series["hinge_rest_angle"][-1])
+    net = replace(net, creases=replace(net.creases, law=law))
+    return minimum(net, start_shape(built, net), longest_step=2e-3)
+
+
+def driven(pattern, fold, of, limit, stiff):
+    """The record of a sheet that the springs of some creases fold, resting `fold` further on within half the time; EA
+    of the bars is about `stiff` times their stiffness."""
+    drive = {"name": "fold", "kind": "rest-angle", "of": of, "angle": fold, "rise": limit / 2}
+    values = {"drive": [drive], "protocol.stages": [stage("fold", limit=limit)], "facet.youngs_modulus": 1.7e4 * stiff}
+    design = sheet_design(pattern, STIFF | values)
+    (record,) = simulate([compile_model(with_values(design, {"protocol.timestep": stable_timestep(design)}))])
+    return record
+
+
+def assert_rests_as(record, pattern, folded, fold):
+    """By statics and by dynamics, at the least energy of a closed form: fold angles (edge,) by one angle."""
+    angles, edges = fold_angles(record)
+    ends = pattern.vertices_coords[pattern.edges_vertices[edges]]
+    springs = STIFFNESS * np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    senses = np.array([hinge.sense for hinge in record.structure.hinges[: len(edges)]])
+    goals = senses * record.series["hinge_rest_angle"][-1, : len(edges)]
+
+    def energy(angle):
+        return springs @ (folded(angle)[edges] - goals) ** 2 / 2
+
+    least = minimize_scalar(energy, bounds=(0.01, abs(fold)), method="bounded", options={"xatol": 1e-10})
+    rest = rest_of(record)
+    assert rest.stable
+    assert rest.energy == pytest.approx(least.fun, rel=1e-3)
+    assert stored_energy(record)[-1] == pytest.approx(rest.energy, rel=1e-3)
+    known = folded(least.x)[edges]
+    np.testing.assert_allclose(rest.shape.angles[: len(edges)], known, atol=np.deg2rad(0.1))
+    np.testing.assert_allclose(angles[-1], known, atol=np.deg2rad(0.5))
+
+
+@settings(max_examples=3, phases=GENERATE)
+@given(st.floats(45, 80), st.floats(95, 130), st.floats(0.8, 2.5))
+def test_a_vertex_that_folds_flat_moves_along_its_closed_form_and_rests_there(first, second, fold):
+    sectors = np.deg2rad((first, second, 180 - first, 180 - second))
+    pattern = vertex_pattern(sectors.tolist(), 0.02, "VVVM", 0.2)
+    record = driven(pattern, fold, "crease 0", 0.08, 6e5)
+    angles, edges = fold_angles(record)
+    assert edges.tolist() == [0, 1, 2, 3]
+    assert np.ptp(angles[:, 0]) > 0.1
+    ways = degree4_closure(sectors, angles[:, 0]).swapaxes(1, 2)
+    # of the two ways that in which it was built
+    way = int(np.argmin(np.abs(ways[:, 0] - angles[0]).max(axis=1)))
+    np.testing.assert_allclose(angles, ways[way], atol=np.deg2rad(0.05))
+    around, _ = vertex_walk(np.broadcast_to(sectors, angles.shape), angles)
+    np.testing.assert_allclose(around, np.broadcast_to(np.eye(3), around.shape), atol=np.deg2rad(0.05))
+    padded = np.zeros(len(pattern.edges_vertices) - 4)
+    assert_rests_as(record, pattern, lambda angle: np.concatenate((degree4_closure(sectors, angle)[way], padded)), fold)
+
+
+def quadrilaterals(widths, heights, angles):
+    """A flat sheet of columns of given widths, and rows of given heights between lines of zigzags at given angles."""
+    across = np.concatenate(([0.0], np.cumsum(widths)))
+    up = np.concatenate(([0.0], np.cumsum(heights)))
+    # how far a zigzag has gone up or down at every column
+    swing = np.concatenate(([0.0], np.cumsum(np.asarray(widths) * (-1) ** np.arange(len(widths)))))
+    line = len(across)
+    coords = np.array(
+        [
+            (x, y + s / np.tan(g), 0.0)
+            for y, g in zip(up, angles, strict=True)
+            for x, s in zip(across, swing, strict=True)
+        ]
+    )
+    faces, creases = [], {}
+    for j in range(len(up)):
+        for i in range(line):
+            at = j * line + i
+            if i + 1 < line:
+                creases[frozenset((at, at + 1))] = ("M" if j % 2 else "V", "zigzag")
+            if j + 1 < len(up):
+                creases[frozenset((at, at + line))] = ("V" if (i + j) % 2 else "M", "straight")
+            if i + 1 < line and j + 1 < len(up):
+                faces.append((at, at + 1, at + line + 1, at + line))
+    return sheet_of_facets(coords, faces, creases, "columns, rows and angles that differ")
+
+
+@settings(max_examples=2, phases=GENERATE)
+@given(
+    st.lists(st.floats(0.015, 0.03), min_size=2, max_size=2),
+    st.lists(st.floats(0.02, 0.03), min_size=3, max_size=3),
+    st.lists(st.floats(50, 75), min_size=4, max_size=4),
+    st.floats(0.8, 1.8),
+)
+def test_a_sheet_of_quadrilaterals_that_differ_leaves_the_flat_state_along_its_closed_form(
+    widths, heights, acute, fold
+):
+    lines = np.deg2rad(acute)
+    flat = quadrilaterals(widths, heights, lines)
+    assert max(map(abs, kawasaki_residuals(flat))) < 1e-9
+    zigzag = np.array(flat.edges_role) == "zigzag"
+    senses = np.sign(np.nan_to_num(flat.edges_fold_angle))
+    line = flat.edges_vertices[:, 0] // (len(widths) + 1)
+
+    def folded(angle):
+        half = np.where(zigzag, np.tan(angle / 2) / np.cos(lines[line]), np.tan(angle / 2))
+        return senses * 2 * np.arctan(half)
+
+    folded_coordinates(flat, folded(1.0))  # refuses angles for which it tears
+    record = driven(flat, fold, "role:zigzag", 0.12, 1e5)
+    assert_rests_as(record, flat, folded, fold)
