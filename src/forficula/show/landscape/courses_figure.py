@@ -42,7 +42,10 @@ def draw_courses(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figur
     moments = [_moments(course) for course in courses]
     columns = 1 if is_narrow(width) else min(2, len(courses))
     rows = -(-len(courses) // columns)
-    pictures = [net_pictures(landscape.structure, [shape for _, shape, _ in each], _CELLS) for each in moments]
+    pictures = [
+        net_pictures(landscape.structure, landscape.net.net, [shape for _, shape, _ in each], _CELLS)
+        for each in moments
+    ]
     most = max(len(each) for each in moments)
     height = _PLOT + min(max(each.slope for each in pictures) * width / columns / most, 1.3) + 0.25
     with figure_style():
