@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from forficula.dynamics import Record
 from forficula.statics import EnergyLandscape
+from forficula.statics.net.net_of import places as net_places
 
 Array = NDArray[np.float64]
 
@@ -26,8 +27,13 @@ def rest_distances(landscape: EnergyLandscape, record: Record) -> Mapping[str, f
     places = record.series.get("point_position")
     if landscape.net is None or places is None or record.diverged_at is not None:
         return {}
-    known = {state.name: state.rest.shape.positions for state in landscape.net.states}
-    known |= {name: rest.shape.positions for name, rest, within in landscape.net.rests if within and rest.stable}
+    count, net = len(landscape.structure.points), landscape.net.net
+    known = {state.name: net_places(net, state.rest.shape)[:count] for state in landscape.net.states}
+    known |= {
+        name: net_places(net, rest.shape)[:count]
+        for name, rest, within in landscape.net.rests
+        if within and rest.stable
+    }
     found = {}
     for end in record.stages:
         if end.stage.state in known:

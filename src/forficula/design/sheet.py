@@ -11,7 +11,7 @@ from forficula.design.chosen import Choice, choices, with_choices
 from forficula.design.design import Design
 from forficula.design.sheet_checks import check_sheet
 from forficula.design.sheet_course import SheetDrive, SheetMeasure, SheetProtocol
-from forficula.design.sheet_parts import Crease, Facet, Support, largest_extension
+from forficula.design.sheet_parts import Crease, Facet, Imperfection, Support, largest_extension
 from forficula.design.sheet_places import facet_of
 from forficula.design.sheet_tendon import SheetTendon
 from forficula.pattern import CreasePattern, central_facet, facet_tree
@@ -24,6 +24,7 @@ class SheetDesign(Design):
     pattern: Any
     facet: Facet = Facet()
     crease: Crease = Crease()
+    imperfection: Imperfection = Imperfection()
     tendon: Annotated[tuple[SheetTendon, ...], Field(description="springs between two places, which only pull")] = ()
     support: Annotated[
         tuple[Support, ...],

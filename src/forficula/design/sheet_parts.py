@@ -44,6 +44,13 @@ class Facet(Part):
     )
 
 
+class Imperfection(Part):
+    """How far a sheet of nodes is from its drawing: what else is there decides which way it leaves a flat state."""
+
+    size: float = quantity(SMALL_LENGTH, "standard deviation of its vertices, square to it", default=0.0, at_least=0)
+    seed: Annotated[int, Field(strict=True, ge=0, description="of the random numbers: another one, another way")] = 0
+
+
 class CreaseGroup(Part):
     """Creases that differ from the others; what is left out is as in [crease]."""
 

@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 
 from forficula.statics.net.load_path import PathPoint
+from forficula.statics.net.net import Shape
+from forficula.statics.net.net_of import places
 from forficula.statics.net_course import Course, drive_unit, driven_motor, gone
 from forficula.statics.net_landscape import NetLandscape
 from forficula.statics.net_state import Mobility, NetState, Withstood
@@ -26,13 +28,13 @@ def net_summary(structure: Structure, net: NetLandscape) -> dict[str, Any]:
             "failed": net.search.failed,
         },
         "as_built": _mobility(net.built),
-        "states": [_state(structure, state) for state in net.states],
+        "states": [_state(structure, net, state) for state in net.states],
         "saddles": [
             {
                 "between": [net.states[end].name for end in each.ends],
                 "energy_J": each.saddle.rest.energy,
                 "barriers_J": list(each.barriers),
-                "positions_m": each.saddle.rest.shape.positions.tolist(),
+                "positions_m": _points(structure, net, each.saddle.rest.shape),
             }
             for each in net.passes
         ],
@@ -40,7 +42,7 @@ def net_summary(structure: Structure, net: NetLandscape) -> dict[str, Any]:
     }
 
 
-def _state(structure: Structure, state: NetState) -> dict[str, Any]:
+def _state(structure: Structure, net: NetLandscape, state: NetState) -> dict[str, Any]:
     kinds = {measure.name: measure.kind for measure in structure.measures}
     readings = {}
     for name, values in state.readings.items():
@@ -59,8 +61,12 @@ def _state(structure: Structure, state: NetState) -> dict[str, Any]:
         "withstands": [_withstood(each) for each in state.withstands],
         "panels_pass_through": state.passing,
         "found": state.found,
-        "positions_m": state.rest.shape.positions.tolist(),
+        "positions_m": _points(structure, net, state.rest.shape),
     }
+
+
+def _points(structure: Structure, net: NetLandscape, shape: Shape) -> Any:
+    return places(net.net, shape)[: len(structure.points)].tolist()
 
 
 def _mobility(found: Mobility | None) -> dict[str, int | None]:

@@ -11,8 +11,9 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
+from forficula.quantities import reading_unit
 from forficula.show.landscape.net_pictures import Pictures, hang, net_pictures
-from forficula.show.landscape.net_words import course_words, shown_value, value_unit
+from forficula.show.landscape.net_words import course_words, shown_value
 from forficula.show.style import BLACK, BLUE, GREEN, PAGE_WIDTH, VERMILION, describe, figure_style, is_narrow
 from forficula.statics import EnergyLandscape
 from forficula.statics.net.load_path import PathPoint
@@ -41,7 +42,10 @@ def draw_courses(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figur
     moments = [_moments(course) for course in courses]
     columns = 1 if is_narrow(width) else min(2, len(courses))
     rows = -(-len(courses) // columns)
-    pictures = [net_pictures(landscape.structure, [shape for _, shape, _ in each], _CELLS) for each in moments]
+    pictures = [
+        net_pictures(landscape.structure, landscape.net.net, [shape for _, shape, _ in each], _CELLS)
+        for each in moments
+    ]
     most = max(len(each) for each in moments)
     height = _PLOT + min(max(each.slope for each in pictures) * width / columns / most, 1.3) + 0.25
     with figure_style():
@@ -102,9 +106,9 @@ class _Plot:
         si = "m" if kind == "force" else "rad"
         self._zero = self._gone(course.start.shape)
         far = max(abs(self._gone(point.shape) - self._zero) for point in points)
-        self.unit_along, self._along = value_unit(si, far)
+        self.unit_along, self._along = reading_unit(si, far)
         largest = max(abs(point.factor) for point in points) * self._size
-        self.unit, self._factor = value_unit(drive_unit(self._structure, course.drive), largest)
+        self.unit, self._factor = reading_unit(drive_unit(self._structure, course.drive), largest)
         self.drive = {"force": "force", "torque": "torque", "rest-angle": "rest angle moved"}[kind]
         self.along = "way along the force" if kind == "force" else "angle turned"
 

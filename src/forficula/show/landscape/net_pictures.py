@@ -16,7 +16,8 @@ from forficula.show.structure.painted_shape import PaintedShape, paint_shape, sh
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_of
 from forficula.show.style import ORANGE
-from forficula.statics.net.net import Shape
+from forficula.statics.net.net import Net, Shape
+from forficula.statics.net.net_of import places
 from forficula.structure import Structure
 
 Array = NDArray[np.float64]
@@ -47,16 +48,17 @@ class Pictures:
         return float(height / width)
 
 
-def net_pictures(structure: Structure, shapes: Sequence[Shape], cells: int) -> Pictures:
-    """Paint a structure of sliding points in some shapes, from so many cells to the size of the whole."""
+def net_pictures(structure: Structure, net: Net, shapes: Sequence[Shape], cells: int) -> Pictures:
+    """Paint a structure in some shapes of the net that it is, from so many cells to the size of the whole."""
     shape, view = shape_of(structure), structure_view(structure)
     at = {point.body: number for number, point in enumerate(structure.points)}
     nodes = [at[body] for membrane in structure.membranes for body in membrane.bodies.tolist()]
     painted, lines = list[PaintedShape](), list[Array]()
     for each in shapes:
+        points = places(net, each)[: len(structure.points)]
         surface = surface_of(
             shape,
-            np.concatenate((each.positions, each.positions[nodes])),
+            np.concatenate((points, points[nodes])),
             each.angles,
             two_sided=bool(structure.facets),
         )

@@ -29,7 +29,7 @@ def draw_states(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure
         width: of the figure, inch.
     """
     net, structure = _net(landscape), landscape.structure
-    pictures = net_pictures(structure, [state.rest.shape for state in net.states], _CELLS)
+    pictures = net_pictures(structure, net.net, [state.rest.shape for state in net.states], _CELLS)
     columns = min(2 if is_narrow(width) else 4, len(net.states))
     rows = -(-len(net.states) // columns)
     height = min(width / columns * pictures.slope, 2.4) + _TITLE
@@ -59,7 +59,7 @@ def draw_modes(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
     count = max(len(state.modes) for state in states)
     columns = min(count, 2 if is_narrow(width) else 4)
     swung = [_swung(net, state, mode) for state in states for mode in range(min(columns, len(state.modes)))]
-    pictures = net_pictures(structure, [*swung, *(state.rest.shape for state in states)], _CELLS)
+    pictures = net_pictures(structure, net.net, [*swung, *(state.rest.shape for state in states)], _CELLS)
     height = min(width / columns * pictures.slope, 2.0) + _TITLE
     with figure_style():
         figure = Figure(figsize=(width, len(states) * height), layout="constrained")
