@@ -10,7 +10,7 @@ import forficula as ff
 from forficula.design import Stage, with_values
 from forficula.dynamics import compile_model, energy_balance, simulate
 from forficula.dynamics.stages import StageTracker, stage_torques
-from forficula.dynamics.stepper import Steps
+from forficula.dynamics.steps import Steps
 from forficula.structure import hinges_of
 from tests.dynamics.protocols import on_protocol
 

@@ -11,7 +11,8 @@ from forficula.dynamics.crease_work import crease_works, motor_travel
 from forficula.dynamics.energy import branch_losses, letting_go_work
 from forficula.dynamics.explicit_work import explicit_works
 from forficula.dynamics.model import Model, joint_ranges
-from forficula.dynamics.stepper import State, Steps, energy_of
+from forficula.dynamics.stepper import energy_of
+from forficula.dynamics.steps import State, Steps
 from forficula.structure import Motor
 
 Array = NDArray[np.float64]

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from forficula.dynamics.model import Model
 from forficula.dynamics.placement import Placement
-from forficula.dynamics.stepper import Steps
+from forficula.dynamics.steps import Steps
 from forficula.structure import Motor, Structure
 
 Array = NDArray[np.float64]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.dynamics.stepper import Steps
+from forficula.dynamics.steps import Steps
 
 Array = NDArray[np.float64]
 

@@ -15,7 +15,8 @@ from forficula.dynamics.record import Record
 from forficula.dynamics.recorder import Chunk, Recorder, keep
 from forficula.dynamics.sharing import followers, successors
 from forficula.dynamics.stages import StageTracker
-from forficula.dynamics.stepper import Pending, Stepper, Steps
+from forficula.dynamics.stepper import Pending, Stepper
+from forficula.dynamics.steps import Steps
 from forficula.errors import InputError
 
 Array = NDArray[np.float64]

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from forficula.design import Stage, stage_drives
 from forficula.dynamics.model import Model, joint_ranges
 from forficula.dynamics.record import StageEnd
-from forficula.dynamics.stepper import Steps
+from forficula.dynamics.steps import Steps
 from forficula.structure import Goal, drive_of, goal_of
 
 Array = NDArray[np.float64]
