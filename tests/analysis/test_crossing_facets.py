@@ -1,16 +1,17 @@
 """Plates that pass through each other: which, and since when, of places that are planted and of a run."""
 
 from dataclasses import replace
+from time import perf_counter
 
 import numpy as np
 import pytest
 
 from forficula.analysis import run_warnings
-from forficula.analysis.crossing_facets import facets_that_cross
+from forficula.analysis.crossing_facets import crossing_facets, facets_that_cross
 from forficula.design import design_pattern, load_design
 from forficula.dynamics import Record
 from forficula.pattern import folded_coordinates
-from forficula.structure import GROUND, Body, Plate, Point, Structure, structure_of
+from forficula.structure import GROUND, Body, Plate, Point, Structure, built_points, structure_of
 from forficula.study.runs import run
 
 
@@ -80,3 +81,39 @@ def test_a_letter_that_closes_too_fast_passes_through_itself_and_the_example_doe
     assert warning == "facet 0 and facet 2 pass through each other from 0.442 s: plates do not touch each other"
     assert np.degrees(letter.measured("creases")).max() < 115
     assert run_warnings(letter) == []
+
+
+@pytest.fixture(scope="module")
+def sheet():
+    """A Miura sheet of nodes, and where its vertices are."""
+    structure = structure_of(load_design("miura-sheet"))
+    return structure, built_points(structure)
+
+
+def test_facets_of_a_sheet_that_share_a_side_or_a_corner_do_not_cross(sheet):
+    structure, places = sheet
+    assert crossing_facets(structure, places) == []
+
+
+def test_a_facet_whose_corner_goes_through_another_facet_is_named(sheet):
+    structure, places = sheet
+    corner, target = structure.facets[0].points[0], structure.facets[5]
+    middle = places[list(target.points)].mean(axis=0)
+    one, two, three = places[list(target.points[:3])]
+    normal = np.cross(two - one, three - one)
+    moved = places.copy()
+    moved[corner] = middle + 0.2 * normal / np.sqrt(np.linalg.norm(normal))
+    others = crossing_facets(structure, moved)
+    moved[corner] = middle - 0.2 * normal / np.sqrt(np.linalg.norm(normal))
+    # on one side or the other it reaches through
+    assert ("facet 0", "facet 5") in [*others, *crossing_facets(structure, moved)]
+
+
+def test_many_facets_over_many_rows_are_looked_at_in_seconds():
+    design = load_design("miura-sheet", {"pattern.columns": 16, "pattern.rows": 16, "measure": []})
+    structure = structure_of(design)
+    places = np.repeat(built_points(structure)[None], 400, axis=0)
+    record = replace(strip("V", 0), structure=structure, series={"point_position": places}, time=np.linspace(0, 1, 400))
+    started = perf_counter()
+    assert facets_that_cross(record) == []
+    assert perf_counter() - started < 10

@@ -207,6 +207,10 @@ def test_a_structure_in_other_units_is_the_same():
         ({"support": [{"of": "vertex 99"}]}, r"support\.0\.of: need a vertex from 0 to 24, got 99"),
         ({"support": [{"of": "edge 3"}]}, r'support\.0\.of: need a vertex such as "vertex 4"'),
         ({"crease.start": 0.1}, r"crease\.start: is for rigid facets"),
+        (
+            {"crease.fold_limit": 0.5},
+            r"crease\.fold_limit: need >= 30 deg, at which crease \d+ is built, got 28\.65 deg",
+        ),
         ({"crease.group": [{"of": "role:zigzg"}]}, r'crease\.group\.0\.of: need .*; did you mean "role:zigzag"'),
         (
             {"crease.group": [{"of": "role:zigzag and crease 0"}]},
@@ -251,7 +255,5 @@ def test_a_facet_that_is_not_flat_cannot_be_rigid():
     values |= {"vertices_z": coords[:, 2].tolist(), "edges": sheet.edges_vertices.tolist()}
     values |= {"assignment": "".join(sheet.edges_assignment), "facets": [list(face) for face in sheet.faces_vertices]}
     assert len(structure_of(bare(MIURA, pattern=values)).bodies) == 6
-    with pytest.raises(
-        InputError, match=r"need flat facets where they are rigid, got facet 0, whose corners lie up to"
-    ):
+    with pytest.raises(InputError, match=r"need flat facets to be rigid, got facet 0, which is not"):
         bare(MIURA, pattern=values, **{"facet.kind": "rigid"})

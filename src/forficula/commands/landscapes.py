@@ -49,7 +49,7 @@ def landscape(
     ] = None,
     tolerate: Tolerate = False,
 ) -> int:
-    """Survey a design's energy without simulating: stable states, barriers, holding torques, stiffness, snap."""
+    """Survey a design's energy by statics: stable states, barriers, paths of its drives, what it withstands, snap."""
     from forficula.design import load_design
 
     chosen = load_design(design, read_settings(settings))
@@ -83,7 +83,7 @@ def _survey(design: Design, folder: Path, simulation: bool) -> Verdict | None:
     from forficula.reproduction import shown_tendon
     from forficula.show.folder.landscape_folder import write_landscape
     from forficula.show.landscape.landscape_table import print_landscape
-    from forficula.show.progress import run_progress, waiting
+    from forficula.show.progress import survey_progress, waiting
     from forficula.structure import structure_of, structure_warnings
     from forficula.study.landscape_and_run import landscape_and_run
 
@@ -97,8 +97,9 @@ def _survey(design: Design, folder: Path, simulation: bool) -> Verdict | None:
             warnings = timestep_warnings(design)
         for warning in warnings:
             print(f"warning: {warning}", file=sys.stderr)
-    with run_progress(f"building the {whole}" if simulation else "surveying its energy") as progress:
-        landscape, record = landscape_and_run(design, simulation=simulation, progress=progress)
+    first = f"building the {whole}" if simulation else "surveying its energy"
+    with survey_progress(first, "surveying") as (progress, steps):
+        landscape, record = landscape_and_run(design, simulation=simulation, progress=progress, steps=steps)
     write_landscape(landscape, folder, record, tendon)
     print_landscape(landscape, record, tendon)
     return None if record is None else measure(record).verdict

@@ -37,6 +37,17 @@ def stops(design: SheetDesign, edge: int, crease: Crease) -> tuple[float, float]
     return low, fold if crease.fold_limit is None else crease.fold_limit
 
 
+def crease_key(design: SheetDesign, edge: int, key: str) -> str:
+    """Where a crease has a value from: the last group that gives it, or the section."""
+    groups = design.crease.group
+    given = (
+        f"crease.group.{number}.{key}"
+        for number, group in reversed(list(enumerate(groups)))
+        if getattr(group, key) is not None and edge in creases_of(design.sheet, group.of, groups[:number])
+    )
+    return next(given, f"crease.{key}")
+
+
 def rest_angle(crease: Crease, built: float) -> float:
     """Where a crease's spring rests, rad, in its own sense: an angle, flat, or as built."""
     match crease.rest_angle:

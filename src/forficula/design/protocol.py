@@ -26,7 +26,7 @@ class Stage(Part):
         str, Field(description='goal that ends it: time, rest, one by name, or a bound such as "ring < -150 deg"')
     ]
     state: Annotated[str | None, Field(description="what to call the state at its end", examples=["folded"])] = None
-    hold: float = quantity(TIME, "how long the goal must hold before the stage ends", at_least=0)
+    hold: float = quantity(TIME, "how long the goal must hold before the stage ends", default=0.0, at_least=0)
     time_limit: float = quantity(TIME, "longest duration", above=0)
 
     @field_validator("name")

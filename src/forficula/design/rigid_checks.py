@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from forficula.design.crease_values import creases_by_edge, stops
+from forficula.design.crease_values import crease_key, creases_by_edge, stops
 from forficula.design.part import ANGLE
-from forficula.design.sheet_creases import crease_sense, creases_between, creases_of
+from forficula.design.sheet_creases import crease_sense, creases_between
 from forficula.design.sheet_places import keeps_distance, place_on
 from forficula.errors import InputError
 from forficula.pattern import (
@@ -60,7 +60,8 @@ def check_rigid(design: SheetDesign) -> None:
     closing = [link.edge for link in links if link.closes]
     if closing and opening:
         raise InputError(
-            f"crease.extension: need a crease that opens in every loop, or in none, got none in that of crease {closing[0]}"
+            "crease.extension: need a crease that opens in every loop, or in none, got none in that of crease"
+            f" {closing[0]}"
         )
     if not closing:
         return
@@ -114,7 +115,7 @@ def check_rigid_creases(design: SheetDesign) -> None:
     for edge, crease in creases.items():
         low, high = stops(design, edge, crease)
         folded = crease_sense(sheet, edge) * float(built[edge])
-        start, back, fold = (_crease_key(design, edge, key) for key in ("start", "back_limit", "fold_limit"))
+        start, back, fold = (crease_key(design, edge, key) for key in ("start", "back_limit", "fold_limit"))
         if crease.start and (design.opens or not unfolded):
             raise InputError(f"{start}: need 0 deg where a sheet starts as it is built, got {_shown(crease.start)}")
         starts[edge] = crease_sense(sheet, edge) * crease.start
@@ -156,14 +157,3 @@ def check_rigid_tendon(design: SheetDesign, number: int, ends: Sequence[str]) ->
             f"tendon.{number}.to: need a place that creases move against tendon.{number}.from, or its length"
             f" never changes, got {as_written(ends[1])}: {why}"
         )
-
-
-def _crease_key(design: SheetDesign, edge: int, key: str) -> str:
-    """Where a crease has a value from: the last group that gives it, or the section."""
-    groups = design.crease.group
-    given = (
-        f"crease.group.{number}.{key}"
-        for number, group in reversed(list(enumerate(groups)))
-        if getattr(group, key) is not None and edge in creases_of(design.sheet, group.of, groups[:number])
-    )
-    return next(given, f"crease.{key}")

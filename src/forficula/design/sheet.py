@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Annotated, Any, Self
 
 from pydantic import Field, model_validator
@@ -10,22 +11,24 @@ from forficula.design.chosen import Choice, choices, with_choices
 from forficula.design.design import Design
 from forficula.design.sheet_checks import check_sheet
 from forficula.design.sheet_course import SheetDrive, SheetMeasure, SheetProtocol
-from forficula.design.sheet_parts import Crease, Facet, Support
+from forficula.design.sheet_parts import Crease, Facet, Imperfection, Support, largest_extension
 from forficula.design.sheet_places import facet_of
 from forficula.design.sheet_tendon import SheetTendon
-from forficula.pattern import CreasePattern
+from forficula.pattern import CreasePattern, central_facet, facet_tree
 
 
 class SheetDesign(Design):
     """A sheet that folds at its creases, and what is done to it."""
 
+    source: Annotated[str, Field(description="where its values come from")] = ""
     pattern: Any
     facet: Facet = Facet()
     crease: Crease = Crease()
+    imperfection: Imperfection = Imperfection()
     tendon: Annotated[tuple[SheetTendon, ...], Field(description="springs between two places, which only pull")] = ()
     support: Annotated[
         tuple[Support, ...],
-        Field(description="what is held; where no crease opens between rigid facets, facet 0 if not given"),
+        Field(description="what is held; hinged rigid facets need one: facet 0, or in loops the middle one"),
     ] = ()
     drive: Annotated[tuple[SheetDrive, ...], Field(description="what stages of the protocol switch on")] = ()
     measure: Annotated[tuple[SheetMeasure, ...], Field(description="what is watched, for goals and tables")] = ()
@@ -34,21 +37,20 @@ class SheetDesign(Design):
     @property
     def sheet(self) -> CreasePattern:
         """The crease pattern, as built."""
-        sheet: CreasePattern = self.pattern.sheet
-        return sheet
+        return _drawn(self.pattern)
 
     @property
     def held_facets(self) -> tuple[int, ...]:
         """Numbers of the facets that are held, of rigid ones."""
         if self.support or self.opens:
             return tuple(facet_of(self.sheet, support.of) for support in self.support)
-        return (0,)
+        closes = any(link.closes for link in facet_tree(self.sheet))
+        return (central_facet(self.sheet) if closes else 0,)
 
     @property
     def opens(self) -> bool:
         """Whether creases open between rigid facets."""
-        groups = (self.crease, *self.crease.group)
-        return self.facet.kind == "rigid" and any(each.extension is not None for each in groups)
+        return self.facet.kind == "rigid" and largest_extension(self.crease) > 0
 
     @property
     def chosen(self) -> tuple[Choice, ...]:
@@ -68,3 +70,10 @@ class SheetDesign(Design):
     def _fits_together(self) -> SheetDesign:
         check_sheet(self)
         return self
+
+
+@lru_cache(maxsize=64)
+def _drawn(pattern: Any) -> CreasePattern:
+    """The sheet of a pattern, which is asked for again and again while it is built."""
+    sheet: CreasePattern = pattern.sheet
+    return sheet

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, TypeVar
 
-from forficula.design.crease_values import creases_by_edge, stops
+from forficula.design.crease_values import crease_key, creases_by_edge, stops
 from forficula.design.design import check_duration
 from forficula.design.part import ANGLE, LENGTH, TORQUE
 from forficula.design.protocol import GoalText, check_bound, check_stages, read_goal, stage_drives
@@ -14,7 +14,7 @@ from forficula.design.rigid_checks import check_rigid, check_rigid_creases, chec
 from forficula.design.sheet_creases import crease_groups, crease_role, crease_sense, creases_of, fold_edges
 from forficula.design.sheet_places import GROUND_PLACE, facet_of, place_on, vertex_of
 from forficula.errors import InputError
-from forficula.pattern import CreasePattern
+from forficula.pattern import CreasePattern, built_fold_angles
 from forficula.pattern.shared_edges import shared_edges
 from forficula.quantities import Unit, as_written, parse_quantity, show_quantity
 
@@ -25,12 +25,14 @@ if TYPE_CHECKING:
 
 Found = TypeVar("Found")
 
+# rad; by which a crease may be beyond a stop as built: rounding
+_BESIDE = 1e-6
 # share of the largest torque that a sum of torques may be off by
 _ROUNDING = 1e-12
 # what summaries and tables have beside the names of stages and states
 _TAKEN = (
     *("design", "design_hash", "status", "verdict", "outcome", "residual", "advice", "goal", "key"),
-    *("states", "stages", "energy_balance", "diverged_at_s", "timestep_s", "warnings", "versions"),
+    *("states", "stages", "branch", "energy_balance", "diverged_at_s", "timestep_s", "warnings", "versions"),
 )
 
 
@@ -48,12 +50,16 @@ def check_sheet(design: SheetDesign) -> None:
     for number, group in enumerate(groups):
         _keyed(f"crease.group.{number}.of", creases_of, sheet, group.of, groups[:number])
     if design.facet.kind == "rigid":
+        if design.imperfection.size:
+            raise InputError("imperfection.size: is for facets that bend; rigid ones meet as drawn, or not at all")
         check_rigid(design)
         check_rigid_creases(design)
     elif design.crease.start or any(group.start for group in groups):
         raise InputError("crease.start: is for rigid facets; others start as the pattern is built")
-    for number, each in enumerate((design.crease, *groups)):
-        if design.facet.kind != "rigid" and each.extension is not None:
+    else:
+        _check_built(design, sheet)
+    for number, extension in enumerate((design.crease.extension, *(group.extension for group in groups))):
+        if design.facet.kind != "rigid" and extension is not None:
             key = f"crease.group.{number - 1}" if number else "crease"
             raise InputError(f'{key}.extension: is for facet.kind = "rigid", between whose facets creases open')
     _check_names(design, sheet)
@@ -70,6 +76,22 @@ def check_sheet(design: SheetDesign) -> None:
         raise InputError("protocol.contact: need false, for facets do not touch each other, got true")
     _check_protocol(design, sheet)
     check_duration(design, len(sheet.faces_vertices), "facets")
+
+
+def _check_built(design: SheetDesign, sheet: CreasePattern) -> None:
+    """Refuse stops that creases are beyond as built."""
+    limited = {edge: stops(design, edge, crease) for edge, crease in creases_by_edge(design).items()}
+    if all(math.isinf(stop) for pair in limited.values() for stop in pair):
+        return
+    angles = built_fold_angles(sheet)
+    for edge, (low, high) in limited.items():
+        built = crease_sense(sheet, edge) * float(angles[edge])
+        if not low - _BESIDE <= built <= high + _BESIDE:
+            key, size, stop = ("fold_limit", built, high) if built > high else ("back_limit", -built, -low)
+            raise InputError(
+                f"{crease_key(design, edge, key)}: need >= {show_quantity(size, ANGLE)}, at which crease {edge} is"
+                f" built, got {show_quantity(stop, ANGLE)}"
+            )
 
 
 def _check_edges(sheet: CreasePattern) -> None:

@@ -8,7 +8,17 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import Field, create_model, field_validator, model_validator
 
-from forficula.design.part import ANGLE, LENGTH, TIME, TORQUE, Part, quantity
+from forficula.design.part import (
+    ACCELERATION,
+    ANGLE,
+    ANGULAR_SPEED,
+    LENGTH,
+    SHORT_TIME,
+    TIME,
+    TORQUE,
+    Part,
+    quantity,
+)
 from forficula.design.protocol import Protocol
 from forficula.design.sheet_names import checked_name
 from forficula.errors import InputError
@@ -152,6 +162,28 @@ class SheetMeasure(_MaybeJoined):
 class SheetProtocol(Protocol):
     """What is done to a sheet, and what counts as done."""
 
+    timestep: float | Literal["auto"] = quantity(
+        SHORT_TIME,
+        'step of the integrator, or "auto": halved until verdict and times stay, and the energy balance closes',
+        default="auto",
+        above=0,
+        words=("auto",),
+    )
+    sample_interval: float = quantity(SHORT_TIME, "time between two rows of the record", default=2e-3, above=0)
+    rest_speed: float = quantity(
+        ANGULAR_SPEED, "at rest means that every hinge is slower", default=math.radians(2.0), above=0
+    )
+    window: float = quantity(
+        TIME,
+        "over which a state is averaged; what rests so long short of its goal, and three times as long as its"
+        " tendons' Maxwell branches take to relax, is stuck",
+        default=0.1,
+        above=0,
+    )
+    gravity: float = quantity(
+        ACCELERATION, "gravity across the sheet, downwards where it lies flat; 0 switches it off", default=0.0
+    )
+    contact: Annotated[bool, Field(strict=True, description="whether facets touch each other")] = False
     arrival: float = quantity(
         ANGLE, 'goal "target": within which every crease must be of its target', default=math.radians(5.0), above=0
     )

@@ -10,12 +10,15 @@ from numpy.typing import NDArray
 from forficula.dynamics.crease_work import crease_works, motor_travel
 from forficula.dynamics.energy import branch_losses, letting_go_work
 from forficula.dynamics.explicit_work import explicit_works
-from forficula.dynamics.model import Model
-from forficula.dynamics.stepper import State, Steps
+from forficula.dynamics.model import Model, joint_ranges
+from forficula.dynamics.stepper import State, Steps, energy_of
 from forficula.structure import Motor
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
+
+# steps for which a stop's force goes on changing fast: four of its time constants
+_JUMP = 8
 
 
 class Account:
@@ -35,6 +38,10 @@ class Account:
         self._set = np.zeros((len(models), len(self._motors)))
         self._done: dict[str, Array] = {}
         self._gaps, self._explicit = models[0].gaps, models[0].explicit
+        # where stops end the ranges of joints
+        self._stops = [np.array(each) for each in zip(*(joint_ranges(model) for model in models), strict=True)]
+        # in which of the last steps a hinge met its stop or left it
+        self._met = np.zeros((len(models), _JUMP), dtype=bool)
         # the widest gap of each so far, m
         self._widest = np.zeros(len(models))
 
@@ -83,6 +90,8 @@ class Account:
                 of_creases = np.array([damped for _, damped in each])
             if self._explicit:
                 work |= explicit_works(steps, travel, self._damping[rows], self._timestep[rows])
+                motors = sum(work[motor_work_name(number)] for number in range(len(self._motors)))
+                self._add_stops(work, motors, rows, steps, taken)
             else:
                 # the engine takes hinge damping implicitly, at the velocity after the step
                 work["hinge_damping_work"] = np.sum(-damping * velocity[:, 1:] * travel, axis=2) + of_creases
@@ -127,7 +136,7 @@ class Account:
 
     def follow_leader(self, row: int, leader: int) -> None:
         """Put a structure where another one is, which has gone the same way so far."""
-        for done in (*self._done.values(), self._set, self._widest):
+        for done in (*self._done.values(), self._set, self._widest, self._met):
             done[row] = done[leader]
 
     def _along(self, rows: Indices, travel: Array, motor: Motor) -> Array:
@@ -146,6 +155,31 @@ class Account:
             damper, spared = letting_go_work(model, travel[place], forces, activations)
             work["elastic_damping_work"][place] += damper
             work.setdefault("letting_go_work", np.zeros(travel.shape[:2]))[place] = spared
+
+    def _add_stops(
+        self, work: dict[str, Array], motors: Array | int, rows: Indices, steps: Steps, taken: Indices
+    ) -> None:
+        """Part what constraints do into the work of stops and that of closures.
+
+        The force of a stop jumps within the step in which a hinge meets it, or leaves it, and no rule for smooth forces
+        holds: over that and a few more steps stops do what nothing else does of the change of energy.
+        """
+        low, high = (self._stops[end][rows, None] for end in (0, 1))
+        position = np.concatenate([steps.position_before[:, None], steps.position], axis=1)
+        at_stop = (position <= low) | (position >= high)
+        met = np.concatenate([self._met[rows], (at_stop[:, 1:] != at_stop[:, :-1]).any(axis=2)], axis=1)
+        jumps = np.lib.stride_tricks.sliding_window_view(met, _JUMP + 1, axis=1).any(axis=2)
+        self._met[rows] = [flags[end : end + _JUMP] for flags, end in zip(met, taken.tolist(), strict=True)]
+        stopped = jumps | at_stop[:, :-1].any(axis=2) | at_stop[:, 1:].any(axis=2)
+        closing = np.where(stopped, 0.0, work["stop_work"])
+        work["stop_work"] = np.where(stopped, work["stop_work"], 0.0)
+        if len(self._gaps):
+            work["closure_work"] = closing
+        others = motors + work["hinge_damping_work"] + work["elastic_damping_work"]
+        for place, step in zip(*np.nonzero(jumps & (np.arange(jumps.shape[1]) < taken[:, None])), strict=True):
+            ends = (steps.before[place] if step == 0 else steps.after[place, step - 1], steps.after[place, step])
+            before, after = (energy_of(self._models[rows[place]], state) for state in ends)
+            work["stop_work"][place, step] = after - before - others[place, step]
 
     def _widened(self, rows: Indices, steps: Steps, taken: Indices) -> Array:
         """The widest gap of a closure up to the state before each step, m, (row, step)."""

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.dynamics.folds import Folds
+from forficula.dynamics.plate_angles import PRODUCTS, plate_directions
 from forficula.errors import InputError
 from forficula.material import CreaseLaw
 from forficula.structure import Structure, crease_flaps, crease_law
@@ -28,9 +29,9 @@ class Creases:
     """The creases of a structure in the engine's model.
 
     Attributes:
-        rows: of each in the engine's flex_bending, (crease,); three a crease between plates that turn.
+        rows: of each in the engine's flex_bending, (crease,); several a crease between plates that turn.
         order: which of tail, head, left and right corner each of the four nodes of a row is, (row, 4); between plates
-            that turn, of start and end of a direction of the left one and of the right one's normal.
+            that turn, of start and end of a direction of the left one and of the right one.
         senses: +1 or -1, (crease,).
         law: of the springs and stops, arrays (crease,), in own senses and the model's units.
         damping: (crease,), in the model's units.
@@ -69,30 +70,29 @@ def _add_flex(spec: mujoco.MjSpec, bodies: list[str], places: Array, triangles: 
 
 
 def _add_couples(spec: mujoco.MjSpec, structure: Structure) -> None:
-    """Add four nodes for every row of a crease between plates: start and end of a direction of each.
+    """Add four nodes for every row of a crease between plates: start and end of a direction of each, see `PRODUCTS`.
 
-    Of the left one its normal, what is square to that and to the crease, and along the crease; of the right one its
-    normal; all as long as the crease.
+    All are as long as the crease.
     """
     bodies: list[str] = []
     places: list[Array] = []
     for flaps in crease_flaps(structure).tolist():
         corners = np.array([structure.points[point].place for point in flaps])
         left, right = (structure.bodies[structure.points[flaps[place]].body].name for place in (0, 3))
-        along, length = corners[1] - corners[0], float(np.linalg.norm(corners[1] - corners[0]))
-        normal = np.cross(along, corners[2] - corners[0])
-        other = np.cross(corners[5] - corners[3], corners[4] - corners[3])
-        for direction in (normal, np.cross(normal, along), along):
+        along, other = corners[1] - corners[0], corners[4] - corners[3]
+        own = plate_directions(along, np.cross(along, corners[2] - corners[0]))
+        others = plate_directions(other, np.cross(corners[5] - corners[3], other))
+        length = float(np.linalg.norm(along))
+        for one, two in PRODUCTS:
             bodies += [left, left, right, right]
-            places += [corners[0], corners[0] + length * direction / np.linalg.norm(direction)]
-            places += [corners[3], corners[3] + length * other / np.linalg.norm(other)]
+            places += [corners[0], corners[0] + length * own[one], corners[3], corners[3] + length * others[two]]
     first = np.arange(0, len(bodies), 4)
     _add_flex(spec, bodies, np.ravel(places), (first[:, None] + [0, 1, 2, 1, 0, 3]).ravel())
 
 
-def _couples(engine: mujoco.MjModel, known: dict[tuple[frozenset[int], frozenset[int]], int], count: int) -> Indices:
+def _couples(known: dict[tuple[frozenset[int], frozenset[int]], int], count: int) -> Indices:
     """The edges of the rows of `_add_couples`."""
-    first = range(0, 12 * count, 4)
+    first = range(0, 4 * len(PRODUCTS) * count, 4)
     return np.array([known[frozenset((node, node + 1)), frozenset((node + 2, node + 3))] for node in first])
 
 
@@ -111,7 +111,7 @@ def creases_of(engine: mujoco.MjModel, structure: Structure, folds: Folds) -> Cr
     known = {(frozenset(edge[:2]), frozenset(edge[2:])): number for number, edge in enumerate(edges.tolist())}
     found: list[int] = []
     if folds.placement is not None:
-        numbers = _couples(engine, known, len(hinges))
+        numbers = _couples(known, len(hinges))
         return Creases(
             rows=numbers + _first_row(engine, flex),
             order=np.asarray(edges[numbers] % 4, dtype=np.int64),

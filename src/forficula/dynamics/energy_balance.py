@@ -34,6 +34,8 @@ class EnergyBalance:
             where it never does.
         hinges: change of the energy of the hinges' springs; None where they have none.
         springs: change of the energy of springs between points; None where there are none.
+        closures: that loops of bodies took where they were closed, and part of what is missing: closing them takes no
+            work but for errors of the integration; None where there are none.
         at_hand: what tendons stretched by their levers would hold; a billionth of it is rounding.
         stored: in tendons, membrane and springs at the start or the end, where there is more; 1e-5 of it is slight.
     """
@@ -52,6 +54,7 @@ class EnergyBalance:
     letting_go: float | None = None
     hinges: float | None = None
     springs: float | None = None
+    closures: float | None = None
     at_hand: float = 0.0
     stored: float = 0.0
 
@@ -102,6 +105,7 @@ def energy_balance(record: Record) -> EnergyBalance:
         letting_go=_taken(change, "letting_go_work"),
         hinges=change.get("hinge_energy"),
         springs=change.get("spring_energy"),
+        closures=_taken(change, "closure_work"),
         # levers no longer than half the tendon
         at_hand=max(
             (

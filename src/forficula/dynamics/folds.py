@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.dynamics.placement import Placement, placement_of
+from forficula.dynamics.plate_angles import PlateAngles, plate_angles
 from forficula.structure import Structure, built_points, crease_flaps, crease_numbers, flap_angles
 from forficula.structure.flaps import cross, dot
 
@@ -79,7 +80,10 @@ class Folds:
         turned = np.zeros((*shifts.shape[:-1], len(self.senses)))
         joints = self.joints >= 0
         turned[..., joints] = (self.senses * shifts[..., self.speeds])[..., joints]
-        turns = flap_turns(self.corners(positions), self.moves(positions, shifts))
+        if self.placement is None:
+            turns = flap_turns(self.corners(positions), self._shifted(shifts)[..., self.flaps, :])
+        else:
+            turns = self.turns(positions, shifts)[1]
         turned[..., self.creases] = self.senses[self.creases] * turns
         return turned
 
@@ -87,18 +91,21 @@ class Folds:
         """Where the corners of all flaps are, in the model's units, (..., crease, 6, 3)."""
         if self.placement is None:
             return np.asarray((self.built + self._shifted(positions))[..., self.flaps, :])
+        return self._carried(*self.placement.poses(positions))
+
+    def turns(self, positions: Array, shifts: Array) -> tuple[PlateAngles, Array]:
+        """Angles between plates taken apart, and by how much small shifts change them, rad, (..., crease)."""
+        assert self.placement is not None
         origins, frames = self.placement.poses(positions)
+        angles = plate_angles(self._carried(origins, frames))
+        _, turned = self.placement.rates(origins, frames, shifts)
+        left, right = (turned[..., self.carriers[self.flaps[:, place]], :] for place in (0, 3))
+        return angles, dot(angles.turning, np.moveaxis(right - left, -1, 0))
+
+    def _carried(self, origins: Array, frames: Array) -> Array:
+        """Where the corners of all flaps are with bodies in some poses, (..., crease, 6, 3)."""
         arms = (frames[..., self.carriers, :, :] @ self.places[..., None])[..., 0]
         return np.asarray((origins[..., self.carriers, :] + arms)[..., self.flaps, :])
-
-    def moves(self, positions: Array, shifts: Array) -> Array:
-        """How small shifts move the corners of all flaps, in the model's units, (..., crease, 6, 3); see `travel`."""
-        if self.placement is None:
-            return np.asarray(self._shifted(shifts)[..., self.flaps, :])
-        origins, frames = self.placement.poses(positions)
-        moves, turns = (each[..., self.carriers, :] for each in self.placement.rates(origins, frames, shifts))
-        arms = (frames[..., self.carriers, :, :] @ self.places[..., None])[..., 0]
-        return np.asarray((moves + np.cross(turns, arms))[..., self.flaps, :])
 
     def _shifted(self, positions: Array) -> Array:
         """Shifts of the nodes, (..., node, 3)."""

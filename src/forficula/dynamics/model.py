@@ -202,6 +202,15 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
     )
 
 
+def joint_ranges(model: Model) -> tuple[Array, Array]:
+    """Positions at which stops end the ranges of hinges, (position,) each, infinite where nothing does."""
+    engine = model.engine
+    limited = np.array(engine.jnt_limited, dtype=bool)
+    ends = np.full((2, engine.nq), [[-np.inf], [np.inf]])
+    ends[:, np.array(engine.jnt_qposadr)[limited]] = np.array(engine.jnt_range)[limited].T
+    return ends[0], ends[1]
+
+
 def _spec_of(structure: Structure, timestep: float, mesh: Mesh, distances: list[Measure]) -> mujoco.MjSpec:
     """All parts of a structure, not compiled yet."""
     spec = _empty_spec(structure, timestep)

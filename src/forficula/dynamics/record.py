@@ -38,7 +38,7 @@ VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "motor_work": (("motor",), "J", "work of the motor since the start"),
     "hinge_damping_work": ((), "J", "work of the hinges' damping since the start"),
     "elastic_damping_work": ((), "J", "work of the tendons' and the membrane's damping since the start"),
-    "stop_work": ((), "J", "work of the hinges' stops, length limits, contacts and closures since the start"),
+    "stop_work": ((), "J", "work of the hinges' stops, length limits and contacts since the start"),
     "point_position": (("point", "axis"), "m", "named points on bodies"),
     "membrane_position": (("node", "axis"), "m", "nodes of the membrane"),
 }
@@ -54,6 +54,7 @@ SOMETIMES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "branch_damping_work": ((), "J", "work of the dampers in the tendons' Maxwell branches since the start"),
     "tendon_rest_length": (("tendon",), "m", "resting length of the tendon, which grows where it yields"),
     "yield_work": ((), "J", "work of the tendons' yielding since the start"),
+    "closure_work": ((), "J", "work of what closes loops of bodies since the start, which should be none"),
     "closure_gap": ((), "m", "widest gap of the creases that close loops since the start"),
     "letting_go_work": ((), "J", "work that tendons which let go are spared, where their branches would push"),
 }

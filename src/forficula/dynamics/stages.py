@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.design import Stage, stage_drives
-from forficula.dynamics.model import Model
+from forficula.dynamics.model import Model, joint_ranges
 from forficula.dynamics.record import StageEnd
 from forficula.dynamics.stepper import Steps
 from forficula.structure import Goal, drive_of, goal_of
@@ -253,11 +253,8 @@ def _longest_rest(model: Model) -> float:
 
 def _far_beyond(model: Model) -> tuple[Array, Array]:
     """Positions far beyond the stops of hinges, (position,) each, which no sound run comes to."""
-    engine = model.engine
-    limited = np.array(engine.jnt_limited, dtype=bool)
-    ends = np.full((2, engine.nq), [[-np.inf], [np.inf]])
-    ends[:, np.array(engine.jnt_qposadr)[limited]] = np.array(engine.jnt_range)[limited].T
-    return ends[0] - _FAR, ends[1] + _FAR
+    low, high = joint_ranges(model)
+    return low - _FAR, high + _FAR
 
 
 def _first(holds: NDArray[np.bool_], count: int) -> Numbers:

@@ -361,6 +361,15 @@ class Stepper:
         return angles
 
 
+def energy_of(model: Model, moving: Array) -> float:
+    """Energy of springs, weight and motion, in the model's units, in what `Steps.after` has of a state."""
+    data = mujoco.MjData(model.engine)
+    mujoco.mj_setState(model.engine, data, moving, _MOVING)
+    with _quiet:
+        mujoco.mj_forward(model.engine, data)
+    return float(data.energy.sum())
+
+
 def _own_models(models: Sequence[Model], sparse: bool) -> list[mujoco.MjModel]:
     """What the engine runs: models without energy if it is not looked at, of its own for each that has creases."""
     engines = _without_energy(models) if sparse else [model.engine for model in models]

@@ -40,6 +40,24 @@ def run_progress(first: str = "building the structure") -> Iterator[Callable[[st
 
 
 @contextmanager
+def survey_progress(
+    first: str, what: str
+) -> Iterator[tuple[Callable[[str, float, float], None], Callable[[str], None]]]:
+    """Show how far a run is, and then what is surveyed, a line a step or in place of the bar.
+
+    Args:
+        first: what comes first of all.
+        what: is surveyed.
+    """
+    console = Console(stderr=True, highlight=False)
+    with run_progress(first) as line:
+        if console.is_terminal:
+            yield line, lambda step: line(f"{what}: {step}", 0.0, 0.0)
+        else:
+            yield line, lambda step: console.print(f"{what}: {step}", markup=False)
+
+
+@contextmanager
 def waiting(what: str) -> Iterator[Callable[[], None]]:
     """Say what takes so long, if it takes longer than a few seconds; what is handed out ends the waiting."""
     timer = Timer(_PATIENCE, lambda: print(f"{what} ...", file=sys.stderr, flush=True))

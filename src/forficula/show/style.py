@@ -138,23 +138,30 @@ def save_figure(figure: Figure, path: Path) -> None:
     write_bytes(path, written)
 
 
-def save_figures(drawings: Mapping[str, Drawing], folder: Path) -> None:
+def save_figures(drawings: Mapping[str, Drawing], folder: Path) -> dict[str, str]:
     """Write every figure as PNG at the width of a page, and as SVG and PDF at that of a column.
 
     Args:
         drawings: by the stem of their file.
         folder: of the results; the SVG and PDF come into its sub-folder `COPIES`.
 
+    Returns:
+        The text that stands for each, by the stem of its file.
+
     Raises:
         InputError: one cannot be written.
     """
+    texts = {}
     for stem, draw in drawings.items():
-        save_figure(draw(PAGE_WIDTH), folder / f"{stem}.png")
+        page = draw(PAGE_WIDTH)
+        texts[stem] = description(page)
+        save_figure(page, folder / f"{stem}.png")
         column = draw(COLUMN_WIDTH)
         for ending in (".svg", ".pdf"):
             save_figure(column, folder / COPIES / f"{stem}{ending}")
             # the second one has the places that were found for the first
             column.set_layout_engine("none")
+    return texts
 
 
 def figure_files(stem: str) -> tuple[str, ...]:

@@ -90,9 +90,9 @@ class EnergyLandscape:
         hinge_barriers: energy to climb until one hinge of the first state folds alone, J, (hinge,); nan where it never
             does, or is folded.
         rests: where it rests when let go from where the protocol starts it, and from where each transition leads.
-        least_torques: by transition, the size of the least slowly growing drive that makes it, N m, or of what is no
-            torque its SI unit; None where not even the largest that was tried does, or where it does not rest in the
-            state that it would start from.
+        least_torques: by transition, the size of the least slowly growing torque that makes it, N m; None where not
+            even the largest that was tried does, or where it does not rest in the state that it would start from. Those
+            of points that slide are in the courses of `net`.
         tips: resistance to a load at the tips; None where there is no one way to fold.
         remarks: sentences on what does not exist, and what to know of the rest.
         net: stable states, saddles and paths of points that slide; None where bodies turn on joints.

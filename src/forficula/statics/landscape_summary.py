@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from forficula.statics.fold_path import FoldPath, rigid_fold
 from forficula.statics.hinge_landscape import HingeLandscape
 from forficula.statics.landscape import EnergyLandscape, stable_states
+from forficula.statics.net_summary import net_summary
 from forficula.statics.partial_folds import PartialFold
 from forficula.structure import Structure
 
@@ -51,6 +52,7 @@ def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
             "unlocked_against_N_per_m": tips.unlocked_against,
         },
         "remarks": list(landscape.remarks),
+        **({} if landscape.net is None else {"net": net_summary(landscape.structure, landscape.net)}),
         "design_hash": landscape.design.hash,
     }
 

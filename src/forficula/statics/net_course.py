@@ -12,7 +12,7 @@ from forficula.statics.net.load import Load
 from forficula.statics.net.load_path import LoadPath, PathPoint, load_path
 from forficula.statics.net.minimum import Rest, minimum
 from forficula.statics.net.net import Net, Shape
-from forficula.statics.net.net_of import motor_load, own_angles
+from forficula.statics.net.net_of import motor_load, own_angles, places
 from forficula.statics.net.slow_path import SlowPath, slow_path
 from forficula.structure import Drive, Goal, Motor, Structure, Transition, distances_of, goal_of
 
@@ -20,6 +20,7 @@ Array = NDArray[np.float64]
 
 _MOST = 4.0  # of a drive's strength: how far it is followed where that does not suffice
 _INCREMENTS = 120
+_FINE = 0.008  # first increment of the equilibria through a snap, of the net's size: they are drawn
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -65,7 +66,7 @@ def drive_course(structure: Structure, net: Net, start: Rest, drive: Drive, tran
     goal = None if transition is None else goal_of(structure, transition.goal)
 
     def there(shape: Shape) -> bool:
-        return goal is not None and short_of(structure, goal, shape) <= 0
+        return goal is not None and short_of(structure, net, goal, shape) <= 0
 
     end = 1.0 if goal is None else _MOST
     slow = slow_path(net, start.shape, load, end=end, increments=_INCREMENTS, stop=there)
@@ -74,8 +75,8 @@ def drive_course(structure: Structure, net: Net, start: Rest, drive: Drive, tran
     factor = slow.snaps[-1].factor if last is None else last.factor
     through = None
     if slow.snaps:
-        through = load_path(net, start.shape, load, target=factor, increments=_INCREMENTS)
-    reached = None if goal is None else _first_at(structure, goal, slow.points)
+        through = load_path(net, start.shape, load, target=factor, step=_FINE * net.size, increments=2 * _INCREMENTS)
+    reached = None if goal is None else _first_at(structure, net, goal, slow.points)
     if reached is None and slow.ended == "stop":
         reached = factor
     return Course(
@@ -90,16 +91,16 @@ def drive_course(structure: Structure, net: Net, start: Rest, drive: Drive, tran
     )
 
 
-def watched(structure: Structure, shape: Shape) -> Array:
+def watched(structure: Structure, net: Net, shape: Shape) -> Array:
     """What goals are bounds on: angles of the hinges in their own senses, rad, then distances, m, (coordinate,)."""
     pairs = [list(each.points) for each in distances_of(structure) if each.points is not None]
-    distances = [np.linalg.norm(np.diff(shape.positions[pair], axis=0)) for pair in pairs]
+    distances = [np.linalg.norm(np.diff(places(net, shape)[pair], axis=0)) for pair in pairs]
     return np.concatenate([own_angles(structure, shape), distances])
 
 
-def short_of(structure: Structure, goal: Goal, shape: Shape) -> float:
+def short_of(structure: Structure, net: Net, goal: Goal, shape: Shape) -> float:
     """By how much a shape is out of a goal's bounds, rad or m; not above 0 within."""
-    read = watched(structure, shape)
+    read = watched(structure, net, shape)
     return float(max(np.max(goal.least - read, initial=-np.inf), np.max(read - goal.most, initial=-np.inf)))
 
 
@@ -119,17 +120,17 @@ def gone(structure: Structure, net: Net, drive: Drive, shape: Shape) -> float:
     sign = float(np.sign(drive.torque or 1.0))
     if motor.direction is not None:
         points = list(motor.points)
-        return sign * float(np.mean((shape.positions - net.nodes)[points] @ motor.direction))
+        return sign * float(np.mean((net.points @ (shape.positions - net.nodes))[points] @ motor.direction))
     gains = np.array(motor.gains or [1.0] * len(motor.hinges))
     angles = own_angles(structure, shape)[list(motor.hinges)]
     return sign * float(np.mean(np.sign(gains) * angles))
 
 
-def _first_at(structure: Structure, goal: Goal, points: Sequence[PathPoint]) -> float | None:
+def _first_at(structure: Structure, net: Net, goal: Goal, points: Sequence[PathPoint]) -> float | None:
     """The factor at which a goal is first reached, between two points in proportion; None where it never is."""
     before, beside = None, np.inf
     for point in points:
-        out = short_of(structure, goal, point.shape)
+        out = short_of(structure, net, goal, point.shape)
         if out <= 0:
             if before is None or not np.isfinite(beside) or point.factor <= before.factor:
                 return float(point.factor)

@@ -15,21 +15,21 @@ from forficula.statics.net.energy import expand, shape_at
 from forficula.statics.net.factor import softest
 from forficula.statics.net.minimum import Rest, minimum
 from forficula.statics.net.net import Net, Shape
-from forficula.statics.net.net_of import net_of, start_shape
+from forficula.statics.net.net_of import net_of, panels, start_shape
 from forficula.statics.net.passing import panels_pass
 from forficula.statics.net.saddle import Saddle, find_saddle
 from forficula.statics.net.stable_states import StableStates, find_stable_states, same_shape
 from forficula.statics.net.supports import supported
 from forficula.statics.net_course import Course, drive_course, short_of
 from forficula.statics.net_state import Mobility, NetState, mobility, net_state
-from forficula.structure import Structure, drive_of, facet_triangles, first_state, state_of
+from forficula.structure import Structure, drive_of, first_state, state_of
 
 Array = NDArray[np.float64]
 Progress = Callable[[str], None]
 
 _TRIES = 16  # pushes of a search for stable states
 _SHOWN = 4  # states that no protocol names, of which more is worked out
-_PATHS, _INCREMENTS = 3, 100  # tried for a saddle, and increments of each
+_PATHS, _INCREMENTS = 4, 100  # tried for a saddle, and increments of each
 _OFF = 1e-3  # of the net's size: a push off a ridge
 _RIDGES = 8
 
@@ -94,7 +94,7 @@ def net_landscape(structure: Structure, progress: Progress = lambda _: None) -> 
     built = start_shape(structure, net)
     first, left = _settled(net, built)
     courses, refused = _courses(structure, net, first)
-    rests = _rests(structure, first, courses)
+    rests = _rests(structure, net, first, courses)
     progress("stable states")
     search = find_stable_states(net, [rest.shape for _, rest, _ in rests], tries=_TRIES)
     states = _states(structure, net, search, rests, progress)
@@ -150,7 +150,9 @@ def _courses(structure: Structure, net: Net, first: Rest) -> tuple[tuple[Course,
     return tuple(courses), tuple(refused)
 
 
-def _rests(structure: Structure, first: Rest, courses: Sequence[Course]) -> tuple[tuple[str, Rest, bool], ...]:
+def _rests(
+    structure: Structure, net: Net, first: Rest, courses: Sequence[Course]
+) -> tuple[tuple[str, Rest, bool], ...]:
     """Where it rests, by the names of the protocol."""
     places = [(first_state(structure, [state.name for state in structure.states]), first)]
     by_name = {course.name: course for course in courses}
@@ -158,7 +160,7 @@ def _rests(structure: Structure, first: Rest, courses: Sequence[Course]) -> tupl
     found = []
     for name, rest in places:
         state = state_of(structure, name)
-        within = state is None or short_of(structure, state.bounds, rest.shape) <= 0
+        within = state is None or short_of(structure, net, state.bounds, rest.shape) <= 0
         found.append((name if within or state is None else state.missed, rest, within))
     return tuple(found)
 
@@ -171,7 +173,7 @@ def _states(
     progress: Progress,
 ) -> list[NetState]:
     """What is told of states: of those of the protocol, and the lowest others in which no panels pass one another."""
-    triangles, states, others = facet_triangles(structure)[0], list[NetState](), 0
+    triangles, states, others = panels(structure), list[NetState](), 0
     for rest, found in zip(search.states, search.counts, strict=True):
         name = _name(net, rest, rests)
         others += not name

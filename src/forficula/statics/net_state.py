@@ -17,11 +17,11 @@ from forficula.statics.net.load_path import PathPoint
 from forficula.statics.net.minimum import Rest
 from forficula.statics.net.modes import natural_modes
 from forficula.statics.net.net import Net, Shape, Springs
-from forficula.statics.net.net_of import bends, motor_load, own_angles
+from forficula.statics.net.net_of import bends, motor_load, own_angles, panels, places
 from forficula.statics.net.passing import panels_pass
 from forficula.statics.net.rigidity import rigidity
 from forficula.statics.net.strength import strength
-from forficula.structure import Measure, Motor, Structure, facet_triangles
+from forficula.structure import Measure, Motor, Structure
 
 Array = NDArray[np.float64]
 
@@ -75,7 +75,7 @@ class NetState:
         readings: of the measures, rad or m, by name, each (coordinate,).
         frequencies: of the slowest modes that are no motions of the whole, Hz, (mode,).
         modes: these, kinetic energy 1/2 J at 1 m/s, (mode, node, 3).
-        mobility: there; None for a net too large.
+        mobility: there; None for a net too large, or of plates.
         strain: the largest of a bar, by size; 0 without bars.
         stress: the largest of a bar with a cross-section or of a membrane, by size, Pa.
         extension: the largest of a tendon, beyond its resting length and by that.
@@ -115,13 +115,13 @@ def net_state(structure: Structure, net: Net, rest: Rest, name: str, found: int,
     modes = natural_modes(net, rest.shape, 6 + _MODES)
     own = np.flatnonzero(~modes.rigid)[:_MODES]
     areas = np.array([spring.area for spring in structure.springs])
-    by_area = np.divide(borne.forces, areas, out=np.zeros_like(areas), where=areas > 0)
+    by_area = np.divide(borne.forces[: len(areas)], areas, out=np.zeros_like(areas), where=areas > 0)
     return NetState(
         name=name,
         rest=rest,
         energy=known(net, rest.energy),
         stored=stored_parts(structure, net, rest.shape),
-        readings={each.name: readings(structure, each, rest.shape) for each in structure.measures},
+        readings={each.name: readings(structure, net, each, rest.shape) for each in structure.measures},
         frequencies=modes.frequencies[own],
         modes=modes.shapes[own],
         mobility=mobility(structure, net, rest.shape),
@@ -129,15 +129,15 @@ def net_state(structure: Structure, net: Net, rest: Rest, name: str, found: int,
         stress=float(max(np.abs(by_area).max(initial=0.0), np.abs(borne.stresses).max(initial=0.0))),
         extension=float(borne.extensions.max(initial=0.0)),
         withstands=tuple(_withstands(structure, net, rest)) if loads else (),
-        passing=panels_pass(net, rest.shape, facet_triangles(structure)[0]),
+        passing=panels_pass(net, rest.shape, panels(structure)),
         found=found,
     )
 
 
-def readings(structure: Structure, measure: Measure, shape: Shape) -> Array:
+def readings(structure: Structure, net: Net, measure: Measure, shape: Shape) -> Array:
     """What a measure reads in a shape, rad of each of its hinges, or m, (coordinate,)."""
     if measure.points is not None:
-        one, other = shape.positions[list(measure.points)]
+        one, other = places(net, shape)[list(measure.points)]
         return np.array([np.linalg.norm(other - one)])
     return np.asarray(own_angles(structure, shape)[list(measure.hinges)] * np.array(measure.signs))
 
@@ -165,8 +165,8 @@ def known(net: Net, energy: float) -> float:
 
 
 def mobility(structure: Structure, net: Net, shape: Shape) -> Mobility | None:
-    """Mechanisms and states of self-stress, where panels stay flat; None for a net too large."""
-    if np.count_nonzero(net.free) > _LARGEST:
+    """Mechanisms and states of self-stress, where panels stay flat; None for a net too large, or of plates."""
+    if np.count_nonzero(net.free) > _LARGEST or structure.plates:
         return None
     found = rigidity(_unstretched(net), shape, bends(structure))
     return Mobility(degrees_of_freedom=found.degrees_of_freedom, self_stresses=found.self_stresses)
@@ -224,14 +224,15 @@ def _loads(structure: Structure, net: Net, shape: Shape) -> list[tuple[str, str,
             for sign, mark in ((1.0, "+"), (-1.0, "−")):
                 push = acceleration(net, sign * np.eye(3)[axis])
                 loads.append((f"supports accelerated along {mark}{letter}", "m/s^2", push))
-        triangles = facet_triangles(structure)[0]
+        triangles = panels(structure)
         if len(triangles):
             loads.append(("pressure on the backs of all facets", "Pa", pressure(net, shape, triangles)))
             loads.append(("pressure on their fronts", "Pa", pressure(net, shape, triangles[:, ::-1])))
     for name, motor in _groups(structure):
         for sign, words in ((1.0, "folding"), (-1.0, "unfolding")):
             load = motor_load(replace(structure, motors=(motor,)), net, (sign,))
-            loads.append((f"torque on each crease of {name}, {words}", "N m", load))
+            of = "" if name == "creases" else f" of {name}"
+            loads.append((f"torque on each crease{of}, {words}", "N m", load))
     return loads
 
 

@@ -43,7 +43,7 @@ def energy_landscape(design: Design, points: int = 181, progress: Progress = lam
         partial_folds=(),
         hinge_barriers=np.zeros(0),
         rests=_rests(structure, found),
-        least_torques=_least(structure, found),
+        least_torques={},
         tips=None,
         remarks=found.remarks,
         net=found,
@@ -66,8 +66,3 @@ def _rests(structure: Structure, found: NetLandscape) -> tuple[Rest, ...]:
             )
         )
     return tuple(rests)
-
-
-def _least(structure: Structure, found: NetLandscape) -> dict[str, float | None]:
-    by_name = {course.name: course.least for course in found.courses}
-    return {transition.name: by_name.get(transition.name) for transition in structure.transitions}

@@ -18,6 +18,7 @@ from forficula.pattern.shared_edges import shared_edges
 from forficula.structure.appearance import Appearance
 from forficula.structure.facets import BEND
 from forficula.structure.flaps import flap_angles
+from forficula.structure.imperfection import imperfect
 from forficula.structure.parts import (
     GROUND,
     Array,
@@ -47,6 +48,7 @@ def node_structure(design: SheetDesign) -> Structure:
     """
     design, sheet = design.settled(), design.sheet
     nodes = sheet_nodes(sheet)
+    nodes = nodes._replace(triangles=imperfect(nodes.triangles, design.imperfection))
     triangles, facet = nodes.triangles, design.facet
     bodies = _bodies(design, sheet, nodes)
     thickness = facet.thickness or 0.0
@@ -134,6 +136,7 @@ def _springs(design: SheetDesign, triangles: CreasePattern) -> tuple[Spring, ...
     areas = np.zeros(len(lengths))
     np.add.at(areas, sides, (share * _areas(triangles) / lengths[sides].sum(axis=1))[:, None])
     stiffness = (facet.youngs_modulus or 0.0) * areas / lengths
+    edges = len(design.sheet.edges_vertices)
     return tuple(
         Spring(
             name=f"{role}{edge}",
@@ -146,12 +149,8 @@ def _springs(design: SheetDesign, triangles: CreasePattern) -> tuple[Spring, ...
         )
         for edge, (tail, head) in enumerate(triangles.edges_vertices)
         if areas[edge]
-        for role in ["edge" if edge < _edge_count(design) else "diagonal"]
+        for role in ["edge" if edge < edges else "diagonal"]
     )
-
-
-def _edge_count(design: SheetDesign) -> int:
-    return len(design.sheet.edges_vertices)
 
 
 def _hinges(design: SheetDesign, triangles: CreasePattern) -> tuple[tuple[Hinge, ...], dict[int, int]]:

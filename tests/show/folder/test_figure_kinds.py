@@ -57,7 +57,7 @@ def folders(tmp_path_factory, reference, reference_run, cycling, convergence):
     for name in ("run", "landscape"):
         save_design(reference, place / name / "design.toml")
     write_text(place / "run" / "cycles.json", json.dumps(cycling_summary(cycling)))
-    write_text(place / "landscape" / "landscape.json", '{"simulation": null}')
+    write_text(place / "landscape" / "landscape.json", '{"simulation": null, "figures": ["tendon", "wing", "levels"]}')
     save_convergence(convergence, place / "converge" / "convergence.nc")
     for name, table in (("study/table.nc", planted(TWO)), ("landscape/map.nc", slow_maps(reference))):
         write_bytes(place / name, table.to_netcdf(engine="h5netcdf"))
@@ -88,7 +88,7 @@ def test_a_folder_offers_the_figures_of_its_results(folders, name):
 def test_a_landscape_without_one_way_to_fold_offers_where_it_rests(tmp_path, tendons, kinds):
     letter = load_design("letter-fold")
     save_design(letter if tendons else letter.model_copy(update={"tendon": ()}), tmp_path / "design.toml")
-    write_text(tmp_path / "landscape.json", '{"simulation": null}')
+    write_text(tmp_path / "landscape.json", '{"simulation": null, "figures": ["tendon", "wing", "levels"]}')
     assert sorted(folder_drawings(tmp_path)) == kinds
 
 
@@ -132,7 +132,7 @@ def test_a_landscape_is_surveyed_again_with_its_run_where_its_figure_shows_one(
 
     monkeypatch.setattr(figure_kinds, "landscape_and_run", survey)
     save_design(reference, tmp_path / "design.toml")
-    write_text(tmp_path / "landscape.json", f'{{"simulation": {simulation}}}')
+    write_text(tmp_path / "landscape.json", f'{{"simulation": {simulation}, "figures": ["tendon", "wing"]}}')
     drawings = landscape_drawings(surveyed("reference"), reference_run if runs else None)
     assert_drawn_again(tmp_path, drawings, kind, tmp_path)
     assert asked == [(reference.hash, runs)]

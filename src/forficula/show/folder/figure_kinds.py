@@ -17,12 +17,11 @@ from forficula.files import clear_leftovers, write_bytes
 from forficula.reproduction import shown_tendon
 from forficula.show.folder.convergence_folder import CONVERGENCE_FILE, convergence_drawings
 from forficula.show.folder.cycling_folder import cycling_drawings, read_cycling
-from forficula.show.folder.landscape_folder import landscape_drawings, landscape_kinds
+from forficula.show.folder.landscape_folder import landscape_drawings
 from forficula.show.folder.run_folder import run_drawings
 from forficula.show.folder.static_map_folder import SIMULATED, static_map_drawings
 from forficula.show.folder.study_folder import study_drawings
 from forficula.show.style import COLUMN_WIDTH, COPIES, ENDINGS, PAGE_WIDTH, Drawing, save_figure
-from forficula.structure import structure_of
 from forficula.study.convergence_file import load_convergence
 from forficula.study.landscape_and_run import landscape_and_run
 from forficula.study.outcome_kinds import check_table
@@ -102,7 +101,8 @@ def _landscape(folder: Path) -> dict[str, Drawing]:
     """The landscape is surveyed again when a figure is drawn: that takes a second, and all of it in a file many MB."""
     design = load_design(str(folder / "design.toml"))
     try:
-        simulated = json.loads((folder / "landscape.json").read_text("utf-8"))["simulation"] is not None
+        written = json.loads((folder / "landscape.json").read_text("utf-8"))
+        simulated, kinds = written["simulation"] is not None, list(map(str, written["figures"]))
     except (OSError, LookupError, ValueError, TypeError) as error:
         raise InputError(f"{folder / 'landscape.json'}: not a landscape of forficula: {error}") from None
 
@@ -117,7 +117,7 @@ def _landscape(folder: Path) -> dict[str, Drawing]:
 
         return draw
 
-    return {kind: drawing(kind) for kind in landscape_kinds(structure_of(design))}
+    return {kind: drawing(kind) for kind in kinds}
 
 
 _READERS: dict[str, Callable[[Path], dict[str, Drawing]]] = {

@@ -4,18 +4,23 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
+from forficula.analysis.simulated_rests import rest_distances
 from forficula.analysis.simulated_snap import inner_tendon, simulation_summary
 from forficula.design import save_design
 from forficula.dynamics import Record, versions
 from forficula.files import replacing_all, write_text
+from forficula.show.landscape.barriers_figure import draw_barriers
+from forficula.show.landscape.courses_figure import draw_courses
 from forficula.show.landscape.landscape_figure import draw_fold_path
 from forficula.show.landscape.levels_figure import draw_levels
 from forficula.show.landscape.rests_figure import draw_rests
+from forficula.show.landscape.states_figure import draw_modes, draw_states
 from forficula.show.landscape.tendon_figure import draw_tendon
+from forficula.show.page.landscape_page import landscape_page
 from forficula.show.style import Drawing, save_figures
 from forficula.statics import EnergyLandscape, folding_hinges, landscape_summary
-from forficula.structure import Structure
 
 
 def write_landscape(
@@ -40,12 +45,20 @@ def _write_files(landscape: EnergyLandscape, folder: Path, record: Record | None
     save_design(landscape.design, folder / "design.toml")
     content = landscape_summary(landscape) | {
         "simulation": None if record is None else simulation_summary(record, tendon),
+        **({} if record is None or landscape.net is None else _apart(landscape, record)),
         "versions": versions(),
+        "figures": list(landscape_kinds(landscape)),
     }
     # what does not exist is null; not every reader of JSON knows NaN
     text = json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False)
     write_text(folder / "landscape.json", text + "\n")
-    save_figures(landscape_drawings(landscape, record, tendon), folder)
+    texts = save_figures(landscape_drawings(landscape, record, tendon), folder)
+    if landscape.net is not None:
+        write_text(folder / "report.html", landscape_page(landscape, folder, texts))
+
+
+def _apart(landscape: EnergyLandscape, record: Record) -> dict[str, Any]:
+    return {"rests_apart_m": dict(rest_distances(landscape, record))}
 
 
 def landscape_drawings(
@@ -58,16 +71,24 @@ def landscape_drawings(
         "wing": lambda width: draw_fold_path(landscape, width),
         "rests": lambda width: draw_rests(landscape, width),
         "levels": lambda width: draw_levels(landscape, width),
+        "states": lambda width: draw_states(landscape, width),
+        "modes": lambda width: draw_modes(landscape, width),
+        "barriers": lambda width: draw_barriers(landscape, width),
+        "courses": lambda width: draw_courses(landscape, width),
     }
-    return {kind: drawings[kind] for kind in landscape_kinds(landscape.structure)}
+    return {kind: drawings[kind] for kind in landscape_kinds(landscape)}
 
 
-def landscape_kinds(structure: Structure) -> tuple[str, ...]:
-    """The figures of a structure's landscape, by the stems of their files.
+def landscape_kinds(landscape: EnergyLandscape) -> tuple[str, ...]:
+    """The figures of a landscape, by the stems of their files.
 
     What it does not have is left out: no tendon across one hinge, no hinge that folds. Where it has no one way to fold,
-    the states in which it rests stand in place of the path.
+    the states in which it rests stand in place of the path; of points that slide the states that were found.
     """
+    structure, net = landscape.structure, landscape.net
+    if net is not None:
+        states = ("states", "modes") if net.states else ()
+        return (*states, *["barriers"] * (len(net.states) > 1), *["courses"] * bool(net.courses))
     tendon = ("tendon",) if inner_tendon(structure) is not None else ()
     levels = ("levels",) if folding_hinges(structure) else ()
     return (*tendon, "rests" if structure.rigid_fold is None else "wing", *levels)

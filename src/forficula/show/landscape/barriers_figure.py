@@ -5,13 +5,14 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from forficula.quantities import reading_unit
 from forficula.show.landscape.net_words import shown_value
-from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, in_column
+from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, in_column, is_narrow
 from forficula.statics import EnergyLandscape
-from forficula.statics.net_landscape import NetLandscape, Pass
+from forficula.statics.net_landscape import NetLandscape
 
 Array = NDArray[np.float64]
 
@@ -38,9 +39,7 @@ def draw_barriers(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figu
         figure = Figure(figsize=(width, 2.8), layout="constrained")
         axes = figure.subplots()
         for each, top in zip(net.passes, tops, strict=True):
-            _draw_pass(
-                axes, each, [places[end] for end in each.ends], [energies[end] for end in each.ends], top, factor
-            )
+            _draw_pass(axes, [(places[end], energies[end]) for end in each.ends], top, factor)
         for place, energy in zip(places, energies, strict=True):
             axes.plot([place - _HALF, place + _HALF], [factor * energy] * 2, color=BLUE, lw=2.5, zorder=4)
         axes.set_xlim(-0.6, max(places) + 0.6)
@@ -49,6 +48,12 @@ def draw_barriers(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figu
         axes.set_xticks(sorted(names), [names[place] for place in sorted(names)])
         axes.tick_params(axis="x", length=0)
         axes.set_ylabel(f"stored energy ({unit})")
+        handles = [Line2D([], [], color=BLUE, lw=2.5, label="stable state")]
+        if net.passes:
+            words = "saddle, and what is to climb to it from either side"
+            mark = {"marker": "^", "mfc": "white", "mec": VERMILION, "mew": 1.1, "ms": 5, "ls": "none"}
+            handles.append(Line2D([], [], label=words, **mark))  # type: ignore[arg-type]
+        figure.legend(handles=handles, loc="outside upper center", ncols=1 if is_narrow(width) else 2)
         return describe(figure, _tell(landscape, net))
 
 
@@ -69,9 +74,9 @@ def _places(net: NetLandscape) -> list[int]:
     return [order.index(number) for number in range(len(net.states))]
 
 
-def _draw_pass(axes: Axes, each: Pass, places: list[int], ends: list[float], top: float, factor: float) -> None:
+def _draw_pass(axes: Axes, ends: list[tuple[int, float]], top: float, factor: float) -> None:
     """A curve over a saddle, and the barrier from either side."""
-    (left, low), (right, other) = sorted(zip(places, ends, strict=True))
+    (left, low), (right, other) = sorted(ends)
     left_end, right_end = left + _HALF, right - _HALF
     middle = (left_end + right_end) / 2
     rise = (1 - np.cos(np.linspace(0, np.pi, _POINTS))) / 2

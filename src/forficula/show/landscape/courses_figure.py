@@ -11,8 +11,9 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
+from forficula.quantities import reading_unit
 from forficula.show.landscape.net_pictures import Pictures, hang, net_pictures
-from forficula.show.landscape.net_words import course_words, shown_value, value_unit
+from forficula.show.landscape.net_words import course_words, shown_value
 from forficula.show.style import BLACK, BLUE, GREEN, PAGE_WIDTH, VERMILION, describe, figure_style, is_narrow
 from forficula.statics import EnergyLandscape
 from forficula.statics.net.load_path import PathPoint
@@ -21,10 +22,12 @@ from forficula.statics.net_course import Course, drive_unit, driven_motor, gone
 
 Array = NDArray[np.float64]
 
+_CELLS = 10  # of a picture, to the size of the whole
 _MOST = 5  # pictures of a course
 _PLOT = 2.3  # inch
 _LEGEND = 0.45
 _LETTERS = "abcdefgh"
+_SAME = 0.04  # of the size of a plot: letters so near are written together
 
 
 def draw_courses(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
@@ -39,7 +42,10 @@ def draw_courses(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figur
     moments = [_moments(course) for course in courses]
     columns = 1 if is_narrow(width) else min(2, len(courses))
     rows = -(-len(courses) // columns)
-    pictures = [net_pictures(landscape.structure, [shape for _, shape, _ in each]) for each in moments]
+    pictures = [
+        net_pictures(landscape.structure, landscape.net.net, [shape for _, shape, _ in each], _CELLS)
+        for each in moments
+    ]
     most = max(len(each) for each in moments)
     height = _PLOT + min(max(each.slope for each in pictures) * width / columns / most, 1.3) + 0.25
     with figure_style():
@@ -76,8 +82,8 @@ def _draw_course(
     last = moments[-2] if len(moments) > 1 else moments[-1]
     ends = [plot.at(last[0], last[1]), plot.at(0.0, course.rest.shape)]
     axes.plot(*zip(*ends, strict=True), ":", color="0.4", lw=1.0, zorder=2)
-    for letter, (factor, shape, _) in zip(_LETTERS, moments, strict=False):
-        axes.annotate(letter, plot.at(factor, shape), xytext=(3, 3), textcoords="offset points", fontsize=8, zorder=6)
+    for place, letters in _lettered([plot.at(factor, shape) for factor, shape, _ in moments]):
+        axes.annotate(letters, place, xytext=(3, 3), textcoords="offset points", fontsize=8, zorder=6)
     axes.set_xlabel(f"{plot.along} ({plot.unit_along})")
     axes.set_ylabel(f"{plot.drive} ({plot.unit})")
     axes.set_title(course.name, loc="left")
@@ -100,9 +106,9 @@ class _Plot:
         si = "m" if kind == "force" else "rad"
         self._zero = self._gone(course.start.shape)
         far = max(abs(self._gone(point.shape) - self._zero) for point in points)
-        self.unit_along, self._along = value_unit(si, far)
+        self.unit_along, self._along = reading_unit(si, far)
         largest = max(abs(point.factor) for point in points) * self._size
-        self.unit, self._factor = value_unit(drive_unit(self._structure, course.drive), largest)
+        self.unit, self._factor = reading_unit(drive_unit(self._structure, course.drive), largest)
         self.drive = {"force": "force", "torque": "torque", "rest-angle": "rest angle moved"}[kind]
         self.along = "way along the force" if kind == "force" else "angle turned"
 
@@ -123,6 +129,20 @@ class _Plot:
         for one, other in pairwise(points):
             holds = one.index == 0 and other.index == 0
             axes.plot(*self.place([one, other]), color=BLACK if holds else "0.5", lw=0.9, ls="-" if holds else "--")
+
+
+def _lettered(places: Sequence[tuple[float, float]]) -> list[tuple[tuple[float, float], str]]:
+    """The letters of places, those that are one with all of theirs."""
+    size = np.ptp(np.array(places), axis=0) + 1e-12
+    found: list[tuple[tuple[float, float], str]] = []
+    for letter, place in zip(_LETTERS, places, strict=False):
+        near = [np.abs((np.array(each) - place) / size).max() < _SAME for each, _ in found]
+        if any(near):
+            number = near.index(True)
+            found[number] = (found[number][0], f"{found[number][1]}, {letter}")
+        else:
+            found.append((place, letter))
+    return found
 
 
 def _moments(course: Course) -> list[tuple[float, Shape, str]]:

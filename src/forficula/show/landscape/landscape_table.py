@@ -9,6 +9,7 @@ from rich.table import Table
 from rich.text import Text
 
 from forficula.analysis import measure
+from forficula.analysis.simulated_rests import rest_distances
 from forficula.analysis.simulated_snap import (
     SimulatedSnap,
     fold_limit,
@@ -20,6 +21,7 @@ from forficula.analysis.simulated_snap import (
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit
 from forficula.show.landscape.landscape_marks import rest_name, rounding_torque, show_angle, show_angles, torque_words
+from forficula.show.landscape.net_tables import TextTable, net_tables, net_verdict
 from forficula.show.landscape.shown_hinge import ShownHinge, shown_hinge
 from forficula.show.structure.labels import shown_angles, title_of
 from forficula.statics import EnergyLandscape, FoldPath, HingeLandscape, stable_states
@@ -29,6 +31,7 @@ from forficula.structure import RigidFold, Transition
 
 _KINDS = {"stop": "on its stop", "minimum": "minimum", "neutral": "range without force"}
 _NONE = "none"
+_NOTHING = 1e-9  # m, below which a distance is rounding
 
 
 def print_landscape(landscape: EnergyLandscape, record: Record | None = None, tendon: int | None = None) -> None:
@@ -50,7 +53,9 @@ def landscape_table(
     """
     shown = shown_hinge(landscape, tendon)
     parts: list[RenderableType] = [Text(_verdict(landscape), style="bold")]
-    tables = [_states(landscape, shown), _barriers(landscape, shown), _torques(landscape)]
+    tables = [_plain(table) for table in net_tables(landscape)]
+    if landscape.net is None:
+        tables = [_states(landscape, shown), _barriers(landscape, shown), _torques(landscape)]
     if landscape.tips is not None:
         tables.append(_tips(landscape.tips))
     if shown is not None:
@@ -58,7 +63,7 @@ def landscape_table(
     for table in tables:
         if table.row_count:
             parts += [Text(), table]
-    remarks = [*_simulation_remarks(record, shown), *landscape.remarks]
+    remarks = [*_simulation_remarks(record, shown), *_rest_remarks(landscape, record), *landscape.remarks]
     if remarks:
         parts += [Text(), *(Text(_sentence(remark)) for remark in remarks)]
     return Group(*parts)
@@ -66,6 +71,8 @@ def landscape_table(
 
 def _verdict(landscape: EnergyLandscape) -> str:
     folds = landscape.partial_folds
+    if landscape.net is not None:
+        return net_verdict(landscape)
     if landscape.fold_path is None:
         names = [rest_name(each) for each in landscape.rests if each.stable]
         told = f"rests stably: {', '.join(names)}" if names else "rests nowhere stably"
@@ -75,6 +82,13 @@ def _verdict(landscape: EnergyLandscape) -> str:
     stable = sum(fold.stable for fold in folds)
     partly = f"; {stable} of {len(folds)} states with some hinges folded stay" if folds else ""
     return f"{landscape.design.name}: {told}{partly}"
+
+
+def _plain(text: TextTable) -> Table:
+    table = _table(text.title, *text.headings)
+    for row in text.rows:
+        table.add_row(*row)
+    return table
 
 
 def _states(landscape: EnergyLandscape, shown: ShownHinge | None) -> Table:
@@ -218,6 +232,14 @@ def _simulation_remarks(record: Record | None, shown: ShownHinge | None) -> Iter
     driven = "it is driven" if folding is None else f"it is driven by the {folding.drive} torque"
     others = ", damped, and tied to the membrane" if structure.membranes else " and damped"
     yield f"{sampled}; {driven}{others}, which the prediction is not"
+
+
+def _rest_remarks(landscape: EnergyLandscape, record: Record | None) -> Iterator[str]:
+    """How near to one another the two routes came to rest."""
+    apart = {} if record is None else rest_distances(landscape, record)
+    if apart:
+        told = ", ".join(f"{name} {_readable(max(distance, _NOTHING), 'm')}" for name, distance in apart.items())
+        yield f"at rest, distances between vertices in the run differ from those in statics by at most: {told}"
 
 
 def _sentence(remark: str) -> str:

@@ -16,12 +16,11 @@ from forficula.show.structure.painted_shape import PaintedShape, paint_shape, sh
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_of
 from forficula.show.style import ORANGE
-from forficula.statics.net.net import Shape
+from forficula.statics.net.net import Net, Shape
+from forficula.statics.net.net_of import places
 from forficula.structure import Structure
 
 Array = NDArray[np.float64]
-
-_CELLS = 24  # to the size of the whole: the more, the larger the file
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -49,15 +48,21 @@ class Pictures:
         return float(height / width)
 
 
-def net_pictures(structure: Structure, shapes: Sequence[Shape]) -> Pictures:
-    """Paint a structure of sliding points in some shapes."""
+def net_pictures(structure: Structure, net: Net, shapes: Sequence[Shape], cells: int) -> Pictures:
+    """Paint a structure in some shapes of the net that it is, from so many cells to the size of the whole."""
     shape, view = shape_of(structure), structure_view(structure)
     at = {point.body: number for number, point in enumerate(structure.points)}
     nodes = [at[body] for membrane in structure.membranes for body in membrane.bodies.tolist()]
     painted, lines = list[PaintedShape](), list[Array]()
     for each in shapes:
-        surface = surface_of(shape, np.concatenate((each.positions, each.positions[nodes])), each.angles)
-        painted.append(paint_shape(surface, view, ORANGE, cells=_CELLS))
+        points = places(net, each)[: len(structure.points)]
+        surface = surface_of(
+            shape,
+            np.concatenate((points, points[nodes])),
+            each.angles,
+            two_sided=bool(structure.facets),
+        )
+        painted.append(paint_shape(surface, view, ORANGE, cells=cells))
         lines.append(view.project(surface.lines))
     corners = np.concatenate([each.polygons.reshape(-1, 2) for each in painted])
     return Pictures(

@@ -2,25 +2,17 @@
 
 from __future__ import annotations
 
-import math
-
-from forficula.quantities import reading_unit, show_value
+from forficula.quantities import reading_unit
 from forficula.statics.net_course import Course, drive_unit
 from forficula.statics.net_state import Withstood
 from forficula.structure import Structure, measure_of
 
-_ANGLES = "deg"
-
-
-def value_unit(unit: str, largest: float) -> tuple[str, float]:
-    """The unit in which values read well, and its factor from SI; angles in degrees."""
-    return (_ANGLES, math.degrees(1.0)) if unit == "rad" else reading_unit(unit, largest)
-
 
 def shown_value(value: float, unit: str, digits: int = 4) -> str:
     """Write an SI float in the unit in which it reads well, with a minus sign and not a hyphen."""
-    text = f"{math.degrees(value):.{digits}g} {_ANGLES}" if unit == "rad" else show_value(value, unit, digits)
-    return text.replace("-", "−").replace("m/s^2", "m/s²")
+    name, factor = reading_unit(unit, abs(value)) if value else (unit.replace("rad", "deg"), 1.0)
+    rounded = float(f"{factor * value:.{digits}g}")
+    return f"{rounded:g} {name}".replace("-", "−").replace("m/s^2", "m/s²")
 
 
 def shown_strength(structure: Structure, course: Course, size: float) -> str:
@@ -51,4 +43,4 @@ def reading_words(structure: Structure, name: str, readings: list[float]) -> str
     measure = measure_of(structure, name)
     unit = "m" if measure is not None and measure.kind == "distance" else "rad"
     low, high = shown_value(min(readings), unit), shown_value(max(readings), unit)
-    return low if low == high else f"{low.removesuffix(f' {_ANGLES}')} to {high}"
+    return low if low == high else f"{low.removesuffix(' deg')} to {high}"

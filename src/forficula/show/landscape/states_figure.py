@@ -17,6 +17,7 @@ from forficula.statics.net_state import NetState
 
 _SWING = 0.12  # largest displacement that is drawn of a mode, of the net's size
 _TITLE, _LEGEND = 0.42, 0.35  # inch
+_CELLS = 16  # to the size of the whole: the more, the larger the file
 _MOST = 4  # states whose modes are drawn
 
 
@@ -28,7 +29,7 @@ def draw_states(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure
         width: of the figure, inch.
     """
     net, structure = _net(landscape), landscape.structure
-    pictures = net_pictures(structure, [state.rest.shape for state in net.states])
+    pictures = net_pictures(structure, net.net, [state.rest.shape for state in net.states], _CELLS)
     columns = min(2 if is_narrow(width) else 4, len(net.states))
     rows = -(-len(net.states) // columns)
     height = min(width / columns * pictures.slope, 2.4) + _TITLE
@@ -58,7 +59,7 @@ def draw_modes(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
     count = max(len(state.modes) for state in states)
     columns = min(count, 2 if is_narrow(width) else 4)
     swung = [_swung(net, state, mode) for state in states for mode in range(min(columns, len(state.modes)))]
-    pictures = net_pictures(structure, [*swung, *(state.rest.shape for state in states)])
+    pictures = net_pictures(structure, net.net, [*swung, *(state.rest.shape for state in states)], _CELLS)
     height = min(width / columns * pictures.slope, 2.0) + _TITLE
     with figure_style():
         figure = Figure(figsize=(width, len(states) * height), layout="constrained")
@@ -72,9 +73,9 @@ def draw_modes(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
                 axes.add_collection(LineCollection(list(still), colors="0.35", linewidths=0.5, linestyles=":"))
                 first = axes is row[0]
                 axes.set_title(f"{state.name}\n{_hertz(frequency)}" if first else f"\n{_hertz(frequency)}", pad=2)
-        told = "; ".join(f"{each.name} {', '.join(map(_hertz, each.frequencies.tolist()))}" for each in states)
+        words = "; ".join(f"{each.name} {', '.join(map(_hertz, each.frequencies.tolist()))}" for each in states)
         what = f"The slowest modes of the {structure.appearance.whole} {landscape.design.name} about its states"
-        return describe(figure, f"{what}, at the end of a swing. {told}.")
+        return describe(figure, f"{what}, at the end of a swing. {words}.")
 
 
 def _swung(net: NetLandscape, state: NetState, mode: int) -> Shape:

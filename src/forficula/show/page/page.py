@@ -13,7 +13,7 @@ from forficula.show.page.html import escaped
 _NO_SCRIPT = "Without JavaScript nothing moves and there are no plots; the numbers below are all there."
 
 
-def page_html(title: str, body: str, data: dict[str, Any]) -> str:
+def page_html(title: str, body: str, data: dict[str, Any] | None) -> str:
     """Assemble a page.
 
     Only the packed script may run, named by its hash, and nothing may be fetched: a name of a design that looks like a
@@ -22,11 +22,9 @@ def page_html(title: str, body: str, data: dict[str, Any]) -> str:
     Args:
         title: of the window.
         body: HTML, already escaped.
-        data: what the script shows; its "kind" says how.
+        data: what the script shows; its "kind" says how. None for a page on which nothing moves, which has no script.
     """
-    script, style = built("page.js"), built("page.css")
-    # "<" could end the element that the data stand in
-    packed = json.dumps(data, separators=(",", ":"), ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
+    script, style = "" if data is None else built("page.js"), built("page.css")
     return f"""<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -40,12 +38,18 @@ def page_html(title: str, body: str, data: dict[str, Any]) -> str:
 <style>{style}</style>
 </head>
 <body>
-<noscript><p class="note">{_NO_SCRIPT}</p></noscript>
+{"" if data is None else f'<noscript><p class="note">{_NO_SCRIPT}</p></noscript>'}
 {body}
-<script type="application/json" id="data">{packed}</script>
-<script>{script}</script>
-</body>
+{"" if data is None else _scripted(data, script)}</body>
 </html>
+"""
+
+
+def _scripted(data: dict[str, Any], script: str) -> str:
+    # "<" could end the element that the data stand in
+    packed = json.dumps(data, separators=(",", ":"), ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
+    return f"""<script type="application/json" id="data">{packed}</script>
+<script>{script}</script>
 """
 
 

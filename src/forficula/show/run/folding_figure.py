@@ -28,7 +28,8 @@ Array = NDArray[np.float64]
 _LEGEND_HEIGHT = 0.9  # inch
 _BAR_HEIGHT = 0.3  # inch, of a scale bar with its number
 _MOST_LINES = 200  # of creases and edges: more would hide what they lie on
-_CELLS = 16  # to the size of the whole: the more, the larger the file
+# to the size of the whole: the more, the larger the file; facets hide more of one another than sheets between bars do
+_CELLS, _FACET_CELLS = 16, 20
 
 
 def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) -> Figure:
@@ -47,7 +48,8 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) ->
         surfaces = [surface_at(record, shape, time) for _, time in moments]
         if len(shape.lines) > _MOST_LINES and not structure.facets:
             surfaces = [replace(each, lines=each.lines[:0], folds=each.folds[:0]) for each in surfaces]
-        drawn = [paint_shape(surface, view, ORANGE, cells=_CELLS) for surface in surfaces]
+        cells = _FACET_CELLS if structure.facets else _CELLS
+        drawn = [paint_shape(surface, view, ORANGE, cells=cells) for surface in surfaces]
         corners = np.concatenate([painted.polygons.reshape(-1, 2) for painted in drawn])
         low, high = corners.min(axis=0), corners.max(axis=0)
         scale = width / columns / (high - low)[0]
@@ -121,7 +123,8 @@ def _moments(record: Record, outcome: Outcome) -> list[tuple[str, float]]:
     for end in driven or record.stages:
         moments += [(end.stage.name, time) for time in _halfway(record, end)]
     moments.sort(key=lambda moment: moment[1])
-    return list({time: (name, time) for name, time in reversed(moments)}.values())[::-1]
+    # of two names for one moment the first
+    return [(name, time) for place, (name, time) in enumerate(moments) if place == 0 or time > moments[place - 1][1]]
 
 
 def _halfway(record: Record, end: StageEnd) -> list[float]:

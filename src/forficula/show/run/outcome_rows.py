@@ -27,6 +27,8 @@ from forficula.show.structure.labels import (
 )
 from forficula.structure import Measure, Structure, Transition, drive_of, hinge_groups
 
+_ROUNDING = 1e-12  # of energies, by the largest
+
 
 @dataclass(frozen=True, kw_only=True)
 class StateColumn:
@@ -89,6 +91,7 @@ def state_rows(structure: Structure, states: Mapping[str, State]) -> StateRows:
     if stores:
         stored = {state.name: [part.energy(state) for part in stores] for state in states.values()}
         largest = max(max(each) for each in stored.values())
+        stored = {name: [_sizeable(value, largest) for value in each] for name, each in stored.items()}
         energy_unit, energy = reading_unit("J", largest)
         columns.append(StateColumn(title="energy", unit=energy_unit))
         cells.append(([part.label for part in stores], lambda state, part: f"{energy * stored[state.name][part]:.4g}"))
@@ -128,6 +131,11 @@ def _stores(structure: Structure) -> list[_Store]:
     if structure.springs:
         stores.append(_Store(kind="bars", label="bars", energy=_of_bars))
     return stores
+
+
+def _sizeable(energy: float, largest: float) -> float:
+    """An energy, J; 0 where it is the rounding of the largest one."""
+    return energy if abs(energy) > _ROUNDING * largest else 0.0
 
 
 def _of_tendon(number: int, state: State) -> float:

@@ -52,7 +52,7 @@ _LEAD = 0.15
 _HALF_TURN, _LEAST_ROOM, _ROOM = 200.0, 25.0, 1.2
 # of a legend; more lines than that have the colours of a scale, in their order
 _MOST_ENTRIES = 8
-_SHORT = 12  # letters of a label, of which three fit beside one another in a column
+_SHORT, _SHORTEST = 12, 7  # letters of a label, of which three or four fit beside one another in a column
 _STEPS, _MOST_STEPS = (5, 10, 15, 30, 45, 90), 6
 
 
@@ -76,7 +76,7 @@ def draw_angles(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) -> 
                     _scale_degrees(axes, record, measures)
                 _shade_stages(axes, record, start, scale)
             if list(lines) != [title_of(measures[0])]:
-                _legend(axes_row, width, columns=4)
+                _legend(axes_row, width, columns=4 if max(map(len, lines), default=0) <= _SHORTEST else 3)
         if rows_of:
             _mark_states(rows[0][0], record, outcome, rows_of[0], _run_unit(record)[1])
         return describe(figure, _tell_angles(record, outcome))
@@ -130,9 +130,11 @@ def _accounts(record: Record) -> dict[str, tuple[Array, str]]:
     hinged = hinge_groups(structure).keys() <= {"hinges"}
     accounts[f"taken by {'hinge' if hinged else 'fold'} damping"] = (-series["hinge_damping_work"], GREEN)
     accounts["taken by stops"] = (-series["stop_work"], VERMILION)
-    if structure.tendons or structure.membranes or structure.springs:
-        name = "taken by other damping" if structure.membranes or structure.springs else "taken by tendons"
-        accounts[name] = (-series["elastic_damping_work"], SKY)
+    damped = [name for name in ("tendons", "membranes", "springs") if getattr(structure, name)]
+    if damped:
+        alone = {"tendons": "taken by tendons", "springs": "taken by bars"}
+        name = alone.get(damped[0]) if len(damped) == 1 else None
+        accounts[name or "taken by other damping"] = (-series["elastic_damping_work"], SKY)
     for name, words, colour in (
         ("branch_damping_work", "taken by Maxwell branches", ORANGE),
         ("letting_go_work", "branches that gave way", PURPLE),

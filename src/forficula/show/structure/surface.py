@@ -54,16 +54,18 @@ def surface_at(record: Record, shape: Shape, time: float) -> Surface:
     """
     moved = (at_time(record, name, time) for name in ("point_position", "membrane_position"))
     senses = np.array([hinge.sense for hinge in record.structure.hinges])
-    return surface_of(shape, np.concatenate(list(moved)), senses * at_time(record, "hinge_angle", time))
+    folds = senses * at_time(record, "hinge_angle", time)
+    return surface_of(shape, np.concatenate(list(moved)), folds, two_sided=bool(record.structure.facets))
 
 
-def surface_of(shape: Shape, places: Array, folds: Array) -> Surface:
+def surface_of(shape: Shape, places: Array, folds: Array, *, two_sided: bool) -> Surface:
     """Lay the surface through points.
 
     Args:
         shape: of a structure.
         places: of its points, then of the nodes of its membranes, m, (point, axis).
         folds: how far its hinges are folded, valleys positive, rad, (hinge,).
+        two_sided: whether the faces have backs.
     """
     vertices = vertex_places(shape, places[shape.anchors])
     corners = np.array([(*face, face[-1])[:4] for face in shape.faces], dtype=np.int64).reshape(-1, 4)
@@ -73,7 +75,7 @@ def surface_of(shape: Shape, places: Array, folds: Array) -> Surface:
     return Surface(
         faces=vertices[corners],
         regions=shape.face_region,
-        two_sided=len(shape.regions) > 0 and not any(shape.solid) and not shape.bars,
+        two_sided=two_sided,
         bars=vertices[np.array([bar.ends for bar in shape.bars], dtype=np.int64).reshape(-1, 2)],
         radii=np.array([bar.radius for bar in shape.bars]),
         lines=vertices[np.array(ends, dtype=np.int64).reshape(-1, 2)],

@@ -281,7 +281,9 @@ def _events_between(
         if not any(abs(at - place) <= _SAME * length for place in places):
             places.append(at)
     for number, place in enumerate(places):
-        point = (_increment(net, load, here, place) or there).point
+        # where stiffness is lost no increment may end, but one just short of it does
+        short = place - length / 2**_HALVINGS
+        point = (_increment(net, load, here, place) or _increment(net, load, here, short) or there).point
         mode = np.zeros_like(net.nodes)
         mode[net.free] = softest(expand(net, point.shape, load, point.factor).free, 1)[1][:, 0]
         limit = number == 0 and there.point.rising != here.point.rising

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,9 +14,10 @@ from forficula.errors import InputError
 from forficula.material.law.crease_law import CreaseLaw
 from forficula.material.law.tendon_law import stacked_laws
 from forficula.statics.net.energy import shape_at
-from forficula.statics.net.load import Load, no_load
+from forficula.statics.net.load import Load, no_load, point_forces
 from forficula.statics.net.net import Creases, Net, Shape, Springs, Tendons, Triangles
-from forficula.structure import GROUND, Structure, built_points, crease_flaps, crease_law, crease_numbers
+from forficula.statics.net.plate_nodes import joint_places, place_weights, plate_nodes, stiffness_of
+from forficula.structure import GROUND, Structure, built_points, crease_flaps, crease_law, facet_triangles
 from forficula.structure.facets import BEND
 
 Array = NDArray[np.float64]
@@ -22,31 +25,40 @@ Flags = NDArray[np.bool_]
 
 
 def is_net(structure: Structure) -> bool:
-    """Whether all that moves are points that slide, without joints, and nothing but springs joins them."""
+    """Whether all that moves are points that slide, or plates that are in loops or lie free."""
+    if structure.bars or structure.limits:
+        return False
     jointed = any(hinge.flaps is None for hinge in structure.hinges)
-    return any(body.slides for body in structure.bodies) and not jointed and not structure.limits
+    if structure.plates:
+        joints = [hinge.body for hinge in structure.hinges if hinge.flaps is None]
+        loose = bool(structure.closures) or any(body.turns for body in structure.bodies)
+        return loose and len(joints) == len(set(joints)) and not structure.membranes
+    return any(body.slides for body in structure.bodies) and not jointed
 
 
 def net_of(structure: Structure) -> Net:
-    """Take a structure as a net: a node for every point, one that its body holds where that does not slide.
+    """Take a structure as a net: a node for every point, four for every plate; joints are pins far stiffer than all.
+
+    The springs of the structure come first, then the bars of plates and the pins.
 
     Raises:
-        InputError: bodies that turn, or points beside the origins of bodies that slide.
+        InputError: bodies that turn in a tree, or points beside the origins of bodies that slide.
     """
     if not is_net(structure):
         raise InputError(f"{structure.name}: need points that slide and springs between them, got joints")
-    nodes, free, masses = _nodes(structure)
+    laid = _plates(structure) if structure.plates else _nodes(structure)
+    stiffness, rest = laid.stiff
     return Net(
-        nodes=nodes,
-        free=free,
-        points=csr_array(eye_array(len(nodes))),
-        masses=masses,
+        nodes=laid.nodes,
+        free=laid.free,
+        points=laid.points,
+        masses=laid.masses,
         springs=Springs(
-            points=_pairs([spring.points for spring in structure.springs]),
-            stiffness=np.array([spring.stiffness for spring in structure.springs]),
-            rest_length=np.array([spring.rest_length for spring in structure.springs]),
+            points=_pairs([*(spring.points for spring in structure.springs), *laid.pairs]),
+            stiffness=np.concatenate([[spring.stiffness for spring in structure.springs], stiffness]),
+            rest_length=np.concatenate([[spring.rest_length for spring in structure.springs], rest]),
         ),
-        creases=Creases(points=crease_flaps(structure), law=valley_law(structure)),
+        creases=Creases(points=laid.creases, law=valley_law(structure)),
         tendons=Tendons(
             points=_pairs([tendon.points for tendon in structure.tendons]),
             law=stacked_laws([tendon.law.elastic for tendon in structure.tendons]),
@@ -54,6 +66,17 @@ def net_of(structure: Structure) -> Net:
         membranes=_membranes(structure),
         gravity=structure.gravity,
     )
+
+
+def places(net: Net, shape: Shape) -> Array:
+    """Where the points of the structure are, and after them those that joints have, m, (point, 3)."""
+    return np.asarray(net.points @ shape.positions)
+
+
+def panels(structure: Structure) -> NDArray[np.int64]:
+    """Triangles of facets and of plates, points at their corners, (triangle, 3)."""
+    fans = [(plate.points[0], one, other) for plate in structure.plates for one, other in pairwise(plate.points[1:])]
+    return np.concatenate((facet_triangles(structure)[0], np.array(fans, dtype=np.int64).reshape(-1, 3)))
 
 
 def start_shape(structure: Structure, net: Net) -> Shape:
@@ -74,7 +97,7 @@ def bends(structure: Structure) -> Flags:
 
 def valley_law(structure: Structure) -> CreaseLaw:
     """The law of the creases' springs by fold angles, valleys positive, where the structure has them in own senses."""
-    law, back = crease_law(structure, crease_numbers(structure)), _senses(structure) < 0
+    law, back = crease_law(structure, np.arange(len(structure.hinges))), _senses(structure) < 0
     below, above, lower, upper = (np.asarray(each) for each in (law.lock_below, law.lock_above, law.lower, law.upper))
     return replace(
         law,
@@ -101,7 +124,8 @@ def motor_load(structure: Structure, net: Net, settings: tuple[float, ...]) -> L
     for motor, setting in zip(structure.motors, settings, strict=True):
         if motor.kind == "force":
             assert motor.direction is not None
-            np.add.at(load.forces, list(motor.points), setting * motor.direction)
+            forces = np.tile(setting * motor.direction, (len(motor.points), 1))
+            load.forces[:] += point_forces(net, np.array(motor.points), forces).forces
             continue
         hinges = np.array(motor.hinges, dtype=np.int64)
         gains = np.array(motor.gains) if motor.gains else np.ones(len(hinges))
@@ -110,8 +134,64 @@ def motor_load(structure: Structure, net: Net, settings: tuple[float, ...]) -> L
     return load
 
 
-def _nodes(structure: Structure) -> tuple[Array, NDArray[np.bool_], Array]:
-    """Places, free coordinates and masses of the points' nodes, one each."""
+class _Laid(NamedTuple):
+    """What a net is laid on: nodes, points of these, creases between points, and bars that are far stiffer than all."""
+
+    nodes: Array
+    free: Flags
+    masses: Array | csr_array
+    points: csr_array
+    creases: NDArray[np.int64]
+    pairs: list[tuple[int, int]]
+    stiff: tuple[list[float], list[float]]
+
+
+def _plates(structure: Structure) -> _Laid:
+    """Four nodes for every plate, and one for every point of the ground."""
+    plates, rows = plate_nodes(structure), list[dict[int, float]]()
+    ground = list[Array]()
+    for point in structure.points:
+        if point.body == GROUND:
+            rows.append({len(plates.nodes) + len(ground): 1.0})
+            ground.append(point.place)
+        else:
+            rows.append(place_weights(structure, plates, point.body, point.place))
+    nodes = np.concatenate([plates.nodes, np.array(ground).reshape(-1, 3)])
+    creases, pins = [], list[tuple[int, int]]()
+    for hinge in structure.hinges:
+        if hinge.flaps is not None:
+            creases.append(hinge.flaps)
+            continue
+        first = len(rows)
+        flaps = joint_places(structure, hinge, plates.size)
+        rows += [place_weights(structure, plates, body, place) for body, place in flaps]
+        creases.append((first, first + 1, first + 2, first + 3, first + 4, first + 5))
+        pins += [(first, first + 3), (first + 1, first + 4)]
+    begin = len(rows)
+    rows += [{number: 1.0} for number in range(len(plates.nodes))]
+    bars = [(begin + one, begin + other) for one, other in plates.bars]
+    rest = [float(np.linalg.norm(nodes[one] - nodes[other])) for one, other in plates.bars]
+    free = np.zeros(nodes.shape, dtype=np.bool_)
+    for body, first in enumerate(plates.first):
+        free[first : first + 4] |= plates.free[body]
+    stiff = stiffness_of(structure, plates.size)
+    entries = [(row, column, weight) for row, each in enumerate(rows) for column, weight in each.items() if weight]
+    at_row, at_column, weights = zip(*entries, strict=True)
+    mass = np.zeros((len(nodes), len(nodes)))
+    mass[: len(plates.nodes), : len(plates.nodes)] = plates.mass
+    return _Laid(
+        nodes=nodes,
+        free=free,
+        masses=csr_array(mass),
+        points=csr_array((weights, (at_row, at_column)), shape=(len(rows), len(nodes))),
+        creases=np.array(creases, dtype=np.int64).reshape(-1, 6),
+        pairs=[*bars, *pins],
+        stiff=([stiff] * (len(bars) + len(pins)), [*rest, *[0.0] * len(pins)]),
+    )
+
+
+def _nodes(structure: Structure) -> _Laid:
+    """A node for every point."""
     nodes = built_points(structure)
     free, masses = np.zeros(nodes.shape, dtype=np.bool_), np.zeros(len(nodes))
     carried = set[int]()
@@ -124,7 +204,8 @@ def _nodes(structure: Structure) -> tuple[Array, NDArray[np.bool_], Array]:
         free[number, list(body.slides)] = True
         masses[number] = body.mass if point.body not in carried else 0.0
         carried.add(point.body)
-    return nodes, free, masses
+    points = csr_array(eye_array(len(nodes)))
+    return _Laid(nodes, free, masses, points, crease_flaps(structure), [], ([], []))
 
 
 def _pairs(pairs: list[tuple[int, int]]) -> NDArray[np.int64]:

@@ -1,0 +1,47 @@
+"""Where a run came to rest beside where statics says that it does."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.dynamics import Record
+from forficula.statics import EnergyLandscape
+from forficula.statics.net.net_of import places as net_places
+
+Array = NDArray[np.float64]
+
+
+def rest_distances(landscape: EnergyLandscape, record: Record) -> Mapping[str, float]:
+    """By how much distances between points at rest differ at most in a run and in statics, m, by state.
+
+    Distances are the same however the whole lies. Only states that end stages are compared, where the run deserved
+    their name.
+
+    Args:
+        landscape: of the design that was run; of points that slide, or nothing is compared.
+        record: of the run.
+    """
+    places = record.series.get("point_position")
+    if landscape.net is None or places is None or record.diverged_at is not None:
+        return {}
+    count, net = len(landscape.structure.points), landscape.net.net
+    known = {state.name: net_places(net, state.rest.shape)[:count] for state in landscape.net.states}
+    known |= {
+        name: net_places(net, rest.shape)[:count]
+        for name, rest, within in landscape.net.rests
+        if within and rest.stable
+    }
+    found = {}
+    for end in record.stages:
+        if end.stage.state in known:
+            row = int(np.searchsorted(record.time, end.end, side="right")) - 1
+            found[end.stage.state] = float(np.abs(_apart(places[row]) - _apart(known[end.stage.state])).max())
+    return found
+
+
+def _apart(places: Array) -> Array:
+    """Distances of all points, m, (point, point)."""
+    return np.asarray(np.linalg.norm(places[:, None] - places[None], axis=2))

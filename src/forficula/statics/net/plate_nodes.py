@@ -1,0 +1,102 @@
+"""Rigid plates as parts of a net: four stiff nodes each, of which every place on the plate is a combination."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.structure import Hinge, Structure, mass_of
+from forficula.structure.tree import built_frames
+
+Array = NDArray[np.float64]
+
+_STIFF = 1e5  # bars of plates and pins of joints, by the stiffest of all else
+_ENDS = tuple((one, other) for one in range(4) for other in range(one))
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PlateNodes:
+    """The nodes of all plates.
+
+    Attributes:
+        nodes: four of each plate that is no copy: its origin and along its axes, m, (node, 3).
+        first: number of the first one of each body, that of the original for a copy, (body,).
+        free: whether it may move, (body,).
+        size: of the axes, m.
+        mass: the same for x, y and z, kg, (node, node).
+        bars: pairs of nodes.
+    """
+
+    nodes: Array
+    first: tuple[int, ...]
+    free: tuple[bool, ...]
+    size: float
+    mass: Array
+    bars: tuple[tuple[int, int], ...]
+
+
+def plate_nodes(structure: Structure) -> PlateNodes:
+    """Give every plate its nodes.
+
+    A plate's kinetic energy is that of the nodes with the masses A [[m, m c], [m c, S]] A^T, c its centre, S the
+    integral of r r^T, and A that takes (1, r) to the weights of the nodes.
+    """
+    origins, _ = built_frames(structure)
+    size = structure.span / 4
+    copies = {closure.bodies[1]: closure.bodies[0] for closure in structure.closures}
+    own = [body for body in range(len(structure.bodies)) if body not in copies]
+    hinged = {hinge.body for hinge in structure.hinges}
+    mass = np.zeros((4 * len(own), 4 * len(own)))
+    for place, body in enumerate(own):
+        weight, centre, inertia = mass_of(structure, body)
+        spread = np.trace(inertia) / 2 * np.eye(3) - inertia + weight * np.outer(centre, centre)
+        moments = np.block([[np.array([[weight]]), weight * centre[None]], [weight * centre[:, None], spread]])
+        shares = np.block([[np.ones((1, 1)), -np.ones((1, 3)) / size], [np.zeros((3, 1)), np.eye(3) / size]])
+        alike = 1 + list(copies.values()).count(body)
+        mass[4 * place : 4 * place + 4, 4 * place : 4 * place + 4] = alike * shares @ moments @ shares.T
+    axes = np.concatenate((np.zeros((1, 3)), size * np.eye(3)))
+    return PlateNodes(
+        nodes=np.concatenate([origins[body] + axes for body in own]),
+        first=tuple(4 * own.index(copies.get(body, body)) for body in range(len(structure.bodies))),
+        free=tuple(bool(each.slides) or body in hinged for body, each in enumerate(structure.bodies)),
+        size=size,
+        mass=mass,
+        bars=tuple((4 * place + one, 4 * place + other) for place in range(len(own)) for one, other in _ENDS),
+    )
+
+
+def place_weights(structure: Structure, plates: PlateNodes, body: int, place: Array) -> dict[int, float]:
+    """Weights of nodes that give a place, in the axes of a body, by their numbers."""
+    closure = next((each for each in structure.closures if each.bodies[1] == body), None)
+    if closure is not None:
+        place = closure.position + closure.frame @ place
+    shares = place / plates.size
+    weights = [1 - float(shares.sum()), *shares.tolist()]
+    return {plates.first[body] + number: weight for number, weight in enumerate(weights)}
+
+
+def joint_places(structure: Structure, hinge: Hinge, size: float) -> list[tuple[int, Array]]:
+    """Bodies and places of the two flaps of a joint, as those of a crease whose angle is sense x that of the joint.
+
+    Seen along the crease, which runs against the axis, the left flap is on the body's parent.
+    """
+    body = structure.bodies[hinge.body]
+    axis = hinge.axis / np.linalg.norm(hinge.axis)
+    across = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
+    across /= np.linalg.norm(across)
+    turned = hinge.sense * hinge.built
+    right = -np.cos(turned) * across - np.sin(turned) * np.cross(axis, across)
+    ours = [size * axis, np.zeros(3)]
+    theirs = [body.position + body.frame @ place for place in (*ours, size * (axis / 2 + across))]
+    parent = [(body.parent, place) for place in theirs]
+    return [*parent, *((hinge.body, place) for place in (*ours, size * (axis / 2 + right)))]
+
+
+def stiffness_of(structure: Structure, size: float) -> float:
+    """Of bars in plates and pins of joints, N/m."""
+    springs = [spring.stiffness for spring in structure.springs]
+    tendons = [float(tendon.law.elastic.stiffness(1.1 * tendon.law.rest_length + size)) for tendon in structure.tendons]
+    turning = [hinge.stiffness / size**2 for hinge in structure.hinges]
+    return _STIFF * max([*springs, *tendons, *turning], default=1.0)

@@ -1,0 +1,77 @@
+"""The largest strains, stresses and folds of a run, of places that are planted, beside closed forms."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from forficula.analysis.strength import fold_peak, strain_peaks
+from forficula.design import load_design
+from forficula.dynamics import Record
+from forficula.structure import structure_of
+
+STRETCH = 1.02
+
+
+def planted(kind):
+    """A sheet as built, then stretched evenly by 2 % along x."""
+    design = load_design("miura-sheet", {"facet.kind": kind, "pattern.fold": "0 deg", "support": []})
+    structure = structure_of(design)
+    built = np.array([body.position for body in structure.bodies])
+    places = np.array([built, built * [STRETCH, 1.0, 1.0], built])
+    ends = np.array([spring.points for spring in structure.springs], dtype=int).reshape(-1, 2)
+    lengths = np.linalg.norm(places[:, ends[:, 1]] - places[:, ends[:, 0]], axis=2)
+    stiffness, rest = ([getattr(spring, name) for spring in structure.springs] for name in ("stiffness", "rest_length"))
+    angles = np.zeros((3, len(structure.hinges)))
+    angles[1, 4], angles[2, -1] = np.radians(-50), np.radians(80)
+    return Record(
+        design=design,
+        structure=structure,
+        time=np.array([0.0, 0.1, 0.2]),
+        series={
+            "membrane_position": places if structure.membranes else places[:, :0],
+            "spring_force": np.array(stiffness) * (lengths - rest),
+            "hinge_angle": angles,
+        },
+        stages=(),
+        diverged_at=None,
+    )
+
+
+def test_a_bar_along_the_pull_has_its_strain_and_the_stress_of_its_stiffness():
+    record = planted("bars")
+    (peak,) = strain_peaks(record)
+    spring = next(each for each in record.structure.springs if each.name == peak.part)
+    start, end = (record.structure.bodies[point].position for point in spring.points)
+    along = (end - start) / np.linalg.norm(end - start)
+    expected = np.hypot(STRETCH * along[0], along[1]) - 1
+    assert peak.kind == "bars"
+    assert peak.time == 0.1
+    assert peak.strain == pytest.approx(expected, rel=1e-9)
+    # stiffness = E A / L
+    modulus = spring.stiffness * spring.rest_length / spring.area
+    assert peak.stress == pytest.approx(modulus * expected, rel=1e-9)
+    assert modulus == pytest.approx(record.design.settled().facet.youngs_modulus, rel=1e-9)
+
+
+def test_a_membrane_that_is_pulled_one_way_has_the_stress_of_plane_stress():
+    record = planted("membrane")
+    (peak,) = strain_peaks(record)
+    law = record.structure.membranes[0].law
+    # Green's strain; the sheet cannot become narrower
+    strain = (STRETCH**2 - 1) / 2
+    assert (peak.kind, peak.part, peak.time) == ("membranes", "sheet", 0.1)
+    assert peak.strain == pytest.approx(strain, rel=1e-9)
+    assert peak.stress == pytest.approx(law.youngs_modulus * strain / (1 - law.poisson_ratio**2), rel=1e-9)
+
+
+def test_the_crease_that_folds_furthest_is_named_and_no_bend_is():
+    peak = fold_peak(planted("bars"))
+    assert (peak.crease, peak.time) == ("crease4", 0.1)
+    assert np.degrees(peak.angle) == pytest.approx(-50)
+
+
+def test_a_run_that_diverged_tells_nothing():
+    record = replace(planted("bars"), diverged_at=0.15)
+    assert strain_peaks(record) == ()
+    assert fold_peak(record) is None

@@ -1,0 +1,63 @@
+"""Designs of sheets with rigid facets, for tests."""
+
+from forficula.design import design_from_text
+
+_REST = """
+rest_speed = "0.01 deg/s"
+window = "0.1 s"
+least_hold = 0
+residual_limit = 0.005
+contact = false
+rise = "0 s"
+"""
+SWING = [{"name": "swing", "limit": "0.2 s"}]
+
+
+def plates(
+    pattern, *, crease="", facet='kind = "rigid"', more="", step="0.2 ms", sample="1 ms", gravity=0.0, stages=SWING
+):
+    """Plates of 0.5 mm and 1.2 g/cm^3 on a pattern, written as in a file."""
+    facet = f'{facet}\nthickness = "0.5 mm"\ndensity = "1.2 g/cm^3"'
+    protocol = f'timestep = "{step}"\nsample_interval = "{sample}"\ngravity = "{gravity} m/s^2"{_REST}'
+    text = f'name = "a"\nsource = "a test"\n[pattern]\n{pattern}\n[facet]\n{facet}\n[crease]\n{crease}\n{more}\n'
+    text += f"[protocol]\n{protocol}"
+    for stage in stages:
+        text += f"""
+[[protocol.stages]]
+name = "{stage["name"]}"
+drive = "{stage.get("drive", "none")}"
+until = "{stage.get("until", "time")}"
+hold = "0 s"
+time_limit = "{stage["limit"]}"
+"""
+    return design_from_text(text)
+
+
+def miura(size=4, fold="30 deg"):
+    """Squares of 2 cm, sheared to 60 deg."""
+    return f"""kind = "miura-ori"
+columns = {size}
+rows = {size}
+long_side = "2 cm"
+short_side = "2 cm"
+acute_angle = "60 deg"
+fold = "{fold}"
+"""
+
+
+def vertex(sectors, letters="", fold=None, length="2 cm"):
+    """One vertex."""
+    written = ", ".join(f'"{sector:.15g} deg"' for sector in sectors)
+    given = f'kind = "vertex"\nsectors = [{written}]\nlengths = ["{length}"]\n'
+    given += f'assignment = "{letters}"\n' if letters else ""
+    return given + (f'fold = "{fold}"\n' if fold else "")
+
+
+def pleats(panels, letters, width="6 cm", length="10 cm"):
+    """A strip."""
+    return f"""kind = "pleats"
+panels = {panels}
+panel_lengths = ["{length}"]
+width = "{width}"
+assignment = "{letters}"
+"""

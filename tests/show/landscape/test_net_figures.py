@@ -1,0 +1,79 @@
+"""What is drawn, written and printed of a landscape of sliding points."""
+
+import json
+
+import pytest
+from rich.console import Console
+
+from forficula.analysis.simulated_rests import rest_distances
+from forficula.show.folder.figure_kinds import folder_drawings
+from forficula.show.folder.landscape_folder import landscape_drawings, write_landscape
+from forficula.show.landscape.landscape_table import landscape_table
+from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
+from forficula.statics import energy_landscape
+from forficula.study.runs import run
+from tests.pyramid import SIDE, pyramid
+from tests.show.legible import check_words
+
+KINDS = ["states", "modes", "barriers", "courses"]
+
+
+@pytest.fixture(scope="module")
+def landscape():
+    return energy_landscape(pyramid())
+
+
+@pytest.fixture(scope="module")
+def record():
+    return run(pyramid(**{"crease.damping": 1e-4}))
+
+
+def printed(landscape, record=None):
+    console = Console(width=110)
+    with console.capture() as capture:
+        console.print(landscape_table(landscape, record))
+    return capture.get()
+
+
+@pytest.mark.parametrize("width", [PAGE_WIDTH, COLUMN_WIDTH])
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_words_of_every_figure_can_be_read(landscape, kind, width):
+    check_words(landscape_drawings(landscape)[kind](width), width)
+
+
+def test_barriers_are_left_out_where_there_is_one_state():
+    stiff = energy_landscape(pyramid(**{"crease.stiffness": 1.0}))
+    assert len(stiff.net.states) == 1
+    assert list(landscape_drawings(stiff)) == ["states", "modes", "courses"]
+
+
+def test_the_table_tells_states_barriers_drives_and_loads(landscape):
+    text = printed(landscape)
+    assert "pyramid: 2 stable states were found: up, down" in text
+    assert "up to down" in text
+    for words in ("push, on vertex 0", "snaps at 86.09 mN", "force push", "supports accelerated along −z"):
+        assert words in text
+    assert "there may be more than these 2." in " ".join(text.split())
+    assert "nan" not in text
+
+
+def test_the_run_is_set_beside_the_states(landscape, record):
+    apart = rest_distances(landscape, record)
+    assert set(apart) == {"up", "down", "up again"}
+    assert max(apart.values()) < 1e-3 * SIDE
+    assert "distances between vertices in the run differ" in " ".join(printed(landscape, record).split())
+
+
+def test_a_folder_holds_figures_numbers_and_a_page(landscape, record, tmp_path):
+    folder = tmp_path / "out"
+    write_landscape(landscape, folder, record)
+    written = json.loads((folder / "landscape.json").read_text("utf-8"))
+    assert written["figures"] == KINDS
+    assert [state["name"] for state in written["net"]["states"]] == ["up", "down"]
+    assert set(written["rests_apart_m"]) == {"up", "down", "up again"}
+    page = (folder / "report.html").read_text("utf-8")
+    assert page.count("<img ") == len(KINDS)
+    assert "<script" not in page
+    assert "2 stable states were found: up, down." in page
+    assert "http" not in page.replace("http-equiv", "").replace("http://www.w3.org", "")
+    assert list(folder_drawings(folder)) == KINDS

@@ -1,0 +1,151 @@
+"""Sheets whose facets bend are drawn by everything that draws a run: facets, creases by how they fold, what is held."""
+
+import re
+
+import numpy as np
+import pytest
+from rich.console import Console
+
+from forficula.show import print_outcome, print_strength
+from forficula.show.film.film_clock import film_cuts, moment
+from forficula.show.film.film_frame import FilmFrame
+from forficula.show.folder.run_folder import run_drawings
+from forficula.show.page.outcome_tables import strength_table
+from forficula.show.page.playback import clip_data, legend_data, make_clip, mark_readings
+from forficula.show.run.outcome_rows import balance_rows, state_rows
+from forficula.show.structure.labels import condensed, reading_labels, role_groups
+from forficula.show.structure.painted_shape import fold_colours, paint_shape, structure_view
+from forficula.show.structure.shape import shape_of
+from forficula.show.structure.surface import surface_at
+from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
+from forficula.structure import facet_triangles, hinge_groups, measure_of
+from tests.show.legible import check_words
+from tests.show.sheets import SHEETS, sheet_run
+
+
+def words_of(figure):
+    """Every text in the legends of a figure."""
+    legends = [*figure.legends, *(legend for axes in figure.axes if (legend := axes.get_legend()))]
+    return [text.get_text() for legend in legends for text in legend.get_texts()]
+
+
+@pytest.mark.parametrize("name", SHEETS)
+@pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])
+def test_every_figure_is_drawn_at_any_width_and_all_its_words_can_be_read(name, width):
+    for draw in run_drawings(*sheet_run(name)).values():
+        figure = draw(width)
+        check_words(figure, width)
+        assert not any(re.search(r"vein|wing|panel|plate|bend \d", text) for text in words_of(figure))
+
+
+@pytest.mark.parametrize("name", SHEETS)
+def test_the_facets_are_drawn_where_they_are_and_no_bar_on_them(name):
+    record, _ = sheet_run(name)
+    structure = record.structure
+    shape = shape_of(structure)
+    triangles, facets = facet_triangles(structure)
+    assert np.bincount(facets).tolist() == [len(facet.points) - 2 for facet in structure.facets]
+    for corners, facet in zip(triangles.tolist(), facets.tolist(), strict=True):
+        assert set(corners) <= set(structure.facets[facet].points)
+    surface = surface_at(record, shape, float(record.time[-1]))
+    assert surface.faces[:, :3] == pytest.approx(record.series["point_position"][-1][triangles])
+    assert len(surface.bars) == 0
+    creases = hinge_groups(structure)["creases"]
+    assert sorted(line.hinge for line in shape.lines if line.hinge is not None) == list(creases)
+    tails = [structure.hinges[crease].flaps[0] for crease in creases]
+    assert surface.lines[-len(creases) :, 0] == pytest.approx(record.series["point_position"][-1][tails])
+
+
+def test_creases_show_how_they_fold():
+    record, _ = sheet_run("flat")
+    shape = shape_of(record.structure)
+    start, end = (surface_at(record, shape, time).folds for time in (0.0, float(record.time[-1])))
+    letters = [line.crease for line in shape.lines]
+    folds = np.isfinite(end)
+    assert start[folds] == pytest.approx(0.0, abs=1e-6)
+    assert [("M" if angle < 0 else "V") for angle in end[folds]] == [letter for letter in letters if letter != "B"]
+    valley, mountain, flat, folded = fold_colours(np.array([1.0, -1.0, 0.0, 3.0]))
+    assert valley[2] > valley[0]
+    assert mountain[0] > mountain[2]
+    assert np.ptp(flat[:3]) == 0
+    assert np.ptp(folded[:3]) > np.ptp(valley[:3])
+
+
+def test_a_facet_is_seen_from_its_back_where_it_is_turned():
+    record, _ = sheet_run("flat")
+    shape, view = shape_of(record.structure), structure_view(record.structure)
+    surface = surface_at(record, shape, 0.0)
+    above = paint_shape(surface, view, "red").colours
+    below = paint_shape(surface, type(view)(right=view.right, up=view.up, towards=-view.towards), "red").colours
+    # paper has more red than blue, its back more blue than red; lines have neither
+    assert (above[:, 0] >= above[:, 2]).mean() > 0.9
+    assert (below[:, 2] > below[:, 0]).mean() > 0.8
+
+
+def test_many_creases_are_told_by_their_smallest_their_medians_and_their_largest():
+    record, outcome = sheet_run("miura with a tendon")
+    structure = record.structure
+    creases = measure_of(structure, "creases")
+    assert list(role_groups(structure, creases)) == ["straight", "zigzag"]
+    assert reading_labels(structure, creases) == ["smallest", "median straight", "median zigzag", "largest"]
+    angles = record.measured("creases")
+    told = condensed(structure, creases, angles)
+    assert np.array_equal(told[:, 0], angles.min(axis=1))
+    assert np.array_equal(told[:, 3], angles.max(axis=1))
+    assert all(row[1] in every and row[2] in every for row, every in zip(told, angles, strict=True))
+    rows = state_rows(structure, {name: state for name, state in outcome.states.items() if state is not None})
+    names = [row[0] for row in rows.parts]
+    assert names[:4] == ["smallest", "median straight", "median zigzag", "largest"]
+    assert names[-3:] == ["creases", "facet bends", "bars"]
+    assert rows.summed == "tendons, creases, facet bends and bars"
+    clip = make_clip(record, outcome)
+    assert clip.readings[0].labels == tuple(names[:4])
+    assert all(len(mark_readings(clip, clip.readings[0], mark)[0]) == 4 for mark in clip.marks)
+
+
+def test_the_energy_balance_tells_creases_from_bars():
+    record, outcome = sheet_run("tower")
+    told = dict(balance_rows(record.structure, outcome.energy_balance))
+    assert any(label.endswith("change of crease energy") for label in told)
+    assert any(label.endswith("change of bar energy") for label in told)
+    assert words_of(run_drawings(record, outcome)["energy"](PAGE_WIDTH))[:3] == ["creases", "bars", "kinetic"]
+
+
+def test_the_page_shows_facets_creases_by_their_sense_and_what_is_held():
+    record, outcome = sheet_run("miura with a tendon")
+    clip = make_clip(record, outcome)
+    assert [entry["text"] for entry in legend_data([clip])] == [
+        "mountain (dash-dotted crease)",
+        "valley (dashed crease)",
+        "facet",
+        "held vertex",
+        "tendon, energy stored",
+    ]
+    data = clip_data(clip)
+    assert len(data["triangles"]) == 3 * 2 * 16
+    assert {tube["kind"] for tube in data["tubes"]} == {"crease", "rim", "tendon"}
+    assert len(data["joints"]) == 4
+    assert "<td>edge" in strength_table(record)
+
+
+def test_the_terminal_tells_in_few_lines(capsys):
+    record, outcome = sheet_run("miura with a tendon")
+    print_outcome("sheet", outcome, record.structure)
+    print_strength(record)
+    printed = capsys.readouterr().out
+    assert len(printed.splitlines()) < 70
+    assert all(
+        word in printed for word in ("facet bends", "120 deg", "work of the drives", "Largest strains and folds")
+    )
+    assert "bend 4" not in printed
+    assert Console(width=110).measure(printed).maximum <= 110
+
+
+@pytest.mark.parametrize("name", ["miura with a tendon", "tower"])
+def test_a_film_shows_it_from_start_to_end(name):
+    record, outcome = sheet_run(name)
+    cuts = film_cuts(record, outcome, None)
+    frame = FilmFrame(record, cuts, (640, 360))
+    first, last = (frame.draw(*moment(cuts, time)).copy() for time in (0.0, sum(cut.length for cut in cuts)))
+    assert np.unique(first.reshape(-1, 3), axis=0).shape[0] > 50
+    assert (first != last).any()

@@ -1,0 +1,40 @@
+"""Panels that pass through one another."""
+
+import numpy as np
+import pytest
+
+from forficula.statics.net.energy import built_shape, shape_at
+from forficula.statics.net.passing import panels_pass
+from tests.statics.net.nets import sheet, truss
+
+TWO = np.array([[0, 1, 2], [3, 4, 5]])
+
+
+def pair(low, high):
+    """A triangle across the floor, and one upright through it between two heights."""
+    nodes = [[-1, -1, 0], [2, -1, 0], [-1, 2, 0], [0, 0, low], [0.1, 0, low], [0, 0.1, high]]
+    return truss(nodes, [(0, 1)], stiffness=1.0)
+
+
+@pytest.mark.parametrize(("low", "high", "passes"), [(-0.5, 0.5, True), (0.1, 0.5, False), (-0.5, -0.1, False)])
+def test_a_side_that_goes_through_a_triangle_is_found(low, high, passes):
+    net = pair(low, high)
+    assert panels_pass(net, built_shape(net), TWO) is passes
+
+
+def test_triangles_apart_or_that_share_a_corner_do_not_pass():
+    net = truss([[0, 0, 0], [1, 0, 0], [0, 1, 0], [5, 5, 5], [6, 5, 5], [5, 6, 5]], [(0, 1)], stiffness=1.0)
+    assert not panels_pass(net, built_shape(net), TWO)
+    assert not panels_pass(net, built_shape(net), np.array([[0, 1, 2], [0, 1, 3]]))
+
+
+def test_a_crease_beyond_half_a_turn_passes():
+    net, _ = sheet([[0, 0, 0], [1, 0, 0], [0.5, 1, 0], [0.5, -1, 0]], [(0, 1, 2), (1, 0, 3)])
+    triangles = np.array([[0, 1, 2], [1, 0, 3]])
+    there = net.nodes.copy()
+    there[3] = [0.5, np.cos(0.1), np.sin(0.1)]
+    assert not panels_pass(net, shape_at(net, there, np.array([np.pi - 0.1])), triangles)
+    # on the other side of the panel: folded back and round, or on through
+    there[3, 2] *= -1
+    assert not panels_pass(net, shape_at(net, there, np.array([0.1 - np.pi])), triangles)
+    assert panels_pass(net, shape_at(net, there, np.array([np.pi + 0.1])), triangles)

@@ -1,0 +1,73 @@
+"""Loads that grow slowly: von Mises' truss snaps at its limit, and a strut that buckles takes a branch."""
+
+import numpy as np
+import pytest
+
+from forficula.statics.net.energy import built_shape
+from forficula.statics.net.load import point_forces
+from forficula.statics.net.slow_path import slow_path
+from tests.statics.net.nets import truss
+
+HALF, RISE, STIFFNESS = 1.0, 0.4, 100.0
+
+
+def von_mises():
+    """Two bars that meet at an apex, which goes up and down only."""
+    nodes = [[-HALF, 0, 0], [HALF, 0, 0], [0, 0, RISE]]
+    return truss(nodes, [(0, 2), (1, 2)], stiffness=STIFFNESS, held=(0, 1, (2, 0), (2, 1)))
+
+
+def force(height):
+    """Down on the apex, that balances the bars at a height, N."""
+    length = np.hypot(HALF, height)
+    return 2 * STIFFNESS * (np.hypot(HALF, RISE) / length - 1) * height
+
+
+def test_it_snaps_at_the_largest_force_and_lands_beyond_its_mirror_image():
+    net = von_mises()
+    heights = np.linspace(0, RISE, 20001)
+    largest = force(heights).max()
+    load = point_forces(net, np.array([2]), np.array([[0.0, 0.0, -1.0]]))
+    path = slow_path(net, built_shape(net), load, end=2 * largest)
+    assert path.ended == "target"
+    (snap,) = path.snaps
+    assert snap.kind == "limit"
+    assert snap.factor == pytest.approx(largest, rel=1e-4)
+    landed = snap.after.shape.positions[2, 2]
+    assert landed < -RISE
+    assert force(landed) == pytest.approx(largest, rel=1e-3)
+    # what is lost is the work of the force less what the bars take up
+    before = snap.before.positions[2, 2]
+    stored = [STIFFNESS * (np.hypot(HALF, height) - np.hypot(HALF, RISE)) ** 2 for height in (before, landed)]
+    assert snap.released == pytest.approx(largest * (before - landed) + stored[0] - stored[1], rel=1e-3)
+
+
+def test_a_force_that_falls_again_snaps_back_at_the_other_limit():
+    net = von_mises()
+    largest = force(np.linspace(0, RISE, 20001)).max()
+    load = point_forces(net, np.array([2]), np.array([[0.0, 0.0, -1.0]]))
+    there = slow_path(net, built_shape(net), load, end=2 * largest)
+    back = slow_path(net, there.points[-1].shape, load, begin=2 * largest, end=-2 * largest)
+    assert [snap.factor for snap in back.snaps] == pytest.approx([-largest], rel=1e-4)
+
+
+def test_it_stops_on_the_way_of_a_snap_where_it_is_told():
+    net = von_mises()
+    largest = force(np.linspace(0, RISE, 20001)).max()
+    load = point_forces(net, np.array([2]), np.array([[0.0, 0.0, -1.0]]))
+    path = slow_path(net, built_shape(net), load, end=2 * largest, stop=lambda shape: shape.positions[2, 2] < 0)
+    assert path.ended == "stop"
+    assert -0.2 < path.snaps[0].after.shape.positions[2, 2] < 0
+
+
+def test_a_strut_that_buckles_turns_into_one_of_two_branches():
+    """Two bars in line with a spring across: they buckle at k L / 2 (e.g. Bazant and Cedolin 2010, section 4.5)."""
+    side, length = 2.0, 1.0
+    nodes = [[0, 0, 0], [length, 0, 0], [2 * length, 0, 0], [length, 0, 1.0]]
+    held = (0, (1, 1), (2, 1), (2, 2), 3)
+    net = truss(nodes, [(0, 1), (1, 2), (1, 3)], stiffness=[1e4, 1e4, side], held=held)
+    load = point_forces(net, np.array([2]), np.array([[-1.0, 0.0, 0.0]]))
+    path = slow_path(net, built_shape(net), load, end=1.2 * side * length / 2, step=0.002)
+    assert path.snaps
+    assert path.snaps[0].kind in ("branch", "bifurcation")
+    assert path.snaps[0].factor == pytest.approx(side * length / 2, rel=1e-3)

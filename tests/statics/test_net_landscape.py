@@ -1,0 +1,140 @@
+"""Landscapes of sliding points, held to the closed form of von Mises' truss: a flat pyramid whose apex snaps through.
+
+Four bars of stiffness k and length L, at a height h of the apex over the rim: the force is 4 k (L / l - 1) h with
+l^2 = L^2 - rise^2 + h^2, the barrier 2 k (L - sqrt(L^2 - rise^2))^2 (e.g. Bazant and Cedolin 2010, section 4.4). The
+creases of the pyramid are so soft that they hardly count.
+"""
+
+import numpy as np
+import pytest
+
+from forficula.design import load_design
+from forficula.statics import energy_landscape, landscape_summary
+from forficula.structure import structure_of
+from tests.pyramid import RISE, SIDE, pyramid
+
+HALF = np.sqrt(SIDE**2 - RISE**2)
+
+
+@pytest.fixture(scope="module")
+def told():
+    return []
+
+
+@pytest.fixture(scope="module")
+def landscape(told):
+    return energy_landscape(pyramid(), progress=told.append)
+
+
+@pytest.fixture(scope="module")
+def slanting():
+    """Stiffness of the bars to the apex, N/m."""
+    (stiffness,) = {round(each.stiffness, 9) for each in structure_of(pyramid()).springs if 0 in each.points}
+    return stiffness
+
+
+def force(stiffness, height):
+    return 4 * stiffness * (SIDE / np.hypot(HALF, height) - 1) * height
+
+
+def test_both_states_are_found_and_called_what_the_protocol_calls_them(landscape):
+    assert [state.name for state in landscape.net.states] == ["up", "down"]
+    heights = [state.readings["height"][0] for state in landscape.net.states]
+    assert heights[0] - heights[1] == pytest.approx(2 * RISE, rel=1e-3)
+    assert [rest.name for rest in landscape.rests] == ["up", "down", "up again"]
+    assert landscape.rests[2].same_as == "up"
+    assert all(rest.stable and rest.within for rest in landscape.rests)
+
+
+def test_energies_are_told_by_what_stores_them(landscape):
+    up, down = landscape.net.states
+    assert up.energy == 0
+    assert set(down.stored) == {"creases", "bars"}
+    assert sum(down.stored.values()) == pytest.approx(down.energy)
+    assert down.stored["creases"] > 100 * down.stored["bars"]
+
+
+def test_the_barrier_is_that_of_the_bars_pressed_flat(landscape, slanting):
+    (way,) = landscape.net.passes
+    assert way.ends == (0, 1)
+    assert way.barriers == pytest.approx([2 * slanting * (SIDE - HALF) ** 2] * 2, rel=5e-3)
+    assert way.barriers[0] - way.barriers[1] == pytest.approx(landscape.net.states[1].energy, rel=1e-9)
+
+
+def test_drives_snap_at_the_largest_force_of_the_bars(landscape, slanting):
+    largest = force(slanting, np.linspace(0, RISE, 20001)).max()
+    courses = {course.name: course for course in landscape.net.courses}
+    assert list(courses) == ["push", "pull"]
+    for course in courses.values():
+        assert course.least == pytest.approx(largest, rel=5e-3)
+        assert [snap.kind for snap in course.slow.snaps] == ["limit"]
+        assert course.slow.ended == "stop"
+        # the equilibria go on from there, down to the force on the other side and up again
+        assert min(point.factor for point in course.through.points) < -0.9 * course.slow.snaps[0].factor
+
+
+def test_states_withstand_what_the_bars_do(landscape, slanting):
+    up, down = ({each.load: each for each in state.withstands} for state in landscape.net.states)
+    largest = force(slanting, np.linspace(0, RISE, 20001)).max()
+    assert up["force push"].value == pytest.approx(largest, rel=5e-3)
+    assert up["force push"].kind == "limit"
+    assert up["force pull"].kind == "none"
+    assert up["force pull"].value > 5 * largest
+    assert down["force pull"].value == pytest.approx(largest, rel=5e-3)
+    # the force of the supports' acceleration is that of the mass of the apex
+    mass = structure_of(pyramid()).bodies[0].mass
+    assert up["supports accelerated along +z"].value == pytest.approx(largest / mass, rel=5e-3)
+    assert up["supports accelerated along +x"].kind == "none"
+
+
+def test_it_swings_as_its_bars_and_the_mass_of_its_apex_do(landscape, slanting):
+    structure = structure_of(pyramid())
+    expected = np.sqrt(4 * slanting * (RISE / SIDE) ** 2 / structure.bodies[0].mass) / (2 * np.pi)
+    assert landscape.net.states[0].frequencies[0] == pytest.approx(expected, rel=5e-3)
+
+
+def test_degrees_of_freedom_and_self_stress_are_counted(landscape):
+    # the apex has three ways to go, which any three of its four bars take; the bars of the rim are between supports
+    assert landscape.net.built.degrees_of_freedom == 0
+    assert landscape.net.built.self_stresses == 1 + 4
+    assert landscape.net.states[1].mobility == landscape.net.built
+
+
+def test_the_same_seed_finds_the_same(landscape):
+    again = energy_landscape(pyramid())
+    assert landscape_summary(again) == landscape_summary(landscape)
+
+
+def test_the_summary_has_units_in_its_keys_and_plain_numbers(landscape):
+    net = landscape_summary(landscape)["net"]
+    assert net["search"] == {"seed": 0, "tries": 16, "found": 2, "failed": 0}
+    assert net["states"][1]["readings"]["height_m"] == pytest.approx([0.2 - 2 * RISE], rel=1e-3)
+    push = net["courses"][0]
+    assert push["least_N"] == pytest.approx(push["snaps"][0]["drive_N"])
+    assert len(push["slow"]["drive_N"]) == len(push["slow"]["gone_m"]) == len(push["slow"]["ways_downhill"])
+    assert "net" not in landscape_summary(energy_landscape(load_design("letter-fold"), points=31))
+
+
+def test_what_a_drive_cannot_do_has_no_least_value():
+    """Pulled up, a pyramid gets no lower."""
+    stages = [{"name": "pull", "drive": "pull", "until": "height < 19 cm", "hold": 0.0, "time_limit": 1.0}]
+    done = {"name": "rest", "drive": "none", "until": "rest", "state": "low", "hold": 0.0, "time_limit": 1.0}
+    found = energy_landscape(pyramid(**{"protocol.stages": [*stages, done]}))
+    pull = next(course for course in found.net.courses if course.name == "pull")
+    assert pull.least is None
+    assert found.rests[-1].name == "not low"
+    assert not found.rests[-1].within
+
+
+def test_a_sheet_without_springs_in_its_creases_and_without_supports_rests_nowhere_firmly():
+    loose = {"crease.stiffness": 0.0, "facet.bend_stiffness": 0.0, "support": [], "drive": [], "measure": []}
+    stage = {"name": "wait", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 1.0}
+    found = energy_landscape(pyramid(**loose, **{"protocol.stages": [stage], "pattern.sectors": [1.2, 1.2, 1.2, 1.3]}))
+    assert found.net.states == ()
+    assert any("something moves without any force" in remark for remark in found.remarks)
+
+
+def test_progress_is_told(landscape, told):
+    assert landscape.net.states
+    assert told[0] == "where it rests, and what its drives do"
+    assert "what it withstands: down" in told
