@@ -1,0 +1,169 @@
+"""How fast sheets of nodes and of plates are: steps, load paths, and designs side by side, on this machine, in one run.
+
+python benchmarks/sheets.py [--most N] [--json FILE]
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import platform
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from forficula.design import Design, load_design, with_values
+from forficula.dynamics import compile_model, simulate, stable_timestep, versions
+from forficula.errors import InputError
+from forficula.statics.net import crease_torques, load_path
+from forficula.statics.net.net_of import bends, net_of, start_shape
+from forficula.structure import structure_of
+
+_SIZES = (4, 8, 16)
+_KINDS = ("bars", "membrane", "rigid")
+_STEPS = 2000
+_INCREMENTS = 100
+_DESIGNS = 40
+
+
+def sheet(size: int, kind: str = "bars", **values: object) -> Design:
+    """The design miura-sheet of other size and facets, which settles for `_STEPS` steps without a goal."""
+    stage = {"name": "fold", "drive": "fold", "until": "time", "hold": 0.0}
+    drive = {"name": "fold", "kind": "torque", "of": "role:zigzag", "value": 1e-5}
+    changes = {
+        "pattern.columns": size,
+        "pattern.rows": size,
+        "facet.kind": kind,
+        "measure": [],
+        "support": [{"of": "facet 0"}],
+        "drive": [drive],
+        "protocol.timestep": 1e-4,
+        "protocol.stages": [{**stage, "time_limit": 1.0}],
+    }
+    design = with_values(load_design("miura-sheet"), changes | values)
+    timestep = stable_timestep(design)
+    limits = {
+        "protocol.timestep": timestep,
+        "protocol.sample_interval": timestep * _STEPS / 10,
+        "protocol.stages.0.time_limit": timestep * _STEPS,
+    }
+    return with_values(design, limits)
+
+
+def steps_per_second(size: int, kind: str) -> dict[str, Any]:
+    """Steps of one sheet by wall and CPU time, and how far a step goes; why not, where it cannot be built."""
+    try:
+        model = compile_model(sheet(size, kind))
+    except InputError as error:
+        return {"size": size, "kind": kind, "fault": str(error)}
+    simulate([model])
+    wall, cpu, _ = _timed(lambda: simulate([model]))
+    return {
+        "size": size,
+        "kind": kind,
+        "dof": int(model.engine.nv),
+        "timestep_s": float(model.design.protocol.timestep),
+        "steps_per_s": _STEPS / wall,
+        "steps_per_cpu_s": _STEPS / cpu,
+    }
+
+
+def path_time(size: int) -> dict[str, Any]:
+    """Time of a load path of `_INCREMENTS`, a torque on all zigzag creases, from the sheet as built."""
+    structure = structure_of(sheet(size))
+    net = net_of(structure)
+    zigzag = np.array([hinge.role == "zigzag" for hinge in structure.hinges])
+    senses = np.array([hinge.sense for hinge in structure.hinges])
+    load = crease_torques(net, np.flatnonzero(zigzag), 1e-5 * senses[zigzag])
+    start = start_shape(structure, net)
+    wall, cpu, path = _timed(lambda: load_path(net, start, load, increments=_INCREMENTS, step=net.size / 1000))
+    return {
+        "size": size,
+        "nodes": len(net.nodes),
+        "creases": int((~bends(structure)).sum()),
+        "increments": len(path.points) - 1,
+        "ended": path.ended,
+        "wall_s": wall,
+        "cpu_s": cpu,
+    }
+
+
+def side_by_side() -> dict[str, Any]:
+    """Designs of differing crease stiffness as one batch, by the same one after another."""
+    stiffness = np.geomspace(0.01, 0.04, _DESIGNS).tolist()
+    timestep = float(sheet(4, **{"crease.stiffness": max(stiffness)}).protocol.timestep)
+    limits = {
+        "protocol.timestep": timestep,
+        "protocol.sample_interval": timestep * _STEPS / 10,
+        "protocol.stages.0.time_limit": timestep * _STEPS,
+    }
+    models = [compile_model(with_values(sheet(4, **{"crease.stiffness": each}), limits)) for each in stiffness]
+    simulate(models[:1])
+    together = _timed(lambda: simulate(models))
+    apart = _timed(lambda: [simulate([model]) for model in models])
+    return {
+        "designs": _DESIGNS,
+        "together_steps_per_s": _DESIGNS * _STEPS / together[0],
+        "apart_steps_per_s": _DESIGNS * _STEPS / apart[0],
+        "ratio": apart[0] / together[0],
+        "ratio_of_cpu": apart[1] / together[1],
+    }
+
+
+def _timed(work: Callable[[], Any]) -> tuple[float, float, Any]:
+    """Wall and CPU time, s, and what came of it."""
+    wall, cpu = time.perf_counter(), time.process_time()
+    done = work()
+    return time.perf_counter() - wall, time.process_time() - cpu, done
+
+
+def _show(numbers: dict[str, Any]) -> None:
+    for key in ("machine", "load_before", "load_after"):
+        print(f"{key}: {numbers[key]}")
+    for row in numbers["steps"]:
+        name = f"Miura {row['size']}x{row['size']}, {row['kind']}"
+        if "fault" in row:
+            print(f"{name}: {row['fault']}")
+            continue
+        print(
+            f"{name}: {row['dof']} dof, {row['steps_per_s']:.0f} steps/s ({row['steps_per_cpu_s']:.0f} by CPU),"
+            f" {1e6 * row['timestep_s']:.3g} us a step"
+        )
+    for row in numbers["paths"]:
+        print(
+            f"load path, {row['size']}x{row['size']}, {row['nodes']} nodes: {row['increments']} increments"
+            f" ({row['ended']}) in {row['wall_s']:.2f} s, {row['cpu_s']:.2f} s CPU"
+        )
+    batch = numbers["batch"]
+    print(
+        f"{batch['designs']} designs as one batch: {batch['together_steps_per_s']:.0f} steps/s, one after another"
+        f" {batch['apart_steps_per_s']:.0f}: {batch['ratio']:.1f} times as fast by wall, {batch['ratio_of_cpu']:.1f} by CPU"
+    )
+
+
+def main() -> None:
+    """Run and report."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--most", type=int, default=max(_SIZES), help="largest sheet, facets along a side")
+    parser.add_argument("--json", type=Path)
+    given = parser.parse_args()
+    sizes = [size for size in _SIZES if size <= given.most]
+    numbers: dict[str, Any] = {
+        "machine": {"cores": os.cpu_count(), "python": platform.python_version(), **versions()},
+        "load_before": os.getloadavg()[0],
+        "steps": [steps_per_second(size, kind) for size in sizes for kind in _KINDS],
+        "paths": [path_time(size) for size in sizes],
+        "batch": side_by_side(),
+        "load_after": os.getloadavg()[0],
+    }
+    _show(numbers)
+    if given.json:
+        given.json.write_text(json.dumps(numbers, indent=1))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,107 @@
+"""What others published of sheets, beside nets of bars that are built from designs."""
+
+import numpy as np
+import pytest
+from scipy.optimize import minimize_scalar
+
+from forficula.pattern import (
+    kresling_lengths,
+    kresling_other_state,
+    kresling_pattern,
+    miura_pattern,
+    waterbomb_base,
+)
+from forficula.statics.net import built_shape, find_stable_states, rigidity, shape_at
+from forficula.statics.net.net_of import bends, net_of, start_shape
+from forficula.structure import structure_of
+from tests.sheets import sheet_design, stage
+
+FREE = {"support": [], "protocol.stages": [stage()]}
+
+
+@pytest.mark.parametrize(("acute", "fold"), [(60, 30), (70, 90), (45, 60), (80, 150)])
+def test_a_miura_sheet_widens_and_lengthens_at_once_as_schenk_and_guest_say(acute, fold):
+    """Expansion along by that across, in the one way to fold: cos^2(theta) tan^2(gamma).
+
+    It follows from S and L of the unit cell, theta being half the fold angle of the zigzag creases and gamma the acute
+    angle (Schenk and Guest 2013, doi 10.1073/pnas.1217998110, equations 1 to 5; Wei, Guo, Dudte, Liang and Mahadevan
+    2013, Phys. Rev. Lett. 110, 215501): Poisson's ratio is the negative of it, negative in every shape.
+    """
+    gamma, angle = np.deg2rad(acute), np.deg2rad(fold)
+    built = structure_of(sheet_design(miura_pattern(4, 4, 0.03, 0.02, gamma, angle), FREE))
+    net = net_of(built)
+    found = rigidity(net, built_shape(net), bends(built))
+    assert found.degrees_of_freedom == 1
+    way = found.mechanisms[0]
+
+    def strain(one, other):
+        apart = net.nodes[other] - net.nodes[one]
+        return apart @ (way[other] - way[one]) / (apart @ apart)
+
+    across, along = strain(0, 4), strain(0, 20)
+    assert along / across == pytest.approx((np.cos(angle / 2) * np.tan(gamma)) ** 2, rel=1e-9)
+
+
+def test_a_waterbomb_base_rests_up_and_down_where_its_symmetric_energy_is_least():
+    """One stable state with the centre up and one with it down (Hanna, Lund, Lang, Magleby and Howell 2014).
+
+    With rigid facets and all diagonals folded alike their angle fixes that of the midlines, on either side of flat
+    (doi 10.1088/0964-1726/23/9/094009); the least of the energy of eight linear springs is then found along a line.
+    """
+    side, fold, stiffness = 0.1, np.deg2rad(60), 0.02
+    pattern = waterbomb_base(side, fold, "up")
+    values = {"facet.youngs_modulus": 2e10, "crease.stiffness": stiffness, "crease.rest_angle": "as built"}
+    built = structure_of(sheet_design(pattern, FREE | values))
+    net = net_of(built)
+    start = start_shape(built, net)
+    lengths = np.linalg.norm(pattern.vertices_coords[1:], axis=1)
+    diagonals = np.arange(8) % 2 == 1
+
+    def angles(diagonal, apex):
+        """Of the creases in the order of the vertices around."""
+        other = waterbomb_base(side, diagonal, apex)
+        return shape_at(net, other.vertices_coords, start.angles).angles
+
+    order = net.creases.points[:, 1]
+    springs = stiffness * lengths[order - 1]
+
+    def energy(diagonal):
+        return springs @ (angles(diagonal, "down") - start.angles) ** 2 / 2
+
+    least = minimize_scalar(energy, bounds=(0.02, 1.5), method="bounded", options={"xatol": 1e-9})
+    assert 0.05 < least.x < 1.45
+    down = shape_at(net, waterbomb_base(side, float(least.x), "down").vertices_coords, start.angles)
+    found = find_stable_states(net, [start, down], tries=2)
+    energies = sorted(state.energy for state in found.states)
+    assert len(energies) >= 2
+    assert energies[0] == pytest.approx(0, abs=1e-9 * least.fun)
+    assert energies[1] == pytest.approx(least.fun, rel=1e-3)
+    assert diagonals.sum() == 4
+
+
+@pytest.mark.parametrize(("sides", "height", "twist"), [(6, 1.5, 30), (8, 2.0, 40), (5, 1.4, 25)])
+def test_a_kresling_tower_has_its_other_state_where_the_closed_form_puts_it(sides, height, twist):
+    """Both twists add up to 180 deg - 360 deg / sides where the creases keep their lengths.
+
+    Cai, Deng, Zhou, Feng and Tu 2015 (doi 10.1115/1.4030158); Yasuda, Tachi, Lee and Yang 2017
+    (doi 10.1038/s41467-017-00670-w); the tower has bars in both polygons and no springs in its creases.
+    """
+    radius = 0.03
+    pattern = kresling_pattern(sides, 1, radius, height * radius, np.deg2rad(twist))
+    held = [{"of": f"vertex {vertex}"} for vertex in range(sides)]
+    values = {"crease.stiffness": 0.0, "support": held, "protocol.stages": [stage()]}
+    built = structure_of(sheet_design(pattern, values))
+    net = net_of(built)
+    other = kresling_other_state(sides, radius, height * radius, np.deg2rad(twist))
+    assert other.twist == pytest.approx(np.pi - 2 * np.pi / sides - np.deg2rad(twist))
+    placed = kresling_pattern(sides, 1, radius, other.height, other.twist)
+    there = shape_at(net, placed.vertices_coords)
+    found = find_stable_states(net, [built_shape(net), there], tries=4)
+    rests = sorted((state.shape.positions[sides:, 2].mean(), state.energy) for state in found.states)
+    assert [rest[0] for rest in rests[:1] + rests[-1:]] == pytest.approx([other.height, height * radius], rel=1e-6)
+    scale = net.springs.stiffness.max() * radius**2
+    assert max(rests[0][1], rests[-1][1]) < 1e-12 * scale
+    lengths = kresling_lengths(sides, radius, other.height, other.twist)
+    assert lengths.mountain == pytest.approx(
+        kresling_lengths(sides, radius, height * radius, np.deg2rad(twist)).mountain
+    )
