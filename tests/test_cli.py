@@ -159,7 +159,15 @@ def test_a_new_design_file_can_be_run(call):
 def test_the_named_designs_are_listed_with_their_sources(call):
     lines = call("designs").out.splitlines()
     names = [line for line in lines if not line.startswith(" ")]
-    assert names == ["binder2025", "bistable-clasp", "kresling-cell", "letter-fold", "miura-sheet", "waterbomb-base"]
+    assert names == [
+        "binder2025",
+        "bistable-clasp",
+        "four-plate-snap",
+        "kresling-cell",
+        "letter-fold",
+        "miura-sheet",
+        "waterbomb-base",
+    ]
     assert "10.3390/biomimetics11010009" in lines[1]
     # what one would look at it for, and where its values come from
     assert len(lines) == 3 * len(names)

@@ -252,7 +252,7 @@ def test_an_empty_key_is_unknown_like_any_other():
             load_design("binder2025", {key: "1"})
 
 
-SHEETS = "bistable-clasp, kresling-cell, letter-fold, miura-sheet, waterbomb-base"
+SHEETS = "bistable-clasp, four-plate-snap, kresling-cell, letter-fold, miura-sheet, waterbomb-base"
 SECTIONS = "based_on, name, source, shows, reproduces, pattern, vein, membrane, hinge, tendon, guard, protocol"
 OF_TENDON = (
     "stiffness, rest_length, damping, area, law, proximal_attachment, distal_attachment, proximal_offset,"

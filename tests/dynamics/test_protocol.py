@@ -154,6 +154,7 @@ def test_a_hinge_more_than_10_deg_beyond_its_stop_is_a_divergence(short, beyond,
     position[0, 1, fold] = wing.folds.senses[fold] * (short.hinge.overbend + math.radians(beyond))
     time = wing.timestep * np.arange(1, count + 1)[None, :, None]
     steps = Steps(
+        positions=wing.engine.nq,
         dof=wing.engine.nv,
         inner={},
         before=np.zeros((1, 1 + 2 * wing.engine.nv)),

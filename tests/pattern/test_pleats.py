@@ -8,11 +8,13 @@ import pytest
 from forficula.errors import InputError
 from forficula.pattern import (
     CreasePattern,
+    central_facet,
     earwig_pattern,
     facet_tree,
     flat_folding_faults,
     flat_folding_text,
     folded_coordinates,
+    miura_pattern,
     pleat_pattern,
     vertex_checks,
 )
@@ -108,15 +110,38 @@ def test_facets_are_listed_depth_first_from_any_of_them():
     assert [(link.tail, link.head) for link in links[1:3]] == [(0, 3), (1, 2)]
 
 
-def test_creases_around_a_vertex_close_a_loop_and_are_refused():
-    with pytest.raises(InputError, match="closes a loop of facets around vertex 0, which lies inside the sheet"):
-        facet_tree(star([0, 90, 180, 270], "MMMV"))
+def test_creases_around_a_vertex_close_a_loop_at_the_one_that_the_tree_leaves_out():
+    links = facet_tree(star([0, 90, 180, 270], "MMMV"))
+    joined = {frozenset((link.facet, link.parent)) for link in links if link.parent is not None}
+    assert joined == {frozenset(pair) for pair in [(0, 1), (1, 2), (2, 3), (3, 0)]}
+    assert len([link for link in links if not link.closes]) == 4
+    # two away from the first, it hangs on one of its neighbours, and closes a loop with the other
+    assert [link.closes for link in links if 2 in (link.facet, link.parent)] in ([False, True], [True, False])
+
+
+def test_a_tree_takes_the_fewest_creases_from_its_root():
+    sheet = miura_pattern(5, 5, 0.01, 0.01, math.radians(60))
+    middle = central_facet(sheet)
+    links = facet_tree(sheet, middle)
+    depth = {middle: 0}
+    for link in links:
+        if not link.closes and link.parent is not None:
+            depth[link.facet] = depth[link.parent] + 1
+    assert max(depth.values()) == 4
+    assert len(links) == len({link.edge for link in links}) == 1 + 2 * 5 * 4
 
 
 def test_flat_edges_may_close_a_loop_for_nothing_moves_there():
     assert len(facet_tree(star([0, 90, 180, 270], "FFFF"))) == 4
-    with pytest.raises(InputError, match="edge 3 closes a loop"):
+    with pytest.raises(InputError, match="edge 3 lies between facets 3 and 2, which flat edges make one plate"):
         facet_tree(star([0, 90, 180, 270], "FFFV"))
+
+
+def test_creases_that_open_hold_nothing_together():
+    links = facet_tree(cross(), 0, apart=[0])
+    assert [link.facet for link in links if link.parent is None] == [0, 1]
+    with pytest.raises(InputError, match="facet 2 hangs together with another that is held"):
+        facet_tree(cross(), [0, 2], apart=[0])
 
 
 def test_facets_that_nothing_joins_are_refused():
@@ -124,10 +149,9 @@ def test_facets_that_nothing_joins_are_refused():
         facet_tree(cross(side0="C"))
 
 
-@pytest.mark.parametrize("letter", ["U", "B"])
-def test_a_crease_without_a_sense_is_refused(letter):
+def test_a_border_between_two_facets_is_refused():
     with pytest.raises(InputError, match="edge 0 lies between facets 0 and 1: need"):
-        facet_tree(cross(side0=letter))
+        facet_tree(cross(side0="B"))
 
 
 def test_a_facet_that_is_not_there_holds_nothing():

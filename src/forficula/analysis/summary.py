@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from forficula.analysis.branch import Branch, branch_taken
 from forficula.analysis.outcome import Outcome, StageOutcome, State, TransitionOutcome
 from forficula.analysis.run_warnings import run_warnings
 from forficula.analysis.strength import FoldPeak, Peak, fold_peak, strain_peaks
@@ -31,6 +32,7 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[
     last = {
         "largest_strains": {peak.kind: _peak_summary(peak) for peak in strain_peaks(record)},
         **({} if furthest is None else {"furthest_fold": _fold_summary(furthest)}),
+        **_branch_summary(branch_taken(record)),
         "energy_balance": _balance_summary(outcome.energy_balance),
         **({"closure_gap_m": float(record.series["closure_gap"][-1])} if "closure_gap" in record.series else {}),
         "diverged_at_s": record.diverged_at,
@@ -87,6 +89,13 @@ def _transition_summary(transition: TransitionOutcome | None, torque: float) -> 
         "time_s": transition.time,
         "work_J": transition.work,
     }
+
+
+def _branch_summary(branch: Branch | None) -> dict[str, Any]:
+    if branch is None:
+        return {}
+    counts = {"as_assigned": branch.as_assigned, "against": branch.against, "flat": branch.flat}
+    return {"branch": {**counts, "decided_by": list(branch.decided_by) or ["rounding alone"]}}
 
 
 def _peak_summary(peak: Peak) -> dict[str, Any]:

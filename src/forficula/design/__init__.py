@@ -15,6 +15,7 @@ from forficula.design.new_design import write_new_design
 from forficula.design.part import LENGTH, TORQUE
 from forficula.design.protocol import Protocol, Stage, stage_drives
 from forficula.design.sheet import SheetDesign
+from forficula.design.sheet_parts import Imperfection
 from forficula.design.similarity import in_units, scale_design
 from forficula.design.tendon import TendonSection, tendon_law
 from forficula.design.tendon_tables import NO_LAW, value_from_folder
@@ -26,6 +27,7 @@ __all__ = [
     "Design",
     "FanDesign",
     "FanProtocol",
+    "Imperfection",
     "LawSection",
     "Protocol",
     "SheetDesign",

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.design.sheet_parts import Crease, Facet
+from forficula.design.sheet_parts import Crease, Facet, largest_extension
 from forficula.pattern import CreasePattern, triangulated
 from forficula.pattern.shared_edges import shared_edges
 
@@ -71,9 +71,8 @@ def choices(sheet: CreasePattern, facet: Facet, crease: Crease) -> tuple[Choice,
 
     thickness = value("facet", "thickness", (_SLENDER * size, "1/100 of the size of a facet, as card has"))
     density = value("facet", "density", (_DENSITY, "of PETG; paper has 0.8 g/cm^3"))
-    stiffest = max(each.extension or 0.0 for each in (crease, *crease.group))
-    if rigid and stiffest:
-        damping = 2 * _SOUND * math.sqrt(stiffest * density * thickness * size)
+    if rigid and largest_extension(crease):
+        damping = 2 * _SOUND * math.sqrt(largest_extension(crease) * density * thickness * size)
         value("crease", "extension_damping", (damping, "a tenth of critical for a facet on springs in its creases"))
     if rigid and crease.stiffness is not None:
         return tuple(made)

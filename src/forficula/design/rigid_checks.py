@@ -60,7 +60,8 @@ def check_rigid(design: SheetDesign) -> None:
     closing = [link.edge for link in links if link.closes]
     if closing and opening:
         raise InputError(
-            f"crease.extension: need a crease that opens in every loop, or in none, got none in that of crease {closing[0]}"
+            "crease.extension: need a crease that opens in every loop, or in none, got none in that of crease"
+            f" {closing[0]}"
         )
     if not closing:
         return

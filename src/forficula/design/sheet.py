@@ -11,10 +11,10 @@ from forficula.design.chosen import Choice, choices, with_choices
 from forficula.design.design import Design
 from forficula.design.sheet_checks import check_sheet
 from forficula.design.sheet_course import SheetDrive, SheetMeasure, SheetProtocol
-from forficula.design.sheet_parts import Crease, Facet, Support
+from forficula.design.sheet_parts import Crease, Facet, Imperfection, Support, largest_extension
 from forficula.design.sheet_places import facet_of
 from forficula.design.sheet_tendon import SheetTendon
-from forficula.pattern import CreasePattern
+from forficula.pattern import CreasePattern, central_facet, facet_tree
 
 
 class SheetDesign(Design):
@@ -24,10 +24,11 @@ class SheetDesign(Design):
     pattern: Any
     facet: Facet = Facet()
     crease: Crease = Crease()
+    imperfection: Imperfection = Imperfection()
     tendon: Annotated[tuple[SheetTendon, ...], Field(description="springs between two places, which only pull")] = ()
     support: Annotated[
         tuple[Support, ...],
-        Field(description="what is held; where no crease opens between rigid facets, facet 0 if not given"),
+        Field(description="what is held; hinged rigid facets need one: facet 0, or in loops the middle one"),
     ] = ()
     drive: Annotated[tuple[SheetDrive, ...], Field(description="what stages of the protocol switch on")] = ()
     measure: Annotated[tuple[SheetMeasure, ...], Field(description="what is watched, for goals and tables")] = ()
@@ -43,13 +44,13 @@ class SheetDesign(Design):
         """Numbers of the facets that are held, of rigid ones."""
         if self.support or self.opens:
             return tuple(facet_of(self.sheet, support.of) for support in self.support)
-        return (0,)
+        closes = any(link.closes for link in facet_tree(self.sheet))
+        return (central_facet(self.sheet) if closes else 0,)
 
     @property
     def opens(self) -> bool:
         """Whether creases open between rigid facets."""
-        stiffness = (self.crease.extension, *(group.extension for group in self.crease.group))
-        return self.facet.kind == "rigid" and any(each is not None for each in stiffness)
+        return self.facet.kind == "rigid" and largest_extension(self.crease) > 0
 
     @property
     def chosen(self) -> tuple[Choice, ...]:

@@ -32,7 +32,7 @@ _ROUNDING = 1e-12
 # what summaries and tables have beside the names of stages and states
 _TAKEN = (
     *("design", "design_hash", "status", "verdict", "outcome", "residual", "advice", "goal", "key"),
-    *("states", "stages", "energy_balance", "diverged_at_s", "timestep_s", "warnings", "versions"),
+    *("states", "stages", "branch", "energy_balance", "diverged_at_s", "timestep_s", "warnings", "versions"),
 )
 
 
@@ -50,6 +50,8 @@ def check_sheet(design: SheetDesign) -> None:
     for number, group in enumerate(groups):
         _keyed(f"crease.group.{number}.of", creases_of, sheet, group.of, groups[:number])
     if design.facet.kind == "rigid":
+        if design.imperfection.size:
+            raise InputError("imperfection.size: is for facets that bend; rigid ones meet as drawn, or not at all")
         check_rigid(design)
         check_rigid_creases(design)
     elif design.crease.start or any(group.start for group in groups):

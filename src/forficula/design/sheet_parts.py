@@ -44,6 +44,13 @@ class Facet(Part):
     )
 
 
+class Imperfection(Part):
+    """How far a sheet of nodes is from its drawing: what else is there decides which way it leaves a flat state."""
+
+    size: float = quantity(SMALL_LENGTH, "standard deviation of its vertices, square to it", default=0.0, at_least=0)
+    seed: Annotated[int, Field(strict=True, ge=0, description="of the random numbers: another one, another way")] = 0
+
+
 class CreaseGroup(Part):
     """Creases that differ from the others; what is left out is as in [crease]."""
 
@@ -140,6 +147,11 @@ class Crease(Part):
     group: Annotated[
         tuple[CreaseGroup, ...], Field(description="creases that differ, of several that say so the last one counts")
     ] = ()
+
+
+def largest_extension(crease: Crease) -> float:
+    """The stiffest springs in which creases of a section or of its groups open, by length; 0 where none opens."""
+    return max(crease.extension or 0.0, *(group.extension or 0.0 for group in crease.group), 0.0)
 
 
 class Support(Part):

@@ -34,7 +34,7 @@ class SheetPlace:
 
     Attributes:
         facet: that carries it.
-        position: in the flat sheet, m, (3,).
+        position: in the sheet as built, m, (3,).
     """
 
     facet: int
@@ -109,7 +109,7 @@ def keeps_distance(pattern: CreasePattern, one: SheetPlace, other: SheetPlace) -
 
 
 def _on_axis(pattern: CreasePattern, edge: int, place: SheetPlace) -> bool:
-    """Whether a place lies on the line through an edge of the flat sheet."""
+    """Whether a place lies on the line through an edge of the sheet as built."""
     tail, head = pattern.vertices_coords[pattern.edges_vertices[edge]]
     along, away = head - tail, place.position - tail
     length = float(np.linalg.norm(along))
@@ -118,11 +118,13 @@ def _on_axis(pattern: CreasePattern, edge: int, place: SheetPlace) -> bool:
 
 
 def _centre(pattern: CreasePattern, facet: int) -> Array:
-    """The centre of area of a flat facet, m, (3,) (shoelace formula)."""
+    """The centre of area of a facet in a plane of its own, m, (3,) (shoelace formula)."""
     corners = pattern.vertices_coords[list(pattern.faces_vertices[facet])]
     away = corners - corners[0]
     following = np.roll(away, -1, axis=0)
-    areas = away[:, 0] * following[:, 1] - following[:, 0] * away[:, 1]
+    across = np.cross(away, following)
+    normal = across.sum(axis=0)
+    areas = across @ (normal / np.linalg.norm(normal))
     centre: Array = corners[0] + (areas[:, None] * (away + following)).sum(axis=0) / (3 * areas.sum())
     return centre
 
@@ -155,6 +157,12 @@ def _in_facet(pattern: CreasePattern, facet: int, along: float, across: float) -
     low, high = corners.min(axis=0), corners.max(axis=0)
     shares = np.array([along, across, 0.0])
     position = (1 - shares) * low + shares * high
+    if high[2] > low[2]:
+        away = corners - corners[0]
+        normal = np.cross(away, np.roll(away, -1, axis=0)).sum(axis=0)
+        if abs(normal[2]) <= _BESIDE * np.linalg.norm(normal):
+            raise InputError(f"need a facet that does not stand upright for a place along x and y, got facet {facet}")
+        position[2] = corners[0, 2] - (position - corners[0])[:2] @ normal[:2] / normal[2]
     if not _within(corners[:, :2], position[:2], _BESIDE * float(np.linalg.norm(high - low))):
         raise InputError(
             f"need a place on facet {facet}, in shares of its extent along x and y, got {along:g}, {across:g}, which"

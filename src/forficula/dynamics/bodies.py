@@ -153,7 +153,7 @@ def force_name(motor: str) -> str:
 
 
 def _add_force(spec: mujoco.MjSpec, motor: Motor, structure: Structure) -> None:
-    """Add a force of one direction at points: on plates at sites, on nodes on a tendon, the sum of their ways along it."""
+    """Add a force of one direction at points: of plates at sites, of nodes on a tendon as long as their ways."""
     name, direction = force_name(motor.name), motor.direction
     if direction is None:
         return

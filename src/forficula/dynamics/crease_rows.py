@@ -148,23 +148,23 @@ def crease_rows(models: Sequence[Model]) -> CreaseRows | None:
 
 
 def stacked_creases(models: Sequence[Model]) -> dict[str, Any]:
-    """Senses, law, damping and what motors do, of the creases of structures of one topology, as `CreaseRows` has them."""
+    """Senses, law, damping and what motors do, of creases of structures of one topology, as `CreaseRows` has them."""
     creases = [model.creases for model in models if model.creases is not None]
     unit = [np.eye(len(model.structure.motors)) for model in models]
     settings = [model.settings(each) for model, each in zip(models, unit, strict=True)]
     laws = [each.law for each in creases]
-    return dict(
-        senses=np.array([each.senses for each in creases], dtype=np.float64),
-        law=CreaseLaw(
+    return {
+        "senses": np.array([each.senses for each in creases], dtype=np.float64),
+        "law": CreaseLaw(
             **{
                 each.name: np.array([np.asarray(getattr(law, each.name)) for law in laws])
                 for each in dataclasses.fields(CreaseLaw)
             }
         ),
-        damping=np.array([each.damping for each in creases]),
-        rests=np.array([rests for rests, _ in settings]),
-        torques=np.array([torques for _, torques in settings]),
-    )
+        "damping": np.array([each.damping for each in creases]),
+        "rests": np.array([rests for rests, _ in settings]),
+        "torques": np.array([torques for _, torques in settings]),
+    }
 
 
 def without_jump(angles: Array, near: Array) -> Array:

@@ -92,6 +92,7 @@ def _pushed_on(structure: Structure, placement: Placement, motor: Motor, positio
     bodies = [structure.points[point].body for point in motor.points]
     places = np.array([structure.points[point].place for point in motor.points])
     arms = (frames[..., bodies, :, :] @ places[..., None])[..., 0]
+    assert motor.direction is not None
     return np.asarray(
         np.sum((moves[..., bodies, :] + np.cross(turns[..., bodies, :], arms)) @ motor.direction, axis=-1)
     )

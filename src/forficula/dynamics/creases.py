@@ -90,7 +90,7 @@ def _add_couples(spec: mujoco.MjSpec, structure: Structure) -> None:
     _add_flex(spec, bodies, np.ravel(places), (first[:, None] + [0, 1, 2, 1, 0, 3]).ravel())
 
 
-def _couples(engine: mujoco.MjModel, known: dict[tuple[frozenset[int], frozenset[int]], int], count: int) -> Indices:
+def _couples(known: dict[tuple[frozenset[int], frozenset[int]], int], count: int) -> Indices:
     """The edges of the rows of `_add_couples`."""
     first = range(0, 4 * len(PRODUCTS) * count, 4)
     return np.array([known[frozenset((node, node + 1)), frozenset((node + 2, node + 3))] for node in first])
@@ -111,7 +111,7 @@ def creases_of(engine: mujoco.MjModel, structure: Structure, folds: Folds) -> Cr
     known = {(frozenset(edge[:2]), frozenset(edge[2:])): number for number, edge in enumerate(edges.tolist())}
     found: list[int] = []
     if folds.placement is not None:
-        numbers = _couples(engine, known, len(hinges))
+        numbers = _couples(known, len(hinges))
         return Creases(
             rows=numbers + _first_row(engine, flex),
             order=np.asarray(edges[numbers] % 4, dtype=np.int64),

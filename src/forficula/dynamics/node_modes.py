@@ -127,8 +127,8 @@ def _plate_modes(structure: Structure) -> tuple[float, float]:
         if len(points):
             shifts = moves[:, carriers[points]] + np.cross(turns[:, carriers[points]], arms[points])
             along = np.einsum("depx,epx->ed", shifts, gradients)
-            for matrix, strength in zip(matrices, strengths, strict=True):
-                matrix += along.T @ (strength[:, None] * along)
+            for number, strength in enumerate(strengths):
+                matrices[number] += along.T @ (strength[:, None] * along)
     square, rate = (float(eigh(matrix, inertia, eigvals_only=True)[-1]) for matrix in matrices)
     return max(square, 0.0), max(rate, 0.0)
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,7 +29,7 @@ class Placement:
         hinged: which bodies turn by a hinge, (hinged,).
         hinges: place of its angle in the positions, (hinged,).
         axes: of the hinges in the axes of the body, (..., hinged, 3).
-        built: these angles in the built shape, (hinged,).
+        built: these angles in the built shape, (..., hinged).
         position_count: numbers of a position.
         velocity_count: numbers of a velocity: one less for every body that turns freely.
         velocities: place in the velocities of what is at a place in the positions, (position,); of a quaternion, of the
@@ -49,6 +50,13 @@ class Placement:
     position_count: int
     velocity_count: int
     velocities: Indices
+
+    def some(self, which: Indices) -> Placement:
+        """Of some of the structures that `stacked` has put together."""
+        return self._with(self.positions[which], self.frames[which], self.axes[which], self.built[which])
+
+    def _with(self, positions: Array, frames: Array, axes: Array, built: Array) -> Placement:
+        return replace(self, positions=positions, frames=frames, axes=axes, built=built)
 
     def poses(self, positions: Array) -> tuple[Array, Array]:
         """Origins, (..., body, 3), and rotations from bodies' axes to those of the ground, (..., body, 3, 3)."""
@@ -89,6 +97,16 @@ class Placement:
             moves[..., level, :] = moves[..., parents, :] + np.cross(turns[..., parents, :], arms)
             turns[..., level, :] += turns[..., parents, :]
         return moves, turns
+
+
+def stacked(placements: Sequence[Placement]) -> Placement:
+    """Those of structures of one topology as one, whose constants have a leading dimension, (structure, ...)."""
+    return placements[0]._with(
+        np.array([each.positions for each in placements]),
+        np.array([each.frames for each in placements]),
+        np.array([each.axes for each in placements]),
+        np.array([each.built for each in placements]),
+    )
 
 
 def placement_of(structure: Structure) -> Placement:

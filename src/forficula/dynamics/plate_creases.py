@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from forficula.dynamics.crease_rows import stacked_creases, without_jump
 from forficula.dynamics.folds import Folds
 from forficula.dynamics.model import Model
+from forficula.dynamics.placement import stacked
 from forficula.dynamics.plate_angles import PRODUCTS
 from forficula.material import CreaseLaw
 
@@ -70,15 +71,7 @@ def plate_rows(models: Sequence[Model]) -> PlateRows:
     """Lay the creases between plates of structures of one topology side by side."""
     each = [model.folds for model in models]
     placements = [folds.placement for folds in each if folds.placement is not None]
-    stacked = {
-        name: np.array([getattr(placement, name) for placement in placements])
-        for name in ("positions", "frames", "axes", "built")
-    }
-    folds = replace(
-        each[0],
-        placement=replace(placements[0], **stacked),
-        places=np.array([folds.places for folds in each]),
-    )
+    folds = replace(each[0], placement=stacked(placements), places=np.array([folds.places for folds in each]))
     creases = models[0].creases
     assert creases is not None
     return PlateRows(
@@ -105,8 +98,4 @@ def _forms(model: Model, order: Indices) -> Array:
 def _of(folds: Folds, which: Indices) -> Folds:
     """Of some of the structures whose constants `plate_rows` stacks."""
     assert folds.placement is not None
-    placement = replace(
-        folds.placement,
-        **{name: getattr(folds.placement, name)[which] for name in ("positions", "frames", "axes", "built")},
-    )
-    return replace(folds, placement=placement, places=folds.places[which])
+    return replace(folds, placement=folds.placement.some(which), places=folds.places[which])

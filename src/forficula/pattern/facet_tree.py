@@ -55,11 +55,32 @@ def facet_tree(
         creases that close loops on its right last.
 
     Raises:
-        InputError: no such facet, roots that hang together, an edge between facets that says nothing of them, a crease within what flat edges
-            make one plate, facets that hang on nothing, or faces that are not counterclockwise.
+        InputError: no such facet, roots that hang together, an edge between facets that says nothing of them, a crease
+            within what flat edges make one plate, facets that hang on nothing, or faces that are not counterclockwise.
     """
+    above, starts, around = _rooted(pattern, [root] if isinstance(root, int) else list(root), apart)
+    _check_plates(pattern, above, apart)
+    below: list[list[FacetLink]] = [[] for _ in around]
+    used = {link.edge for link in above.values()}
+    for facet, links in enumerate(around):
+        below[facet] += [link for link in links if above[link.facet] == link]
+    for edge, tail, head, left, right in shared_edges(pattern):
+        if edge not in used and edge not in apart and pattern.edges_assignment[edge] != "F":
+            below[left].append(FacetLink(facet=right, parent=left, edge=edge, tail=tail, head=head, closes=True))
+    listed, waiting = list[FacetLink](), [above[start] for start in reversed(starts)]
+    while waiting:
+        link = waiting.pop()
+        listed.append(link)
+        if not link.closes:
+            waiting += reversed(below[link.facet])
+    return tuple(listed)
+
+
+def _rooted(
+    pattern: CreasePattern, roots: Sequence[int], apart: Collection[int]
+) -> tuple[dict[int, FacetLink], list[int], list[list[FacetLink]]]:
+    """What every facet hangs on, the facets that hang on nothing, and the neighbours of each."""
     count = len(pattern.faces_vertices)
-    roots = [root] if isinstance(root, int) else list(root)
     for facet in roots:
         if not 0 <= facet < count:
             raise InputError(f"need a facet from 0 to {count - 1}, got {facet}")
@@ -77,21 +98,7 @@ def facet_tree(
             )
         above |= _parents(pattern, around, facet)
         starts.append(facet)
-    _check_plates(pattern, above, apart)
-    below: list[list[FacetLink]] = [[] for _ in range(count)]
-    used = {link.edge for link in above.values()}
-    for facet, links in enumerate(around):
-        below[facet] += [link for link in links if above[link.facet] == link]
-    for edge, tail, head, left, right in shared_edges(pattern):
-        if edge not in used and edge not in apart and pattern.edges_assignment[edge] != "F":
-            below[left].append(FacetLink(facet=right, parent=left, edge=edge, tail=tail, head=head, closes=True))
-    listed, waiting = list[FacetLink](), [above[start] for start in reversed(starts)]
-    while waiting:
-        link = waiting.pop()
-        listed.append(link)
-        if not link.closes:
-            waiting += reversed(below[link.facet])
-    return tuple(listed)
+    return above, starts, around
 
 
 def edges_between(links: Sequence[FacetLink], one: int, other: int) -> tuple[int, ...]:

@@ -18,6 +18,7 @@ from forficula.pattern.shared_edges import shared_edges
 from forficula.structure.appearance import Appearance
 from forficula.structure.facets import BEND
 from forficula.structure.flaps import flap_angles
+from forficula.structure.imperfection import imperfect
 from forficula.structure.parts import (
     GROUND,
     Array,
@@ -47,6 +48,7 @@ def node_structure(design: SheetDesign) -> Structure:
     """
     design, sheet = design.settled(), design.sheet
     nodes = sheet_nodes(sheet)
+    nodes = nodes._replace(triangles=imperfect(nodes.triangles, design.imperfection))
     triangles, facet = nodes.triangles, design.facet
     bodies = _bodies(design, sheet, nodes)
     thickness = facet.thickness or 0.0

@@ -103,7 +103,7 @@ def _flaps(pattern: CreasePattern, shared: SharedEdge, named: dict[str, int]) ->
     for facet in (shared.left, shared.right):
         corners = pattern.faces_vertices[facet]
         heights = np.linalg.norm(np.cross(pattern.vertices_coords[list(corners)] - tail, head - tail), axis=1)
-        for vertex in (shared.tail, shared.head, corners[int(np.argmax(heights))]):
-            flaps.append(named[corner_name(facet, vertex)])
+        vertices = (shared.tail, shared.head, corners[int(np.argmax(heights))])
+        flaps += [named[corner_name(facet, vertex)] for vertex in vertices]
     one, two, three, four, five, six = flaps
     return one, two, three, four, five, six

@@ -27,8 +27,8 @@ from forficula.structure.structure import Structure
 def plate_structure(design: SheetDesign) -> Structure:
     """Build a plate on every facet and a hinge at every crease of a design's sheet, in the units of the design.
 
-    A crease that closes a loop turns a copy of the facet on its right. Plates hang on one another by the creases that do
-    not open; what hangs on no plate that is held goes and turns freely.
+    A crease that closes a loop turns a copy of the facet on its right. Plates hang on one another by the creases that
+    do not open; what hangs on no plate that is held goes and turns freely.
 
     Raises:
         InputError: plates without a mass.
@@ -87,7 +87,7 @@ def _built(pattern: CreasePattern) -> Array:
 
 
 def _origin(pattern: CreasePattern, link: FacetLink, *, free: bool) -> Array:
-    """Where a plate's axes begin: in an end of the crease that it hangs on; in the middle of its corners if it is free."""
+    """Where a plate's axes begin: in an end of the crease that it hangs on, or in the middle if it hangs on nothing."""
     corners = list(pattern.faces_vertices[link.facet])
     if free:
         return np.asarray(pattern.vertices_coords[corners].mean(axis=0))

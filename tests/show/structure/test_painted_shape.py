@@ -22,9 +22,12 @@ def planted(sheet_height):
     return Surface(
         faces=np.array(faces),
         regions=np.array([0, 1]),
+        two_sided=False,
         bars=np.array(bars),
         radii=np.full(4, 2.5e-3),
         lines=np.zeros((0, 2, 3)),
+        folds=np.zeros(0),
+        held=np.zeros((0, 3)),
         tendons=np.array([[[0.02, y, 0], [0.18, y, 0]] for y in (0.05, 0.1)]),
         thickness=5e-3,
         span=0.2,

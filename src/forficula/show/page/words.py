@@ -72,10 +72,14 @@ def structure_text(structure: Structure) -> str:
 
 
 def _counted_parts(structure: Structure) -> str:
-    solid = (("plate", structure.plates), ("facet", structure.facets), ("membrane", structure.membranes))
-    bars = (("bar", (*structure.bars, *structure.springs)),)
+    counts = (
+        ("plate", structure.plates),
+        ("facet", structure.facets),
+        ("bar", (*structure.bars, *structure.springs)),
+        ("membrane", structure.membranes),
+    )
     hinges = tuple((kind.removesuffix("s"), hinges) for kind, hinges in hinge_groups(structure).items())
-    counts, rest = (*solid, *bars), (*hinges, ("tendon", structure.tendons))
+    rest = (*hinges, ("tendon", structure.tendons))
     parts = [f"{len(parts)} {kind}{'s' * (len(parts) != 1)}" for kind, parts in (*counts, *rest) if parts]
     return f"A {structure.appearance.whole} of {listed(parts)}, {readable(structure.span, 'm')} in size"
 

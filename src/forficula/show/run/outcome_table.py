@@ -9,6 +9,7 @@ from rich.table import Table
 from rich.text import Text
 
 from forficula.analysis import Outcome, State, Verdict
+from forficula.analysis.branch import branch_taken, branch_text
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit, show_value
 from forficula.show.run.outcome_rows import StateRows, balance_rows, state_rows, transition_headings, transition_rows
@@ -39,8 +40,11 @@ def print_outcome(name: str, outcome: Outcome, structure: Structure) -> None:
 
 
 def print_strength(record: Record) -> None:
-    """Print the largest strains, stresses and folds of a run of facets that bend; nothing of what has none."""
-    if not record.structure.facets or not (rows := strength_rows(record)):
+    """Print which way a sheet left its flat state, and its largest strains, stresses and folds; nothing of others."""
+    if (branch := branch_taken(record)) is not None:
+        Console(width=110, highlight=False).print(Text(), Text(_sentence(branch_text(branch))), sep="\n")
+    rows = strength_rows(record)
+    if not rows:
         return
     table = Table(box=None, padding=(0, 2, 0, 0), title="Largest strains and folds", title_justify="left")
     for heading in STRENGTH_HEADINGS:
@@ -48,6 +52,10 @@ def print_strength(record: Record) -> None:
     for cells in rows:
         table.add_row(*cells)
     Console(width=110, highlight=False).print(Text(), table, sep="\n")
+
+
+def _sentence(text: str) -> str:
+    return f"{text[0].upper()}{text[1:]}."
 
 
 def _states(outcome: Outcome, structure: Structure) -> Sequence[RenderableType]:

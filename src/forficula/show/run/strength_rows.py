@@ -10,7 +10,12 @@ STRENGTH_HEADINGS = ("", "strain", "stress", "where", "at")
 
 
 def strength_rows(record: Record) -> list[list[str]]:
-    """What a run asked of bars, membranes and tendons, and how far creases folded, under `STRENGTH_HEADINGS`."""
+    """What a run asked of bars, membranes and tendons, and how far creases folded, under `STRENGTH_HEADINGS`.
+
+    None of a structure without facets that bend.
+    """
+    if not record.structure.facets:
+        return []
     rows = [
         [
             peak.kind,

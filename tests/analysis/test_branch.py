@@ -1,0 +1,56 @@
+"""Which way a sheet leaves its flat state, and what is said to have decided it."""
+
+import pytest
+
+import forficula as ff
+from forficula.analysis.branch import branch_taken, branch_text
+from forficula.design import load_design, with_values
+from forficula.errors import InputError
+
+STAGE = {"name": "fold", "until": "time", "hold": 0.0, "time_limit": 0.02}
+
+
+def flat(**values):
+    """A flat Miura sheet of four facets, nothing held, for an instant."""
+    changes = {
+        "pattern.columns": 2,
+        "pattern.rows": 2,
+        "pattern.fold": 0.0,
+        "facet.youngs_modulus": 2e7,
+        "support": [],
+        "measure": [],
+        "protocol.timestep": 2e-5,
+        "protocol.stages": [STAGE | {"drive": "none"}],
+    }
+    return with_values(load_design("miura-sheet"), changes | values)
+
+
+def test_a_drive_to_the_assignment_folds_every_crease_as_assigned():
+    branch = branch_taken(ff.run(flat(**{"protocol.stages": [STAGE | {"drive": "fold", "time_limit": 0.1}]})))
+    assert (branch.as_assigned, branch.against) == (4, 0)
+    assert branch.decided_by == ('the rest angles of drive "fold"',)
+
+
+def test_a_sheet_that_nothing_drives_out_of_its_flat_state_says_that_rounding_decides():
+    branch = branch_taken(ff.run(flat()))
+    assert (branch.flat, branch.decided_by) == (4, ())
+    assert "rounding alone: give imperfection.size and seed" in branch_text(branch)
+
+
+def test_a_seed_chooses_an_imperfection_and_the_same_one_chooses_the_same():
+    builds = [
+        [hinge.start for hinge in ff.run(flat(**{"imperfection": {"size": 1e-4, "seed": seed}})).structure.hinges]
+        for seed in (1, 1, 2)
+    ]
+    assert builds[0] == builds[1] != builds[2]
+    record = ff.run(flat(**{"imperfection": {"size": 1e-4, "seed": 2}}))
+    assert branch_taken(record).decided_by == ("an imperfection of 0.1 mm, seed 2",)
+
+
+def test_a_sheet_that_is_built_folded_took_no_branch():
+    assert branch_taken(ff.run(flat(**{"pattern.fold": 0.5}))) is None
+
+
+def test_rigid_facets_have_no_imperfection():
+    with pytest.raises(InputError, match=r"imperfection\.size: is for"):
+        flat(**{"facet.kind": "rigid", "imperfection": {"size": 1e-4, "seed": 0}})

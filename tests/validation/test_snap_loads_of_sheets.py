@@ -1,0 +1,57 @@
+"""Under a force that grows slowly, sheets in motion snap at the limit load of statics, within 2 %.
+
+Statics follows the path of equilibria to where the load turns; dynamics knows nothing of it. A force that rises to
+98 % of that load is borne for as long as it acts, one that rises to 102 % is not.
+"""
+
+import numpy as np
+import pytest
+
+from forficula.design import load_design, with_values
+from forficula.dynamics import compile_model, simulate
+from forficula.statics.net import load_path
+from forficula.statics.net.net_of import motor_load, net_of, start_shape
+from forficula.structure import structure_of
+
+SHARE = 0.02
+
+
+def pushed(name, force, rise, hold, timestep):
+    """The design, pushed by a force that rises evenly and then stays."""
+    stage = {"name": "push", "drive": "push", "until": "time", "hold": 0.0, "time_limit": rise + hold}
+    values = {
+        "drive.push.force": force,
+        "drive.push.rise": rise,
+        "protocol.timestep": timestep,
+        "protocol.sample_interval": 5e-3,
+        "protocol.stages": [stage],
+    }
+    return with_values(load_design(name), values)
+
+
+def limit_of(name):
+    """The first limit load of the drive "push" by statics, N, and how low the pushed vertex is there, m."""
+    built = structure_of(load_design(name))
+    net = net_of(built)
+    load = motor_load(built, net, tuple(float(motor.name == "push") for motor in built.motors))
+    path = load_path(net, start_shape(built, net), load, events=1, increments=100)
+    assert [event.kind for event in path.events] == ["limit"]
+    (motor,) = (motor for motor in built.motors if motor.name == "push")
+    limit = path.events[0].point
+    return limit.factor, limit.shape.positions[motor.points[0], 2], motor.points[0]
+
+
+@pytest.mark.parametrize(
+    ("name", "rise", "hold", "timestep"), [("waterbomb-base", 0.4, 0.6, 2.5e-4), ("kresling-cell", 0.3, 0.3, 1e-4)]
+)
+def test_a_sheet_bears_a_little_less_than_its_limit_load_and_snaps_under_a_little_more(name, rise, hold, timestep):
+    limit, height, vertex = limit_of(name)
+    designs = [pushed(name, share * limit, rise, hold, timestep) for share in (1 - SHARE, 1 + SHARE)]
+    borne, snapped = (
+        record.series["point_position"][:, vertex, 2] for record in simulate(list(map(compile_model, designs)))
+    )
+    built = borne[0]
+    assert borne.min() > height
+    # far beyond where the load turns, at the other state's side
+    assert snapped[-1] < built - 3 * (built - height)
+    assert np.all(np.isfinite(snapped))

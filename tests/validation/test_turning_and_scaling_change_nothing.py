@@ -1,0 +1,130 @@
+"""Turning a sheet in space, numbering its vertices anew and scaling it change no fold angle and no energy.
+
+Isotropy of space and dimensional analysis: at fixed modulus and density energies go with the cube of the size, time
+with the size (Ilton et al. 2018, arXiv 1711.04920).
+"""
+
+import json
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+from hypothesis import Phase, given, settings
+from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
+
+from forficula.design import scale_design, with_values
+from forficula.dynamics import compile_model, simulate
+from forficula.pattern import miura_pattern, write_fold
+from forficula.statics.net import minimum
+from forficula.statics.net.net_of import motor_load, net_of, start_shape
+from tests.sheets import fold_angles, sheet_design, stage, stored_energy
+
+VALUES = {
+    "facet.youngs_modulus": 2e7,
+    "facet.bend_stiffness": 0.5,
+    "crease.rest_angle": "as built",
+    "crease.damping": 2e-4,
+    "drive": [{"name": "fold", "kind": "torque", "of": "crease 0", "value": 1.2e-3, "rise": 0.02}],
+    "protocol.timestep": 4e-5,
+    "protocol.stages": [stage("fold", limit=0.06)],
+}
+MIURA = miura_pattern(2, 2, 0.03, 0.02, np.deg2rad(65), 0.7)
+
+
+def turned(pattern, rotation, shift=(0.0, 0.0, 0.0)):
+    return replace(pattern, vertices_coords=pattern.vertices_coords @ rotation.as_matrix().T + np.asarray(shift))
+
+
+def renumbered(pattern, order):
+    """The same sheet with vertex `order[k]` as number k."""
+    place = np.argsort(order)
+    return replace(
+        pattern,
+        vertices_coords=pattern.vertices_coords[order],
+        edges_vertices=place[pattern.edges_vertices],
+        faces_vertices=tuple(tuple(int(place[vertex]) for vertex in face) for face in pattern.faces_vertices),
+    )
+
+
+def moved(pattern):
+    (record,) = simulate([compile_model(sheet_design(pattern, VALUES))])
+    return record
+
+
+def rest_of(design):
+    """Where statics puts a design's sheet under its drive: fold angles and energy."""
+    record_structure = compile_model(design).structure
+    net = net_of(record_structure)
+    load = motor_load(record_structure, net, tuple(drive.value for drive in design.drive))
+    return minimum(net, start_shape(record_structure, net), load, 1.0)
+
+
+@cache
+def known():
+    return moved(MIURA)
+
+
+def assert_alike(record, tolerance):
+    angles, edges = fold_angles(record)
+    expected, known_edges = fold_angles(known())
+    assert edges.tolist() == known_edges.tolist()
+    assert np.ptp(expected[:, 0]) > 0.2
+    np.testing.assert_allclose(angles, expected, atol=tolerance)
+    energy = stored_energy(known())
+    np.testing.assert_allclose(stored_energy(record), energy, atol=tolerance * energy.max())
+
+
+ANGLES = st.floats(-np.pi, np.pi)
+
+
+@settings(max_examples=2, phases=(Phase.explicit, Phase.generate))
+@given(ANGLES, ANGLES, ANGLES, st.lists(st.floats(-0.1, 0.1), min_size=3, max_size=3))
+def test_a_sheet_that_is_turned_and_shifted_in_space_folds_alike(about_z, about_y, about_x, shift):
+    rotation = Rotation.from_euler("zyx", (about_z, about_y, about_x))
+    # rounding, and what the sheet's own motion makes of it
+    assert_alike(moved(turned(MIURA, rotation, shift)), 1e-7)
+
+
+@settings(max_examples=2, phases=(Phase.explicit, Phase.generate))
+@given(st.permutations(range(9)))
+def test_a_sheet_whose_vertices_are_numbered_anew_folds_alike(order):
+    assert_alike(moved(renumbered(MIURA, np.array(order))), 1e-7)
+
+
+def test_a_fold_file_turned_in_its_plane_and_in_another_unit_folds_alike(tmp_path):
+    write_fold(turned(MIURA, Rotation.from_euler("z", 0.3)), tmp_path / "sheet.fold")
+    document = json.loads((tmp_path / "sheet.fold").read_text())
+    document["vertices_coords"] = (1000 * np.array(document["vertices_coords"])).tolist()
+    document["frame_unit"] = "mm"
+    (tmp_path / "sheet.fold").write_text(json.dumps(document))
+    values = {"pattern": {"kind": "fold-file", "path": str(tmp_path / "sheet.fold")}}
+    design = with_values(sheet_design(MIURA, VALUES), values)
+    assert_alike(simulate([compile_model(design)])[0], 1e-7)
+
+
+@pytest.mark.parametrize("factor", [0.1, 1 / 3, 7.0])
+def test_a_sheet_of_another_size_folds_alike_in_its_own_time(factor):
+    scaled = scale_design(sheet_design(MIURA, VALUES), factor)
+    (record,) = simulate([compile_model(scaled)])
+    np.testing.assert_allclose(record.time, factor * known().time, rtol=1e-12)
+    np.testing.assert_allclose(fold_angles(record)[0], fold_angles(known())[0], atol=1e-7)
+    energy = stored_energy(known())
+    np.testing.assert_allclose(stored_energy(record) / factor**3, energy, atol=1e-7 * energy.max())
+
+
+def test_rest_by_statics_is_the_same_however_a_sheet_lies_is_numbered_or_scaled():
+    design = sheet_design(MIURA, VALUES)
+    rest = rest_of(design)
+    assert rest.stable
+    turn = Rotation.from_euler("zyx", (0.4, 1.1, -2.0))
+    order = np.random.default_rng(3).permutation(9)
+    for other, scale in (
+        (sheet_design(turned(MIURA, turn), VALUES), 1.0),
+        (sheet_design(renumbered(MIURA, order), VALUES), 1.0),
+        (scale_design(design, 0.2), 0.2),
+    ):
+        there = rest_of(other)
+        np.testing.assert_allclose(there.shape.angles, rest.shape.angles, atol=1e-7)
+        assert there.energy == pytest.approx(scale**3 * rest.energy, rel=1e-7)
