@@ -192,3 +192,10 @@ def test_a_map_says_how_far_it_is_and_is_the_same_in_parts(monkeypatch):
     assert seen == [(2, 3), (3, 3)]
     xarray.testing.assert_allclose(parts.drop_vars("status"), whole.drop_vars("status"), rtol=1e-9)
     assert (parts["status"] == whole["status"]).all()
+
+
+def test_sheets_that_bend_have_no_map_of_torques():
+    with pytest.raises(
+        InputError, match="kresling-cell: maps of slowly growing torques need bodies on joints in a tree"
+    ):
+        map_study(load_design("kresling-cell"), {"crease.stiffness": ["1e-4 N m/rad/m"]})

@@ -92,10 +92,11 @@ class EnergyLandscape:
         rests: where it rests when let go from where the protocol starts it, and from where each transition leads.
         least_torques: by transition, the size of the least slowly growing torque that makes it, N m; None where not
             even the largest that was tried does, or where it does not rest in the state that it would start from. Those
-            of points that slide are in the courses of `net`.
+            of a net are in its courses.
         tips: resistance to a load at the tips; None where there is no one way to fold.
         remarks: sentences on what does not exist, and what to know of the rest.
-        net: stable states, saddles and paths of points that slide; None where bodies turn on joints.
+        net: stable states, saddles and paths of points that slide, and of plates in loops or free; None for a tree of
+            bodies on joints.
     """
 
     design: Design

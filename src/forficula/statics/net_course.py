@@ -115,15 +115,20 @@ def drive_unit(structure: Structure, drive: Drive) -> str:
 
 
 def gone(structure: Structure, net: Net, drive: Drive, shape: Shape) -> float:
-    """How far a drive has gone on the way that it pushes: m of its points, or rad of its hinges, their mean."""
-    motor = driven_motor(structure, drive)
-    sign = float(np.sign(drive.torque or 1.0))
-    if motor.direction is not None:
-        points = list(motor.points)
-        return sign * float(np.mean((net.points @ (shape.positions - net.nodes))[points] @ motor.direction))
-    gains = np.array(motor.gains or [1.0] * len(motor.hinges))
-    angles = own_angles(structure, shape)[list(motor.hinges)]
-    return sign * float(np.mean(np.sign(gains) * angles))
+    """How far a drive has gone on the way that it pushes: m of its points, or rad of its hinges, weighted mean.
+
+    The weights are the shares of its motors, of which those count that are of the kind of the first.
+    """
+    kind, far, weight = driven_motor(structure, drive).kind, 0.0, 0.0
+    for motor, share in zip(structure.motors, drive.shares, strict=True):
+        if not share or motor.kind != kind:
+            continue
+        if motor.direction is not None:
+            ways = (net.points @ (shape.positions - net.nodes))[list(motor.points)] @ motor.direction
+        else:
+            ways = np.sign(motor.gains or [1.0]) * own_angles(structure, shape)[list(motor.hinges)]
+        far, weight = far + share * float(ways.sum()), weight + abs(share) * len(ways)
+    return float(np.sign(drive.torque or 1.0)) * far / weight
 
 
 def _first_at(structure: Structure, net: Net, goal: Goal, points: Sequence[PathPoint]) -> float | None:

@@ -80,7 +80,7 @@ class NetLandscape:
 
 
 def net_landscape(structure: Structure, progress: Progress = lambda _: None) -> NetLandscape:
-    """Survey the statics of a structure of sliding points.
+    """Survey the statics of a structure of sliding points, or of plates in loops or free.
 
     Args:
         structure: of these.

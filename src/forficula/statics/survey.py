@@ -18,7 +18,7 @@ def energy_landscape(design: Design, points: int = 181, progress: Progress = lam
     """Survey the statics of a design.
 
     What hangs on the one way in which rigid panels fold is left out where there is none; so are stable states, saddles
-    and paths of points that slide where there are joints.
+    and paths where the structure is a tree of bodies on joints.
 
     Args:
         design: what to build; its protocol says what counts as folded and as opened, and the largest fold torque.

@@ -13,6 +13,7 @@ from forficula.analysis import Ending, Verdict, ending_text, ending_word
 from forficula.design import TORQUE, Design, key_value
 from forficula.errors import InputError
 from forficula.statics.lines import line_energy
+from forficula.statics.net.net_of import is_net
 from forficula.statics.potential import Ensemble, ensemble_of
 from forficula.statics.quasi_static import at_goal, slow_transition, start_state, state_beyond
 from forficula.structure import Structure, Transition, static_keys, structure_of
@@ -44,8 +45,13 @@ def map_study(design: Design, over: Mapping[str, object], search: Search | None 
         search: the torques to try; those of a study file that gives none, if not given.
 
     Raises:
-        InputError: an unknown key, values that are not allowed, or a distribution.
+        InputError: an unknown key, values that are not allowed, a distribution, or a design that is no tree on joints.
     """
+    if is_net(structure_of(design)):
+        raise InputError(
+            f"{design.name}: maps of slowly growing torques need bodies on joints in a tree, got points that slide or"
+            " plates in loops; a study (forficula study) runs them over any key"
+        )
     factors = tuple(read_factor(key, values, type(design)) for key, values in over.items())
     count = math.prod(len(factor.values) for factor in factors)
     if count > _MOST_POINTS:

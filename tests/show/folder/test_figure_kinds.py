@@ -14,7 +14,7 @@ from forficula.show.folder import figure_kinds
 from forficula.show.folder.convergence_folder import convergence_drawings
 from forficula.show.folder.cycling_folder import cycling_drawings, cycling_summary, read_cycling
 from forficula.show.folder.figure_kinds import folder_drawings, write_figure
-from forficula.show.folder.landscape_folder import landscape_drawings
+from forficula.show.folder.landscape_folder import landscape_drawings, write_landscape
 from forficula.show.folder.run_folder import run_drawings
 from forficula.show.folder.static_map_folder import static_map_drawings
 from forficula.show.study.maps import map_drawings
@@ -85,11 +85,9 @@ def test_a_folder_offers_the_figures_of_its_results(folders, name):
 
 
 @pytest.mark.parametrize(("tendons", "kinds"), [(True, ["levels", "rests", "tendon"]), (False, ["rests"])])
-def test_a_landscape_without_one_way_to_fold_offers_where_it_rests(tmp_path, tendons, kinds):
-    letter = load_design("letter-fold")
-    save_design(letter if tendons else letter.model_copy(update={"tendon": ()}), tmp_path / "design.toml")
-    write_text(tmp_path / "landscape.json", '{"simulation": null, "figures": ["tendon", "wing", "levels"]}')
-    assert sorted(folder_drawings(tmp_path)) == kinds
+def test_a_landscape_without_one_way_to_fold_offers_where_it_rests(tmp_path, surveyed, tendons, kinds):
+    write_landscape(surveyed("plates" if tendons else "plates without tendons"), tmp_path / "out")
+    assert sorted(folder_drawings(tmp_path / "out")) == kinds
 
 
 def test_a_table_that_does_not_name_its_transitions_is_refused(tmp_path):

@@ -1,4 +1,4 @@
-"""The net that a structure of sliding points is, and what its drives do to it."""
+"""The net that a structure of sliding points or of plates is, and what its drives do to it."""
 
 from __future__ import annotations
 

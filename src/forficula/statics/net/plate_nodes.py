@@ -12,7 +12,7 @@ from forficula.structure.tree import built_frames
 
 Array = NDArray[np.float64]
 
-_STIFF = 1e5  # bars of plates and pins of joints, by the stiffest of all else
+_STIFF = 1e6  # bars of plates and pins of joints, by the stiffest of all else
 _ENDS = tuple((one, other) for one in range(4) for other in range(one))
 
 
