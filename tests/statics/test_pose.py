@@ -1,5 +1,6 @@
 """Where bodies and what they carry are, against the simulator's record, rigid folding, and one rotation at a time."""
 
+import dataclasses
 import math
 
 import numpy as np
@@ -135,3 +136,15 @@ def test_along_the_rigid_fold_a_margin_lies_on_its_vein_as_folded_paper_does(hub
 def test_a_span_picks_its_numbers(numbers):
     everything = np.arange(31)
     assert everything[span(numbers)].tolist() == numbers
+
+
+def test_what_is_built_folded_is_where_it_is_built_at_the_angles_as_built():
+    """Rigid plates of a letter that is built folded by 60 deg: angles count from flat, the shape from there."""
+    fold = math.radians(60)
+    design = load_design("letter-fold")
+    flat, folded = structure_of(design), structure_of(design)
+    hinges = tuple(dataclasses.replace(hinge, built=fold) for hinge in folded.hinges)
+    folded = dataclasses.replace(folded, hinges=hinges)
+    angles = np.full((1, len(hinges)), 0.3)
+    apart = pose(tree_of(folded), angles + fold).pivots - pose(tree_of(flat), angles).pivots
+    assert np.abs(apart).max() < 1e-15

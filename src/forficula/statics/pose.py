@@ -44,6 +44,7 @@ class Tree:
         chains: hinges that move each body, from the ground on.
         carriers: number of the body that each hinge turns, (hinge,).
         axes: of the hinges in the axes of their bodies, in their own senses: unit vectors, (hinge, 3).
+        built: angles as built, in own senses, rad, (hinge,).
         spins: their cross products as matrices, (hinge, 3, 3).
         squares: of these, alike.
         outer: 1 where a hinge, by row, is another one, by column, or turns its axis, else 0, (hinge, hinge).
@@ -54,6 +55,7 @@ class Tree:
     chains: tuple[tuple[int, ...], ...]
     carriers: Indices
     axes: Array
+    built: Array
     spins: Array
     squares: Array
     outer: Array
@@ -137,6 +139,7 @@ def tree_of(structure: Structure) -> Tree:
         chains=tuple(chains),
         carriers=np.array([hinge.body for hinge in structure.hinges], dtype=np.int64),
         axes=axes,
+        built=np.array([hinge.built for hinge in structure.hinges]),
         spins=spins,
         squares=spins @ spins,
         outer=outer,
@@ -251,5 +254,6 @@ def pulled(tree: Tree, carried: Carried, at: Pose, places: Array, forces: Array)
 
 def _turned(tree: Tree, angles: Array) -> Array:
     """Rotations about the hinges (Rodrigues' formula), (case, hinge, 3, 3)."""
-    sine, half = np.sin(angles)[..., None, None], np.sin(angles / 2)[..., None, None]
+    turned = angles - tree.built
+    sine, half = np.sin(turned)[..., None, None], np.sin(turned / 2)[..., None, None]
     return np.asarray(np.eye(3) + sine * tree.spins + 2 * half**2 * tree.squares)
