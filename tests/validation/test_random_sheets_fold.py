@@ -147,13 +147,13 @@ SHEETS = st.tuples(
 
 
 @settings(max_examples=1, phases=GENERATE)
-@given(st.lists(SHEETS, min_size=3, max_size=3))
+@given(st.lists(SHEETS, min_size=2, max_size=2))
 def test_sheets_of_quadrilaterals_that_differ_leave_the_flat_state_along_their_closed_form(drawn):
     patterns = [quadrilaterals(widths, heights, np.deg2rad(acute)) for widths, heights, acute, _ in drawn]
     for pattern in patterns:
         assert max(map(abs, kawasaki_residuals(pattern))) < 1e-9
     folds = [fold for *_, fold in drawn]
-    records = driven(zip(patterns, folds, strict=True), "role:zigzag", 0.25, 1e5)
+    records = driven(zip(patterns, folds, strict=True), "role:zigzag", 0.2, 3e4)
     for (_, _, acute, fold), pattern, record in zip(drawn, patterns, records, strict=True):
         folded = partial(sheet_angles, pattern, np.deg2rad(acute))
         folded_coordinates(pattern, folded(1.0))  # refuses angles for which it tears
