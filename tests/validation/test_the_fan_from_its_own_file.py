@@ -60,8 +60,8 @@ def test_plates_fold_along_the_closed_form(tmp_path, units, sector, tolerance):
 def test_bars_move_along_the_closed_form(tmp_path):
     """To 0.5 deg: springs of the pleats rest further on, against bars 3e7 and bends 1e3 times as stiff.
 
-    The hub is narrow: its ends lie 0.9 mm from the vein that their facets turn about, so that a crease which is not
-    soft beside the bars pulls them through.
+    The hub is narrow: its ends lie 0.9 mm from the vein that their facets turn about, and a crease that is not soft
+    beside the bars pulls them through it.
     """
     drive = {"kind": "rest-angle", "angle": 2.6, "rise": 0.14}
     values = {
