@@ -61,6 +61,9 @@ def strip(**values):
     return with_values(LETTER, PLAIN | changes | values)
 
 
+SHORT = {"protocol.stages": [stage("fold", limit=0.02)]}
+
+
 def run(*designs):
     return simulate([compile_model(design) for design in designs])
 
@@ -100,7 +103,7 @@ def test_the_engine_pushes_nodes_by_the_moments_of_creases_and_in_no_other_way(s
 def test_what_a_free_swing_loses_falls_in_proportion_to_the_timestep():
     worst = []
     for timestep in (8e-6, 4e-6, 2e-6):
-        values = {"crease.rest_angle": 1.2, "protocol.timestep": timestep, "protocol.stages": [stage(limit=0.03)]}
+        values = {"crease.rest_angle": 1.2, "protocol.timestep": timestep, "protocol.stages": [stage(limit=0.02)]}
         values |= {"facet.youngs_modulus": 4e8}
         energy = total_energy(run(miura(**values))[0])
         worst.append(np.abs(energy / energy[0] - 1).max())
@@ -118,9 +121,9 @@ def test_what_a_free_swing_loses_falls_in_proportion_to_the_timestep():
 )
 def test_the_account_of_every_drive_closes(drive):
     changes = {"drive": [{"name": "fold"} | drive], "support": [{"of": "facet 0"}], "crease.damping": 1e-4}
-    changes["protocol.stages"] = [stage("fold", limit=0.06)]
+    changes["protocol.stages"] = [stage("fold", limit=0.04)]
     balances = [
-        energy_balance(run(miura(**changes, **{"protocol.timestep": timestep}))[0]) for timestep in (2e-5, 1e-5)
+        energy_balance(run(miura(**changes, **{"protocol.timestep": timestep}))[0]) for timestep in (8e-5, 4e-5)
     ]
     assert balances[0].work > 0
     assert balances[0].residual < 5e-3
@@ -173,13 +176,13 @@ def test_a_moving_miura_vertex_obeys_the_relation_of_half_angles():
             "facet.youngs_modulus": 2e9,
             "facet.bend_stiffness": 5.0,
             "protocol.timestep": 4e-6,
-            "protocol.stages": [stage("fold", limit=0.06)],
+            "protocol.stages": [stage("fold", limit=0.03)],
         }
     )
     (record,) = run(design)
     roles = np.array([hinge.role for hinge in record.structure.hinges])
     angles = record.series["hinge_angle"]
-    assert np.ptp(angles[:, roles == "zigzag"]) > math.radians(3)
+    assert np.ptp(angles[:, roles == "zigzag"]) > math.radians(1)
     expected = 2 * np.arctan(
         math.cos(design.pattern.acute_angle) * np.tan(angles[:, roles == "zigzag"].mean(axis=1) / 2)
     )
@@ -188,7 +191,7 @@ def test_a_moving_miura_vertex_obeys_the_relation_of_half_angles():
 
 
 def test_sheets_side_by_side_move_as_each_alone_to_the_bit():
-    designs = [miura(**{"crease.stiffness": stiffness}) for stiffness in (0.02, 0.021, 0.018)]
+    designs = [miura(**{"crease.stiffness": stiffness} | SHORT) for stiffness in (0.02, 0.021, 0.018)]
     together = run(*designs)
     for design, record in zip(designs, together, strict=True):
         (alone,) = run(design)
@@ -211,7 +214,7 @@ def test_a_locking_crease_keeps_its_panels_from_passing_through_each_other():
     torque, stiffness = 3e-3, 0.02 * WIDTH
     drive = {"name": "turn", "kind": "torque", "of": "creases", "value": torque, "rise": 0.1}
     values = {"drive": [drive], "crease.law": "locking", "crease.damping": 2e-3, "facet.bend_stiffness": 5.0}
-    (record,) = run(strip(**values, **{"protocol.stages": [stage("turn", limit=0.35)], "protocol.timestep": 4e-5}))
+    (record,) = run(strip(**values, **{"protocol.stages": [stage("turn", limit=0.35)], "protocol.timestep": 1e-4}))
     angle = record.series["hinge_angle"][:, 0]
     lock, room = math.radians(135), math.radians(45)
     beyond = 2 * room / math.pi * math.atan((torque / stiffness - lock) * math.pi / (2 * room))
