@@ -231,10 +231,10 @@ def test_a_structure_in_other_units_is_the_same():
         (
             {
                 "tendon": [
-                    {"name": "a", "from": "facet 3 at centre", "to": "vertex 1", "stiffness": 1.0, "rest_length": 0.1}
+                    {"name": "a", "from": "facet 99 at centre", "to": "vertex 1", "stiffness": 1.0, "rest_length": 0.1}
                 ]
             },
-            r'tendon\.0\.from: need a vertex such as "vertex 4" where facets bend',
+            r"tendon\.0\.from: need a facet from 0 to 15, got 99",
         ),
         (
             {"measure": [{"name": "a", "kind": "distance", "from": "vertex 1", "to": "ground"}]},

@@ -50,8 +50,9 @@ def small(name, **values):
         {"crease.rest_angle": 0.0, "tendon": [BAND]},
         {"crease.law": "locking", "crease.lock_angle": 0.9, "tendon": [BAND]},
         {"facet.kind": "membrane", "crease.rest_angle": 0.9},
+        {"tendon": [BAND | {"from": "edge 0 at 0.5", "to": "facet 3 at centre"}]},
     ],
-    ids=["creases", "tendon", "locking", "membrane"],
+    ids=["creases", "tendon", "locking", "membrane", "places between vertices"],
 )
 def test_a_small_miura_sheet_rests_at_one_place_by_both_routes(values):
     support = [{"of": "facet 0"}]

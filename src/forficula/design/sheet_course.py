@@ -57,7 +57,7 @@ if TYPE_CHECKING:
 
 else:
     Joined = _between(
-        "where it ends: vertex 4, ground; of rigid facets edge 12 at 0.5, facet 3 at centre, facet 3 at 0.5, 1"
+        "where it ends: vertex 4, edge 12 at 0.5, facet 3 at centre, facet 3 at 0.5, 1, ground where facets bend"
     )
     _MaybeJoined = _between("of a distance: where it begins and ends", default=None)
 
@@ -68,16 +68,18 @@ class SheetDrive(Part):
     name: Annotated[str, Field(description="as stages call it")]
     kind: Annotated[
         Literal["torque", "force", "rest-angle"],
-        Field(description="torque on creases, force at vertices, or rest-angle: springs of creases rest further on"),
+        Field(description="torque on creases, force at places, or rest-angle: springs of creases rest further on"),
     ]
     of: Annotated[
         str | tuple[str, ...],
-        Field(description=f"where it acts: {_CREASES}; of a force vertex 4, or a list of vertices"),
+        Field(
+            description=f"where it acts: {_CREASES}; of a force a place such as vertex 4 or edge 12 at 0.5, or a list"
+        ),
     ]
     value: float | None = quantity(
         TORQUE, "of kind torque: on each of these creases, folding where > 0", default=None, examples=["3 N cm"]
     )
-    force: float | None = quantity(FORCE, "of kind force: on each of these vertices", default=None)
+    force: float | None = quantity(FORCE, "of kind force: at each of these places", default=None)
     direction: Annotated[
         tuple[float, float, float] | None,
         Field(description="of a force: the way it points, of any length", examples=[[0, 0, -1]]),
@@ -133,6 +135,13 @@ class SheetDrive(Part):
         if self.kind != "force" and not isinstance(self.of, str):
             raise InputError(f"of: need one text: {_CREASES}")
         return self
+
+    @property
+    def places(self) -> tuple[str, ...]:
+        """Where a force acts, as text; none of what acts on creases."""
+        if self.kind != "force":
+            return ()
+        return (self.of,) if isinstance(self.of, str) else self.of
 
 
 class SheetMeasure(_MaybeJoined):

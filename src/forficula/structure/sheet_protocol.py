@@ -16,8 +16,10 @@ from forficula.design.sheet_creases import creases_of, fold_edges
 from forficula.names import listed
 from forficula.structure.course import Drive, Goal, Motor, RestState, Transition, Wording
 from forficula.structure.goals import distances_of, drive_of, goal_of
+from forficula.structure.sheet_measures import hinges_by_edge
 from forficula.structure.sheet_nodes import node_of, sheet_nodes
 from forficula.structure.structure import Structure
+from forficula.structure.tree import built_points
 
 # rad; a crease this near to its target is there
 _NO_WAY = 1e-9
@@ -96,11 +98,11 @@ def _states(stages: Sequence[Stage], goals: Sequence[Goal], bounds: Goal) -> tup
 
 def _driven(structure: Structure, design: SheetDesign) -> tuple[tuple[Motor, ...], tuple[Drive, ...]]:
     """Motors and drives: creases that the same torques act on share a motor, all other drives have their own."""
-    numbers = {hinge.name: number for number, hinge in enumerate(structure.hinges)}
+    numbers = hinges_by_edge(structure.hinges)
     acting: list[set[int]] = []
     for drive in design.drive:
         edges = () if drive.kind == "force" else creases_of(design.sheet, str(drive.of), design.crease.group)
-        acting.append({numbers[f"crease{edge}"] for edge in edges})
+        acting.append({hinge for edge in edges for hinge in numbers[edge]})
     motors, moved = _torques(structure, design, acting)
     strengths: list[float] = []
     for number, drive in enumerate(design.drive):
@@ -142,29 +144,35 @@ def _torques(
     for drives, hinges in shared.items():
         whole = [str(design.drive[number].of) for number in drives if acting[number] == set(hinges)]
         name = whole[0] if whole else ", ".join(structure.hinges[hinge].name for hinge in hinges)
-        motors.append(Motor(name=name, hinges=tuple(hinges)))
+        motors.append(Motor(name=name, hinges=tuple(hinges), gains=_parts_of_creases(structure, hinges)))
     return motors, list(shared)
+
+
+def _parts_of_creases(structure: Structure, hinges: Sequence[int]) -> tuple[float, ...]:
+    """The share of each hinge in the length of its crease; none where every crease is whole."""
+    numbers = hinges_by_edge(structure.hinges)
+    if all(len(numbers[structure.hinges[hinge].edge]) == 1 for hinge in hinges):
+        return ()
+    ends = built_points(structure)[[(structure.hinges[hinge].flaps or ())[:2] for hinge in hinges]]
+    lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    edges = np.array([structure.hinges[hinge].edge for hinge in hinges])
+    return tuple(float(length / lengths[edges == edge].sum()) for edge, length in zip(edges, lengths, strict=True))
 
 
 def _force(structure: Structure, design: SheetDesign, drive: SheetDrive) -> Motor:
     """The motor of a force at vertices, which have the numbers of their points, or at places on plates."""
-    nodes = sheet_nodes(design.sheet)
+    nodes = None if structure.plates else sheet_nodes(design)
     named = {point.name: number for number, point in enumerate(structure.points)}
     direction = np.array(drive.direction, dtype=np.float64)
     return Motor(
         name=drive.name,
         kind="force",
         points=tuple(
-            named[pushed_name(drive, number)] if structure.plates else node_of(design.sheet, nodes, text)
-            for number, text in enumerate(places_of(drive))
+            named[pushed_name(drive, number)] if nodes is None else node_of(design.sheet, nodes, text)
+            for number, text in enumerate(drive.places)
         ),
         direction=direction / np.linalg.norm(direction),
     )
-
-
-def places_of(drive: SheetDrive) -> tuple[str, ...]:
-    """Where a force acts, as a design has it."""
-    return (drive.of,) if isinstance(drive.of, str) else drive.of
 
 
 def pushed_name(drive: SheetDrive, number: int) -> str:
@@ -189,9 +197,8 @@ def _rest_angles(
 
 def target_angles(structure: Structure, design: SheetDesign) -> dict[int, float]:
     """Where creases are to fold to, in their own senses, rad, by the numbers of their hinges."""
-    numbers = {hinge.name: number for number, hinge in enumerate(structure.hinges)}
-    angles = design.sheet.edges_fold_angle
-    found = {numbers[f"crease{edge}"]: float(angles[edge]) for edge in fold_edges(design.sheet)}
+    numbers, angles = hinges_by_edge(structure.hinges), design.sheet.edges_fold_angle
+    found = {hinge: float(angles[edge]) for edge in fold_edges(design.sheet) for hinge in numbers[edge]}
     return {hinge: structure.hinges[hinge].sense * angle for hinge, angle in found.items() if not math.isnan(angle)}
 
 
