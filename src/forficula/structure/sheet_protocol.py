@@ -13,7 +13,9 @@ from forficula.design import SheetDesign, Stage, stage_drives
 from forficula.design.protocol import read_goal
 from forficula.design.sheet_course import STRENGTHS, SheetDrive
 from forficula.design.sheet_creases import creases_of, fold_edges
+from forficula.errors import InputError
 from forficula.names import listed
+from forficula.quantities import as_written
 from forficula.structure.course import Drive, Goal, Motor, RestState, Transition, Wording
 from forficula.structure.goals import distances_of, drive_of, goal_of
 from forficula.structure.sheet_measures import hinges_by_edge
@@ -108,7 +110,7 @@ def _driven(structure: Structure, design: SheetDesign) -> tuple[tuple[Motor, ...
     for number, drive in enumerate(design.drive):
         strength = drive.value if drive.kind == "torque" else drive.force if drive.kind == "force" else drive.angle
         if drive.kind == "force":
-            motors.append(_force(structure, design, drive))
+            motors.append(_force(structure, design, number))
         elif drive.kind == "rest-angle":
             motor, largest = _rest_angles(structure, design, drive, sorted(acting[number]))
             motors.append(motor)
@@ -159,20 +161,23 @@ def _parts_of_creases(structure: Structure, hinges: Sequence[int]) -> tuple[floa
     return tuple(float(length / lengths[edges == edge].sum()) for edge, length in zip(edges, lengths, strict=True))
 
 
-def _force(structure: Structure, design: SheetDesign, drive: SheetDrive) -> Motor:
-    """The motor of a force at vertices, which have the numbers of their points, or at places on plates."""
+def _force(structure: Structure, design: SheetDesign, number: int) -> Motor:
+    """The motor of a force at nodes, which have the numbers of their points, or at places on plates."""
+    drive = design.drive[number]
     nodes = None if structure.plates else sheet_nodes(design)
     named = {point.name: number for number, point in enumerate(structure.points)}
     direction = np.array(drive.direction, dtype=np.float64)
-    return Motor(
-        name=drive.name,
-        kind="force",
-        points=tuple(
-            named[pushed_name(drive, number)] if nodes is None else node_of(design.sheet, nodes, text)
-            for number, text in enumerate(drive.places)
-        ),
-        direction=direction / np.linalg.norm(direction),
+    points = tuple(
+        named[pushed_name(drive, place)] if nodes is None else node_of(design.sheet, nodes, text)
+        for place, text in enumerate(drive.places)
     )
+    for point, text in zip(points, drive.places, strict=True) if nodes is not None else ():
+        if not any(direction[axis] for axis in structure.bodies[point].slides):
+            raise InputError(
+                f"drive.{number}.of: need a vertex that is free along drive.{number}.direction, got {as_written(text)},"
+                " which a support holds"
+            )
+    return Motor(name=drive.name, kind="force", points=points, direction=direction / np.linalg.norm(direction))
 
 
 def pushed_name(drive: SheetDrive, number: int) -> str:
