@@ -166,7 +166,11 @@ def _place(design: SheetDesign, sheet: CreasePattern, text: str) -> object:
 def _check_drive(design: SheetDesign, sheet: CreasePattern, number: int) -> None:
     """Refuse a drive on what is not there."""
     drive, key = design.drive[number], f"drive.{number}.of"
-    if drive.kind == "force":
+    if drive.places:
+        if drive.kind == "displacement" and design.facet.kind == "rigid":
+            raise InputError(
+                f'drive.{number}.kind: need "torque" or "force" where facets are rigid, got "displacement"'
+            )
         if design.facet.kind == "rigid" and not design.opens:
             raise InputError(f'drive.{number}.kind: need "torque" where facets are hinged, got "force"')
         for text in drive.places:

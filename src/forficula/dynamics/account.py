@@ -37,6 +37,8 @@ class Account:
         # what the motors of each were last set to
         self._set = np.zeros((len(models), len(self._motors)))
         self._done: dict[str, Array] = {}
+        # powers of those that displace points, in their last step
+        self._powers = np.zeros((len(models), len(self._motors)))
         self._gaps, self._explicit = models[0].gaps, models[0].explicit
         # where stops end the ranges of joints
         self._stops = [np.array(each) for each in zip(*(joint_ranges(model) for model in models), strict=True)]
@@ -107,7 +109,10 @@ class Account:
             }
             for motor in range(len(self._motors)):
                 done = work[motor_work_name(motor)]
-                before[motor_power_name(motor)] = self._unit[rows, None] * done / np.array(seconds)[:, None]
+                power = self._unit[rows, None] * done / np.array(seconds)[:, None]
+                before[motor_power_name(motor)] = power
+                if self._motors[motor].kind == "displacement":
+                    self._powers[rows, motor] = power[np.arange(len(rows)), np.maximum(taken, 1) - 1]
                 before[motor_setting_name(motor)] = before_step[:, :, motor]
             if len(self._gaps):
                 before["closure_gap"] = self._widened(rows, steps, taken)
@@ -128,7 +133,7 @@ class Account:
             along = list(motor_travel(model, end.position, end.velocity))
         return {
             **{
-                motor_power_name(motor): float(model.units.power * torques[motor] * each)
+                motor_power_name(motor): float(model.units.power * torques[motor] * each + self._powers[row, motor])
                 for motor, each in enumerate(along)
             },
             **{motor_setting_name(motor): float(each) for motor, each in enumerate(settings)},
@@ -136,7 +141,7 @@ class Account:
 
     def follow_leader(self, row: int, leader: int) -> None:
         """Put a structure where another one is, which has gone the same way so far."""
-        for done in (*self._done.values(), self._set, self._widest, self._met):
+        for done in (*self._done.values(), self._set, self._powers, self._widest, self._met):
             done[row] = done[leader]
 
     def _along(self, rows: Indices, travel: Array, motor: Motor) -> Array:

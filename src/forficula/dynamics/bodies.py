@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import mujoco
 import numpy as np
@@ -164,11 +165,39 @@ def _add_force(spec: mujoco.MjSpec, motor: Motor, structure: Structure) -> None:
             force.gear = [*direction, 0, 0, 0]
             force.set_to_motor()
         return
+    if motor.kind == "displacement":
+        for point, damping in zip(motor.points, motor.damping, strict=True):
+            _add_servo(spec, motor, structure, point, damping)
+        return
+    _add_way(spec, name, direction, structure, motor.points)
+    force = spec.add_actuator(name=name, target=name, trntype=mujoco.mjtTrn.mjTRN_TENDON)
+    force.set_to_motor()
+
+
+def _add_way(
+    spec: mujoco.MjSpec, name: str, direction: np.ndarray, structure: Structure, points: Sequence[int]
+) -> None:
+    """Add a tendon as long as the ways of nodes along a direction are together."""
     way = spec.add_tendon(name=name)
-    for point in motor.points:
+    for point in points:
         body = structure.bodies[structure.points[point].body]
         for axis in body.slides:
             if direction[axis]:
                 way.wrap_joint(slide_name(body.name, axis), direction[axis])
-    force = spec.add_actuator(name=name, target=name, trntype=mujoco.mjtTrn.mjTRN_TENDON)
-    force.set_to_motor()
+
+
+def servo_names(motor: Motor) -> list[tuple[str, str]]:
+    """What the engine calls the two parts of the servo of each point that a motor displaces."""
+    names = [f"{force_name(motor.name)}_{point}" for point in motor.points]
+    return [(name, f"{name}_hold") for name in names if motor.kind == "displacement"]
+
+
+def _add_servo(spec: mujoco.MjSpec, motor: Motor, structure: Structure, point: int, damping: float) -> None:
+    """Add what pushes a node with k (target - way) - c speed where it is on: k target, and the rest times a switch."""
+    assert motor.direction is not None
+    target, hold = servo_names(motor)[motor.points.index(point)]
+    _add_way(spec, target, motor.direction, structure, [point])
+    for name, gains in ((target, (motor.stiffness,)), (hold, (0.0, -motor.stiffness, -damping))):
+        push = spec.add_actuator(name=name, target=target, trntype=mujoco.mjtTrn.mjTRN_TENDON)
+        push.gaintype, push.biastype = mujoco.mjtGain.mjGAIN_AFFINE, mujoco.mjtBias.mjBIAS_NONE
+        push.gainprm[: len(gains)] = gains

@@ -50,6 +50,9 @@ def crease_works(
     moments = creases.law.moment(angles, mean) if np.any(mean) or np.any(rests) else np.zeros_like(angles)
     works = []
     for number, motor in enumerate(model.structure.motors):
+        if motor.kind == "displacement":
+            works.append(servo_work(model, number, steps.derived["actuator_force"][place], travel))
+            continue
         if motor.kind != "rest-angle":
             works.append(efforts[:, number] * along[number])
             continue
@@ -57,6 +60,13 @@ def crease_works(
         own[:, number] = efforts[:, number] - before[:, number]
         works.append(-np.sum(moments * model.settings(own)[0], axis=1))
     return np.array(works).reshape(-1, len(travel)), damped
+
+
+def servo_work(model: Model, motor: int, forces: Array, travel: Array) -> Array:
+    """Work of what displaces points in some steps, (step,), by the engine's forces in each, (step, control)."""
+    parts = np.flatnonzero(model.holds == motor)
+    pushed = forces[:, parts] + forces[:, parts - 1]
+    return np.asarray(np.sum(pushed * (travel @ model.servo_ways[parts].T), axis=1))
 
 
 def motor_travel(model: Model, position: Array, travel: Array) -> Array:
@@ -68,7 +78,8 @@ def motor_travel(model: Model, position: Array, travel: Array) -> Array:
         travel: alike.
 
     Returns:
-        The turn of the hinges of a torque, rad, by their gains; the way of a force's points; 0 for a rest angle.
+        The turn of the hinges of a torque, rad, by their gains; the way of a force's points; 0 for a rest angle or
+        a displacement.
     """
     along = np.zeros((len(model.structure.motors), *travel.shape[:-1]))
     for number, motor in enumerate(model.structure.motors):

@@ -60,7 +60,7 @@ def followed_steps(structure: Structure) -> int:
     """
     if structure.plates:
         return _BETWEEN_PLATES
-    creases = node_timestep(replace(structure, springs=(), tendons=(), membranes=()))
+    creases = node_timestep(replace(structure, springs=(), tendons=(), membranes=(), motors=()))
     allowed = _FOLLOWED * creases / node_timestep(structure)
     return max(steps for steps in _BLOCKS if steps <= max(allowed, 1))
 
@@ -74,7 +74,12 @@ def node_timestep(structure: Structure) -> float:
     """
     if structure.plates:
         return _step(*_plate_modes(structure))
-    groups = [_lines(structure), _creases(structure), *(_strains(structure, each) for each in structure.membranes)]
+    groups = [
+        _lines(structure),
+        _servos(structure),
+        _creases(structure),
+        *(_strains(structure, each) for each in structure.membranes),
+    ]
     free = np.array([[axis in body.slides for axis in range(3)] for body in structure.bodies]).ravel()
     masses = np.repeat([body.mass for body in structure.bodies], 3)[free]
     if not free.any():
@@ -182,6 +187,18 @@ def _lines(structure: Structure) -> _Elements:
     ways = np.concatenate([along, *(np.tile(np.eye(3)[axis], (int(short.sum()), 1)) for axis in (1, 2))])
     return _Elements(
         points[every], np.stack([-ways, ways], axis=1), np.array(stiffness)[every], np.array(damping)[every]
+    )
+
+
+def _servos(structure: Structure) -> _Elements:
+    """What displaces points."""
+    served = [motor for motor in structure.motors if motor.kind == "displacement"]
+    ways = [motor.direction for motor in served for _ in motor.points]
+    return _Elements(
+        np.array([point for motor in served for point in motor.points], dtype=np.int64).reshape(-1, 1),
+        np.array(ways, dtype=np.float64).reshape(-1, 1, 3),
+        np.array([motor.stiffness for motor in served for _ in motor.points]),
+        np.array([damping for motor in served for damping in motor.damping]),
     )
 
 

@@ -25,6 +25,9 @@ from forficula.structure.tree import built_points
 
 # rad; a crease this near to its target is there
 _NO_WAY = 1e-9
+# stiffness of what displaces points, by the stiffest bar there, and its damping ratio with the mass of the point alone:
+# it lags by less than bars stretch, and shortens the timestep by less than half
+_SERVO, _SERVO_DAMPING = 4.0, 0.5
 # keys that matter to where plates rest beside those of their tendons
 _STATIC_KEYS = ("pattern", "crease", "support", "measure", "protocol.stages", "protocol.gravity")
 
@@ -103,14 +106,14 @@ def _driven(structure: Structure, design: SheetDesign) -> tuple[tuple[Motor, ...
     numbers = hinges_by_edge(structure.hinges)
     acting: list[set[int]] = []
     for drive in design.drive:
-        edges = () if drive.kind == "force" else creases_of(design.sheet, str(drive.of), design.crease.group)
+        edges = () if drive.places else creases_of(design.sheet, str(drive.of), design.crease.group)
         acting.append({hinge for edge in edges for hinge in numbers[edge]})
     motors, moved = _torques(structure, design, acting)
     strengths: list[float] = []
     for number, drive in enumerate(design.drive):
-        strength = drive.value if drive.kind == "torque" else drive.force if drive.kind == "force" else drive.angle
-        if drive.kind == "force":
-            motors.append(_force(structure, design, number))
+        strength: float | None = getattr(drive, STRENGTHS[drive.kind])
+        if drive.places:
+            motors.append(_at_places(structure, design, number))
         elif drive.kind == "rest-angle":
             motor, largest = _rest_angles(structure, design, drive, sorted(acting[number]))
             motors.append(motor)
@@ -161,8 +164,8 @@ def _parts_of_creases(structure: Structure, hinges: Sequence[int]) -> tuple[floa
     return tuple(float(length / lengths[edges == edge].sum()) for edge, length in zip(edges, lengths, strict=True))
 
 
-def _force(structure: Structure, design: SheetDesign, number: int) -> Motor:
-    """The motor of a force at nodes, which have the numbers of their points, or at places on plates."""
+def _at_places(structure: Structure, design: SheetDesign, number: int) -> Motor:
+    """The motor of nodes, which have the numbers of their points, or of a force at places on plates."""
     drive = design.drive[number]
     nodes = None if structure.plates else sheet_nodes(design)
     named = {point.name: number for number, point in enumerate(structure.points)}
@@ -177,7 +180,25 @@ def _force(structure: Structure, design: SheetDesign, number: int) -> Motor:
                 f"drive.{number}.of: need a vertex that is free along drive.{number}.direction, got {as_written(text)},"
                 " which a support holds"
             )
-    return Motor(name=drive.name, kind="force", points=points, direction=direction / np.linalg.norm(direction))
+    direction /= np.linalg.norm(direction)
+    if drive.kind != "displacement":
+        return Motor(name=drive.name, kind="force", points=points, direction=direction)
+    stiffness = _SERVO * _stiffest(structure, points)
+    masses = [structure.bodies[structure.points[point].body].mass for point in points]
+    return Motor(
+        name=drive.name,
+        kind="displacement",
+        points=points,
+        direction=direction,
+        stiffness=stiffness,
+        damping=tuple(2 * _SERVO_DAMPING * math.sqrt(stiffness * mass) for mass in masses),
+    )
+
+
+def _stiffest(structure: Structure, points: Sequence[int]) -> float:
+    """Stiffness of the stiffest bar at some points, N/m; of membranes Young's modulus times thickness."""
+    bars = [spring.stiffness for spring in structure.springs if set(spring.points) & set(points)]
+    return max([*bars, *(each.law.youngs_modulus * each.law.thickness for each in structure.membranes)])
 
 
 def pushed_name(drive: SheetDrive, number: int) -> str:

@@ -88,7 +88,7 @@ def valley_law(structure: Structure) -> CreaseLaw:
 
 
 def motor_load(structure: Structure, net: Net, settings: tuple[float, ...]) -> Load:
-    """What motors do, each of which is set to a value: N m, N, or rad by which springs rest further on.
+    """What motors do, each set to a value: N m, N, m of held points, or rad by which springs rest further on.
 
     A spring that rests further on by some angle pushes as the torque stiffness x angle does, wherever it locks.
 
@@ -100,9 +100,9 @@ def motor_load(structure: Structure, net: Net, settings: tuple[float, ...]) -> L
     load, senses = no_load(net), _senses(structure)
     stiffness = np.asarray(net.creases.law.stiffness)
     for motor, setting in zip(structure.motors, settings, strict=True):
-        if motor.kind == "force":
-            assert motor.direction is not None
-            np.add.at(load.forces, list(motor.points), setting * motor.direction)
+        if motor.direction is not None:
+            acting = load.forces if motor.kind == "force" else load.displacements
+            np.add.at(acting, list(motor.points), setting * motor.direction)
             continue
         hinges = np.array(motor.hinges, dtype=np.int64)
         gains = np.array(motor.gains) if motor.gains else np.ones(len(hinges))
