@@ -106,6 +106,13 @@ class SheetDrive(Part):
         Literal["target"] | None,
         Field(description="of kind rest-angle, instead of an angle: on to each crease's own target"),
     ] = None
+    no_load_speed: float | None = quantity(
+        ANGULAR_SPEED,
+        "of kind torque: speed of a crease at which nothing is left of it, as of a motor; without it the torque stays",
+        default=None,
+        above=0,
+        examples=["360 deg/s"],
+    )
     rise: float | None = quantity(
         TIME, "time over which it rises evenly from 0; without it protocol.rise", default=None, at_least=0
     )
@@ -133,6 +140,8 @@ class SheetDrive(Part):
             others.append("direction")
         if self.kind != "rest-angle":
             others.append("to")
+        if self.kind != "torque":
+            others.append("no_load_speed")
         for name in others:
             if getattr(self, name) is not None:
                 raise InputError(f'{name}: is not for kind = "{self.kind}", whose strength is {key}')

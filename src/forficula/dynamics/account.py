@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.dynamics.crease_work import crease_works, motor_travel
+from forficula.dynamics.crease_work import crease_works, engine_work, motor_travel
 from forficula.dynamics.energy import branch_losses, letting_go_work
 from forficula.dynamics.explicit_work import explicit_works
 from forficula.dynamics.model import Model, joint_ranges
@@ -37,7 +37,10 @@ class Account:
         # what the motors of each were last set to
         self._set = np.zeros((len(models), len(self._motors)))
         self._done: dict[str, Array] = {}
-        # powers of those that displace points, in their last step
+        # motors whose forces depend on what they move, and their powers in the last step
+        self._by_engine = np.array(
+            [motor.kind == "displacement" or np.isfinite(motor.no_load_speed) for motor in self._motors], dtype=bool
+        )
         self._powers = np.zeros((len(models), len(self._motors)))
         self._gaps, self._explicit = models[0].gaps, models[0].explicit
         # where stops end the ranges of joints
@@ -79,6 +82,13 @@ class Account:
                     motor_work_name(number): torques[:, :, number] * self._along(rows, travel, motor)
                     for number, motor in enumerate(self._motors)
                 }
+                for number in np.flatnonzero(self._by_engine).tolist():
+                    work[motor_work_name(number)] += np.array(
+                        [
+                            engine_work(self._models[row], number, steps, place, travel[place])
+                            for place, row in enumerate(rows.tolist())
+                        ]
+                    )
                 of_creases = np.zeros(travel.shape[:2])
             else:
                 each = [
@@ -111,7 +121,7 @@ class Account:
                 done = work[motor_work_name(motor)]
                 power = self._unit[rows, None] * done / np.array(seconds)[:, None]
                 before[motor_power_name(motor)] = power
-                if self._motors[motor].kind == "displacement":
+                if self._by_engine[motor]:
                     self._powers[rows, motor] = power[np.arange(len(rows)), np.maximum(taken, 1) - 1]
                 before[motor_setting_name(motor)] = before_step[:, :, motor]
             if len(self._gaps):
@@ -133,7 +143,9 @@ class Account:
             along = list(motor_travel(model, end.position, end.velocity))
         return {
             **{
-                motor_power_name(motor): float(model.units.power * torques[motor] * each + self._powers[row, motor])
+                motor_power_name(motor): float(
+                    self._powers[row, motor] if self._by_engine[motor] else model.units.power * torques[motor] * each
+                )
                 for motor, each in enumerate(along)
             },
             **{motor_setting_name(motor): float(each) for motor, each in enumerate(settings)},

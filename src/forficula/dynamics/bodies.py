@@ -48,13 +48,13 @@ def add_bodies(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> No
         point = structure.points[number]
         body = spec.worldbody if point.body == GROUND else bodies[point.body]
         body.add_site(name=point.name, pos=point.place)
-    driven = {number for motor in structure.motors for number in motor.hinges}
+    driven = {number: motor for motor in structure.motors for number in motor.hinges}
     for number, hinge in enumerate(structure.hinges):
         if hinge.flaps:
             continue
         _add_hinge(bodies[hinge.body], hinge, timestep)
         if number in driven:
-            _add_motor(spec, hinge)
+            _add_motor(spec, hinge, driven[number].no_load_speed)
     if structure.plates and any(motor.points for motor in structure.motors):
         spec.worldbody.add_site(name=GROUND_SITE)
     for motor in structure.motors:
@@ -141,11 +141,22 @@ def _add_hinge(body: mujoco.MjsBody, hinge: Hinge, timestep: float) -> None:
         joint.springref = hinge.sense * hinge.rest_angle
 
 
-def _add_motor(spec: mujoco.MjSpec, hinge: Hinge) -> None:
+def _add_motor(spec: mujoco.MjSpec, hinge: Hinge, no_load_speed: float) -> None:
     motor = spec.add_actuator(
         name=hinge.name, target=hinge.name, trntype=mujoco.mjtTrn.mjTRN_JOINT, gear=[hinge.sense, 0, 0, 0, 0, 0]
     )
     motor.set_to_motor()
+    if math.isfinite(no_load_speed):
+        # what speed takes of the torque whose size is its control
+        brake = spec.add_actuator(name=brake_name(hinge), target=hinge.name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
+        brake.gear = [hinge.sense, 0, 0, 0, 0, 0]
+        brake.gaintype, brake.biastype = mujoco.mjtGain.mjGAIN_AFFINE, mujoco.mjtBias.mjBIAS_NONE
+        brake.gainprm[:3] = [0.0, 0.0, -1 / no_load_speed]
+
+
+def brake_name(hinge: Hinge) -> str:
+    """What the engine calls that which takes of a motor's torque at a hinge as it turns."""
+    return f"{hinge.name}_brake"
 
 
 def force_name(motor: str) -> str:

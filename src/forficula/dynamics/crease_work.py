@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -39,7 +41,8 @@ def crease_works(
     block = np.arange(len(travel)) // steps.followed
     along = motor_travel(model, position, travel)
     damped = np.zeros(len(travel))
-    if creases.damping.any():
+    speeds = turned = np.zeros((1, 1))
+    if creases.damping.any() or any(math.isfinite(motor.no_load_speed) for motor in model.structure.motors):
         first = slice(0, None, steps.followed)
         velocity = np.concatenate([steps.velocity_before[place, None], steps.velocity[place, :-1]])
         speeds = folds.travel(position[first], velocity[first])[:, folds.creases]
@@ -51,10 +54,15 @@ def crease_works(
     works = []
     for number, motor in enumerate(model.structure.motors):
         if motor.kind == "displacement":
-            works.append(servo_work(model, number, steps.derived["actuator_force"][place], travel))
+            works.append(engine_work(model, number, steps, place, travel))
             continue
         if motor.kind != "rest-angle":
             works.append(efforts[:, number] * along[number])
+            if math.isfinite(motor.no_load_speed):
+                sizes = np.zeros_like(efforts)
+                sizes[:, number] = np.abs(efforts[:, number])
+                works[-1] -= np.sum(model.braking(sizes) * speeds[block] * turned, axis=1)
+                works[-1] += engine_work(model, number, steps, place, travel)
             continue
         own = np.zeros_like(efforts)
         own[:, number] = efforts[:, number] - before[:, number]
@@ -62,11 +70,16 @@ def crease_works(
     return np.array(works).reshape(-1, len(travel)), damped
 
 
-def servo_work(model: Model, motor: int, forces: Array, travel: Array) -> Array:
-    """Work of what displaces points in some steps, (step,), by the engine's forces in each, (step, control)."""
-    parts = np.flatnonzero(model.holds == motor)
-    pushed = forces[:, parts] + forces[:, parts - 1]
-    return np.asarray(np.sum(pushed * (travel @ model.servo_ways[parts].T), axis=1))
+def engine_work(model: Model, motor: int, steps: Steps, place: int, travel: Array) -> Array:
+    """Work in some steps of a motor's servos and brakes, whose forces the engine finds, (step,)."""
+    holds = np.flatnonzero(model.holds == motor)
+    parts = np.concatenate([holds, holds - 1, np.flatnonzero(model.brakes == motor)])
+    if not len(parts):
+        return np.zeros(len(travel))
+    forces = steps.derived["actuator_force"][place][:, parts]
+    if steps.late is not None:
+        forces = (forces + steps.late["actuator_force"][place][:, parts]) / 2
+    return np.asarray(np.sum(forces * (travel @ model.ways[parts].T), axis=1))
 
 
 def motor_travel(model: Model, position: Array, travel: Array) -> Array:

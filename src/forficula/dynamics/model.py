@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.design import Design
-from forficula.dynamics.bodies import add_bodies, engine_sites, force_name, servo_names
+from forficula.dynamics.bodies import add_bodies, brake_name, engine_sites, force_name, servo_names
 from forficula.dynamics.closures import add_closures, gap_name
 from forficula.dynamics.creases import Creases, add_creases, clear_rows, creases_of
 from forficula.dynamics.folds import Folds, folds_of, slide_name
@@ -58,7 +58,9 @@ class Model:
         motors: number of the structure's motor that each control follows, (control,); -1 for none.
         holds: number of the motor whose servo each control switches on, (control,), after the control that sets where
             it goes; -1 of others.
-        servo_ways: by what each coordinate's shift takes the point of the servo of each control on its way, (control,
+        brakes: number of the motor whose size each control follows, which takes of its torque at a joint as that turns,
+            (control,); -1 of others.
+        ways: by what each coordinate's shift takes the point of a servo on its way, or the joint of a brake, (control,
             dof); 0 of others.
         sites: index of the site of each point, (point,); -1 where it is the origin of its body.
         carriers: index of the body of each point, (point,).
@@ -86,7 +88,8 @@ class Model:
     creep: Indices
     motors: Indices
     holds: Indices
-    servo_ways: Array
+    brakes: Indices
+    ways: Array
     sites: Indices
     carriers: Indices
     elastic: ElasticLaw
@@ -111,6 +114,14 @@ class Model:
             elif motor.kind == "torque":
                 torques[..., list(motor.hinges)] += acting
         return rests[..., self.folds.creases], torques[..., self.folds.creases]
+
+    def braking(self, sizes: Array) -> Array:
+        """By how much motors damp creases, for the sizes of what they are set to, (..., motor), (..., crease)."""
+        damping = np.zeros((*sizes.shape[:-1], len(self.structure.hinges)))
+        for number, motor in enumerate(self.in_units.motors):
+            gains = np.array(motor.gains or (1.0,) * len(motor.hinges))
+            damping[..., list(motor.hinges)] += sizes[..., number, None] * gains / motor.no_load_speed
+        return damping[..., self.folds.creases]
 
     def levers(self, tendon: int) -> tuple[slice, Indices]:
         """Where in the engine's ten_J the change of a tendon's length by joint is, and the joints."""
@@ -174,7 +185,7 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
     sites = [-1] * len(in_units.points)
     for number in engine_sites(in_units):
         sites[number] = int(_indices(engine, kinds.mjOBJ_SITE, [in_units.points[number].name])[0])
-    holds, servo_ways = _servos(engine, in_units)
+    (holds, servo_ways), (brakes, brake_ways) = _servos(engine, in_units), _brakes(engine, in_units)
     bodies = _indices(engine, kinds.mjOBJ_BODY, [body.name for body in in_units.bodies])
     return Model(
         design=design,
@@ -202,7 +213,8 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
         creep=np.where(plastic >= 0, plastic + 1, -1),
         motors=_followed(engine, in_units),
         holds=holds,
-        servo_ways=servo_ways,
+        brakes=brakes,
+        ways=servo_ways + brake_ways,
         sites=np.array(sites, dtype=np.int64),
         # 0 is the ground
         carriers=np.array([0 if point.body < 0 else bodies[point.body] for point in in_units.points], dtype=np.int64),
@@ -317,7 +329,7 @@ def _way(engine: mujoco.MjModel, structure: Structure, point: int, direction: Ar
 
 
 def _servos(engine: mujoco.MjModel, structure: Structure) -> tuple[Indices, Array]:
-    """`Model.holds` and `Model.servo_ways`."""
+    """`Model.holds` and the ways of servos."""
     holds, ways = np.full(engine.nu, -1, dtype=np.int64), np.zeros((engine.nu, engine.nv))
     for number, motor in enumerate(structure.motors):
         for point, names in zip(motor.points, servo_names(motor), strict=False):
@@ -326,6 +338,19 @@ def _servos(engine: mujoco.MjModel, structure: Structure) -> tuple[Indices, Arra
             ways[parts] = _way(engine, structure, point, motor.direction)
             holds[parts[1]] = number
     return holds, ways
+
+
+def _brakes(engine: mujoco.MjModel, structure: Structure) -> tuple[Indices, Array]:
+    """`Model.brakes` and the ways of brakes."""
+    brakes, ways = np.full(engine.nu, -1, dtype=np.int64), np.zeros((engine.nu, engine.nv))
+    for number, motor in enumerate(structure.motors):
+        hinges = [structure.hinges[hinge] for hinge in motor.hinges if not structure.hinges[hinge].flaps]
+        if np.isfinite(motor.no_load_speed) and hinges:
+            controls = _indices(engine, mujoco.mjtObj.mjOBJ_ACTUATOR, [brake_name(hinge) for hinge in hinges])
+            joints = _indices(engine, mujoco.mjtObj.mjOBJ_JOINT, [hinge.name for hinge in hinges])
+            brakes[controls] = number
+            ways[controls, engine.jnt_dofadr[joints]] = [hinge.sense for hinge in hinges]
+    return brakes, ways
 
 
 def _indices(engine: mujoco.MjModel, kind: mujoco.mjtObj, names: list[str]) -> Indices:

@@ -214,8 +214,18 @@ def _creases(structure: Structure) -> _Elements:
         flaps,
         turns.T.reshape(-1, 6, 3),
         law.slope(np.array([hinge.start for hinge in hinges])),
-        np.array([hinge.damping for hinge in hinges]),
+        np.array([hinge.damping for hinge in hinges]) + _braking(structure)[crease_numbers(structure)],
     )
+
+
+def _braking(structure: Structure) -> Array:
+    """By how much motors damp each hinge at most, (hinge,)."""
+    most = np.zeros(len(structure.hinges))
+    for number, motor in enumerate(structure.motors):
+        size = max((abs(drive.torques[number]) for drive in structure.drives), default=0.0)
+        gains = np.array(motor.gains or (1.0,) * len(motor.hinges))
+        most[list(motor.hinges)] += size * gains / motor.no_load_speed
+    return most
 
 
 def _strains(structure: Structure, membrane: Membrane) -> _Elements:

@@ -83,7 +83,9 @@ class StageTracker:
         self._rise = self._rise / self._timestep[:, None, None]
         self._risen = np.ceil(self._rise.max(axis=2)).astype(np.int64)
         self._followed, self._holds = models[0].motors, models[0].holds
-        self._servo_ways = np.array([model.servo_ways for model in models])
+        self._brakes = np.flatnonzero(models[0].brakes >= 0)
+        self._braking = models[0].brakes[self._brakes]
+        self._ways = np.array([model.ways for model in models])
         # where each was when its stage began
         self._begun = np.zeros((len(models), models[0].engine.nq))
         count = len(models)
@@ -125,10 +127,11 @@ class StageTracker:
         none = np.zeros((*torques.shape[:2], 1))
         # a control that follows no motor has index -1 and reads the 0 at the end
         controls = np.concatenate([torques, none], axis=2)[:, :, self._followed]
+        controls[:, :, self._brakes] = np.abs(torques[:, :, self._braking])
         holds = np.flatnonzero(self._holds >= 0)
         if len(holds):
             on = np.any(self._torques[rows, self.stage[rows]][:, :, self._holds[holds]], axis=1)
-            begun = np.einsum("rcd,rd->rc", self._servo_ways[rows][:, holds], self._begun[rows])
+            begun = np.einsum("rcd,rd->rc", self._ways[rows][:, holds], self._begun[rows])
             controls[:, :, holds] = on[:, None]
             controls[:, :, holds - 1] += (on * begun)[:, None]
         return controls

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Literal
 
@@ -20,9 +21,12 @@ class Motor:
         hinges: numbers of the hinges.
         gains: of each hinge, by which what is set counts there; empty where it counts once.
         points: numbers of the points.
-        direction: of a force or a displacement, unit vector in the axes of the ground, (3,); None of what acts on hinges.
+        direction: of a force or a displacement, unit vector in the axes of the ground, (3,); None of what acts on
+            hinges.
         stiffness: of the servo that displaces a point, N/m.
         damping: of the servo of each point, N s/m.
+        no_load_speed: of a torque, speed of a hinge along it at which nothing is left of it, in proportion, rad/s; inf
+            where it does not mind speeds.
     """
 
     name: str
@@ -33,6 +37,7 @@ class Motor:
     direction: Array | None = None
     stiffness: float = 0.0
     damping: tuple[float, ...] = ()
+    no_load_speed: float = math.inf
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -149,8 +149,26 @@ def _torques(
     for drives, hinges in shared.items():
         whole = [str(design.drive[number].of) for number in drives if acting[number] == set(hinges)]
         name = whole[0] if whole else ", ".join(structure.hinges[hinge].name for hinge in hinges)
-        motors.append(Motor(name=name, hinges=tuple(hinges), gains=_parts_of_creases(structure, hinges)))
+        motors.append(
+            Motor(
+                name=name,
+                hinges=tuple(hinges),
+                gains=_parts_of_creases(structure, hinges),
+                no_load_speed=_no_load_speed(design, drives),
+            )
+        )
     return motors, list(shared)
+
+
+def _no_load_speed(design: SheetDesign, drives: Sequence[int]) -> float:
+    """That of drives which act on the same creases."""
+    speeds = {design.drive[number].no_load_speed: number for number in drives}
+    if len(speeds) > 1:
+        one, other = sorted(speeds.values())
+        raise InputError(
+            f"drive.{other}.no_load_speed: need that of drive.{one}, which acts on the same creases, got another"
+        )
+    return next(iter(speeds)) or math.inf
 
 
 def _parts_of_creases(structure: Structure, hinges: Sequence[int]) -> tuple[float, ...]:
