@@ -157,6 +157,16 @@ def test_a_force_acts_at_vertices_along_its_direction():
     assert motor.direction.tolist() == pytest.approx([0, 0.6, -0.8])
 
 
+@pytest.mark.parametrize("axes", [None, "yz"])
+def test_a_force_needs_a_vertex_that_goes_its_way(axes):
+    values = {"drive": [{"name": "pull", "kind": "force", "of": "vertex 3", "direction": [0, 0, -1], "force": 0.2}]}
+    message = r'drive\.0\.of: need a vertex that is free along drive\.0\.direction, got "vertex 3"'
+    with pytest.raises(InputError, match=message):
+        structure_of(bare(MIURA, support=[{"of": "vertex 3", "axes": axes}], **values))
+    (motor,) = structure_of(bare(MIURA, support=[{"of": "vertex 3", "axes": "xy"}], **values)).motors
+    assert motor.points == (3,)
+
+
 def test_ends_on_the_ground_stay_there():
     measure = {"name": "height", "kind": "distance", "from": "vertex 0", "to": "ground", "ground": [0.0, 0.0, -0.2]}
     structure = structure_of(bare(load_design("waterbomb-base"), measure=[measure]))
@@ -231,10 +241,10 @@ def test_a_structure_in_other_units_is_the_same():
         (
             {
                 "tendon": [
-                    {"name": "a", "from": "facet 3 at centre", "to": "vertex 1", "stiffness": 1.0, "rest_length": 0.1}
+                    {"name": "a", "from": "facet 99 at centre", "to": "vertex 1", "stiffness": 1.0, "rest_length": 0.1}
                 ]
             },
-            r'tendon\.0\.from: need a vertex such as "vertex 4" where facets bend',
+            r"tendon\.0\.from: need a facet from 0 to 15, got 99",
         ),
         (
             {"measure": [{"name": "a", "kind": "distance", "from": "vertex 1", "to": "ground"}]},

@@ -51,8 +51,9 @@ def small(name, **values):
         {"crease.law": "locking", "crease.lock_angle": 0.9, "tendon": [BAND]},
         {"facet.kind": "membrane", "crease.rest_angle": 0.9},
         {"facet.kind": "rigid", "crease.rest_angle": 1.2, "crease.back_limit": 3.0},
+        {"tendon": [BAND | {"from": "edge 0 at 0.5", "to": "facet 3 at centre"}]},
     ],
-    ids=["creases", "tendon", "locking", "membrane", "rigid"],
+    ids=["creases", "tendon", "locking", "membrane", "rigid", "places between vertices"],
 )
 def test_a_small_miura_sheet_rests_at_one_place_by_both_routes(values):
     support = [{"of": "facet 0"}]

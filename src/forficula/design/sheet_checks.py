@@ -12,7 +12,7 @@ from forficula.design.part import ANGLE, LENGTH, TORQUE
 from forficula.design.protocol import GoalText, check_bound, check_stages, read_goal, stage_drives
 from forficula.design.rigid_checks import check_rigid, check_rigid_creases, check_rigid_tendon
 from forficula.design.sheet_creases import crease_groups, crease_role, crease_sense, creases_of, fold_edges
-from forficula.design.sheet_places import GROUND_PLACE, facet_of, place_on, vertex_of
+from forficula.design.sheet_places import GROUND_PLACE, facet_of, is_vertex, place_on, vertex_of
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, built_fold_angles
 from forficula.pattern.shared_edges import shared_edges
@@ -160,16 +160,22 @@ def _place(design: SheetDesign, sheet: CreasePattern, text: str) -> object:
     """Where a text says, as what may be told from others."""
     if design.facet.kind != "rigid" and text.strip() == GROUND_PLACE:
         return GROUND_PLACE
-    return place_on(sheet, text) if design.facet.kind == "rigid" else vertex_of(sheet, text)
+    if design.facet.kind != "rigid" and is_vertex(text):
+        return vertex_of(sheet, text)
+    return place_on(sheet, text)
 
 
 def _check_drive(design: SheetDesign, sheet: CreasePattern, number: int) -> None:
     """Refuse a drive on what is not there."""
     drive, key = design.drive[number], f"drive.{number}.of"
-    if drive.kind == "force":
+    if drive.places:
+        if drive.kind == "displacement" and design.facet.kind == "rigid":
+            raise InputError(
+                f'drive.{number}.kind: need "torque" or "force" where facets are rigid, got "displacement"'
+            )
         if design.facet.kind == "rigid" and not design.opens:
             raise InputError(f'drive.{number}.kind: need "torque" where facets are hinged, got "force"')
-        for text in (drive.of,) if isinstance(drive.of, str) else drive.of:
+        for text in drive.places:
             _keyed(key, _place, design, sheet, text)
         return
     edges = _keyed(key, creases_of, sheet, str(drive.of), design.crease.group)

@@ -28,7 +28,13 @@ FORCE = Unit(display="N", si="N", example="0.2 N")
 
 _CREASES = "creases, mountains, valleys, a group by name, or crease 2"
 # which key says how strong a drive is, by its kind
-STRENGTHS: Mapping[str, str] = {"torque": "value", "force": "force", "rest-angle": "angle"}
+STRENGTHS: Mapping[str, str] = {
+    "torque": "value",
+    "force": "force",
+    "displacement": "distance",
+    "rest-angle": "angle",
+}
+_AT_PLACES = ("force", "displacement")
 
 
 def _between(description: str, **default: Any) -> Any:
@@ -57,7 +63,7 @@ if TYPE_CHECKING:
 
 else:
     Joined = _between(
-        "where it ends: vertex 4, ground; of rigid facets edge 12 at 0.5, facet 3 at centre, facet 3 at 0.5, 1"
+        "where it ends: vertex 4, edge 12 at 0.5, facet 3 at centre, facet 3 at 0.5, 1, ground where facets bend"
     )
     _MaybeJoined = _between("of a distance: where it begins and ends", default=None)
 
@@ -67,20 +73,26 @@ class SheetDrive(Part):
 
     name: Annotated[str, Field(description="as stages call it")]
     kind: Annotated[
-        Literal["torque", "force", "rest-angle"],
-        Field(description="torque on creases, force at vertices, or rest-angle: springs of creases rest further on"),
+        Literal["torque", "force", "displacement", "rest-angle"],
+        Field(
+            description="torque on creases, force at places, displacement of these, or"
+            " rest-angle: springs of creases rest further on"
+        ),
     ]
     of: Annotated[
         str | tuple[str, ...],
-        Field(description=f"where it acts: {_CREASES}; of a force vertex 4, or a list of vertices"),
+        Field(description=f"where it acts: {_CREASES}; of a force or a displacement places: vertex 4, edge 12 at 0.5"),
     ]
     value: float | None = quantity(
         TORQUE, "of kind torque: on each of these creases, folding where > 0", default=None, examples=["3 N cm"]
     )
-    force: float | None = quantity(FORCE, "of kind force: on each of these vertices", default=None)
+    force: float | None = quantity(FORCE, "of kind force: at each of these places", default=None)
+    distance: float | None = quantity(
+        LENGTH, "of kind displacement: by which each of these places goes on from where it is", default=None
+    )
     direction: Annotated[
         tuple[float, float, float] | None,
-        Field(description="of a force: the way it points, of any length", examples=[[0, 0, -1]]),
+        Field(description="of a force or a displacement: the way it points, of any length", examples=[[0, 0, -1]]),
     ] = None
     angle: float | None = quantity(
         ANGLE,
@@ -94,6 +106,13 @@ class SheetDrive(Part):
         Literal["target"] | None,
         Field(description="of kind rest-angle, instead of an angle: on to each crease's own target"),
     ] = None
+    no_load_speed: float | None = quantity(
+        ANGULAR_SPEED,
+        "of kind torque: speed of a crease at which nothing is left of it, as of a motor; without it the torque stays",
+        default=None,
+        above=0,
+        examples=["360 deg/s"],
+    )
     rise: float | None = quantity(
         TIME, "time over which it rises evenly from 0; without it protocol.rise", default=None, at_least=0
     )
@@ -116,11 +135,13 @@ class SheetDrive(Part):
     @model_validator(mode="after")
     def _has_what_its_kind_needs(self) -> SheetDrive:
         key = STRENGTHS[self.kind]
-        others = [name for name in ("value", "force", "angle") if name != key]
-        if self.kind != "force":
+        others = [name for name in ("value", "force", "distance", "angle") if name != key]
+        if self.kind not in _AT_PLACES:
             others.append("direction")
         if self.kind != "rest-angle":
             others.append("to")
+        if self.kind != "torque":
+            others.append("no_load_speed")
         for name in others:
             if getattr(self, name) is not None:
                 raise InputError(f'{name}: is not for kind = "{self.kind}", whose strength is {key}')
@@ -128,11 +149,18 @@ class SheetDrive(Part):
             raise InputError(f"{key}: is missing")
         if self.to is not None and self.angle is not None:
             raise InputError('angle: need either an angle or to = "target", got both')
-        if self.kind == "force" and (self.direction is None or not any(self.direction)):
+        if self.kind in _AT_PLACES and (self.direction is None or not any(self.direction)):
             raise InputError("direction: need the way it points, such as [0, 0, -1]")
-        if self.kind != "force" and not isinstance(self.of, str):
+        if self.kind not in _AT_PLACES and not isinstance(self.of, str):
             raise InputError(f"of: need one text: {_CREASES}")
         return self
+
+    @property
+    def places(self) -> tuple[str, ...]:
+        """Where a force acts, or what is displaced, as text; none of what acts on creases."""
+        if self.kind not in _AT_PLACES:
+            return ()
+        return (self.of,) if isinstance(self.of, str) else self.of
 
 
 class SheetMeasure(_MaybeJoined):

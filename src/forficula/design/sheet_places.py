@@ -26,6 +26,8 @@ _WRITTEN = '"vertex 4", "vertex 4 of facet 2", "edge 12 at 0.5", "facet 3 at cen
 GROUND_PLACE = "ground"
 # share of a facet's size by which a place may lie beside it: rounding
 _BESIDE = 1e-9
+# share of a facet's area that it shows from above: one with less stands upright
+_UPRIGHT = 1e-6
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -51,7 +53,7 @@ def place_on(pattern: CreasePattern, text: str) -> SheetPlace:
     Raises:
         InputError: it is no such text, or there is no such place.
     """
-    written = " ".join(text.split())
+    written = as_place(text)
     if found := _VERTEX.fullmatch(written):
         return _at_vertex(pattern, int(found[1]), None if found[2] is None else int(found[2]))
     if found := _EDGE.fullmatch(written):
@@ -64,13 +66,23 @@ def place_on(pattern: CreasePattern, text: str) -> SheetPlace:
     raise InputError(f"need a place such as {_WRITTEN}, got {as_written(text)}")
 
 
+def as_place(text: str) -> str:
+    """The text of a place without spaces that do not count."""
+    return " ".join(text.split())
+
+
+def is_vertex(text: str) -> bool:
+    """Whether a text is that of a vertex, such as "vertex 4", there or not."""
+    return _VERTEX.fullmatch(as_place(text)) is not None
+
+
 def facet_of(pattern: CreasePattern, text: str) -> int:
     """The number of a facet written as "facet 0".
 
     Raises:
         InputError: it is no such text, or there is no such facet.
     """
-    found = _WHOLE_FACET.fullmatch(" ".join(text.split()))
+    found = _WHOLE_FACET.fullmatch(as_place(text))
     if found is None:
         raise InputError(f'need a facet such as "facet 0", got {as_written(text)}')
     return _facet(pattern, int(found[1]))
@@ -82,11 +94,9 @@ def vertex_of(pattern: CreasePattern, text: str) -> tuple[int, int | None]:
     Raises:
         InputError: it is no such text, or there is no such vertex.
     """
-    found = _VERTEX.fullmatch(" ".join(text.split()))
+    found = _VERTEX.fullmatch(as_place(text))
     if found is None:
-        raise InputError(
-            f'need a vertex such as "vertex 4" where facets bend (facet.kind is not "rigid"), got {as_written(text)}'
-        )
+        raise InputError(f'need a vertex such as "vertex 4", got {as_written(text)}')
     facet = None if found[2] is None else int(found[2])
     _at_vertex(pattern, int(found[1]), facet)
     return int(found[1]), facet
@@ -168,7 +178,19 @@ def _in_facet(pattern: CreasePattern, facet: int, along: float, across: float) -
             f"need a place on facet {facet}, in shares of its extent along x and y, got {along:g}, {across:g}, which"
             " lies beside it"
         )
-    return SheetPlace(facet=facet, position=position)
+    return SheetPlace(facet=facet, position=_lifted(corners, position, facet))
+
+
+def _lifted(corners: Array, position: Array, facet: int) -> Array:
+    """A position put into the mean plane of a facet, along z, m, (3,)."""
+    middle = corners.mean(axis=0)
+    normal = np.cross(corners - middle, np.roll(corners - middle, -1, axis=0)).sum(axis=0)
+    if abs(normal[2]) <= _UPRIGHT * np.linalg.norm(normal):
+        raise InputError(
+            f'need "facet {facet} at centre" or "edge 12 at 0.5", for facet {facet} stands upright as built'
+        )
+    height = middle[2] - (position - middle)[:2] @ normal[:2] / normal[2]
+    return np.array([*position[:2], height])
 
 
 def _within(corners: Array, point: Array, beside: float) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.dynamics.crease_work import crease_works, motor_travel
+from forficula.dynamics.crease_work import crease_works, engine_work, motor_travel
 from forficula.dynamics.energy import branch_losses, letting_go_work
 from forficula.dynamics.explicit_work import explicit_works
 from forficula.dynamics.model import Model, joint_ranges
@@ -38,6 +38,11 @@ class Account:
         # what the motors of each were last set to
         self._set = np.zeros((len(models), len(self._motors)))
         self._done: dict[str, Array] = {}
+        # motors whose forces depend on what they move, and their powers in the last step
+        self._by_engine = np.array(
+            [motor.kind == "displacement" or np.isfinite(motor.no_load_speed) for motor in self._motors], dtype=bool
+        )
+        self._powers = np.zeros((len(models), len(self._motors)))
         self._gaps, self._explicit = models[0].gaps, models[0].explicit
         # where stops end the ranges of joints
         self._stops = [np.array(each) for each in zip(*(joint_ranges(model) for model in models), strict=True)]
@@ -78,6 +83,13 @@ class Account:
                     motor_work_name(number): torques[:, :, number] * self._along(rows, travel, motor)
                     for number, motor in enumerate(self._motors)
                 }
+                for number in np.flatnonzero(self._by_engine).tolist():
+                    work[motor_work_name(number)] += np.array(
+                        [
+                            engine_work(self._models[row], number, steps, place, travel[place])
+                            for place, row in enumerate(rows.tolist())
+                        ]
+                    )
                 of_creases = np.zeros(travel.shape[:2])
             else:
                 each = [
@@ -108,7 +120,10 @@ class Account:
             }
             for motor in range(len(self._motors)):
                 done = work[motor_work_name(motor)]
-                before[motor_power_name(motor)] = self._unit[rows, None] * done / np.array(seconds)[:, None]
+                power = self._unit[rows, None] * done / np.array(seconds)[:, None]
+                before[motor_power_name(motor)] = power
+                if self._by_engine[motor]:
+                    self._powers[rows, motor] = power[np.arange(len(rows)), np.maximum(taken, 1) - 1]
                 before[motor_setting_name(motor)] = before_step[:, :, motor]
             if len(self._gaps):
                 before["closure_gap"] = self._widened(rows, steps, taken)
@@ -129,7 +144,9 @@ class Account:
             along = list(motor_travel(model, end.position, end.velocity))
         return {
             **{
-                motor_power_name(motor): float(model.units.power * torques[motor] * each)
+                motor_power_name(motor): float(
+                    self._powers[row, motor] if self._by_engine[motor] else model.units.power * torques[motor] * each
+                )
                 for motor, each in enumerate(along)
             },
             **{motor_setting_name(motor): float(each) for motor, each in enumerate(settings)},
@@ -137,7 +154,7 @@ class Account:
 
     def follow_leader(self, row: int, leader: int) -> None:
         """Put a structure where another one is, which has gone the same way so far."""
-        for done in (*self._done.values(), self._set, self._widest, self._met):
+        for done in (*self._done.values(), self._set, self._powers, self._widest, self._met):
             done[row] = done[leader]
 
     def _along(self, rows: Indices, travel: Array, motor: Motor) -> Array:

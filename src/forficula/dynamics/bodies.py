@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import mujoco
 import numpy as np
@@ -47,13 +48,13 @@ def add_bodies(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> No
         point = structure.points[number]
         body = spec.worldbody if point.body == GROUND else bodies[point.body]
         body.add_site(name=point.name, pos=point.place)
-    driven = {number for motor in structure.motors for number in motor.hinges}
+    driven = {number: motor for motor in structure.motors for number in motor.hinges}
     for number, hinge in enumerate(structure.hinges):
         if hinge.flaps:
             continue
         _add_hinge(bodies[hinge.body], hinge, timestep)
         if number in driven:
-            _add_motor(spec, hinge)
+            _add_motor(spec, hinge, driven[number].no_load_speed)
     if structure.plates and any(motor.points for motor in structure.motors):
         spec.worldbody.add_site(name=GROUND_SITE)
     for motor in structure.motors:
@@ -140,11 +141,22 @@ def _add_hinge(body: mujoco.MjsBody, hinge: Hinge, timestep: float) -> None:
         joint.springref = hinge.sense * hinge.rest_angle
 
 
-def _add_motor(spec: mujoco.MjSpec, hinge: Hinge) -> None:
+def _add_motor(spec: mujoco.MjSpec, hinge: Hinge, no_load_speed: float) -> None:
     motor = spec.add_actuator(
         name=hinge.name, target=hinge.name, trntype=mujoco.mjtTrn.mjTRN_JOINT, gear=[hinge.sense, 0, 0, 0, 0, 0]
     )
     motor.set_to_motor()
+    if math.isfinite(no_load_speed):
+        # what speed takes of the torque whose size is its control
+        brake = spec.add_actuator(name=brake_name(hinge), target=hinge.name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
+        brake.gear = [hinge.sense, 0, 0, 0, 0, 0]
+        brake.gaintype, brake.biastype = mujoco.mjtGain.mjGAIN_AFFINE, mujoco.mjtBias.mjBIAS_NONE
+        brake.gainprm[:3] = [0.0, 0.0, -1 / no_load_speed]
+
+
+def brake_name(hinge: Hinge) -> str:
+    """What the engine calls that which takes of a motor's torque at a hinge as it turns."""
+    return f"{hinge.name}_brake"
 
 
 def force_name(motor: str) -> str:
@@ -164,11 +176,39 @@ def _add_force(spec: mujoco.MjSpec, motor: Motor, structure: Structure) -> None:
             force.gear = [*direction, 0, 0, 0]
             force.set_to_motor()
         return
+    if motor.kind == "displacement":
+        for point, damping in zip(motor.points, motor.damping, strict=True):
+            _add_servo(spec, motor, structure, point, damping)
+        return
+    _add_way(spec, name, direction, structure, motor.points)
+    force = spec.add_actuator(name=name, target=name, trntype=mujoco.mjtTrn.mjTRN_TENDON)
+    force.set_to_motor()
+
+
+def _add_way(
+    spec: mujoco.MjSpec, name: str, direction: np.ndarray, structure: Structure, points: Sequence[int]
+) -> None:
+    """Add a tendon as long as the ways of nodes along a direction are together."""
     way = spec.add_tendon(name=name)
-    for point in motor.points:
+    for point in points:
         body = structure.bodies[structure.points[point].body]
         for axis in body.slides:
             if direction[axis]:
                 way.wrap_joint(slide_name(body.name, axis), direction[axis])
-    force = spec.add_actuator(name=name, target=name, trntype=mujoco.mjtTrn.mjTRN_TENDON)
-    force.set_to_motor()
+
+
+def servo_names(motor: Motor) -> list[tuple[str, str]]:
+    """What the engine calls the two parts of the servo of each point that a motor displaces."""
+    names = [f"{force_name(motor.name)}_{point}" for point in motor.points]
+    return [(name, f"{name}_hold") for name in names if motor.kind == "displacement"]
+
+
+def _add_servo(spec: mujoco.MjSpec, motor: Motor, structure: Structure, point: int, damping: float) -> None:
+    """Add what pushes a node with k (target - way) - c speed where it is on: k target, and the rest times a switch."""
+    assert motor.direction is not None
+    target, hold = servo_names(motor)[motor.points.index(point)]
+    _add_way(spec, target, motor.direction, structure, [point])
+    for name, gains in ((target, (motor.stiffness,)), (hold, (0.0, -motor.stiffness, -damping))):
+        push = spec.add_actuator(name=name, target=target, trntype=mujoco.mjtTrn.mjTRN_TENDON)
+        push.gaintype, push.biastype = mujoco.mjtGain.mjGAIN_AFFINE, mujoco.mjtBias.mjBIAS_NONE
+        push.gainprm[: len(gains)] = gains

@@ -43,6 +43,7 @@ class CreaseRows:
         damping: (structure, crease).
         rests: by how much what a motor is set to moves each rest angle, (structure, motor, crease).
         torques: by how much it turns each crease, (structure, motor, crease).
+        braking: by how much its size damps each crease, (structure, motor, crease).
     """
 
     built: Array
@@ -56,6 +57,7 @@ class CreaseRows:
     damping: Array
     rests: Array
     torques: Array
+    braking: Array
 
     def follow(
         self, which: Indices, positions: Array, velocities: Array, near: Array, efforts: Array
@@ -86,7 +88,8 @@ class CreaseRows:
         turning = length * (dot(normals, moves - share * edge_moves[:, None]) / area).sum(axis=0)
         rests, torques = (np.einsum("rm,rmc->rc", efforts, each[which]) for each in (self.rests, self.torques))
         moment, slope = law.moment_and_slope(angles, rests)
-        moment = moment + self.damping[which] * senses * turning - torques
+        damping = self.damping[which] + np.einsum("rm,rmc->rc", np.abs(efforts), self.braking[which])
+        moment = moment + damping * senses * turning - torques
         # of the angle between the flaps, whose sense the row has
         rest = senses * (angles - np.arctan2(moment, slope))
         size, moment = np.hypot(moment, slope), senses * moment
@@ -164,6 +167,7 @@ def stacked_creases(models: Sequence[Model]) -> dict[str, Any]:
         "damping": np.array([each.damping for each in creases]),
         "rests": np.array([rests for rests, _ in settings]),
         "torques": np.array([torques for _, torques in settings]),
+        "braking": np.array([model.braking(each) for model, each in zip(models, unit, strict=True)]),
     }
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -39,7 +41,8 @@ def crease_works(
     block = np.arange(len(travel)) // steps.followed
     along = motor_travel(model, position, travel)
     damped = np.zeros(len(travel))
-    if creases.damping.any():
+    speeds = turned = np.zeros((1, 1))
+    if creases.damping.any() or any(math.isfinite(motor.no_load_speed) for motor in model.structure.motors):
         first = slice(0, None, steps.followed)
         velocity = np.concatenate([steps.velocity_before[place, None], steps.velocity[place, :-1]])
         speeds = folds.travel(position[first], velocity[first])[:, folds.creases]
@@ -50,13 +53,33 @@ def crease_works(
     moments = creases.law.moment(angles, mean) if np.any(mean) or np.any(rests) else np.zeros_like(angles)
     works = []
     for number, motor in enumerate(model.structure.motors):
+        if motor.kind == "displacement":
+            works.append(engine_work(model, number, steps, place, travel))
+            continue
         if motor.kind != "rest-angle":
             works.append(efforts[:, number] * along[number])
+            if math.isfinite(motor.no_load_speed):
+                sizes = np.zeros_like(efforts)
+                sizes[:, number] = np.abs(efforts[:, number])
+                works[-1] -= np.sum(model.braking(sizes) * speeds[block] * turned, axis=1)
+                works[-1] += engine_work(model, number, steps, place, travel)
             continue
         own = np.zeros_like(efforts)
         own[:, number] = efforts[:, number] - before[:, number]
         works.append(-np.sum(moments * model.settings(own)[0], axis=1))
     return np.array(works).reshape(-1, len(travel)), damped
+
+
+def engine_work(model: Model, motor: int, steps: Steps, place: int, travel: Array) -> Array:
+    """Work in some steps of a motor's servos and brakes, whose forces the engine finds, (step,)."""
+    holds = np.flatnonzero(model.holds == motor)
+    parts = np.concatenate([holds, holds - 1, np.flatnonzero(model.brakes == motor)])
+    if not len(parts):
+        return np.zeros(len(travel))
+    forces = steps.derived["actuator_force"][place][:, parts]
+    if steps.late is not None:
+        forces = (forces + steps.late["actuator_force"][place][:, parts]) / 2
+    return np.asarray(np.sum(forces * (travel @ model.ways[parts].T), axis=1))
 
 
 def motor_travel(model: Model, position: Array, travel: Array) -> Array:
@@ -68,7 +91,8 @@ def motor_travel(model: Model, position: Array, travel: Array) -> Array:
         travel: alike.
 
     Returns:
-        The turn of the hinges of a torque, rad, by their gains; the way of a force's points; 0 for a rest angle.
+        The turn of the hinges of a torque, rad, by their gains; the way of a force's points; 0 for a rest angle or
+        a displacement.
     """
     along = np.zeros((len(model.structure.motors), *travel.shape[:-1]))
     for number, motor in enumerate(model.structure.motors):

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.design import Design
-from forficula.dynamics.bodies import add_bodies, engine_sites, force_name
+from forficula.dynamics.bodies import add_bodies, brake_name, engine_sites, force_name, servo_names
 from forficula.dynamics.closures import add_closures, gap_name
 from forficula.dynamics.creases import Creases, add_creases, clear_rows, creases_of
 from forficula.dynamics.folds import Folds, folds_of, slide_name
@@ -56,6 +56,12 @@ class Model:
             tendon has fewer.
         creep: index into plastic states of the tendons' resting lengths, (tendon,); -1 for those that do not yield.
         motors: number of the structure's motor that each control follows, (control,); -1 for none.
+        holds: number of the motor whose servo each control switches on, (control,), after the control that sets where
+            it goes; -1 of others.
+        brakes: number of the motor whose size each control follows, which takes of its torque at a joint as that turns,
+            (control,); -1 of others.
+        ways: by what each coordinate's shift takes the point of a servo on its way, or the joint of a brake, (control,
+            dof); 0 of others.
         sites: index of the site of each point, (point,); -1 where it is the origin of its body.
         carriers: index of the body of each point, (point,).
         elastic: the springs of the tendons, as one law of arrays (tendon,), in the model's units.
@@ -81,6 +87,9 @@ class Model:
     branches: Indices
     creep: Indices
     motors: Indices
+    holds: Indices
+    brakes: Indices
+    ways: Array
     sites: Indices
     carriers: Indices
     elastic: ElasticLaw
@@ -105,6 +114,14 @@ class Model:
             elif motor.kind == "torque":
                 torques[..., list(motor.hinges)] += acting
         return rests[..., self.folds.creases], torques[..., self.folds.creases]
+
+    def braking(self, sizes: Array) -> Array:
+        """By how much motors damp creases, for the sizes of what they are set to, (..., motor), (..., crease)."""
+        damping = np.zeros((*sizes.shape[:-1], len(self.structure.hinges)))
+        for number, motor in enumerate(self.in_units.motors):
+            gains = np.array(motor.gains or (1.0,) * len(motor.hinges))
+            damping[..., list(motor.hinges)] += sizes[..., number, None] * gains / motor.no_load_speed
+        return damping[..., self.folds.creases]
 
     def levers(self, tendon: int) -> tuple[slice, Indices]:
         """Where in the engine's ten_J the change of a tendon's length by joint is, and the joints."""
@@ -168,6 +185,7 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
     sites = [-1] * len(in_units.points)
     for number in engine_sites(in_units):
         sites[number] = int(_indices(engine, kinds.mjOBJ_SITE, [in_units.points[number].name])[0])
+    (holds, servo_ways), (brakes, brake_ways) = _servos(engine, in_units), _brakes(engine, in_units)
     bodies = _indices(engine, kinds.mjOBJ_BODY, [body.name for body in in_units.bodies])
     return Model(
         design=design,
@@ -194,6 +212,9 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
         # of the two numbers of a tendon the dead band's upper end
         creep=np.where(plastic >= 0, plastic + 1, -1),
         motors=_followed(engine, in_units),
+        holds=holds,
+        brakes=brakes,
+        ways=servo_ways + brake_ways,
         sites=np.array(sites, dtype=np.int64),
         # 0 is the ground
         carriers=np.array([0 if point.body < 0 else bodies[point.body] for point in in_units.points], dtype=np.int64),
@@ -282,7 +303,8 @@ def _followed(engine: mujoco.MjModel, structure: Structure) -> Indices:
         names = [structure.hinges[hinge].name for hinge in motor.hinges if not structure.hinges[hinge].flaps]
         force = force_name(motor.name)
         on_plates = [f"{force}_{point}" for point in motor.points] if structure.plates else []
-        names += on_plates or ([force] if motor.points else [])
+        served = [target for target, _ in servo_names(motor)]
+        names += served or on_plates or ([force] if motor.points else [])
         follows[_indices(engine, mujoco.mjtObj.mjOBJ_ACTUATOR, names)] = number
     return follows
 
@@ -294,11 +316,41 @@ def _pushed(engine: mujoco.MjModel, structure: Structure) -> Array:
         if motor.direction is None or structure.plates:
             continue
         for point in motor.points:
-            body = structure.bodies[structure.points[point].body]
-            names = [slide_name(body.name, axis) for axis in body.slides]
-            places = engine.jnt_dofadr[_indices(engine, mujoco.mjtObj.mjOBJ_JOINT, names)]
-            pushed[number, places] += motor.direction[list(body.slides)]
+            pushed[number] += _way(engine, structure, point, motor.direction)
     return pushed
+
+
+def _way(engine: mujoco.MjModel, structure: Structure, point: int, direction: Array) -> Array:
+    """By what the shift of each coordinate takes a node along a direction, (dof,)."""
+    way, body = np.zeros(engine.nv), structure.bodies[structure.points[point].body]
+    names = [slide_name(body.name, axis) for axis in body.slides]
+    way[engine.jnt_dofadr[_indices(engine, mujoco.mjtObj.mjOBJ_JOINT, names)]] = direction[list(body.slides)]
+    return way
+
+
+def _servos(engine: mujoco.MjModel, structure: Structure) -> tuple[Indices, Array]:
+    """`Model.holds` and the ways of servos."""
+    holds, ways = np.full(engine.nu, -1, dtype=np.int64), np.zeros((engine.nu, engine.nv))
+    for number, motor in enumerate(structure.motors):
+        for point, names in zip(motor.points, servo_names(motor), strict=False):
+            assert motor.direction is not None
+            parts = _indices(engine, mujoco.mjtObj.mjOBJ_ACTUATOR, list(names))
+            ways[parts] = _way(engine, structure, point, motor.direction)
+            holds[parts[1]] = number
+    return holds, ways
+
+
+def _brakes(engine: mujoco.MjModel, structure: Structure) -> tuple[Indices, Array]:
+    """`Model.brakes` and the ways of brakes."""
+    brakes, ways = np.full(engine.nu, -1, dtype=np.int64), np.zeros((engine.nu, engine.nv))
+    for number, motor in enumerate(structure.motors):
+        hinges = [structure.hinges[hinge] for hinge in motor.hinges if not structure.hinges[hinge].flaps]
+        if np.isfinite(motor.no_load_speed) and hinges:
+            controls = _indices(engine, mujoco.mjtObj.mjOBJ_ACTUATOR, [brake_name(hinge) for hinge in hinges])
+            joints = _indices(engine, mujoco.mjtObj.mjOBJ_JOINT, [hinge.name for hinge in hinges])
+            brakes[controls] = number
+            ways[controls, engine.jnt_dofadr[joints]] = [hinge.sense for hinge in hinges]
+    return brakes, ways
 
 
 def _indices(engine: mujoco.MjModel, kind: mujoco.mjtObj, names: list[str]) -> Indices:

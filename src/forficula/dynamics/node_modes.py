@@ -60,7 +60,7 @@ def followed_steps(structure: Structure) -> int:
     """
     if structure.plates:
         return _BETWEEN_PLATES
-    creases = node_timestep(replace(structure, springs=(), tendons=(), membranes=()))
+    creases = node_timestep(replace(structure, springs=(), tendons=(), membranes=(), motors=()))
     allowed = _FOLLOWED * creases / node_timestep(structure)
     return max(steps for steps in _BLOCKS if steps <= max(allowed, 1))
 
@@ -74,7 +74,12 @@ def node_timestep(structure: Structure) -> float:
     """
     if structure.plates:
         return _step(*_plate_modes(structure))
-    groups = [_lines(structure), _creases(structure), *(_strains(structure, each) for each in structure.membranes)]
+    groups = [
+        _lines(structure),
+        _servos(structure),
+        _creases(structure),
+        *(_strains(structure, each) for each in structure.membranes),
+    ]
     free = np.array([[axis in body.slides for axis in range(3)] for body in structure.bodies]).ravel()
     masses = np.repeat([body.mass for body in structure.bodies], 3)[free]
     if not free.any():
@@ -185,6 +190,18 @@ def _lines(structure: Structure) -> _Elements:
     )
 
 
+def _servos(structure: Structure) -> _Elements:
+    """What displaces points."""
+    served = [motor for motor in structure.motors if motor.kind == "displacement"]
+    ways = [motor.direction for motor in served for _ in motor.points]
+    return _Elements(
+        np.array([point for motor in served for point in motor.points], dtype=np.int64).reshape(-1, 1),
+        np.array(ways, dtype=np.float64).reshape(-1, 1, 3),
+        np.array([motor.stiffness for motor in served for _ in motor.points]),
+        np.array([damping for motor in served for damping in motor.damping]),
+    )
+
+
 def _creases(structure: Structure) -> _Elements:
     """Creases, with the stiffness of their springs where they are."""
     hinges = [hinge for hinge in structure.hinges if hinge.flaps]
@@ -197,8 +214,18 @@ def _creases(structure: Structure) -> _Elements:
         flaps,
         turns.T.reshape(-1, 6, 3),
         law.slope(np.array([hinge.start for hinge in hinges])),
-        np.array([hinge.damping for hinge in hinges]),
+        np.array([hinge.damping for hinge in hinges]) + _braking(structure)[crease_numbers(structure)],
     )
+
+
+def _braking(structure: Structure) -> Array:
+    """By how much motors damp each hinge at most, (hinge,)."""
+    most = np.zeros(len(structure.hinges))
+    for number, motor in enumerate(structure.motors):
+        size = max((abs(drive.torques[number]) for drive in structure.drives), default=0.0)
+        gains = np.array(motor.gains or (1.0,) * len(motor.hinges))
+        most[list(motor.hinges)] += size * gains / motor.no_load_speed
+    return most
 
 
 def _strains(structure: Structure, membrane: Membrane) -> _Elements:

@@ -38,6 +38,7 @@ class PlateRows:
         damping: (structure, crease).
         rests: by how much what a motor is set to moves each rest angle, (structure, motor, crease).
         torques: by how much it turns each crease, (structure, motor, crease).
+        braking: by how much its size damps each crease, (structure, motor, crease).
     """
 
     folds: Folds
@@ -48,6 +49,7 @@ class PlateRows:
     damping: Array
     rests: Array
     torques: Array
+    braking: Array
 
     def follow(
         self, which: Indices, positions: Array, velocities: Array, near: Array, efforts: Array
@@ -58,7 +60,8 @@ class PlateRows:
         angles = without_jump(senses * apart.angles, near)
         rests, torques = (np.einsum("rm,rmc->rc", efforts, each[which]) for each in (self.rests, self.torques))
         law = self.law.some(which)
-        moment = law.moment(angles, rests) + self.damping[which] * senses * turned - torques
+        damping = self.damping[which] + np.einsum("rm,rmc->rc", np.abs(efforts), self.braking[which])
+        moment = law.moment(angles, rests) + damping * senses * turned - torques
         factors = -senses * moment * apart.slopes
         # of an energy that has the slope of the moment about the left plate's crease and no force where it is now
         upright, side = apart.values[:2]

@@ -102,7 +102,7 @@ def _records(
     while moving.any():
         while len(rows := _next_rows(moving & ~tracker.ended, [rows for rows, *_ in under_way], stepper.threads)):
             torques = tracker.torques(rows, _CHUNK)
-            under_way.append((rows, torques, stepper.start(rows, tracker.controls(torques), torques)))
+            under_way.append((rows, torques, stepper.start(rows, tracker.controls(rows, torques), torques)))
         if under_way:
             rows, torques, steps = under_way.popleft()
             _advance(stepper, tracker, account, recorders, rows, torques, steps.result())

@@ -82,7 +82,12 @@ class StageTracker:
         self._rise = np.array([[[rise for _, rise in drives] for drives in row] for row in efforts])
         self._rise = self._rise / self._timestep[:, None, None]
         self._risen = np.ceil(self._rise.max(axis=2)).astype(np.int64)
-        self._followed = models[0].motors
+        self._followed, self._holds = models[0].motors, models[0].holds
+        self._brakes = np.flatnonzero(models[0].brakes >= 0)
+        self._braking = models[0].brakes[self._brakes]
+        self._ways = np.array([model.ways for model in models])
+        # where each was when its stage began
+        self._begun = np.zeros((len(models), models[0].engine.nq))
         count = len(models)
         self.ended = np.zeros(count, dtype=bool)
         self.steps: Numbers = np.zeros(count, dtype=np.int64)
@@ -117,11 +122,19 @@ class StageTracker:
             total += (min((end.end - end.start) / rise, 1.0) if rise else 1.0) * np.array(torques)
         return total
 
-    def controls(self, torques: Array) -> Array:
-        """What the engine's controls are in each step for these torques, (row, step, control)."""
+    def controls(self, rows: Numbers, torques: Array) -> Array:
+        """What the engine's controls are in each step of these structures for these torques, (row, step, control)."""
         none = np.zeros((*torques.shape[:2], 1))
         # a control that follows no motor has index -1 and reads the 0 at the end
-        return np.concatenate([torques, none], axis=2)[:, :, self._followed]
+        controls = np.concatenate([torques, none], axis=2)[:, :, self._followed]
+        controls[:, :, self._brakes] = np.abs(torques[:, :, self._braking])
+        holds = np.flatnonzero(self._holds >= 0)
+        if len(holds):
+            on = np.any(self._torques[rows, self.stage[rows]][:, :, self._holds[holds]], axis=1)
+            begun = np.einsum("rcd,rd->rc", self._ways[rows][:, holds], self._begun[rows])
+            controls[:, :, holds] = on[:, None]
+            controls[:, :, holds - 1] += (on * begun)[:, None]
+        return controls
 
     def follow(self, rows: Numbers, steps: Steps) -> Numbers:
         """Take note of some steps of these structures, up to the end of the stage of each.
@@ -169,11 +182,20 @@ class StageTracker:
                 goal_step = int(goal_since[place, last]) if held[place, last] else None
                 at_rest, at_goal = bool(resting[place, last]), bool(reached[place, last])
                 self._end_stage(int(rows[place]), goal_step, at_rest=at_rest, at_goal=at_goal)
+                self._begun[rows[place]] = position[place, last]
         return np.asarray(taken)
 
     def follow_leader(self, row: int, leader: int) -> None:
         """Put a structure where another one is, which has gone the same way so far."""
-        for values in (self.steps, self.stage, self.stage_start, self._goal_since, self._rest_since, self._stopped):
+        for values in (
+            self.steps,
+            self.stage,
+            self.stage_start,
+            self._goal_since,
+            self._rest_since,
+            self._stopped,
+            self._begun,
+        ):
             values[row] = values[leader]
         self.ends[row] = list(self.ends[leader])
         self.diverged_at[row] = self.diverged_at[leader]

@@ -74,6 +74,8 @@ class Stepper:
         self._inner = _inner(model)
         self._kept = _OF_SPARSE if sparse else _OF_STATES
         self._names = (*self._kept, *_OF_ACCOUNT, *(_OF_LETTING_GO if models[0].lets_go.any() else ()))
+        if models[0].ways.any():
+            self._names = (*self._names, "actuator_force")
         # the same memory again and again: fresh memory costs as much time as looking at it
         self._memory = deque([_memory(models, self._names, chunk, len(self._moving)) for _ in range(2)])
         # where the creases of each were last, without jumps

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.errors import InputError
 from forficula.statics.net.load import Load
 from forficula.statics.net.load_path import LoadPath, PathPoint, load_path
 from forficula.statics.net.minimum import Rest, minimum
@@ -62,6 +63,7 @@ def drive_course(structure: Structure, net: Net, start: Rest, drive: Drive, tran
     Raises:
         InputError: it would carry the whole away.
     """
+    free, net = net, displaced_net(structure, net, drive)
     load = motor_load(structure, net, drive.torques)
     goal = None if transition is None else goal_of(structure, transition.goal)
 
@@ -87,8 +89,25 @@ def drive_course(structure: Structure, net: Net, start: Rest, drive: Drive, tran
         slow=slow,
         through=through,
         least=None if reached is None else reached * abs(drive.torque),
-        rest=minimum(net, shape),
+        rest=minimum(free, shape),
     )
+
+
+def displaced_net(structure: Structure, net: Net, drive: Drive) -> Net:
+    """A net of which what a drive displaces is held along its way.
+
+    Raises:
+        InputError: a way that is not along an axis.
+    """
+    held = net.free.copy()
+    for motor, share in zip(structure.motors, drive.shares, strict=True):
+        if motor.kind != "displacement" or motor.direction is None or not share:
+            continue
+        axes = np.flatnonzero(motor.direction)
+        if len(axes) > 1:
+            raise InputError(f"drive.{motor.name}.direction: need x, y or z, for statics holds points along these only")
+        held[list(motor.points), axes[0]] = False
+    return net if np.array_equal(held, net.free) else replace(net, free=held)
 
 
 def watched(structure: Structure, net: Net, shape: Shape) -> Array:
@@ -111,7 +130,9 @@ def driven_motor(structure: Structure, drive: Drive) -> Motor:
 
 def drive_unit(structure: Structure, drive: Drive) -> str:
     """The SI unit of a drive's strength."""
-    return {"torque": "N m", "force": "N", "rest-angle": "rad"}[driven_motor(structure, drive).kind]
+    return {"torque": "N m", "force": "N", "displacement": "m", "rest-angle": "rad"}[
+        driven_motor(structure, drive).kind
+    ]
 
 
 def gone(structure: Structure, net: Net, drive: Drive, shape: Shape) -> float:

@@ -83,7 +83,7 @@ def _withstood(each: Withstood) -> dict[str, Any]:
 def _course(structure: Structure, net: NetLandscape, course: Course) -> dict[str, Any]:
     unit, size = drive_unit(structure, course.drive), abs(course.drive.torque)
     degrees = float(np.degrees(1.0)) if unit == "rad" else 1.0
-    along = "m" if driven_motor(structure, course.drive).kind == "force" else "deg"
+    along = "deg" if driven_motor(structure, course.drive).direction is None else "m"
 
     def path(points: Sequence[PathPoint]) -> dict[str, Any]:
         ways = np.array([gone(structure, net.net, course.drive, point.shape) for point in points])

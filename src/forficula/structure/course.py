@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Literal
 
@@ -10,24 +11,33 @@ from forficula.structure.parts import Array
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Motor:
-    """What a drive sets: a torque on hinges, a force at points, or by how much the springs of creases rest further on.
+    """What a drive sets: torque on hinges, force at points, how far they go, or by how much springs rest further on.
 
     Attributes:
         name: of its own, as works and powers are called by.
         kind: "torque": on each hinge in its own sense, N m; "rest-angle": by which the rest angle of each crease goes
-            on in its own sense, rad; "force": at each point, N.
+            on in its own sense, rad; "force": at each point, N; "displacement": of each point, m, from where it is when
+            the drive begins.
         hinges: numbers of the hinges.
         gains: of each hinge, by which what is set counts there; empty where it counts once.
         points: numbers of the points.
-        direction: of a force, unit vector in the axes of the ground, (3,); None of what acts on hinges.
+        direction: of a force or a displacement, unit vector in the axes of the ground, (3,); None of what acts on
+            hinges.
+        stiffness: of the servo that displaces a point, N/m.
+        damping: of the servo of each point, N s/m.
+        no_load_speed: of a torque, speed of a hinge along it at which nothing is left of it, in proportion, rad/s; inf
+            where it does not mind speeds.
     """
 
     name: str
-    kind: Literal["torque", "rest-angle", "force"] = "torque"
+    kind: Literal["torque", "rest-angle", "force", "displacement"] = "torque"
     hinges: tuple[int, ...] = ()
     gains: tuple[float, ...] = ()
     points: tuple[int, ...] = ()
     direction: Array | None = None
+    stiffness: float = 0.0
+    damping: tuple[float, ...] = ()
+    no_load_speed: float = math.inf
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -29,9 +29,10 @@ def facet_triangles(structure: Structure) -> tuple[Indices, Indices]:
             at.setdefault(corner, []).append(corners)
     triangles, numbers = [], []
     for number, facet in enumerate(structure.facets):
-        inside = {corners: known[corners] for point in facet.points for corners in at.get(point, ())}
-        own = [each for corners, each in inside.items() if corners <= set(facet.points)]
-        if len(own) != len(facet.points) - 2:
+        points = {*facet.points, *facet.inside}
+        near = {corners: known[corners] for point in points for corners in at.get(point, ())}
+        own = [each for corners, each in near.items() if corners <= points]
+        if len(own) != len(facet.points) + 2 * len(facet.inside) - 2:
             first, *rest = facet.points
             own = [(first, *pair) for pair in pairwise(rest)]
         triangles += own

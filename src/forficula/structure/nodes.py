@@ -47,32 +47,32 @@ def node_structure(design: SheetDesign) -> Structure:
         InputError: facets that cannot be split into triangles, or nodes without a mass.
     """
     design, sheet = design.settled(), design.sheet
-    nodes = sheet_nodes(sheet)
+    nodes = sheet_nodes(design)
     nodes = nodes._replace(triangles=imperfect(nodes.triangles, design.imperfection))
     triangles, facet = nodes.triangles, design.facet
     bodies = _bodies(design, sheet, nodes)
     thickness = facet.thickness or 0.0
-    springs = _springs(design, triangles) if facet.kind == "bars" else ()
-    hinges, edges = _hinges(design, triangles)
+    springs = _springs(design, nodes) if facet.kind == "bars" else ()
+    hinges = _hinges(design, nodes)
     points = [Point(name=name, role="vertex", body=node, place=np.zeros(3)) for node, name in enumerate(nodes.names)]
 
     def point(name: str, text: str, ground: tuple[float, ...]) -> int:
-        """The point at a place, by its number: that of a vertex, or one on the ground."""
+        """The point at a place, by its number: that of a node, or one on the ground."""
         if text.strip() != GROUND_PLACE:
             return node_of(sheet, nodes, text)
         points.append(Point(name=name, role="ground", body=GROUND, place=np.array(ground)))
         return len(points) - 1
 
     tendons = _tendons(design, triangles, point)
-    measures = sheet_measures(design, hinges, edges, point)
+    measures = sheet_measures(design, hinges, point)
     span = float(np.ptp(triangles.vertices_coords, axis=0).max())
     built = Structure(
         name=design.name,
         bodies=bodies,
         points=tuple(points),
         facets=tuple(
-            Facet(name=f"facet{number}", points=corners, thickness=thickness)
-            for number, corners in enumerate(nodes.facets)
+            Facet(name=f"facet{number}", points=corners, thickness=thickness, inside=inside)
+            for number, (corners, inside) in enumerate(zip(nodes.facets, nodes.inside, strict=True))
         ),
         hinges=hinges,
         springs=springs,
@@ -118,14 +118,14 @@ def _bodies(design: SheetDesign, sheet: CreasePattern, nodes: SheetNodes) -> tup
     )
 
 
-def _springs(design: SheetDesign, triangles: CreasePattern) -> tuple[Spring, ...]:
+def _springs(design: SheetDesign, nodes: SheetNodes) -> tuple[Spring, ...]:
     """A bar along every edge and diagonal.
 
     A triangle of area S and thickness t gives its three bars the cross-section A = 2 S t / ((1 - nu) sum of lengths),
     by which they store as much as the sheet where it is stretched evenly: E S t e^2 / (1 - nu) = E A e^2 / 2 times the
     sum of lengths (Filipov, Liu, Tachi, Schenk and Paulino 2017, doi 10.1016/j.ijsolstr.2017.05.028).
     """
-    facet = design.facet
+    facet, triangles = design.facet, nodes.triangles
     ends = triangles.vertices_coords[triangles.edges_vertices]
     lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     number = {frozenset(pair): edge for edge, pair in enumerate(triangles.edges_vertices.tolist())}
@@ -149,23 +149,24 @@ def _springs(design: SheetDesign, triangles: CreasePattern) -> tuple[Spring, ...
         )
         for edge, (tail, head) in enumerate(triangles.edges_vertices)
         if areas[edge]
-        for role in ["edge" if edge < edges else "diagonal"]
+        for role in ["edge" if nodes.edges[edge] < edges else "diagonal"]
     )
 
 
-def _hinges(design: SheetDesign, triangles: CreasePattern) -> tuple[tuple[Hinge, ...], dict[int, int]]:
-    """The creases in the order of their edges, then the bends along flat edges; and the creases' numbers by edge."""
-    creases, coords = creases_by_edge(design), triangles.vertices_coords
+def _hinges(design: SheetDesign, nodes: SheetNodes) -> tuple[Hinge, ...]:
+    """The creases in the order of their edges, then the bends along flat edges."""
+    triangles, creases = nodes.triangles, creases_by_edge(design)
+    coords = triangles.vertices_coords
     hinges: list[Hinge] = []
     bends: list[Hinge] = []
-    numbers: dict[int, int] = {}
     for edge, tail, head, left, right in shared_edges(triangles):
         beside = (sum(triangles.faces_vertices[face]) - tail - head for face in (left, right))
         flaps = [each for corner in beside for each in (tail, head, corner)]
         length = float(np.linalg.norm(coords[head] - coords[tail]))
         angle = float(flap_angles(coords[flaps]))
         points = (flaps[0], flaps[1], flaps[2], flaps[3], flaps[4], flaps[5])
-        if edge not in creases:
+        whole = int(nodes.edges[edge])
+        if whole not in creases:
             bends.append(
                 Hinge(
                     name=f"bend{edge}",
@@ -179,13 +180,12 @@ def _hinges(design: SheetDesign, triangles: CreasePattern) -> tuple[tuple[Hinge,
                 )
             )
             continue
-        crease, sense = creases[edge], crease_sense(triangles, edge)
+        crease, sense = creases[whole], crease_sense(triangles, edge)
         built = sense * angle
         if built < _FOLDED_FLAT - np.pi:
             built += 2 * np.pi
-        lower, upper = stops(design, edge, crease)
+        lower, upper = stops(design, whole, crease)
         locks = crease.law == "locking"
-        numbers[edge] = len(hinges)
         hinges.append(
             Hinge(
                 name=f"crease{edge}",
@@ -201,10 +201,11 @@ def _hinges(design: SheetDesign, triangles: CreasePattern) -> tuple[tuple[Hinge,
                 damping=(crease.damping or 0.0) * length,
                 start=built,
                 assignment=triangles.edges_assignment[edge],
-                label=f"crease {edge}",
+                edge=whole,
+                label=f"crease {edge}" if edge == whole else f"crease {whole}, part {edge}",
             )
         )
-    return (*hinges, *bends), numbers
+    return (*hinges, *bends)
 
 
 def _membrane(design: SheetDesign, triangles: CreasePattern) -> Membrane:
@@ -239,6 +240,8 @@ def _tendons(
         start, end = (
             point(f"tendon_{chosen.name}_{key}", getattr(chosen, key), chosen.ground) for key in ("from", "to")
         )
+        if start == end:
+            raise InputError(f"tendon.{number}.to: need another place than tendon.{number}.from, got the same node")
         on_ground = max(start, end) >= len(coords)
         ways = dijkstra(graph, directed=False, indices=min(start, end))
         tendons.append(

@@ -27,7 +27,7 @@ def opening_creases(design: SheetDesign) -> frozenset[int]:
 
 def opening_parts(
     design: SheetDesign, pattern: CreasePattern, points: Sequence[Point], add: AddPoint, built: Array
-) -> tuple[tuple[Spring, ...], tuple[Hinge, ...], dict[int, int]]:
+) -> tuple[tuple[Spring, ...], tuple[Hinge, ...]]:
     """The springs and the folds of creases that open.
 
     Args:
@@ -38,13 +38,12 @@ def opening_parts(
         built: by how much every edge is folded as built, rad, (edge,).
 
     Returns:
-        Three springs a crease, each of no length; the hinges; and their numbers among these by edge.
+        Three springs a crease, each of no length; and the hinges.
     """
     creases, opening = creases_by_edge(design), opening_creases(design)
     named = {point.name: number for number, point in enumerate(points)}
     springs: list[Spring] = []
     hinges: list[Hinge] = []
-    numbers: dict[int, int] = {}
     for shared in shared_edges(pattern):
         edge = shared.edge
         if edge not in opening:
@@ -74,7 +73,6 @@ def opening_parts(
         lower, upper = stops(design, edge, crease)
         folded = sense * float(built[edge]) + 0.0
         locks = crease.law == "locking"
-        numbers[edge] = len(hinges)
         hinges.append(
             Hinge(
                 name=f"crease{edge}",
@@ -90,10 +88,11 @@ def opening_parts(
                 damping=(crease.damping or 0.0) * length,
                 start=folded,
                 assignment=pattern.edges_assignment[edge],
+                edge=edge,
                 label=f"crease {edge}",
             )
         )
-    return tuple(springs), tuple(hinges), numbers
+    return tuple(springs), tuple(hinges)
 
 
 def _flaps(pattern: CreasePattern, shared: SharedEdge, named: dict[str, int]) -> tuple[int, int, int, int, int, int]:

@@ -109,11 +109,13 @@ class Facet:
         name: of its own.
         points: numbers of its corners, one after another.
         thickness: m.
+        inside: numbers of points on it where it bends, too.
     """
 
     name: str
     points: tuple[int, ...]
     thickness: float
+    inside: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -146,6 +148,7 @@ class Hinge:
         built: of a joint, its angle in the built shape, rad.
         start: its angle at the start, rad; of a crease, that of the built shape.
         assignment: of one that is an edge of a pattern, its letter, such as "M"; empty of others.
+        edge: number of the edge of the pattern that it is, or is part of; -1 of others.
         label: what tables and figures call it; its name if empty.
     """
 
@@ -166,6 +169,7 @@ class Hinge:
     built: float = 0.0
     start: float = 0.0
     assignment: str = ""
+    edge: int = -1
     label: str = ""
 
 

@@ -20,7 +20,7 @@ from forficula.structure.facet_plates import corner_name, facet_plates, largest_
 from forficula.structure.opening_creases import opening_creases, opening_parts
 from forficula.structure.parts import GROUND, Array, Body, Closure, Hinge, Point
 from forficula.structure.sheet_measures import sheet_measures
-from forficula.structure.sheet_protocol import places_of, pushed_name, with_protocol
+from forficula.structure.sheet_protocol import pushed_name, with_protocol
 from forficula.structure.structure import Structure
 
 
@@ -40,7 +40,7 @@ def plate_structure(design: SheetDesign) -> Structure:
     built = _built(pattern)
     origins = [_origin(pattern, link, free=link.parent is None and link.facet not in held) for link in links]
     points, plates = facet_plates(design, pattern, [(number[facet], facet) for facet in number], origins)
-    hinges, edges = _hinges(design, pattern, links, built)
+    hinges = _hinges(design, pattern, links, built)
 
     def add(name: str, role: str, place: SheetPlace) -> int:
         """A point at a place, by its number."""
@@ -48,15 +48,12 @@ def plate_structure(design: SheetDesign) -> Structure:
         points.append(Point(name=name, role=role, body=body, place=place.position - origins[body]))
         return len(points) - 1
 
-    springs, opened, numbers = opening_parts(design, pattern, points, add, built)
-    edges |= {edge: len(hinges) + number for edge, number in numbers.items()}
+    springs, opened = opening_parts(design, pattern, points, add, built)
     hinges = (*hinges, *opened)
     tendons = plate_tendons(design, pattern, links, add)
-    measures = sheet_measures(
-        design, hinges, edges, lambda name, text, _: add(name, "measured", place_on(pattern, text))
-    )
+    measures = sheet_measures(design, hinges, lambda name, text, _: add(name, "measured", place_on(pattern, text)))
     for drive in design.drive:
-        for place, text in enumerate(places_of(drive) if drive.kind == "force" else ()):
+        for place, text in enumerate(drive.places):
             add(pushed_name(drive, place), "pushed", place_on(pattern, text))
     structure = Structure(
         name=design.name,
@@ -142,13 +139,10 @@ def _closures(
     )
 
 
-def _hinges(
-    design: SheetDesign, pattern: CreasePattern, links: Sequence[FacetLink], built: Array
-) -> tuple[tuple[Hinge, ...], dict[int, int]]:
-    """The hinges, in the order of their bodies, and their numbers by edge."""
+def _hinges(design: SheetDesign, pattern: CreasePattern, links: Sequence[FacetLink], built: Array) -> tuple[Hinge, ...]:
+    """The hinges, in the order of their bodies."""
     creases = creases_by_edge(design)
     hinges: list[Hinge] = []
-    numbers: dict[int, int] = {}
     for body, link in enumerate(links):
         if link.edge is None or link.edge not in creases:
             continue
@@ -157,7 +151,6 @@ def _hinges(
         along = _axis(pattern, link)
         length = float(np.linalg.norm(along))
         folded = sense * float(built[link.edge]) + 0.0
-        numbers[link.edge] = len(hinges)
         hinges.append(
             Hinge(
                 name=f"crease{link.edge}",
@@ -173,7 +166,8 @@ def _hinges(
                 built=folded,
                 start=crease.start or folded,
                 assignment=pattern.edges_assignment[link.edge],
+                edge=link.edge,
                 label=f"crease {link.edge}",
             )
         )
-    return tuple(hinges), numbers
+    return tuple(hinges)

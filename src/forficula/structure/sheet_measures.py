@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 
 from forficula.design import SheetDesign
 from forficula.design.sheet_creases import creases_of
@@ -13,7 +13,6 @@ from forficula.structure.parts import Hinge
 def sheet_measures(
     design: SheetDesign,
     hinges: Sequence[Hinge],
-    edges: Mapping[int, int],
     point: Callable[[str, str, tuple[float, ...]], int],
 ) -> tuple[Measure, ...]:
     """The measures of a design, after that of all its creases.
@@ -21,10 +20,10 @@ def sheet_measures(
     Args:
         design: of the sheet.
         hinges: that were built.
-        edges: numbers of the creases' hinges by the numbers of their edges.
         point: number of the point at a place, by what to call it, the place as text, and where "ground" is.
     """
-    every = tuple(sorted(edges.values()))
+    edges = hinges_by_edge(hinges)
+    every = tuple(sorted(hinge for parts in edges.values() for hinge in parts))
     measures = [Measure(name="creases", kind="angle", hinges=every, signs=(1,) * len(every), label="fold angle")]
     for watched in design.measure:
         if watched.of is None:
@@ -33,8 +32,18 @@ def sheet_measures(
             )
             measures.append(Measure(name=watched.name, kind="distance", points=(start, end), label=watched.name))
         else:
-            turned = tuple(edges[edge] for edge in creases_of(design.sheet, watched.of, design.crease.group))
+            creases = creases_of(design.sheet, watched.of, design.crease.group)
+            turned = tuple(hinge for edge in creases for hinge in edges[edge])
             # a valley counts as positive
             signs = tuple(hinges[hinge].sense for hinge in turned)
             measures.append(Measure(name=watched.name, kind="angle", hinges=turned, signs=signs, label=watched.name))
     return tuple(measures)
+
+
+def hinges_by_edge(hinges: Sequence[Hinge]) -> dict[int, list[int]]:
+    """Numbers of the hinges along every crease of a sheet, of which it has several where it is split."""
+    found: dict[int, list[int]] = {}
+    for number, hinge in enumerate(hinges):
+        if hinge.edge >= 0:
+            found.setdefault(hinge.edge, []).append(number)
+    return found

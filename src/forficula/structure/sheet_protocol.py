@@ -13,14 +13,21 @@ from forficula.design import SheetDesign, Stage, stage_drives
 from forficula.design.protocol import read_goal
 from forficula.design.sheet_course import STRENGTHS, SheetDrive
 from forficula.design.sheet_creases import creases_of, fold_edges
+from forficula.errors import InputError
 from forficula.names import listed
+from forficula.quantities import as_written
 from forficula.structure.course import Drive, Goal, Motor, RestState, Transition, Wording
 from forficula.structure.goals import distances_of, drive_of, goal_of
+from forficula.structure.sheet_measures import hinges_by_edge
 from forficula.structure.sheet_nodes import node_of, sheet_nodes
 from forficula.structure.structure import Structure
+from forficula.structure.tree import built_points
 
 # rad; a crease this near to its target is there
 _NO_WAY = 1e-9
+# stiffness of what displaces points, by the stiffest bar there, and its damping ratio with the mass of the point alone:
+# it lags by less than bars stretch, and shortens the timestep by less than half
+_SERVO, _SERVO_DAMPING = 4.0, 0.5
 # keys that matter to where plates rest beside those of their tendons
 _STATIC_KEYS = ("pattern", "crease", "support", "measure", "protocol.stages", "protocol.gravity")
 
@@ -96,17 +103,17 @@ def _states(stages: Sequence[Stage], goals: Sequence[Goal], bounds: Goal) -> tup
 
 def _driven(structure: Structure, design: SheetDesign) -> tuple[tuple[Motor, ...], tuple[Drive, ...]]:
     """Motors and drives: creases that the same torques act on share a motor, all other drives have their own."""
-    numbers = {hinge.name: number for number, hinge in enumerate(structure.hinges)}
+    numbers = hinges_by_edge(structure.hinges)
     acting: list[set[int]] = []
     for drive in design.drive:
-        edges = () if drive.kind == "force" else creases_of(design.sheet, str(drive.of), design.crease.group)
-        acting.append({numbers[f"crease{edge}"] for edge in edges})
+        edges = () if drive.places else creases_of(design.sheet, str(drive.of), design.crease.group)
+        acting.append({hinge for edge in edges for hinge in numbers[edge]})
     motors, moved = _torques(structure, design, acting)
     strengths: list[float] = []
     for number, drive in enumerate(design.drive):
-        strength = drive.value if drive.kind == "torque" else drive.force if drive.kind == "force" else drive.angle
-        if drive.kind == "force":
-            motors.append(_force(structure, design, drive))
+        strength: float | None = getattr(drive, STRENGTHS[drive.kind])
+        if drive.places:
+            motors.append(_at_places(structure, design, number))
         elif drive.kind == "rest-angle":
             motor, largest = _rest_angles(structure, design, drive, sorted(acting[number]))
             motors.append(motor)
@@ -142,29 +149,74 @@ def _torques(
     for drives, hinges in shared.items():
         whole = [str(design.drive[number].of) for number in drives if acting[number] == set(hinges)]
         name = whole[0] if whole else ", ".join(structure.hinges[hinge].name for hinge in hinges)
-        motors.append(Motor(name=name, hinges=tuple(hinges)))
+        motors.append(
+            Motor(
+                name=name,
+                hinges=tuple(hinges),
+                gains=_parts_of_creases(structure, hinges),
+                no_load_speed=_no_load_speed(design, drives),
+            )
+        )
     return motors, list(shared)
 
 
-def _force(structure: Structure, design: SheetDesign, drive: SheetDrive) -> Motor:
-    """The motor of a force at vertices, which have the numbers of their points, or at places on plates."""
-    nodes = sheet_nodes(design.sheet)
+def _no_load_speed(design: SheetDesign, drives: Sequence[int]) -> float:
+    """That of drives which act on the same creases."""
+    speeds = {design.drive[number].no_load_speed: number for number in drives}
+    if len(speeds) > 1:
+        one, other = sorted(speeds.values())
+        raise InputError(
+            f"drive.{other}.no_load_speed: need that of drive.{one}, which acts on the same creases, got another"
+        )
+    return next(iter(speeds)) or math.inf
+
+
+def _parts_of_creases(structure: Structure, hinges: Sequence[int]) -> tuple[float, ...]:
+    """The share of each hinge in the length of its crease; none where every crease is whole."""
+    numbers = hinges_by_edge(structure.hinges)
+    if all(len(numbers[structure.hinges[hinge].edge]) == 1 for hinge in hinges):
+        return ()
+    ends = built_points(structure)[[(structure.hinges[hinge].flaps or ())[:2] for hinge in hinges]]
+    lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    edges = np.array([structure.hinges[hinge].edge for hinge in hinges])
+    return tuple(float(length / lengths[edges == edge].sum()) for edge, length in zip(edges, lengths, strict=True))
+
+
+def _at_places(structure: Structure, design: SheetDesign, number: int) -> Motor:
+    """The motor of nodes, which have the numbers of their points, or of a force at places on plates."""
+    drive = design.drive[number]
+    nodes = None if structure.plates else sheet_nodes(design)
     named = {point.name: number for number, point in enumerate(structure.points)}
     direction = np.array(drive.direction, dtype=np.float64)
+    points = tuple(
+        named[pushed_name(drive, place)] if nodes is None else node_of(design.sheet, nodes, text)
+        for place, text in enumerate(drive.places)
+    )
+    for point, text in zip(points, drive.places, strict=True) if nodes is not None else ():
+        if not any(direction[axis] for axis in structure.bodies[point].slides):
+            raise InputError(
+                f"drive.{number}.of: need a vertex that is free along drive.{number}.direction, got {as_written(text)},"
+                " which a support holds"
+            )
+    direction /= np.linalg.norm(direction)
+    if drive.kind != "displacement":
+        return Motor(name=drive.name, kind="force", points=points, direction=direction)
+    stiffness = _SERVO * _stiffest(structure, points)
+    masses = [structure.bodies[structure.points[point].body].mass for point in points]
     return Motor(
         name=drive.name,
-        kind="force",
-        points=tuple(
-            named[pushed_name(drive, number)] if structure.plates else node_of(design.sheet, nodes, text)
-            for number, text in enumerate(places_of(drive))
-        ),
-        direction=direction / np.linalg.norm(direction),
+        kind="displacement",
+        points=points,
+        direction=direction,
+        stiffness=stiffness,
+        damping=tuple(2 * _SERVO_DAMPING * math.sqrt(stiffness * mass) for mass in masses),
     )
 
 
-def places_of(drive: SheetDrive) -> tuple[str, ...]:
-    """Where a force acts, as a design has it."""
-    return (drive.of,) if isinstance(drive.of, str) else drive.of
+def _stiffest(structure: Structure, points: Sequence[int]) -> float:
+    """Stiffness of the stiffest bar at some points, N/m; of membranes Young's modulus times thickness."""
+    bars = [spring.stiffness for spring in structure.springs if set(spring.points) & set(points)]
+    return max([*bars, *(each.law.youngs_modulus * each.law.thickness for each in structure.membranes)])
 
 
 def pushed_name(drive: SheetDrive, number: int) -> str:
@@ -189,9 +241,8 @@ def _rest_angles(
 
 def target_angles(structure: Structure, design: SheetDesign) -> dict[int, float]:
     """Where creases are to fold to, in their own senses, rad, by the numbers of their hinges."""
-    numbers = {hinge.name: number for number, hinge in enumerate(structure.hinges)}
-    angles = design.sheet.edges_fold_angle
-    found = {numbers[f"crease{edge}"]: float(angles[edge]) for edge in fold_edges(design.sheet)}
+    numbers, angles = hinges_by_edge(structure.hinges), design.sheet.edges_fold_angle
+    found = {hinge: float(angles[edge]) for edge in fold_edges(design.sheet) for hinge in numbers[edge]}
     return {hinge: structure.hinges[hinge].sense * angle for hinge, angle in found.items() if not math.isnan(angle)}
 
 

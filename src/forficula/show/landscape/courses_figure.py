@@ -102,15 +102,15 @@ class _Plot:
         self._structure, self._net, self._drive = landscape.structure, landscape.net.net, course.drive
         points = [*course.slow.points, *(() if course.through is None else course.through.points)]
         self._size = abs(course.drive.torque)
-        kind = driven_motor(self._structure, course.drive).kind
-        si = "m" if kind == "force" else "rad"
+        motor = driven_motor(self._structure, course.drive)
+        si = "rad" if motor.direction is None else "m"
         self._zero = self._gone(course.start.shape)
         far = max(abs(self._gone(point.shape) - self._zero) for point in points)
         self.unit_along, self._along = reading_unit(si, far)
         largest = max(abs(point.factor) for point in points) * self._size
         self.unit, self._factor = reading_unit(drive_unit(self._structure, course.drive), largest)
-        self.drive = {"force": "force", "torque": "torque", "rest-angle": "rest angle moved"}[kind]
-        self.along = "way along the force" if kind == "force" else "angle turned"
+        self.drive = motor.kind.replace("rest-angle", "rest angle moved")
+        self.along = "angle turned" if motor.direction is None else f"way along the {motor.kind}"
 
     def _gone(self, shape: Shape) -> float:
         return gone(self._structure, self._net, self._drive, shape)

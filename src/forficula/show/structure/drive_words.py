@@ -5,7 +5,7 @@ from __future__ import annotations
 from forficula.quantities import show_value
 from forficula.structure import Drive, Structure
 
-_UNITS = {"torque": "N m", "force": "N", "rest-angle": "rad"}
+_UNITS = {"torque": "N m", "force": "N", "displacement": "m", "rest-angle": "rad"}
 
 
 def acting(structure: Structure) -> str:

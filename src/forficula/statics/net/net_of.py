@@ -110,7 +110,7 @@ def valley_law(structure: Structure) -> CreaseLaw:
 
 
 def motor_load(structure: Structure, net: Net, settings: tuple[float, ...]) -> Load:
-    """What motors do, each of which is set to a value: N m, N, or rad by which springs rest further on.
+    """What motors do, each set to a value: N m, N, m of held points, or rad by which springs rest further on.
 
     A spring that rests further on by some angle pushes as the torque stiffness x angle does, wherever it locks.
 
@@ -122,10 +122,12 @@ def motor_load(structure: Structure, net: Net, settings: tuple[float, ...]) -> L
     load, senses = no_load(net), _senses(structure)
     stiffness = np.asarray(net.creases.law.stiffness)
     for motor, setting in zip(structure.motors, settings, strict=True):
-        if motor.kind == "force":
-            assert motor.direction is not None
-            forces = np.tile(setting * motor.direction, (len(motor.points), 1))
-            load.forces[:] += point_forces(net, np.array(motor.points), forces).forces
+        if motor.direction is not None:
+            ways = np.tile(setting * motor.direction, (len(motor.points), 1))
+            if motor.kind == "force":
+                load.forces[:] += point_forces(net, np.array(motor.points), ways).forces
+            else:
+                np.add.at(load.displacements, list(motor.points), ways)
             continue
         hinges = np.array(motor.hinges, dtype=np.int64)
         gains = np.array(motor.gains) if motor.gains else np.ones(len(hinges))

@@ -1,0 +1,109 @@
+"""Motors whose torque falls with the speed of what they turn: closed forms of a panel of known inertia."""
+
+import math
+
+import numpy as np
+import pytest
+
+from forficula.design import load_design, with_values
+from forficula.dynamics import compile_model, energy_balance, simulate
+from forficula.errors import InputError
+from forficula.structure import structure_of
+
+LETTER = load_design("letter-fold")
+LENGTH, WIDTH, THICKNESS, DENSITY = 0.05, 0.04, 1e-3, 1000.0
+MASS = DENSITY * THICKNESS * LENGTH * WIDTH
+TORQUE, SPEED = 7e-4, math.radians(720)
+TURN = {"name": "turn", "kind": "torque", "of": "creases", "value": TORQUE, "no_load_speed": SPEED, "rise": 0.0}
+
+
+def strip(kind="rigid", drive=TURN, **values):
+    """Two panels without springs, the first held."""
+    stage = {"name": "turn", "drive": "turn", "until": "time", "hold": 0.0, "time_limit": 0.13}
+    changes = {
+        "pattern.panels": 2,
+        "pattern.panel_lengths": [LENGTH],
+        "pattern.width": WIDTH,
+        "facet.kind": kind,
+        "facet.thickness": THICKNESS,
+        "facet.density": DENSITY,
+        "crease.stiffness": 0.0,
+        "crease.damping": 0.0,
+        "crease.rest_angle": 0.0,
+        "crease.start": 0.0,
+        "crease.fold_limit": None,
+        "crease.back_limit": None if kind == "bars" else math.pi / 2,
+        "support": [{"of": "facet 0"}],
+        "tendon": [],
+        "measure": [],
+        "drive": [drive],
+        "protocol.stages": [stage],
+        "protocol.gravity": 0.0,
+        "protocol.least_hold": 0.0,
+        "protocol.timestep": 2e-4,
+        "protocol.sample_interval": 2e-3,
+    }
+    if kind == "bars":
+        changes |= {"facet.youngs_modulus": 2e6, "facet.stretch_damping": 0.0, "facet.bend_stiffness": 10.0}
+        changes |= {"protocol.timestep": 5e-5}
+    return with_values(LETTER, changes | values)
+
+
+def turned(inertia, time):
+    """Angle by I dw/dt = T (1 - w / w0), from rest."""
+    scale = inertia * SPEED / TORQUE
+    return SPEED * (time - scale * (1 - np.exp(-time / scale)))
+
+
+@pytest.mark.parametrize(("kind", "inertia"), [("rigid", MASS * LENGTH**2 / 3), ("bars", MASS * LENGTH**2 / 2)])
+@pytest.mark.parametrize("way", [1, -1])
+def test_a_motor_comes_up_to_its_speed_by_the_closed_form(kind, inertia, way):
+    """A plate has m L^2 / 3; nodes, with a third of each triangle, m L^2 / 2."""
+    (record,) = simulate([compile_model(strip(kind, TURN | {"value": way * TORQUE}))])
+    expected = way * turned(inertia, record.time)
+    assert abs(expected[-1]) > 1.0
+    angle = record.series["hinge_angle"][:, 0]
+    assert angle == pytest.approx(expected, abs=0.01 * abs(expected[-1]))
+    balance = energy_balance(record)
+    assert balance.residual < 5e-3
+    # all of its work is in the panel, and no damping took any of it
+    assert balance.work == pytest.approx(record.series["kinetic_energy"][-1], rel=0.01)
+    assert abs(balance.hinge_damping) < 1e-3 * balance.work
+    # near its speed there is hardly any power left
+    power = record.series["motor_power"][:, 0]
+    assert 0 < power[-1] < 0.25 * power.max()
+
+
+def test_it_brakes_what_turns_faster():
+    slow = TURN | {"no_load_speed": SPEED / 100}
+    (record,) = simulate([compile_model(strip("rigid", slow))])
+    speed = np.gradient(record.series["hinge_angle"][:, 0], record.time)
+    assert speed[-5:] == pytest.approx(SPEED / 100, rel=0.01)
+
+
+@pytest.mark.parametrize(
+    ("drives", "message"),
+    [
+        ([TURN | {"no_load_speed": 0.0}], r"drive\.0\.no_load_speed: need .*> 0"),
+        ([TURN, TURN | {"name": "other", "no_load_speed": 1.0}], r"drive\.1\.no_load_speed: need that of drive\.0"),
+        ([{"name": "a", "kind": "rest-angle", "of": "creases", "angle": 1.0, "no_load_speed": 1.0}], "no_load_speed"),
+    ],
+)
+def test_a_line_that_cannot_be_is_refused(drives, message):
+    stage = {"name": "wait", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.1}
+    with pytest.raises(InputError, match=message):
+        structure_of(with_values(strip("bars"), {"drive": drives, "protocol.stages": [stage]}))
+
+
+def test_the_account_closes_where_plates_close_loops():
+    """Steps of Runge and Kutta: what speed takes of the torque changes within them."""
+    turn = TURN | {"of": "crease 2", "value": 2e-3, "no_load_speed": math.radians(360)}
+    stage = {"name": "turn", "drive": "turn", "until": "time", "hold": 0.0, "time_limit": 0.1}
+    values = {"pattern.columns": 2, "pattern.rows": 2, "facet.kind": "rigid", "support": [{"of": "facet 0"}]}
+    values |= {"drive": [turn], "measure": [], "protocol.stages": [stage], "protocol.timestep": 2e-4}
+    (record,) = simulate([compile_model(with_values(load_design("miura-sheet"), values))])
+    free = with_values(record.design, {"drive.turn.no_load_speed": None})
+    (unbraked,) = simulate([compile_model(free)])
+    balances = [energy_balance(each) for each in (record, unbraked)]
+    assert 0 < balances[0].work < 0.9 * balances[1].work
+    assert balances[0].residual < 5e-3
