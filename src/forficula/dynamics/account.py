@@ -40,7 +40,11 @@ class Account:
         self._done: dict[str, Array] = {}
         # motors whose forces depend on what they move, and their powers in the last step
         self._by_engine = np.array(
-            [motor.kind == "displacement" or np.isfinite(motor.no_load_speed) for motor in self._motors], dtype=bool
+            [
+                [motor.kind == "displacement" or np.isfinite(motor.no_load_speed) for motor in model.structure.motors]
+                for model in models
+            ],
+            dtype=bool,
         )
         self._powers = np.zeros((len(models), len(self._motors)))
         self._gaps, self._explicit = models[0].gaps, models[0].explicit
@@ -83,7 +87,7 @@ class Account:
                     motor_work_name(number): torques[:, :, number] * self._along(rows, travel, motor)
                     for number, motor in enumerate(self._motors)
                 }
-                for number in np.flatnonzero(self._by_engine).tolist():
+                for number in np.flatnonzero(self._by_engine.any(axis=0)).tolist():
                     work[motor_work_name(number)] += np.array(
                         [
                             engine_work(self._models[row], number, steps, place, travel[place])
@@ -122,7 +126,7 @@ class Account:
                 done = work[motor_work_name(motor)]
                 power = self._unit[rows, None] * done / np.array(seconds)[:, None]
                 before[motor_power_name(motor)] = power
-                if self._by_engine[motor]:
+                if self._by_engine[:, motor].any():
                     self._powers[rows, motor] = power[np.arange(len(rows)), np.maximum(taken, 1) - 1]
                 before[motor_setting_name(motor)] = before_step[:, :, motor]
             if len(self._gaps):
@@ -145,7 +149,9 @@ class Account:
         return {
             **{
                 motor_power_name(motor): float(
-                    self._powers[row, motor] if self._by_engine[motor] else model.units.power * torques[motor] * each
+                    self._powers[row, motor]
+                    if self._by_engine[row, motor]
+                    else model.units.power * torques[motor] * each
                 )
                 for motor, each in enumerate(along)
             },

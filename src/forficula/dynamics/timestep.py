@@ -146,6 +146,11 @@ def _as_built(model: Model) -> _Linear:
         for tendon in np.flatnonzero(model.lets_go):
             viscous = (model.in_units.tendons[tendon].law.damping or (0.0,))[0]
             damping += viscous * stretch[tendon : tendon + 1].T @ stretch[tendon : tendon + 1]
+    for control in np.flatnonzero(model.brakes >= 0):
+        # what speed takes of motors' torques, where these are largest
+        number, way = model.brakes[control], model.ways[control]
+        largest = max((abs(drive.torques[number]) for drive in model.in_units.drives), default=0.0)
+        damping += largest / model.in_units.motors[number].no_load_speed * np.outer(way, way)
     return _Linear(
         inertia=inertia,
         stiffness=stiffness,
