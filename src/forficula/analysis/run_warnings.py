@@ -5,9 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.analysis.arrival import TARGET, missed_targets, missed_text
 from forficula.analysis.crossing_facets import facets_that_cross
 from forficula.analysis.outcome import early_goal
 from forficula.dynamics import Record
+from forficula.structure import goal_of
 
 _FAR_FASTER = 100.0  # than the tests of a material: two decades, over which a polymer's modulus can change much
 
@@ -17,9 +19,17 @@ def run_warnings(record: Record) -> list[str]:
     early = [early_goal(record, end) for end in record.stages]
     return [
         *filter(None, early),
+        *_missed(record),
         *_crossing_facets(record),
         *_fast_tendons(record),
     ]
+
+
+def _missed(record: Record) -> list[str]:
+    """Of creases that were to go to their targets and are not there."""
+    missed = missed_targets(record)
+    bounded = np.isfinite(goal_of(record.structure, TARGET).least) if missed else np.zeros(0)
+    return [missed_text(missed, int(bounded.sum()))] if missed else []
 
 
 def _crossing_facets(record: Record) -> list[str]:

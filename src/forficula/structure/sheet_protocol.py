@@ -300,7 +300,10 @@ def _wording(state: str, done: str, key: str) -> Wording:
         time=f"time to get {state}",
         noun=f"getting {state}",
         did=f"got {state}",
-        if_stuck=f"Take a stronger drive ({key}), or lower what holds it back: crease.stiffness, or the tendons.",
+        if_stuck=(
+            f"Take a stronger drive ({key}), or lower what holds it back: facet.bend_stiffness, crease.stiffness, or"
+            " the tendons; `forficula pattern` tells whether the sheet can fold at all."
+        ),
         if_lost=(
             f"It got {state} under torque and did not stay so when released: tendons that pull it there or springs that"
             " rest there (crease.rest_angle) hold it."

@@ -1,0 +1,40 @@
+"""Creases that are told where to go, and whether they get there."""
+
+import math
+
+import pytest
+
+import forficula as ff
+from forficula.analysis import run_warnings
+from forficula.analysis.arrival import missed_targets
+from forficula.pattern import vertex_pattern
+from tests.sheets import sheet_design
+
+
+def folded(sectors):
+    """A vertex of four creases, told to fold flat."""
+    pattern = vertex_pattern([math.radians(each) for each in sectors], 0.02, "MVMM")
+    values = {
+        "facet.youngs_modulus": 2e7,
+        "facet.bend_stiffness": 0.05,
+        "crease.stiffness": 0.01,
+        "crease.damping": 1e-4,
+        "drive": [{"name": "fold", "kind": "rest-angle", "of": "creases", "to": "target", "rise": 0.05}],
+        "protocol.timestep": 5e-5,
+        "protocol.stages": [{"name": "fold", "drive": "fold", "until": "target", "hold": 0.0, "time_limit": 0.3}],
+    }
+    return ff.run(sheet_design(pattern, values))
+
+
+def test_every_crease_of_a_vertex_that_folds_flat_arrives():
+    assert missed_targets(folded((70, 80, 110, 100))) == []
+
+
+def test_a_vertex_that_lacks_an_angle_says_which_creases_did_not_arrive():
+    record = folded((60, 120, 90, 90))
+    missed = missed_targets(record)
+    assert missed
+    assert abs(missed[0].angle - missed[0].target) == max(abs(each.angle - each.target) for each in missed)
+    (told,) = [text for text in run_warnings(record) if "did not arrive within" in text]
+    assert told.startswith(f"{len(missed)} of 4 creases did not arrive within 5 deg: {missed[0].label} at ")
+    assert missed[0].target == pytest.approx(math.pi)
