@@ -5,9 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+import forficula as ff
+from forficula.analysis import run_warnings
 from forficula.analysis.strength import fold_peak, strain_peaks
-from forficula.design import load_design
+from forficula.design import load_design, with_values
 from forficula.dynamics import Record
+from forficula.show.run.strength_rows import strength_rows
 from forficula.structure import structure_of
 
 STRETCH = 1.02
@@ -75,3 +78,18 @@ def test_a_run_that_diverged_tells_nothing():
     record = replace(planted("bars"), diverged_at=0.15)
     assert strain_peaks(record) == ()
     assert fold_peak(record) is None
+
+
+def test_a_bar_that_bears_more_than_its_material_withstands_is_said():
+    """The same run beside a strength above and below its largest stress."""
+    stage = {"name": "fold", "drive": "fold", "until": "time", "hold": 0.0, "time_limit": 0.02}
+    values = {"pattern.columns": 1, "pattern.rows": 2, "measure": [], "support": []}
+    values |= {"protocol.timestep": 2e-5, "protocol.stages": [stage], "facet.youngs_modulus": 2e7}
+    design = with_values(load_design("miura-sheet"), values)
+    (bars,) = (peak for peak in strain_peaks(ff.run(design)) if peak.kind == "bars")
+    assert bars.withstood is None
+    for share, told in ((2.0, 0), (0.5, 1)):
+        record = ff.run(with_values(design, {"facet.strength": share * abs(bars.stress)}))
+        assert sum("facet.strength" in text for text in run_warnings(record)) == told
+        (row,) = (row for row in strength_rows(record) if row[0] == "bars")
+        assert f"{100 / share:.3g} % of its strength" in row[2]

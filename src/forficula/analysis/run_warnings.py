@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from forficula.analysis.arrival import TARGET, missed_targets, missed_text
 from forficula.analysis.crossing_facets import facets_that_cross
 from forficula.analysis.outcome import early_goal
+from forficula.analysis.strength import strain_peaks
 from forficula.dynamics import Record
 from forficula.structure import goal_of
 
@@ -20,6 +21,7 @@ def run_warnings(record: Record) -> list[str]:
     return [
         *filter(None, early),
         *_missed(record),
+        *_broken(record),
         *_crossing_facets(record),
         *_fast_tendons(record),
     ]
@@ -30,6 +32,18 @@ def _missed(record: Record) -> list[str]:
     missed = missed_targets(record)
     bounded = np.isfinite(goal_of(record.structure, TARGET).least) if missed else np.zeros(0)
     return [missed_text(missed, int(bounded.sum()))] if missed else []
+
+
+def _broken(record: Record) -> list[str]:
+    """Of parts that bear more than their material withstands."""
+    over = [
+        peak for peak in strain_peaks(record) if peak.stress and peak.withstood and abs(peak.stress) > peak.withstood
+    ]
+    return [
+        f"{peak.part} bears {abs(peak.stress or 0.0) / 1e6:.3g} MPa at {peak.time:.3g} s, more than the"
+        f" {(peak.withstood or 0.0) / 1e6:.3g} MPa that its material withstands (facet.strength)"
+        for peak in over
+    ]
 
 
 def _crossing_facets(record: Record) -> list[str]:

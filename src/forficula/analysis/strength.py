@@ -23,6 +23,7 @@ class Peak:
         stress: of the part then, Pa; None where it has no cross-section or law to tell it by.
         part: name of the part.
         time: s.
+        withstood: stress that its material withstands, Pa; None where it is not told.
     """
 
     kind: str
@@ -30,6 +31,7 @@ class Peak:
     stress: float | None
     part: str
     time: float
+    withstood: float | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -89,6 +91,7 @@ def _bars(record: Record) -> Peak | None:
         stress=float(forces[row, bar]) / area if area else None,
         part=springs[bar].name,
         time=float(record.time[row]),
+        withstood=record.structure.strength,
     )
 
 
@@ -117,6 +120,7 @@ def _membranes(record: Record) -> list[Peak]:
                 stress=_plane_stress(membrane.law, principal[row, triangle]),
                 part=membrane.name,
                 time=float(record.time[row]),
+                withstood=record.structure.strength,
             )
         )
     return peaks

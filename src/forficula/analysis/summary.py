@@ -100,6 +100,8 @@ def _branch_summary(branch: Branch | None) -> dict[str, Any]:
 
 def _peak_summary(peak: Peak) -> dict[str, Any]:
     stress = {} if peak.stress is None else {"stress_Pa": peak.stress}
+    if peak.withstood is not None:
+        stress["strength_Pa"] = peak.withstood
     return {"strain": peak.strain, **stress, "part": peak.part, "time_s": peak.time}
 
 

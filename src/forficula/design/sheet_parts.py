@@ -39,6 +39,13 @@ class Facet(Part):
         default=None,
         at_least=0,
     )
+    strength: float | None = quantity(
+        MODULUS,
+        "stress that its material withstands, to be set beside the largest",
+        default=None,
+        above=0,
+        examples=["50 MPa"],
+    )
     stretch_damping: float | None = quantity(
         SHORT_TIME, "relaxation time of the Kelvin-Voigt damping of what stretches", default=None, at_least=0
     )

@@ -80,6 +80,7 @@ def node_structure(design: SheetDesign) -> Structure:
         membranes=(_membrane(design, triangles),) if facet.kind == "membrane" else (),
         measures=measures,
         span=span,
+        strength=facet.strength,
         mass=max(body.mass for body in bodies),
         gravity=design.protocol.gravity,
         appearance=Appearance(whole="sheet", bodies="one for every vertex", pattern=sheet),

@@ -51,6 +51,7 @@ class Structure:
         rigid_fold: how its panels fold if they are rigid; None where there is no such way, or several.
         span: a length of the size of the whole, m.
         mass: of the size of its bodies' mass, kg.
+        strength: stress that the material of its facets withstands, Pa; None where it is not told.
         contact: whether bars that touch push each other apart.
         gravity: acceleration along -z, m/s^2.
         appearance: what drawings and sentences need beside all that.
@@ -78,6 +79,7 @@ class Structure:
     rigid_fold: RigidFold | None = None
     span: float
     mass: float
+    strength: float | None = None
     contact: bool = False
     gravity: float = 0.0
     appearance: Appearance = field(default_factory=Appearance)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from forficula.show.landscape.net_words import course_words, held_words, reading_words, shown_value
+from forficula.show.structure.labels import stress_text
 from forficula.statics import EnergyLandscape
 from forficula.statics.net_course import drive_unit
 from forficula.statics.net_landscape import NetLandscape
@@ -34,7 +35,13 @@ def net_tables(landscape: EnergyLandscape) -> tuple[TextTable, ...]:
     net, structure = landscape.net, landscape.structure
     if net is None:
         return ()
-    tables = [_states(structure, net), _moves(net), _barriers(net), _courses(structure, net), _withstands(net)]
+    tables = [
+        _states(structure, net),
+        _moves(structure, net),
+        _barriers(net),
+        _courses(structure, net),
+        _withstands(net),
+    ]
     return tuple(table for table in tables if table.rows)
 
 
@@ -65,7 +72,7 @@ def _states(structure: Structure, net: NetLandscape) -> TextTable:
     )
 
 
-def _moves(net: NetLandscape) -> TextTable:
+def _moves(structure: Structure, net: NetLandscape) -> TextTable:
     """How it can move, and what its parts bear."""
     tendons = any(state.extension for state in net.states)
     built = ("as built", "", *_freedoms(net.built), "", "", *[""] * tendons)
@@ -80,7 +87,7 @@ def _moves(net: NetLandscape) -> TextTable:
                     f"{state.frequencies[0]:.3g} Hz" if len(state.frequencies) else "",
                     *_freedoms(state.mobility),
                     f"{100 * state.strain:.2g} %",
-                    shown_value(state.stress, "Pa", 3),
+                    stress_text(state.stress, structure.strength),
                     *[f"{100 * state.extension:.3g} %"] * tendons,
                 )
                 for state in net.states

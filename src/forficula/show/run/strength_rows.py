@@ -5,6 +5,7 @@ from __future__ import annotations
 from forficula.analysis.strength import fold_peak, strain_peaks
 from forficula.dynamics import Record
 from forficula.quantities import show_value
+from forficula.show.structure.labels import stress_text
 
 STRENGTH_HEADINGS = ("", "strain", "stress", "where", "at")
 
@@ -20,7 +21,7 @@ def strength_rows(record: Record) -> list[list[str]]:
         [
             peak.kind,
             f"{100 * peak.strain:.3g} %",
-            "" if peak.stress is None else show_value(peak.stress, "Pa", 3),
+            "" if peak.stress is None else stress_text(peak.stress, peak.withstood),
             peak.part,
             show_value(peak.time, "s"),
         ]

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.quantities import show_value
 from forficula.structure import Hinge, Measure, Structure, Tendon, measure_of
 
 Array = NDArray[np.float64]
@@ -141,3 +142,9 @@ def shown_distances(structure: Structure) -> tuple[Measure, ...]:
 def _by_role(structure: Structure, hinges: Sequence[int]) -> tuple[Measure, ...]:
     roles = dict.fromkeys(structure.hinges[hinge].role for hinge in hinges)
     return tuple(measure for role in roles if (measure := measure_of(structure, role)) is not None)
+
+
+def stress_text(stress: float, withstood: float | None) -> str:
+    """A stress, Pa, and what share it is of what its material withstands, where that is told."""
+    told = show_value(stress, "Pa", 3)
+    return f"{told}, {100 * abs(stress) / withstood:.3g} % of its strength" if withstood else told
