@@ -16,6 +16,8 @@ from forficula.pattern.fold_angles import kept_as_built
 
 _ROUNDING = 1 + 1e-9  # ends that meet may overlap by so much
 
+_FLAT = 1e-12  # rad
+
 
 def yoshimura_pattern(columns: int, rows: int, base: float, height: float, fold: float = 0.0) -> CreasePattern:
     """Draw a sheet of diamonds, flat or rolled up.
@@ -48,6 +50,8 @@ def yoshimura_pattern(columns: int, rows: int, base: float, height: float, fold:
     """
     _check_triangles("columns", columns, 1, rows, base, height)
     check_angle("fold", fold, 0, math.pi, low_too=True)
+    # of a roll whose radius is no number, or loses all digits of the sheet, nothing is left
+    fold = 0.0 if fold < _FLAT else fold
     over_base = 4 * math.atan(2 * height / base * math.sin(fold / 2))
     if columns * over_base > 2 * math.pi * _ROUNDING:
         most = 2 * math.asin(base / (2 * height) * math.tan(math.pi / (2 * columns)))
