@@ -36,6 +36,8 @@ def _missed(record: Record) -> list[str]:
 
 def _broken(record: Record) -> list[str]:
     """Of parts that bear more than their material withstands."""
+    if record.structure.strength is None:
+        return []
     over = [
         peak for peak in strain_peaks(record) if peak.stress and peak.withstood and abs(peak.stress) > peak.withstood
     ]
