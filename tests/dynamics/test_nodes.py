@@ -90,7 +90,7 @@ def test_the_engine_pushes_nodes_by_the_moments_of_creases_and_in_no_other_way(s
     data.qpos[:] = position
     mujoco.mj_forward(engine, data)
     rests, _ = model.settings(effort)
-    moments = rows.law.moment(angles, rests)[0]
+    moments = rows.moments.law.moment(angles, rests)[0]
     step = 1e-6 * size
     gradient = [
         (model.folds.angles(position + step * each) - model.folds.angles(position - step * each)) / (2 * step)

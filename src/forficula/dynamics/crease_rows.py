@@ -6,16 +6,14 @@ changed between steps, so that it has at any angle the moment and the slope that
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.dynamics.crease_moments import CreaseMoments, crease_moments
 from forficula.dynamics.model import Model
-from forficula.material import CreaseLaw
 from forficula.structure.flaps import cross, dot
 
 Array = NDArray[np.float64]
@@ -38,12 +36,7 @@ class CreaseRows:
         rows: in the engine's flex_bending, (crease,).
         form: for each number of a row's form, which it is with tail, head, left and right in this order, (crease, 16).
         parity: of that order, +1 or -1, (crease,).
-        senses: +1 or -1, (structure, crease).
-        law: of the springs, arrays (structure, crease).
-        damping: (structure, crease).
-        rests: by how much what a motor is set to moves each rest angle, (structure, motor, crease).
-        torques: by how much it turns each crease, (structure, motor, crease).
-        braking: by how much its size damps each crease, (structure, motor, crease).
+        moments: of the creases.
     """
 
     built: Array
@@ -52,12 +45,7 @@ class CreaseRows:
     rows: Indices
     form: Indices
     parity: Array
-    senses: Array
-    law: CreaseLaw
-    damping: Array
-    rests: Array
-    torques: Array
-    braking: Array
+    moments: CreaseMoments
 
     def follow(
         self, which: Indices, positions: Array, velocities: Array, near: Array, efforts: Array
@@ -74,9 +62,8 @@ class CreaseRows:
         Returns:
             In own senses and without jumps, rad, (structure, crease); and (structure, crease, 17).
         """
-        every = len(which) == len(self.built)
-        law = self.law if every else self.law.some(which)
-        senses = self.senses[which]
+        own = self.moments.some(which)
+        senses = own.senses
         edge, away = self._sides(self.built[which], positions)
         edge_moves, moves = self._sides(None, velocities)
         # of the left and the right flap, whose normals are up in a flat sheet
@@ -86,10 +73,7 @@ class CreaseRows:
         volume = dot(away[:, 1], normals[:, 0])
         angles = without_jump(senses * np.arctan2(length * volume, dot(normals[:, 0], normals[:, 1])), near)
         turning = length * (dot(normals, moves - share * edge_moves[:, None]) / area).sum(axis=0)
-        rests, torques = (np.einsum("rm,rmc->rc", efforts, each[which]) for each in (self.rests, self.torques))
-        moment, slope = law.moment_and_slope(angles, rests)
-        damping = self.damping[which] + np.einsum("rm,rmc->rc", np.abs(efforts), self.braking[which])
-        moment = moment + damping * senses * turning - torques
+        moment, slope = own.at(angles, turning, efforts)
         # of the angle between the flaps, whose sense the row has
         rest = senses * (angles - np.arctan2(moment, slope))
         size, moment = np.hypot(moment, slope), senses * moment
@@ -107,9 +91,9 @@ class CreaseRows:
         pull = cosine * (weights[1] * edge + weights[2] * away[:, 0] + weights[3] * away[:, 1])
         wrong = weights[2:] * pull[:, None] + last * normals[:, ::-1] - moment * length / area * normals
         along, off = dot(wrong, edge[:, None]), dot(wrong, away)
-        across, own = share * square, dot(away, away)
+        across, far = share * square, dot(away, away)
         densities = np.zeros((4, 4, *angles.shape))
-        densities[2:, 1] = (along * own - off * across) / area
+        densities[2:, 1] = (along * far - off * across) / area
         densities[2:, 0] = (along * across - off * square) / area - densities[2:, 1]
         at_tail = weights[0] * dot(pull, edge) - last * volume
         densities[1, 0] = at_tail / square - (densities[2:, 0] * share).sum(axis=0)
@@ -146,29 +130,8 @@ def crease_rows(models: Sequence[Model]) -> CreaseRows | None:
         rows=creases[0].rows,
         form=(4 * order[:, :, None] + order[:, None, :]).reshape(-1, _FORM),
         parity=np.where(order[:, 0] == order[:, 2] - 2, 1.0, -1.0),
-        **stacked_creases(models),
+        moments=crease_moments(models),
     )
-
-
-def stacked_creases(models: Sequence[Model]) -> dict[str, Any]:
-    """Senses, law, damping and what motors do, of creases of structures of one topology, as `CreaseRows` has them."""
-    creases = [model.creases for model in models if model.creases is not None]
-    unit = [np.eye(len(model.structure.motors)) for model in models]
-    settings = [model.settings(each) for model, each in zip(models, unit, strict=True)]
-    laws = [each.law for each in creases]
-    return {
-        "senses": np.array([each.senses for each in creases], dtype=np.float64),
-        "law": CreaseLaw(
-            **{
-                each.name: np.array([np.asarray(getattr(law, each.name)) for law in laws])
-                for each in dataclasses.fields(CreaseLaw)
-            }
-        ),
-        "damping": np.array([each.damping for each in creases]),
-        "rests": np.array([rests for rests, _ in settings]),
-        "torques": np.array([torques for _, torques in settings]),
-        "braking": np.array([model.braking(each) for model, each in zip(models, unit, strict=True)]),
-    }
 
 
 def without_jump(angles: Array, near: Array) -> Array:

@@ -14,12 +14,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.dynamics.crease_rows import stacked_creases, without_jump
+from forficula.dynamics.crease_moments import CreaseMoments, crease_moments
+from forficula.dynamics.crease_rows import without_jump
 from forficula.dynamics.folds import Folds
 from forficula.dynamics.model import Model
 from forficula.dynamics.placement import stacked
 from forficula.dynamics.plate_angles import PRODUCTS
-from forficula.material import CreaseLaw
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -33,39 +33,27 @@ class PlateRows:
         folds: of all of them: constants have a leading dimension, (structure, ...).
         rows: in the engine's flex_bending, those of a crease one after another, (row,).
         forms: a row of energy -d . d', (structure, row, 17).
-        senses: +1 or -1, (structure, crease).
-        law: of the springs, arrays (structure, crease).
-        damping: (structure, crease).
-        rests: by how much what a motor is set to moves each rest angle, (structure, motor, crease).
-        torques: by how much it turns each crease, (structure, motor, crease).
-        braking: by how much its size damps each crease, (structure, motor, crease).
+        moments: of the creases.
     """
 
     folds: Folds
     rows: Indices
     forms: Array
-    senses: Array
-    law: CreaseLaw
-    damping: Array
-    rests: Array
-    torques: Array
-    braking: Array
+    moments: CreaseMoments
 
     def follow(
         self, which: Indices, positions: Array, velocities: Array, near: Array, efforts: Array
     ) -> tuple[Array, Array]:
         """Angles of creases, and the rows that have their moments and slopes there; see `CreaseRows.follow`."""
-        folds, senses = _of(self.folds, which), self.senses[which]
+        folds, own = _of(self.folds, which), self.moments.some(which)
+        senses = own.senses
         apart, turned = folds.turns(positions, velocities)
         angles = without_jump(senses * apart.angles, near)
-        rests, torques = (np.einsum("rm,rmc->rc", efforts, each[which]) for each in (self.rests, self.torques))
-        law = self.law.some(which)
-        damping = self.damping[which] + np.einsum("rm,rmc->rc", np.abs(efforts), self.braking[which])
-        moment = law.moment(angles, rests) + damping * senses * turned - torques
+        moment, slope = own.at(angles, turned, efforts)
         factors = -senses * moment * apart.slopes
         # of an energy that has the slope of the moment about the left plate's crease and no force where it is now
         upright, side = apart.values[:2]
-        factors[:3] += law.slope(angles) / np.hypot(upright, side) * apart.values[:3]
+        factors[:3] += slope / np.hypot(upright, side) * apart.values[:3]
         values = np.moveaxis(factors, 0, -1).reshape(len(which), -1)
         return angles, values[..., None] * self.forms[which]
 
@@ -81,7 +69,7 @@ def plate_rows(models: Sequence[Model]) -> PlateRows:
         folds=folds,
         rows=creases.rows,
         forms=np.array([_forms(model, creases.order) for model in models]),
-        **stacked_creases(models),
+        moments=crease_moments(models),
     )
 
 

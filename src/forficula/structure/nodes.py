@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import dijkstra
 
 from forficula.design import SheetDesign, tendon_law
-from forficula.design.crease_values import creases_by_edge, rest_angle, stops
-from forficula.design.sheet_creases import crease_role, crease_sense
+from forficula.design.crease_values import creases_by_edge
+from forficula.design.sheet_creases import crease_sense
 from forficula.design.sheet_places import GROUND_PLACE
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern
@@ -31,6 +32,7 @@ from forficula.structure.parts import (
     Spring,
     Tendon,
 )
+from forficula.structure.sheet_hinge import sheet_hinge
 from forficula.structure.sheet_measures import sheet_measures
 from forficula.structure.sheet_nodes import SheetNodes, held_axes, node_of, sheet_nodes
 from forficula.structure.sheet_protocol import with_protocol
@@ -181,31 +183,13 @@ def _hinges(design: SheetDesign, nodes: SheetNodes) -> tuple[Hinge, ...]:
                 )
             )
             continue
-        crease, sense = creases[whole], crease_sense(triangles, edge)
-        built = sense * angle
-        if built < _FOLDED_FLAT - np.pi:
-            built += 2 * np.pi
-        lower, upper = stops(design, whole, crease)
-        locks = crease.law == "locking"
-        hinges.append(
-            Hinge(
-                name=f"crease{edge}",
-                role=crease_role(triangles, edge),
-                flaps=points,
-                sense=sense,
-                lower=lower,
-                upper=upper,
-                stiffness=(crease.stiffness or 0.0) * length,
-                rest_angle=rest_angle(crease, built),
-                lock_below=-crease.lock_angle if locks else -np.inf,
-                lock_above=crease.lock_angle if locks else np.inf,
-                damping=(crease.damping or 0.0) * length,
-                start=built,
-                assignment=triangles.edges_assignment[edge],
-                edge=whole,
-                label=f"crease {edge}" if edge == whole else f"crease {whole}, part {edge}",
-            )
-        )
+        folded = crease_sense(triangles, edge) * angle
+        if folded < _FOLDED_FLAT - np.pi:
+            folded += 2 * np.pi
+        hinge = sheet_hinge(design, creases[whole], design.sheet, whole, length=length, folded=folded)
+        if edge != whole:
+            hinge = replace(hinge, name=f"crease{edge}", label=f"crease {whole}, part {edge}")
+        hinges.append(replace(hinge, flaps=points))
     return (*hinges, *bends)
 
 

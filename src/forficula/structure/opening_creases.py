@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from forficula.design import SheetDesign
-from forficula.design.crease_values import creases_by_edge, rest_angle, stops
-from forficula.design.sheet_creases import crease_role, crease_sense
+from forficula.design.crease_values import creases_by_edge
+from forficula.design.sheet_creases import crease_sense
 from forficula.design.sheet_places import SheetPlace
 from forficula.pattern import CreasePattern
 from forficula.pattern.shared_edges import SharedEdge, shared_edges
 from forficula.structure.facet_plates import AddPoint, corner_name
 from forficula.structure.parts import Array, Hinge, Point, Spring
+from forficula.structure.sheet_hinge import sheet_hinge
 
 # of a spring along a crease: gaps grow evenly along it, so that Simpson's rule is exact for their squares
 _WEIGHTS = (1 / 6, 4 / 6, 1 / 6)
@@ -48,7 +50,7 @@ def opening_parts(
         edge = shared.edge
         if edge not in opening:
             continue
-        crease, sense = creases[edge], crease_sense(pattern, edge)
+        crease = creases[edge]
         ends = pattern.vertices_coords[[shared.tail, shared.head]]
         length = float(np.linalg.norm(ends[1] - ends[0]))
         middle = [
@@ -70,28 +72,9 @@ def opening_parts(
                     damping=weight * length * (crease.extension_damping or 0.0),
                 )
             )
-        lower, upper = stops(design, edge, crease)
-        folded = sense * float(built[edge]) + 0.0
-        locks = crease.law == "locking"
-        hinges.append(
-            Hinge(
-                name=f"crease{edge}",
-                role=crease_role(pattern, edge),
-                flaps=_flaps(pattern, shared, named),
-                sense=sense,
-                lower=lower,
-                upper=upper,
-                stiffness=(crease.stiffness or 0.0) * length,
-                rest_angle=rest_angle(crease, folded),
-                lock_below=-crease.lock_angle if locks else -np.inf,
-                lock_above=crease.lock_angle if locks else np.inf,
-                damping=(crease.damping or 0.0) * length,
-                start=folded,
-                assignment=pattern.edges_assignment[edge],
-                edge=edge,
-                label=f"crease {edge}",
-            )
-        )
+        folded = crease_sense(pattern, edge) * float(built[edge]) + 0.0
+        hinge = sheet_hinge(design, crease, pattern, edge, length=length, folded=folded)
+        hinges.append(replace(hinge, flaps=_flaps(pattern, shared, named)))
     return tuple(springs), tuple(hinges)
 
 

@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from forficula.design import SheetDesign
-from forficula.design.crease_values import creases_by_edge, rest_angle, stops
-from forficula.design.sheet_creases import crease_role, crease_sense
+from forficula.design.crease_values import creases_by_edge
+from forficula.design.sheet_creases import crease_sense
 from forficula.design.sheet_places import SheetPlace, place_on
 from forficula.pattern import CreasePattern, FacetLink, facet_tree
 from forficula.pattern.crease_pattern import is_unfolded
@@ -19,6 +19,7 @@ from forficula.structure.crossing import tendon_crossing
 from forficula.structure.facet_plates import corner_name, facet_plates, largest_mass, plate_tendons
 from forficula.structure.opening_creases import opening_creases, opening_parts
 from forficula.structure.parts import GROUND, Array, Body, Closure, Hinge, Point
+from forficula.structure.sheet_hinge import sheet_hinge
 from forficula.structure.sheet_measures import sheet_measures
 from forficula.structure.sheet_protocol import pushed_name, with_protocol
 from forficula.structure.structure import Structure
@@ -146,28 +147,9 @@ def _hinges(design: SheetDesign, pattern: CreasePattern, links: Sequence[FacetLi
     for body, link in enumerate(links):
         if link.edge is None or link.edge not in creases:
             continue
-        crease, sense = creases[link.edge], crease_sense(pattern, link.edge)
-        lower, upper = stops(design, link.edge, crease)
-        along = _axis(pattern, link)
+        crease, along = creases[link.edge], _axis(pattern, link)
         length = float(np.linalg.norm(along))
-        folded = sense * float(built[link.edge]) + 0.0
-        hinges.append(
-            Hinge(
-                name=f"crease{link.edge}",
-                role=crease_role(pattern, link.edge),
-                body=body,
-                axis=along / length,
-                sense=sense,
-                lower=lower,
-                upper=upper,
-                stiffness=(crease.stiffness or 0.0) * length,
-                rest_angle=rest_angle(crease, folded),
-                damping=(crease.damping or 0.0) * length,
-                built=folded,
-                start=crease.start or folded,
-                assignment=pattern.edges_assignment[link.edge],
-                edge=link.edge,
-                label=f"crease {link.edge}",
-            )
-        )
+        folded = crease_sense(pattern, link.edge) * float(built[link.edge]) + 0.0
+        hinge = sheet_hinge(design, crease, pattern, link.edge, length=length, folded=folded)
+        hinges.append(replace(hinge, body=body, axis=along / length, built=folded, start=crease.start or folded))
     return tuple(hinges)
