@@ -156,7 +156,7 @@ def test_times_count_from_the_start_of_the_stage_until_the_goal_was_reached():
 
 def test_torques_are_those_of_the_design():
     outcome = measure(planted(**FOLDS_AND_OPENS))
-    assert (outcome.transitions["fold"].torque, outcome.transitions["unfold"].torque) == (0.5, 1.0)
+    assert (outcome.transitions["fold"].strength, outcome.transitions["unfold"].strength) == (0.5, 1.0)
 
 
 def test_a_wing_whose_hinges_stay_straight_did_not_fold():

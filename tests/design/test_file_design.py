@@ -34,7 +34,7 @@ def test_creases_go_to_the_angles_that_a_file_gives(tmp_path):
     structure = structure_of(load_design(tmp_path / "third.fold"))
     (motor,), (drive,) = structure.motors, structure.drives
     ends = [
-        structure.hinges[hinge].start + gain * drive.torque
+        structure.hinges[hinge].start + gain * drive.strength
         for hinge, gain in zip(motor.hinges, motor.gains, strict=True)
     ]
     assert ends == pytest.approx([np.pi / 3] * 24)

@@ -6,6 +6,7 @@ import re
 import numpy as np
 import pytest
 
+from forficula.design import load_design, with_values
 from forficula.errors import InputError
 from forficula.structure import built_lengths, structure_of
 from tests.plate_sheets import miura, plates, pleats, vertex
@@ -30,6 +31,12 @@ def test_an_octahedron_does_not_fold_and_bars_are_offered():
     )
     sheet = f'kind = "fold-file"\n{coords}\nedges = {edges}\nassignment = "{"U" * 12}"\nfacets = {facets}\n'
     refused(rf"as built it has 0 degrees of freedom and 0 states of self-stress; {BARS}", sheet)
+
+
+def test_a_closed_kresling_cell_folds_only_by_bending_wherever_it_is_held():
+    cell = load_design("kresling-cell")
+    with pytest.raises(InputError, match=rf"0 degrees of freedom and 6 states of self-stress; {BARS}"):
+        with_values(cell, {"facet.kind": "rigid", "pattern.end_plates": True})
 
 
 def test_a_waterbomb_with_one_crease_of_the_wrong_sense_does_not_fold_rigidly():

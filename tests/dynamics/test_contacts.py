@@ -41,7 +41,7 @@ def states(wing):
     """States in which bars touch, as the fan folds."""
     engine, data, found = wing.engine, mujoco.MjData(wing.engine), []
     data.qpos[:] = [hinge.sense * hinge.start for hinge in wing.in_units.hinges]
-    data.ctrl[:] = np.array(drive_of(wing.in_units, "fold").torques)[wing.motors]
+    data.ctrl[:] = np.array(drive_of(wing.in_units, "fold").strengths)[wing.motors]
     for _ in range(STEPS):
         mujoco.mj_step(engine, data)
         if data.ncon:

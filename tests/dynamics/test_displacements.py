@@ -8,7 +8,7 @@ from forficula.dynamics import compile_model, energy_balance, simulate, stable_t
 from forficula.errors import InputError
 from forficula.statics.net.minimum import minimum
 from forficula.statics.net.net_of import net_of, start_shape
-from forficula.statics.net_course import drive_course
+from forficula.statics.net_course import drive_course, gone, reaction
 from forficula.structure import structure_of
 
 MIURA = load_design("miura-sheet")
@@ -87,6 +87,33 @@ def test_a_sheet_that_is_taken_along_rests_where_it_does_by_statics():
     assert apart < 1e-2 * 4e-3
     # let go, it comes back
     assert course.rest.shape.positions == pytest.approx(net.nodes, abs=1e-5)
+
+
+def test_force_over_the_way_is_work_and_in_the_end_that_of_statics():
+    design = sheet(stage("lift", 0.3))
+    structure = structure_of(design)
+    net = net_of(structure)
+    course = drive_course(structure, net, minimum(net, start_shape(structure, net)), structure.drives[0], None)
+    (record,) = simulate([compile_model(design)])
+    force, way = record.series["motor_force"][:, 0], moved(record, 8, 2)
+    work = np.sum((force[1:] + force[:-1]) / 2 * np.diff(way))
+    assert work == pytest.approx(record.series["motor_work"][-1, 0], rel=0.01)
+    assert force[-1] == pytest.approx(course.largest_force, rel=1e-2)
+    # what is stored changes by the force times the way
+    points = course.slow.points
+    forces = [reaction(structure, net, course.drive, point.shape) for point in points]
+    ways = [gone(structure, net, course.drive, point.shape) for point in points]
+    stored = np.trapezoid(forces, ways)
+    assert stored == pytest.approx(points[-1].energy - points[0].energy, rel=1e-3)
+
+
+def test_drives_that_displace_nothing_have_no_force():
+    further = {"name": "further", "kind": "rest-angle", "of": "creases", "angle": 0.3, "rise": 0.05}
+    (record,) = simulate([compile_model(sheet(stage("further", 0.05), drive=[further, LIFT]))])
+    assert np.isnan(record.series["motor_force"][:, 0]).all()
+    assert np.abs(record.series["motor_force"][:, 1]).max() == 0
+    (record,) = simulate([compile_model(sheet(stage("further", 0.01), drive=[further]))])
+    assert "motor_force" not in record.series
 
 
 def test_a_servo_shortens_the_longest_timestep():

@@ -88,7 +88,7 @@ def test_the_drives_of_one_stage_are_taken_together():
     model = compile_model(with_values(SHORT, {"protocol.rise": "5 ms"}))
     fold, unfold = (next(drive for drive in model.in_units.drives if drive.name == name) for name in ("fold", "unfold"))
     both = Stage(name="both", drive=["fold", "unfold"], until="time", hold="0 s", time_limit="1 s")
-    assert stage_torques(model, both) == ((fold.torques, 0.005), (unfold.torques, 0.005))
+    assert stage_torques(model, both) == ((fold.strengths, 0.005), (unfold.strengths, 0.005))
     assert stage_torques(model, both.model_copy(update={"drive": "none"})) == ()
 
 

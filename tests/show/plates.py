@@ -141,7 +141,7 @@ def _with_protocol(built: Structure, *, motors: bool, measured: bool) -> Structu
         built,
         motors=(Motor(name="crease", hinges=(0, 1)),) if motors else (),
         drives=tuple(
-            Drive(name=name, shares=(share,), rise=0.0, key=f"drive.{name}", torque=torque, where="on a crease")
+            Drive(name=name, shares=(share,), rise=0.0, key=f"drive.{name}", strength=torque, where="on a crease")
             for name, share, torque in (("close", 1.0, 0.06), ("open", -1.0, 0.2))
         )
         if motors

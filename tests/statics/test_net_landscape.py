@@ -138,3 +138,30 @@ def test_progress_is_told(landscape, told):
     assert landscape.net.states
     assert told[0] == "where it rests, and what its drives do"
     assert "what it withstands: down" in told
+
+
+def pressed(direction):
+    """The landscape of a pyramid whose apex is displaced through its rim."""
+    _, pull = pyramid().drive
+    press = {"name": "push", "kind": "displacement", "of": "vertex 0", "direction": direction, "distance": RISE}
+    return energy_landscape(pyramid(drive=[press, pull.model_dump(exclude_none=True)]))
+
+
+def test_a_displaced_apex_takes_the_force_of_the_closed_form_through_the_snap(slanting):
+    landscape = pressed([0, 0, -1])
+    course = landscape.net.courses[0]
+    (told,) = [each for each in landscape_summary(landscape)["net"]["courses"] if each["name"] == "push"]
+    path = told["slow"]
+    expected = force(slanting, RISE - np.array(path["gone_m"]))
+    largest = np.abs(expected).max()
+    assert path["force_N"] == pytest.approx(expected, abs=1e-2 * largest)
+    assert min(path["force_N"]) < -0.5 * largest
+    assert not course.slow.snaps
+    assert told["largest_force_N"] == pytest.approx(max(expected), rel=1e-2)
+
+
+def test_a_displacement_along_no_axis_is_told_and_the_states_remain():
+    landscape = pressed([0, 1, -1])
+    assert len(landscape.net.states) == 2
+    (remark,) = [remark for remark in landscape.remarks if "cannot be told" in remark]
+    assert "direction: need x, y or z" in remark

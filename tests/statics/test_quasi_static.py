@@ -124,7 +124,7 @@ def test_a_negative_torque_goes_the_other_way():
     """The fold's drive turned round twice is the fold's drive."""
     wings = ensemble_of([REFERENCE])
     flat = flat_state(wings)
-    turned = Drive(name="turned", shares=(-1.0, 0.0), rise=0.0, key="", torque=-0.5)
+    turned = Drive(name="turned", shares=(-1.0, 0.0), rise=0.0, key="", strength=-0.5)
     there = quasi_static.least_slow_torque(wings, flat, FOLD, 0.2)
     back = quasi_static.least_slow_torque(wings, flat, FOLD, 0.2, turned)
     assert there.torque == back.torque

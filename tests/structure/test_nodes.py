@@ -141,7 +141,7 @@ def test_a_drive_takes_rest_angles_to_their_targets():
     (motor,), (driven,) = structure.motors, structure.drives
     assert motor.kind == "rest-angle"
     for hinge, gain in zip(motor.hinges, motor.gains, strict=True):
-        end = structure.hinges[hinge].rest_angle + gain * driven.torque
+        end = structure.hinges[hinge].rest_angle + gain * driven.strength
         assert end == pytest.approx(math.pi)
     # and that is the goal "target", within 5 deg
     goal = goal_of(structure, "target")
@@ -153,7 +153,7 @@ def test_a_force_acts_at_vertices_along_its_direction():
     drive = {"name": "pull", "kind": "force", "of": ["vertex 3", "vertex 24"], "direction": [0, 3, -4], "force": 0.2}
     structure = structure_of(bare(MIURA, drive=[drive]))
     (motor,), (driven,) = structure.motors, structure.drives
-    assert (motor.kind, motor.points, driven.torque, driven.key) == ("force", (3, 24), 0.2, "drive.pull.force")
+    assert (motor.kind, motor.points, driven.strength, driven.key) == ("force", (3, 24), 0.2, "drive.pull.force")
     assert motor.direction.tolist() == pytest.approx([0, 0.6, -0.8])
 
 

@@ -168,11 +168,11 @@ def test_creases_that_the_same_drives_act_on_share_a_motor():
     names = [[structure.hinges[hinge].name for hinge in motor.hinges] for motor in structure.motors]
     assert names == [["crease1", "crease3"], ["crease0"], ["crease2"]]
     assert [motor.name for motor in structure.motors] == ["crease1, crease3", "crease 0", "crease2"]
-    assert [drive.torques for drive in structure.drives] == [(1, 1, 1), (0, -2, -2), (0, 4, 0)]
+    assert [drive.strengths for drive in structure.drives] == [(1, 1, 1), (0, -2, -2), (0, 4, 0)]
     assert [drive.rise for drive in structure.drives] == [0.5, 0.25, 0.25]
     assert drive_keys(design) == ("drive.all.value", "drive.hills.value", "drive.one.value")
     for drive, key in zip(structure.drives, drive_keys(design), strict=True):
-        assert (drive.key, drive.torque) == (key, key_value(design, key))
+        assert (drive.key, drive.strength) == (key, key_value(design, key))
     assert [motor.name for motor in structure_of(LETTER).motors] == ["creases"]
 
 
@@ -231,7 +231,7 @@ def test_a_stage_without_a_state_makes_no_transition():
 def test_another_protocol_on_the_same_plates():
     other = with_values(LETTER, {"drive.close.value": 1.0})
     structure = with_protocol(structure_of(LETTER), other)
-    assert structure.drives[0].torques == (1.0,)
+    assert structure.drives[0].strengths == (1.0,)
     assert [drive.name for drive in structure.drives] == ["close", "open"]
 
 
@@ -241,8 +241,8 @@ def test_drives_of_one_stage_grow_together_whichever_of_them_has_strength(first,
     structure = structure_of(with_values(LETTER, both))
     drive = structure.drives[-1]
     assert drive.name == "close and open"
-    assert drive.torque == size
-    assert drive.torques == pytest.approx([first + second])
+    assert drive.strength == size
+    assert drive.strengths == pytest.approx([first + second])
 
 
 def test_a_folded_letter_is_written_as_frames():

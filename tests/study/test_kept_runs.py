@@ -64,7 +64,7 @@ def test_the_folding_that_is_kept_has_the_bits_of_the_table(searched):
     assert 0 < len(folds) < 4
     for point in folds:
         outcome = kept[f"runs/{point + 1}-folding"].outcome
-        assert outcome.transitions["fold"].torque == value(table, "least_fold_torque", point)
+        assert outcome.transitions["fold"].strength == value(table, "least_fold_torque", point)
         assert outcome.transitions["fold"].time == value(table, "fold_time", point)
         assert outcome.transitions["fold"].work == value(table, "fold_work", point)
         assert energy(outcome.states["flat"]) == value(table, "flat_energy", point)
@@ -78,8 +78,8 @@ def test_the_opening_that_is_kept_has_the_bits_of_the_table(searched):
     for point in opens:
         outcome = kept[f"runs/{point + 1}-opening"].outcome
         assert (outcome.status, outcome.holds["opened"]) == ("folded and opened", True)
-        assert outcome.transitions["fold"].torque == study.search.reference
-        assert outcome.transitions["unfold"].torque == value(table, "least_unfold_torque", point)
+        assert outcome.transitions["fold"].strength == study.search.reference
+        assert outcome.transitions["unfold"].strength == value(table, "least_unfold_torque", point)
         assert outcome.transitions["unfold"].time == value(table, "unfold_time", point)
         assert outcome.transitions["unfold"].work == value(table, "unfold_work", point)
         assert energy(outcome.states["opened"]) == value(table, "opened_energy", point)
@@ -96,13 +96,15 @@ def test_where_no_torque_works_the_largest_that_was_tried_is_kept_and_shows_why(
     assert len(fails) > 0
     for point in fails:
         run = kept[f"runs/{point + 1}-folding"]
-        assert run.outcome.transitions["fold"].torque == study.search.first.values[-1]
+        assert run.outcome.transitions["fold"].strength == study.search.first.values[-1]
         assert run.outcome.status == table["status"].values.ravel()[point]
         assert f"runs/{point + 1}-opening" not in kept
     folds = np.isfinite(table["least_fold_torque"].values.ravel())
     closed = np.flatnonzero(folds & np.isnan(table["least_unfold_torque"].values.ravel()))
     for point in closed:
-        assert kept[f"runs/{point + 1}-opening"].outcome.transitions["unfold"].torque == study.search.second.values[-1]
+        assert (
+            kept[f"runs/{point + 1}-opening"].outcome.transitions["unfold"].strength == study.search.second.values[-1]
+        )
 
 
 def test_a_kept_run_is_the_folder_of_a_run(searched):

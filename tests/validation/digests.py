@@ -218,7 +218,9 @@ def measured_numbers(record: Record) -> Numbers:
         kept = ("time", "tendon_length", "tendon_energy", "membrane_energy")
         numbers |= {f"{name}.{field}": getattr(found, field) for field in kept}
     for name, transition in outcome.transitions.items():
-        numbers |= dict(_fields(transition, name))
+        # what was a torque then is how strong any drive is
+        fields = dict(_fields(transition, name))
+        numbers |= {re.sub(r"\.strength$", ".torque", field): value for field, value in fields.items()}
     return numbers
 
 

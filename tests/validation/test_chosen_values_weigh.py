@@ -53,7 +53,7 @@ def test_the_work_of_a_constant_torque_hardly_knows_the_tendon(reference, stiffn
     veins = reference.fan.vein_count
     for transition, degrees in ((outcome.transitions["fold"], (85, 91)), (outcome.transitions["unfold"], (250, 276))):
         # a vein turns by 90 deg; a distal hinge bends by 183 deg and the vein turns back by 95
-        assert degrees[0] <= math.degrees(transition.work / veins / transition.torque) <= degrees[1]
+        assert degrees[0] <= math.degrees(transition.work / veins / transition.strength) <= degrees[1]
 
 
 def test_stops_take_two_fifths_of_the_work_of_folding_and_half_of_that_of_opening(reference_run):

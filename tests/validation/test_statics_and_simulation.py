@@ -71,7 +71,7 @@ def rings(wings, position):
 def driven(wings, name, torque):
     """Torques of a drive of this size on every motor, N m."""
     drive = drive_of(wings.structure, name)
-    return torque / drive.torque * np.array(drive.torques)
+    return torque / drive.strength * np.array(drive.strengths)
 
 
 def gets_to(wings, goal, position):

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from forficula.analysis.verdict import Ending, Verdict, ending_advice, ending_text
 from forficula.design import stage_drives
 from forficula.dynamics import EnergyBalance, Record, StageEnd, energy_balance
-from forficula.structure import Goal, RestState, Structure, Transition, drive_of, goal_of, state_of
+from forficula.structure import Drive, Goal, RestState, Structure, Transition, drive_of, goal_of, state_of
 
 Array = NDArray[np.float64]
 
@@ -79,16 +79,18 @@ class TransitionOutcome:
     """What became of a transition, such as folding.
 
     Attributes:
-        torque: of its drive, N m.
+        strength: of its drive, in the SI unit of `drive_unit`.
         succeeded: whether the goal was reached, and the state held after the release.
         time: from the start of the stage until the goal was reached, s; None where it failed.
         work: of the motors over the stage, J: the integral of torque over angle.
+        largest_force: over the stage, on all points of a displacement together and along it, N; None of other drives.
     """
 
-    torque: float
+    strength: float
     succeeded: bool
     time: float | None
     work: float
+    largest_force: float | None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -364,12 +366,25 @@ def _transition(record: Record, way: _Way, holds: Mapping[str, bool | None]) -> 
     if end is None:
         return None
     succeeded = bool(holds[transition.state])
+    drive = drive_of(record.structure, transition.drive)
     return TransitionOutcome(
-        torque=drive_of(record.structure, transition.drive).torque,
+        strength=drive.strength,
         succeeded=succeeded,
         time=end.goal_time - end.start if succeeded and end.goal_time is not None else None,
         work=_work(record, end),
+        largest_force=_largest_force(record, drive, end),
     )
+
+
+def _largest_force(record: Record, drive: Drive, end: StageEnd) -> float | None:
+    """The largest force on all points that a drive displaces in a stage, N; None where it displaces none."""
+    if "motor_force" not in record.series:
+        return None
+    motors = zip(record.structure.motors, drive.shares, strict=True)
+    displaced = [motor.kind == "displacement" and share != 0 for motor, share in motors]
+    during = (record.time > end.start) & (record.time <= end.end)
+    forces = record.series["motor_force"][during][:, displaced].sum(axis=1)
+    return float(max(forces, key=abs)) if any(displaced) and len(forces) else None
 
 
 def _stage(record: Record, end: StageEnd, *, tells: bool) -> StageOutcome:

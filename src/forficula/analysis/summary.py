@@ -11,7 +11,7 @@ from forficula.analysis.outcome import Outcome, StageOutcome, State, TransitionO
 from forficula.analysis.run_warnings import run_warnings
 from forficula.analysis.strength import FoldPeak, Peak, fold_peak, strain_peaks
 from forficula.dynamics import EnergyBalance, Record
-from forficula.structure import Structure, drive_of, hinge_groups, structure_warnings
+from forficula.structure import Drive, Structure, drive_of, drive_unit, hinge_groups, structure_warnings
 
 
 def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[str, Any]:
@@ -49,7 +49,7 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[
         again = sum(name == stage.name or name.startswith(f"{stage.name} (") for name in stages)
         stages[f"{stage.name} ({again + 1})" if again else stage.name] = _stage_summary(stage)
     transitions = {
-        each.name: _transition_summary(outcome.transitions[each.name], drive_of(structure, each.drive).torque)
+        each.name: _transition_summary(outcome.transitions[each.name], structure, drive_of(structure, each.drive))
         for each in structure.transitions
     }
     own = {**outcome.holds, "states": states, **transitions, "stages": stages}
@@ -79,16 +79,20 @@ def _state_summary(structure: Structure, state: State) -> dict[str, Any]:
     }
 
 
-def _transition_summary(transition: TransitionOutcome | None, torque: float) -> dict[str, Any]:
-    """A transition; one that was not tried has the torque that it would have had, and nothing else."""
-    if transition is None:
-        return {"torque_N_m": torque, "succeeded": False, "time_s": None, "work_J": None}
-    return {
-        "torque_N_m": transition.torque,
-        "succeeded": transition.succeeded,
-        "time_s": transition.time,
-        "work_J": transition.work,
-    }
+def drive_entry(structure: Structure, drive: Drive) -> tuple[str, float]:
+    """How strong a drive is, with a key that ends in the unit: torque_N_m, force_N, displacement_m, rest_angle_deg."""
+    unit = drive_unit(structure, drive)
+    key = {"N m": "torque_N_m", "N": "force_N", "m": "displacement_m", "rad": "rest_angle_deg"}[unit]
+    return key, float(np.degrees(drive.strength)) if unit == "rad" else drive.strength
+
+
+def _transition_summary(found: TransitionOutcome | None, structure: Structure, drive: Drive) -> dict[str, Any]:
+    """A transition; one that was not tried has the drive that it would have had, and nothing else."""
+    told = dict([drive_entry(structure, drive)])
+    if found is None:
+        return {**told, "succeeded": False, "time_s": None, "work_J": None}
+    forces = {} if found.largest_force is None else {"largest_force_N": found.largest_force}
+    return {**told, "succeeded": found.succeeded, "time_s": found.time, "work_J": found.work, **forces}
 
 
 def _branch_summary(branch: Branch | None) -> dict[str, Any]:

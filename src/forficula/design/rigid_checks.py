@@ -35,11 +35,10 @@ _OFF_PLANE = 1e-6
 
 
 def check_rigid(design: SheetDesign) -> None:
-    """Refuse a sheet whose facets cannot be rigid.
+    """Refuse a sheet whose facets cannot be rigid, wherever it is held.
 
     Raises:
-        InputError: facets that are not flat, that hang on nothing, or that do not move, and some creases that open
-            beside others that do not.
+        InputError: facets that are not flat, or that do not move, and some creases that open beside others that do not.
     """
     sheet = design.sheet
     for facet, corners in enumerate(sheet.faces_vertices):
@@ -48,15 +47,11 @@ def check_rigid(design: SheetDesign) -> None:
         if off[2] > _OFF_PLANE * off[0]:
             raise InputError(f"facet.kind: need flat facets to be rigid, got facet {facet}, which is not; {_INSTEAD}")
     creases = creases_by_edge(design)
-    opening = [edge for edge, crease in creases.items() if crease.extension is not None]
+    opening = _opening(design)
     try:
         links = facet_tree(sheet, apart=opening)
     except InputError as error:
         raise InputError(f"pattern: {error}; {_INSTEAD}") from None
-    try:
-        facet_tree(sheet, design.held_facets, opening)
-    except InputError as error:
-        raise InputError(f"support: {error}") from None
     closing = [link.edge for link in links if link.closes]
     if closing and opening:
         raise InputError(
@@ -73,6 +68,23 @@ def check_rigid(design: SheetDesign) -> None:
     why = _stuck(sheet.vertices_coords.tobytes(), sheet.edges_vertices.tobytes(), letters, sheet.faces_vertices)
     if why:
         raise InputError(f"facet.kind: need a sheet that folds with rigid facets: {why}; {_INSTEAD}")
+
+
+def check_rigid_supports(design: SheetDesign) -> None:
+    """Refuse supports on which some of the facets do not hang.
+
+    Raises:
+        InputError: which facets.
+    """
+    try:
+        facet_tree(design.sheet, design.held_facets, _opening(design))
+    except InputError as error:
+        raise InputError(f"support: {error}") from None
+
+
+def _opening(design: SheetDesign) -> list[int]:
+    """The edges of creases that open."""
+    return [edge for edge, crease in creases_by_edge(design).items() if crease.extension is not None]
 
 
 @lru_cache(maxsize=64)

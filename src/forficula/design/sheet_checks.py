@@ -10,7 +10,12 @@ from forficula.design.crease_values import crease_key, creases_by_edge, stops
 from forficula.design.design import check_duration
 from forficula.design.part import ANGLE, LENGTH, TORQUE
 from forficula.design.protocol import GoalText, check_bound, check_stages, read_goal, stage_drives
-from forficula.design.rigid_checks import check_rigid, check_rigid_creases, check_rigid_tendon
+from forficula.design.rigid_checks import (
+    check_rigid,
+    check_rigid_creases,
+    check_rigid_supports,
+    check_rigid_tendon,
+)
 from forficula.design.sheet_creases import crease_groups, crease_role, crease_sense, creases_of, fold_edges
 from forficula.design.sheet_places import GROUND_PLACE, facet_of, is_vertex, place_on, vertex_of
 from forficula.errors import InputError
@@ -46,13 +51,16 @@ def check_sheet(design: SheetDesign) -> None:
     _check_edges(sheet)
     if not fold_edges(sheet):
         raise InputError("pattern: need a mountain or a valley between two facets, got none")
-    _check_supports(design, sheet)
     for number, group in enumerate(groups):
         _keyed(f"crease.group.{number}.of", creases_of, sheet, group.of, groups[:number])
     if design.facet.kind == "rigid":
         if design.imperfection.size:
             raise InputError("imperfection.size: is for facets that bend; rigid ones meet as drawn, or not at all")
+        # before its supports: a sheet that cannot be rigid is seldom held as one that is
         check_rigid(design)
+    _check_supports(design, sheet)
+    if design.facet.kind == "rigid":
+        check_rigid_supports(design)
         check_rigid_creases(design)
     elif design.crease.start or any(group.start for group in groups):
         raise InputError("crease.start: is for rigid facets; others start as the pattern is built")

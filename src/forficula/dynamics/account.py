@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.dynamics.crease_work import crease_works, engine_work, motor_travel
+from forficula.dynamics.crease_work import crease_works, displacement_force, engine_work, motor_travel
 from forficula.dynamics.energy import branch_losses, letting_go_work
 from forficula.dynamics.explicit_work import explicit_works
 from forficula.dynamics.model import Model, joint_ranges
@@ -47,6 +47,11 @@ class Account:
             dtype=bool,
         )
         self._powers = np.zeros((len(models), len(self._motors)))
+        # forces of those that displace points in the last step, N
+        self._displaces = np.array(
+            [[motor.kind == "displacement" for motor in model.structure.motors] for model in models], dtype=bool
+        )
+        self._forces = np.full((len(models), len(self._motors)), np.nan)
         self._gaps, self._explicit = models[0].gaps, models[0].explicit
         # where stops end the ranges of joints
         self._stops = [np.array(each) for each in zip(*(joint_ranges(model) for model in models), strict=True)]
@@ -73,7 +78,7 @@ class Account:
         Returns:
             By name the work since the start before each step, J, the powers of the motors in it, W, and what they were
             set to before it, in the models' units, (row, step); those of motors by `motor_work_name`,
-            `motor_power_name` and `motor_setting_name`.
+            `motor_power_name` and `motor_setting_name`; forces of those that displace points, N, by `motor_force_name`.
         """
         velocity = np.concatenate([steps.velocity_before[:, None], steps.velocity], axis=1)
         with np.errstate(over="ignore", invalid="ignore"):  # of what blows up, whose later steps do not count
@@ -129,6 +134,8 @@ class Account:
                 if self._by_engine[:, motor].any():
                     self._powers[rows, motor] = power[np.arange(len(rows)), np.maximum(taken, 1) - 1]
                 before[motor_setting_name(motor)] = before_step[:, :, motor]
+                if self._displaces[:, motor].any():
+                    before[motor_force_name(motor)] = self._force(rows, motor, steps, taken)
             if len(self._gaps):
                 before["closure_gap"] = self._widened(rows, steps, taken)
             self._set[rows] = np.where((taken > 0)[:, None], torques[np.arange(len(rows)), taken - 1], self._set[rows])
@@ -140,7 +147,7 @@ class Account:
         return {name: float(done[row]) for name, done in self._done.items()} | gap
 
     def power(self, row: int, torques: Array, end: State) -> dict[str, float]:
-        """Powers of the motors' torques (motor,) on a structure in a state, W, and what they were set to last."""
+        """Powers of the motors' torques (motor,) on a structure in a state, W; their settings, forces, N."""
         model, settings = self._models[row], self._set[row]
         if model.creases is None:
             along = [self._along(np.array([row]), end.velocity[None, None], motor)[0, 0] for motor in self._motors]
@@ -156,17 +163,31 @@ class Account:
                 for motor, each in enumerate(along)
             },
             **{motor_setting_name(motor): float(each) for motor, each in enumerate(settings)},
+            **{
+                motor_force_name(motor): float(self._forces[row, motor])
+                for motor in np.flatnonzero(self._displaces.any(axis=0)).tolist()
+            },
         }
 
     def follow_leader(self, row: int, leader: int) -> None:
         """Put a structure where another one is, which has gone the same way so far."""
-        for done in (*self._done.values(), self._set, self._powers, self._widest, self._met):
+        for done in (*self._done.values(), self._set, self._powers, self._forces, self._widest, self._met):
             done[row] = done[leader]
 
     def _along(self, rows: Indices, travel: Array, motor: Motor) -> Array:
         """Sum of the travel of the hinges of a motor in their own senses, (row, step)."""
         hinges = list(motor.hinges)
         return np.asarray(np.sum(self._senses[rows][:, None, hinges] * travel[:, :, hinges], axis=2))
+
+    def _force(self, rows: Indices, motor: int, steps: Steps, taken: Indices) -> Array:
+        """Force in each step of a motor on points that it displaces, N, (row, step); nan where it displaces none."""
+        forces = np.full(steps.position.shape[:2], np.nan)
+        for place, row in enumerate(rows.tolist()):
+            if self._displaces[row, motor]:
+                unit = self._models[row].units
+                forces[place] = unit.energy / unit.length * displacement_force(self._models[row], motor, steps, place)
+        self._forces[rows, motor] = forces[np.arange(len(rows)), np.maximum(taken, 1) - 1]
+        return forces
 
     def _add_branches(self, work: dict[str, Array], place: int, model: Model, steps: Steps, travel: Array) -> None:
         """Add what the Maxwell branches of tendons take, and what keeps tendons that let go from pushing."""
@@ -237,3 +258,8 @@ def motor_setting_name(motor: int) -> str:
 def motor_power_name(motor: int) -> str:
     """What the power of a motor, by number, is called in an account."""
     return f"motor{motor}_power"
+
+
+def motor_force_name(motor: int) -> str:
+    """What the force of a motor that displaces points, by number, is called in an account."""
+    return f"motor{motor}_force"

@@ -13,6 +13,7 @@ from forficula.dynamics.steps import Steps
 from forficula.structure import Motor, Structure
 
 Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
 
 
 def crease_works(
@@ -76,10 +77,21 @@ def engine_work(model: Model, motor: int, steps: Steps, place: int, travel: Arra
     parts = np.concatenate([holds, holds - 1, np.flatnonzero(model.brakes == motor)])
     if not len(parts):
         return np.zeros(len(travel))
+    return np.asarray(np.sum(_engine_forces(steps, place, parts) * (travel @ model.ways[parts].T), axis=1))
+
+
+def displacement_force(model: Model, motor: int, steps: Steps, place: int) -> Array:
+    """Force in some steps of a motor that displaces points, on all of them together and along its way, (step,)."""
+    holds = np.flatnonzero(model.holds == motor)
+    return np.asarray(_engine_forces(steps, place, np.concatenate([holds, holds - 1])).sum(axis=1))
+
+
+def _engine_forces(steps: Steps, place: int, parts: Indices) -> Array:
+    """Forces of some of the engine's actuators in each step, (step, part)."""
     forces = steps.derived["actuator_force"][place][:, parts]
-    if steps.late is not None:
-        forces = (forces + steps.late["actuator_force"][place][:, parts]) / 2
-    return np.asarray(np.sum(forces * (travel @ model.ways[parts].T), axis=1))
+    if steps.late is None:
+        return np.asarray(forces)
+    return np.asarray((forces + steps.late["actuator_force"][place][:, parts]) / 2)
 
 
 def motor_travel(model: Model, position: Array, travel: Array) -> Array:

@@ -222,7 +222,7 @@ def _braking(structure: Structure) -> Array:
     """By how much motors damp each hinge at most, (hinge,)."""
     most = np.zeros(len(structure.hinges))
     for number, motor in enumerate(structure.motors):
-        size = max((abs(drive.torques[number]) for drive in structure.drives), default=0.0)
+        size = max((abs(drive.strengths[number]) for drive in structure.drives), default=0.0)
         gains = np.array(motor.gains or (1.0,) * len(motor.hinges))
         most[list(motor.hinges)] += size * gains / motor.no_load_speed
     return most

@@ -42,11 +42,12 @@ VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "point_position": (("point", "axis"), "m", "named points on bodies"),
     "membrane_position": (("node", "axis"), "m", "nodes of the membrane"),
 }
-# what is there only with springs in hinges, with distances that are watched, with Maxwell branches, with tendons that
-# yield, and with tendons that let go
+# what is there only with springs in hinges, with displacements, with distances that are watched, with Maxwell branches,
+# with tendons that yield, and with tendons that let go
 SOMETIMES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "hinge_energy": (("hinge",), "J", "energy of the hinge's spring"),
     "hinge_rest_angle": (("hinge",), "rad", "where the hinge's spring rests, which a drive moves"),
+    "motor_force": (("motor",), "N", "force on all points that the motor displaces together, along its way"),
     "spring_force": (("spring",), "N", "force of the spring, pulling positive"),
     "spring_energy": (("spring",), "J", "energy of the spring"),
     "distance": (("measure",), "m", "distance that is watched"),

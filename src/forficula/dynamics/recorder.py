@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.dynamics.account import motor_power_name, motor_setting_name, motor_work_name
+from forficula.dynamics.account import motor_force_name, motor_power_name, motor_setting_name, motor_work_name
 from forficula.dynamics.energy import state_energies, state_series
 from forficula.dynamics.model import Model
 from forficula.dynamics.record import Record, StageEnd
@@ -155,6 +155,10 @@ class Recorder:
         ):
             columns = [series.pop(of_motor(motor)) for motor in motors]
             series[name] = np.stack(columns, axis=1) if columns else np.zeros((len(series["stop_work"]), 0))
+        forces = {motor: series.pop(motor_force_name(motor)) for motor in motors if motor_force_name(motor) in series}
+        if forces:
+            series["motor_force"] = np.full_like(series["motor_work"], np.nan)
+            series["motor_force"][:, list(forces)] = np.stack(list(forces.values()), axis=1)
         return series
 
     def _energies_at_ends(self, start: State, end: State, count: int) -> dict[str, Array]:

@@ -49,7 +49,7 @@ def _but_last_drive(model: Model) -> str:
     """The same of models of one engine, which differ in their protocols and drives at most."""
     structure = model.structure
     last = [transition.drive for transition in structure.transitions[-1:]]
-    others = [drive.torque for drive in structure.drives if drive.name not in last]
+    others = [drive.strength for drive in structure.drives if drive.name not in last]
     keys = [drive_of(structure, name).key for name in last]
     return f"{_but_drives(model, keys)} {others}"
 

@@ -287,7 +287,7 @@ def _first(holds: NDArray[np.bool_], count: int) -> Numbers:
 def stage_torques(model: Model, stage: Stage) -> tuple[Effort, ...]:
     """Of every drive of a stage the torques on all motors, in own senses and the model's units, and the rise, s."""
     return tuple(
-        (drive_of(model.in_units, name).torques, drive_of(model.structure, name).rise) for name in stage_drives(stage)
+        (drive_of(model.in_units, name).strengths, drive_of(model.structure, name).rise) for name in stage_drives(stage)
     )
 
 

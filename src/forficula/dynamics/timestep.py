@@ -149,7 +149,7 @@ def _as_built(model: Model) -> _Linear:
     for control in np.flatnonzero(model.brakes >= 0):
         # what speed takes of motors' torques, where these are largest
         number, way = model.brakes[control], model.ways[control]
-        largest = max((abs(drive.torques[number]) for drive in model.in_units.drives), default=0.0)
+        largest = max((abs(drive.strengths[number]) for drive in model.in_units.drives), default=0.0)
         damping += largest / model.in_units.motors[number].no_load_speed * np.outer(way, way)
     return _Linear(
         inertia=inertia,
@@ -179,7 +179,7 @@ def _at_largest_lever(model: Model, built: _Linear) -> _Linear:
             longest = min(longest, law.rest_length + law.yield_extension)
         # a cubic's slope is largest at an end of its range
         ends = law.elastic.stiffness([min(law.rest_length, longest), longest])
-        torque = sum(abs(drive.torque) for drive in structure.drives)
+        torque = sum(abs(drive.strength) for drive in structure.drives)
         linear, quadratic, cubic = law.damping or (0.0, 0.0, 0.0)
         # a hinge is no faster than the energy of its tendon and the work of the torques on it allow, and about no
         # faster than where its tendon's damper holds their forces

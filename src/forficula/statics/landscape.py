@@ -315,7 +315,7 @@ def _rest(structures: Ensemble, name: str, found: Equilibria, earlier: Sequence[
 def _largest_torque(structures: Ensemble, transition: Transition, peak: float) -> float:
     """The largest torque tried for a transition, N m: the drive's; of one on hinges that tendons cross, more."""
     drive = transition.slow_drive or drive_of(structures.structure, transition.drive)
-    own = abs(drive.torque)
+    own = abs(drive.strength)
     return max(_MOST_OPENING * peak, own) if crosses(structures, drive) else own
 
 

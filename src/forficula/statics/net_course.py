@@ -9,13 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
+from forficula.statics.net.energy import expand
 from forficula.statics.net.load import Load
 from forficula.statics.net.load_path import LoadPath, PathPoint, load_path
 from forficula.statics.net.minimum import Rest, minimum
 from forficula.statics.net.net import Net, Shape
 from forficula.statics.net.net_of import motor_load, own_angles, places
 from forficula.statics.net.slow_path import SlowPath, slow_path
-from forficula.structure import Drive, Goal, Motor, Structure, Transition, distances_of, goal_of
+from forficula.structure import Drive, Goal, Structure, Transition, distances_of, driven_motor, goal_of
 
 Array = NDArray[np.float64]
 
@@ -37,6 +38,7 @@ class Course:
         through: the equilibria on and beyond the first path, stable or not, where it snaps; else None.
         least: size of the drive at which the goal is first reached, in its SI unit; None where it never is, or where
             there is no goal.
+        largest_force: on all points of a displacement together, up to there, along it, N; None of other drives.
         rest: where it comes to rest when let go at the end.
     """
 
@@ -47,6 +49,7 @@ class Course:
     slow: SlowPath
     through: LoadPath | None
     least: float | None
+    largest_force: float | None
     rest: Rest
 
 
@@ -64,14 +67,16 @@ def drive_course(structure: Structure, net: Net, start: Rest, drive: Drive, tran
         InputError: it would carry the whole away.
     """
     free, net = net, displaced_net(structure, net, drive)
-    load = motor_load(structure, net, drive.torques)
+    load = motor_load(structure, net, drive.strengths)
     goal = None if transition is None else goal_of(structure, transition.goal)
 
     def there(shape: Shape) -> bool:
         return goal is not None and short_of(structure, net, goal, shape) <= 0
 
     end = 1.0 if goal is None else _MOST
-    slow = slow_path(net, start.shape, load, end=end, increments=_INCREMENTS, stop=there)
+    # a displacement tells its force all along the way, which is drawn
+    step = _FINE * net.size if displaces(structure, drive) else None
+    slow = slow_path(net, start.shape, load, end=end, step=step, increments=_INCREMENTS, stop=there)
     last = slow.points[-1] if len(slow.snaps) < len(slow.paths) else None
     shape = slow.snaps[-1].after.shape if last is None else last.shape
     factor = slow.snaps[-1].factor if last is None else last.factor
@@ -88,9 +93,16 @@ def drive_course(structure: Structure, net: Net, start: Rest, drive: Drive, tran
         start=start,
         slow=slow,
         through=through,
-        least=None if reached is None else reached * abs(drive.torque),
+        least=None if reached is None else reached * abs(drive.strength),
+        largest_force=_largest_force(structure, net, drive, slow.points),
         rest=minimum(free, shape),
     )
+
+
+def _largest_force(structure: Structure, net: Net, drive: Drive, points: Sequence[PathPoint]) -> float | None:
+    if not displaces(structure, drive):
+        return None
+    return max((reaction(structure, net, drive, point.shape) for point in points), key=abs)
 
 
 def displaced_net(structure: Structure, net: Net, drive: Drive) -> Net:
@@ -123,16 +135,9 @@ def short_of(structure: Structure, net: Net, goal: Goal, shape: Shape) -> float:
     return float(max(np.max(goal.least - read, initial=-np.inf), np.max(read - goal.most, initial=-np.inf)))
 
 
-def driven_motor(structure: Structure, drive: Drive) -> Motor:
-    """The first motor that a drive sets."""
-    return next(motor for motor, share in zip(structure.motors, drive.shares, strict=True) if share)
-
-
-def drive_unit(structure: Structure, drive: Drive) -> str:
-    """The SI unit of a drive's strength."""
-    return {"torque": "N m", "force": "N", "displacement": "m", "rest-angle": "rad"}[
-        driven_motor(structure, drive).kind
-    ]
+def displaces(structure: Structure, drive: Drive) -> bool:
+    """Whether a drive moves points by a way, whatever force that takes."""
+    return driven_motor(structure, drive).kind == "displacement"
 
 
 def gone(structure: Structure, net: Net, drive: Drive, shape: Shape) -> float:
@@ -149,7 +154,19 @@ def gone(structure: Structure, net: Net, drive: Drive, shape: Shape) -> float:
         else:
             ways = np.sign(motor.gains or [1.0]) * own_angles(structure, shape)[list(motor.hinges)]
         far, weight = far + share * float(ways.sum()), weight + abs(share) * len(ways)
-    return float(np.sign(drive.torque or 1.0)) * far / weight
+    return float(np.sign(drive.strength or 1.0)) * far / weight
+
+
+def reaction(structure: Structure, net: Net, drive: Drive, shape: Shape) -> float:
+    """The force that a displacement takes, on all its points together and along it, N.
+
+    What is stored changes by it times the way: it is the slope of the potential by how far the drive has gone.
+    """
+    slope, force = expand(net, shape).slope, 0.0
+    for motor, share in zip(structure.motors, drive.shares, strict=True):
+        if share and motor.kind == "displacement" and motor.direction is not None:
+            force += share * float(np.sum(slope[list(motor.points)] @ motor.direction))
+    return float(np.sign(drive.strength or 1.0)) * force
 
 
 def _first_at(structure: Structure, net: Net, goal: Goal, points: Sequence[PathPoint]) -> float | None:

@@ -136,12 +136,17 @@ def _courses(structure: Structure, net: Net, first: Rest) -> tuple[tuple[Course,
     for transition in structure.transitions:
         drive = drive_of(structure, transition.drive)
         done |= {drive.name, *drive.name.split(" and ")}
-        if not here.stable or not any(drive.torques):
+        if refused or not here.stable or not any(drive.strengths):
             continue
-        courses.append(drive_course(structure, net, here, drive, transition))
+        try:
+            courses.append(drive_course(structure, net, here, drive, transition))
+        except InputError as error:
+            # where the next would begin is not known
+            refused.append(f'what "{drive.name}" does, and what comes after it, cannot be told: {error}')
+            continue
         here = courses[-1].rest
     for drive in structure.drives:
-        if drive.name in done or not first.stable or not any(drive.torques):
+        if drive.name in done or not first.stable or not any(drive.strengths):
             continue
         try:
             courses.append(drive_course(structure, net, first, drive, None))

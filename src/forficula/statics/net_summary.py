@@ -10,10 +10,10 @@ import numpy as np
 from forficula.statics.net.load_path import PathPoint
 from forficula.statics.net.net import Shape
 from forficula.statics.net.net_of import places
-from forficula.statics.net_course import Course, drive_unit, driven_motor, gone
+from forficula.statics.net_course import Course, displaces, gone, reaction
 from forficula.statics.net_landscape import NetLandscape
 from forficula.statics.net_state import Mobility, NetState, Withstood
-from forficula.structure import Structure
+from forficula.structure import Structure, drive_unit, driven_motor
 
 _SUFFIXES = {"N": "N", "N m": "N_m", "rad": "deg", "m": "m", "Pa": "Pa", "m/s^2": "m_per_s2"}
 
@@ -81,15 +81,19 @@ def _withstood(each: Withstood) -> dict[str, Any]:
 
 
 def _course(structure: Structure, net: NetLandscape, course: Course) -> dict[str, Any]:
-    unit, size = drive_unit(structure, course.drive), abs(course.drive.torque)
+    unit, size = drive_unit(structure, course.drive), abs(course.drive.strength)
     degrees = float(np.degrees(1.0)) if unit == "rad" else 1.0
     along = "deg" if driven_motor(structure, course.drive).direction is None else "m"
 
     def path(points: Sequence[PathPoint]) -> dict[str, Any]:
+        forces = {}
+        if displaces(structure, course.drive):
+            forces = {"force_N": [reaction(structure, net.net, course.drive, point.shape) for point in points]}
         ways = np.array([gone(structure, net.net, course.drive, point.shape) for point in points])
         return {
             f"drive_{_SUFFIXES[unit]}": [degrees * size * point.factor for point in points],
             f"gone_{along}": (np.degrees(ways) if along == "deg" else ways).tolist(),
+            **forces,
             "energy_J": [point.energy for point in points],
             "ways_downhill": [point.index for point in points],
         }
@@ -98,6 +102,7 @@ def _course(structure: Structure, net: NetLandscape, course: Course) -> dict[str
         "name": course.name,
         "drive": course.drive.name,
         f"least_{_SUFFIXES[unit]}": None if course.least is None else degrees * course.least,
+        **({} if course.largest_force is None else {"largest_force_N": course.largest_force}),
         "ended": course.slow.ended,
         "slow": path(course.slow.points),
         "snaps": [

@@ -173,4 +173,4 @@ def _pushed(
 
 def _by_unit(drive: Drive) -> Array:
     """Torques of all motors by the size of a drive's, (motor,)."""
-    return np.array(drive.shares) * (-1.0 if drive.torque < 0 else 1.0)
+    return np.array(drive.shares) * (-1.0 if drive.strength < 0 else 1.0)

@@ -7,6 +7,8 @@ from forficula.structure.flaps import built_creases, crease_flaps, crease_law, c
 from forficula.structure.goals import (
     distances_of,
     drive_of,
+    drive_unit,
+    driven_motor,
     first_state,
     goal_of,
     hinges_of,
@@ -88,6 +90,8 @@ __all__ = [
     "drawn_points",
     "drive_keys",
     "drive_of",
+    "drive_unit",
+    "driven_motor",
     "facet_triangles",
     "first_state",
     "flap_angles",

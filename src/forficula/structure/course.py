@@ -42,14 +42,14 @@ class Motor:
 
 @dataclass(frozen=True, kw_only=True)
 class Drive:
-    """Torques that a protocol switches on by name.
+    """What a protocol switches on by name: torques, forces, ways or turns of rest angles, of its motors' kinds.
 
     Attributes:
         name: as stages call it.
-        shares: by which `torque` is on the hinges of every motor of the structure, in their order.
+        shares: times which `strength` every motor of the structure is set to, in their order.
         rise: time over which they rise evenly from 0, s; 0: at once.
         key: of the design's value that makes it stronger, such as "protocol.fold_torque".
-        torque: that value, N m.
+        strength: that value, in the SI unit of `drive_unit`.
         tries: what a search for the least value tries where it is not told, as text.
         large: alike, what it takes to see whether the next transition works, as text.
         where: what it acts on, as sentences say it, such as "on every proximal joint".
@@ -60,16 +60,16 @@ class Drive:
     shares: tuple[float, ...]
     rise: float
     key: str
-    torque: float
+    strength: float
     tries: str = ""
     large: str = ""
     where: str = ""
     part: str = ""
 
     @property
-    def torques(self) -> tuple[float, ...]:
-        """Of every motor of the structure, in their order, N m."""
-        return tuple(share * self.torque for share in self.shares)
+    def strengths(self) -> tuple[float, ...]:
+        """What every motor of the structure is set to, in their order, in its SI unit."""
+        return tuple(share * self.strength for share in self.shares)
 
 
 @dataclass(frozen=True, kw_only=True)

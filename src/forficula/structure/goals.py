@@ -11,8 +11,10 @@ from forficula.design.protocol import GoalText, read_goal
 from forficula.errors import InputError
 from forficula.names import one_of
 from forficula.quantities import as_written, parse_quantity
-from forficula.structure.course import Drive, Goal, Measure, RestState, Transition
+from forficula.structure.course import Drive, Goal, Measure, Motor, RestState, Transition
 from forficula.structure.structure import Structure
+
+_UNITS = {"torque": "N m", "force": "N", "displacement": "m", "rest-angle": "rad"}
 
 
 def drive_of(structure: Structure, name: str) -> Drive:
@@ -25,6 +27,17 @@ def drive_of(structure: Structure, name: str) -> Drive:
         if drive.name == name:
             return drive
     raise InputError(f"drive: need {one_of(['none', *_names(structure.drives)], name)}")
+
+
+def driven_motor(structure: Structure, drive: Drive) -> Motor:
+    """The first motor that a drive sets: of several kinds that act together, it is as strong as that."""
+    set_ = (motor for motor, share in zip(structure.motors, drive.shares, strict=True) if share)
+    return next(set_, structure.motors[0])
+
+
+def drive_unit(structure: Structure, drive: Drive) -> str:
+    """The SI unit of how strong a drive is."""
+    return _UNITS[driven_motor(structure, drive).kind]
 
 
 def transition_of(structure: Structure, name: str) -> Transition | None:

@@ -128,7 +128,7 @@ def _driven(structure: Structure, design: SheetDesign) -> tuple[tuple[Motor, ...
             shares=tuple(1.0 if number in drives else 0.0 for drives in moved),
             rise=rises[number],
             key=f"drive.{drive.name}.{STRENGTHS[drive.kind]}",
-            torque=strengths[number],
+            strength=strengths[number],
             where=_where(drive),
         )
         for number, drive in enumerate(design.drive)
@@ -268,15 +268,15 @@ def _together(structure: Structure, names: Sequence[str]) -> Drive:
     One of no strength is no measure of the others: the first that has some is.
     """
     drives = [drive_of(structure, name) for name in names]
-    lead = next((drive for drive in drives if drive.torque), drives[0])
+    lead = next((drive for drive in drives if drive.strength), drives[0])
     others = [drive for drive in drives if drive is not lead]
     if not others:
         return lead
-    torques = [sum(each) for each in zip(*(drive.torques for drive in drives), strict=True)]
+    torques = [sum(each) for each in zip(*(drive.strengths for drive in drives), strict=True)]
     return replace(
         lead,
         name=" and ".join(names),
-        shares=tuple(torque / lead.torque if lead.torque else 0.0 for torque in torques),
+        shares=tuple(torque / lead.strength if lead.strength else 0.0 for torque in torques),
         rise=max(drive.rise for drive in drives),
         where=f"{lead.where}, with {' and '.join(drive.name for drive in others)} in proportion",
     )

@@ -231,7 +231,7 @@ def _run_at(law: MaterialLaw, cycle: int, design: Design, row: Row, least: Seque
         residual_strain=max(sets, default=0.0),
         row=row,
         margins={
-            each.name: margin(abs(drive_of(structure, each.drive).torque), torque)
+            each.name: margin(abs(drive_of(structure, each.drive).strength), torque)
             for each, torque in zip(structure.transitions, least, strict=True)
         },
     )

@@ -97,9 +97,9 @@ def _torque_step(transition: Transition, drive: Drive, given: Mapping[str, Any],
         state=transition.state,
         done=transition.wording.done,
         key=drive.key,
-        values=_torques(name, given.get(name, drive.tries or _tenths(drive.torque)), none=none),
+        values=_torques(name, given.get(name, drive.tries or _tenths(drive.strength)), none=none),
         unit=TORQUE,
-        sign=-1.0 if drive.torque < 0 else 1.0,
+        sign=-1.0 if drive.strength < 0 else 1.0,
     )
 
 

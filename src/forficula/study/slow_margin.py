@@ -43,7 +43,7 @@ def least_slow_torques(designs: Sequence[Design]) -> tuple[Array, ...]:
 
 
 def _least(structures: Ensemble, start: Array, transition: Transition) -> Array:
-    own = abs(drive_of(structures.structure, transition.drive).torque)
+    own = abs(drive_of(structures.structure, transition.drive).strength)
     least = np.full(len(start), np.nan)
     # what the protocol's torque moves is found more finely without the larger ones
     for most in (own, _MORE * own) if own > 0 else ():

@@ -55,7 +55,7 @@ def test_names_keep_their_hyphens_where_numbers_have_minus_signs(plates_runs):
     tendons = tuple(replace(each, name=f"{each.name}-b") for each in structure.tendons)
     first, *rest = structure.transitions
     closing = replace(first, wording=replace(first.wording, noun="re-closing"))
-    turned = {name: replace(each, torque=-each.torque) for name, each in outcome.transitions.items()}
+    turned = {name: replace(each, strength=-each.strength) for name, each in outcome.transitions.items()}
     renamed = replace(structure, tendons=tendons, transitions=(closing, *rest))
     tables = "".join(outcome_tables(replace(outcome, transitions=turned), renamed))
     assert f"{tendons[0].name}<" in tables

@@ -8,6 +8,7 @@ from typing import Any
 
 from rich.console import Console
 
+from forficula.analysis.summary import drive_entry
 from forficula.csv_text import csv_text
 from forficula.design import load_design
 from forficula.dynamics import versions
@@ -79,6 +80,8 @@ def cycling_csv(cycling: Cycling) -> str:
 
 def cycling_summary(cycling: Cycling) -> dict[str, Any]:
     """All of it as plain data with units in its keys."""
+    structure = structure_of(cycling.design)
+    drives = {drive.name: drive_entry(structure, drive) for drive in structure.drives}
     return {
         "design": cycling.design.name,
         "design_hash": cycling.design.hash,
@@ -86,7 +89,7 @@ def cycling_summary(cycling: Cycling) -> dict[str, Any]:
         "remarks": list(cycling.remarks),
         "seen_cycles": None if cycling.seen is None else list(cycling.seen),
         "first_failure": cycling.first_failure,
-        **{f"{drive.name}_torque_N_m": drive.torque for drive in structure_of(cycling.design).drives},
+        **{f"{name}_{key}": value for name, (key, value) in drives.items()},
         "cycles": cycling_rows(cycling),
         "versions": versions(),
     }

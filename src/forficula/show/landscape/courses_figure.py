@@ -18,7 +18,8 @@ from forficula.show.style import BLACK, BLUE, GREEN, PAGE_WIDTH, VERMILION, desc
 from forficula.statics import EnergyLandscape
 from forficula.statics.net.load_path import PathPoint
 from forficula.statics.net.net import Shape
-from forficula.statics.net_course import Course, drive_unit, driven_motor, gone
+from forficula.statics.net_course import Course, displaces, gone, reaction
+from forficula.structure import drive_unit, driven_motor
 
 Array = NDArray[np.float64]
 
@@ -95,13 +96,13 @@ def _draw_course(
 
 
 class _Plot:
-    """The axes of a course's plot: how far the drive has gone, and its strength."""
+    """The axes of a course's plot: how far the drive has gone, and its strength; of a displacement what it takes."""
 
     def __init__(self, landscape: EnergyLandscape, course: Course) -> None:
         assert landscape.net is not None
         self._structure, self._net, self._drive = landscape.structure, landscape.net.net, course.drive
         points = [*course.slow.points, *(() if course.through is None else course.through.points)]
-        self._size = abs(course.drive.torque)
+        self._size = abs(course.drive.strength)
         motor = driven_motor(self._structure, course.drive)
         si = "rad" if motor.direction is None else "m"
         self._zero = self._gone(course.start.shape)
@@ -110,14 +111,24 @@ class _Plot:
         largest = max(abs(point.factor) for point in points) * self._size
         self.unit, self._factor = reading_unit(drive_unit(self._structure, course.drive), largest)
         self.drive = motor.kind.replace("rest-angle", "rest angle moved")
+        self._displaces = displaces(self._structure, course.drive)
+        if self._displaces:
+            self.unit, self._factor = reading_unit("N", max(abs(self._force(point.shape)) for point in points))
+            self.drive = "force on all points"
         self.along = "angle turned" if motor.direction is None else f"way along the {motor.kind}"
 
     def _gone(self, shape: Shape) -> float:
         return gone(self._structure, self._net, self._drive, shape)
 
+    def _force(self, shape: Shape) -> float:
+        return reaction(self._structure, self._net, self._drive, shape)
+
     def at(self, factor: float, shape: Shape) -> tuple[float, float]:
         """Where a shape under a factor of the load stands."""
-        return self._along * (self._gone(shape) - self._zero), self._factor * self._size * factor
+        across = self._along * (self._gone(shape) - self._zero)
+        if self._displaces:
+            return across, self._factor * self._force(shape)
+        return across, self._factor * self._size * factor
 
     def place(self, points: Sequence[PathPoint]) -> tuple[list[float], list[float]]:
         """Where equilibria stand."""

@@ -7,9 +7,8 @@ from dataclasses import dataclass
 from forficula.show.landscape.net_words import course_words, held_words, reading_words, shown_value
 from forficula.show.structure.labels import stress_text
 from forficula.statics import EnergyLandscape
-from forficula.statics.net_course import drive_unit
 from forficula.statics.net_landscape import NetLandscape
-from forficula.structure import Structure
+from forficula.structure import Structure, drive_unit
 
 _MOST = 5  # measures whose readings are told
 _LONGEST = 24  # letters of where a drive acts

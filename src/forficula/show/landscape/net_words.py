@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from forficula.quantities import reading_unit
-from forficula.statics.net_course import Course, drive_unit
+from forficula.statics.net_course import Course
 from forficula.statics.net_state import Withstood
-from forficula.structure import Structure, measure_of
+from forficula.structure import Structure, drive_unit, measure_of
 
 
 def shown_value(value: float, unit: str, digits: int = 4) -> str:
@@ -30,11 +30,13 @@ def held_words(withstood: Withstood) -> str:
 
 def course_words(structure: Structure, course: Course) -> str:
     """What a slowly growing drive does, in a phrase."""
-    size = abs(course.drive.torque)
+    size = abs(course.drive.strength)
     snaps = [snap for snap in course.slow.snaps if snap.kind != "branch"]
     told = [f"snaps at {shown_strength(structure, course, snap.factor * size)}" for snap in snaps]
     if len(told) > 3:
         told = [*told[:2], f"{len(told) - 2} times more"]
+    if course.largest_force is not None:
+        told.append(f"takes {shown_value(course.largest_force, 'N', 3)}")
     return ", ".join(told) or "bends without a snap"
 
 

@@ -36,9 +36,9 @@ from forficula.show.page.plots import Line, Plot, energy_plot, plot_data
 from forficula.show.page.time_spans import shared_spans, span_data
 from forficula.show.page.words import angle_range, outcome_sentence, readable, reading_range
 from forficula.show.run.outcome_rows import state_angles
-from forficula.show.structure.drive_words import acting, drive_unit
+from forficula.show.structure.drive_words import acting
 from forficula.show.structure.labels import shown_angles, shown_distances, title_of
-from forficula.structure import Measure, drive_of
+from forficula.structure import Measure, drive_of, drive_unit
 
 Array = NDArray[np.float64]
 
@@ -222,7 +222,7 @@ def _outcome_rows(runs: Sequence[ComparedRun]) -> list[list[str]]:
             transition = next((each for each in built.transitions if each.name == name), None)
             if found is not None and transition is not None:
                 time = "—" if found.time is None else readable(found.time, "s")
-                strength = readable(found.torque, drive_unit(built, drive_of(built, transition.drive)))
+                strength = readable(found.strength, drive_unit(built, drive_of(built, transition.drive)))
                 tried[index] = f"{strength}, {time}, {readable(found.work, 'J')}"
         rows.append(tried)
     measures = [

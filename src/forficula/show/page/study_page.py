@@ -22,7 +22,7 @@ from forficula.show.page.run_page import playback_data
 from forficula.show.page.study_data import study_data
 from forficula.show.page.words import outcome_sentence, readable
 from forficula.show.study.choice_rows import choice_rows
-from forficula.structure import structure_of
+from forficula.structure import drive_of, drive_unit, structure_of
 from forficula.study import Study, named_studies, table_csv
 from forficula.study.factors import Factor
 from forficula.study.kept_runs import KeptRun
@@ -132,16 +132,17 @@ def _run(run: KeptRun, size: int) -> dict[str, Any]:
 def _run_data(run: KeptRun, budget: int) -> dict[str, Any]:
     """What a run is, its numbers, and its playback within a budget."""
     outcome, structure = run.outcome, run.record.structure
-    torques = [
-        f"{transition.wording.doing} with {readable(came.torque, 'N m')}"
-        for transition in structure.transitions
-        if (came := outcome.transitions[transition.name]) is not None
+    units = {each.name: drive_unit(structure, drive_of(structure, each.drive)) for each in structure.transitions}
+    driven = [
+        f"{each.wording.doing} with {readable(came.strength, units[each.name])}"
+        for each in structure.transitions
+        if (came := outcome.transitions[each.name]) is not None
     ]
     return {
         "point": run.point,
         "part": run.part,
         "transition": run.transition,
-        "title": ", ".join(torques) or outcome.status,
+        "title": ", ".join(driven) or outcome.status,
         "text": outcome_sentence(f"This {structure.appearance.whole}", outcome, structure),
         "advice": outcome.advice,
         "folder": run.folder,

@@ -12,9 +12,8 @@ from forficula.dynamics import Record
 from forficula.names import listed
 from forficula.quantities import reading_unit
 from forficula.show.page.playback import Clip, Readings, blown_up
-from forficula.show.structure.drive_words import drive_unit
 from forficula.show.structure.labels import counted, measure_labels
-from forficula.structure import Structure, drive_of, hinge_groups
+from forficula.structure import Structure, drive_of, drive_unit, hinge_groups
 
 Array = NDArray[np.float64]
 
@@ -29,7 +28,7 @@ def outcome_sentence(name: str, outcome: Outcome, structure: Structure) -> str:
         found = outcome.transitions[transition.name]
         assert found is not None
         drive = drive_of(structure, transition.drive)
-        torque = " ".join(filter(None, (readable(found.torque, drive_unit(structure, drive)), drive.where)))
+        torque = " ".join(filter(None, (readable(found.strength, drive_unit(structure, drive)), drive.where)))
         if not (outcome.holds[transition.state] and found.time is not None):
             if not clauses:
                 return f"{name}: {outcome.status}, with {torque}."

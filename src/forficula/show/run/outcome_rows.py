@@ -231,5 +231,7 @@ def _transition_cells(structure: Structure, transition: Transition, found: Trans
     if found is None:
         return ["not tried", "", "", ""]
     time = "" if found.time is None else show_value(found.time, "s")
-    strength = drive_text(structure, drive_of(structure, transition.drive), found.torque)
+    strength = drive_text(structure, drive_of(structure, transition.drive), found.strength)
+    if found.largest_force is not None:
+        strength += f", takes {show_value(found.largest_force, 'N')}"
     return [strength, "yes" if found.succeeded else "no", time, show_value(found.work, "J")]
