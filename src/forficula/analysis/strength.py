@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.dynamics import Record
-from forficula.structure import MembraneLaw, hinge_groups
+from forficula.structure import MembraneLaw, hinge_groups, springs_name
 
 Array = NDArray[np.float64]
 
@@ -86,7 +86,7 @@ def _bars(record: Record) -> Peak | None:
     row, bar = _furthest(strains)
     area = springs[bar].area
     return Peak(
-        kind="bars",
+        kind=springs_name(record.structure),
         strain=float(strains[row, bar]),
         stress=float(forces[row, bar]) / area if area else None,
         part=springs[bar].name,

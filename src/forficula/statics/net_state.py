@@ -21,7 +21,7 @@ from forficula.statics.net.net_of import bends, motor_load, own_angles, panels, 
 from forficula.statics.net.passing import panels_pass
 from forficula.statics.net.rigidity import rigidity
 from forficula.statics.net.strength import strength
-from forficula.structure import Measure, Motor, Structure
+from forficula.structure import Measure, Motor, Structure, springs_name
 
 Array = NDArray[np.float64]
 
@@ -149,7 +149,7 @@ def stored_parts(structure: Structure, net: Net, shape: Shape) -> dict[str, floa
     parts = {
         "creases": (not flat.all(), float(folds[~flat].sum())),
         "facet bends": (flat.any(), float(folds[flat].sum())),
-        "bars": (bool(structure.springs), bars),
+        springs_name(structure): (bool(structure.springs), bars),
         "tendons": (bool(structure.tendons), tendons),
         "membranes": (bool(structure.membranes), membranes),
         "weight": (bool(structure.gravity), weight),

@@ -2,7 +2,7 @@ from forficula.structure.appearance import Appearance
 from forficula.structure.build import drive_keys, static_keys, structure_of, with_protocol
 from forficula.structure.course import Drive, Goal, Measure, Motor, RestState, RigidFold, Transition, Wording
 from forficula.structure.crossing import bar_crossing, tendon_crossing
-from forficula.structure.facets import facet_triangles, held_corners, hinge_groups
+from forficula.structure.facets import facet_triangles, held_corners, hinge_groups, springs_name
 from forficula.structure.flaps import built_creases, crease_flaps, crease_law, crease_numbers, flap_angles
 from forficula.structure.goals import (
     distances_of,
@@ -104,6 +104,7 @@ __all__ = [
     "mass_of",
     "measure_of",
     "outer_ends",
+    "springs_name",
     "state_of",
     "static_keys",
     "structure_of",

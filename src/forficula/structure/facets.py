@@ -50,6 +50,11 @@ def hinge_groups(structure: Structure) -> dict[str, tuple[int, ...]]:
     return {kind: groups[kind] for kind in ("hinges", "creases", "facet bends") if kind in groups}
 
 
+def springs_name(structure: Structure) -> str:
+    """What springs between points are: "bars" of points that slide, "openings" of creases between plates."""
+    return "openings" if structure.plates else "bars"
+
+
 def held_corners(structure: Structure) -> tuple[int, ...]:
     """Numbers of the corners of facets that cannot go every way: those on the ground, or whose bodies do not slide."""
     corners = sorted({point for facet in structure.facets for point in facet.points})

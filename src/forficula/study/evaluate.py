@@ -88,6 +88,8 @@ def _state(name: str, state: State | None) -> Row:
     energy = {f"{name}_energy_J": float(np.sum(state.tendon_energy))}
     if state.hinge_energy is not None:
         energy[f"{name}_hinge_energy_J"] = float(np.sum(state.hinge_energy))
+    if state.spring_energy is not None:
+        energy[f"{name}_spring_energy_J"] = float(np.sum(state.spring_energy))
     return energy | _reading(f"{name}_", state.furthest, state.furthest_kind)
 
 

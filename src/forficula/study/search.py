@@ -102,8 +102,9 @@ def _numbers(step: SearchStep, row: Row) -> dict[str, Any]:
 
 
 def _energies(state: str, row: Row) -> dict[str, Any]:
-    """What the tendons store in a state, and the hinges' springs."""
-    return {f"{state}_{name}": row.get(f"{state}_{name}_J") for name in ("energy", "hinge_energy")}
+    """What the tendons store in a state, the hinges' springs, and those between points."""
+    kinds = ("energy", "hinge_energy", "spring_energy")
+    return {f"{state}_{name}": row.get(f"{state}_{name}_J") for name in kinds}
 
 
 def _decided(found: Mapping[float, Row], goal: str) -> tuple[float | None, Row]:

@@ -13,7 +13,7 @@ from forficula.analysis import Ending, Verdict
 from forficula.csv_text import csv_text
 from forficula.design import TORQUE, Design
 from forficula.quantities import as_written, parse_quantity
-from forficula.structure import Structure, drive_keys, first_state, structure_of
+from forficula.structure import Structure, drive_keys, first_state, springs_name, structure_of
 from forficula.study.choices import CHOICE, choice_label, own_value
 from forficula.study.evaluate import ending_row, row_key
 from forficula.study.factors import Factor
@@ -57,7 +57,7 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
     variables: dict[str, Any] = {}
     for name, (unit, meaning) in numbers.items():
         # springs are not in every structure
-        if name.endswith("_hinge_energy") and all(result.get(name) is None for result in results):
+        if name.endswith(("_hinge_energy", "_spring_energy")) and all(result.get(name) is None for result in results):
             continue
         values = np.array([_nan(result.get(name)) for result in results]).reshape(shape)
         variables[name] = (dimensions, values, {"units": unit, "long_name": meaning})
@@ -108,6 +108,7 @@ def _numbers(study: Study, structure: Structure) -> dict[str, tuple[str, str]]:
     for state, where in ({state: state for state in start} | ends).items():
         numbers[f"{state}_energy"] = ("J", f"energy of the tendons, {where}")
         numbers[f"{state}_hinge_energy"] = ("J", f"energy of the hinges' springs, {where}")
+        numbers[f"{state}_spring_energy"] = ("J", f"energy of the {springs_name(structure)}, {where}")
     numbers["residual"] = ("", "largest share of the energy that is missing in a run")
     return numbers
 

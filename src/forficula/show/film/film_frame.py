@@ -23,7 +23,7 @@ from forficula.show.structure.painted_shape import paint_shape, shape_handles, s
 from forficula.show.structure.shape import Shape, shape_of
 from forficula.show.structure.surface import at_time, surface_at
 from forficula.show.style import LINE_STYLES, PAGE_WIDTH, figure_style
-from forficula.structure import hinge_groups
+from forficula.structure import hinge_groups, springs_name
 
 Array = NDArray[np.float64]
 Picture = NDArray[np.uint8]
@@ -175,7 +175,8 @@ def _colour_bar(figure: Figure, norm: Normalize) -> None:
 def _energies(record: Record) -> dict[str, tuple[Array, str]]:
     """What a film plots: energies of what stretches and bends, J, (time,), and their colours; else of the motion."""
     stored = stored_energies(record)
-    springs = [name for name in stored if name in ("tendons", "membrane", "bars", *hinge_groups(record.structure))]
+    elastic = ("tendons", "membrane", springs_name(record.structure), *hinge_groups(record.structure))
+    springs = [name for name in stored if name in elastic]
     return {name: stored[name] for name in springs or ["kinetic"]}
 
 

@@ -43,7 +43,7 @@ from forficula.structure import Measure, drive_of, drive_unit
 Array = NDArray[np.float64]
 
 _FEWEST, _MOST = 2, 12
-_ELASTIC = ("tendons", "membrane", "hinges", "creases", "facet bends", "bars", "Maxwell branches")
+_ELASTIC = ("tendons", "membrane", "hinges", "creases", "facet bends", "bars", "openings", "Maxwell branches")
 
 
 @dataclass(frozen=True, kw_only=True)

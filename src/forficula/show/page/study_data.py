@@ -167,6 +167,10 @@ def _drawn(table: Dataset) -> list[_Drawn]:
             ("energy", f"{state}_hinge_energy", f"springs' energy when {state}", number)
             for state, number in states.items()
         ),
+        *(
+            ("energy", f"{state}_spring_energy", f"energy of what stretches when {state}", number)
+            for state, number in states.items()
+        ),
     ]
     return [
         _Drawn(group=group, name=name, title=title, transition=transition)

@@ -25,7 +25,7 @@ from forficula.show.structure.labels import (
     shown_distances,
     title_of,
 )
-from forficula.structure import Measure, Structure, Transition, drive_of, hinge_groups
+from forficula.structure import Measure, Structure, Transition, drive_of, hinge_groups, springs_name
 
 _ROUNDING = 1e-12  # of energies, by the largest
 
@@ -112,7 +112,7 @@ def state_rows(structure: Structure, states: Mapping[str, State]) -> StateRows:
 
 
 def _stores(structure: Structure) -> list[_Store]:
-    """What stores energy: tendons, springs of hinges, of many all creases and all bends together, and bars."""
+    """What stores energy: tendons, springs of hinges, of many all creases and all bends, and bars."""
     stores = [
         _Store(kind="tendons", label=label_of(tendon), energy=partial(_of_tendon, number))
         for number, tendon in enumerate(structure.tendons)
@@ -129,7 +129,7 @@ def _stores(structure: Structure) -> list[_Store]:
             for hinge in springs
         ]
     if structure.springs:
-        stores.append(_Store(kind="bars", label="bars", energy=_of_bars))
+        stores.append(_Store(kind=springs_name(structure), label=springs_name(structure), energy=_of_springs))
     return stores
 
 
@@ -146,7 +146,7 @@ def _of_hinges(hinges: Sequence[int], state: State) -> float:
     return 0.0 if state.hinge_energy is None else float(state.hinge_energy[list(hinges)].sum())
 
 
-def _of_bars(state: State) -> float:
+def _of_springs(state: State) -> float:
     return 0.0 if state.spring_energy is None else float(state.spring_energy.sum())
 
 
@@ -170,7 +170,8 @@ def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str
     largest = max(abs(balance.work), *map(abs, stored), 1e-12)
     unit, factor = reading_unit("J", largest)
     tendons, sheets, bars = (bool(each) for each in (structure.tendons, structure.membranes, structure.bars))
-    stretched = (("tendon", tendons), ("membrane", sheets), ("bar", bool(structure.springs)))
+    spring = springs_name(structure).removesuffix("s")
+    stretched = (("tendon", tendons), ("membrane", sheets), (spring, bool(structure.springs)))
     damped = listed(name for name, there in stretched if there)
     folds = listed(name.removesuffix("s") for name in hinge_groups(structure)) or "hinge"
     stops = ["stops", *["guard tendons"] * bool(structure.limits), *["contacts"] * bars]
@@ -179,7 +180,7 @@ def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str
         ("= change of tendon energy", balance.tendon, tendons),
         ("+ change of membrane energy", balance.membrane, sheets),
         (f"+ change of {folds} energy", balance.hinges, True),
-        ("+ change of bar energy", balance.springs, True),
+        (f"+ change of {spring} energy", balance.springs, True),
         ("+ change of kinetic energy", balance.kinetic, True),
         ("+ change of gravitational energy", balance.gravitational, True),
         (f"+ taken by {folds} damping", balance.hinge_damping, True),

@@ -41,7 +41,7 @@ from forficula.show.style import (
     figure_style,
     is_narrow,
 )
-from forficula.structure import Measure, Structure, hinge_groups
+from forficula.structure import Measure, Structure, hinge_groups, springs_name
 
 Array = NDArray[np.float64]
 
@@ -112,7 +112,7 @@ def stored_energies(record: Record) -> dict[str, tuple[Array, str]]:
         for (kind, hinges), colour in zip(hinge_groups(structure).items(), (SKY, GREEN, PURPLE), strict=False):
             stored[kind] = (series["hinge_energy"][:, list(hinges)].sum(axis=1), colour)
     if "spring_energy" in series:
-        stored["bars"] = (series["spring_energy"].sum(axis=1), BLACK)
+        stored[springs_name(structure)] = (series["spring_energy"].sum(axis=1), BLACK)
     stored["kinetic"] = (series["kinetic_energy"], VERMILION)
     if "branch_energy" in series:
         stored["Maxwell branches"] = (series["branch_energy"].sum(axis=1), GREEN)
@@ -132,7 +132,7 @@ def _accounts(record: Record) -> dict[str, tuple[Array, str]]:
     accounts["taken by stops"] = (-series["stop_work"], VERMILION)
     damped = [name for name in ("tendons", "membranes", "springs") if getattr(structure, name)]
     if damped:
-        alone = {"tendons": "taken by tendons", "springs": "taken by bars"}
+        alone = {"tendons": "taken by tendons", "springs": f"taken by {springs_name(structure)}"}
         name = alone.get(damped[0]) if len(damped) == 1 else None
         accounts[name or "taken by other damping"] = (-series["elastic_damping_work"], SKY)
     for name, words, colour in (

@@ -82,7 +82,7 @@ def draw_energy_maps(
     Args and errors are those of `draw_torque_maps`.
     """
     # where springs store some, too, no one is to take it for the whole
-    whose = "tendons' " * any(f"{state}_hinge_energy" in table for state in _states(table))
+    whose = "tendons' " * any(f"{state}_{of}_energy" in table for state in _states(table) for of in ("hinge", "spring"))
     names = {f"{state}_energy": f"{whose}energy when {state}" for state in _states(table)}
     return _draw(table, x, y, names, "tendons' energy", one_scale=True, width=width)
 
@@ -272,7 +272,7 @@ def _states(table: Dataset) -> list[str]:
 def missing_reasons(table: Dataset, name: str) -> DataArray:
     """Why a variable has no value, wherever it has none."""
     outcome, transitions, kinds = table["outcome"], table_transitions(table), outcome_kinds(table)
-    name = name.replace("_hinge_energy", "_energy")  # both are of the state
+    name = name.replace("_hinge_energy", "_energy").replace("_spring_energy", "_energy")  # all are of the state
     if not transitions or name in (f"{_states(table)[0]}_energy", "residual"):
         return outcome
     first = transitions[0]
