@@ -160,8 +160,8 @@ def test_displacements_and_energies_are_those_of_merlin_at_its_loads(request, fo
     for moved, factor, energy in published:
         point = followed.nearest(moved, factor)
         assert point.factor == factor
-        assert followed.moved(point) == pytest.approx(moved, abs=1e-5)
-        assert point.energy == pytest.approx(energy, rel=1e-5)
+        assert followed.moved(point) == pytest.approx(moved, abs=1e-6)
+        assert point.energy == pytest.approx(energy, rel=1e-6)
 
 
 @pytest.mark.parametrize(
@@ -223,8 +223,8 @@ def test_a_tower_of_five_layers_bears_what_merlin_says_until_it_snaps():
         (0.47824383, 0.35592684, 0.90358869),
     ]:
         point = tower.nearest(moved, factor)
-        assert tower.moved(point) == pytest.approx(moved, abs=1e-5)
-        assert point.energy == pytest.approx(energy, rel=1e-5)
+        assert tower.moved(point) == pytest.approx(moved, abs=1e-6)
+        assert point.energy == pytest.approx(energy, rel=1e-6)
     limit = next(event.point for event in tower.path.events if event.kind == "limit")
     assert limit.factor == pytest.approx(0.3578908, rel=LIMITS_OF_MERLIN)
     assert limit.factor == pytest.approx(0.3581151, rel=LIMITS_OF_MERLIN + LAW * 0.0063)
