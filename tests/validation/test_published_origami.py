@@ -11,7 +11,7 @@ from forficula.pattern import (
     miura_pattern,
     waterbomb_base,
 )
-from forficula.statics.net import built_shape, find_stable_states, rigidity, shape_at
+from forficula.statics.net import built_shape, find_stable_states, rigidity, rigidity_matrix, shape_at
 from forficula.statics.net.net_of import bends, net_of, start_shape
 from forficula.structure import structure_of
 from tests.sheets import sheet_design, stage
@@ -40,6 +40,59 @@ def test_a_miura_sheet_widens_and_lengthens_at_once_as_schenk_and_guest_say(acut
 
     across, along = strain(0, 4), strain(0, 20)
     assert along / across == pytest.approx((np.cos(angle / 2) * np.tan(gamma)) ** 2, rel=1e-9)
+
+
+def uniform_fields(pattern):
+    """Displacements by which a Miura sheet stretches and bends evenly, but for the same in every unit cell.
+
+    A plate's field takes the corner of each cell along and turns the cell with it; beside that every cell deforms
+    alike: so all bars of one kind change alike, and one cell tells of an endless sheet.
+
+    Returns by curvatures (x, y, twist), strains (x, y, shear) and the twelve coordinates of a cell, (node, 3, 18).
+    """
+    corners = pattern.vertices_coords
+    line, place = np.divmod(np.arange(49), 7)
+    at = corners[14 * (line // 2) + 2 * (place // 2)] * (1, 1, 0)
+    x, y, none = *at[:, :2].T, np.zeros(49)
+    fields = []
+    for across, along, twist in np.eye(3):
+        turn = np.stack((-along * y - twist * x, across * x + twist * y, none), axis=1)
+        rise = -(across * x**2 + along * y**2) / 2 - twist * x * y
+        fields.append(np.cross(turn, corners - at) + rise[:, None] * (0, 0, 1))
+    fields += [np.stack(each, axis=1) for each in ((x, none, none), (none, y, none), (y, x, none))]
+    kinds = (2 * (line % 2) + place % 2)[:, None] == np.arange(4)
+    own = kinds[:, None, :, None] * np.eye(3)[None, :, None, :]
+    return np.concatenate((np.stack(fields, axis=-1), own.reshape(49, 3, 12)), axis=-1)
+
+
+@pytest.mark.parametrize(("acute", "fold"), [(60, 30), (70, 90), (45, 60), (80, 150)])
+def test_a_miura_sheet_bends_to_a_saddle_by_the_ratio_in_which_it_widens_and_lengthens(acute, fold):
+    """Poisson's ratio of bending is that of stretching with the other sign; with flat facets it does not bend.
+
+    Wei, Guo, Dudte, Liang and Mahadevan 2013 (doi 10.1103/PhysRevLett.110.215501); the saddle of Schenk and Guest
+    2013. Facets bend along a diagonal, and the sheet can fold, bend to one saddle and twist, and nothing else.
+    """
+    gamma, angle = np.deg2rad(acute), np.deg2rad(fold)
+    pattern = miura_pattern(6, 6, 0.03, 0.02, gamma, angle)
+    built = structure_of(sheet_design(pattern, FREE))
+    net = net_of(built)
+    fields = uniform_fields(pattern).reshape(-1, 18)
+    sizes = np.linalg.norm(fields, axis=0)
+
+    def ways(stiff):
+        """Uniform fields that strain nothing, without shifts of the whole: their curvatures and strains, (way, 6)."""
+        _, values, axes = np.linalg.svd(rigidity_matrix(net, built_shape(net), stiff) @ (fields / sizes))
+        _, remain, spanned = np.linalg.svd(axes[values < 1e-9 * values[0], :6] / sizes[:6], full_matrices=False)
+        return spanned[remain > 1e-9 * remain[0]]
+
+    ratio = (np.cos(angle / 2) * np.tan(gamma)) ** 2
+    flat = ways(bends(built))
+    assert len(flat) == 1
+    np.testing.assert_allclose(flat[0] / flat[0, 3], [0, 0, 0, 1, ratio, 0], atol=1e-7)
+    bent = ways(np.zeros_like(bends(built)))
+    assert len(bent) == 3
+    assert np.linalg.matrix_rank(bent[:, :3] / np.abs(bent[:, :3]).max(), tol=1e-6) == 2  # a saddle and a twist
+    np.testing.assert_allclose(bent[:, 1], -ratio * bent[:, 0], atol=1e-7 * np.abs(bent[:, :2]).max())
 
 
 def test_a_waterbomb_base_rests_up_and_down_where_its_symmetric_energy_is_least():

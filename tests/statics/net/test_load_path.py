@@ -71,6 +71,20 @@ def test_a_sheet_of_961_nodes_goes_a_hundred_increments_in_a_minute():
     assert all(point.index == 0 for point in path.points)
 
 
+@pytest.mark.parametrize("step", [0.02, 0.1, 0.3])
+def test_a_panel_that_locks_is_not_led_through_the_one_it_meets(step):
+    # one panel, at right angles to the other as built, is pressed onto it; its spring locks from 135 deg on
+    net, _ = sheet([[0, 0, 0], [0, 1, 0], [-1, 0.5, 0], [0, 0.5, 1]], [(0, 1, 2), (1, 0, 3)], held=[0, 1, 2])
+    law = replace(net.creases.law, rest_angle=np.pi / 2, lock_above=np.deg2rad(135))
+    net = replace(net, creases=replace(net.creases, law=law))
+    push = point_forces(net, np.array([3]), np.array([[-1.0, 0.0, -0.2]]))
+    path = load_path(net, built_shape(net), push, step=step, increments=120)
+    angles = np.array([point.shape.angles[0] for point in path.points])
+    assert np.all(np.isfinite([point.energy for point in path.points]))
+    assert np.all(np.diff(angles) > 0)
+    assert np.deg2rad(160) < angles[-1] < np.pi
+
+
 def test_energy_is_the_work_of_the_load():
     path = load_path(NET, built_shape(NET), PUSH, step=0.001, increments=300)
     down = np.array([0.3 - point.shape.positions[1, 2] for point in path.points])

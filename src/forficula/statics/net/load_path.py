@@ -250,7 +250,9 @@ def _increment(net: Net, load: Load, here: _Station, length: float) -> _Station 
         factor += change
         there = expand(net, _moved(net, there.shape, step), load, factor)
         if moved <= _HOME * length:
-            return _station(net, load, there, factor, here.way, True, corrections)
+            # beyond contact of panels that lock, where the path does not lead, the energy is infinite
+            within = np.isfinite(there.stored)
+            return _station(net, load, there, factor, here.way, True, corrections) if within else None
     return None
 
 
