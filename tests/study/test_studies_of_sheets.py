@@ -19,7 +19,13 @@ measure = []
 support = [{of = "facet 0"}]
 drive = [{name = "fold", kind = "rest-angle", of = "creases", angle = "10 deg", rise = "0.02 s"}]
 "protocol.timestep" = "0.08 ms"
-"protocol.stages" = [{name = "fold", drive = "fold", until = "time", hold = "0 s", time_limit = "0.05 s", state = "bent"}]
+[[settings."protocol.stages"]]
+name = "fold"
+drive = "fold"
+until = "time"
+hold = "0 s"
+time_limit = "0.05 s"
+state = "bent"
 [factors]
 "crease.group.gates.stiffness" = ["1e-3 N m/rad/m", "4e-3 N m/rad/m"]
 """
