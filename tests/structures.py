@@ -8,7 +8,7 @@ from forficula.design import FanDesign
 from forficula.dynamics import Model, Record, compile_structure, design_in_model_units
 from forficula.dynamics.units import ModelUnits, model_units
 from forficula.structure import GROUND, Structure
-from forficula.structure.veins import Vein
+from forficula.structure.vein import Vein
 
 _SI = ModelUnits(length=1.0, mass=1.0, time=1.0)
 

@@ -13,6 +13,7 @@ from forficula.design.part import (
     HINGE_DAMPING,
     INERTIA,
     LENGTH,
+    MASS,
     MODULUS,
     SHORT_TIME,
     SMALL_LENGTH,
@@ -59,9 +60,13 @@ class VeinSection(Part):
     """The bars."""
 
     heading: ClassVar[str] = "Veins"
+    later: ClassVar[tuple[str, ...]] = ("added_mass",)
 
     diameter: float = quantity(SMALL_LENGTH, "diameter of the bars", above=0)
     density: float = quantity(DENSITY, "mass of the bars by volume", above=0)
+    added_mass: float = quantity(
+        MASS, "of each hinge at the ring fold, half of it on either bar's end there", default=0.0, at_least=0
+    )
 
 
 Share = Annotated[float, Field(strict=True)]
@@ -70,8 +75,11 @@ Share = Annotated[float, Field(strict=True)]
 class MembraneSection(Part):
     """The sheet between the bars: stretch elasticity only."""
 
+    later: ClassVar[tuple[str, ...]] = ("density",)
+
     youngs_modulus: float = quantity(MODULUS, "Young's modulus", above=0)
     thickness: float = quantity(SMALL_LENGTH, "thickness", above=0)
+    density: float = quantity(DENSITY, "mass by volume, which the veins carry", default=0.0, at_least=0)
     poisson_ratio: Annotated[float, Field(strict=True, ge=0, lt=0.5, description="Poisson's ratio")]
     damping: float = quantity(SHORT_TIME, "relaxation time of its Kelvin-Voigt damping", at_least=0)
     margin: float = quantity(LENGTH, "width of the strip of each panel that is glued to its vein", above=0)
@@ -106,7 +114,7 @@ class HingeSection(Part):
     turn_limit: float = quantity(ANGLE, "how far a vein turns about its axis while folding", above=0, at_most=math.pi)
     turn_back: float = quantity(ANGLE, "how far a vein turns the other way", at_least=0, at_most=math.pi)
     damping: float = quantity(HINGE_DAMPING, "viscous damping of every hinge", at_least=0)
-    armature: float = quantity(INERTIA, "inertia added to every hinge", at_least=0)
+    armature: float = quantity(INERTIA, "inertia of a motor on it, added to every hinge", default=0.0, at_least=0)
 
 
 class GuardSection(Part):

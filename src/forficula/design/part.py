@@ -16,6 +16,7 @@ from forficula.quantities import Unit, as_written, format_quantity, parse_quanti
 LENGTH = Unit(display="cm", si="m", example="12 cm")
 SMALL_LENGTH = Unit(display="mm", si="m", example="5 mm")
 ANGLE = Unit(display="deg", si="rad", example="15 deg")
+MASS = Unit(display="g", si="kg", example="0.5 g")
 DENSITY = Unit(display="g/cm^3", si="kg/m^3", example="1.27 g/cm^3")
 MODULUS = Unit(display="MPa", si="Pa", example="1 MPa")
 TIME = Unit(display="s", si="s", example="0.5 s")
@@ -108,6 +109,8 @@ class Part(BaseModel):
     heading: ClassVar[str] = ""
     # key by which entries of a list say their number in a file; without one they come one after another
     numbered_by: ClassVar[str] = ""
+    # keys that came later, which count where they are not 0: designs keep the hashes that they had
+    later: ClassVar[tuple[str, ...]] = ()
 
     @field_validator("*", mode="before")
     @classmethod
@@ -147,7 +150,7 @@ class Part(BaseModel):
                 values[name] = value.hash_values()
             elif isinstance(value, tuple):
                 values[name] = [item.hash_values() if isinstance(item, Part) else item for item in value]
-            elif value is not None:
+            elif value is not None and (value or name not in self.later):
                 values[name] = value
         return values
 

@@ -25,3 +25,10 @@ def mesh_rows(hub: Points, ring: Points, tip: Points, design: FanDesign) -> Poin
     proximal = np.array([*design.membrane.proximal_rows, 1.0])[:, np.newaxis]
     distal = np.array([*design.membrane.distal_rows, 1.0])[:, np.newaxis]
     return np.concatenate([hub + proximal * (ring - hub), ring + distal * (tip - ring)])
+
+
+def margin_edge(here: Points, there: Points, design: FanDesign) -> Points:
+    """Where a row of a panel leaves the margin on its vein, from that vein to the next, (axis,)."""
+    width = float(np.linalg.norm(there - here))
+    margin = min(design.membrane.margin, design.membrane.margin_limit * width)
+    return np.asarray(here + margin / width * (there - here))

@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar, Self
 from pydantic import Field, model_validator
 
 from forficula.design.law import AREA, LawSection
-from forficula.design.part import LENGTH, STIFFNESS, TENDON_DAMPING, Part, field_quantity, quantity
+from forficula.design.part import DENSITY, LENGTH, STIFFNESS, TENDON_DAMPING, Part, field_quantity, quantity
 from forficula.errors import InputError
 from forficula.material.law.material_law import scaled
 from forficula.material.law.tendon_law import TendonLaw
@@ -21,8 +21,6 @@ _FOLLOWING = {
 }
 # what is given by hand is what follows, but for how it was written
 _ROUNDING = 1e-9
-# which came later: where a tendon lies in its bars, designs keep the hashes that they had
-_OFF_THE_BARS = ("proximal_offset", "distal_offset", "proximal_aside", "distal_aside")
 
 
 class ElasticTendon(Part):
@@ -38,7 +36,7 @@ class ElasticTendon(Part):
     damping: float | None = quantity(
         TENDON_DAMPING, "viscous damping, which works at any length, slack or taut", default=None, at_least=0
     )
-    area: float | None = quantity(AREA, "cross-section; only with a law", default=None, above=0)
+    area: float | None = quantity(AREA, "cross-section; with a law or a density", default=None, above=0)
     law: Annotated[
         LawSection | None,
         Field(
@@ -47,11 +45,16 @@ class ElasticTendon(Part):
         ),
     ] = None
 
+    @property
+    def weighs(self) -> bool:
+        """Whether it has a mass."""
+        return False
+
     @model_validator(mode="after")
     def _spring_or_law(self) -> Self:
         """Keep the law alone where stiffness and damping are given, too, and agree with it."""
         if self.law is None:
-            if self.area is not None:
+            if self.area is not None and not self.weighs:
                 raise InputError(
                     "area: needs tendon.law, which gives force by area; give a law, too, or tendon.stiffness instead"
                 )
@@ -84,7 +87,14 @@ class TendonSection(ElasticTendon):
 
     heading: ClassVar[str] = "Tendons"
     numbered_by: ClassVar[str] = "vein"
+    later: ClassVar[tuple[str, ...]] = ("density", "proximal_offset", "distal_offset", "proximal_aside", "distal_aside")
 
+    density: float = quantity(
+        DENSITY,
+        "mass by volume; its ends carry that of its area and resting length by halves",
+        default=0.0,
+        at_least=0,
+    )
     proximal_attachment: float = quantity(LENGTH, "distance of its end on the proximal bar from the ring fold", above=0)
     distal_attachment: float = quantity(LENGTH, "distance of its end on the distal bar from the ring fold", above=0)
     proximal_offset: float = quantity(
@@ -96,9 +106,22 @@ class TendonSection(ElasticTendon):
     )
     distal_aside: float = quantity(LENGTH, "alike, of its end on the distal bar", default=0.0)
 
-    def hash_values(self) -> dict[str, Any]:
-        """The values that tell it from others, with the stiffness and the damping that follow from a law."""
-        return {key: value for key, value in super().hash_values().items() if value or key not in _OFF_THE_BARS}
+    @property
+    def weighs(self) -> bool:
+        """Whether it has a mass."""
+        return self.density > 0
+
+    @model_validator(mode="after")
+    def _of_a_volume(self) -> Self:
+        if self.weighs and not (self.area and self.rest_length):
+            lacks = "area: is missing" if not self.area else "rest_length: need > 0, got 0 cm"
+            raise InputError(f"{lacks}; tendon.density needs the volume of a tendon, its area by its resting length")
+        return self
+
+    @property
+    def mass(self) -> float:
+        """Of all of it, in the design's unit."""
+        return self.density * (self.area or 0.0) * self.rest_length
 
 
 def tendon_law(tendon: ElasticTendon) -> TendonLaw:

@@ -40,6 +40,9 @@ def add_bodies(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> No
             _add_node(bodies[-1], body)
     for closure in structure.closures:
         _add_mass(bodies[closure.bodies[1]], closure.bodies[1], structure)
+    for number in sorted({each.body for each in structure.masses}):
+        # what a body carries is not to be seen in its shape
+        _add_mass(bodies[number], number, structure)
     for bar in structure.bars:
         _add_bar(bodies[bar.body], bar, structure, timestep)
     for plate in structure.plates:

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
-from forficula.structure.parts import Array, Bar, Closure, Plate
+from forficula.structure.parts import Array, Bar, Closure, Plate, PointMass
 from forficula.structure.structure import Structure
 from forficula.structure.tree import ancestry, built_frames
 
 
 def mass_of(structure: Structure, body: int) -> tuple[float, Array, Array]:
-    """Mass, centre and inertia of a body: of all bars and plates that it is, shared with copies that close loops.
+    """Mass, centre and inertia of a body: of what it is and of what it carries, shared with copies that close loops.
 
     Args:
         structure: SI, or in other units.
@@ -39,13 +40,14 @@ def _copies(structure: Structure, body: int) -> tuple[int, list[Closure]]:
 
 
 def _of_parts(structure: Structure, body: int) -> tuple[float, Array, Array]:
-    """The same of all bars and plates alone."""
+    """The same of all bars, plates and masses that it carries alone."""
     parts = [_of_bar(bar) for bar in structure.bars if bar.body == body]
     parts += [
         _of_plate(plate, np.array([structure.points[point].place for point in plate.points]))
         for plate in structure.plates
         if plate.body == body
     ]
+    parts += [(each.mass, each.place, np.zeros((3, 3))) for each in structure.masses if each.body == body]
     mass = sum((part[0] for part in parts), 0.0)
     if not mass:
         return 0.0, np.zeros(3), np.zeros((3, 3))
@@ -109,6 +111,17 @@ def end_inertia(*, diameter: float, density: float, length: float, along: float,
     radius = diameter / 2
     mass = density * math.pi * radius**2 * length
     return mass * (radius**2 / 2 * along**2 + (radius**2 / 4 + length**2 / 3) * across**2)
+
+
+def turned_inertia(masses: Sequence[PointMass], body: int, axis: Array) -> float:
+    """Inertia of what a body carries beside its bars and plates about an axis through its origin, kg m^2.
+
+    Args:
+        masses: of all bodies.
+        body: its number.
+        axis: unit vector in its axes, (3,).
+    """
+    return sum((each.mass * float(axis @ _of_point(each.place) @ axis) for each in masses if each.body == body), 0.0)
 
 
 def inertia_about(structure: Structure, hinge: int) -> float:

@@ -102,6 +102,23 @@ class Plate:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
+class PointMass:
+    """Mass that a body carries beside that of its bars and plates, small enough to be at one place.
+
+    Attributes:
+        body: number of the body that carries it.
+        place: in the axes of the body, from its origin, m, (3,).
+        mass: kg.
+        role: what it is the mass of, such as "membrane".
+    """
+
+    body: int
+    place: Array
+    mass: float
+    role: str
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Facet:
     """A polygon between points of any bodies: a panel of a sheet that may bend.
 

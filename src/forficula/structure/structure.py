@@ -19,6 +19,7 @@ from forficula.structure.parts import (
     Membrane,
     Plate,
     Point,
+    PointMass,
     Spring,
     Tendon,
 )
@@ -34,6 +35,7 @@ class Structure:
         points: on bodies.
         bars: of bodies.
         plates: of bodies.
+        masses: that bodies carry beside those.
         facets: between points of any bodies.
         hinges: joints in the order of their bodies, and of one body in the order in which they turn it; then creases.
         closures: creases that close loops of bodies.
@@ -62,6 +64,7 @@ class Structure:
     points: tuple[Point, ...]
     bars: tuple[Bar, ...] = ()
     plates: tuple[Plate, ...] = ()
+    masses: tuple[PointMass, ...] = ()
     facets: tuple[Facet, ...] = ()
     hinges: tuple[Hinge, ...]
     closures: tuple[Closure, ...] = ()

@@ -4,22 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from forficula.design import FanDesign, TendonSection, tendon_law
-from forficula.design.places import mesh_rows
+from forficula.design.places import margin_edge, mesh_rows
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, earwig_pattern, ring_vertices
 from forficula.quantities import show_value
 from forficula.structure.appearance import Appearance
 from forficula.structure.crossing import bar_crossing, sine_between
 from forficula.structure.fan_fold import fan_fold
+from forficula.structure.fan_masses import fan_masses
 from forficula.structure.fan_protocol import with_protocol
-from forficula.structure.mass import end_inertia
+from forficula.structure.mass import end_inertia, turned_inertia
 from forficula.structure.parts import (
     GROUND,
     Array,
@@ -34,6 +33,7 @@ from forficula.structure.parts import (
     Tendon,
 )
 from forficula.structure.structure import Structure
+from forficula.structure.vein import Vein, attachments
 
 _APPEARANCE = Appearance(
     whole="wing",
@@ -47,42 +47,6 @@ _APPEARANCE = Appearance(
 _AIMS = (("sweep", (0.0, 0.0, 1.0)), ("lift", (0.0, 1.0, 0.0)), ("turn", (1.0, 0.0, 0.0)))
 # axis and bars of a hinge with both bars square to it
 _SQUARE = (np.array([0.0, 1.0, 0.0]), (np.array([1.0, 0.0, 0.0]), np.array([1.0, 0.0, 0.0])))
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Vein:
-    """Where a vein lies in the flat sheet, and which way it folds.
-
-    Attributes:
-        hub_point: its proximal joint, (3,).
-        ring_vertex: its distal hinge, (3,).
-        tip: its outer end, (3,).
-        ring_direction: unit vector of the distal hinge's axis, (3,).
-        sense: +1 or -1: the sign of the turn that folds it about its own axis and about the ring crease.
-        fixed_base: whether the proximal bar is part of the ground.
-    """
-
-    hub_point: Array
-    ring_vertex: Array
-    tip: Array
-    ring_direction: Array
-    sense: int
-    fixed_base: bool = False
-
-    @cached_property
-    def frame(self) -> NDArray[np.float64]:
-        """Rotation from the bar's axes (x along the proximal bar, z across the sheet) to the sheet's, (3, 3)."""
-        along = (self.ring_vertex - self.hub_point) / np.linalg.norm(self.ring_vertex - self.hub_point)
-        across = np.array([0.0, 0.0, 1.0])
-        return np.column_stack([along, np.cross(across, along), across])
-
-    def on_proximal_bar(self, point: Array) -> Array:
-        """A point of the flat sheet in the axes of the proximal bar, (3,)."""
-        return np.asarray(self.frame.T @ (point - self.hub_point))
-
-    def on_distal_bar(self, point: Array) -> Array:
-        """A point of the flat sheet in the axes of the distal bar, which are those of the proximal one, (3,)."""
-        return np.asarray(self.frame.T @ (point - self.ring_vertex))
 
 
 def vein_structure(design: FanDesign) -> Structure:
@@ -145,6 +109,7 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
     bars: list[Bar] = []
     hinges: list[Hinge] = []
     tendons: list[Tendon] = []
+    masses = fan_masses(design, veins)
     for index, vein in enumerate(veins):
         ring, tip = vein.on_proximal_bar(vein.ring_vertex), vein.on_distal_bar(vein.tip)
         proximal, distal, first = 2 * index, 2 * index + 1, len(points)
@@ -156,7 +121,7 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
         points += [
             Point(name=f"hub{index}", role="hub", body=proximal, place=np.zeros(3)),
             Point(name=f"ring{index}", role="ring", body=distal, place=np.zeros(3)),
-            *([] if choice is None else _attachments(choice, index, vein)),
+            *([] if choice is None else attachments(choice, index, vein)),
             Point(name=f"tip{index}", role="tip", body=distal, place=tip),
         ]
         thick, dense = design.vein.diameter, design.vein.density
@@ -166,6 +131,7 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
         hinges += _hinges(design, index, vein)
         if choice is None:
             continue
+        carried = turned_inertia(masses, distal, hinges[-1].axis)
         tendons.append(
             Tendon(
                 name=f"tendon{index}",
@@ -174,8 +140,8 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
                 law=tendon_law(choice),
                 longest=math.hypot(choice.proximal_attachment, choice.proximal_offset, choice.proximal_aside)
                 + math.hypot(choice.distal_attachment, choice.distal_offset, choice.distal_aside),
-                crossing=_crossing(design, choice, len(hinges) - 1, vein.ring_direction, _bars(vein)),
-                ideal=_crossing(design, choice, len(hinges) - 1, *_SQUARE),
+                crossing=_crossing(design, choice, len(hinges) - 1, vein.ring_direction, _bars(vein), carried),
+                ideal=_crossing(design, choice, len(hinges) - 1, *_SQUARE, carried),
                 gauge_length=choice.rest_length,
                 material=None if choice.law is None else choice.law.material,
                 key=f"tendon.{index}" if isinstance(design.tendon, tuple) else "tendon",
@@ -187,6 +153,7 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
         bodies=tuple(bodies),
         points=tuple(points),
         bars=tuple(bars),
+        masses=masses,
         hinges=tuple(hinges),
         tendons=tuple(tendons),
         limits=_guards(design, veins, [number for number, point in enumerate(points) if point.role == "tip"]),
@@ -241,8 +208,13 @@ def _bars(vein: Vein) -> tuple[Array, Array]:
     return proximal / np.linalg.norm(proximal), distal / np.linalg.norm(distal)
 
 
-def _crossing(design: FanDesign, tendon: TendonSection, hinge: int, axis: Array, bars: tuple[Array, Array]) -> Crossing:
-    """How a tendon lies across a distal hinge about an axis, between bars that point outwards in the flat sheet."""
+def _crossing(
+    design: FanDesign, tendon: TendonSection, hinge: int, axis: Array, bars: tuple[Array, Array], carried: float
+) -> Crossing:
+    """How a tendon lies across a distal hinge about an axis, between bars that point outwards in the flat sheet.
+
+    What the distal bar carries has the inertia `carried` about the axis.
+    """
     distal = bars[1]
     inertia = end_inertia(
         diameter=design.vein.diameter,
@@ -258,42 +230,8 @@ def _crossing(design: FanDesign, tendon: TendonSection, hinge: int, axis: Array,
         attachments=(tendon.proximal_attachment, tendon.distal_attachment),
         offsets=(tendon.proximal_offset, tendon.distal_offset),
         asides=(tendon.proximal_aside, tendon.distal_aside),
-        inertia=inertia + design.hinge.armature,
+        inertia=inertia + design.hinge.armature + carried,
     )
-
-
-def _attachments(tendon: TendonSection, index: int, vein: Vein) -> list[Point]:
-    """The ends of a vein's tendon: on its bars' axes, or off them across the sheet and beside them."""
-    ring, tip = vein.on_proximal_bar(vein.ring_vertex), vein.on_distal_bar(vein.tip)
-    towards_hub = -ring / np.linalg.norm(ring)
-    before = ring + tendon.proximal_attachment * towards_hub
-    beyond = tendon.distal_attachment * tip / np.linalg.norm(tip)
-    return [
-        Point(
-            name=f"proximal_attachment{index}",
-            role="attachment",
-            body=2 * index,
-            place=before + _off_the_bar(vein, ring, tendon.proximal_offset, tendon.proximal_aside),
-        ),
-        Point(
-            name=f"distal_attachment{index}",
-            role="attachment",
-            body=2 * index + 1,
-            place=beyond + _off_the_bar(vein, tip, tendon.distal_offset, tendon.distal_aside),
-        ),
-    ]
-
-
-def _off_the_bar(vein: Vein, bar: Array, offset: float, aside: float) -> Array:
-    """How far a place lies off the axis of a bar, which is given in its own axes from the hub on, (3,).
-
-    An overbend moves the tip along the cross product of the ring direction and the bar, times the vein's sense: out of
-    the sheet, towards the side on which offsets count.
-    """
-    across = np.array([0.0, 0.0, 1.0])
-    overbend = vein.sense * np.cross(vein.frame.T @ vein.ring_direction, bar)[2]
-    beside = np.cross(across, bar / np.linalg.norm(bar))
-    return offset * math.copysign(1.0, overbend) * across + aside * beside
 
 
 def _panels(design: FanDesign, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
@@ -319,10 +257,8 @@ def _panels(design: FanDesign, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
         places: list[Array] = []
         roots: list[Array] = []
         for distal, here, there in zip(beyond, near, far, strict=True):
-            width = float(np.linalg.norm(there - here))
-            margin = min(choice.margin, choice.margin_limit * width)
             for vein, number, node, root in zip(
-                pair, (panel, panel + 1), (here + margin / width * (there - here), there), (here, there), strict=True
+                pair, (panel, panel + 1), (margin_edge(here, there, design), there), (here, there), strict=True
             ):
                 built.append(node)
                 bodies.append(2 * number + distal)

@@ -1,0 +1,92 @@
+"""What the bars of a fan carry beside themselves: its membrane, its tendons and its hinges, as masses at places."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from forficula.design import FanDesign
+from forficula.design.places import margin_edge, mesh_rows
+from forficula.structure.parts import Array, PointMass
+from forficula.structure.vein import Vein, attachments
+
+
+def fan_masses(design: FanDesign, veins: Sequence[Vein]) -> tuple[PointMass, ...]:
+    """The masses that the bars of a fan carry, in the units of its design; none where all of them are 0.
+
+    Half of a tendon is at either end: the momentum of a straight line between two points that move, and a kinetic
+    energy that is larger by a twelfth of its mass times the square of the difference of their velocities.
+    """
+    masses: list[PointMass] = []
+    for index, vein in enumerate(veins):
+        tendon, hinge = design.tendon_on(index), design.vein.added_mass / 2
+        if hinge:
+            ends = ((2 * index, vein.on_proximal_bar(vein.ring_vertex)), (2 * index + 1, np.zeros(3)))
+            masses += [PointMass(body=body, place=place, mass=hinge, role="hinge") for body, place in ends]
+        if tendon is not None and tendon.mass:
+            masses += [
+                PointMass(body=end.body, place=end.place, mass=tendon.mass / 2, role="tendon")
+                for end in attachments(tendon, index, vein)
+            ]
+    if design.membrane.density:
+        masses += _membrane(design, veins)
+    return tuple(masses)
+
+
+def _membrane(design: FanDesign, veins: Sequence[Vein]) -> Iterator[PointMass]:
+    """The mass of the panels, strip by strip between two rows of their nodes.
+
+    The margin turns with its vein, and so do the nodes at its edge; those on the other side are on the axis of the next
+    vein. Beyond the ring fold all are those of distal bars, for its row lies on the axes of the hinges.
+    """
+    by_area = design.membrane.density * design.membrane.thickness
+    beyond = [0] * len(design.membrane.proximal_rows) + [1] * (len(design.membrane.distal_rows) + 1)
+    for panel in range(len(veins) - 1):
+        lines = _lines(design, veins[panel], veins[panel + 1])
+        for row, distal in enumerate(beyond):
+            bodies = [2 * (panel + side) + distal for side in (0, 0, 1)]
+            for strip in (0, 1):
+                corners = np.array([line[at] for line in lines[strip : strip + 2] for at in (row, row + 1)])
+                on = [bodies[strip]] * 2 + [bodies[strip + 1]] * 2
+                for three in ([0, 1, 3], [0, 3, 2]):
+                    for body, place, area in triangle_masses(corners[three], [on[corner] for corner in three]):
+                        vein = veins[body // 2]
+                        local = vein.on_distal_bar(place) if distal else vein.on_proximal_bar(place)
+                        yield PointMass(body=body, place=local, mass=by_area * area, role="membrane")
+
+
+def _lines(design: FanDesign, near: Vein, far: Vein) -> list[Array]:
+    """Along a panel, row by row: the axis of its vein, the edge of the margin on it, the axis of the next, (row, 3)."""
+    here, there = (mesh_rows(vein.hub_point, vein.ring_vertex, vein.tip, design) for vein in (near, far))
+    edge = np.array([margin_edge(first, second, design) for first, second in zip(here, there, strict=True)])
+    return [here, edge, there]
+
+
+def triangle_masses(corners: Array, carriers: Sequence[int]) -> Iterator[tuple[int, Array, float]]:
+    """Masses at places that move as a flat triangle does whose corners bodies carry, of a mass of 1 by area.
+
+    A triangle that one body carries is three masses at the middles of its sides, which have its mass, centre and
+    inertia (they integrate any quadratic: Zienkiewicz and Taylor 2000, table 9.2). Where two bodies carry it, what its
+    consistent mass matrix, A / 12 (1 + delta), has within a body is kept, and what it has between the two is taken to
+    the corners of each: momentum is right in any motion, and the kinetic energy that of the triangle where it does not
+    turn; else it is larger, by 1/24 of the triangle's mass times the square of the difference of the velocities of
+    every corner of one body and every corner of the other.
+
+    Args:
+        corners: (3, 3).
+        carriers: numbers of their bodies.
+
+    Yields:
+        The number of a body, a place, (3,), and the mass there.
+    """
+    area = float(np.linalg.norm(np.cross(corners[1] - corners[0], corners[2] - corners[0]))) / 2
+    for body in dict.fromkeys(carriers):
+        own = [corner for corner, carrier in enumerate(carriers) if carrier == body]
+        for place, first in enumerate(own):
+            for second in own[place + 1 :]:
+                yield body, (corners[first] + corners[second]) / 2, area / 3
+        if len(own) < 3:
+            # of each corner a third of the area, less its half of every side to another corner of the body
+            for corner in own:
+                yield body, corners[corner], area / 3 - area / 6 * (len(own) - 1)
