@@ -67,7 +67,6 @@ def test_a_shallow_truss_collapses_at_its_limit_whose_snap_an_increment_would_st
     assert path.events[0].point.factor == pytest.approx(limit(height), rel=1e-6)
 
 
-
 def test_a_displacement_leads_through_without_a_limit():
     net = von_mises(0.3, held=[1])
     move = np.zeros((3, 3))
