@@ -160,10 +160,10 @@ def load_path(
                 ended = "stuck"
                 break
             continue
-        if length > _CORNER * longest and _bent(here, there, length):
+        branching = way is not None and len(points) == 1  # where the start is what happens
+        if not branching and length > _CORNER * longest and _bent(here, there, length):
             length /= 2
             continue
-        branching = way is not None and len(points) == 1  # where the start is what happens
         new = [] if branching else _events_between(net, load, here, there, length, len(points) - 1)
         passed = target is not None and _passes(here.point.factor, there.point.factor, target)
         if target is not None and passed:
