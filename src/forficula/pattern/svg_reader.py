@@ -55,6 +55,14 @@ def read_svg(file: Path) -> Drawing:
         raise InputError(f"need XML, as SVG files are: {error}") from error
     if _tag(root) != "svg":
         raise InputError(f"need an SVG drawing, got XML of <{_tag(root)}>")
+    try:
+        return _drawing(root)
+    except RecursionError:
+        raise InputError("need groups nested less deeply; ungroup them in a drawing program") from None
+
+
+def _drawing(root: ElementTree.Element) -> Drawing:
+    """The drawing that an SVG file's root is."""
     rules, seen, left_out = rules_of(root), Counter[str](), Counter[str]()
     lines: list[DrawnLine] = []
     for shape, place in _shapes(root, _Place(style={}, to_page=np.eye(3), letter=None), rules):
