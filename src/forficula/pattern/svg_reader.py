@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
+from forficula.names import one_line
 from forficula.pattern.drawing import Drawing, DrawnLine, check_some, letter_of_colour
 from forficula.pattern.edge_names import letter_of_name
 from forficula.pattern.svg_style import PIXEL, Rules, Style, colour_of, length_of, number_of, rules_of, style_of
@@ -75,7 +76,7 @@ def _drawing(root: ElementTree.Element) -> Drawing:
     remarks = check_some(lines, left_out)
     unit, assumed = _unit(root)
     title = next((child.text or "" for child in root if _tag(child) == "title"), "")
-    return Drawing(lines=tuple(lines), unit=unit, assumed_unit=assumed, title=title.strip(), remarks=remarks)
+    return Drawing(lines=tuple(lines), unit=unit, assumed_unit=assumed, title=one_line(title), remarks=remarks)
 
 
 def _tag(element: ElementTree.Element) -> str:
