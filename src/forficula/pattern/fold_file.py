@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
-from forficula.names import listed
+from forficula.names import listed, one_line
 from forficula.pattern.crease_pattern import CreasePattern, check_edges, face_area, face_sides
 from forficula.pattern.flat_faces import (
     check_edges_apart,
@@ -189,7 +189,7 @@ def _sheet_of(frames: Sequence[FoldFrame], number: int, unit: float | None) -> _
         edges_fold_angle=target_angles(letters, given_angles),
         faces_vertices=tuple(tuple(face) for face in faces),
         edges_role=tuple(map(str, values_of(frame, ROLES, len(edges)))) if ROLES in frame else (),
-        title=str(frame.get("frame_title", frame.get("file_title", ""))),
+        title=one_line(str(frame.get("frame_title", frame.get("file_title", "")))),
     )
     _check_geometry(whole, kept, counts, lies_flat=plane is not None and not folded_flat)
     return _without_loose_ends(whole, np.flatnonzero(counts > 0), plane, remarks)
