@@ -193,6 +193,10 @@ def test_every_key_that_a_file_has_is_known():
             'measure.0.name: need a name of its own, got "crease" again',
         ),
         (
+            '[[measure]]\nname = "energy"\nkind = "fold-angle"\nof = "creases"',
+            'measure.0.name: need a name that tables have for nothing else, got "energy"',
+        ),
+        (
             '[[measure]]\nname = "a"\nkind = "distance"\nfrom = "vertex 0"',
             'measure.0: kind = "distance" needs from and to, and nothing else; got from',
         ),

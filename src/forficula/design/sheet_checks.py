@@ -36,6 +36,8 @@ Found = TypeVar("Found")
 _BESIDE = 1e-6
 # share of the largest torque that a sum of torques may be off by
 _ROUNDING = 1e-12
+# what tables of states have beside measures
+_COLUMNS = ("energy", "time", "sum")
 # what summaries and tables have beside the names of stages and states
 _TAKEN = (
     *("design", "design_hash", "status", "verdict", "outcome", "residual", "advice", "goal", "key"),
@@ -158,6 +160,11 @@ def _check_names(design: SheetDesign, sheet: CreasePattern) -> None:
             taken = section in ("measure", "crease.group") and entry.name in groups
             if entry.name in names or taken:
                 raise InputError(f"{section}.{number}.name: need a name of its own, got {as_written(entry.name)} again")
+            if section == "measure" and entry.name in _COLUMNS:
+                raise InputError(
+                    f"{section}.{number}.name: need a name that tables have for nothing else, got"
+                    f" {as_written(entry.name)}"
+                )
             names.append(entry.name)
 
 
@@ -228,6 +235,11 @@ def _check_drive(design: SheetDesign, sheet: CreasePattern, number: int) -> None
     edges = _keyed(key, creases_of, sheet, str(drive.of), design.crease.group)
     if drive.kind == "rest-angle" and design.facet.kind == "rigid" and not design.opens:
         raise InputError(f'drive.{number}.kind: need "torque" where facets are hinged, got "rest-angle"')
+    if drive.kind == "rest-angle" and not any(creases_by_edge(design)[edge].stiffness != 0 for edge in edges):
+        raise InputError(
+            f"{key}: need creases with springs, whose rest angle moves, got {as_written(drive.of)} with"
+            f" {crease_key(design, edges[0], 'stiffness')} = 0"
+        )
     if drive.to is not None and not any(sheet.edges_fold_angle[edge] for edge in _targeted(sheet, edges)):
         raise InputError(f"{key}: need creases with a target, a mountain or a valley, got {as_written(drive.of)}")
 
