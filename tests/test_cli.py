@@ -766,3 +766,18 @@ def test_a_figure_that_cannot_be_made_is_refused(refusal):
     message = "there: need a folder that forficula wrote, got no such folder"
     assert refusal("figure", "there", "--kind", "energy", "--out", "fig.pdf") == message
     assert "--width" in refusal("figure", "there", "--kind", "energy", "--out", "fig.pdf", "--width", "poster")
+
+
+def test_what_is_wrong_with_the_pattern_of_a_file_names_the_file(in_an_empty_folder, refusal):
+    edges = [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2]]
+    tent = {"file_spec": 1.1, "frame_unit": "cm", "edges_vertices": edges, "edges_assignment": ["B"] * 4 + ["M"]}
+    tent |= {
+        "vertices_coords": [[0, 0, 0], [1, 0, 0.5], [1, 1, 0], [0, 1, 0.5]],
+        "faces_vertices": [[0, 1, 2], [0, 2, 3]],
+    }
+    (in_an_empty_folder / "tent.fold").write_text(json.dumps(tent))
+    said = "tent.fold: vertices_coords: need one z for all vertices, got 0 to 0.005 m"
+    assert refusal("pattern", "tent.fold", "--out", "tent.svg") == said
+    turned = tent | {"faces_vertices": [[0, 1, 2], [0, 3, 2]]}
+    (in_an_empty_folder / "turned.fold").write_text(json.dumps(turned))
+    assert refusal("run", "turned.fold").startswith("turned.fold: faces_vertices[1]: need ")

@@ -1,6 +1,6 @@
 import pytest
 
-from forficula.names import listed, near_name, one_of, ordinal
+from forficula.names import listed, near_name, one_line, one_of, ordinal
 
 
 @pytest.mark.parametrize(
@@ -25,3 +25,7 @@ def test_what_is_allowed_is_told_with_the_nearest_name():
     assert one_of(["fold"], 5) == '"fold", got 5'
     assert one_of(["time"], "rnig", near_to=["ring"]) == '"time", got "rnig"; did you mean "ring"?'
     assert near_name("sideways", ["fold"]) == ""
+
+
+def test_a_text_of_another_file_is_one_line_that_steers_no_terminal():
+    assert one_line("Miura\n\x1b[31mred\u202e 日本 ") == "Miura [31mred 日本"

@@ -63,3 +63,8 @@ def shown_name(name: str) -> str:
     if not name.strip() or _NO_LETTER.search(name):
         raise InputError(f"need a name on one line, without control characters, got {as_written(name)}")
     return name
+
+
+def one_line(text: str) -> str:
+    """A text of someone else's file on one line, without what steers a terminal."""
+    return " ".join("".join(letter if letter.isprintable() else " " for letter in text).split())

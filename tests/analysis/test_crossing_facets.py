@@ -90,6 +90,19 @@ def sheet():
     return structure, built_points(structure)
 
 
+@pytest.mark.parametrize(("angle", "crosses"), [(179, False), (184, False), (200, True), (-200, True)])
+def test_facets_of_a_sheet_that_fold_through_each_other_at_their_crease_are_named(sheet, angle, crosses):
+    structure, places = sheet
+    crease = next(number for number, hinge in enumerate(structure.hinges) if hinge.edge >= 0 and hinge.flaps)
+    angles = np.zeros((3, len(structure.hinges)))
+    angles[1:, crease] = np.radians(angle)
+    series = {"point_position": np.repeat(places[None], 3, axis=0), "hinge_angle": angles}
+    record = replace(strip("V", 0), structure=structure, series=series, time=np.array([0.0, 0.1, 0.2]))
+    ends = set(structure.hinges[crease].flaps[:2])
+    beside = [facet.name for facet in structure.facets if ends <= set(facet.points)]
+    assert names(record) == ([(*beside, 0.1)] if crosses else [])
+
+
 def test_facets_of_a_sheet_that_share_a_side_or_a_corner_do_not_cross(sheet):
     structure, places = sheet
     assert crossing_facets(structure, places) == []

@@ -68,6 +68,19 @@ def test_a_membrane_that_is_pulled_one_way_has_the_stress_of_plane_stress():
     assert peak.stress == pytest.approx(law.youngs_modulus * strain / (1 - law.poisson_ratio**2), rel=1e-9)
 
 
+def test_the_largest_stress_of_a_membrane_is_found_where_it_is_pulled_both_ways_by_less():
+    record = planted("membrane")
+    built, stretched, _ = record.series["membrane_position"]
+    both = built * [1.018, 1.018, 1.0]
+    (peak,) = strain_peaks(
+        replace(record, series=record.series | {"membrane_position": np.array([built, stretched, both])})
+    )
+    law = record.structure.membranes[0].law
+    assert peak.strain == pytest.approx((STRETCH**2 - 1) / 2, rel=1e-9)
+    assert peak.stress == pytest.approx(law.youngs_modulus * (1.018**2 - 1) / 2 / (1 - law.poisson_ratio), rel=1e-9)
+    assert (peak.time, peak.stressed_at) == (0.1, 0.2)
+
+
 def test_the_crease_that_folds_furthest_is_named_and_no_bend_is():
     peak = fold_peak(planted("bars"))
     assert (peak.crease, peak.time) == ("crease4", 0.1)

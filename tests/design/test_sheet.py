@@ -193,6 +193,10 @@ def test_every_key_that_a_file_has_is_known():
             'measure.0.name: need a name of its own, got "crease" again',
         ),
         (
+            '[[measure]]\nname = "energy"\nkind = "fold-angle"\nof = "creases"',
+            'measure.0.name: need a name that tables have for nothing else, got "energy"',
+        ),
+        (
             '[[measure]]\nname = "a"\nkind = "distance"\nfrom = "vertex 0"',
             'measure.0: kind = "distance" needs from and to, and nothing else; got from',
         ),
@@ -475,3 +479,47 @@ def test_a_tendon_from_one_axis_to_the_next_is_refused():
     # from the axis of one crease across the other one
     tendon |= {"to": "facet 2 at 0.5, 0.5", "stiffness": "1 N/cm"}
     assert load_design("letter-fold", {"tendon": [tendon]}).tendon[0].name == "a"
+
+
+TENDON = {"name": "t", "from": "vertex 0", "to": "vertex 8", "stiffness": "1 N/cm", "rest_length": "1 cm"}
+WIDTH = {"name": "width", "kind": "distance", "from": "vertex 0", "to": "vertex 8"}
+STAGE = {"name": "rest", "drive": "none", "until": "time", "time_limit": "1 s"}
+MIURA = {
+    "pattern.columns": 2,
+    "pattern.rows": 2,
+    "support": [{"of": "facet 0"}],
+    "drive": [],
+    "protocol.stages": [STAGE],
+}
+
+
+@pytest.mark.parametrize(
+    ("values", "why"),
+    [
+        ({"support": [{"of": f"facet {n}"} for n in range(4)]}, "support: need a vertex that can move, got all 9 held"),
+        (
+            {"support": [{"of": f"vertex {n}"} for n in range(9)]},
+            "support: need a vertex that can move, got all 9 held",
+        ),
+        ({"tendon": [TENDON | {"to": "edge 4 at 0"}]}, 'tendon.0.to: need another place than tendon.0.from, got "edge'),
+        ({"tendon": [TENDON | {"to": "vertex 0"}]}, 'tendon.0.to: need another place than tendon.0.from, got "vertex'),
+        ({"measure": [WIDTH | {"to": "vertex 0"}]}, "measure.0.to: need another place than measure.0.from, got"),
+        (
+            {"crease.group": [{"name": "crease 0", "of": "crease 1"}]},
+            "crease.group.0.name: need a name that means noth",
+        ),
+        ({"crease.group": [{"name": "a and b", "of": "crease 1"}]}, "crease.group.0.name: need a name that means noth"),
+    ],
+)
+def test_a_sheet_of_nodes_that_cannot_be_what_it_says_is_refused(values, why):
+    whole = MIURA | {"tendon": [TENDON], "measure": [WIDTH]}
+    assert load_design("miura-sheet", whole)
+    with pytest.raises(InputError) as caught:
+        load_design("miura-sheet", whole | values)
+    assert str(caught.value).removeprefix("miura-sheet: ").startswith(why)
+
+
+def test_a_sheet_whose_vertices_are_all_held_along_some_axes_can_move():
+    assert load_design(
+        "miura-sheet", MIURA | {"measure": [], "support": [{"of": f"vertex {n}", "axes": "xy"} for n in range(9)]}
+    )

@@ -54,3 +54,12 @@ def test_one_step_to_a_goal_that_holds_already_is_no_reason_not_to_be_trusted():
 
 def test_where_nothing_is_exchanged_nothing_is_missing():
     assert EnergyBalance(**dict.fromkeys(CLOSED, 0.0)).residual == 0.0
+
+
+@pytest.mark.parametrize("kind", ["bars", "membrane"])
+def test_a_sheet_that_nothing_moves_is_at_rest_and_misses_nothing_but_rounding(kind):
+    flat = {"pattern.columns": 2, "pattern.rows": 2, "pattern.fold": "0 deg", "facet.kind": kind}
+    stage = {"name": "settle", "drive": "none", "until": "rest", "hold": "5 ms", "time_limit": "0.05 s"}
+    around = {"support": [{"of": "facet 0"}], "drive": [], "measure": [], "tendon": [], "protocol.stages": [stage]}
+    balance = energy_balance(run(load_design("miura-sheet", flat | around)))
+    assert balance.residual < 1e-3

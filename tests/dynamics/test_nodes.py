@@ -130,6 +130,19 @@ def test_the_account_of_every_drive_closes(drive):
     assert balances[1].residual < 0.6 * balances[0].residual + 1e-6
 
 
+@pytest.mark.parametrize(
+    "held", [{"crease.law": "locking", "crease.lock_angle": math.radians(60)}, {"crease.fold_limit": math.radians(60)}]
+)
+def test_the_account_closes_where_a_rest_angle_goes_on_beyond_what_locks_or_stops_the_crease(held):
+    """Only the spring turns on: what it presses on takes no work."""
+    drive = {"name": "fold", "kind": "rest-angle", "of": "creases", "angle": math.radians(150), "rise": 0.1}
+    values = {"drive": [drive], "crease.damping": 1e-4, "protocol.stages": [stage("fold", limit=0.15)]}
+    (record,) = run(strip(**values, **held))
+    assert record.series["hinge_angle"][:, 0].max() > math.radians(60)
+    assert energy_balance(record).work > 1e-3
+    assert energy_balance(record).residual < 3e-4
+
+
 def test_a_free_sheet_keeps_its_centre_and_its_angular_momentum():
     design = miura()
     (record,) = run(design)

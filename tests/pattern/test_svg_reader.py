@@ -182,3 +182,9 @@ def test_a_file_that_is_no_drawing_is_refused(tmp_path, content, message):
         read_drawing(tmp_path / "sheet.svg")
     with pytest.raises(InputError, match=r"none\.svg: need a file that can be read, got No such file"):
         read_drawing(tmp_path / "none.svg")
+
+
+def test_groups_nested_too_deeply_are_refused(tmp_path):
+    path = svg(tmp_path / "deep.svg", "<g>" * 5000, rim(), "</g>" * 5000)
+    with pytest.raises(InputError, match="need groups nested less deeply"):
+        read_drawing(path, 1e-3)

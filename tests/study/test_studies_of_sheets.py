@@ -41,6 +41,11 @@ def test_a_group_of_creases_is_varied_by_its_name(tmp_path):
         state = outcome.states["bent"]
         assert float(table["bent_hinge_energy"][point]) == pytest.approx(state.hinge_energy.sum(), rel=1e-9)
         assert float(table["bent_spring_energy"][point]) == pytest.approx(state.spring_energy.sum(), rel=1e-9)
+    # without tendons what is stored is all of it
+    assert table["bent_energy"].values == pytest.approx(
+        (table["bent_hinge_energy"] + table["bent_spring_energy"]).values
+    )
+    assert table["bent_energy"].attrs["long_name"].startswith("stored energy")
     assert table["bent_hinge_energy"][0] != table["bent_hinge_energy"][1]
     assert "energy of the bars" in table["bent_spring_energy"].attrs["long_name"]
     assert "bent_spring_energy_J" in table_csv(study, table).splitlines()[0]

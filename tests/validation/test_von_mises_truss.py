@@ -58,6 +58,15 @@ def test_a_force_leads_along_the_closed_form_through_both_limits(height):
     assert [point.index for point in path.points] == list(inside.astype(int))
 
 
+@pytest.mark.parametrize("height", [0.003, 0.01, 0.02, 0.05])
+@pytest.mark.parametrize("step", [0.02, 0.08])
+def test_a_shallow_truss_collapses_at_its_limit_whose_snap_an_increment_would_step_over(height, step):
+    net = von_mises(height)
+    path = load_path(net, built_shape(net), point_forces(net, APEX, DOWN), step=step, increments=20, events=1)
+    assert [event.kind for event in path.events] == ["limit"]
+    assert path.events[0].point.factor == pytest.approx(limit(height), rel=1e-6)
+
+
 def test_a_displacement_leads_through_without_a_limit():
     net = von_mises(0.3, held=[1])
     move = np.zeros((3, 3))

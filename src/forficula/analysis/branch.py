@@ -7,8 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from forficula.design import Imperfection, stage_drives
+from forficula.design import stage_drives
 from forficula.dynamics import Record
+from forficula.pattern.crease_pattern import is_unfolded
 from forficula.structure import Structure, drive_of
 from forficula.structure.facets import BEND
 
@@ -36,21 +37,20 @@ class Branch:
 def branch_taken(record: Record) -> Branch | None:
     """Which way a sheet took; None of one that is not built flat, or whose creases are joints.
 
-    What is built nearly flat by an imperfection counts as flat. Angles of creases count positive the way that they are
-    assigned; one that is not assigned counts as a valley.
+    What is drawn flat counts as flat, however it is built beside that. Angles of creases count positive the way that
+    they are assigned; one that is not assigned counts as a valley.
     """
     structure = record.structure
     creases = [number for number, hinge in enumerate(structure.hinges) if hinge.flaps and hinge.role != BEND]
-    imperfection = getattr(record.design, "imperfection", Imperfection())
-    starts = np.array([structure.hinges[number].start for number in creases])
-    if not creases or (np.abs(starts).max() > _FLAT_AS_BUILT and not imperfection.size):
+    drawn = structure.appearance.pattern
+    if not creases or drawn is None or not is_unfolded(drawn):
         return None
     ends = record.series["hinge_angle"][-1, creases]
     return Branch(
         as_assigned=int(np.sum(ends > _FLAT)),
         against=int(np.sum(ends < -_FLAT)),
         flat=int(np.sum(np.abs(ends) <= _FLAT)),
-        decided_by=(*_by_build(structure, creases, imperfection), *_by_drives(record)),
+        decided_by=(*_by_build(structure, creases), *_by_drives(record)),
     )
 
 
@@ -63,13 +63,14 @@ def branch_text(branch: Branch) -> str:
     return f"out of the flat state {told}; decided by {by}"
 
 
-def _by_build(structure: Structure, creases: list[int], imperfection: Imperfection) -> list[str]:
+def _by_build(structure: Structure, creases: list[int]) -> list[str]:
     rests = [structure.hinges[number] for number in creases]
     slight = _FLAT_AS_BUILT + 2 * max(abs(hinge.start) for hinge in rests)
     bent = any(hinge.stiffness and abs(hinge.rest_angle) > slight for hinge in rests)
     told = ["the rest angles of the creases"] if bent else []
-    if imperfection.size:
-        told.append(f"an imperfection of {1e3 * imperfection.size:.3g} mm, seed {imperfection.seed}")
+    beside = structure.imperfection
+    if beside is not None:
+        told.append(f"an imperfection of {1e3 * beside.size:.3g} mm, seed {beside.seed}")
     return told
 
 

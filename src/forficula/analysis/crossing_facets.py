@@ -15,6 +15,7 @@ Indices = NDArray[np.int64]
 
 _ROWS = 400  # of a record that are looked at, evenly
 _TOGETHER = 16  # rows whose boxes are compared at once
+_SWINGS = np.radians(5.0)  # by which what folds flat may swing past 180 deg: springs do not stop it
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -52,6 +53,8 @@ class _Pieces:
 def facets_that_cross(record: Record) -> list[CrossingFacets]:
     """The pairs of facets that pass through each other in a run, in the order in which they begin to.
 
+    Facets that share a crease do where that is folded beyond 180 deg by more than 5 deg.
+
     Returns:
         None of a record without places, or of a run that diverged.
     """
@@ -60,10 +63,29 @@ def facets_that_cross(record: Record) -> list[CrossingFacets]:
         return []
     rows = np.unique(np.linspace(0, len(places) - 1, _ROWS).astype(np.int64))
     pieces = _pieces(record.structure)
-    return [
+    found = [
         CrossingFacets(names=(pieces.names[one], pieces.names[other]), time=float(record.time[rows[row]]))
         for one, other, row in _first_crossings(pieces, places[rows])
     ]
+    return sorted([*_turned_through(record), *found], key=lambda each: each.time)
+
+
+def _turned_through(record: Record) -> list[CrossingFacets]:
+    """The pairs of facets between points that are folded through each other at their own crease."""
+    angles, structure = record.series.get("hinge_angle"), record.structure
+    found: dict[tuple[str, ...], float] = {}
+    for number, hinge in enumerate(structure.hinges if angles is not None else ()):
+        past = np.flatnonzero(np.abs(angles[:, number]) > np.pi + _SWINGS) if angles is not None else np.zeros(0)
+        if hinge.flaps is None or not len(past):
+            continue
+        ends = set(hinge.flaps[:2])
+        names = tuple(
+            f"facet {facet.name.removeprefix('facet')}" for facet in structure.facets if ends <= set(facet.points)
+        )
+        time = float(record.time[past[0]])
+        if len(names) == 2:
+            found[names] = min(time, found.get(names, time))
+    return [CrossingFacets(names=(one, other), time=time) for (one, other), time in found.items()]
 
 
 def crossing_facets(structure: Structure, places: Array) -> list[tuple[str, str]]:

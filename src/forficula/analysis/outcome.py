@@ -49,7 +49,7 @@ class State:
         readings: by name of the measure.
         tendon_length: m, (tendon,).
         tendon_energy: J, (tendon,).
-        membrane_energy: J; nan in a sparse record.
+        membrane_energy: J; nan in a sparse record of a structure with membranes.
         hinge_energy: of the hinges' springs, J, (hinge,); None where they have none.
         spring_energy: of the springs between points, J, (spring,); None where there are none.
         within: whether it is within the bounds of its name.
@@ -337,7 +337,7 @@ def _state(record: Record, end: StageEnd, name: str) -> State:
         readings=readings,
         tendon_length=record.series["tendon_length"][window].mean(axis=0),
         tendon_energy=record.series["tendon_energy"][window].mean(axis=0),
-        membrane_energy=float(record.series["membrane_energy"][window].mean()),
+        membrane_energy=float(record.series["membrane_energy"][window].mean()) if record.structure.membranes else 0.0,
         hinge_energy=hinges[window].mean(axis=0) if hinges is not None else None,
         spring_energy=springs[window].mean(axis=0) if springs is not None else None,
         within=rest_state is not None and _within(mean, rest_state.bounds),

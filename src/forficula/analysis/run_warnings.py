@@ -42,7 +42,7 @@ def _broken(record: Record) -> list[str]:
         peak for peak in strain_peaks(record) if peak.stress and peak.withstood and abs(peak.stress) > peak.withstood
     ]
     return [
-        f"{peak.part} bears {abs(peak.stress or 0.0) / 1e6:.3g} MPa at {peak.time:.3g} s, more than the"
+        f"{peak.part} bears {abs(peak.stress or 0.0) / 1e6:.3g} MPa at {peak.stressed_at:.3g} s, more than the"
         f" {(peak.withstood or 0.0) / 1e6:.3g} MPa that its material withstands (facet.strength)"
         for peak in over
     ]

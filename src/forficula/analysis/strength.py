@@ -15,14 +15,16 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, kw_only=True)
 class Peak:
-    """The largest strain of some parts in a run.
+    """The largest strain and the largest stress of some parts in a run.
 
     Attributes:
         kind: of the parts, such as "bars".
         strain: of largest size, stretching positive.
-        stress: of the part then, Pa; None where it has no cross-section or law to tell it by.
+        stress: of largest size, Pa; None where the part has no cross-section or law to tell it by. Of bars it is that
+            of the largest strain, of a membrane it may be elsewhere: a sheet that is pulled two ways bears more.
         part: name of the part.
-        time: s.
+        time: of the largest strain, s.
+        stressed_at: time of the largest stress, s.
         withstood: stress that its material withstands, Pa; None where it is not told.
     """
 
@@ -31,6 +33,7 @@ class Peak:
     stress: float | None
     part: str
     time: float
+    stressed_at: float
     withstood: float | None = None
 
 
@@ -91,12 +94,13 @@ def _bars(record: Record) -> Peak | None:
         stress=float(forces[row, bar]) / area if area else None,
         part=springs[bar].name,
         time=float(record.time[row]),
+        stressed_at=float(record.time[row]),
         withstood=record.structure.strength,
     )
 
 
 def _membranes(record: Record) -> list[Peak]:
-    """The largest principal strain of every membrane's triangles, and the principal stress beside it.
+    """The largest principal strain of every membrane's triangles, and their largest principal stress.
 
     Green's strain of a flat triangle is E = (F^T F - 1) / 2 with F from its sides as built to those of now, and the
     stress of a Saint Venant-Kirchhoff sheet in plane stress Y / (1 - nu^2) ((1 - nu) E + nu tr(E)) (Holzapfel 2000,
@@ -111,15 +115,16 @@ def _membranes(record: Record) -> list[Peak]:
         metric = np.einsum("...ix,...jx->...ij", moved, moved)
         strains = (np.swapaxes(inverse, -1, -2) @ metric @ inverse - np.eye(2)) / 2
         principal = np.linalg.eigvalsh(strains)
-        largest = np.take_along_axis(principal, np.abs(principal).argmax(axis=-1)[..., None], axis=-1)[..., 0]
-        row, triangle = _furthest(largest)
+        strain, row = _largest(principal)
+        stress, stressed = _largest(_plane_stress(membrane.law, principal))
         peaks.append(
             Peak(
                 kind="membranes",
-                strain=float(largest[row, triangle]),
-                stress=_plane_stress(membrane.law, principal[row, triangle]),
+                strain=strain,
+                stress=stress,
                 part=membrane.name,
                 time=float(record.time[row]),
+                stressed_at=float(record.time[stressed]),
                 withstood=record.structure.strength,
             )
         )
@@ -140,11 +145,17 @@ def _in_plane(sides: Array) -> Array:
     return np.moveaxis(np.array(columns), (0, 1), (-2, -1))
 
 
-def _plane_stress(law: MembraneLaw, principal: Array) -> float:
-    """The principal stress of largest size, Pa, of two principal strains."""
+def _largest(principal: Array) -> tuple[float, int]:
+    """The value of largest size of principal ones, (row, triangle, 2), and its row."""
+    place = np.unravel_index(int(np.argmax(np.abs(principal))), principal.shape)
+    return float(principal[place]), int(place[0])
+
+
+def _plane_stress(law: MembraneLaw, principal: Array) -> Array:
+    """The principal stresses, Pa, of principal strains, (..., 2)."""
     nu = law.poisson_ratio
-    stresses = law.youngs_modulus / (1 - nu**2) * ((1 - nu) * principal + nu * principal.sum())
-    return float(stresses[np.abs(stresses).argmax()])
+    both = principal.sum(axis=-1, keepdims=True)
+    return np.asarray(law.youngs_modulus / (1 - nu**2) * ((1 - nu) * principal + nu * both))
 
 
 def _tendons(record: Record) -> Peak | None:
@@ -162,6 +173,7 @@ def _tendons(record: Record) -> Peak | None:
         stress=None,
         part=tendons[int(known[tendon])].name,
         time=float(record.time[row]),
+        stressed_at=float(record.time[row]),
     )
 
 

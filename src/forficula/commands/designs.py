@@ -79,6 +79,18 @@ def pattern(
         return
     for remark in remarks:
         print(f"{design}: {remark}", file=sys.stderr)
+    try:
+        _write(sheet, frames, out)
+    except InputError as error:
+        # what is wrong with the file that is written names it
+        raise InputError(
+            str(error) if str(error).startswith((f"{out}: ", "--out: ")) else f"{design}: {error}"
+        ) from None
+    print(f"written to {out}")
+
+
+def _write(sheet: CreasePattern, frames: Callable[[], list[Frame]], out: Path) -> None:
+    """Write a pattern, or a picture of it, by the ending of the file."""
     match out.suffix:
         case ".fold":
             from forficula.pattern import write_fold
@@ -96,7 +108,6 @@ def pattern(
             save_figure(draw_sheet(sheet, pattern_facts(sheet)), out)
         case _:
             raise InputError(f"--out: need a file that ends with .fold, .svg, .png or .pdf, got {out}")
-    print(f"written to {out}")
 
 
 def _sheet(

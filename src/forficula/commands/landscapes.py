@@ -16,6 +16,7 @@ from forficula.options import (
     Tolerate,
     check_folder,
     exit_status,
+    read_quantity,
     read_settings,
     tell_replaced,
 )
@@ -30,6 +31,9 @@ def landscape(
     /,
     *,
     settings: Settings = None,
+    unit: Annotated[
+        str | None, Parameter(help='Length of one unit of a FOLD file or a drawing that names none, as in "1 cm".')
+    ] = None,
     out: Annotated[
         OutIfGiven, Parameter(help="Folder for the results; out/<name of the design>-landscape if not given.")
     ] = None,
@@ -51,8 +55,10 @@ def landscape(
 ) -> int:
     """Survey a design's energy by statics: stable states, barriers, paths of its drives, what it withstands, snap."""
     from forficula.design import load_design
+    from forficula.design.part import LENGTH
 
-    chosen = load_design(design, read_settings(settings))
+    length = None if unit is None else read_quantity("--unit", unit, LENGTH)
+    chosen = load_design(design, read_settings(settings), unit=length)
     folder = out or Path("out") / f"{chosen.name}-landscape"
     check_folder(folder)
     if simulated is not None and not over:

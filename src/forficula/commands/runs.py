@@ -156,7 +156,7 @@ def film(
         float | None, Parameter(help="How many times; each move takes about 3.5 s of the film if not given.")
     ] = None,
 ) -> None:
-    """Film a run: the wing, its tendons coloured by their energy, held in every state and slowed down between them."""
+    """Film a run: the structure, tendons coloured by their energy, held in every state and slowed between them."""
     from forficula.analysis.run_files import read_run
     from forficula.show.film.film import LARGEST, SMALLEST, check_film, write_film
     from forficula.show.progress import film_progress

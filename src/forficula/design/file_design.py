@@ -13,6 +13,7 @@ from forficula.design.part import SHORT_TIME, TIME
 from forficula.design.sheet_creases import fold_edges
 from forficula.design.sheet_parts import Crease, Facet
 from forficula.design.sheet_tables import sheet_values
+from forficula.errors import InputError
 from forficula.pattern import CreasePattern, read_pattern
 from forficula.quantities import format_quantity
 
@@ -35,7 +36,10 @@ def file_tables(path: Path, unit: float | None = None) -> dict[str, Any]:
         InputError: the file cannot be read, or holds no pattern.
     """
     sheet, _ = read_pattern(path, unit)
-    period = _period(sheet)
+    try:
+        period = _period(sheet)
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from None
     targets = [edge for edge in fold_edges(sheet) if not math.isnan(sheet.edges_fold_angle[edge])]
     drive = {"name": "fold", "kind": "rest-angle", "of": "creases", "to": "target"}
     stage = {"name": "fold", "drive": "fold", "until": "target", "state": "folded"}

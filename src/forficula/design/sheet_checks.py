@@ -6,6 +6,8 @@ import math
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, TypeVar
 
+import numpy as np
+
 from forficula.design.crease_values import crease_key, creases_by_edge, stops
 from forficula.design.design import check_duration
 from forficula.design.part import ANGLE, LENGTH, TORQUE
@@ -17,7 +19,7 @@ from forficula.design.rigid_checks import (
     check_rigid_tendon,
 )
 from forficula.design.sheet_creases import crease_groups, crease_role, crease_sense, creases_of, fold_edges
-from forficula.design.sheet_places import GROUND_PLACE, facet_of, is_vertex, place_on, vertex_of
+from forficula.design.sheet_places import GROUND_PLACE, SheetPlace, facet_of, is_vertex, place_on, vertex_of
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, built_fold_angles
 from forficula.pattern.shared_edges import shared_edges
@@ -34,6 +36,8 @@ Found = TypeVar("Found")
 _BESIDE = 1e-6
 # share of the largest torque that a sum of torques may be off by
 _ROUNDING = 1e-12
+# what tables of states have beside measures
+_COLUMNS = ("energy", "time", "sum")
 # what summaries and tables have beside the names of stages and states
 _TAKEN = (
     *("design", "design_hash", "status", "verdict", "outcome", "residual", "advice", "goal", "key"),
@@ -79,7 +83,7 @@ def check_sheet(design: SheetDesign) -> None:
         if measure.of is not None:
             _keyed(f"measure.{number}.of", creases_of, sheet, measure.of, groups)
             continue
-        _ends(design, sheet, f"measure.{number}", measure)
+        _check_apart(sheet, f"measure.{number}", measure, _ends(design, sheet, f"measure.{number}", measure))
     if design.protocol.contact:
         raise InputError("protocol.contact: need false, for facets do not touch each other, got true")
     _check_protocol(design, sheet)
@@ -124,6 +128,24 @@ def _check_supports(design: SheetDesign, sheet: CreasePattern) -> None:
             _keyed(f"support.{number}.of", vertex_of, sheet, support.of)
         if rigid and support.axes is not None:
             raise InputError(f"support.{number}.axes: is for facets that bend; a rigid one is held as a whole")
+    if not rigid and len(_held_whole(design, sheet)) == len(sheet.vertices_coords):
+        raise InputError(
+            f"support: need a vertex that can move, got all {len(sheet.vertices_coords)} held; leave out an entry, or"
+            " hold vertices along some axes only"
+        )
+
+
+def _held_whole(design: SheetDesign, sheet: CreasePattern) -> set[int]:
+    """The vertices that supports hold along all axes."""
+    held: set[int] = set()
+    for support in design.support:
+        if set(support.axes or "xyz") < set("xyz"):
+            continue
+        if support.of.strip().startswith("facet"):
+            held.update(sheet.faces_vertices[facet_of(sheet, support.of)])
+        else:
+            held.add(vertex_of(sheet, support.of)[0])
+    return held
 
 
 def _check_names(design: SheetDesign, sheet: CreasePattern) -> None:
@@ -138,19 +160,43 @@ def _check_names(design: SheetDesign, sheet: CreasePattern) -> None:
             taken = section in ("measure", "crease.group") and entry.name in groups
             if entry.name in names or taken:
                 raise InputError(f"{section}.{number}.name: need a name of its own, got {as_written(entry.name)} again")
+            if section == "measure" and entry.name in _COLUMNS:
+                raise InputError(
+                    f"{section}.{number}.name: need a name that tables have for nothing else, got"
+                    f" {as_written(entry.name)}"
+                )
             names.append(entry.name)
 
 
 def _check_tendon(design: SheetDesign, sheet: CreasePattern, number: int) -> None:
     """Refuse a tendon between places that are none, or that keep their distance."""
-    ends = [str(getattr(design.tendon[number], end)) for end in ("from", "to")]
+    ends = [_end(design.tendon[number], end) for end in ("from", "to")]
     places = _ends(design, sheet, f"tendon.{number}", design.tendon[number])
     if design.facet.kind == "rigid":
         check_rigid_tendon(design, number, ends)
-    elif places[0] == places[1]:
-        raise InputError(
-            f"tendon.{number}.to: need another vertex than tendon.{number}.from, got {as_written(ends[1])}"
-        )
+    else:
+        _check_apart(sheet, f"tendon.{number}", design.tendon[number], places)
+
+
+def _check_apart(sheet: CreasePattern, key: str, joined: SheetTendon | SheetMeasure, places: Sequence[object]) -> None:
+    """Refuse two ends at one place of a sheet that bends, however they are written."""
+    one, other = (_in_sheet(sheet, place) for place in places)
+    if one == other:
+        raise InputError(f"{key}.to: need another place than {key}.from, got {as_written(_end(joined, 'to'))}")
+
+
+def _end(joined: SheetTendon | SheetMeasure, end: str) -> str:
+    """The text of an end, "from" or "to"."""
+    return str(getattr(joined, end))
+
+
+def _in_sheet(sheet: CreasePattern, place: object) -> object:
+    """A place by the vertex that it is, or else by its facet and position."""
+    if not isinstance(place, SheetPlace):
+        return place[0] if isinstance(place, tuple) and place[1] is None else place
+    corners = sheet.faces_vertices[place.facet]
+    at = [vertex for vertex in corners if np.array_equal(sheet.vertices_coords[vertex], place.position)]
+    return at[0] if at else (place.facet, *place.position.tolist())
 
 
 def _ends(design: SheetDesign, sheet: CreasePattern, key: str, joined: SheetTendon | SheetMeasure) -> list[object]:
@@ -189,6 +235,11 @@ def _check_drive(design: SheetDesign, sheet: CreasePattern, number: int) -> None
     edges = _keyed(key, creases_of, sheet, str(drive.of), design.crease.group)
     if drive.kind == "rest-angle" and design.facet.kind == "rigid" and not design.opens:
         raise InputError(f'drive.{number}.kind: need "torque" where facets are hinged, got "rest-angle"')
+    if drive.kind == "rest-angle" and not any(creases_by_edge(design)[edge].stiffness != 0 for edge in edges):
+        raise InputError(
+            f"{key}: need creases with springs, whose rest angle moves, got {as_written(drive.of)} with"
+            f" {crease_key(design, edges[0], 'stiffness')} = 0"
+        )
     if drive.to is not None and not any(sheet.edges_fold_angle[edge] for edge in _targeted(sheet, edges)):
         raise InputError(f"{key}: need creases with a target, a mountain or a valley, got {as_written(drive.of)}")
 

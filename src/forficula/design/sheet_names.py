@@ -9,6 +9,8 @@ from forficula.quantities import as_written
 
 # what dotted keys and bounds in a protocol can hold
 _NAME = re.compile(r"[A-Za-z][\w -]{0,59}")
+# how creases and places are written, and what joins several
+_WRITTEN = re.compile(r"(crease|vertex|edge|facet) \d+|.*\b(and|or)\b.*|ground")
 _RESERVED = ("none", "time", "rest", "target", "creases", "mountains", "valleys", "unassigned")
 
 
@@ -22,6 +24,6 @@ def checked_name(name: str) -> str:
         raise InputError(
             f"need a name of letters, digits, spaces, - and _ that begins with a letter, got {as_written(name)}"
         )
-    if name in _RESERVED:
+    if name in _RESERVED or _WRITTEN.fullmatch(name):
         raise InputError(f"need a name that means nothing yet, got {as_written(name)}")
     return name

@@ -22,7 +22,7 @@ def crease_works(
     """Works on a structure with creases in some steps, in the model's units.
 
     A rest angle that goes on does the work by which it changes the energy of the spring, which is a square of it: the
-    mean moment times the way.
+    mean moment of the spring, without what locks or stops the crease, times the way.
 
     Args:
         model: of the structure.
@@ -51,7 +51,7 @@ def crease_works(
         damped = -np.sum((creases.damping * speeds)[block] * turned, axis=1)
     angles = steps.angles[place][block]
     rests, mean = model.settings(before)[0], model.settings((before + efforts) / 2)[0]
-    moments = creases.law.moment(angles, mean) if np.any(mean) or np.any(rests) else np.zeros_like(angles)
+    moments = creases.law.rest_moment(angles, mean) if np.any(mean) or np.any(rests) else np.zeros_like(angles)
     works = []
     for number, motor in enumerate(model.structure.motors):
         if motor.kind == "displacement":

@@ -7,10 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from forficula.dynamics.record import Record
+from forficula.structure import Structure
 
 _ROUNDING = 1e-9
 # of the energy that is stored: where less is exchanged, a few steps leave what counts for nothing
 _SLIGHT = 1e-5
+# of what folds by so much, rad, and of bars and membranes that are strained by so much, rounding takes its share
+_FOLDED, _STRAINED = 1.0, 1e-4
 _STORES = ("tendon_energy", "membrane_energy", "hinge_energy", "spring_energy", "branch_energy")
 
 
@@ -36,7 +39,8 @@ class EnergyBalance:
         springs: change of the energy of springs between points; None where there are none.
         closures: that loops of bodies took where they were closed, and part of what is missing: closing them takes no
             work but for errors of the integration; None where there are none.
-        at_hand: what tendons stretched by their levers would hold; a billionth of it is rounding.
+        at_hand: what tendons stretched by their levers, hinges turned by 1 rad, or bars and membranes strained by 1e-4
+            would hold, whichever is most; a billionth of it is rounding.
         stored: in tendons, membrane and springs at the start or the end, where there is more; 1e-5 of it is slight.
     """
 
@@ -106,18 +110,25 @@ def energy_balance(record: Record) -> EnergyBalance:
         hinges=change.get("hinge_energy"),
         springs=change.get("spring_energy"),
         closures=_taken(change, "closure_work"),
-        # levers no longer than half the tendon
-        at_hand=max(
-            (
-                each.law.stiffness[0] * (each.longest / 2) ** 2
-                for each in record.structure.tendons
-                if np.isfinite(each.longest)
-            ),
-            default=0.0,
-        ),
+        at_hand=_at_hand(record.structure),
         # of a run that blew up, which ends with no number, none
         stored=max((each for each in ends if np.isfinite(each)), default=0.0),
     )
+
+
+def _at_hand(structure: Structure) -> float:
+    """The most that a part would hold that moves as far as such parts do, J."""
+    # levers no longer than half the tendon
+    tendons = [
+        each.law.stiffness[0] * (each.longest / 2) ** 2 for each in structure.tendons if np.isfinite(each.longest)
+    ]
+    hinges = [each.stiffness * _FOLDED**2 / 2 for each in structure.hinges]
+    springs = [each.stiffness * (_STRAINED * each.rest_length) ** 2 / 2 for each in structure.springs]
+    membranes = [
+        each.law.youngs_modulus * each.law.thickness * (_STRAINED * structure.span) ** 2 / 2
+        for each in structure.membranes
+    ]
+    return max([*tendons, *hinges, *springs, *membranes], default=0.0)
 
 
 def _taken(change: dict[str, float], name: str) -> float | None:

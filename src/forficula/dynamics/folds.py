@@ -65,7 +65,8 @@ class Folds:
         angles = np.zeros((*positions.shape[:-1], len(self.senses)))
         turned = self.joints >= 0
         angles[..., turned] = (self.senses * positions[..., self.joints])[..., turned]
-        angles[..., self.creases] = self.senses[self.creases] * flap_angles(self.corners(positions))
+        with np.errstate(over="ignore", invalid="ignore"):  # of what blows up
+            angles[..., self.creases] = self.senses[self.creases] * flap_angles(self.corners(positions))
         return angles
 
     def travel(self, positions: Array, shifts: Array) -> Array:

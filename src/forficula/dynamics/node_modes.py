@@ -108,7 +108,7 @@ def _step(square: float, rate: float) -> float:
     """The longest timestep by the square of the largest angular frequency and the largest rate of damping."""
     if not square:
         return 2 / rate if rate else math.inf
-    return 4 / (rate + math.sqrt(rate**2 + 4 * square))
+    return 4 / (rate + math.hypot(rate, 2 * math.sqrt(square)))
 
 
 def _plate_modes(structure: Structure) -> tuple[float, float]:

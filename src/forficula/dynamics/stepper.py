@@ -256,7 +256,8 @@ class Stepper:
         assert creases is not None
         moving = self._state[np.ix_(rows, self._moving)][:, 1:]
         position, velocity = moving[:, : engine.nq], moving[:, engine.nq : engine.nq + engine.nv]
-        angles, values = creases.follow(rows, position, velocity, near, efforts)
+        with np.errstate(over="ignore", invalid="ignore"):  # of what blows up, whose later steps do not count
+            angles, values = creases.follow(rows, position, velocity, near, efforts)
         for row, own in zip(rows.tolist(), values, strict=True):
             engine_rows(self._models[row])[creases.rows] = own
         return angles

@@ -47,9 +47,11 @@ def timestep_warnings(design: Design) -> list[str]:
     chosen = design.protocol.timestep
     if chosen == "auto" or chosen <= (longest := stable_timestep(design)):
         return []
+    built = structure_of(design)
+    parts = "softer facets and creases" if built.facets or built.plates else "a softer or thinner membrane"
     return [
         f"a timestep of {1e3 * chosen:.3g} ms is too long: the stiffest mode allows"
-        f' {1e3 * longest:.3g} ms; take protocol.timestep = "auto", or a softer or thinner membrane'
+        f' {1e3 * longest:.3g} ms; take protocol.timestep = "auto", or {parts}'
     ]
 
 

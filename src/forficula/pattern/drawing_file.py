@@ -156,9 +156,10 @@ def _closed_edges(network: LineNetwork, lines: Sequence[DrawnLine], remarks: lis
         edge = int(kept[np.argmax(free)])
         end = next(vertex for vertex in edges[edge].tolist() if degrees[vertex] == 1)
         name, distance = lines[network.lines[edge]].name, _nearest_line(network, kept, edge, end)
+        far = f"; the nearest other line is {show_value(distance, 'm')} away: draw it to there, or give a tolerance"
         raise InputError(
-            f"{name}: need lines that go on to others, got a free end {place_text(network.points[end])}; the nearest"
-            f" other line is {show_value(distance, 'm')} away: draw it to there, or give a tolerance above that"
+            f"{name}: need lines that go on to others, got a free end {place_text(network.points[end])}"
+            f"{f'{far} above that' if math.isfinite(distance) else ', and no other line'}"
         )
     if len(kept) == 0:
         raise InputError("need lines that enclose faces, got none")

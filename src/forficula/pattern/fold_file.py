@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
-from forficula.names import listed
+from forficula.names import listed, one_line
 from forficula.pattern.crease_pattern import CreasePattern, check_edges, face_area, face_sides
+from forficula.pattern.face_orientation import turned_alike
 from forficula.pattern.flat_faces import (
     check_edges_apart,
     check_face_sides,
@@ -67,9 +68,9 @@ def fold_pattern(
     - Lengths are converted by `frame_unit`; where that is missing or "unit", by the unit given here.
     - Two coordinates get z = 0. A sheet in any other plane is turned into z = 0 with the side up from which its faces
       run counterclockwise (see `sheet_plane`); what is folded stays as it lies.
-    - Faces of a flat sheet are turned counterclockwise; where the file has none they are found between the edges, or
-      for a folded sheet taken from a flat frame with the same edges. A folded form that lies flat keeps its faces as
-      they are, the ones turned over clockwise.
+    - Faces of a flat sheet are turned counterclockwise, those of another so that all go round alike; where the file has
+      none they are found between the edges, or for a folded sheet taken from a flat frame with the same edges. In a
+      folded form that lies flat, the ones turned over are clockwise.
     - Without assignments edges are valleys and mountains by the sign of their fold angle, flat at 0, border at the rim
       and unassigned otherwise; a join, "J", is flat, and border between two faces is a cut. Without a fold angle
       valleys get 180 deg, mountains -180 deg, flat edges 0; borders, cuts and what is unassigned have none.
@@ -178,6 +179,10 @@ def _sheet_of(frames: Sequence[FoldFrame], number: int, unit: float | None) -> _
         remarks.append(f"faces_vertices: {len(faces)} found between the edges")
     elif plane is not None and not folded_flat:
         faces = [face if face_area(coords, face) > 0 else face[::-1] for face in faces]
+    else:
+        faces, turned = turned_alike(faces)
+        if turned:
+            remarks.append(f"faces_vertices: {len(turned)} of {len(faces)} turned round, to go round as the others do")
     faces_at = Counter(frozenset(side) for face in faces for side in face_sides(face))
     counts = np.array([faces_at[frozenset(ends)] for ends in edges.tolist()])
     letters = letters or letters_by_angle(given_angles, counts == 1)
@@ -189,7 +194,7 @@ def _sheet_of(frames: Sequence[FoldFrame], number: int, unit: float | None) -> _
         edges_fold_angle=target_angles(letters, given_angles),
         faces_vertices=tuple(tuple(face) for face in faces),
         edges_role=tuple(map(str, values_of(frame, ROLES, len(edges)))) if ROLES in frame else (),
-        title=str(frame.get("frame_title", frame.get("file_title", ""))),
+        title=one_line(str(frame.get("frame_title", frame.get("file_title", "")))),
     )
     _check_geometry(whole, kept, counts, lies_flat=plane is not None and not folded_flat)
     return _without_loose_ends(whole, np.flatnonzero(counts > 0), plane, remarks)

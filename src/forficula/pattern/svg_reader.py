@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
+from forficula.names import one_line
 from forficula.pattern.drawing import Drawing, DrawnLine, check_some, letter_of_colour
 from forficula.pattern.edge_names import letter_of_name
 from forficula.pattern.svg_style import PIXEL, Rules, Style, colour_of, length_of, number_of, rules_of, style_of
@@ -55,6 +56,14 @@ def read_svg(file: Path) -> Drawing:
         raise InputError(f"need XML, as SVG files are: {error}") from error
     if _tag(root) != "svg":
         raise InputError(f"need an SVG drawing, got XML of <{_tag(root)}>")
+    try:
+        return _drawing(root)
+    except RecursionError:
+        raise InputError("need groups nested less deeply; ungroup them in a drawing program") from None
+
+
+def _drawing(root: ElementTree.Element) -> Drawing:
+    """The drawing that an SVG file's root is."""
     rules, seen, left_out = rules_of(root), Counter[str](), Counter[str]()
     lines: list[DrawnLine] = []
     for shape, place in _shapes(root, _Place(style={}, to_page=np.eye(3), letter=None), rules):
@@ -67,7 +76,7 @@ def read_svg(file: Path) -> Drawing:
     remarks = check_some(lines, left_out)
     unit, assumed = _unit(root)
     title = next((child.text or "" for child in root if _tag(child) == "title"), "")
-    return Drawing(lines=tuple(lines), unit=unit, assumed_unit=assumed, title=title.strip(), remarks=remarks)
+    return Drawing(lines=tuple(lines), unit=unit, assumed_unit=assumed, title=one_line(title), remarks=remarks)
 
 
 def _tag(element: ElementTree.Element) -> str:

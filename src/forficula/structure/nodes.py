@@ -83,6 +83,7 @@ def node_structure(design: SheetDesign) -> Structure:
         measures=measures,
         span=span,
         strength=facet.strength,
+        imperfection=design.imperfection if design.imperfection.size else None,
         mass=max(body.mass for body in bodies),
         gravity=design.protocol.gravity,
         appearance=Appearance(whole="sheet", bodies="one for every vertex", pattern=sheet),

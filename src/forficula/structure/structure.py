@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from forficula.design import Imperfection
 from forficula.structure.appearance import Appearance
 from forficula.structure.course import Drive, Goal, Measure, Motor, RestState, RigidFold, Transition
 from forficula.structure.parts import (
@@ -54,6 +55,7 @@ class Structure:
         span: a length of the size of the whole, m.
         mass: of the size of its bodies' mass, kg.
         strength: stress that the material of its facets withstands, Pa; None where it is not told.
+        imperfection: by which it is built beside its drawing; None where it is not.
         contact: whether bars that touch push each other apart.
         gravity: acceleration along -z, m/s^2.
         appearance: what drawings and sentences need beside all that.
@@ -83,6 +85,7 @@ class Structure:
     span: float
     mass: float
     strength: float | None = None
+    imperfection: Imperfection | None = None
     contact: bool = False
     gravity: float = 0.0
     appearance: Appearance = field(default_factory=Appearance)

@@ -103,10 +103,11 @@ def _numbers(study: Study, structure: Structure) -> dict[str, tuple[str, str]]:
         numbers[step.least_name] = (step.unit.si, f"least {what} that {does}")
     numbers |= {f"{each.name}_time": ("s", each.wording.time) for each in asked}
     numbers |= {f"{each.name}_work": ("J", f"work of {each.wording.noun}, done or not") for each in asked}
+    stored = "energy of the tendons" if structure.tendons else "stored energy"
     # a transition that failed has what it came to
     ends = {each.state: f"{each.state}, or where {each.wording.noun} ended" for each in asked}
     for state, where in ({state: state for state in start} | ends).items():
-        numbers[f"{state}_energy"] = ("J", f"energy of the tendons, {where}")
+        numbers[f"{state}_energy"] = ("J", f"{stored}, {where}")
         numbers[f"{state}_hinge_energy"] = ("J", f"energy of the hinges' springs, {where}")
         numbers[f"{state}_spring_energy"] = ("J", f"energy of the {springs_name(structure)}, {where}")
     numbers["residual"] = ("", "largest share of the energy that is missing in a run")

@@ -24,6 +24,14 @@ def test_the_moment_is_the_slope_of_the_energy_and_has_the_slope_it_says(angle, 
         assert law.slope(angle) == pytest.approx(rise, rel=1e-5, abs=1e-6)
 
 
+@settings(deadline=None)
+@given(st.floats(-2.9, 2.9), st.floats(-1, 1), st.sampled_from([LOCKING, STOPPED, CreaseLaw(stiffness=1.0)]))
+def test_as_a_spring_rests_further_on_its_energy_falls_by_its_own_moment_even_where_it_locks(angle, further, law):
+    step = 1e-5
+    fall = (law.energy(angle, further - step) - law.energy(angle, further + step)) / (2 * step)
+    assert law.rest_moment(angle, further) == pytest.approx(fall, rel=1e-6, abs=2e-4)
+
+
 def test_a_locking_crease_follows_the_published_law():
     # Liu and Paulino 2017 by the angle from contact, theta = pi + fold angle, below theta_1:
     # M = k (theta_1 - theta_0) + (2 k theta_1 / pi) tan(pi (theta - theta_1) / (2 theta_1))

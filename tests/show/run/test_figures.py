@@ -35,6 +35,19 @@ def test_every_run_can_be_drawn_whatever_the_wing_did(runs, name):
         assert np.unique(pixels(figure).reshape(-1, 3), axis=0).shape[0] > 10  # not blank
 
 
+def test_a_sheet_that_blows_up_is_drawn_as_far_as_it_is_one():
+    stage = STAGE | {"name": "settle", "time_limit": "20 ms", "state": "settled"}
+    torn = {"crease.stiffness": "0 N m/rad/m", "crease.rest_angle": "flat"}
+    small = {"pattern.columns": 2, "pattern.rows": 2, "support": [{"of": "facet 0"}], "measure": [], "drive": []}
+    weight = {"protocol.gravity": "9.81 m/s^2", "protocol.timestep": "0.03 ms", "protocol.stages": [stage]}
+    record = run(load_design("miura-sheet", small | torn | weight))
+    span = np.ptp(record.series["point_position"], axis=1).max(axis=1)
+    assert not np.nanmax(np.where(np.isfinite(span), span, np.inf)) < 100 * record.structure.span
+    figure = draw_folding(record, measure(record))
+    assert np.unique(pixels(figure).reshape(-1, 3), axis=0).shape[0] > 10
+    assert max(figure.axes[0].get_xlim()) < 10 * record.structure.span
+
+
 def test_every_axis_over_time_names_its_quantity_and_unit(runs):
     record = runs["reference"]
     for figure in (draw_angles(record, measure(record)), draw_energies(record)):

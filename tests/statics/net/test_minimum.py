@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from forficula.material.law.crease_law import CreaseLaw
 from forficula.statics.net.energy import built_shape, expand, shape_at
-from forficula.statics.net.load import crease_torques
+from forficula.statics.net.load import crease_torques, point_forces
 from forficula.statics.net.minimum import minimum, stationary
 from tests.statics.net.nets import miura, sheet, truss
 
@@ -92,3 +92,14 @@ def test_a_sheet_of_961_nodes_folds_in_seconds():
     assert time.process_time() - began < 20  # 1.2 s on one core
     assert rest.stable
     np.testing.assert_allclose(rest.shape.angles, law.rest_angle, atol=1e-8)
+
+
+def test_one_coordinate_goes_downhill_over_an_inflection_where_nothing_is_stiff():
+    # von Mises' truss under a force above its limit: its curvature is 0 twice on the way
+    net = truss([[-1, 0, 0], [1, 0, 0], [0, 0, 0.4]], [(0, 2), (1, 2)], stiffness=100.0, held=(0, 1, (2, 0), (2, 1)))
+    load = point_forces(net, np.array([2]), np.array([[0.0, 0.0, -1.0]]))
+    for force in np.linspace(2.4, 4.0, 33):
+        for longest in (0.03, 0.1, 0.3):
+            rest = minimum(net, built_shape(net), load, force, longest_step=longest)
+            assert rest.stable, (force, longest)
+            assert rest.shape.positions[2, 2] < -0.4

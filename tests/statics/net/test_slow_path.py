@@ -2,9 +2,12 @@
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
+from forficula.statics.net.collapse import collapse, snapped
 from forficula.statics.net.energy import built_shape
-from forficula.statics.net.load import point_forces
+from forficula.statics.net.load import held_displacements, point_forces
+from forficula.statics.net.minimum import minimum
 from forficula.statics.net.slow_path import slow_path
 from tests.statics.net.nets import truss
 
@@ -71,3 +74,34 @@ def test_a_strut_that_buckles_turns_into_one_of_two_branches():
     assert path.snaps
     assert path.snaps[0].kind in ("branch", "bifurcation")
     assert path.snaps[0].factor == pytest.approx(side * length / 2, rel=1e-3)
+
+
+def test_a_displacement_through_a_soft_spring_snaps_back_and_goes_on_to_its_end():
+    """The end of the spring goes down by the apex's way and the force over the spring's stiffness."""
+    soft, length = 4.0, 8.0
+    nodes = [[-HALF, 0, 0], [HALF, 0, 0], [0, 0, RISE], [0, 0, RISE + length]]
+    net = truss(nodes, [(0, 2), (1, 2), (2, 3)], stiffness=[STIFFNESS, STIFFNESS, soft], held=(0, 1, (2, 0), (2, 1), 3))
+
+    def gone(height):
+        return RISE - height + force(height) / soft
+
+    heights = np.linspace(0, RISE, 20001)
+    furthest = gone(heights).max()
+    move = np.zeros((4, 3))
+    move[3, 2] = -1.0
+    path = slow_path(net, built_shape(net), held_displacements(net, move), end=1.5 * furthest)
+    (snap,) = path.snaps
+    assert path.ended == "target"
+    assert snap.factor == pytest.approx(furthest, rel=1e-6)
+    landing = brentq(lambda height: gone(height) - furthest, -3 * RISE, -RISE / 2)
+    assert snap.after.shape.positions[2, 2] == pytest.approx(landing, abs=1e-4)
+    stored = [
+        STIFFNESS * (np.hypot(HALF, height) - np.hypot(HALF, RISE)) ** 2 + force(height) ** 2 / (2 * soft)
+        for height in (heights[gone(heights).argmax()], landing)
+    ]
+    assert snap.released == pytest.approx(stored[0] - stored[1], rel=1e-3)
+    assert path.points[-1].shape.positions[3, 2] == pytest.approx(RISE + length - 1.5 * furthest, abs=1e-9)
+    lost = collapse(net, minimum(net, built_shape(net)), held_displacements(net, move))
+    over = snapped(net, lost).shape.positions
+    assert over[2, 2] == pytest.approx(landing, abs=1e-3)
+    assert over[3, 2] == pytest.approx(RISE + length - 1.001 * furthest, abs=1e-6)

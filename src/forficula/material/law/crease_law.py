@@ -91,6 +91,13 @@ class CreaseLaw:
         """Slope of the energy, N m; huge, not infinite, at contact and beyond; as `energy`."""
         return self.moment_and_slope(np.asarray(angle, dtype=np.float64), further)[0]
 
+    def rest_moment(self, angle: ArrayLike, further: Array | float = 0.0) -> Array:
+        """By how much the energy falls as the springs rest further on, N m/rad; as `energy`.
+
+        Stops and what locks do not turn with them: it is the moment without these.
+        """
+        return np.asarray(self.stiffness * (np.asarray(angle, dtype=np.float64) - self.rest_angle - further))
+
     def slope(self, angle: ArrayLike) -> Array:
         """Slope of the moment, N m/rad, in the shape of `angle` (rad)."""
         return self.moment_and_slope(np.asarray(angle, dtype=np.float64))[1]

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from forficula.analysis import Verdict
 from forficula.quantities import reading_unit
 from forficula.show.study.factor_text import display_values, number_text, plain_name, value_with_unit
-from forficula.show.study.maps import missing_reasons, times_by_value
+from forficula.show.study.maps import energy_noun, missing_reasons, times_by_value
 from forficula.study import Study
 from forficula.study.choices import CHOICE
 from forficula.study.map_comparison import NOT_SIMULATED
@@ -154,7 +154,7 @@ class _Drawn:
 def _drawn(table: Dataset) -> list[_Drawn]:
     """The numbers that a table has, in the order of the page's choice."""
     transitions, start = table_transitions(table), str(table.attrs.get("start_state", ""))
-    numbered = list(enumerate(transitions))
+    numbered, noun = list(enumerate(transitions)), energy_noun(table)
     states: dict[str, int | None] = {start: None} if start else {}
     for number, each in numbered:
         states.setdefault(each.state, number)
@@ -162,7 +162,7 @@ def _drawn(table: Dataset) -> list[_Drawn]:
         *(("torque", each.least, each.least.replace("_", " "), number) for number, each in numbered if each.least),
         *(("time", f"{each.name}_time", each.wording.time, number) for number, each in numbered),
         *(("work", f"{each.name}_work", f"work of {each.wording.noun}", number) for number, each in numbered),
-        *(("energy", f"{state}_energy", f"tendons' energy when {state}", number) for state, number in states.items()),
+        *(("energy", f"{state}_energy", f"{noun} when {state}", number) for state, number in states.items()),
         *(
             ("energy", f"{state}_hinge_energy", f"springs' energy when {state}", number)
             for state, number in states.items()

@@ -19,7 +19,7 @@ from forficula.quantities import reading_unit
 from forficula.show.run.state_names import lettered_states
 from forficula.show.structure.painted_shape import paint_shape, shape_handles, structure_view
 from forficula.show.structure.shape import shape_of
-from forficula.show.structure.surface import surface_at
+from forficula.show.structure.surface import at_time, surface_at
 from forficula.show.style import ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
 from forficula.structure import Structure, hinge_groups
 
@@ -27,6 +27,7 @@ Array = NDArray[np.float64]
 
 _LEGEND_HEIGHT = 0.9  # inch
 _BAR_HEIGHT = 0.3  # inch, of a scale bar with its number
+_TORN = 10.0  # spans
 _MOST_LINES = 200  # of creases and edges: more would hide what they lie on
 # to the size of the whole: the more, the larger the file; facets hide more of one another than sheets between bars do
 _CELLS, _FACET_CELLS = 16, 20
@@ -124,7 +125,18 @@ def _moments(record: Record, outcome: Outcome) -> list[tuple[str, float]]:
         moments += [(end.stage.name, time) for time in _halfway(record, end)]
     moments.sort(key=lambda moment: moment[1])
     # of two names for one moment the first
-    return [(name, time) for place, (name, time) in enumerate(moments) if place == 0 or time > moments[place - 1][1]]
+    apart = [(name, time) for place, (name, time) in enumerate(moments) if place == 0 or time > moments[place - 1][1]]
+    return [(name, time) for name, time in apart if not _is_torn(record, time)] or [("start", 0.0)]
+
+
+def _is_torn(record: Record, time: float) -> bool:
+    """Whether a structure lies so far about that nothing of it can be seen, as after it blew up."""
+    places = record.series.get("point_position")
+    if places is None or not places.size:
+        return False
+    with np.errstate(over="ignore", invalid="ignore"):
+        extent = np.ptp(at_time(record, "point_position", time), axis=0).max()
+    return not extent <= _TORN * record.structure.span
 
 
 def _halfway(record: Record, end: StageEnd) -> list[float]:

@@ -31,6 +31,7 @@ _ELEVATION, _ASIDE = np.radians(47.0), np.radians(80.0)
 _STRIPS = ((-1.0, -0.35, 0.75), (-0.35, 0.35, 1.5), (0.35, 1.0, 0.6))
 # half widths in radii of the thickest bar
 _TENDON, _CASED, _THIN, _FOLDED, _HELD = 0.62, 0.95, 0.14, 0.3, 1.0
+_MOST_PIECES = 200  # along a side: what blew up is far longer than the whole
 _CENTRED = 1e-3  # by the size of the whole: what is no further from the origin lies no way from it
 _FLAT = "#B8B8B8"  # of what is not folded
 
@@ -178,7 +179,7 @@ def _length(vector: Array) -> float:
 
 
 def _pieces(length: float, cell: float) -> int:
-    return max(1, math.ceil(length / cell))
+    return max(1, math.ceil(min(length / cell, _MOST_PIECES)))
 
 
 def _normals(quads: Array) -> Array:

@@ -18,7 +18,7 @@ from forficula.quantities import reading_unit
 from forficula.reproduction import named_reproduction
 from forficula.show.study.factor_text import display_values, factor_label, number_text
 from forficula.show.study.map_page import look_of, map_style
-from forficula.show.study.maps import missing_reasons
+from forficula.show.study.maps import energy_noun, missing_reasons
 from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, SKY, VERMILION, describe, is_narrow
 from forficula.study.choice_groups import choice_groups, count_all, count_first, count_unknown
 from forficula.study.choices import CHOICE
@@ -86,7 +86,7 @@ def _numbers(table: Dataset) -> dict[str, str]:
     transitions, start = table_transitions(table), table.attrs.get("start_state")
     if not transitions:
         if start:
-            return {f"{start}_energy": f"tendons' energy when {start}"}
+            return {f"{start}_energy": f"{energy_noun(table)} when {start}"}
         return {"residual": "largest share of the energy that is missing"}
     return {
         **{each.least: each.least.replace("_", " ") for each in transitions if each.least},

@@ -81,10 +81,18 @@ def draw_energy_maps(
 
     Args and errors are those of `draw_torque_maps`.
     """
+    noun, states = energy_noun(table), _states(table)
     # where springs store some, too, no one is to take it for the whole
-    whose = "tendons' " * any(f"{state}_{of}_energy" in table for state in _states(table) for of in ("hinge", "spring"))
-    names = {f"{state}_energy": f"{whose}energy when {state}" for state in _states(table)}
-    return _draw(table, x, y, names, "tendons' energy", one_scale=True, width=width)
+    others = any(f"{state}_{of}_energy" in table for state in states for of in ("hinge", "spring"))
+    names = {f"{state}_energy": f"{noun if others else 'energy'} when {state}" for state in states}
+    return _draw(table, x, y, names, noun, one_scale=True, width=width)
+
+
+def energy_noun(table: Dataset) -> str:
+    """What the energies of states in a table are: the tendons', or all that is stored where there are none."""
+    named = [table.get(f"{state}_energy") for state in _states(table)]
+    told = [str(each.attrs.get("long_name", "")) for each in named if each is not None]
+    return "stored energy" if any(each.startswith("stored") for each in told) else "tendons' energy"
 
 
 def draw_status_map(table: Dataset, x: str | None = None, y: str | None = None, *, width: float = PAGE_WIDTH) -> Figure:

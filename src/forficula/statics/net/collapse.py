@@ -93,7 +93,8 @@ def snapped(net: Net, lost: Collapse) -> Rest:
     load, factor, here = lost.path.load, lost.factor * (1 + _BEYOND), lost.point.shape
     ends = []
     for sense in (1, -1):
-        beside = shape_at(net, here.positions + sense * _BEYOND * net.size * lost.mode, here.angles)
+        aside = sense * _BEYOND * net.size * lost.mode + (factor - lost.factor) * load.displacements
+        beside = shape_at(net, here.positions + aside, here.angles)
         rest = minimum(net, beside, load, factor, longest_step=net.size / 50)
         ends.append((expand(net, rest.shape, load, factor).energy, rest))
     return min(ends, key=lambda each: each[0])[1]

@@ -22,6 +22,7 @@ _CORRECTIONS = 12
 _QUICK = 4  # corrections after which the next increment may be longer
 _HOME = 1e-7  # last correction, of an increment
 _ASTRAY = 0.5  # longest way aside, of an increment
+_BENT = 0.1  # largest difference of a factor's mean pace from that of its ends, of the larger of these
 _SHORTEST = 1e-5  # increment, of the first one
 _CORNER = 1e-2  # increment, of the first one, below which a corner is looked for
 _ALIGNED = 0.9  # cosine of the ways before and after it
@@ -160,6 +161,9 @@ def load_path(
                 break
             continue
         branching = way is not None and len(points) == 1  # where the start is what happens
+        if not branching and length > _CORNER * longest and _bent(here, there, length):
+            length /= 2
+            continue
         new = [] if branching else _events_between(net, load, here, there, length, len(points) - 1)
         passed = target is not None and _passes(here.point.factor, there.point.factor, target)
         if target is not None and passed:
@@ -173,6 +177,17 @@ def load_path(
         here = there
         length = min(2 * length, longest) if there.point.corrections <= _QUICK else length
     return LoadPath(load=load, points=tuple(points), events=tuple(found), ended=ended, pins=pins)
+
+
+def _bent(here: _Station, there: _Station, length: float) -> bool:
+    """Whether the load did more within an increment than its paces at both ends tell, such as fall and rise again.
+
+    On the cubic that goes through both ends with both paces, the mean pace is that of the ends but for a difference
+    which falls with the square of the increment; where the load falls from a limit and has risen beyond it again as
+    the cube of the way, that is a sixth of the larger pace at least.
+    """
+    mean = (there.point.factor - here.point.factor) / length
+    return abs(mean - (here.pace + there.pace) / 2) > _BENT * max(abs(here.pace), abs(there.pace))
 
 
 def _passes(before: float, after: float, target: float) -> bool:

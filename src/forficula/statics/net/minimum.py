@@ -87,16 +87,18 @@ def minimum(
     net, pins = supported(net, load)
     longest = longest_step if longest_step is not None else net.size / 10
     here, shift, steps, settled = expand(net, start, load, factor), 0.0, 0, False
-    parts = factored(here.free)
+    parts, most = factored(here.free), 0.0
     while steps < _MOST_STEPS and not settled and not (stop is not None and stop(here.shape)):
         steps += 1
         stiffest = float(here.free.diagonal().max(initial=0.0)) or 1.0
-        while parts.index and shift <= _LARGEST_SHIFT * stiffest:
+        # of the way so far: where a net of few coordinates goes over an inflection, nothing is stiff
+        most = max(most, _LARGEST_SHIFT * stiffest)
+        while parts.index and shift <= most:
             shift = _raised(shift, stiffest)
             parts = factored(here.free, shift)
         taken, corrections = _proximal_step(net, here, parts, shift, load, factor, longest)
         if taken is None:
-            if shift > _LARGEST_SHIFT * stiffest:
+            if shift > most:
                 break
             shift = _raised(shift, stiffest)
         else:

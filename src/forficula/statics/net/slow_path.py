@@ -139,7 +139,9 @@ def _up_to(path: LoadPath) -> LoadPath:
 
 def _snap(net: Net, event: PathEvent, load: Load, factor: float, stop: Callable[[Shape], bool]) -> Snap:
     """Where a net lands that a limit or a bifurcation throws off its path; of two ways the one further down."""
-    before, landed = event.point.shape, list[tuple[float, Rest]]()
+    beyond = (factor - event.point.factor) * load.displacements
+    before = shape_at(net, event.point.shape.positions + beyond, event.point.shape.angles)
+    landed = list[tuple[float, Rest]]()
     for sign in (1.0, -1.0) if event.kind == "bifurcation" else (0.0,):
         pushed = shape_at(net, before.positions + sign * _PUSH * net.size * event.mode, before.angles)
         rest = minimum(net, pushed, load, factor, longest_step=_STEP * net.size, stop=stop)
@@ -150,7 +152,7 @@ def _snap(net: Net, event: PathEvent, load: Load, factor: float, stop: Callable[
     return Snap(
         kind="branch" if near else event.kind,
         factor=event.point.factor,
-        before=before,
+        before=event.point.shape,
         after=after,
         released=expand(net, before, load, factor).energy - energy,
     )
