@@ -127,7 +127,10 @@ def ending_advice(ending: Ending, design: Design, structure: Structure | None = 
     match ending.verdict:
         case Verdict.DIVERGED:
             softer = " or a softer membrane" * bool(structure is not None and structure.membranes)
-            return f'Take a shorter timestep (protocol.timestep = "auto" chooses one){softer}.'
+            other = "" if structure is None or not structure.appearance.steadier else structure.appearance.steadier
+            return (
+                f'Take a shorter timestep (protocol.timestep = "auto" chooses one){softer}{other and f", or {other}"}.'
+            )
         case Verdict.UNTRUSTED if ending.why:
             return "It stands on an edge, where the least change decides: move a value of it away from here."
         case Verdict.UNTRUSTED:

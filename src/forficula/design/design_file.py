@@ -120,7 +120,9 @@ def _read_files(name_or_path: str, above: tuple[Path, ...] = ()) -> list[File]:
     """A design and what it is based on, the last one first."""
     if name_or_path in _named():
         text = (resources.files("forficula.design") / "references" / f"{name_or_path}.toml").read_text("utf-8")
-        return [(name_or_path, tomllib.loads(text))]
+        named = tomllib.loads(text)
+        above_it = named.pop("based_on", None)
+        return [*(_read_files(above_it) if above_it else []), (name_or_path, named)]
     path = Path(name_or_path)
     if path.suffix.lower() != ".toml":
         known = [*_named(), *sorted(str(file) for file in Path().glob("*.toml"))]

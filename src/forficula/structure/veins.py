@@ -43,6 +43,8 @@ _APPEARANCE = Appearance(
     bodies="two for every vein",
     titles={"distal_angle": "distal hinge angle", "turn": "turn about its own axis"},
 )
+# a vein alone has next to no inertia about its own axis
+_STEADIER = "give the turning hinges the inertia of what drives them, hinge.armature"
 # the hinges of a vein in this order: sweep and lift aim it, turn is about its own axis
 _AIMS = (("sweep", (0.0, 0.0, 1.0)), ("lift", (0.0, 1.0, 0.0)), ("turn", (1.0, 0.0, 0.0)))
 # axis and bars of a hinge with both bars square to it
@@ -162,7 +164,7 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
         mass=_bar_mass(design),
         contact=design.protocol.contact,
         gravity=design.protocol.gravity,
-        appearance=_APPEARANCE,
+        appearance=_APPEARANCE if design.hinge.armature else replace(_APPEARANCE, steadier=_STEADIER),
     )
     return with_protocol(built, design)
 
