@@ -8,6 +8,7 @@ import numpy as np
 
 from forficula.analysis.branch import Branch, branch_taken
 from forficula.analysis.outcome import Outcome, StageOutcome, State, TransitionOutcome
+from forficula.analysis.package import packages, smallest_package
 from forficula.analysis.run_warnings import run_warnings
 from forficula.analysis.strength import FoldPeak, Peak, fold_peak, strain_peaks
 from forficula.dynamics import EnergyBalance, Record
@@ -33,6 +34,7 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[
         "largest_strains": {peak.kind: _peak_summary(peak) for peak in strain_peaks(record)},
         **({} if furthest is None else {"furthest_fold": _fold_summary(furthest)}),
         **_branch_summary(branch_taken(record)),
+        **_package_summary(record),
         "energy_balance": _balance_summary(outcome.energy_balance),
         **({"closure_gap_m": float(record.series["closure_gap"][-1])} if "closure_gap" in record.series else {}),
         "diverged_at_s": record.diverged_at,
@@ -93,6 +95,24 @@ def _transition_summary(found: TransitionOutcome | None, structure: Structure, d
         return {**told, "succeeded": False, "time_s": None, "work_J": None}
     forces = {} if found.largest_force is None else {"largest_force_N": found.largest_force}
     return {**told, "succeeded": found.succeeded, "time_s": found.time, "work_J": found.work, **forces}
+
+
+def _package_summary(record: Record) -> dict[str, Any]:
+    """The room that the smallest state takes, and that of every state."""
+    found, smallest = packages(record), smallest_package(record)
+    if smallest is None:
+        return {}
+    told = {
+        name: {
+            "height_m": each.height,
+            "width_m": each.width,
+            "length_m": each.length,
+            "area_m2": each.area,
+            "area_ratio": each.area_ratio,
+        }
+        for name, (_, each) in found.items()
+    }
+    return {"package": {"state": smallest[0], **told[smallest[0]], "states": told}}
 
 
 def _branch_summary(branch: Branch | None) -> dict[str, Any]:

@@ -72,7 +72,7 @@ def slow_maps(design):
 
 
 KINDS = {
-    "run": ["angles", "cycles", "energy", "folding", "pattern"],
+    "run": ["angles", "cycles", "energy", "folding", "package", "pattern"],
     "landscape": ["levels", "map", "tendon", "wing"],
     "converge": ["angles", "times"],
     "study": ["energy", "fold_times", "status", "torques", "works"],
@@ -105,7 +105,7 @@ def assert_drawn_again(folder, drawings, kind, path):
     assert (path / "again.svg").read_bytes() == (path / "first.svg").read_bytes()
 
 
-@pytest.mark.parametrize("kind", ["pattern", "angles", "energy", "folding"])
+@pytest.mark.parametrize("kind", ["pattern", "angles", "energy", "folding", "package"])
 def test_the_figures_of_a_run_are_drawn_again(folders, tmp_path, reference_run, reference_outcome, kind):
     assert_drawn_again(folders / "run", run_drawings(reference_run, reference_outcome), kind, tmp_path)
 
@@ -187,7 +187,7 @@ def test_a_material_holds_no_tests_to_draw_another_width_from(folders, tmp_path)
 
 
 def test_an_unknown_figure_is_refused_with_the_nearest_and_all(folders, tmp_path):
-    rule = 'need one of angles, cycles, energy, folding, pattern for .*run, got "energies"; did you mean energy?'
+    rule = 'need one of angles, cycles, energy, folding, package, pattern for .*run, got "energies"; did you mean energy?'
     with pytest.raises(InputError, match=rule):
         write_figure(folders / "run", "energies", tmp_path / "a.pdf")
     assert not list(tmp_path.iterdir())

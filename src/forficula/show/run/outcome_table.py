@@ -10,9 +10,11 @@ from rich.text import Text
 
 from forficula.analysis import Outcome, State, Verdict
 from forficula.analysis.branch import branch_taken, branch_text
+from forficula.analysis.package import smallest_package
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit, show_value
 from forficula.show.run.outcome_rows import StateRows, balance_rows, state_rows, transition_headings, transition_rows
+from forficula.show.run.package_figure import package_text
 from forficula.show.run.state_names import states_reached
 from forficula.show.run.strength_rows import STRENGTH_HEADINGS, strength_rows
 from forficula.structure import Structure
@@ -40,9 +42,11 @@ def print_outcome(name: str, outcome: Outcome, structure: Structure) -> None:
 
 
 def print_strength(record: Record) -> None:
-    """Print which way a sheet left its flat state, and its largest strains, stresses and folds; nothing of others."""
+    """Print which way a sheet left its flat state, the room of its smallest state, largest strains, stresses, folds."""
     if (branch := branch_taken(record)) is not None:
         Console(width=110, highlight=False).print(Text(), Text(_sentence(branch_text(branch))), sep="\n")
+    if (smallest := smallest_package(record)) is not None:
+        Console(width=110, highlight=False).print(Text(), Text(package_text(*smallest)), sep="\n")
     rows = strength_rows(record)
     if not rows:
         return

@@ -1,0 +1,137 @@
+"""How much room a structure takes: height, width and area of the smallest slab and box around a shape."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import ConvexHull, QhullError
+
+from forficula.dynamics import Record
+from forficula.structure import Structure
+
+Array = NDArray[np.float64]
+
+_FLAT = 1e-9  # of the size of a shape: what is thinner has no inside
+_ALIKE = 1e-9  # of unit vectors
+_ROUNDING = 1e-9  # s, of times that are multiples of the timestep
+
+
+@dataclass(frozen=True, kw_only=True)
+class Package:
+    """The room that a shape takes. Panels that pass through each other take less than they would.
+
+    Attributes:
+        height: of the thinnest slab that it fits between, m.
+        width: of the narrowest strip across that slab, m.
+        length: along that strip, m.
+        area: of its convex outline, seen square to the slab, m^2.
+        upwards: unit vector square to the slab, (3,).
+        across: unit vector across the strip, (3,).
+        area_ratio: that area by the one at the start of the run.
+    """
+
+    height: float
+    width: float
+    length: float
+    area: float
+    upwards: Array
+    across: Array
+    area_ratio: float = 1.0
+
+
+def package_of(places: Array, radius: float) -> Package:
+    """The package of balls of one radius around places, m, (place, 3).
+
+    Between two parallel planes as near to each other as can be, a convex body touches one with a face or both with an
+    edge (Houle and Toussaint 1988, doi 10.1109/34.6790): those directions are tried, and in the plane, alike, those of
+    the sides of the outline.
+    """
+    places = np.unique(places, axis=0)
+    upwards = _thinnest(places)
+    height = float(np.ptp(places @ upwards))
+    plane = np.linalg.svd(upwards[None])[2][1:]
+    outline = places @ plane.T
+    hull = ConvexHull(outline)
+    sides = np.diff(outline[[*hull.vertices, hull.vertices[0]]], axis=0)
+    normals = np.column_stack([-sides[:, 1], sides[:, 0]]) / np.linalg.norm(sides, axis=1)[:, None]
+    widths = np.ptp(outline @ normals.T, axis=0)
+    narrow = normals[int(np.argmin(widths))]
+    # Steiner: a margin adds its width along the outline and a full circle
+    area = hull.volume + radius * float(np.linalg.norm(sides, axis=1).sum()) + np.pi * radius**2
+    return Package(
+        height=height + 2 * radius,
+        width=float(widths.min()) + 2 * radius,
+        length=float(np.ptp(outline @ np.array([-narrow[1], narrow[0]]))) + 2 * radius,
+        area=float(area),
+        upwards=upwards,
+        across=narrow @ plane,
+    )
+
+
+def _thinnest(places: Array) -> Array:
+    """The direction along which places reach least far, (3,)."""
+    centred = places - places.mean(axis=0)
+    _, sizes, axes = np.linalg.svd(centred, full_matrices=False)
+    if sizes[2] <= _FLAT * sizes[0]:
+        return np.asarray(axes[2])
+    try:
+        hull = ConvexHull(centred)
+    except QhullError:
+        return np.asarray(axes[2])
+    pairs = np.unique(np.sort(hull.simplices[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1), axis=0)
+    edges = centred[pairs[:, 1]] - centred[pairs[:, 0]]
+    edges = edges / np.linalg.norm(edges, axis=1)[:, None]
+    one, other = np.triu_indices(len(edges), 1)
+    crossed = np.cross(edges[one], edges[other])
+    lengths = np.linalg.norm(crossed, axis=1)
+    tried = np.concatenate([hull.equations[:, :3], crossed[lengths > _ALIKE] / lengths[lengths > _ALIKE, None]])
+    corners = centred[hull.vertices]
+    return np.asarray(tried[int(np.argmin(np.ptp(corners @ tried.T, axis=0)))])
+
+
+def packages(record: Record) -> dict[str, tuple[float, Package]]:
+    """When every state that the protocol names was over, s, and the package then; of a run that blew up none.
+
+    Balls have the radius of the thickest bar, or half the thickness of the thickest plate or facet.
+    """
+    structure, found = record.structure, dict[str, tuple[float, Package]]()
+    named = [(end.end, name) for end, name in zip(record.stages, structure.stage_states, strict=False) if name]
+    if record.diverged_at is not None or not named:
+        return found
+    begin = open_package(record).area
+    for time, name in named:
+        row = min(int(np.searchsorted(record.time, time - _ROUNDING)), len(record.time) - 1)
+        each = package_of(_places(record, row), _radius(structure))
+        found[name] = (float(record.time[row]), replace(each, area_ratio=each.area / begin))
+    return found
+
+
+def open_package(record: Record) -> Package:
+    """The package of a structure as it begins."""
+    return package_of(_places(record, 0), _radius(record.structure))
+
+
+def smallest_package(record: Record) -> tuple[str, float, Package] | None:
+    """The name, the time, s, and the package of the state with the least area; None where there is no state."""
+    found = packages(record)
+    if not found:
+        return None
+    name = min(found, key=lambda each: found[each][1].area)
+    return (name, *found[name])
+
+
+def _radius(structure: Structure) -> float:
+    """Half of what the thickest part is across, m."""
+    bars, plates = ([each.diameter for each in structure.bars], [each.thickness for each in structure.plates])
+    return max([*bars, *plates, *(each.thickness for each in structure.facets)], default=0.0) / 2
+
+
+def _places(record: Record, row: int) -> Array:
+    """Where the structure is in a row of a record: its own points, and nodes of membranes, m, (place, 3)."""
+    own = [number for number, point in enumerate(record.structure.points) if point.role != "ground"]
+    places = record.series["point_position"][row, own]
+    if "membrane_position" in record.series:
+        places = np.concatenate([places, record.series["membrane_position"][row]])
+    return np.asarray(places)

@@ -1,0 +1,106 @@
+"""The room that a structure takes: open and at its smallest at one scale, and its stack from the side, enlarged."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from forficula.analysis.package import Package, open_package, smallest_package
+from forficula.dynamics import Record
+from forficula.quantities import reading_unit, show_value
+from forficula.show.structure.painted_shape import View, paint_shape
+from forficula.show.structure.shape import shape_of
+from forficula.show.structure.surface import surface_at
+from forficula.show.style import ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
+
+Array = NDArray[np.float64]
+
+_CELLS = 30
+_BESIDE = 0.06  # of a picture's width: how far off a dimension stands
+
+
+def draw_package(record: Record, width: float = PAGE_WIDTH) -> Figure:
+    """Draw a structure as it begins and as it takes least room, from above, and its stack from the side.
+
+    Args:
+        record: with a state that its protocol names.
+        width: of the figure, inch.
+    """
+    found, opened = smallest_package(record), open_package(record)
+    assert found is not None
+    name, time, package = found
+    whole = record.structure.appearance.whole
+    pictures = [
+        (f"as it begins, {_area(opened)}", 0.0, _from_above(opened)),
+        (f"{name}, {_area(package)}", time, _from_above(package)),
+        (f"{name}, from the side, enlarged", time, _from_the_side(package)),
+    ]
+    with figure_style():
+        narrow = is_narrow(width)
+        rows, columns = (3, 1) if narrow else (1, 3)
+        figure = Figure(figsize=(width, 2.2 * rows), layout="constrained")
+        panels = np.ravel(figure.subplots(rows, columns, squeeze=False))
+        sizes = []
+        for axes, (title, at, view) in zip(panels, pictures, strict=True):
+            polygons = _paint(axes, record, at, view)
+            sizes.append((polygons.min(axis=0), polygons.max(axis=0)))
+            axes.set_title(title, pad=3)
+            axes.set_axis_off()
+        largest = max(float(np.max(high - low)) for low, high in sizes[:2])
+        for axes, (low, high) in zip(panels[:2], sizes, strict=False):
+            left, right = (low + high) / 2 + largest * np.array([[-0.55], [0.55]])
+            axes.set(xlim=(left[0], right[0]), ylim=(left[1], right[1]), aspect="equal")
+        _dimension(panels[1], *sizes[1], package.width, package.length)
+        _dimension(panels[2], *sizes[2], package.length, package.height)
+        return describe(figure, f"The {whole} {record.design.name}. {package_text(name, time, package)}")
+
+
+def package_text(name: str, time: float, package: Package) -> str:
+    """The room that a state takes, at a time, s, as a sentence."""
+    return (
+        f"Room: {name} ({show_value(time, 's')}) it is {_size(package.height)} high and {_size(package.width)} by"
+        f" {_size(package.length)}, {100 * package.area_ratio:.3g} % of the area as it begins."
+    )
+
+
+def _area(package: Package) -> str:
+    return f"{1e4 * package.area:.3g} cm²"
+
+
+def _size(length: float) -> str:
+    unit, factor = reading_unit("m", length)
+    return f"{factor * length:.3g} {unit}"
+
+
+def _from_above(package: Package) -> View:
+    return View(right=package.across, up=np.cross(package.upwards, package.across), towards=package.upwards)
+
+
+def _from_the_side(package: Package) -> View:
+    along = np.cross(package.upwards, package.across)
+    return View(right=along, up=package.upwards, towards=np.cross(along, package.upwards))
+
+
+def _paint(axes: Axes, record: Record, time: float, view: View) -> Array:
+    """Paint the structure at a time; returns the corners of what is painted, (corner, 2)."""
+    surface = surface_at(record, shape_of(record.structure), time)
+    painted = paint_shape(surface, view, ORANGE, cells=_CELLS)
+    axes.add_collection(
+        PolyCollection(list(painted.polygons), facecolors=painted.colours, edgecolors="face", linewidths=0.2)
+    )
+    axes.set_aspect("equal")
+    axes.autoscale_view()
+    return painted.polygons.reshape(-1, 2)
+
+
+def _dimension(axes: Axes, low: Array, high: Array, across: float, upwards: float) -> None:
+    """Write the size of a picture beneath it and beside it."""
+    beside = _BESIDE * max(high - low)
+    arrow = {"arrowstyle": "<->", "lw": 0.7, "shrinkA": 0, "shrinkB": 0}
+    axes.annotate("", (low[0], low[1] - beside), (high[0], low[1] - beside), arrowprops=arrow, annotation_clip=False)
+    axes.text((low[0] + high[0]) / 2, low[1] - 1.5 * beside, _size(across), ha="center", va="top")
+    axes.annotate("", (high[0] + beside, low[1]), (high[0] + beside, high[1]), arrowprops=arrow, annotation_clip=False)
+    axes.text(high[0] + 1.5 * beside, (low[1] + high[1]) / 2, _size(upwards), ha="left", va="center")

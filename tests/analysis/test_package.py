@@ -1,0 +1,58 @@
+"""The room that shapes take, held to boxes, balls and tetrahedra turned any way."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
+
+from forficula.analysis.package import open_package, package_of, packages, smallest_package
+from forficula.analysis.summary import summary
+
+turns = st.tuples(*[st.floats(-math.pi, math.pi)] * 3).map(lambda angles: Rotation.from_euler("xyz", angles).as_matrix())
+sides = st.tuples(*[st.floats(0.1, 10.0)] * 3).map(sorted)
+
+
+def box(lengths):
+    return np.array([[x, y, z] for x in (0, lengths[0]) for y in (0, lengths[1]) for z in (0, lengths[2])])
+
+
+@given(sides, turns, st.floats(0, 0.1))
+def test_a_box_takes_the_room_of_a_box_however_it_lies(lengths, turn, radius):
+    found = package_of(box(lengths) @ turn.T, radius)
+    low, middle, high = lengths
+    assert (found.height, found.width) == pytest.approx((low + 2 * radius, middle + 2 * radius), rel=1e-9)
+    assert found.length == pytest.approx(high + 2 * radius, rel=1e-9)
+    # Steiner's formula for the outline of a rectangle with a margin
+    outline = middle * high + 2 * radius * (middle + high) + math.pi * radius**2
+    assert found.area == pytest.approx(outline, rel=1e-9)
+
+
+def test_a_tetrahedron_is_thinnest_between_two_edges():
+    """The width of a regular tetrahedron is its side / sqrt(2), between opposite edges, and not its height."""
+    corners = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]) / (2 * math.sqrt(2))
+    assert package_of(corners, 0.0).height == pytest.approx(1 / math.sqrt(2))
+
+
+def test_a_flat_sheet_is_as_high_as_its_bars():
+    corners = np.array([[0, 0, 0], [2, 0, 0], [2, 1, 0], [0, 1, 0], [1, 0.5, 0]], dtype=float)
+    found = package_of(corners, 0.01)
+    assert found.height == pytest.approx(0.02)
+    assert abs(found.upwards[2]) == pytest.approx(1)
+    assert (found.width, found.length) == pytest.approx((1.02, 2.02))
+
+
+def test_the_folded_wing_takes_least_room_and_its_summary_says_so(reference_run, reference_outcome):
+    name, time, package = smallest_package(reference_run)
+    assert name == "folded"
+    assert time == pytest.approx(reference_outcome.states["folded"].time, abs=2e-3)
+    found = packages(reference_run)
+    assert found["flat"][1].area_ratio == pytest.approx(1, abs=0.01)
+    assert package.area_ratio == pytest.approx(package.area / open_package(reference_run).area)
+    # thicker than the three bars beside each other in one plane, thinner than the wing is wide
+    assert 0.005 < package.height < package.width < package.length
+    told = summary(reference_run, reference_outcome, versions={})["package"]
+    assert (told["state"], told["height_m"]) == ("folded", package.height)
+    assert set(told["states"]) == {"flat", "folded", "opened"}
