@@ -1,4 +1,5 @@
 import json
+import math
 import os
 import signal
 import subprocess
@@ -778,6 +779,10 @@ def test_what_is_wrong_with_the_pattern_of_a_file_names_the_file(in_an_empty_fol
     (in_an_empty_folder / "tent.fold").write_text(json.dumps(tent))
     said = "tent.fold: vertices_coords: need one z for all vertices, got 0 to 0.005 m"
     assert refusal("pattern", "tent.fold", "--out", "tent.svg") == said
-    turned = tent | {"faces_vertices": [[0, 1, 2], [0, 3, 2]]}
-    (in_an_empty_folder / "turned.fold").write_text(json.dumps(turned))
-    assert refusal("run", "turned.fold").startswith("turned.fold: faces_vertices[1]: need ")
+    # a strip of six triangles, joined after half a turn
+    faces = [[0, 1, 2], [2, 1, 3], [2, 3, 4], [4, 3, 5], [4, 5, 1], [1, 5, 0]]
+    edges = sorted({tuple(sorted(pair)) for a, b, c in faces for pair in ((a, b), (b, c), (c, a))})
+    places = [[math.cos(turn), math.sin(turn), turn % 2] for turn in range(6)]
+    strip = tent | {"vertices_coords": places, "faces_vertices": faces, "edges_vertices": edges}
+    (in_an_empty_folder / "strip.fold").write_text(json.dumps(strip | {"edges_assignment": ["U"] * len(edges)}))
+    assert refusal("run", "strip.fold").startswith("strip.fold: faces_vertices[3]: need a sheet of two sides")
