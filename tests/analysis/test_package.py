@@ -11,7 +11,8 @@ from scipy.spatial.transform import Rotation
 from forficula.analysis.package import open_package, package_of, packages, smallest_package
 from forficula.analysis.summary import summary
 
-turns = st.tuples(*[st.floats(-math.pi, math.pi)] * 3).map(lambda angles: Rotation.from_euler("xyz", angles).as_matrix())
+turn = st.tuples(*[st.floats(-math.pi, math.pi)] * 3)
+turns = turn.map(lambda angles: Rotation.from_euler("xyz", angles).as_matrix())
 sides = st.tuples(*[st.floats(0.1, 10.0)] * 3).map(sorted)
 
 

@@ -125,7 +125,6 @@ def test_without_masses_a_design_is_what_it_was():
     ("values", "message"),
     [
         ({"tendon.density": 1100.0}, r"tendon\.area: is missing; tendon\.density needs the volume"),
-        (TENDON | {"tendon.rest_length": 0.0}, r"tendon\.rest_length: need > 0, got 0 cm; tendon\.density needs"),
         ({"tendon.area": 5e-6}, r"tendon\.area: needs tendon\.law"),
         ({"membrane.density": -1.0}, r"membrane\.density: need >= 0, got -0\.001 g/cm\^3"),
         ({"vein.added_mass": "2 cm"}, r"vein\.added_mass: .cm. is not a unit of the right kind"),

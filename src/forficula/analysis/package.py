@@ -74,7 +74,7 @@ def _thinnest(places: Array) -> Array:
     """The direction along which places reach least far, (3,)."""
     centred = places - places.mean(axis=0)
     _, sizes, axes = np.linalg.svd(centred, full_matrices=False)
-    if sizes[2] <= _FLAT * sizes[0]:
+    if len(sizes) < 3 or sizes[2] <= _FLAT * sizes[0]:
         return np.asarray(axes[2])
     try:
         hull = ConvexHull(centred)
@@ -92,19 +92,21 @@ def _thinnest(places: Array) -> Array:
 
 
 def packages(record: Record) -> dict[str, tuple[float, Package]]:
-    """When every state that the protocol names was over, s, and the package then; of a run that blew up none.
+    """When every state that the protocol names was over, s, and the package then; of what blew up, or is a line, none.
 
     Balls have the radius of the thickest bar, or half the thickness of the thickest plate or facet.
     """
     structure, found = record.structure, dict[str, tuple[float, Package]]()
     named = [(end.end, name) for end, name in zip(record.stages, structure.stage_states, strict=False) if name]
-    if record.diverged_at is not None or not named:
+    if record.diverged_at is not None or not named or not _spread_out(_places(record, 0)):
         return found
     begin = open_package(record).area
     for time, name in named:
         row = min(int(np.searchsorted(record.time, time - _ROUNDING)), len(record.time) - 1)
-        each = package_of(_places(record, row), _radius(structure))
-        found[name] = (float(record.time[row]), replace(each, area_ratio=each.area / begin))
+        places = _places(record, row)
+        if _spread_out(places):
+            each = package_of(places, _radius(structure))
+            found[name] = (float(record.time[row]), replace(each, area_ratio=each.area / begin))
     return found
 
 
@@ -120,6 +122,12 @@ def smallest_package(record: Record) -> tuple[str, float, Package] | None:
         return None
     name = min(found, key=lambda each: found[each][1].area)
     return (name, *found[name])
+
+
+def _spread_out(places: Array) -> bool:
+    """Whether places do not lie on a line."""
+    sizes = np.linalg.svd(places - places.mean(axis=0), compute_uv=False)
+    return len(sizes) > 1 and bool(sizes[1] > _FLAT * sizes[0])
 
 
 def _radius(structure: Structure) -> float:

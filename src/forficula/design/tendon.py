@@ -113,9 +113,8 @@ class TendonSection(ElasticTendon):
 
     @model_validator(mode="after")
     def _of_a_volume(self) -> Self:
-        if self.weighs and not (self.area and self.rest_length):
-            lacks = "area: is missing" if not self.area else "rest_length: need > 0, got 0 cm"
-            raise InputError(f"{lacks}; tendon.density needs the volume of a tendon, its area by its resting length")
+        if self.weighs and not self.area:
+            raise InputError("area: is missing; tendon.density needs the volume, an area by the resting length")
         return self
 
     @property
