@@ -129,7 +129,9 @@ def test_veins_tied_rigidly_fold_under_one_motor_as_under_motors_with_the_same_t
 def test_the_work_is_that_of_the_motor_on_its_own_vein(by_one):
     turns = hinges_of(by_one.structure, "turn")
     # the torque stands all the stage
-    turned = by_one.series["hinge_angle"][-1, turns[0]] - by_one.series["hinge_angle"][by_one.time <= 0.02][-1, turns[0]]
+    turned = (
+        by_one.series["hinge_angle"][-1, turns[0]] - by_one.series["hinge_angle"][by_one.time <= 0.02][-1, turns[0]]
+    )
     assert motor_work(by_one, "proximal")[-1] == pytest.approx(0.3 * turned, rel=1e-3)
     assert motor_work(by_one, "distal")[-1] == 0
     twisted = np.abs(np.diff(by_one.series["hinge_angle"][:, turns], axis=1)).max()
@@ -161,7 +163,9 @@ def test_stiffer_springs_come_to_what_a_rigid_coupling_does(by_one):
 
 def test_wings_with_motors_on_other_veins_run_side_by_side_as_each_alone():
     designs = [
-        with_values(TIED, {"protocol.driven_veins": [vein], "protocol.stages": FOLDING, "coupling.stiffness": stiffness})
+        with_values(
+            TIED, {"protocol.driven_veins": [vein], "protocol.stages": FOLDING, "coupling.stiffness": stiffness}
+        )
         for vein in (0, 2)
         for stiffness in (1.0, "rigid")
     ]

@@ -64,8 +64,9 @@ class Ties:
         low, high = np.minimum(*ends), np.maximum(*ends)
         count = int(self.coordinate.max()) + 1
         least, most = np.full((len(lower), count), -np.inf), np.full((len(lower), count), np.inf)
-        np.maximum.at(least, (slice(None), self.coordinate), low)
-        np.minimum.at(most, (slice(None), self.coordinate), high)
+        for hinge, coordinate in enumerate(self.coordinate.tolist()):
+            least[:, coordinate] = np.maximum(least[:, coordinate], low[:, hinge])
+            most[:, coordinate] = np.minimum(most[:, coordinate], high[:, hinge])
         apart = least > most
         least[apart] = most[apart] = (least[apart] + most[apart]) / 2
         return least, most

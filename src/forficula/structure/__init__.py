@@ -1,7 +1,7 @@
 from forficula.structure.appearance import Appearance
 from forficula.structure.build import drive_keys, static_keys, structure_of, with_protocol
-from forficula.structure.course import Drive, Goal, Measure, Motor, RestState, RigidFold, Transition, Wording
 from forficula.structure.couplings import coupling_rows
+from forficula.structure.course import Drive, Goal, Measure, Motor, RestState, RigidFold, Transition, Wording
 from forficula.structure.crossing import bar_crossing, tendon_crossing
 from forficula.structure.facets import facet_triangles, held_corners, hinge_groups, springs_name
 from forficula.structure.flaps import built_creases, crease_flaps, crease_law, crease_numbers, flap_angles
@@ -57,6 +57,7 @@ __all__ = [
     "Bar",
     "Body",
     "Closure",
+    "Coupling",
     "Crossing",
     "Drive",
     "Facet",
@@ -84,6 +85,7 @@ __all__ = [
     "built_lengths",
     "built_points",
     "built_strains",
+    "coupling_rows",
     "crease_flaps",
     "crease_law",
     "crease_numbers",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Sequence
 
@@ -20,7 +21,7 @@ def vein_couplings(design: FanDesign, hinges: Sequence[Hinge]) -> tuple[Coupling
     turns = [number for number, hinge in enumerate(hinges) if hinge.role == "turn"]
     return tuple(
         Coupling(name=f"coupling{place}", hinges=pair, stiffness=stiffness)
-        for place, pair in enumerate(zip(turns, turns[1:], strict=False))
+        for place, pair in enumerate(itertools.pairwise(turns))
     )
 
 

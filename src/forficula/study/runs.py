@@ -147,7 +147,7 @@ def run_each(
 
 
 def topology(model: Model) -> tuple[int, ...]:
-    """What models of one batch have in common: sizes, how often their creases are followed, which hinges have motors."""
+    """What models of one batch have in common: sizes, how often creases are followed, which hinges have motors."""
     engine = model.engine
     sizes = (engine.nq, engine.nv, engine.nu, engine.nbody, engine.ngeom, engine.ntendon, engine.nflexvert)
     driven = tuple(hinge for motor in model.structure.motors for hinge in motor.hinges)
