@@ -42,8 +42,8 @@ VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "point_position": (("point", "axis"), "m", "named points on bodies"),
     "membrane_position": (("node", "axis"), "m", "nodes of the membrane"),
 }
-# what is there only with springs in hinges, with displacements, with elastic couplings, with distances that are watched,
-# with Maxwell branches, with tendons that yield, and with tendons that let go
+# what is there only with springs in hinges, with displacements, with elastic couplings, with distances that are
+# watched, with Maxwell branches, with tendons that yield, and with tendons that let go
 SOMETIMES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "hinge_energy": (("hinge",), "J", "energy of the hinge's spring"),
     "hinge_rest_angle": (("hinge",), "rad", "where the hinge's spring rests, which a drive moves"),
