@@ -163,6 +163,7 @@ def test_the_named_designs_are_listed_with_their_sources(call):
     assert names == [
         "binder2025",
         "binder2025-built",
+        "binder2025-coupled",
         "bistable-clasp",
         "four-plate-snap",
         "kresling-cell",

@@ -211,7 +211,7 @@ def test_settings_reach_into_a_stage():
     [
         ("tendon.stifness", "1 N/cm", "tendon.stifness: unknown key; did you mean tendon.stiffness?"),
         ("tendn.stiffness", "1 N/cm", "tendn: unknown key; did you mean tendon?"),
-        ("stiffness", "1 N/cm", "stiffness: unknown key; did you mean tendon.stiffness?"),
+        ("stiffness", "1 N/cm", "stiffness: unknown key; did you mean coupling.stiffness or tendon.stiffness?"),
         ("Tendon.stiffness", "1 N/cm", "Tendon: unknown key; did you mean tendon?"),
         ("tendon.stiffness.x", "1 N/cm", "tendon.stiffness.x: unknown key; did you mean tendon.stiffness?"),
         ("tendon.stiffness", "20", 'tendon.stiffness: the unit is missing; write it such as "10 N/cm", got "20"'),
@@ -252,9 +252,13 @@ def test_an_empty_key_is_unknown_like_any_other():
             load_design("binder2025", {key: "1"})
 
 
-FANS = "binder2025, binder2025-built"
-SHEETS = "bistable-clasp, four-plate-snap, kresling-cell, letter-fold, miura-sheet, waterbomb-base"
-SECTIONS = "based_on, name, source, shows, reproduces, pattern, vein, membrane, hinge, tendon, guard, protocol"
+OTHERS = (
+    "binder2025-built, binder2025-coupled, bistable-clasp, four-plate-snap, kresling-cell, letter-fold, miura-sheet,"
+    " waterbomb-base"
+)
+SECTIONS = (
+    "based_on, name, source, shows, reproduces, pattern, vein, membrane, hinge, coupling, tendon, guard, protocol"
+)
 OF_TENDON = (
     "stiffness, rest_length, damping, area, law, density, proximal_attachment, distal_attachment, proximal_offset,"
     " distal_offset, proximal_aside, distal_aside"
@@ -426,8 +430,8 @@ def test_a_number_too_long_for_a_computer_is_one_error(refusal):
         ("a\0b.toml", '"a\\u0000b.toml": cannot be read: embedded null byte'),
         ("bindr2025", '"bindr2025" is neither a named design nor a .toml file; did you mean "binder2025"?'),
         ("wing", '"wing" is neither a named design nor a .toml file; did you mean "wing.toml"?'),
-        (".", f'"." is neither a named design nor a .toml file; the named designs are {FANS}, {SHEETS}'),
-        ("", f'"" is neither a named design nor a .toml file; the named designs are {FANS}, {SHEETS}'),
+        (".", f'"." is neither a named design nor a .toml file; the named designs are binder2025, {OTHERS}'),
+        ("", f'"" is neither a named design nor a .toml file; the named designs are binder2025, {OTHERS}'),
     ],
 )
 def test_a_design_that_is_not_there_is_one_error(refusal, tmp_path, name, message):

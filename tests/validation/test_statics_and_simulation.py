@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import forficula as ff
-from forficula.design import with_values
+from forficula.design import load_design, with_values
 from forficula.statics.potential import ensemble_of, rest
 from forficula.statics.quasi_static import at_goal, least_slow_torque, start_state
 from forficula.statics.sheet import sheet_energy
@@ -174,3 +174,21 @@ def test_the_least_torque_that_opens_is_that_of_a_damped_wing_and_below_it_the_w
     # hinges on their stops and one folded; what no force holds, a slack tendon's wing, creeps on
     assert below.series["tendon_energy"][-1].sum() == pytest.approx(tendons, rel=1e-4)
     assert below.series["membrane_energy"][-1] == pytest.approx(membrane, rel=0.01)
+
+
+@pytest.mark.parametrize("stiffness", ["rigid", 0.1])
+def test_the_least_torque_of_one_motor_on_tied_veins_is_that_of_a_damped_wing(stiffness):
+    """The motor turns one vein, and what ties the veins takes the others along."""
+    coupled = with_values(load_design("binder2025-coupled"), {"coupling.stiffness": stiffness})
+    wings = ensemble_of([with_values(coupled, {"protocol.folded_angle": FOLDED})])
+    flat = start_state(wings).position
+    least = least_slow_torque(wings, flat, wings.structure.transitions[0], 0.5).torque[0]
+    assert least_at_once(wings, flat, "fold", "folded", 0.5) == pytest.approx(least, rel=0.02)
+    for share, folds in ((0.97, False), (1.03, True)):
+        run = damped(coupled, [stage("fold", "fold", "folded", 40.0)], 0.005, fold_torque=share * least)
+        assert (run.stages[1].goal_time is not None) == folds
+        assert (run.series["kinetic_energy"][-1] < 1e-9) or folds
+        if not folds:
+            static = rest(wings, flat, driven(wings, "fold", share * least))
+            # the engine's stops give, and the wing creeps on
+            assert angles(run, -1) == pytest.approx(static.position, abs=math.radians(1))

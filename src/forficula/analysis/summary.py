@@ -151,6 +151,7 @@ def _balance_summary(balance: EnergyBalance) -> dict[str, float]:
         "letting_go_J": balance.letting_go,
         "hinge_energy_change_J": balance.hinges,
         "spring_energy_change_J": balance.springs,
+        "coupling_energy_change_J": balance.couplings,
         "closures_J": balance.closures,
     }
     return {

@@ -11,6 +11,7 @@ from pydantic import Discriminator, Field, Tag, field_validator, model_validator
 
 from forficula.design.design import Design, check_duration
 from forficula.design.fan_sections import (
+    CouplingSection,
     FanPatternSection,
     GuardSection,
     HingeSection,
@@ -35,8 +36,18 @@ ONE_FOR_ALL, BY_VEIN = "<one for all>", "<by vein>"
 class FanProtocol(Protocol):
     """What is done to the wing, and what counts as done."""
 
-    fold_torque: float = quantity(TORQUE, "torque on every proximal turn axis while folding", at_least=0)
-    unfold_torque: float = quantity(TORQUE, "torque on every distal and proximal axis while unfolding", at_least=0)
+    fold_torque: float = quantity(TORQUE, "torque on every driven proximal turn axis while folding", at_least=0)
+    unfold_torque: float = quantity(
+        TORQUE, "torque on every distal and every driven proximal axis while unfolding", at_least=0
+    )
+    driven_veins: Annotated[
+        tuple[Annotated[int, Field(strict=True, ge=0)], ...] | None,
+        Field(
+            min_length=1,
+            description="numbers of the veins with a motor on their proximal turn axes; without it, all",
+            examples=[[0]],
+        ),
+    ] = None
     initial_overbend: float = quantity(ANGLE, "where every distal hinge starts, past straight")
     folded_angle: float = quantity(ANGLE, "folded means that every distal hinge is beyond it", above=0, at_most=math.pi)
     opened_angle: float = quantity(ANGLE, "opened means that every distal hinge is at or past it, on the overbend side")
@@ -93,6 +104,9 @@ class FanDesign(Design):
     vein: VeinSection
     membrane: MembraneSection
     hinge: HingeSection
+    coupling: Annotated[
+        CouplingSection | None, Field(description="between neighbouring veins at the base; without it, none")
+    ] = None
     tendon: Annotated[
         Annotated[TendonSection, Tag(ONE_FOR_ALL)] | Annotated[tuple[TendonSection | None, ...], Tag(BY_VEIN)],
         Discriminator(lambda given: BY_VEIN if isinstance(given, list | tuple) else ONE_FOR_ALL),
@@ -124,6 +138,7 @@ class FanDesign(Design):
                     f" got {show_quantity(value, unit)}"
                 )
         self._tendons_on_bars()
+        self._driven_veins_there()
         for key, rows in (("proximal_rows", self.membrane.proximal_rows), ("distal_rows", self.membrane.distal_rows)):
             if list(rows) != sorted({row for row in rows if 0 < row < 1}):
                 raise InputError(f"membrane.{key}: need rising shares between 0 and 1, got {list(rows)}")
@@ -156,6 +171,15 @@ class FanDesign(Design):
                             f"{key}.{end}_{way}: need >= -{bar} and <= {bar}, pattern.{end}_length,"
                             f" got {show_quantity(value, LENGTH)}"
                         )
+
+    def _driven_veins_there(self) -> None:
+        """Refuse motors on veins that are not there, and two on one."""
+        driven, last = self.protocol.driven_veins or (), self.fan.vein_count - 1
+        if len(set(driven)) < len(driven) or max(driven, default=0) > last:
+            raise InputError(
+                f"protocol.driven_veins: need different numbers of veins, 0 to {last} with pattern.units ="
+                f" {self.pattern.units}, got {list(driven)}"
+            )
 
     def _written_tendons(self) -> Iterator[tuple[str, TendonSection]]:
         """The sections of the tendons, each with its key."""
@@ -219,6 +243,12 @@ class FanDesign(Design):
         if isinstance(self.tendon, TendonSection):
             return self.tendon
         return self.tendon[vein] if vein < len(self.tendon) else None
+
+    @property
+    def driven_veins(self) -> tuple[int, ...]:
+        """Numbers of the veins with a motor at the base, rising."""
+        driven = self.protocol.driven_veins
+        return tuple(range(self.fan.vein_count) if driven is None else sorted(driven))
 
     @property
     def tendons(self) -> tuple[TendonSection | None, ...]:

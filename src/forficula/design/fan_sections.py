@@ -11,6 +11,7 @@ from forficula.design.part import (
     ANGLE,
     DENSITY,
     HINGE_DAMPING,
+    HINGE_STIFFNESS,
     INERTIA,
     LENGTH,
     MASS,
@@ -115,6 +116,19 @@ class HingeSection(Part):
     turn_back: float = quantity(ANGLE, "how far a vein turns the other way", at_least=0, at_most=math.pi)
     damping: float = quantity(HINGE_DAMPING, "viscous damping of every hinge", at_least=0)
     armature: float = quantity(INERTIA, "inertia of a motor on it, added to every hinge", default=0.0, at_least=0)
+
+
+class CouplingSection(Part):
+    """What ties neighbouring veins to each other at the base, so that they turn together."""
+
+    heading: ClassVar[str] = "Basal vein coupling"
+
+    stiffness: float | Literal["rigid"] = quantity(
+        HINGE_STIFFNESS,
+        'of the spring between the turns of neighbouring veins; "rigid": they turn by the same',
+        at_least=0,
+        words=("rigid",),
+    )
 
 
 class GuardSection(Part):

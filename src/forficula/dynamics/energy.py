@@ -8,6 +8,7 @@ from functools import reduce
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.dynamics.couplings import coupling_energies
 from forficula.dynamics.membrane import stretch_energy
 from forficula.dynamics.model import Model
 
@@ -121,6 +122,8 @@ def state_series(
         "tendon_energy": units.energy * model.elastic.energy(length - crept),
     }
     series |= _hinge_series(model, angles, np.zeros((len(angles), len(built.motors))) if efforts is None else efforts)
+    if any(not coupling.rigid for coupling in built.couplings):
+        series["coupling_energy"] = units.energy * coupling_energies(built, angles)
     if built.springs:
         stiffness, lengths = (
             np.array([getattr(spring, name) for spring in built.springs]) for name in ("stiffness", "rest_length")

@@ -14,7 +14,7 @@ _ROUNDING = 1e-9
 _SLIGHT = 1e-5
 # of what folds by so much, rad, and of bars and membranes that are strained by so much, rounding takes its share
 _FOLDED, _STRAINED = 1.0, 1e-4
-_STORES = ("tendon_energy", "membrane_energy", "hinge_energy", "spring_energy", "branch_energy")
+_STORES = ("tendon_energy", "membrane_energy", "hinge_energy", "spring_energy", "coupling_energy", "branch_energy")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,7 +29,8 @@ class EnergyBalance:
         gravitational: change of the gravitational energy.
         hinge_damping: that the hinges' damping took.
         elastic_damping: that the tendons' and the membrane's damping took.
-        stops: that stops, length limits and, where they are on, contacts took.
+        stops: that stops, length limits and, where they are on, contacts took; with rigid couplings what these took,
+            which should be none but for errors of the integration.
         branches: change of the energy of the tendons' Maxwell branches; None where they have none.
         branch_damping: that the dampers in these branches took; None where there are none.
         yielding: that the tendons' yielding took; None where they never yield.
@@ -37,6 +38,7 @@ class EnergyBalance:
             where it never does.
         hinges: change of the energy of the hinges' springs; None where they have none.
         springs: change of the energy of springs between points; None where there are none.
+        couplings: change of the energy of elastic couplings between joints; None where there are none.
         closures: that loops of bodies took where they were closed, and part of what is missing: closing them takes no
             work but for errors of the integration; None where there are none.
         at_hand: what tendons stretched by their levers, hinges turned by 1 rad, or bars and membranes strained by 1e-4
@@ -58,6 +60,7 @@ class EnergyBalance:
     letting_go: float | None = None
     hinges: float | None = None
     springs: float | None = None
+    couplings: float | None = None
     closures: float | None = None
     at_hand: float = 0.0
     stored: float = 0.0
@@ -67,14 +70,14 @@ class EnergyBalance:
         """Work that the account does not find, J: the error of the integration."""
         stored = self.tendon + self.membrane + self.kinetic + self.gravitational
         of_law = (self.branches, self.branch_damping, self.yielding, self.letting_go, self.hinges, self.springs)
-        others = sum(term or 0.0 for term in of_law)
+        others = sum(term or 0.0 for term in (*of_law, self.couplings))
         return self.work - stored - self.hinge_damping - self.elastic_damping - self.stops - others
 
     @property
     def exchanged(self) -> float:
         """Energy that torques, springs and weight gave or took, J."""
         springs = (self.tendon, self.membrane, self.branches or 0.0, self.hinges or 0.0, self.springs or 0.0)
-        return sum(abs(term) for term in (self.work, *springs, self.gravitational))
+        return sum(abs(term) for term in (self.work, *springs, self.gravitational, self.couplings or 0.0))
 
     @property
     def residual(self) -> float:
@@ -109,6 +112,7 @@ def energy_balance(record: Record) -> EnergyBalance:
         letting_go=_taken(change, "letting_go_work"),
         hinges=change.get("hinge_energy"),
         springs=change.get("spring_energy"),
+        couplings=change.get("coupling_energy"),
         closures=_taken(change, "closure_work"),
         at_hand=_at_hand(record.structure),
         # of a run that blew up, which ends with no number, none

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from forficula.design import Design
 from forficula.dynamics.bodies import add_bodies, brake_name, engine_sites, force_name, servo_names
 from forficula.dynamics.closures import add_closures, gap_name
+from forficula.dynamics.couplings import add_couplings
 from forficula.dynamics.creases import Creases, add_creases, clear_rows, creases_of
 from forficula.dynamics.folds import Folds, folds_of, slide_name
 from forficula.dynamics.membrane import Mesh, add_membranes, joined_mesh
@@ -237,6 +238,7 @@ def _spec_of(structure: Structure, timestep: float, mesh: Mesh, distances: list[
     spec = _empty_spec(structure, timestep)
     add_bodies(spec, structure, timestep)
     add_creases(spec, structure)
+    add_couplings(spec, structure, timestep)
     add_closures(spec, structure, timestep)
     for spring in structure.springs:
         add_spring(spec, spring, structure)

@@ -42,14 +42,15 @@ VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "point_position": (("point", "axis"), "m", "named points on bodies"),
     "membrane_position": (("node", "axis"), "m", "nodes of the membrane"),
 }
-# what is there only with springs in hinges, with displacements, with distances that are watched, with Maxwell branches,
-# with tendons that yield, and with tendons that let go
+# what is there only with springs in hinges, with displacements, with elastic couplings, with distances that are
+# watched, with Maxwell branches, with tendons that yield, and with tendons that let go
 SOMETIMES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "hinge_energy": (("hinge",), "J", "energy of the hinge's spring"),
     "hinge_rest_angle": (("hinge",), "rad", "where the hinge's spring rests, which a drive moves"),
     "motor_force": (("motor",), "N", "force on all points that the motor displaces together, along its way"),
     "spring_force": (("spring",), "N", "force of the spring, pulling positive"),
     "spring_energy": (("spring",), "J", "energy of the spring"),
+    "coupling_energy": (("coupling",), "J", "energy of the spring between the joints; none of a rigid coupling"),
     "distance": (("measure",), "m", "distance that is watched"),
     "branch_energy": (("tendon",), "J", "energy of the tendon's Maxwell branches"),
     "branch_damping_work": ((), "J", "work of the dampers in the tendons' Maxwell branches since the start"),
@@ -162,6 +163,7 @@ class Record:
             "tendon_role": ("tendon", [tendon.role for tendon in built.tendons]),
             "spring": [spring.name for spring in built.springs],
             "spring_role": ("spring", [spring.role for spring in built.springs]),
+            **({"coupling": [each.name for each in built.couplings]} if "coupling_energy" in self.series else {}),
             "motor": [motor.name for motor in built.motors],
             "point": [point.name for point in built.points],
             "point_role": ("point", [point.role for point in built.points]),

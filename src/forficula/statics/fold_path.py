@@ -40,6 +40,7 @@ class FoldPath:
         fold_slope: d ring angle / d pleat angle, (place,).
         quiet: moment that counts as none, N m, (place,).
         turns: how many hinges turn, by half the pleat angle each.
+        driven: how many of these a motor drives; all where none is driven.
         folds: how many fold with the ring.
         states: where it rests, in the order of the pleat angle.
         remarks: sentences on what to know of it.
@@ -53,6 +54,7 @@ class FoldPath:
     fold_slope: Array
     quiet: Array
     turns: int
+    driven: int
     folds: int
     states: tuple[PathState, ...]
     remarks: tuple[str, ...]
@@ -64,12 +66,13 @@ class FoldPath:
 
     @property
     def fold_torque(self) -> float:
-        """Least torque on every hinge that turns that takes it along, from its first state to folded, N m.
+        """Least torque on every driven hinge that takes it along, from its first state to folded, N m.
 
-        The steepest climb, shared by these hinges, which turn by half the pleat angle.
+        The steepest climb, shared by these hinges, which turn by half the pleat angle; rigid panels take the others
+        along.
         """
         climbs = np.where(-self.moment > self.quiet, -self.moment, 0.0)
-        return float(climbs.max()) * 2 / self.turns
+        return float(climbs.max()) * 2 / self.driven
 
     @property
     def unfold_torque(self) -> float | None:
@@ -129,10 +132,16 @@ def fold_path(structures: Ensemble, points: int = 181) -> FoldPath:
         fold_slope=fold_slope,
         quiet=quiet,
         turns=len(fold.turns),
+        driven=_driven(structures.structure, fold),
         folds=len(fold.folds),
         states=states_along(lambda x: (curve(x), by_angle(x)), pleat, force=quiet),
         remarks=fold.remarks,
     )
+
+
+def _driven(structure: Structure, fold: RigidFold) -> int:
+    """How many of the hinges that turn have a motor; all where none has."""
+    return len({hinge for motor in structure.motors for hinge in motor.hinges} & set(fold.turns)) or len(fold.turns)
 
 
 def _least_stretched(structures: Ensemble, start: Array, fold: RigidFold) -> Equilibria:

@@ -57,8 +57,8 @@ class Rest:
         name: of the state that a protocol names, such as "flat"; where it is none, what the protocol calls that.
         angles: of all hinges, in their own senses, rad, (hinge,).
         energy: J.
-        stored: the same by what stores it: "tendons", "springs", "membranes" with length limits, "weight"; what the
-            structure does not have is left out.
+        stored: the same by what stores it: "tendons", "springs", "couplings", "membranes" with length limits, "weight";
+            what the structure does not have is left out.
         stable: whether it came to rest and no small push drives it on.
         within: whether it is within the bounds of the state.
         same_as: name of the first state before it that rests at the same angles; empty where none does.

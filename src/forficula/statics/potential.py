@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from forficula.design import Design, key_value
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
+from forficula.statics.couplings import Ties, Twists, ties_of, twist_energy, twists_of
 from forficula.statics.elements import Expansion
 from forficula.statics.equilibrium import Cases, Equilibria, descend
 from forficula.statics.hinge import TendonHinge, hinges_in_own_senses, stacked_hinges
@@ -40,6 +41,8 @@ class Ensemble:
         sheet: membranes and length limits.
         lines: tendons across several hinges; None for none.
         weight: of the bodies; None without gravity.
+        twists: elastic couplings between joints; None for none.
+        ties: joints that rigid couplings make turn as one; None for none.
         crossed: numbers of the hinges that one tendon each lies across, by tendon.
         crossings: by which what tendons do adds up to hinges, (tendon, hinge).
         tendons: the hinges of these tendons as one, whose functions take angles (case, tendon).
@@ -56,6 +59,8 @@ class Ensemble:
     sheet: Sheet
     lines: Lines | None
     weight: Weight | None
+    twists: Twists | None
+    ties: Ties | None
     crossed: Span
     crossings: Array
     tendons: TendonHinge
@@ -118,6 +123,8 @@ def ensemble(structures: Sequence[Structure]) -> Ensemble:
         sheet=sheet_of(first, tree),
         lines=lines_of(structures, tree),
         weight=weight_of(first, tree),
+        twists=twists_of(first),
+        ties=ties_of(first),
         crossed=span(crossed),
         crossings=unit[crossed],
         tendons=stacked_hinges([hinges_in_own_senses(each) for each in structures]),
@@ -183,8 +190,8 @@ def stored_energy(structures: Ensemble, angles: Array) -> dict[str, Array]:
         angles: rad, (case, hinge).
 
     Returns:
-        J, (case,), of "tendons", "springs" of hinges, "membranes" with length limits, and "weight", which is 0 where
-        all centres are at z = 0.
+        J, (case,), of "tendons", "springs" of hinges, elastic "couplings", "membranes" with length limits, and
+        "weight", which is 0 where all centres are at z = 0.
     """
     parts: dict[str, Array] = {}
     if structures.structure.tendons:
@@ -193,6 +200,8 @@ def stored_energy(structures: Ensemble, angles: Array) -> dict[str, Array]:
             parts["tendons"] = parts["tendons"] + line_energy(structures.lines, angles)[0]
     if structures.stiffness.any():
         parts["springs"] = np.sum(structures.stiffness * (angles - structures.rest_angles) ** 2, axis=1) / 2
+    if structures.twists is not None:
+        parts["couplings"] = twist_energy(structures.twists, angles)[0]
     if structures.structure.membranes or structures.structure.limits:
         parts["membranes"] = sheet_energy(structures.sheet, angles)[0]
     if structures.weight is not None:
@@ -201,8 +210,10 @@ def stored_energy(structures: Ensemble, angles: Array) -> dict[str, Array]:
 
 
 def _further(structures: Ensemble, angles: Array) -> list[Expansion]:
-    """What not every structure has: tendons across several hinges, and weight."""
+    """What not every structure has: tendons across several hinges, couplings, and weight."""
     parts = [] if structures.lines is None else [line_energy(structures.lines, angles)]
+    if structures.twists is not None:
+        parts.append(twist_energy(structures.twists, angles))
     return parts if structures.weight is None else [*parts, weight_energy(structures.weight, angles)]
 
 
@@ -216,6 +227,9 @@ def rest(
     within: float = np.inf,
 ) -> Equilibria:
     """Let structures go from where they are, slowly, to where they rest under torques.
+
+    Joints that rigid couplings tie have one coordinate; where they start apart, they start in the middle. Slopes are
+    those by every hinge, as if nothing tied it.
 
     Args:
         structures: side by side.
@@ -231,7 +245,7 @@ def rest(
     fixed = list(fixed)
     lower[:, fixed] = upper[:, fixed] = start[:, fixed]
     lower, upper = np.where(held, start, lower), np.where(held, start, upper)
-    some, which = structures, np.arange(count)
+    some, which, ties = structures, np.arange(count), structures.ties
 
     def energy(angles: Array, cases: Cases) -> Expansion:
         nonlocal some, which
@@ -239,7 +253,18 @@ def rest(
             some, which = structures.only(cases), cases
         return potential(some, angles, torques[cases])
 
-    return descend(energy, start, lower, upper, longest_step=_LONGEST_STEP, force=_QUIET * torque_scale(structures))
+    steps: Any = {"longest_step": _LONGEST_STEP, "force": _QUIET * torque_scale(structures)}
+    if ties is None:
+        return descend(energy, start, lower, upper, **steps)
+    spread = ties.spread
+
+    def tied_energy(coordinates: Array, cases: Cases) -> Expansion:
+        value, slope, curvature = energy(ties.angles(coordinates), cases)
+        return value, slope @ spread, spread.T @ curvature @ spread
+
+    found = descend(tied_energy, ties.start(start), *ties.bounds(lower, upper), **steps)
+    position = ties.angles(found.position)
+    return replace(found, position=position, slope=energy(position, np.arange(count))[1])
 
 
 def torque_scale(structures: Ensemble) -> float:

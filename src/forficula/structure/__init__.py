@@ -1,5 +1,6 @@
 from forficula.structure.appearance import Appearance
 from forficula.structure.build import drive_keys, static_keys, structure_of, with_protocol
+from forficula.structure.couplings import coupling_rows
 from forficula.structure.course import Drive, Goal, Measure, Motor, RestState, RigidFold, Transition, Wording
 from forficula.structure.crossing import bar_crossing, tendon_crossing
 from forficula.structure.facets import facet_triangles, held_corners, hinge_groups, springs_name
@@ -22,6 +23,7 @@ from forficula.structure.parts import (
     Bar,
     Body,
     Closure,
+    Coupling,
     Crossing,
     Facet,
     Hinge,
@@ -55,6 +57,7 @@ __all__ = [
     "Bar",
     "Body",
     "Closure",
+    "Coupling",
     "Crossing",
     "Drive",
     "Facet",
@@ -82,6 +85,7 @@ __all__ = [
     "built_lengths",
     "built_points",
     "built_strains",
+    "coupling_rows",
     "crease_flaps",
     "crease_law",
     "crease_numbers",

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from forficula.design import FanDesign, FanProtocol, stage_drives
+from forficula.names import listed
 from forficula.structure.course import Drive, Goal, Measure, Motor, RestState, Transition, Wording
 from forficula.structure.goals import hinges_of
 from forficula.structure.structure import Structure
@@ -51,11 +52,13 @@ _STATIC_KEYS = (
     "pattern",
     "membrane",
     "hinge",
+    "coupling",
     "guard",
     "protocol.initial_overbend",
     "protocol.folded_angle",
     "protocol.opened_angle",
     "protocol.gravity",
+    "protocol.driven_veins",
 )
 
 
@@ -63,6 +66,8 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
     """A fan with the drives, goals, states and transitions of a design's protocol."""
     protocol, count = design.protocol, len(structure.hinges)
     turns, folds = (hinges_of(structure, role) for role in ("turn", "ring"))
+    # two bodies for every vein
+    driven = tuple(number for number in turns if structure.hinges[number].body // 2 in design.driven_veins)
     fold, unfold = protocol.fold_torque, protocol.unfold_torque
 
     def bounds(name: str, *, least: float = -math.inf, most: float = math.inf) -> Goal:
@@ -73,7 +78,7 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
     folded, opened = bounds("folded", most=-protocol.folded_angle), bounds("opened", least=protocol.opened_angle)
     return replace(
         structure,
-        motors=(Motor(name="proximal", hinges=turns), Motor(name="distal", hinges=folds)),
+        motors=(Motor(name="proximal", hinges=driven), Motor(name="distal", hinges=folds)),
         drives=(
             Drive(
                 name="fold",
@@ -83,8 +88,8 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
                 strength=fold,
                 tries="0..50 N cm step 10",
                 large="500 N cm",
-                where="on every proximal joint",
-                part="proximal turn axis",
+                where=_on_proximal(design, "on every proximal joint"),
+                part="proximal turn axis" if len(driven) == len(turns) else "driven proximal turn axis",
             ),
             Drive(
                 name="unfold",
@@ -93,7 +98,7 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
                 key="protocol.unfold_torque",
                 strength=unfold,
                 tries="10..100 N cm step 10",
-                where="on every joint",
+                where=_on_proximal(design, "on every joint", "on every distal joint and "),
             ),
         ),
         measures=(
@@ -143,6 +148,16 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
             ),
         ),
     )
+
+
+def _on_proximal(design: FanDesign, every: str, others: str = "") -> str:
+    """What torques act on: every joint, or, where not every vein has a motor, the others and those that have."""
+    veins = design.driven_veins
+    if len(veins) == design.fan.vein_count:
+        return every
+    joints, of = ("the proximal joint", "vein") if len(veins) == 1 else ("the proximal joints", "veins")
+    on = f"{joints} of {of} {listed(map(str, veins))}"
+    return f"{others}{on}" if others else f"on {on}"
 
 
 def _first_driven(protocol: FanProtocol, drive: str) -> int | None:

@@ -191,6 +191,30 @@ class Hinge:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
+class Coupling:
+    """What ties two joints to each other: how far the second turns beside a multiple of the first is its twist.
+
+    Angles count from those of the built shape, where nothing twists it, in the hinges' own senses.
+
+    Attributes:
+        name: of its own.
+        hinges: numbers of the two joints.
+        stiffness: of its spring, N m/rad; inf where it is rigid and lets nothing twist it.
+        ratio: by how much the second turns where the first turns by 1 and nothing is twisted.
+    """
+
+    name: str
+    hinges: tuple[int, int]
+    stiffness: float
+    ratio: float = 1.0
+
+    @property
+    def rigid(self) -> bool:
+        """Whether its joints turn as one."""
+        return math.isinf(self.stiffness)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Closure:
     """A crease that closes a loop: its hinge turns a copy of a body, which lies on that body and moves with it.
 

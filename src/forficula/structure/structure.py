@@ -14,6 +14,7 @@ from forficula.structure.parts import (
     Bar,
     Body,
     Closure,
+    Coupling,
     Facet,
     Hinge,
     LengthLimit,
@@ -39,6 +40,7 @@ class Structure:
         masses: that bodies carry beside those.
         facets: between points of any bodies.
         hinges: joints in the order of their bodies, and of one body in the order in which they turn it; then creases.
+        couplings: that tie joints to each other.
         closures: creases that close loops of bodies.
         springs: elastic bars.
         tendons: pull-only springs.
@@ -69,6 +71,7 @@ class Structure:
     masses: tuple[PointMass, ...] = ()
     facets: tuple[Facet, ...] = ()
     hinges: tuple[Hinge, ...]
+    couplings: tuple[Coupling, ...] = ()
     closures: tuple[Closure, ...] = ()
     springs: tuple[Spring, ...] = ()
     tendons: tuple[Tendon, ...] = ()

@@ -14,6 +14,7 @@ from forficula.errors import InputError
 from forficula.pattern import CreasePattern, earwig_pattern, ring_vertices
 from forficula.quantities import show_value
 from forficula.structure.appearance import Appearance
+from forficula.structure.couplings import vein_couplings
 from forficula.structure.crossing import bar_crossing, sine_between
 from forficula.structure.fan_fold import fan_fold
 from forficula.structure.fan_masses import fan_masses
@@ -157,6 +158,7 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
         bars=tuple(bars),
         masses=masses,
         hinges=tuple(hinges),
+        couplings=vein_couplings(design, hinges),
         tendons=tuple(tendons),
         limits=_guards(design, veins, [number for number, point in enumerate(points) if point.role == "tip"]),
         membranes=_panels(design, veins),

@@ -147,10 +147,11 @@ def run_each(
 
 
 def topology(model: Model) -> tuple[int, ...]:
-    """What models of one batch have in common: sizes, and how often their creases are followed."""
+    """What models of one batch have in common: sizes, how often creases are followed, which hinges have motors."""
     engine = model.engine
     sizes = (engine.nq, engine.nv, engine.nu, engine.nbody, engine.ngeom, engine.ntendon, engine.nflexvert)
-    return (*sizes, engine.nactuator, engine.na, engine.nplastic, model.followed)
+    driven = tuple(hinge for motor in model.structure.motors for hinge in motor.hinges)
+    return (*sizes, engine.neq, engine.nactuator, engine.na, engine.nplastic, model.followed, *driven)
 
 
 def _results(

@@ -200,7 +200,9 @@ def _mark_climbs(axes: Axes, landscape: EnergyLandscape, factor: float, rounding
     """Where the moment most resists folding and opening, and the torques that this takes."""
     path = fold_path_of(landscape)
     there, back = _ways(landscape.structure)
-    places = [(int(np.argmin(path.moment)), there, path.fold_torque, landscape.structure.appearance.bar, -9)]
+    driven = "" if path.driven == path.turns else "driven "
+    turning = f"{driven}{landscape.structure.appearance.bar}"
+    places = [(int(np.argmin(path.moment)), there, path.fold_torque, turning, -9)]
     if path.unfold_torque is not None:
         moves = path.fold_slope > 0
         by_ring = np.where(moves, path.moment, 0.0) / np.where(moves, path.fold_slope, 1.0)

@@ -70,6 +70,7 @@ def springy_parts(structure: Structure) -> str:
     has = (
         ("tendons", bool(structure.tendons)),
         ("springs", any(hinge.stiffness for hinge in structure.hinges)),
+        ("couplings", any(not coupling.rigid for coupling in structure.couplings)),
         ("weight", bool(structure.gravity)),
     )
     return listed(name for name, there in has if there)

@@ -27,7 +27,7 @@ from forficula.show.style import (
 from forficula.statics import EnergyLandscape, Rest
 from forficula.structure import Measure
 
-_COLOURS = {"tendons": BLUE, "springs": GREEN, "membranes": ORANGE, "weight": PURPLE}
+_COLOURS = {"tendons": BLUE, "springs": GREEN, "couplings": SKY, "membranes": ORANGE, "weight": PURPLE}
 _MARKS = (("o", BLUE), ("s", VERMILION), ("^", GREEN), ("D", PURPLE), ("v", SKY))
 _WIDTH = 0.62  # of a bar
 _NAMED = 6  # so many hinges are named under their angles

@@ -166,7 +166,7 @@ def transition_rows(structure: Structure, outcome: Outcome) -> list[list[str]]:
 
 def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str, str]]:
     """An energy balance, term by term, in one unit, and what is missing as a share."""
-    stored = (balance.tendon, balance.hinges or 0.0, balance.springs or 0.0)
+    stored = (balance.tendon, balance.hinges or 0.0, balance.springs or 0.0, balance.couplings or 0.0)
     largest = max(abs(balance.work), *map(abs, stored), 1e-12)
     unit, factor = reading_unit("J", largest)
     tendons, sheets, bars = (bool(each) for each in (structure.tendons, structure.membranes, structure.bars))
@@ -181,6 +181,7 @@ def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str
         ("+ change of membrane energy", balance.membrane, sheets),
         (f"+ change of {folds} energy", balance.hinges, True),
         (f"+ change of {spring} energy", balance.springs, True),
+        ("+ change of coupling energy", balance.couplings, True),
         ("+ change of kinetic energy", balance.kinetic, True),
         ("+ change of gravitational energy", balance.gravitational, True),
         (f"+ taken by {folds} damping", balance.hinge_damping, True),

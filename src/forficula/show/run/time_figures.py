@@ -113,6 +113,8 @@ def stored_energies(record: Record) -> dict[str, tuple[Array, str]]:
             stored[kind] = (series["hinge_energy"][:, list(hinges)].sum(axis=1), colour)
     if "spring_energy" in series:
         stored[springs_name(structure)] = (series["spring_energy"].sum(axis=1), BLACK)
+    if "coupling_energy" in series:
+        stored["couplings"] = (series["coupling_energy"].sum(axis=1), SKY)
     stored["kinetic"] = (series["kinetic_energy"], VERMILION)
     if "branch_energy" in series:
         stored["Maxwell branches"] = (series["branch_energy"].sum(axis=1), GREEN)

@@ -1,0 +1,62 @@
+"""Couplings between joints in the engine: springs on the difference of two angles, and joints that turn as one."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.dynamics.bodies import stop_reference
+from forficula.structure import Coupling, Structure, coupling_rows
+
+Array = NDArray[np.float64]
+
+# as hard as of closures; the angle over which it hardens is MuJoCo's default, which is small beside any turn
+_IMPEDANCE = (0.999, 0.999, 1e-3, 0.5, 2.0)
+
+
+def add_couplings(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> None:
+    """Add the couplings of a structure in a model's units.
+
+    An elastic one is a tendon that is as long as its twist (MuJoCo manual, tendon/fixed); a rigid one is a constraint
+    (equality/joint), which does no work but for errors of the integration.
+    """
+    for coupling in structure.couplings:
+        if coupling.rigid:
+            _add_rigid(spec, coupling, structure, timestep)
+        else:
+            _add_spring(spec, coupling, structure)
+
+
+def coupling_energies(structure: Structure, angles: Array) -> Array:
+    """Energies of couplings, those of rigid ones 0, (..., coupling), by angles in own senses, rad, (..., hinge)."""
+    built = np.array([hinge.built for hinge in structure.hinges])
+    stiffness = np.array([0.0 if each.rigid else each.stiffness for each in structure.couplings])
+    return np.asarray(stiffness / 2 * ((angles - built) @ coupling_rows(structure).T) ** 2)
+
+
+def _add_spring(spec: mujoco.MjSpec, coupling: Coupling, structure: Structure) -> None:
+    first, second = (structure.hinges[number] for number in coupling.hinges)
+    twist = spec.add_tendon(name=coupling.name)
+    twist.wrap_joint(first.name, -coupling.ratio * first.sense)
+    twist.wrap_joint(second.name, float(second.sense))
+    untwisted = second.built - coupling.ratio * first.built
+    twist.stiffness = [coupling.stiffness, 0.0, 0.0]
+    twist.springlength = [untwisted, untwisted]
+
+
+def _add_rigid(spec: mujoco.MjSpec, coupling: Coupling, structure: Structure, timestep: float) -> None:
+    first, second = (structure.hinges[number] for number in coupling.hinges)
+    tie = spec.add_equality(
+        name=coupling.name,
+        type=mujoco.mjtEq.mjEQ_JOINT,
+        objtype=mujoco.mjtObj.mjOBJ_JOINT,
+        name1=second.name,
+        name2=first.name,
+        solref=stop_reference(timestep),
+        solimp=_IMPEDANCE,
+    )
+    # turns from the built shape: none where the first has none, then in proportion
+    data = np.zeros_like(np.asarray(tie.data))
+    data[1] = second.sense * coupling.ratio * first.sense
+    tie.data = data
