@@ -255,7 +255,7 @@ def _bending(structure: Structure, scale: Scale) -> Iterator[Group]:
 
 
 def _times(structure: Structure, scale: Scale, timestep: float | Literal["auto"]) -> Iterator[Group]:
-    """Times by t*: in which the membrane and the tendon's branches relax, and the step of the integrator."""
+    """Times by t*: in which the membrane, the tendon's branches and springs relax, and the step of the integrator."""
     if not scale.time:
         return
     branches = () if scale.tendon is None else structure.tendons[scale.tendon].law.branches
@@ -271,6 +271,12 @@ def _times(structure: Structure, scale: Scale, timestep: float | Literal["auto"]
             "relaxation of the tendon",
             max((branch.time for branch in branches), default=0.0),
             "the longest time in which a branch of the tendon's law relaxes by t*",
+        ),
+        (
+            "springs_relaxation",
+            f"relaxation of {springs_name(structure)}",
+            max((each.damping / each.stiffness for each in structure.springs if each.stiffness), default=0.0),
+            "the longest time in which one of them relaxes by t*",
         ),
         ("timestep", "the timestep", 0.0 if timestep == "auto" else timestep, "step of the integrator by t*"),
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,6 +15,8 @@ Array = NDArray[np.float64]
 
 # N m and kg m^2: within, ratios of them are numbers
 _LEAST, _MOST = 1e-150, 1e150
+# of moments that differ by less the first counts: rounding does not choose
+_SAME = 1e-9
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,24 +60,32 @@ def scale_of(structure: Structure) -> Scale | None:
     Returns:
         None where neither a tendon nor a hinge's spring moves anything.
     """
-    best: Scale | None = None
-    for number, tendon in enumerate(structure.tendons):
-        crossing, stiffness = tendon.ideal or tendon.crossing, tendon.law.stiffness[0]
-        if crossing is None:
-            continue
-        moment = stiffness * crossing.proximal_arm * crossing.distal_arm
-        if not (_LEAST if best is None else best.moment) < moment < _MOST:
-            continue
-        best = Scale(
-            name=tendon.name,
-            hinge=crossing.hinge,
-            moment=moment,
-            inertia=_weighs(crossing.inertia - structure.hinges[crossing.hinge].armature),
-            weight_arm=_turning(structure, crossing.hinge)[1],
-            tendon=number,
-            arms=(crossing.proximal_arm, crossing.distal_arm),
-        )
-    return best or _of_creases(structure)
+    crossings = [tendon.ideal or tendon.crossing for tendon in structure.tendons]
+    number, moment = _largest(
+        [
+            0.0 if crossing is None else tendon.law.stiffness[0] * crossing.proximal_arm * crossing.distal_arm
+            for tendon, crossing in zip(structure.tendons, crossings, strict=True)
+        ]
+    )
+    crossing = crossings[number] if moment else None
+    if crossing is None:
+        return _of_creases(structure)
+    return Scale(
+        name=structure.tendons[number].name,
+        hinge=crossing.hinge,
+        moment=moment,
+        inertia=_weighs(crossing.inertia - structure.hinges[crossing.hinge].armature),
+        weight_arm=_turning(structure, crossing.hinge)[1],
+        tendon=number,
+        arms=(crossing.proximal_arm, crossing.distal_arm),
+    )
+
+
+def _largest(moments: Sequence[float]) -> tuple[int, float]:
+    """The first of the largest numbers that can be computed with, and where it stands; 0 where there is none."""
+    most = max((moment for moment in moments if _LEAST < moment < _MOST), default=0.0)
+    number = next((place for place, moment in enumerate(moments) if (1 - _SAME) * most <= moment < _MOST), 0)
+    return number, moments[number] if most else 0.0
 
 
 def _weighs(inertia: float) -> float:
@@ -86,15 +97,14 @@ def _of_creases(structure: Structure) -> Scale | None:
     """The scale of the stiffest spring in a hinge or a crease; facets that bend are none."""
     groups = hinge_groups(structure)
     folds = [number for kind in ("hinges", "creases") for number in groups.get(kind, ())]
-    stiffest = max(folds, key=lambda number: structure.hinges[number].stiffness, default=None)
-    if stiffest is None or not _LEAST < structure.hinges[stiffest].stiffness < _MOST:
+    place, moment = _largest([structure.hinges[number].stiffness for number in folds])
+    if not moment:
         return None
-    hinge = structure.hinges[stiffest]
-    inertia, weight_arm = _turning(structure, stiffest)
+    inertia, weight_arm = _turning(structure, folds[place])
     return Scale(
-        name=hinge.name,
-        hinge=stiffest,
-        moment=hinge.stiffness,
+        name=structure.hinges[folds[place]].name,
+        hinge=folds[place],
+        moment=moment,
         inertia=_weighs(inertia),
         weight_arm=weight_arm,
     )

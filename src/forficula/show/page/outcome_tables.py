@@ -42,9 +42,11 @@ def groups_table(record: Record) -> str:
     scale = groups.scale
     by = f"Moments are by {readable(scale.moment, 'N m')}, {measured_by(scale)}"
     time = f"; times by t* = {readable(scale.time, 's')}, in which it moves what turns there" if scale.time else ""
-    rows = [[Cell(text=each.label, note=each.name), f"{each.value:.3g}", each.meaning] for each in groups.every]
+    rows: list[tuple[str | Cell, ...]] = [
+        (Cell(text=each.label, note=each.name), f"{each.value:.3g}", each.meaning) for each in groups.every
+    ]
     words = paragraph(f"{dominance(groups)} {by}{time}.")
-    return table("What weighs how much: dimensionless groups", ("", "value", "compares"), rows, numbers=False) + words
+    return words + table("Dimensionless groups", ("", "value", "compares"), rows, numbers=False)
 
 
 def _states(outcome: Outcome, structure: Structure) -> str:

@@ -57,7 +57,7 @@ def numbers(record: Record, outcome: Outcome, run_versions: Mapping[str, str] | 
         (
             section("What to know", _list(warnings) or paragraph("There is nothing to warn of.")),
             section("Outcome", *outcome_tables(outcome, record.structure), strength_table(record), name="outcome"),
-            section("Scale", groups_table(record), name="groups"),
+            section("What weighs how much", groups_table(record), name="groups"),
             section("Design", *design_tables(design), name="design"),
             section("Run it again", *_repeat(design, run_versions or versions()), name="repeat"),
         )
