@@ -157,6 +157,28 @@ def test_a_new_design_file_can_be_run(call):
     assert ff.load_design("my-wing.toml").hash == ff.load_design("binder2025").hash
 
 
+def test_a_scaled_design_is_printed_as_one_and_the_groups_that_it_cannot_keep_beside_it(in_an_empty_folder, call):
+    printed = call("scale", "binder2025", "--length", "1/10", "--set", "protocol.gravity=9.81 m/s^2")
+    (in_an_empty_folder / "small.toml").write_text(printed.out)
+    small = ff.load_design("small.toml")
+    assert small.pattern.distal_length == pytest.approx(0.01, rel=1e-15)
+    assert small.protocol.gravity == 9.81
+    first, *told = printed.err.splitlines()
+    assert first == "binder2025-x0.1 cannot keep 2 of 15 groups, for gravity and materials stay as they are:"
+    assert [line.partition(" (")[0] for line in told] == [
+        "  gravity: 0.000386 -> 3.86e-05",
+        "  relaxation of the membrane: 0.603 -> 6.03",
+    ]
+
+
+def test_a_scaled_design_is_written_and_can_be_run(in_an_empty_folder, call):
+    (in_an_empty_folder / "wing.toml").write_text(SHORT)
+    assert "small.toml" in call("scale", "wing.toml", "--length", "0.5", "--out", "small.toml").out
+    call("run", "small.toml", "--out", "out/small")
+    same = call("scale", "miura-sheet", "--length", "1").err
+    assert same == "miura-sheet-x1 keeps all 6 groups: in t / t* it moves alike\n"
+
+
 def test_the_named_designs_are_listed_with_their_sources(call):
     lines = call("designs").out.splitlines()
     names = [line for line in lines if not line.startswith(" ")]
@@ -230,7 +252,7 @@ def test_a_new_design_file_of_each_kind_describes_itself(call, refusal):
 def test_help_names_every_command(call):
     shown = call("--help").out
     for command in (
-        *("run", "pattern", "landscape", "converge", "study", "new", "designs"),
+        *("run", "pattern", "landscape", "converge", "study", "new", "scale", "designs"),
         *("material", "materials", "size"),
     ):
         assert f" {command} " in shown
@@ -316,6 +338,27 @@ def test_settings_are_values_as_in_a_file_or_bare_text(in_an_empty_folder, call)
         ),
         (["new", "bad.toml"], "bad.toml: exists already; choose another name or remove it"),
         (["new", "wing"], "wing: need a name that ends with .toml"),
+        (
+            ["scale", "binder2025", "--length", "1/0"],
+            '--length: need a number > 0 such as 1/10, 0.1 or 10, got "1/0"',
+        ),
+        (
+            ["scale", "binder2025", "--length", "5 cm"],
+            '--length: need a number > 0 such as 1/10, 0.1 or 10, got "5 cm"',
+        ),
+        (["scale", "binder2025", "--length", "1e-12"], "--length: need >= 1e-09 and <= 1e+09, got 1e-12"),
+        (
+            ["scale", "bindr2025", "--length", "2"],
+            '"bindr2025" is neither a named design nor a .toml file; did you mean "binder2025"?',
+        ),
+        (
+            ["scale", "binder2025", "--length", "2", "--out", "bad.toml"],
+            "--out: bad.toml: exists already; choose another name or remove it",
+        ),
+        (
+            ["scale", "binder2025", "--length", "2", "--out", "small"],
+            "--out: small: need a name that ends with .toml",
+        ),
     ],
 )
 def test_bad_input_is_answered_in_one_line_and_nothing_is_written(refusal, in_an_empty_folder, arguments, message):

@@ -31,6 +31,7 @@ for command in (
     runs.film,
     materials.materials,
     designs.new,
+    designs.scale,
     designs.designs,
 ):
     app.command(command)

@@ -192,6 +192,22 @@ def _files(folder: Path) -> list[Path]:
     return sorted(Path(top, name).relative_to(folder) for top, _, names in os.walk(folder) for name in names)
 
 
+def check_new(path: Path, ending: str) -> None:
+    """Refuse a path at which no new file of a kind can be written.
+
+    Raises:
+        InputError: its name has another ending, something is there, or it is no path.
+    """
+    if path.suffix != ending:
+        raise InputError(f"{path}: need a name that ends with {ending}")
+    try:
+        exists = path.exists()
+    except OSError as error:
+        raise InputError(f"{path}: cannot be written: {error.strerror}") from None
+    if exists:
+        raise InputError(f"{path}: exists already; choose another name or remove it")
+
+
 def open_to_append(path: Path) -> IO[bytes]:
     """Open a file to which lines are added; it is made where it is missing.
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 import sys
 from collections.abc import Callable, Iterable, Sequence
@@ -21,6 +22,8 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 # digits of ASCII only: others, such as ², are digits to Python, too
 _WHOLE = re.compile(r"[0-9]{1,18}")
+_NUMBER = r"((?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
+_RATIO = re.compile(rf"{_NUMBER}(?:\s*/\s*{_NUMBER})?")
 
 
 def _whole_number(_type: object, tokens: Sequence[Token]) -> int:
@@ -112,6 +115,20 @@ def read_size(option: str, text: str, smallest: int, largest: int) -> tuple[int,
             return size
     rule = f"two even numbers from {smallest} to {largest} such as 1280x720"
     raise InputError(f'{option}: need {rule}, got "{text}"')
+
+
+def read_ratio(option: str, text: str) -> float:
+    """Turn "1/10", "0.1" or "10" into a number.
+
+    Raises:
+        InputError: it is no such text, or not > 0 and finite.
+    """
+    found = _RATIO.fullmatch(text.strip())
+    over, under = (float(found[1]), float(found[2] or 1)) if found else (0.0, 1.0)
+    ratio = over / under if under else 0.0
+    if not 0 < ratio < math.inf:
+        raise InputError(f"{option}: need a number > 0 such as 1/10, 0.1 or 10, got {as_written(text)}")
+    return ratio
 
 
 def read_stiffnesses(option: str, text: str) -> list[float]:

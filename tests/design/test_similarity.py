@@ -88,3 +88,26 @@ def test_a_design_can_be_written_in_other_units():
     assert value(in_centimetres_grams_and_milliseconds, "protocol.fold_torque") == pytest.approx(5.0, rel=ROUNDING)
     assert value(in_centimetres_grams_and_milliseconds, "vein.density") == pytest.approx(1.27, rel=ROUNDING)
     assert value(in_centimetres_grams_and_milliseconds, "hinge.overbend") == math.radians(3)
+
+
+def test_what_no_size_changes_stays_as_it_is():
+    heavy = with_values(REFERENCE, {"protocol.gravity": 9.81})
+    scaled, similar = scale_design(heavy, 0.1, natural=True), scale_design(heavy, 0.1)
+    assert scaled.protocol.gravity == 9.81
+    assert scaled.membrane.damping == REFERENCE.membrane.damping
+    kept = {"protocol.gravity": similar.protocol.gravity, "membrane.damping": similar.membrane.damping}
+    assert with_values(scaled, kept) == similar
+
+
+def test_a_tendon_of_a_material_keeps_it_at_any_size():
+    made = load_design("binder2025", {"tendon.law": "tpu-82a", "tendon.area": "12.5 mm^2"})
+    scaled = scale_design(made, 0.1, natural=True)
+    assert scaled.tendon.law == made.tendon.law
+    assert scaled.tendon.area == pytest.approx(made.tendon.area / 100, rel=ROUNDING)
+
+
+def test_relaxation_that_is_given_stays_and_that_which_a_rule_chooses_goes_with_the_size():
+    given_one, chosen = load_design("kresling-cell"), load_design("miura-sheet")
+    assert scale_design(given_one, 0.1, natural=True).facet.stretch_damping == given_one.facet.stretch_damping
+    small = scale_design(chosen, 0.1, natural=True)
+    assert small.facet.stretch_damping == pytest.approx(chosen.settled().facet.stretch_damping / 10, rel=ROUNDING)

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from forficula.analysis.branch import Branch, branch_taken
+from forficula.analysis.groups import Groups, dominance, groups_of
 from forficula.analysis.outcome import Outcome, StageOutcome, State, TransitionOutcome
 from forficula.analysis.package import packages, smallest_package
 from forficula.analysis.run_warnings import run_warnings
@@ -37,6 +38,7 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[
         **_package_summary(record),
         "energy_balance": _balance_summary(outcome.energy_balance),
         **({"closure_gap_m": float(record.series["closure_gap"][-1])} if "closure_gap" in record.series else {}),
+        "groups": groups_summary(groups_of(structure, record.design.protocol.timestep)),
         "diverged_at_s": record.diverged_at,
         "warnings": [*structure_warnings(record.design, structure), *run_warnings(record)],
         "design_hash": record.design.hash,
@@ -140,6 +142,23 @@ def _stage_summary(stage: StageOutcome) -> dict[str, Any]:
         "reached": stage.reached,
         "time_s": stage.time,
         "work_J": stage.work,
+    }
+
+
+def groups_summary(groups: Groups | None) -> dict[str, Any] | None:
+    """The groups by their names, beside what they are measured by and what dominates; None where there are none."""
+    if groups is None:
+        return None
+    scale = groups.scale
+    return {
+        "measured_by": {
+            "part": scale.name,
+            "moment_N_m": scale.moment,
+            "inertia_kg_m2": scale.inertia,
+            "time_s": scale.time,
+        },
+        **{group.name: group.value for group in groups.every},
+        "in_words": dominance(groups),
     }
 
 

@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from forficula.errors import InputError
-from forficula.options import OutIfGiven, Settings, read_quantity, read_settings
+from forficula.options import DesignName, OutIfGiven, Settings, read_option, read_quantity, read_ratio, read_settings
 from forficula.quantities import as_written
 
 if TYPE_CHECKING:
+    from forficula.design import Design
     from forficula.pattern import CreasePattern
     from forficula.pattern.fold_writer import Frame
 
@@ -34,6 +35,61 @@ def new(
 
     write_new_design(file, kind)
     print(f"written to {file}; run it with: forficula run {file}")
+
+
+def scale(
+    design: DesignName,
+    /,
+    *,
+    length: Annotated[str, Parameter(help="The new size by the old one: 1/10, 0.1, 10.")],
+    out: Annotated[
+        OutIfGiven, Parameter(help="Where to write it; must end with .toml and not exist. Printed if not given.")
+    ] = None,
+    unit: Annotated[
+        str | None, Parameter(help='Length of one unit of a FOLD file or a drawing that names none, as in "1 cm".')
+    ] = None,
+    settings: Settings = None,
+) -> None:
+    """Print a design at another size, of the same materials, and say which dimensionless groups it cannot keep."""
+    from forficula.design import design_text, load_design, save_design, scale_design
+    from forficula.design.part import LENGTH
+    from forficula.files import check_new
+
+    factor = read_ratio("--length", length)
+    if out is not None:
+        read_option("--out", lambda: check_new(out, ".toml"))
+    metres = None if unit is None else read_quantity("--unit", unit, LENGTH)
+    given = load_design(design, read_settings(settings), unit=metres)
+    try:
+        scaled = scale_design(given, factor, natural=True)
+    except InputError as error:
+        own = str(error).removeprefix("factor: ")
+        raise InputError(f"--length: {own}") from None
+    for line in _groups_not_kept(given, scaled):
+        print(line, file=sys.stderr)
+    if out is None:
+        print(design_text(scaled), end="")
+        return
+    save_design(scaled, out)
+    print(f"written to {out}; run it with: forficula run {out}")
+
+
+def _groups_not_kept(given: Design, scaled: Design) -> list[str]:
+    """Which groups differ, before and after, one a line."""
+    from forficula.analysis.groups import changed, groups_of
+    from forficula.structure import structure_of
+
+    before, after = (groups_of(structure_of(each), each.protocol.timestep) for each in (given, scaled))
+    if before is None or after is None:
+        return [f"{scaled.name}: nothing elastic folds in it, by which groups could be measured"]
+    pairs = changed(before, after)
+    count = len(before.every)
+    if not pairs:
+        return [f"{scaled.name} keeps all {count} groups: in t / t* it moves alike"]
+    return [
+        f"{scaled.name} cannot keep {len(pairs)} of {count} groups, for gravity and materials stay as they are:",
+        *(f"  {old.label}: {old.value:.3g} -> {new.value:.3g} ({old.meaning})" for old, new in pairs),
+    ]
 
 
 def designs() -> None:

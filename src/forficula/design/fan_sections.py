@@ -77,6 +77,7 @@ class MembraneSection(Part):
     """The sheet between the bars: stretch elasticity only."""
 
     later: ClassVar[tuple[str, ...]] = ("density",)
+    natural: ClassVar[tuple[str, ...]] = ("damping",)
 
     youngs_modulus: float = quantity(MODULUS, "Young's modulus", above=0)
     thickness: float = quantity(SMALL_LENGTH, "thickness", above=0)

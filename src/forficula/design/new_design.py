@@ -17,7 +17,7 @@ from forficula.design.kinds import KINDS, OTHER_REFERENCE, REFERENCES
 from forficula.design.part import Part, entry_part, field_quantity
 from forficula.design.tendon import TendonSection
 from forficula.errors import InputError
-from forficula.files import write_text
+from forficula.files import check_new, write_text
 from forficula.names import near_name
 from forficula.quantities import as_written
 
@@ -42,14 +42,7 @@ def write_new_design(path: str | os.PathLike[str], kind: str = "earwig-fan") -> 
     if kind not in KINDS:
         raise InputError(f"kind: need one of {', '.join(KINDS)}, got {as_written(kind)}{near_name(kind, KINDS)}")
     reference = REFERENCES.get(kind, OTHER_REFERENCE)
-    if path.suffix != ".toml":
-        raise InputError(f"{path}: need a name that ends with .toml")
-    try:
-        exists = path.exists()
-    except OSError as error:
-        raise InputError(f"{path}: cannot be written: {error.strerror}") from None
-    if exists:
-        raise InputError(f"{path}: exists already; choose another name or remove it")
+    check_new(path, ".toml")
     lines = [
         "# A forficula design. Every key is optional but based_on; what is left out comes from there.",
         f'based_on = "{reference}"',

@@ -112,6 +112,8 @@ class Part(BaseModel):
     numbered_by: ClassVar[str] = ""
     # keys that came later, which count where they are not 0: designs keep the hashes that they had
     later: ClassVar[tuple[str, ...]] = ()
+    # keys of what no size of a structure changes: how a material relaxes, and what acts everywhere
+    natural: ClassVar[tuple[str, ...]] = ()
 
     @field_validator("*", mode="before")
     @classmethod

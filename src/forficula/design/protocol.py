@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, field_validator
 
@@ -46,6 +46,8 @@ class Stage(Part):
 
 class Protocol(Part):
     """What is done to a structure, and what counts as done."""
+
+    natural: ClassVar[tuple[str, ...]] = ("gravity",)
 
     timestep: float | Literal["auto"] = quantity(
         SHORT_TIME,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, field_validator
 
@@ -22,6 +22,8 @@ _OF = "creases, mountains, valleys, a group by name, crease 2, role:zigzag, assi
 
 class Facet(Part):
     """The panels, one on every facet; without a value one is chosen by a rule, which the written design tells."""
+
+    natural: ClassVar[tuple[str, ...]] = ("stretch_damping",)
 
     kind: Annotated[
         Literal["bars", "rigid", "membrane"],

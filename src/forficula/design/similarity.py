@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from typing import Any, TypeVar
 
 from forficula.design.design import Design
@@ -35,7 +36,7 @@ def in_units(design: Design, *, length: float, mass: float, time: float) -> Desi
     return _rescaled(design.settled(), length, mass, time, f"{design.name}: ")
 
 
-def scale_design(design: Design, factor: float) -> Design:
+def scale_design(design: Design, factor: float, *, natural: bool = False) -> Design:
     """Scale a structure's size at fixed modulus and density, with all that makes it move alike.
 
     Stiffness goes with the factor, energy and torque with its cube, inertia with its fifth power, time with the factor
@@ -45,9 +46,10 @@ def scale_design(design: Design, factor: float) -> Design:
     Args:
         design: in SI.
         factor: size of the new structure by that of the old.
+        natural: whether what no size changes is left as it is: gravity, and how fast materials relax.
 
     Returns:
-        The scaled design; in t / time scale its motion is the same.
+        The scaled design; in t / time scale its motion is the same, or, if natural, the same but for what that does.
 
     Raises:
         InputError: the factor is not between 1e-9 and 1e9, or a value leaves its bounds.
@@ -55,7 +57,27 @@ def scale_design(design: Design, factor: float) -> Design:
     if not _SMALLEST <= factor <= _LARGEST:
         raise InputError(f"factor: need >= {_SMALLEST:g} and <= {_LARGEST:g}, got {factor}")
     scaled = _rescaled(design.settled(), 1 / factor, 1 / factor**3, 1 / factor)
+    if natural:
+        # what a rule chooses is no material's, and goes by the rule
+        scaled = _with_natural(scaled, design.settled(), {(choice.section, choice.key) for choice in design.chosen})
     return with_values(scaled, {"name": f"{design.name}-x{factor:g}"})
+
+
+def _with_natural(scaled: _Part, original: _Part, but: Collection[tuple[str, str]], section: str = "") -> _Part:
+    """A scaled part whose values that no size changes are those of the original, but for some of its sections."""
+    changes: dict[str, Any] = {}
+    for name in type(scaled).model_fields:
+        value, before = getattr(scaled, name), getattr(original, name)
+        if name in type(scaled).natural:
+            changes[name] = value if (section, name) in but else before
+        elif isinstance(value, Part):
+            changes[name] = _with_natural(value, before, but, name)
+        elif isinstance(value, tuple):
+            changes[name] = tuple(
+                _with_natural(entry, own, but, name) if isinstance(entry, Part) else entry
+                for entry, own in zip(value, before, strict=True)
+            )
+    return scaled.model_copy(update=changes)
 
 
 def _rescaled(part: _Part, length: float, mass: float, time: float, prefix: str = "") -> _Part:

@@ -28,6 +28,7 @@ class ElasticTendon(Part):
 
     # keys that one without a law must have
     needed: ClassVar[tuple[str, ...]] = ("stiffness", "damping")
+    natural: ClassVar[tuple[str, ...]] = ("law",)
 
     stiffness: float | None = quantity(
         STIFFNESS, "force by extension beyond the resting length", default=None, at_least=0

@@ -7,10 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from forficula.analysis.groups import dominance, groups_of
 from forficula.show.page import run_page as page_of_a_run
 from forficula.show.page.compare_page import ComparedRun, compare_page
 from forficula.show.page.design_tables import design_tables
-from forficula.show.page.outcome_tables import outcome_tables
+from forficula.show.page.outcome_tables import groups_table, outcome_tables
 from forficula.show.page.playback import legend_data, make_clip
 from forficula.show.page.run_page import playback_data, run_page
 from tests.show.plates import PARTS
@@ -101,3 +102,21 @@ def test_the_page_of_plates_works_in_a_browser(plates_runs, watch, tmp_path):
     cells = page.locator("#readout tr:has(th:text-is('fold angle (deg)')) td").all_inner_texts()
     assert cells == ["172.0", "160.0", "", ""]
     assert page.locator("#readout thead th").all_inner_texts()[1:] == ["crease 1", "crease 2", "mouth", "pull"]
+
+
+def test_the_page_tells_what_weighs_how_much_and_what_comes_first(plates_runs):
+    record, _ = plates_runs["whole"]
+    told = re.sub(r"<[^>]*>", " ", groups_table(record))
+    groups = groups_of(record.structure, record.design.protocol.timestep)
+    # quotes are escaped
+    assert dominance(groups).replace("'", "&#x27;") in told
+    for group in groups.every:
+        assert re.search(rf"\b{group.name}\s+{group.value:.3g}\s", told), group.name
+
+
+def test_a_page_of_what_has_no_groups_says_nothing_of_them(plates_runs):
+    record, _ = plates_runs["whole"]
+    bare = replace(
+        record.structure, tendons=(), hinges=tuple(replace(h, stiffness=0.0) for h in record.structure.hinges)
+    )
+    assert groups_table(replace(record, structure=bare)) == ""

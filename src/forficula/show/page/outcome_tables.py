@@ -6,8 +6,9 @@ import math
 from collections.abc import Iterable, Sequence
 
 from forficula.analysis import Outcome, State, Verdict
+from forficula.analysis.groups import dominance, groups_of, measured_by
 from forficula.dynamics import Record
-from forficula.show.page.html import paragraph, table
+from forficula.show.page.html import Cell, paragraph, table
 from forficula.show.page.words import readable
 from forficula.show.run.outcome_rows import (
     balance_rows,
@@ -31,6 +32,21 @@ def strength_table(record: Record) -> str:
     """The largest strains, stresses and folds of a run, as HTML; nothing of what has none."""
     rows = strength_rows(record)
     return table("Largest strains and folds", STRENGTH_HEADINGS, _signed(rows)) if rows else ""
+
+
+def groups_table(record: Record) -> str:
+    """The dimensionless groups of a run and what dominates, as HTML; nothing of what has none."""
+    groups = groups_of(record.structure, record.design.protocol.timestep)
+    if groups is None or not groups.every:
+        return ""
+    scale = groups.scale
+    by = f"Moments are by {readable(scale.moment, 'N m')}, {measured_by(scale)}"
+    time = f"; times by t* = {readable(scale.time, 's')}, in which it moves what turns there" if scale.time else ""
+    rows: list[tuple[str | Cell, ...]] = [
+        (Cell(text=each.label, note=each.name), f"{each.value:.3g}", each.meaning) for each in groups.every
+    ]
+    words = paragraph(f"{dominance(groups)} {by}{time}.")
+    return words + table("Dimensionless groups", ("", "value", "compares"), rows, numbers=False)
 
 
 def _states(outcome: Outcome, structure: Structure) -> str:

@@ -13,7 +13,7 @@ from forficula.dynamics import Record, timestep_warnings, versions
 from forficula.files import write_text
 from forficula.show.page.design_tables import design_tables
 from forficula.show.page.html import escaped, paragraph, section, table
-from forficula.show.page.outcome_tables import outcome_tables, strength_table
+from forficula.show.page.outcome_tables import groups_table, outcome_tables, strength_table
 from forficula.show.page.page import page_html
 from forficula.show.page.playback import Clip, clip_data, energy_scale, legend_data, make_clip, whole_of
 from forficula.show.page.plots import energy_plot, plot_data, reading_plot
@@ -57,6 +57,7 @@ def numbers(record: Record, outcome: Outcome, run_versions: Mapping[str, str] | 
         (
             section("What to know", _list(warnings) or paragraph("There is nothing to warn of.")),
             section("Outcome", *outcome_tables(outcome, record.structure), strength_table(record), name="outcome"),
+            section("What weighs how much", groups_table(record), name="groups"),
             section("Design", *design_tables(design), name="design"),
             section("Run it again", *_repeat(design, run_versions or versions()), name="repeat"),
         )

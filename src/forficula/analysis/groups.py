@@ -1,0 +1,347 @@
+"""The dimensionless groups of a structure: what weighs how much beside its strongest tendon, or its stiffest crease.
+
+Two structures with equal groups move alike in t / t* (similarity: Buckingham 1914, doi 10.1103/PhysRev.4.345). Every
+moment is measured by that of the tendon, k a b, and every time by t* = sqrt(I / (k a b)), in which the tendon moves
+what turns about the hinge that it lies across.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Literal
+
+import numpy as np
+
+from forficula.analysis.scales import Scale, scale_of
+from forficula.names import listed
+from forficula.structure import Structure, built_frames, hinge_groups, springs_name
+
+# m/s^2, for what a run without gravity leaves out
+_GRAVITY = 9.81
+_SAME = 1e-9  # share of a group; what differs by less is rounding
+
+
+@dataclass(frozen=True, kw_only=True)
+class Group:
+    """One of them.
+
+    Attributes:
+        name: as `summary.json` calls it.
+        label: as tables and sentences call it.
+        value: without a unit.
+        meaning: what it compares.
+        kind: what it is among others: "drive", a moment that drives; "resist", a moment that resists, at the pace of
+            the tendon; "stretch", how hard a sheet or bars are to stretch; "time"; "shape"; "left out", of what the
+            run leaves out.
+    """
+
+    name: str
+    label: str
+    value: float
+    meaning: str
+    kind: Literal["drive", "resist", "stretch", "time", "shape", "left out"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Groups:
+    """All of a structure.
+
+    Attributes:
+        scale: by what they are measured.
+        every: in the order of tables.
+    """
+
+    scale: Scale
+    every: tuple[Group, ...]
+
+
+def groups_of(structure: Structure, timestep: float | Literal["auto"] = "auto") -> Groups | None:
+    """The groups that a structure has; what it lacks is left out.
+
+    Args:
+        structure: SI.
+        timestep: s; "auto" where it is not known yet.
+
+    Returns:
+        None where nothing elastic folds, by which they could be measured.
+    """
+    scale = scale_of(structure)
+    if scale is None:
+        return None
+    widths = _widths(structure)
+    every = (
+        *_drives(structure, scale),
+        *_inertia(structure, scale),
+        *_damping(structure, scale),
+        *_weight(structure, scale),
+        *_stretch(structure, scale, widths),
+        *_bending(structure, scale),
+        *_times(structure, scale, timestep),
+        *_shape(structure, scale, widths),
+    )
+    # a number beyond those that can be computed with says nothing
+    return Groups(scale=scale, every=tuple(group for group in every if math.isfinite(group.value)))
+
+
+def changed(before: Groups | None, after: Groups | None) -> list[tuple[Group, Group]]:
+    """The groups of two structures that differ by more than rounding, those of the same names side by side."""
+    if before is None or after is None:
+        return []
+    others = {group.name: group for group in after.every}
+    pairs = [(group, others[group.name]) for group in before.every if group.name in others]
+    return [pair for pair in pairs if not math.isclose(pair[0].value, pair[1].value, rel_tol=_SAME)]
+
+
+def measured_by(scale: Scale) -> str:
+    """What moments are measured by, in words."""
+    return f"{'the stiffness' if scale.tendon is None else 'k a b'} of {scale.name}"
+
+
+def _drives(structure: Structure, scale: Scale) -> Iterator[Group]:
+    """The largest torque of a drive by the moment; of forces that times the size, of ways these by the size."""
+    for drive in structure.drives:
+        largest: dict[str, float] = {}
+        for motor, strength in zip(structure.motors, drive.strengths, strict=True):
+            most = abs(strength) * max(map(abs, motor.gains), default=1.0)
+            largest[motor.kind] = max(largest.get(motor.kind, 0.0), most)
+        by = {
+            "torque": (1 / scale.moment, f"its torque by {measured_by(scale)}"),
+            "force": (structure.span / scale.moment, f"its force times the size of the whole by {measured_by(scale)}"),
+            "displacement": (1 / structure.span, "how far it goes by the size of the whole"),
+        }
+        for kind, (factor, meaning) in by.items():
+            if largest.get(kind):
+                yield Group(
+                    name=f"{kind}_{'_'.join(drive.name.split())}",
+                    label=f'the drive "{drive.name}"',
+                    value=factor * largest[kind],
+                    meaning=meaning,
+                    kind="shape" if kind == "displacement" else "drive",
+                )
+
+
+def _inertia(structure: Structure, scale: Scale) -> Iterator[Group]:
+    """Inertia that a hinge has of a motor by that of what turns there."""
+    armature = structure.hinges[scale.hinge].armature
+    if armature and scale.inertia:
+        yield Group(
+            name="armature",
+            label="the armature",
+            value=armature / scale.inertia,
+            meaning="inertia of a motor on the hinge by that of what turns there",
+            kind="resist",
+        )
+
+
+def _damping(structure: Structure, scale: Scale) -> Iterator[Group]:
+    """Moments of dampers at the speed 1 / t*: c / (k a b t*) of the hinge, c sqrt(a b / (k I)) of a tendon.
+
+    Of a tendon with a law it is its linear viscosity; Maxwell branches are among the times.
+    """
+    if not scale.time:
+        return
+    damping = structure.hinges[scale.hinge].damping
+    if damping:
+        yield Group(
+            name="hinge_damping",
+            label="the hinge's damping",
+            value=damping / (scale.moment * scale.time),
+            meaning=f"moment of the hinge's damper at a speed of 1 / t* by {measured_by(scale)}",
+            kind="resist",
+        )
+    if scale.tendon is None:
+        return
+    linear = (structure.tendons[scale.tendon].law.damping or (0.0,))[0]
+    if linear:
+        yield Group(
+            name="tendon_damping",
+            label="the tendon's damping",
+            value=linear * math.prod(scale.arms) / (scale.moment * scale.time),
+            meaning=f"moment of the tendon's own damper at a speed of 1 / t* by {measured_by(scale)}",
+            kind="resist",
+        )
+
+
+def _weight(structure: Structure, scale: Scale) -> Iterator[Group]:
+    """Moment of the weight of what turns where it lies level, m g r; with 9.81 m/s^2 where a run leaves it out."""
+    if not scale.weight_arm:
+        return
+    on = structure.gravity != 0
+    gravity = abs(structure.gravity) if on else _GRAVITY
+    yield Group(
+        name="gravity" if on else "gravity_left_out",
+        label="gravity" if on else "gravity, left out",
+        value=gravity * scale.weight_arm / scale.moment,
+        meaning=f"moment of the weight of what turns by {measured_by(scale)}" + ("" if on else ", were it 9.81 m/s^2"),
+        kind="resist" if on else "left out",
+    )
+
+
+def _stretch(structure: Structure, scale: Scale, widths: Sequence[float]) -> Iterator[Group]:
+    """Tension of a sheet at a strain of 1, E t w, at the tendon's distal arm, by k a b: E t w / (k a); alike of bars.
+
+    Without a tendon the sheet's own width is the arm.
+    """
+    moments = [
+        membrane.law.youngs_modulus * membrane.law.thickness * width * (scale.arms[1] or width)
+        for membrane, width in zip(structure.membranes, widths, strict=True)
+    ]
+    if moments:
+        yield Group(
+            name="membrane",
+            label="stretch of the membrane",
+            value=max(moments) / scale.moment,
+            meaning=f"moment of its tension at a strain of 1 by {measured_by(scale)}",
+            kind="stretch",
+        )
+    if structure.springs:
+        softest = min(spring.stiffness * _square(spring.rest_length or structure.span) for spring in structure.springs)
+        name = springs_name(structure)
+        yield Group(
+            name=name,
+            label=f"stretch of {name}",
+            value=softest / scale.moment,
+            meaning=f"stiffness of the softest of them times its length squared by {measured_by(scale)}",
+            kind="stretch",
+        )
+
+
+def _square(length: float) -> float:
+    return length * length
+
+
+def _widths(structure: Structure) -> list[float]:
+    """How wide each sheet is as built, m: between the hinges with tendons that it joins, or the root of its area."""
+    turned = {tendon.crossing.hinge for tendon in structure.tendons if tendon.crossing is not None}
+    bodies = {structure.hinges[hinge].body for hinge in turned}
+    origins, _ = built_frames(structure)
+    widths = []
+    for membrane in structure.membranes:
+        joined = sorted(bodies & set(membrane.bodies.tolist()))
+        if len(joined) > 1:
+            ways = (origins[one] - origins[other] for one, other in combinations(joined, 2))
+            widths.append(min(float(np.linalg.norm(way)) for way in ways))
+            continue
+        corners = membrane.built[membrane.triangles]
+        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        widths.append(math.sqrt(float(np.linalg.norm(normals, axis=1).sum()) / 2))
+    return widths
+
+
+def _bending(structure: Structure, scale: Scale) -> Iterator[Group]:
+    """Stiffness of hinges' springs by the moment: of facets that bend, and of creases beside a tendon."""
+    groups = hinge_groups(structure)
+    bends = [structure.hinges[number].stiffness for number in groups.get("facet bends", ())]
+    if any(bends):
+        yield Group(
+            name="facet_bends",
+            label="bending of facets",
+            value=min(bends) / scale.moment,
+            meaning=f"stiffness of the softest bend of a facet by {measured_by(scale)}",
+            kind="stretch",
+        )
+    folds = [structure.hinges[number].stiffness for kind in ("hinges", "creases") for number in groups.get(kind, ())]
+    if scale.tendon is not None and any(folds):
+        yield Group(
+            name="crease_springs",
+            label="springs in hinges",
+            value=max(folds) / scale.moment,
+            meaning=f"stiffness of the stiffest spring in a hinge by {measured_by(scale)}",
+            kind="resist",
+        )
+
+
+def _times(structure: Structure, scale: Scale, timestep: float | Literal["auto"]) -> Iterator[Group]:
+    """Times by t*: in which the membrane, the tendon's branches and springs relax, and the step of the integrator."""
+    if not scale.time:
+        return
+    branches = () if scale.tendon is None else structure.tendons[scale.tendon].law.branches
+    times = (
+        (
+            "membrane_relaxation",
+            "relaxation of the membrane",
+            max((each.law.damping for each in structure.membranes), default=0.0),
+            "relaxation time of the membrane's damping by t*",
+        ),
+        (
+            "tendon_relaxation",
+            "relaxation of the tendon",
+            max((branch.time for branch in branches), default=0.0),
+            "the longest time in which a branch of the tendon's law relaxes by t*",
+        ),
+        (
+            "springs_relaxation",
+            f"relaxation of {springs_name(structure)}",
+            max((each.damping / each.stiffness for each in structure.springs if each.stiffness), default=0.0),
+            "the longest time in which one of them relaxes by t*",
+        ),
+        ("timestep", "the timestep", 0.0 if timestep == "auto" else timestep, "step of the integrator by t*"),
+    )
+    for name, label, time, meaning in times:
+        if time:
+            yield Group(name=name, label=label, value=time / scale.time, meaning=meaning, kind="time")
+
+
+def _shape(structure: Structure, scale: Scale, widths: Sequence[float]) -> Iterator[Group]:
+    """Ratios of lengths: of the tendon, and of bars, margin and thickness by the width of the sheet between bars."""
+    found: list[tuple[str, str, float, str]] = []
+    if scale.tendon is not None:
+        tendon, (near, far) = structure.tendons[scale.tendon], scale.arms
+        found += [
+            ("rest_length", "resting length", tendon.law.rest_length / (near + far), "of the tendon by a + b"),
+            ("arms", "arms", far / near, "of the tendon, b by a"),
+        ]
+    if structure.bars:
+        slender = max(bar.diameter / float(np.linalg.norm(bar.end)) for bar in structure.bars)
+        found.append(("bar_slenderness", "bars", slender, "diameter by length, of the stoutest one"))
+    if widths:
+        narrow, sheet = min(widths), structure.membranes[0]
+        thick = max((bar.diameter for bar in structure.bars), default=0.0)
+        found += [
+            ("bar_width", "bars beside the membrane", thick / narrow, "their diameter by its width"),
+            ("margin", "margin", sheet.margin / narrow, "of the membrane by its width"),
+            ("thickness", "thickness", sheet.law.thickness / narrow, "of the membrane by its width"),
+        ]
+    for name, label, value, meaning in found:
+        if value:
+            yield Group(name=name, label=label, value=value, meaning=meaning, kind="shape")
+
+
+def dominance(groups: Groups) -> str:
+    """What resists and what drives, the largest first, and whether sheets and bars give way, in a sentence.
+
+    What resists is measured at the pace of the tendon itself, where the inertia of what turns is 1: moments at an angle
+    of 1, a speed of 1 / t* and an acceleration of 1 / t*^2.
+    """
+    resisting = [(group.label, group.value) for group in groups.every if group.kind == "resist"]
+    if groups.scale.time:
+        resisting.append(("the inertia of what turns", 1.0))
+    resisting.sort(key=lambda each: -each[1])
+    clauses = []
+    if len(resisting) > 1:
+        (first, most), *others = resisting
+        rest = listed([f"{label} ({value:.2g})" for label, value in others])
+        clauses.append(f"of what resists, {first} comes first ({most:.2g}), before {rest}")
+    drives = sorted((group for group in groups.every if group.kind == "drive"), key=lambda group: -group.value)
+    part = "crease" if groups.scale.tendon is None else "tendon"
+    if drives:
+        clauses.append(f"the strongest drive has {drives[0].value:.2g} of the {part}'s moment")
+    clauses += [
+        f"{group.label} is {_stiff(group.value)} the {part} ({group.value:.2g})"
+        for group in groups.every
+        if group.kind == "stretch"
+    ]
+    text = "; ".join(clauses)
+    return f"{text[:1].upper()}{text[1:]}." if text else ""
+
+
+def _stiff(value: float) -> str:
+    """How stiff something is beside something else, by their ratio."""
+    if value < 1 / 3:
+        return "softer than"
+    if value < 3:
+        return "about as stiff as"
+    return "stiffer than" if value < 100 else "far stiffer than"

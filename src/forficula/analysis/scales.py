@@ -1,0 +1,147 @@
+"""By what the moments and times of a structure are measured: its strongest tendon, or its stiffest crease."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.structure import GROUND, Structure, ancestry, built_frames, built_points, hinge_groups, mass_of
+
+Array = NDArray[np.float64]
+
+# N m and kg m^2: within, ratios of them are numbers
+_LEAST, _MOST = 1e-150, 1e150
+# of moments that differ by less the first counts: rounding does not choose
+_SAME = 1e-9
+
+
+@dataclass(frozen=True, kw_only=True)
+class Scale:
+    """What turns about one hinge, and the elastic part across it that moves it.
+
+    Attributes:
+        name: of that part: of a tendon, or of the hinge whose spring it is.
+        hinge: number of the hinge.
+        moment: k a b of a tendon, stiffness times both arms, or the stiffness of a hinge's spring, N m.
+        inertia: about the hinge, without its armature, kg m^2; 0 where nothing that weighs is free to turn.
+        weight_arm: mass of what turns times the distance of its centre from the hinge's axis, kg m.
+        tendon: number of the tendon; None where the scale is a hinge's spring.
+        arms: a and b of the tendon, m; zeros without one.
+    """
+
+    name: str
+    hinge: int
+    moment: float
+    inertia: float
+    weight_arm: float
+    tendon: int | None = None
+    arms: tuple[float, float] = (0.0, 0.0)
+
+    @property
+    def time(self) -> float:
+        """The time t* = sqrt(inertia / moment) in which the part moves what turns, s; 0 where nothing does."""
+        return math.sqrt(self.inertia / self.moment)
+
+
+def scale_of(structure: Structure) -> Scale | None:
+    """The scale of a structure; of several tendons the strongest counts, and creases only where no tendon has a scale.
+
+    A tendon counts that lies across one hinge and pulls when it is hardly stretched. Its arms and its inertia are those
+    of bars square to the hinge, where there are bars: k a b of the closed forms of one tendon across one hinge, with
+    a moment of k a b sin(angle) where its resting length is 0.
+
+    Args:
+        structure: SI.
+
+    Returns:
+        None where neither a tendon nor a hinge's spring moves anything.
+    """
+    crossings = [tendon.ideal or tendon.crossing for tendon in structure.tendons]
+    number, moment = _largest(
+        [
+            0.0 if crossing is None else tendon.law.stiffness[0] * crossing.proximal_arm * crossing.distal_arm
+            for tendon, crossing in zip(structure.tendons, crossings, strict=True)
+        ]
+    )
+    crossing = crossings[number] if moment else None
+    if crossing is None:
+        return _of_creases(structure)
+    return Scale(
+        name=structure.tendons[number].name,
+        hinge=crossing.hinge,
+        moment=moment,
+        inertia=_weighs(crossing.inertia - structure.hinges[crossing.hinge].armature),
+        weight_arm=_turning(structure, crossing.hinge)[1],
+        tendon=number,
+        arms=(crossing.proximal_arm, crossing.distal_arm),
+    )
+
+
+def _largest(moments: Sequence[float]) -> tuple[int, float]:
+    """The first of the largest numbers that can be computed with, and where it stands; 0 where there is none."""
+    most = max((moment for moment in moments if _LEAST < moment < _MOST), default=0.0)
+    number = next((place for place, moment in enumerate(moments) if (1 - _SAME) * most <= moment < _MOST), 0)
+    return number, moments[number] if most else 0.0
+
+
+def _weighs(inertia: float) -> float:
+    """An inertia, or 0 for one that is none to compute with."""
+    return inertia if _LEAST < inertia < _MOST else 0.0
+
+
+def _of_creases(structure: Structure) -> Scale | None:
+    """The scale of the stiffest spring in a hinge or a crease; facets that bend are none."""
+    groups = hinge_groups(structure)
+    folds = [number for kind in ("hinges", "creases") for number in groups.get(kind, ())]
+    place, moment = _largest([structure.hinges[number].stiffness for number in folds])
+    if not moment:
+        return None
+    inertia, weight_arm = _turning(structure, folds[place])
+    return Scale(
+        name=structure.hinges[folds[place]].name,
+        hinge=folds[place],
+        moment=moment,
+        inertia=_weighs(inertia),
+        weight_arm=weight_arm,
+    )
+
+
+def _turning(structure: Structure, number: int) -> tuple[float, float]:
+    """Inertia about a hinge of what turns there as built, kg m^2, and its mass times its centre's distance, kg m.
+
+    About a joint turns all that hangs on its body. About a crease turn the two corners of its flaps, one against the
+    other as two bodies on one axle do: 1 / (1 / I1 + 1 / I2); what is held has no end of inertia. Of the two the one
+    with the smaller moment counts for the weight.
+    """
+    hinge = structure.hinges[number]
+    if hinge.flaps is None:
+        origins, frames = built_frames(structure)
+        turned = [body for body in range(len(structure.bodies)) if hinge.body in ancestry(structure, body)]
+        return _about(structure, turned, origins[hinge.body], frames[hinge.body] @ hinge.axis)
+    points = built_points(structure)
+    tail, head, left, _, _, right = hinge.flaps
+    along = (points[head] - points[tail]) / np.linalg.norm(points[head] - points[tail])
+    bodies = [structure.points[corner].body for corner in (left, right)]
+    free = [body for body in bodies if body != GROUND and structure.bodies[body].slides]
+    sides = [_about(structure, [body], points[tail], along) for body in free]
+    heavy = [side for side in sides if side[0] > 0]
+    if not heavy:
+        return 0.0, 0.0
+    return 1 / sum(1 / inertia for inertia, _ in heavy), min(arm for _, arm in heavy)
+
+
+def _about(structure: Structure, bodies: list[int], origin: Array, axis: Array) -> tuple[float, float]:
+    """Inertia of bodies about an axis as built, kg m^2, and their mass times their centre's distance from it, kg m."""
+    origins, frames = built_frames(structure)
+    inertia, first = 0.0, np.zeros(3)
+    for body in bodies:
+        mass, centre, own = mass_of(structure, body)
+        inertia += float(axis @ frames[body] @ own @ frames[body].T @ axis)
+        for weight, place in ((mass, centre), (structure.bodies[body].mass, np.zeros(3))):
+            away = np.cross(axis, origins[body] + frames[body] @ place - origin)
+            inertia, first = inertia + weight * float(away @ away), first + weight * away
+    return inertia, float(np.linalg.norm(first))

@@ -1,0 +1,212 @@
+"""Dimensionless groups against closed forms, computed by hand of a design's numbers (shared figures: similarity)."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import forficula as ff
+from forficula.analysis.groups import changed, dominance, groups_of
+from forficula.analysis.scales import scale_of
+from forficula.analysis.summary import groups_summary, summary
+from forficula.design import load_design, scale_design, with_values
+from forficula.structure import GROUND, Body, Hinge, Point, Structure, structure_of
+
+REFERENCE = load_design("binder2025")
+# sums and products of a few floats
+ROUNDING = 1e-12
+# of the reference, by hand: k a b, and a distal bar about the middle of its end, m (l^2 / 3 + r^2 / 4)
+MOMENT = 1000.0 * 0.055**2
+BAR = 1270.0 * math.pi / 4 * 0.005**2 * 0.10
+INERTIA = BAR * (0.10**2 / 3 + 0.0025**2 / 4)
+TIME = math.sqrt(INERTIA / MOMENT)
+# ring vertices lie on a circle, a sector of 20 deg apart
+RADIUS = math.hypot(0.12, 0.015)
+WIDTH = 2 * RADIUS * math.sin(math.radians(10))
+# sine between the distal bar of vein 0 and the ring crease: 90 deg - 20 deg / 2 - eps
+TILT = math.sin(math.radians(80) - math.asin(0.015 / RADIUS))
+
+
+def groups(design):
+    return groups_of(structure_of(design), design.protocol.timestep)
+
+
+def values(design):
+    found = groups(design)
+    return {} if found is None else {group.name: group.value for group in found.every}
+
+
+def test_the_reference_has_the_groups_that_its_numbers_give_by_hand():
+    expected = {
+        "torque_fold": 0.5 / MOMENT,
+        "torque_unfold": 1.0 / MOMENT,
+        "armature": 1e-5 / INERTIA,
+        "hinge_damping": 1e-3 / (MOMENT * TIME),
+        "tendon_damping": 0.1 * math.sqrt(0.055**2 / (1000.0 * INERTIA)),
+        "gravity_left_out": BAR * 9.81 * 0.05 * TILT / MOMENT,
+        "membrane": 1e6 * 1e-4 * WIDTH / (1000.0 * 0.055),
+        "membrane_relaxation": 1e-3 / TIME,
+        "timestep": 2e-4 / TIME,
+        "rest_length": 0.09 / 0.11,
+        "arms": 1.0,
+        "bar_slenderness": 0.005 / 0.10,
+        "bar_width": 0.005 / WIDTH,
+        "margin": 0.02 / WIDTH,
+        "thickness": 1e-4 / WIDTH,
+    }
+    assert values(REFERENCE) == pytest.approx(expected, rel=ROUNDING)
+
+
+def test_the_reference_meets_the_groups_known_of_it():
+    known = {
+        "torque_fold": 0.165,
+        "torque_unfold": 0.331,
+        "armature": 1.2,
+        "hinge_damping": 0.20,
+        "tendon_damping": 0.06,
+        "membrane": 0.076,
+    }
+    found = values(REFERENCE)
+    # two or three digits were known
+    assert {name: round(found[name], len(str(value)) - 2) for name, value in known.items()} == known
+    assert f"{found['gravity_left_out']:.0e}" == "4e-04"
+
+
+def test_gravity_that_is_on_resists_and_is_that_of_the_run():
+    on = values(with_values(REFERENCE, {"protocol.gravity": 1.62}))
+    assert on["gravity"] == pytest.approx(values(REFERENCE)["gravity_left_out"] * 1.62 / 9.81, rel=ROUNDING)
+    assert "gravity_left_out" not in on
+
+
+def test_masses_on_the_distal_bar_slow_the_tendon_and_an_armature_does_not():
+    heavy = with_values(REFERENCE, {"vein.added_mass": 1e-3, "tendon.area": 1e-5, "tendon.density": 1200.0})
+    # half of the tendon is at its distal end; the hinge's mass is on its axis
+    end = 1200.0 * 1e-5 * 0.09 / 2
+    assert scale_of(structure_of(heavy)).inertia == pytest.approx(INERTIA + end * (0.055 * TILT) ** 2, rel=1e-9)
+    stiller = with_values(REFERENCE, {"hinge.armature": 1e-3})
+    assert scale_of(structure_of(stiller)).inertia == pytest.approx(INERTIA, rel=1e-9)
+
+
+def test_the_strongest_of_tendons_that_differ_is_the_scale():
+    own = [{"vein": 0}, {"vein": 2, "stiffness": "30 N/cm", "distal_attachment": "4 cm"}]
+    scale = scale_of(structure_of(load_design("binder2025", {"tendon": own})))
+    assert scale.name == "tendon2"
+    assert scale.moment == pytest.approx(3000.0 * 0.055 * 0.04, rel=ROUNDING)
+
+
+def test_a_plate_on_a_crease_has_the_inertia_of_a_plate_about_its_edge():
+    letter = with_values(load_design("letter-fold"), {"tendon": ()})
+    scale = scale_of(structure_of(letter))
+    panel = 1270.0 * 0.5e-3 * 0.099 * 0.21
+    assert scale.moment == pytest.approx(2e-2 * 0.21, rel=ROUNDING)
+    assert scale.inertia == pytest.approx(panel * (0.099**2 / 3 + 0.5e-3**2 / 12), rel=1e-9)
+    found = values(letter)
+    assert found["hinge_damping"] == pytest.approx(3e-2 / 2e-2 / scale.time, rel=1e-9)
+    assert found["gravity_left_out"] == pytest.approx(panel * 9.81 * 0.099 / 2 / scale.moment, rel=1e-9)
+    assert "armature" not in found
+
+
+def two_flaps(held=()):
+    """Two corners beside a crease along y, of 1 g at 3 cm and of 2 g at 1 cm."""
+    places = [(0.0, 0.0), (0.0, 0.1), (-0.03, 0.05), (0.01, 0.05)]
+    masses = [1.0, 1.0, 1e-3, 2e-3]
+    return Structure(
+        name="two flaps",
+        bodies=tuple(
+            Body(
+                name=f"v{number}",
+                role="vertex",
+                parent=GROUND,
+                position=np.array([*place, 0.0]),
+                frame=np.eye(3),
+                slides=() if number in held else (0, 1, 2),
+                mass=mass,
+            )
+            for number, (place, mass) in enumerate(zip(places, masses, strict=True))
+        ),
+        points=tuple(Point(name=f"v{number}", role="vertex", body=number, place=np.zeros(3)) for number in range(4)),
+        hinges=(Hinge(name="c", role="crease", flaps=(0, 1, 2, 1, 0, 3), stiffness=0.5),),
+        span=0.1,
+        mass=1e-3,
+    )
+
+
+def test_corners_of_a_crease_turn_against_each_other():
+    one, other = 1e-3 * 0.03**2, 2e-3 * 0.01**2
+    assert scale_of(two_flaps()).inertia == pytest.approx(1 / (1 / one + 1 / other), rel=ROUNDING)
+    assert scale_of(two_flaps(held=(3,))).inertia == pytest.approx(one, rel=ROUNDING)
+    assert scale_of(two_flaps(held=(2, 3))).time == 0
+
+
+def test_what_nothing_elastic_folds_has_no_groups():
+    soft = with_values(REFERENCE, {"tendon.stiffness": 0.0})
+    assert groups(soft) is None
+    assert groups_summary(None) is None
+
+
+@pytest.mark.parametrize("stiffness", [1e-300, 1e300])
+def test_numbers_that_cannot_be_computed_with_give_no_groups(stiffness):
+    assert groups(with_values(REFERENCE, {"tendon.stiffness": stiffness})) is None
+
+
+@pytest.mark.parametrize("name", list(ff.named_designs()))
+def test_every_named_design_has_groups_that_json_can_hold(name):
+    found = groups(load_design(name))
+    assert json.dumps(groups_summary(found), allow_nan=False)
+    assert len({group.name for group in found.every}) == len(found.every)
+    assert dominance(found).endswith(".")
+
+
+@settings(deadline=None, max_examples=15)
+@given(
+    factor=st.floats(1e-3, 1e3),
+    name=st.sampled_from(["binder2025", "binder2025-built", "letter-fold", "bistable-clasp", "miura-sheet"]),
+)
+def test_scaling_keeps_all_groups_but_what_nature_weighs(factor, name):
+    given_one = load_design(name)
+    before, after = values(given_one), values(scale_design(given_one, factor))
+    weight = before.pop("gravity_left_out"), after.pop("gravity_left_out")
+    assert after == pytest.approx(before, rel=1e-9)
+    # m g l / (k a b): a cube of mass, a length, by a cube of energy
+    assert weight[1] == pytest.approx(factor * weight[0], rel=1e-9)
+
+
+@settings(deadline=None, max_examples=10)
+@given(st.floats(1e-3, 1e3))
+def test_a_wing_of_the_same_material_under_the_same_gravity_keeps_all_but_two_groups(factor):
+    heavy = with_values(REFERENCE, {"protocol.gravity": 9.81})
+    pairs = changed(groups(heavy), groups(scale_design(heavy, factor, natural=True)))
+    ratios = {old.name: new.value / old.value for old, new in pairs}
+    expected = {} if math.isclose(factor, 1, rel_tol=1e-8) else {"gravity": factor, "membrane_relaxation": 1 / factor}
+    assert ratios == pytest.approx(expected, rel=1e-9)
+
+
+def test_what_comes_first_is_told_by_the_values_alone():
+    assert dominance(groups(REFERENCE)) == (
+        "Of what resists, the armature comes first (1.2), before the inertia of what turns (1), the hinge's damping"
+        " (0.2) and the tendon's damping (0.06); the strongest drive has 0.33 of the tendon's moment; stretch of the"
+        " membrane is softer than the tendon (0.076)."
+    )
+    damped = with_values(REFERENCE, {"hinge.damping": 3e-2, "hinge.armature": 0.0, "membrane.youngs_modulus": 1e10})
+    told = dominance(groups(damped))
+    assert told.startswith("Of what resists, the hinge's damping comes first (6), before the inertia of what turns (1)")
+    assert "stretch of the membrane is far stiffer than the tendon (7.6e+02)" in told
+
+
+def test_a_run_tells_its_groups_in_its_summary():
+    short = with_values(
+        REFERENCE,
+        {
+            "protocol.stages": [
+                {"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 2e-3},
+            ]
+        },
+    )
+    record = ff.run(short)
+    told = summary(record, ff.measure(record), {})["groups"]
+    assert told["armature"] == pytest.approx(1e-5 / INERTIA, rel=ROUNDING)
+    assert told["measured_by"]["time_s"] == pytest.approx(TIME, rel=ROUNDING)
+    assert told["in_words"].startswith("Of what resists, the armature comes first")
