@@ -183,6 +183,7 @@ def test_the_named_designs_are_listed_with_their_sources(call):
     names = [line for line in lines if not line.startswith(" ")]
     assert names == [
         "binder2025",
+        "binder2025-built",
         "bistable-clasp",
         "four-plate-snap",
         "kresling-cell",

@@ -253,6 +253,7 @@ def test_an_empty_key_is_unknown_like_any_other():
 
 
 SHEETS = "bistable-clasp, four-plate-snap, kresling-cell, letter-fold, miura-sheet, waterbomb-base"
+NAMED = f"binder2025, binder2025-built, {SHEETS}"
 SECTIONS = "based_on, name, source, shows, reproduces, pattern, vein, membrane, hinge, tendon, guard, protocol"
 OF_TENDON = (
     "stiffness, rest_length, damping, area, law, proximal_attachment, distal_attachment, proximal_offset,"
@@ -425,8 +426,8 @@ def test_a_number_too_long_for_a_computer_is_one_error(refusal):
         ("a\0b.toml", '"a\\u0000b.toml": cannot be read: embedded null byte'),
         ("bindr2025", '"bindr2025" is neither a named design nor a .toml file; did you mean "binder2025"?'),
         ("wing", '"wing" is neither a named design nor a .toml file; did you mean "wing.toml"?'),
-        (".", f'"." is neither a named design nor a .toml file; the named designs are binder2025, {SHEETS}'),
-        ("", f'"" is neither a named design nor a .toml file; the named designs are binder2025, {SHEETS}'),
+        (".", f'"." is neither a named design nor a .toml file; the named designs are {NAMED}'),
+        ("", f'"" is neither a named design nor a .toml file; the named designs are {NAMED}'),
     ],
 )
 def test_a_design_that_is_not_there_is_one_error(refusal, tmp_path, name, message):
