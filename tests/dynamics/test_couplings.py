@@ -19,7 +19,7 @@ from forficula.study.runs import run_each, topology
 from tests.structures import compiled, motor_work, straight_vein
 
 STIFFNESS, TIE, START = 0.05, 0.2, math.radians(5)  # N m/rad
-TIED = load_design("binder2025-coupled")
+TIED = with_values(load_design("binder2025-coupled"), {"protocol.rise": 0.0})
 # folding only, under torques that come at once
 FOLDING = [
     {"name": "fold", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.02},

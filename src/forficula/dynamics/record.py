@@ -38,7 +38,7 @@ VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "motor_work": (("motor",), "J", "work of the motor since the start"),
     "hinge_damping_work": ((), "J", "work of the hinges' damping since the start"),
     "elastic_damping_work": ((), "J", "work of the tendons' and the membrane's damping since the start"),
-    "stop_work": ((), "J", "work of the hinges' stops, length limits and contacts since the start"),
+    "stop_work": ((), "J", "work of the hinges' stops, length limits, rigid couplings and contacts since the start"),
     "point_position": (("point", "axis"), "m", "named points on bodies"),
     "membrane_position": (("node", "axis"), "m", "nodes of the membrane"),
 }
