@@ -198,7 +198,7 @@ def _stretch(structure: Structure, scale: Scale, widths: Sequence[float]) -> Ite
             kind="stretch",
         )
     if structure.springs:
-        softest = min(spring.stiffness * _square(spring.rest_length or structure.span) for spring in structure.springs)
+        softest = min(spring.stiffness * (spring.rest_length or structure.span) ** 2 for spring in structure.springs)
         name = springs_name(structure)
         yield Group(
             name=name,
@@ -207,10 +207,6 @@ def _stretch(structure: Structure, scale: Scale, widths: Sequence[float]) -> Ite
             meaning=f"stiffness of the softest of them times its length squared by {measured_by(scale)}",
             kind="stretch",
         )
-
-
-def _square(length: float) -> float:
-    return length * length
 
 
 def _widths(structure: Structure) -> list[float]:
