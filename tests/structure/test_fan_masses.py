@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from forficula import measure, run
 from forficula.design import load_design, with_values
 from forficula.dynamics import compile_model
 from forficula.errors import InputError
@@ -133,3 +134,18 @@ def test_without_masses_a_design_is_what_it_was():
 def test_masses_that_cannot_be_are_refused(values, message):
     with pytest.raises(InputError, match=message):
         with_values(REFERENCE, values)
+
+
+@pytest.mark.parametrize("timestep", ["0.02 ms", "0.01 ms"])
+def test_the_wing_with_the_masses_of_its_parts_folds_in_70_ms(timestep):
+    built = load_design("binder2025-built", {"protocol.timestep": timestep})
+    stages = [stage.model_dump() for stage in built.protocol.stages[:2]]
+    record = run(with_values(built, {"protocol.stages": stages}))
+    fold = record.stages[1]
+    assert fold.goal_time - fold.start == pytest.approx(0.070, abs=1e-3)
+
+
+def test_without_armature_a_step_of_the_reference_is_too_long_and_the_advice_names_it():
+    outcome = measure(run(load_design("binder2025-built", {"protocol.timestep": "0.2 ms"})))
+    assert not outcome.verdict.tells
+    assert "hinge.armature" in outcome.advice
