@@ -566,3 +566,9 @@ def test_every_key_with_a_unit_is_read_as_text_with_that_unit():
                     load_design("binder2025", {f"{prefix}{name}": "1"})
 
     check(REFERENCE, "")
+
+
+def test_a_key_missing_in_a_section_that_may_be_left_out_is_not_to_be_inherited(tmp_path):
+    (tmp_path / "tied.toml").write_text('based_on = "binder2025"\n[coupling]\n', "utf-8")
+    with pytest.raises(InputError, match=r"coupling\.stiffness: is missing; give it, or leave out \[coupling\]"):
+        load_design(tmp_path / "tied.toml")

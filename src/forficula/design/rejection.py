@@ -88,6 +88,10 @@ def _remedy(place: list[str], model: type[Design]) -> str:
         return 'give it, or name a material as in tendon.law = "tpu-82a"'
     if model is FanDesign and place[0] == "tendon" and "law" not in place:
         return to_inherit
+    section = model.model_fields.get(place[0])
+    if len(place) > 1 and section is not None and not section.is_required() and section.default is None:
+        # the design to begin from has no such section
+        return f"give it, or leave out [{place[0]}]"
     if any(part.isdecimal() for part in place):
         return f"needed here: {', '.join(needed_keys(place, model))}"
     return to_inherit
