@@ -39,6 +39,12 @@ def reference_outcome(reference_run) -> ff.Outcome:
     return ff.measure(reference_run)
 
 
+@pytest.fixture(scope="session")
+def stored_run() -> Record:
+    """The wing that lies folded for a month and is left open for one, averaged over half as long as it has it."""
+    return ff.run(ff.load_design("binder2025-stored", {"protocol.window": "50 ms"}))
+
+
 @dataclass(frozen=True, kw_only=True)
 class OneHinge:
     """A bar on a fixed bar, a hinge square to both, a tendon across it, no damping; angles are > 0 when folding."""

@@ -29,10 +29,8 @@ def straight_vein(design: FanDesign) -> Vein:
     """A vein along x, its proximal bar fixed, that folds about y, in the units of its design."""
     ring = design.pattern.proximal_length
     return Vein(
-        hub_point=np.zeros(3),
-        ring_vertex=np.array([ring, 0, 0]),
-        tip=np.array([ring + design.pattern.distal_length, 0, 0]),
-        ring_direction=np.array([0.0, 1.0, 0.0]),
+        places=(np.zeros(3), np.array([ring, 0, 0]), np.array([ring + design.pattern.distal_length, 0, 0])),
+        axes=(np.array([0.0, 1.0, 0.0]),),
         sense=1,
         fixed_base=True,
     )

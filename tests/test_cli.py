@@ -1,3 +1,4 @@
+import csv
 import json
 import math
 import os
@@ -164,9 +165,10 @@ def test_a_scaled_design_is_printed_as_one_and_the_groups_that_it_cannot_keep_be
     assert small.pattern.distal_length == pytest.approx(0.01, rel=1e-15)
     assert small.protocol.gravity == 9.81
     first, *told = printed.err.splitlines()
-    assert first == "binder2025-x0.1 cannot keep 2 of 15 groups, for gravity and materials stay as they are:"
+    assert first == "binder2025-x0.1 cannot keep 3 of 18 groups, for gravity and materials stay as they are:"
     assert [line.partition(" (")[0] for line in told] == [
         "  gravity: 0.000386 -> 3.86e-05",
+        "  Reynolds number, left out: 1.69e+05 -> 1.69e+04",
         "  relaxation of the membrane: 0.603 -> 6.03",
     ]
 
@@ -176,7 +178,7 @@ def test_a_scaled_design_is_written_and_can_be_run(in_an_empty_folder, call):
     assert "small.toml" in call("scale", "wing.toml", "--length", "0.5", "--out", "small.toml").out
     call("run", "small.toml", "--out", "out/small")
     same = call("scale", "miura-sheet", "--length", "1").err
-    assert same == "miura-sheet-x1 keeps all 6 groups: in t / t* it moves alike\n"
+    assert same == "miura-sheet-x1 keeps all 9 groups: in t / t* it moves alike\n"
 
 
 def test_the_named_designs_are_listed_with_their_sources(call):
@@ -186,6 +188,7 @@ def test_the_named_designs_are_listed_with_their_sources(call):
         "binder2025",
         "binder2025-built",
         "binder2025-coupled",
+        "binder2025-stored",
         "bistable-clasp",
         "four-plate-snap",
         "kresling-cell",
@@ -249,11 +252,85 @@ def test_a_new_design_file_of_each_kind_describes_itself(call, refusal):
     assert refusal("new", "other.toml", "--kind", "pleat") == said
 
 
+def test_keys_and_named_studies_are_listed(call, refusal):
+    said = call("keys", "coupling").out
+    assert "[coupling]" in said
+    assert 'N m/rad, >= 0 or "rigid"' in " ".join(said.split())
+    assert "fold_angle" not in said
+    assert "sampling" in call("keys", "--study").out
+    assert "[crease]" in call("keys", "crease", "--kind", "vertex").out
+    assert refusal("keys", "tendn") == "tendn: unknown key; did you mean tendon?"
+    assert "60 points of binder2025 over tendon.stiffness and tendon.rest_length" in call("studies").out
+
+
+def test_a_new_study_runs_as_it_is(call):
+    assert "run it with: forficula study new.toml" in call("new", "new.toml", "--study").out
+    assert "3 points, at most 3 runs" in call("study", "new.toml", "--dry-run").out
+
+
+def test_json_is_all_that_stands_on_standard_output(in_an_empty_folder, call, refusal):
+    (in_an_empty_folder / "wing.toml").write_text(SHORT)
+    ran = call("run", "wing.toml", "--out", "there", "--json")
+    assert json.loads(ran.out) == json.loads((in_an_empty_folder / "there" / "summary.json").read_text())
+    # flags of the whole may stand before the command, too
+    surveyed = call("--json", "landscape", "wing.toml", "--no-simulation", "--out", "energy").out
+    assert json.loads(surveyed) == json.loads((in_an_empty_folder / "energy" / "landscape.json").read_text())
+    assert [each["name"] for each in json.loads(call("designs", "--json").out)] == list(ff.named_designs())
+    assert {"key", "meaning", "allowed", "default"} == set(json.loads(call("keys", "guard", "--json").out)[0])
+    points = {each["name"]: each["points"] for each in json.loads(call("studies", "--json").out)}
+    assert points["binder2025-search"] == 60
+    sizes = json.loads(call("size", "binder2025", "--material", "tpu-82a", "--stiffness", "10 N/cm", "--json").out)
+    assert [row["length_m"] for row in sizes] == [0.06, 0.09]
+    assert json.loads(call("materials", "--json").out)[0].keys() == {"name", "source"}
+    assert refusal("new", "other.toml", "--json").startswith("--json: need run, landscape, ")
+
+
+def test_a_study_as_json_has_a_row_for_every_point(in_an_empty_folder, call, study_file):
+    study_file(TENDONS)
+    rows = json.loads(call("study", "small.toml", "--keep", "0", "--out", "there", "--json").out)
+    with (in_an_empty_folder / "there" / "table.csv").open(newline="") as file:
+        written = list(csv.DictReader(file))
+    assert [list(row) for row in rows] == [list(row) for row in written]
+    for row, texts in zip(rows, written, strict=True):
+        for value, text in zip(row.values(), texts.values(), strict=True):
+            if isinstance(value, float):
+                assert float(text) == value
+            else:
+                assert text == {None: "", True: "true", False: "false"}.get(value, str(value))
+
+
+def test_the_shell_can_complete_commands_and_options(in_an_empty_folder, call):
+    call("--install-completion", "--shell", "bash", "--output", "completion.sh")
+    script = (in_an_empty_folder / "completion.sh").read_text()
+    assert "landscape" in script
+    assert "--no-simulation" in script
+    assert "--json" in script
+
+
+def test_quiet_leaves_out_all_but_warnings(in_an_empty_folder, call):
+    (in_an_empty_folder / "wing.toml").write_text(SHORT)
+    call("run", "wing.toml", "--out", "there", "--quiet")
+    said = call("run", "wing.toml", "--out", "there", "--quiet")
+    assert said.out == ""
+    assert all(line.startswith("warning: ") for line in said.err.splitlines())
+    assert (in_an_empty_folder / "there" / "report.html").is_file()
+
+
+def test_a_verdict_that_is_wanted_ends_with_0_and_no_other(in_an_empty_folder, call, refusal):
+    fold = '[[protocol.stages]]\nname = "fold"\ndrive = "fold"\nuntil = "folded"\ntime_limit = "10 ms"\n'
+    (in_an_empty_folder / "late.toml").write_text(SHORT + fold)
+    call("run", "late.toml", expected=2)
+    call("run", "late.toml", "--ok-if", "stuck", "--ok-if", "moving")
+    (in_an_empty_folder / "wing.toml").write_text(SHORT)
+    call("run", "wing.toml", "--ok-if", "moving", expected=2)
+    assert refusal("run", "wing.toml", "--ok-if", "stuk").endswith('got "stuk"; did you mean "stuck"?')
+
+
 def test_help_names_every_command(call):
     shown = call("--help").out
     for command in (
         *("run", "pattern", "landscape", "converge", "study", "new", "scale", "designs"),
-        *("material", "materials", "size"),
+        *("material", "materials", "size", "studies", "keys"),
     ):
         assert f" {command} " in shown
 
@@ -525,9 +602,8 @@ def test_a_number_of_runs_that_is_none_is_answered_before_the_study(refusal, in_
 
 def test_a_dry_run_counts_the_runs_and_writes_nothing(in_an_empty_folder, call, study_file):
     study_file(TENDONS)
-    assert call("study", "small.toml", "--dry-run").out.startswith(
-        "small: 3 points, at most 3 runs; 3 to do, about 0 s"
-    )
+    # how long, the machine decides
+    assert call("study", "small.toml", "--dry-run").out.startswith("small: 3 points, at most 3 runs; 3 to do, about ")
     assert everything_in(in_an_empty_folder) == ["small.toml"]
 
 
@@ -567,7 +643,7 @@ def test_a_job_array_is_written_and_nothing_is_run(in_an_empty_folder, call, stu
         (
             ["none"],
             '"none" is neither a named study nor a .toml file; the named studies are binder2025-choices,'
-            " binder2025-coupling, binder2025-search",
+            " binder2025-coupling, binder2025-offsets, binder2025-search, binder2025-storage",
         ),
         (["small.toml", "--shard", "3/2"], '--shard: need a number and a count such as 2/8, got "3/2"'),
         (["small.toml", "--shard", "0/2"], '--shard: need a number and a count such as 2/8, got "0/2"'),
@@ -799,7 +875,7 @@ def test_a_figure_of_a_run_is_written_and_a_film(in_an_empty_folder, call):
         (["--size", "321x180"], '--size: need two even numbers from 160 to 4096 such as 1280x720, got "321x180"'),
         (["--size", "large"], '--size: need two even numbers from 160 to 4096 such as 1280x720, got "large"'),
         (["--fps", "0"], "--fps: need 1 to 60, got 0"),
-        (["--slower", "-2"], "--slower: need 0.01 to 10000, got -2"),
+        (["--slower", "-2"], "--slower: need 0.01 to 10000, got -2.0"),
         ([], "there: need the folder of a run, as forficula run writes it, got no such folder"),
     ],
 )

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
+from time import monotonic
+from typing import Annotated
 
-from cyclopts import App, CycloptsError
+from cyclopts import App, CycloptsError, Parameter
 
 from forficula.commands import designs, landscapes, materials, runs, studies
 from forficula.errors import InputError
-from forficula.terminal import drop_output, flush_output, plain_terminal
+from forficula.names import listed
+from forficula.quantities import as_written
+from forficula.terminal import drop_output, flush_output, plain_terminal, remark, speaking
 
 app = App(
     name="forficula",
@@ -18,7 +22,7 @@ app = App(
     help_format="plaintext",
     suppress_keyboard_interrupt=False,
 )
-for command in (
+_COMMANDS = (
     runs.run,
     designs.pattern,
     landscapes.landscape,
@@ -33,8 +37,50 @@ for command in (
     designs.new,
     designs.scale,
     designs.designs,
-):
-    app.command(command)
+    studies.studies,
+    designs.keys,
+)
+# those that come to something that other programs would read
+_WITH_DATA = (
+    runs.run,
+    landscapes.landscape,
+    studies.converge,
+    studies.study,
+    materials.material,
+    materials.materials,
+    materials.size,
+    designs.designs,
+    studies.studies,
+    designs.keys,
+)
+for each in _COMMANDS:
+    app.command(each)
+app.register_install_completion_command(
+    name="--install-completion", add_to_startup=False, help="Let the shell complete commands and options."
+)
+app.meta.suppress_keyboard_interrupt = False
+# s; of what takes longer, the time is told
+_LONG = 1.0
+
+
+@app.meta.default
+def _launch(
+    *tokens: Annotated[str, Parameter(show=False, allow_leading_hyphen=True)],
+    as_json: Annotated[
+        bool, Parameter(name="--json", help="Write what came of it as JSON, and nothing else there.", negative=())
+    ] = False,
+    quiet: Annotated[bool, Parameter(help="Write warnings and errors only.", negative=())] = False,
+) -> int | None:
+    command, bound, _ = app.parse_args(tokens, exit_on_error=False, print_error=False)
+    if as_json and command not in _WITH_DATA:
+        names = listed([each.__name__ for each in _WITH_DATA], "or")
+        raise InputError(f"--json: need {names}, got {as_written(' '.join(tokens[:1]))}")
+    start = monotonic()
+    with speaking(quiet=quiet, as_json=as_json):
+        status: int | None = command(*bound.args, **bound.kwargs)
+        if (passed := monotonic() - start) > _LONG:
+            remark(f"took {passed:.3g} s" if passed < 100 else f"took {passed / 60:.3g} min")
+    return status
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
@@ -46,7 +92,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     try:
         with plain_terminal():
             try:
-                status = app(arguments, exit_on_error=False, print_error=False, result_action="return_value")
+                status = app.meta(arguments, exit_on_error=False, print_error=False, result_action="return_value")
             finally:
                 flush_output()
     except (InputError, CycloptsError) as error:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 import re
-import sys
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TypeVar
@@ -13,7 +12,9 @@ from typing import TYPE_CHECKING, Annotated, TypeVar
 from cyclopts import Parameter, Token
 
 from forficula.errors import InputError
+from forficula.names import one_of
 from forficula.quantities import as_written
+from forficula.terminal import remark
 
 if TYPE_CHECKING:
     from forficula.analysis import Verdict
@@ -57,26 +58,49 @@ Tolerate = Annotated[
     bool,
     Parameter(help="End with status 0, not 3, where a run diverged or is not to be trusted.", negative=()),
 ]
+OkIf = Annotated[
+    list[str] | None,
+    Parameter(
+        name="--ok-if",
+        help="End with status 0 where this is the verdict, such as stuck, and no other; may be repeated.",
+        negative=(),
+    ),
+]
 DesignName = Annotated[
     str, Parameter(help="A named design, or the path of a design file (.toml), a FOLD file or a drawing (.svg, .dxf).")
 ]
 
 
-def exit_status(verdicts: Iterable[Verdict], *, tolerate: bool) -> int:
+def exit_status(verdicts: Iterable[Verdict], *, tolerate: bool, ok_if: Sequence[str] | None = None) -> int:
     """What a command ends with that was carried out, for scripts.
 
     Args:
         verdicts: of the runs that it was asked for.
         tolerate: whether what diverged or is not to be trusted counts as done.
+        ok_if: verdicts that are wanted, and no others; `Verdict.REACHED` where none are named.
 
     Returns:
-        0 where every goal was reached, 2 where one was missed, 3 where one run says nothing of its structure.
+        0 where every verdict is wanted, 2 where one is not, 3 where one run says nothing of its structure.
     """
-    silent = ("diverged", "untrusted")
+    silent, wanted = ("diverged", "untrusted"), tuple(ok_if or ("reached",))
     told = [verdict for verdict in verdicts if not (tolerate and verdict in silent)]
-    if any(verdict in silent for verdict in told):
+    if any(verdict in silent and verdict not in wanted for verdict in told):
         return 3
-    return 0 if all(verdict == "reached" for verdict in told) else 2
+    return 0 if all(verdict in wanted for verdict in told) else 2
+
+
+def check_verdicts(ok_if: Sequence[str] | None) -> None:
+    """Refuse what is no verdict of a run.
+
+    Raises:
+        InputError: which is none, and which is near.
+    """
+    from forficula.analysis import Verdict
+
+    words = [verdict.value for verdict in Verdict]
+    for word in ok_if or ():
+        if word not in words:
+            raise InputError(f"--ok-if: need {one_of(words, word)}")
 
 
 def read_option(option: str, read: Callable[[], T]) -> T:
@@ -205,7 +229,7 @@ def tell_replaced(folder: Path, what: str) -> None:
         how = "" if verdict is None else f" ({as_written(content[verdict])})"
     except (ValueError, LookupError, TypeError, RecursionError):
         called, how = "an unknown name", ""
-    print(f"{folder}: replaces the {what} of {called}{how} there", file=sys.stderr)
+    remark(f"{folder}: replaces the {what} of {called}{how} there")
 
 
 def read_settings(

@@ -166,6 +166,14 @@ def show_value(value: float, unit: str, digits: int = 4) -> str:
     return f"{factor * value:.{digits}g} {name}"
 
 
+def show_duration(time: float) -> str:
+    """Write a time, s, for people: in days, hours, minutes, or as `show_value` does."""
+    for name, unit in (("d", 86400.0), ("h", 3600.0), ("min", 60.0)):
+        if time >= unit:
+            return f"{time / unit:.4g} {name}"
+    return show_value(time, "s")
+
+
 @cache
 def _registry() -> UnitRegistry[float]:
     """The pint registry, made at first use: it takes 0.2 s."""

@@ -1,16 +1,20 @@
-"""What the command line writes to, whatever it can write: letters that it lacks spelled, warnings on one line."""
+"""What the command line writes to, and how much: letters that it lacks spelled, warnings on one line, data or words."""
 
 from __future__ import annotations
 
 import codecs
 import io
+import json
 import os
 import sys
 import unicodedata
 import warnings
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
-from typing import TextIO
+from contextlib import contextmanager, redirect_stdout, suppress
+from contextvars import ContextVar
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TextIO
 
 # letters of ours, and units above all, that must not turn into another one
 _SPELLED = {
@@ -19,6 +23,54 @@ _SPELLED = {
     **{"‘": "'", "’": "'", "█": "#", "━": "-", "╸": "-", "╺": "-"},
 }
 _HANDLER = "forficula-spelled"
+
+
+@dataclass(kw_only=True)
+class _Manner:
+    """How a command speaks: whether of what it is doing, and what it came to, as plain data, once it has said so."""
+
+    quiet: bool = False
+    data: Any = None
+
+
+_manner: ContextVar[_Manner] = ContextVar("manner", default=_Manner())  # noqa: B039
+
+
+@contextmanager
+def speaking(*, quiet: bool, as_json: bool) -> Iterator[None]:
+    """Let a command write its words, nothing but warnings, or what it came to as JSON and nothing else.
+
+    Args:
+        quiet: leave out what is no warning and no error.
+        as_json: on standard output write only what the command hands to `came_to`.
+    """
+    before = _manner.set(manner := _Manner(quiet=quiet))
+    try:
+        if not (quiet or as_json):
+            yield
+            return
+        with redirect_stdout(io.StringIO()):
+            yield
+    finally:
+        _manner.reset(before)
+    if as_json:
+        print(json.dumps(manner.data, indent=2, ensure_ascii=False, allow_nan=False))
+
+
+def came_to(data: Any) -> None:
+    """Say what a command came to: plain data, or the path of a JSON file that it wrote."""
+    _manner.get().data = json.loads(data.read_text("utf-8")) if isinstance(data, Path) else data
+
+
+def is_quiet() -> bool:
+    """Whether nothing but warnings and errors is wanted."""
+    return _manner.get().quiet
+
+
+def remark(text: str) -> None:
+    """Write what is no result and no warning, beside the results."""
+    if not is_quiet():
+        print(text, file=sys.stderr)
 
 
 @contextmanager

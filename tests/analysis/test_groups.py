@@ -26,6 +26,8 @@ TIME = math.sqrt(INERTIA / MOMENT)
 # ring vertices lie on a circle, a sector of 20 deg apart
 RADIUS = math.hypot(0.12, 0.015)
 WIDTH = 2 * RADIUS * math.sin(math.radians(10))
+# of a bar of the length and the inertia of the distal one; the speed of its tip
+BY_LENGTH, SPEED = 3 * INERTIA / 0.10**3, 0.10 / TIME
 # sine between the distal bar of vein 0 and the ring crease: 90 deg - 20 deg / 2 - eps
 TILT = math.sin(math.radians(80) - math.asin(0.015 / RADIUS))
 
@@ -47,6 +49,9 @@ def test_the_reference_has_the_groups_that_its_numbers_give_by_hand():
         "hinge_damping": 1e-3 / (MOMENT * TIME),
         "tendon_damping": 0.1 * math.sqrt(0.055**2 / (1000.0 * INERTIA)),
         "gravity_left_out": BAR * 9.81 * 0.05 * TILT / MOMENT,
+        "medium_mass_left_out": math.pi / 4 * 1.2 * WIDTH**2 / BY_LENGTH,
+        "drag_left_out": 1.2 * WIDTH * 0.10 / BY_LENGTH,
+        "reynolds_left_out": 1.2 * WIDTH * SPEED / 1.8e-5,
         "membrane": 1e6 * 1e-4 * WIDTH / (1000.0 * 0.055),
         "membrane_relaxation": 1e-3 / TIME,
         "timestep": 2e-4 / TIME,
@@ -68,17 +73,36 @@ def test_the_reference_meets_the_groups_known_of_it():
         "hinge_damping": 0.20,
         "tendon_damping": 0.06,
         "membrane": 0.076,
+        "medium_mass_left_out": 0.07,
+        "drag_left_out": 0.20,
     }
     found = values(REFERENCE)
     # two or three digits were known
     assert {name: round(found[name], len(str(value)) - 2) for name, value in known.items()} == known
     assert f"{found['gravity_left_out']:.0e}" == "4e-04"
+    assert f"{found['reynolds_left_out']:.1e}" == "1.7e+05"
 
 
 def test_gravity_that_is_on_resists_and_is_that_of_the_run():
     on = values(with_values(REFERENCE, {"protocol.gravity": 1.62}))
     assert on["gravity"] == pytest.approx(values(REFERENCE)["gravity_left_out"] * 1.62 / 9.81, rel=ROUNDING)
     assert "gravity_left_out" not in on
+
+
+@pytest.mark.parametrize("name", ["binder2025", "letter-fold", "miura-sheet"])
+def test_a_medium_that_is_there_resists_and_is_that_of_the_run(name):
+    empty = load_design(name)
+    thin, thick = (
+        values(with_values(empty, {"medium.density": density, "medium.viscosity": 1e-3})) for density in (1.2, 1000.0)
+    )
+    left_out = values(empty)
+    assert thin["medium_mass"] == pytest.approx(left_out["medium_mass_left_out"], rel=ROUNDING)
+    assert thick["medium_mass"] == pytest.approx(thin["medium_mass"] * 1000 / 1.2, rel=ROUNDING)
+    assert thin["reynolds"] == pytest.approx(left_out["reynolds_left_out"] * 1.8e-5 / 1e-3, rel=ROUNDING)
+    assert thin["drag"] == pytest.approx(left_out["drag_left_out"], rel=ROUNDING)
+    assert thin["viscous_drag"] == pytest.approx(32 / math.pi * thin["drag"] / thin["reynolds"], rel=ROUNDING)
+    assert not {f"{group}_left_out" for group in ("medium_mass", "drag", "reynolds")} & set(thick)
+    assert "the medium's mass" in dominance(groups(with_values(empty, {"medium.density": 1000.0})))
 
 
 def test_masses_on_the_distal_bar_slow_the_tendon_and_an_armature_does_not():
@@ -169,6 +193,9 @@ def test_scaling_keeps_all_groups_but_what_nature_weighs(factor, name):
     given_one = load_design(name)
     before, after = values(given_one), values(scale_design(given_one, factor))
     weight = before.pop("gravity_left_out"), after.pop("gravity_left_out")
+    if "reynolds_left_out" in before:
+        speeds = [each.pop("reynolds_left_out") for each in (before, after)]
+        assert speeds[1] == pytest.approx(factor * speeds[0], rel=1e-9)
     assert after == pytest.approx(before, rel=1e-9)
     # m g l / (k a b): a cube of mass, a length, by a cube of energy
     assert weight[1] == pytest.approx(factor * weight[0], rel=1e-9)
@@ -176,11 +203,13 @@ def test_scaling_keeps_all_groups_but_what_nature_weighs(factor, name):
 
 @settings(deadline=None, max_examples=10)
 @given(st.floats(1e-3, 1e3))
-def test_a_wing_of_the_same_material_under_the_same_gravity_keeps_all_but_two_groups(factor):
-    heavy = with_values(REFERENCE, {"protocol.gravity": 9.81})
+def test_a_wing_of_the_same_material_in_the_same_air_under_the_same_gravity_keeps_all_but_four_groups(factor):
+    air = {"medium.density": 1.2, "medium.viscosity": 1.8e-5}
+    heavy = with_values(REFERENCE, {"protocol.gravity": 9.81, **air})
     pairs = changed(groups(heavy), groups(scale_design(heavy, factor, natural=True)))
     ratios = {old.name: new.value / old.value for old, new in pairs}
-    expected = {} if math.isclose(factor, 1, rel_tol=1e-8) else {"gravity": factor, "membrane_relaxation": 1 / factor}
+    expected = {"gravity": factor, **dict.fromkeys(("membrane_relaxation", "viscous_drag"), 1 / factor)}
+    expected = {} if math.isclose(factor, 1, rel_tol=1e-8) else {**expected, "reynolds": factor}
     assert ratios == pytest.approx(expected, rel=1e-9)
 
 

@@ -16,7 +16,7 @@ from forficula.structure import hinges_of, structure_of
 
 REFERENCE = ff.load_design("binder2025")
 STRUCTURE = structure_of(REFERENCE)
-SIZES = {"hinge": 12, "tendon": 3, "motor": 2, "point": 15, "axis": 3, "node": 20}
+SIZES = {"hinge": 12, "tendon": 3, "motor": 2, "point": 15, "axis": 3, "node": 12}
 RINGS = list(hinges_of(STRUCTURE, "ring"))
 MOTORS = [motor.name for motor in STRUCTURE.motors]
 # s: settle, fold, release folded, unfold, release opened; the window of a state is 0.1 s

@@ -101,4 +101,4 @@ def test_a_wing_of_the_papers_tpu_folds_far_faster_than_the_papers_machine_pulle
     arms = wing.tendon.proximal_attachment + wing.tendon.distal_attachment
     assert 1e3 * tested < rate < speed.max() * arms / wing.tendon.rest_length
     (said,) = [each for each in summary(record, measure(record), {})["warnings"] if "was measured" in each]
-    assert said == run_warnings(record)[0]
+    assert said in run_warnings(record)

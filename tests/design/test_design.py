@@ -72,7 +72,8 @@ def test_every_quantity_keeps_to_its_bounds_and_says_which(key, quantity):
         assert refusal(**{key: 0.0}) == f"{key}: need > 0, got 0 {unit}"
     if math.isfinite(min(quantity.below, quantity.at_most)):
         rule = "<" if math.isfinite(quantity.below) else "<="
-        assert f"{key}: need {rule} " in refusal(**{key: -too_little})
+        too_much = max(-too_little, 2 * min(quantity.below, quantity.at_most))
+        assert f"{key}: need {rule} " in refusal(**{key: too_much})
     for number in (math.nan, math.inf, -math.inf):
         assert refusal(**{key: number}) == f"{key}: need a finite number, got {number} {unit}"
     assert "need text with a unit" in refusal(**{key: True})

@@ -253,11 +253,12 @@ def test_an_empty_key_is_unknown_like_any_other():
 
 
 OTHERS = (
-    "binder2025-built, binder2025-coupled, bistable-clasp, four-plate-snap, kresling-cell, letter-fold, miura-sheet,"
-    " waterbomb-base"
+    "binder2025-built, binder2025-coupled, binder2025-stored, bistable-clasp, four-plate-snap, kresling-cell,"
+    " letter-fold, miura-sheet, waterbomb-base"
 )
 SECTIONS = (
-    "based_on, name, source, shows, reproduces, pattern, vein, membrane, hinge, coupling, tendon, guard, protocol"
+    "based_on, name, source, shows, reproduces, medium, pattern, vein, membrane, hinge, coupling, tendon,"
+    " guard, contact, protocol"
 )
 OF_TENDON = (
     "stiffness, rest_length, damping, area, law, density, proximal_attachment, distal_attachment, proximal_offset,"
@@ -273,7 +274,10 @@ OF_TENDON = (
         ('[tendon]\nrest-length = "1 cm"', "tendon.rest-length: unknown key; did you mean tendon.rest_length?"),
         ('[tendon]\nSTIFFNESS = "1 N/cm"', "tendon.STIFFNESS: unknown key; did you mean tendon.stiffness?"),
         ('[tendons]\nstiffness = "1 N/cm"', "tendons: unknown key; did you mean tendon?"),
-        ('[vein]\nthicknes = "1 mm"', "vein.thicknes: unknown key; did you mean membrane.thickness?"),
+        (
+            '[vein]\nthicknes = "1 mm"',
+            "vein.thicknes: unknown key; did you mean membrane.thickness or contact.thickness?",
+        ),
         ('[tendon]\noverbend = "3 deg"', "tendon.overbend: unknown key; did you mean hinge.overbend?"),
         (
             'damping = "1 ms"',

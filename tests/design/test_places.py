@@ -12,7 +12,7 @@ VEINS = hub_points(FAN), ring_vertices(FAN), tips(FAN)
 
 def test_the_rows_of_the_mesh_run_from_hub_to_tip_with_the_ring_fold_between():
     hub, ring, tip = (points[1] for points in VEINS)
-    rows = mesh_rows(hub, ring, tip, REFERENCE)
+    rows = mesh_rows((hub, ring, tip), REFERENCE)
     membrane = REFERENCE.membrane
     count = len(membrane.proximal_rows)
     assert rows.shape == (count + len(membrane.distal_rows) + 2, 3)

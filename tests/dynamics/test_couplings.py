@@ -11,8 +11,10 @@ import numpy as np
 import pytest
 
 import forficula as ff
+from forficula.analysis import summary
 from forficula.design import load_design, with_values
 from forficula.dynamics import compile_model, energy_balance, simulate
+from forficula.show.run.outcome_rows import state_rows
 from forficula.structure import Coupling, hinges_of
 from forficula.structure.veins import structure_of_veins
 from forficula.study.runs import run_each, topology
@@ -36,8 +38,7 @@ def pendulums(one_hinge, starts, *, tie, ratio=1.0, springs=(STIFFNESS, STIFFNES
         for place, sense in enumerate(senses):
             vein = straight_vein(own)
             beside = place * np.array([0.0, own.pattern.proximal_length, 0.0])
-            moved = {name: getattr(vein, name) + beside for name in ("hub_point", "ring_vertex", "tip")}
-            veins.append(replace(vein, sense=sense, **moved))
+            veins.append(replace(vein, sense=sense, places=tuple(each + beside for each in vein.places)))
         built = structure_of_veins(own, veins)
         hinges = tuple(
             replace(each, stiffness=spring / units.energy, start=start, lower=-math.inf, upper=math.inf)
@@ -174,3 +175,16 @@ def test_wings_with_motors_on_other_veins_run_side_by_side_as_each_alone():
     for number, design in enumerate(designs):
         assert np.array_equal(results[number].series["hinge_angle"], ff.run(design).series["hinge_angle"])
         assert np.array_equal(results[number].work, ff.run(design).work)
+
+
+def test_what_an_elastic_tie_stores_is_told_of_every_state():
+    stages = [{**FOLDING[0], "state": "flat"}, {**FOLDING[1], "state": "folded"}]
+    record = ff.run(with_values(TIED, {"protocol.stages": stages, "coupling.stiffness": 0.5, "protocol.window": 0.01}))
+    twist = np.diff(record.series["hinge_angle"][:, list(hinges_of(record.structure, "turn"))], axis=1)
+    outcome, last = ff.measure(record), record.time >= record.time[-1] - 0.01 - 1e-9
+    state = outcome.states["folded"]
+    assert state.coupling_energy == pytest.approx((0.5 / 2 * twist[last] ** 2).mean(axis=0))
+    assert summary(record, outcome, {})["states"]["folded"]["coupling_energy_J"] == state.coupling_energy.tolist()
+    assert ["couplings", f"{1e3 * state.coupling_energy.sum():.4g}"] in [
+        [row[0], row[-1]] for row in state_rows(record.structure, {"folded": state}).parts
+    ]

@@ -1,5 +1,9 @@
 """What is said of a structure before it runs."""
 
+import math
+
+import pytest
+
 from forficula.design import load_design, scale_design, with_values
 from forficula.structure import structure_of, structure_warnings
 
@@ -28,6 +32,20 @@ def test_the_warning_says_how_far_from_the_hub_veins_overlap():
 def test_the_warning_reads_well_for_a_small_wing():
     (warning,) = warnings(scale_design(REFERENCE, 1 / 22))
     assert warning.startswith("neighbouring veins of 0.2273 mm overlap within 0.78 mm of the hub")
+
+
+def test_a_medium_that_outweighs_what_moves_in_it_is_warned_of():
+    def warned(density):
+        return [each for each in warnings(with_values(REFERENCE, {"medium.density": density})) if "medium" in each]
+
+    assert not warned(1.2)
+    (warning,) = warned(1000.0)
+    # pi / 4 rho w by area on two panels, from 0.3 of the proximal length on; three veins of 22 cm
+    ring, edge, tip = (2 * math.hypot(along, 0.015) * math.sin(math.radians(10)) for along in (0.12, 0.036, 0.22))
+    panels = sum((one + other) ** 2 / 2 * length for one, other, length in ((edge, ring, 0.084), (ring, tip, 0.1)))
+    share = math.pi / 4 * 1000 * panels / (3 * 1270 * math.pi / 4 * 0.005**2 * 0.22)
+    told = float(warning.partition("has ")[2].partition(" times")[0])
+    assert told == pytest.approx(share, rel=0.1)
 
 
 def test_a_tendon_stretched_further_than_it_was_measured_is_a_warning():
@@ -95,3 +113,13 @@ def test_what_is_true_of_some_tendons_only_names_them():
 
 def test_a_wing_without_tendons_has_nothing_said_of_them():
     assert len(warnings(with_values(REFERENCE, {"tendon": []}))) == 1
+
+
+def test_what_is_said_of_contact_where_there_is_none_does_nothing_and_says_so():
+    idle = load_design("binder2025", {"contact.thickness": "1 mm"})
+    said = "contact.thickness and contact.friction do nothing, for nothing touches: need protocol.contact = true"
+    assert said in structure_warnings(idle, structure_of(idle))
+    touching = load_design("binder2025", {"contact.thickness": "1 mm", "protocol.contact": True})
+    assert said not in structure_warnings(touching, structure_of(touching))
+    assert structure_of(touching).contact.thickness == 1e-3
+    assert structure_of(load_design("binder2025", {"protocol.contact": True})).contact.thickness == 1e-4

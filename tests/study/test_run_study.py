@@ -275,7 +275,7 @@ class Command:
     """`forficula study` in a process group of its own."""
 
     def __init__(self, study, out):
-        command = [sys.executable, "-m", "forficula", "study", str(study), "--out", str(out)]
+        command = [sys.executable, "-m", "forficula", "study", str(study), "--out", str(out), "--keep", "0"]
         self.journal = out / "journal.jsonl"
         self.process = subprocess.Popen(
             command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True

@@ -125,11 +125,12 @@ def test_the_tips_are_as_fast_at_any_size(earwig, reference_run):
     assert math.log10(fastest(reference_run)) == pytest.approx(1, abs=1)  # metres a second
 
 
-def test_a_wing_whose_bars_touch_moves_alike_at_any_size(reference):
+def test_a_wing_whose_parts_touch_moves_alike_at_any_size(reference):
     touching = with_values(reference, {"protocol.contact": True})
     small = scale_design(touching, 0.5)  # other decades of the model's units
     records = [ff.run(design) for design in (touching, small)]
     angles = [record.angles("ring") for record in records]
     fold = records[0].stages[1].end
-    rows = records[0].time <= fold
-    np.testing.assert_allclose(angles[1][: len(rows)][rows], angles[0][rows], atol=1e-6)
+    rows = int(np.sum(records[0].time <= fold))
+    # every contact multiplies what rounding makes different
+    np.testing.assert_allclose(angles[1][:rows], angles[0][:rows], atol=1e-5)

@@ -12,7 +12,7 @@ import pytest
 import forficula as ff
 from forficula.design import with_values
 from forficula.dynamics import compile_model, simulate
-from forficula.pattern import earwig_pattern, ring_vertices
+from forficula.pattern import earwig_pattern, ring_directions
 from forficula.structure.veins import structure_of_veins, veins_on
 from tests.structures import compiled
 
@@ -28,7 +28,7 @@ def mirrored(design):
     """The same wing with every sense turned round: its image in its own plane."""
 
     def image(own, _):
-        veins = veins_on(earwig_pattern(own.fan), ring_vertices(own.fan, continued=True)[-1])
+        veins = veins_on(earwig_pattern(own.fan), ring_directions(own.fan))
         return structure_of_veins(own, [dataclasses.replace(vein, sense=-vein.sense) for vein in veins])
 
     return compiled(design, image)

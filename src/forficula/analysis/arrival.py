@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from forficula.dynamics import Record
-from forficula.structure import goal_of
+from forficula.structure import goal_of, hinge_bounds
 
 TARGET = "target"
 # that a sentence names
@@ -40,12 +40,10 @@ def missed_targets(record: Record) -> list[Missed]:
     ends = [end for end in record.stages if end.stage.until == TARGET]
     if not ends or ends[-1].goal_time is not None or record.diverged_at is not None:
         return []
-    goal, hinges = goal_of(record.structure, TARGET), record.structure.hinges
+    (lower, upper), hinges = hinge_bounds(record.structure, goal_of(record.structure, TARGET)), record.structure.hinges
     row = max(int(np.searchsorted(record.time, ends[-1].end, side="right")) - 1, 0)
     found = []
-    for hinge, angle, least, most in zip(
-        hinges, record.series["hinge_angle"][row], goal.least, goal.most, strict=False
-    ):
+    for hinge, angle, least, most in zip(hinges, record.series["hinge_angle"][row], lower, upper, strict=True):
         if not least <= angle <= most:
             target, within = (least + most) / 2, (most - least) / 2
             found.append(Missed(label=hinge.label or hinge.name, angle=float(angle), target=target, within=within))

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import Literal
 
@@ -17,10 +17,12 @@ import numpy as np
 
 from forficula.analysis.scales import Scale, scale_of
 from forficula.names import listed
-from forficula.structure import Structure, built_frames, hinge_groups, springs_name
+from forficula.structure import Structure, built_frames, built_points, hinge_groups, springs_name
 
 # m/s^2, for what a run without gravity leaves out
 _GRAVITY = 9.81
+# air at 20 deg C, kg/m^3 and Pa s, likewise
+_AIR = (1.2, 1.8e-5)
 _SAME = 1e-9  # share of a group; what differs by less is rounding
 
 
@@ -77,6 +79,7 @@ def groups_of(structure: Structure, timestep: float | Literal["auto"] = "auto") 
         *_inertia(structure, scale),
         *_damping(structure, scale),
         *_weight(structure, scale),
+        *_medium(structure, scale, widths),
         *_stretch(structure, scale, widths),
         *_bending(structure, scale),
         *_times(structure, scale, timestep),
@@ -178,6 +181,60 @@ def _weight(structure: Structure, scale: Scale) -> Iterator[Group]:
         meaning=f"moment of the weight of what turns by {measured_by(scale)}" + ("" if on else ", were it 9.81 m/s^2"),
         kind="resist" if on else "left out",
     )
+
+
+def _medium(structure: Structure, scale: Scale, widths: Sequence[float]) -> Iterator[Group]:
+    """What surrounds a strip as wide as the narrowest panel and as long as what turns; air where a run has none.
+
+    With m = 3 I / l^3, the mass by length of a bar of that length and inertia: pi rho w^2 / 4 m of the medium that
+    moves with it; rho w l / m, its drag at a tip speed U = l / t*, and 32 mu l / (pi U m), what viscosity adds to that;
+    rho w U / mu.
+    """
+    widths, (density, viscosity) = widths or _facet_widths(structure), _AIR
+    medium, reach = structure.medium, scale.reach
+    if medium is not None:
+        density, viscosity = medium.density, medium.viscosity
+    if not (widths and scale.time and reach):
+        return
+    width, by_length, speed = min(widths), 3 * scale.inertia / reach**3, reach / scale.time
+    viscous = 32 / math.pi * viscosity * reach / (speed * by_length) if medium is not None else 0.0
+    reynolds = density * width * speed / viscosity if viscosity else 0.0
+    groups: tuple[tuple[str, str, float, str, Literal["resist", "shape"]], ...] = (
+        (
+            "medium_mass",
+            "the medium's mass",
+            math.pi / 4 * density * width**2 / by_length,
+            "mass of it that moves with what turns, by the mass of that",
+            "resist",
+        ),
+        (
+            "drag",
+            "drag",
+            density * width * reach / by_length,
+            "drag at a speed of 1 / t* by the inertia of what turns",
+            "resist",
+        ),
+        ("viscous_drag", "viscous drag", viscous, "what viscosity adds to that", "resist"),
+        ("reynolds", "Reynolds number", reynolds, "by the width of what turns, at a tip speed of l / t*", "shape"),
+    )
+    for name, label, value, meaning, kind in groups:
+        own = Group(name=name, label=label, value=value, meaning=meaning, kind=kind)
+        if value and medium is not None:
+            yield own
+        elif value:
+            named = replace(own, name=f"{name}_left_out", label=f"{label}, left out")
+            yield replace(named, meaning=f"{meaning}, were it in air", kind="left out")
+
+
+def _facet_widths(structure: Structure) -> list[float]:
+    """How wide facets are as built, m: their areas by their longest sides."""
+    points, widths = built_points(structure), []
+    for numbers in [each.points for each in structure.plates] + [each.points for each in structure.facets]:
+        corners = points[list(numbers)]
+        following = np.roll(corners, -1, axis=0)
+        area = np.linalg.norm(np.cross(corners - corners[0], following - corners[0]).sum(axis=0)) / 2
+        widths.append(float(area / np.linalg.norm(following - corners, axis=1).max()))
+    return widths
 
 
 def _stretch(structure: Structure, scale: Scale, widths: Sequence[float]) -> Iterator[Group]:

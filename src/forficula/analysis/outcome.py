@@ -12,7 +12,18 @@ from numpy.typing import NDArray
 from forficula.analysis.verdict import Ending, Verdict, ending_advice, ending_text
 from forficula.design import stage_drives
 from forficula.dynamics import EnergyBalance, Record, StageEnd, energy_balance
-from forficula.structure import Drive, Goal, RestState, Structure, Transition, drive_of, goal_of, state_of
+from forficula.quantities import show_duration, show_value
+from forficula.structure import (
+    Drive,
+    Goal,
+    RestState,
+    Structure,
+    Transition,
+    drive_of,
+    goal_coordinates,
+    goal_of,
+    state_of,
+)
 
 Array = NDArray[np.float64]
 
@@ -38,6 +49,10 @@ class Reading:
     high: Array
 
 
+# what has springs, beside tendons; of each there is a state's energy if the structure has any
+SPRUNG = ("hinge", "spring", "coupling")
+
+
 @dataclass(frozen=True, kw_only=True)
 class State:
     """A state that a protocol names: the mean over the last part of a stage, and how far it still swings.
@@ -45,13 +60,14 @@ class State:
     Attributes:
         name: such as "folded".
         time: end of the stage, s.
-        coordinates: means of all hinge angles in their own senses, rad, then of all distances, m, (coordinate,).
+        coordinates: means of what goals are bounds on, the angles of all hinges first, rad or m, (coordinate,).
         readings: by name of the measure.
         tendon_length: m, (tendon,).
         tendon_energy: J, (tendon,).
         membrane_energy: J; nan in a sparse record of a structure with membranes.
         hinge_energy: of the hinges' springs, J, (hinge,); None where they have none.
         spring_energy: of the springs between points, J, (spring,); None where there are none.
+        coupling_energy: of the couplings between joints, J, (coupling,); None where none is elastic.
         within: whether it is within the bounds of its name.
         swings: whether what is measured still moves, an angle by more than 0.1 deg, a distance by 0.1 % of the size.
         furthest: of the measure of the transition that leads there, what reads furthest from its goal, rad or m; of
@@ -68,6 +84,7 @@ class State:
     membrane_energy: float
     hinge_energy: Array | None
     spring_energy: Array | None
+    coupling_energy: Array | None
     within: bool
     swings: bool
     furthest: float | None
@@ -104,6 +121,7 @@ class StageOutcome:
         reached: whether the goal was; None where it was the time, or where nothing is to be trusted.
         time: until the goal was reached, s; how long the stage took where it had none; None where it missed it.
         work: of the motors over the stage, J.
+        waited: how long it was at rest without being stepped, s, beside the time.
     """
 
     name: str
@@ -112,6 +130,7 @@ class StageOutcome:
     reached: bool | None
     time: float | None
     work: float
+    waited: float = 0.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -220,6 +239,10 @@ def _why(record: Record, verdict: Verdict, missed: StageEnd | None) -> str:
     """Why a stage missed its goal, where the words of its transition would mislead."""
     if missed is None or verdict not in (Verdict.MOVING, Verdict.NOT_HELD):
         return ""
+    if missed.stage.wait and missed.goal_time is None:
+        limit, wait = show_value(missed.stage.time_limit, "s"), show_duration(missed.stage.wait)
+        where = f'in the stage "{missed.stage.name}", where it was to wait {wait}'
+        return f"did not come to rest within {limit} (time_limit) {where}"
     if verdict is Verdict.NOT_HELD:
         return early_goal(record, missed)
     if missed.at_goal:
@@ -264,7 +287,8 @@ def _missed(record: Record, ways: list[_Way]) -> StageEnd | None:
         if way.driven is not None and not way.holds:
             return way.driven
     last = record.stages[-1]
-    return last if last.goal_time is None and goal_of(record.structure, last.stage.until).kind == "bounds" else None
+    asked = last.stage.wait or goal_of(record.structure, last.stage.until).kind == "bounds"
+    return last if last.goal_time is None and asked else None
 
 
 def _verdict(structure: Structure, missed: StageEnd | None) -> Verdict:
@@ -315,9 +339,10 @@ def _state(record: Record, end: StageEnd, name: str) -> State:
     half = float(record.design.protocol.timestep) / 2
     # as numbers, for a mask is searched through by every series that it is laid on
     window = np.flatnonzero((record.time >= start - half) & (record.time <= end.end + half))
-    coordinates = record.series["hinge_angle"][window]
-    if "distance" in record.series:
-        coordinates = np.concatenate([coordinates, record.series["distance"][window]], axis=1)
+    distances = record.series.get("distance")
+    coordinates = goal_coordinates(
+        record.structure, record.series["hinge_angle"][window], None if distances is None else distances[window]
+    )
     readings = {}
     # what is watched, and what the goals of transitions bound without being watched: hinges by their role
     watched = [*(each.name for each in record.structure.measures), *(t.measure for t in record.structure.transitions)]
@@ -328,7 +353,10 @@ def _state(record: Record, end: StageEnd, name: str) -> State:
     far = _STIR_SHARE * record.structure.span
     moved = [readings[each.name] for each in record.structure.measures if each.kind == "distance"]
     mean, rest_state = coordinates.mean(axis=0), state_of(record.structure, name)
-    hinges, springs = (record.series.get(f"{name}_energy") for name in ("hinge", "spring"))
+    hinges, springs, couplings = (
+        record.series[series][window].mean(axis=0) if (series := f"{kind}_energy") in record.series else None
+        for kind in SPRUNG
+    )
     furthest, kind = _furthest(record.structure, name, readings)
     return State(
         name=name,
@@ -338,8 +366,9 @@ def _state(record: Record, end: StageEnd, name: str) -> State:
         tendon_length=record.series["tendon_length"][window].mean(axis=0),
         tendon_energy=record.series["tendon_energy"][window].mean(axis=0),
         membrane_energy=float(record.series["membrane_energy"][window].mean()) if record.structure.membranes else 0.0,
-        hinge_energy=hinges[window].mean(axis=0) if hinges is not None else None,
-        spring_energy=springs[window].mean(axis=0) if springs is not None else None,
+        hinge_energy=hinges,
+        spring_energy=springs,
+        coupling_energy=couplings,
         within=rest_state is not None and _within(mean, rest_state.bounds),
         swings=any(bool(np.any(each.high - each.low > _STIR)) for each in swung)
         or any(bool(np.any(each.high - each.low > far)) for each in moved),
@@ -397,6 +426,7 @@ def _stage(record: Record, end: StageEnd, *, tells: bool) -> StageOutcome:
         reached=end.goal_time is not None if tells and not timed else None,
         time=None if moment is None else moment - end.start,
         work=_work(record, end),
+        waited=end.waited,
     )
 
 

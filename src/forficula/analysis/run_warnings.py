@@ -7,12 +7,15 @@ from numpy.typing import NDArray
 
 from forficula.analysis.arrival import TARGET, missed_targets, missed_text
 from forficula.analysis.crossing_facets import facets_that_cross
+from forficula.analysis.crossing_panels import panel_crossing
 from forficula.analysis.outcome import early_goal
 from forficula.analysis.strength import strain_peaks
 from forficula.dynamics import Record
+from forficula.quantities import show_value
 from forficula.structure import goal_of
 
 _FAR_FASTER = 100.0  # than the tests of a material: two decades, over which a polymer's modulus can change much
+_TRIFLE = 0.5 / 220  # of a structure's size: half a millimetre of the reference wing
 
 
 def run_warnings(record: Record) -> list[str]:
@@ -23,6 +26,7 @@ def run_warnings(record: Record) -> list[str]:
         *_missed(record),
         *_broken(record),
         *_crossing_facets(record),
+        *_crossing_panels(record),
         *_fast_tendons(record),
     ]
 
@@ -57,6 +61,19 @@ def _crossing_facets(record: Record) -> list[str]:
     others = f", and {more} more pair{'s' * (more > 1)} later" if more else ""
     kind = "plates" if record.structure.plates else "facets"
     return [f"{names} pass through each other from {found[0].time:.3g} s{others}: {kind} do not touch each other"]
+
+
+def _crossing_panels(record: Record) -> list[str]:
+    """Of the panels that pass furthest through each other, where that is more than a trifle."""
+    found = panel_crossing(record)
+    if found is None or found.depth <= _TRIFLE * record.structure.span:
+        return []
+    told = (
+        f"{' and '.join(found.names)} pass through each other by {show_value(found.depth, 'm')} at {found.time:.3g} s"
+    )
+    if record.structure.contact is None:
+        return [f"{told}: nothing keeps them apart, which protocol.contact = true does"]
+    return [f"{told}, more than contact should let through: with a shorter timestep it holds better"]
 
 
 def _fast_tendons(record: Record) -> list[str]:

@@ -29,6 +29,7 @@ class Scale:
         moment: k a b of a tendon, stiffness times both arms, or the stiffness of a hinge's spring, N m.
         inertia: about the hinge, without its armature, kg m^2; 0 where nothing that weighs is free to turn.
         weight_arm: mass of what turns times the distance of its centre from the hinge's axis, kg m.
+        reach: how far what turns there reaches from the hinge, m.
         tendon: number of the tendon; None where the scale is a hinge's spring.
         arms: a and b of the tendon, m; zeros without one.
     """
@@ -38,6 +39,7 @@ class Scale:
     moment: float
     inertia: float
     weight_arm: float
+    reach: float
     tendon: int | None = None
     arms: tuple[float, float] = (0.0, 0.0)
 
@@ -70,12 +72,17 @@ def scale_of(structure: Structure) -> Scale | None:
     crossing = crossings[number] if moment else None
     if crossing is None:
         return _of_creases(structure)
+    _, weight_arm, reach = _turning(structure, crossing.hinge)
+    if structure.tendons[number].ideal is not None:
+        body = structure.hinges[crossing.hinge].body
+        reach = max(float(np.linalg.norm(bar.end)) for bar in structure.bars if bar.body == body)
     return Scale(
         name=structure.tendons[number].name,
         hinge=crossing.hinge,
         moment=moment,
         inertia=_weighs(crossing.inertia - structure.hinges[crossing.hinge].armature),
-        weight_arm=_turning(structure, crossing.hinge)[1],
+        weight_arm=weight_arm,
+        reach=reach,
         tendon=number,
         arms=(crossing.proximal_arm, crossing.distal_arm),
     )
@@ -100,38 +107,42 @@ def _of_creases(structure: Structure) -> Scale | None:
     place, moment = _largest([structure.hinges[number].stiffness for number in folds])
     if not moment:
         return None
-    inertia, weight_arm = _turning(structure, folds[place])
+    inertia, weight_arm, reach = _turning(structure, folds[place])
     return Scale(
         name=structure.hinges[folds[place]].name,
         hinge=folds[place],
         moment=moment,
         inertia=_weighs(inertia),
         weight_arm=weight_arm,
+        reach=reach,
     )
 
 
-def _turning(structure: Structure, number: int) -> tuple[float, float]:
-    """Inertia about a hinge of what turns there as built, kg m^2, and its mass times its centre's distance, kg m.
+def _turning(structure: Structure, number: int) -> tuple[float, float, float]:
+    """Of what turns about a hinge as built: inertia, kg m^2, mass times its centre's distance, kg m, and reach, m.
 
     About a joint turns all that hangs on its body. About a crease turn the two corners of its flaps, one against the
     other as two bodies on one axle do: 1 / (1 / I1 + 1 / I2); what is held has no end of inertia. Of the two the one
     with the smaller moment counts for the weight.
     """
-    hinge = structure.hinges[number]
+    hinge, points = structure.hinges[number], built_points(structure)
     if hinge.flaps is None:
         origins, frames = built_frames(structure)
         turned = [body for body in range(len(structure.bodies)) if hinge.body in ancestry(structure, body)]
-        return _about(structure, turned, origins[hinge.body], frames[hinge.body] @ hinge.axis)
-    points = built_points(structure)
+        origin, axis = origins[hinge.body], frames[hinge.body] @ hinge.axis
+        ends = [place for place, point in zip(points, structure.points, strict=True) if point.body in turned]
+        reach = max((float(np.linalg.norm(np.cross(axis, end - origin))) for end in ends), default=0.0)
+        return *_about(structure, turned, origin, axis), reach
     tail, head, left, _, _, right = hinge.flaps
     along = (points[head] - points[tail]) / np.linalg.norm(points[head] - points[tail])
     bodies = [structure.points[corner].body for corner in (left, right)]
     free = [body for body in bodies if body != GROUND and structure.bodies[body].slides]
     sides = [_about(structure, [body], points[tail], along) for body in free]
     heavy = [side for side in sides if side[0] > 0]
+    reach = max(float(np.linalg.norm(np.cross(along, points[corner] - points[tail]))) for corner in (left, right))
     if not heavy:
-        return 0.0, 0.0
-    return 1 / sum(1 / inertia for inertia, _ in heavy), min(arm for _, arm in heavy)
+        return 0.0, 0.0, reach
+    return 1 / sum(1 / inertia for inertia, _ in heavy), min(arm for _, arm in heavy), reach
 
 
 def _about(structure: Structure, bodies: list[int], origin: Array, axis: Array) -> tuple[float, float]:

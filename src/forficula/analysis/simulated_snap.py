@@ -15,7 +15,7 @@ from forficula.dynamics import Record
 from forficula.names import ordinal
 from forficula.statics import TendonHinge, fold_time, folding_sense, ideal_hinges, tendon_hinge
 from forficula.statics.snap import FOLD_START, final_speed
-from forficula.structure import Crossing, Structure, Transition, crossing_tendons, goal_of, structure_of
+from forficula.structure import Crossing, Structure, Transition, crossing_tendons, goal_of, hinge_bounds, structure_of
 
 Array = NDArray[np.float64]
 
@@ -90,8 +90,8 @@ def folding_transition(structure: Structure, hinge: int) -> Transition | None:
     """The first transition whose goal bounds a hinge on the side to which it folds; None where none does."""
     up = folding_sense(structure.hinges[hinge]) < 0
     for transition in structure.transitions:
-        goal = goal_of(structure, transition.goal)
-        if 0 < (goal.least[hinge] if up else -goal.most[hinge]) < math.inf:
+        least, most = hinge_bounds(structure, goal_of(structure, transition.goal))
+        if 0 < (least[hinge] if up else -most[hinge]) < math.inf:
             return transition
     return None
 
@@ -104,8 +104,8 @@ def folded_angle(structure: Structure, hinge: int) -> float | None:
     folding = folding_transition(structure, hinge)
     if folding is None:
         return None
-    goal = goal_of(structure, folding.goal)
-    return float(goal.least[hinge] if folding_sense(structure.hinges[hinge]) < 0 else -goal.most[hinge])
+    least, most = hinge_bounds(structure, goal_of(structure, folding.goal))
+    return float(least[hinge] if folding_sense(structure.hinges[hinge]) < 0 else -most[hinge])
 
 
 def fold_limit(structure: Structure, hinge: int) -> float:

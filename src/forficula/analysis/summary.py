@@ -7,10 +7,12 @@ from typing import Any
 import numpy as np
 
 from forficula.analysis.branch import Branch, branch_taken
+from forficula.analysis.crossing_panels import PanelCrossing, panel_crossing
 from forficula.analysis.groups import Groups, dominance, groups_of
 from forficula.analysis.outcome import Outcome, StageOutcome, State, TransitionOutcome
 from forficula.analysis.package import packages, smallest_package
 from forficula.analysis.run_warnings import run_warnings
+from forficula.analysis.storage import storage_texts, storages
 from forficula.analysis.strength import FoldPeak, Peak, fold_peak, strain_peaks
 from forficula.dynamics import EnergyBalance, Record
 from forficula.structure import Drive, Structure, drive_of, drive_unit, hinge_groups, structure_warnings
@@ -36,6 +38,8 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[
         **({} if furthest is None else {"furthest_fold": _fold_summary(furthest)}),
         **_branch_summary(branch_taken(record)),
         **_package_summary(record),
+        **_storage_summary(record, outcome),
+        **_crossing_summary(panel_crossing(record)),
         "energy_balance": _balance_summary(outcome.energy_balance),
         **({"closure_gap_m": float(record.series["closure_gap"][-1])} if "closure_gap" in record.series else {}),
         "groups": groups_summary(groups_of(structure, record.design.protocol.timestep)),
@@ -76,6 +80,8 @@ def _state_summary(structure: Structure, state: State) -> dict[str, Any]:
             told[f"{kind.replace(' ', '_')}_energy_J"] = float(state.hinge_energy[list(hinges)].sum())
     if state.spring_energy is not None:
         told["spring_energy_J"] = state.spring_energy.tolist()
+    if state.coupling_energy is not None:
+        told["coupling_energy_J"] = state.coupling_energy.tolist()
     return told | {
         "tendon_length_m": state.tendon_length.tolist(),
         "tendon_energy_J": state.tendon_energy.tolist(),
@@ -117,6 +123,13 @@ def _package_summary(record: Record) -> dict[str, Any]:
     return {"package": {"state": smallest[0], **told[smallest[0]], "states": told}}
 
 
+def _crossing_summary(found: PanelCrossing | None) -> dict[str, Any]:
+    """How far panels pass through each other, deepest."""
+    if found is None:
+        return {}
+    return {"crossing": {"depth_m": found.depth, "panels": list(found.names), "time_s": found.time}}
+
+
 def _branch_summary(branch: Branch | None) -> dict[str, Any]:
     if branch is None:
         return {}
@@ -142,7 +155,26 @@ def _stage_summary(stage: StageOutcome) -> dict[str, Any]:
         "reached": stage.reached,
         "time_s": stage.time,
         "work_J": stage.work,
+        **({"waited_s": stage.waited} if stage.waited else {}),
     }
+
+
+def _storage_summary(record: Record, outcome: Outcome) -> dict[str, Any]:
+    """What waits did to the tendons; nothing where nothing waited."""
+    found = [
+        {
+            "stage": each.name,
+            "state": each.state or None,
+            "wait_s": each.time,
+            "pull_before_N": None if each.pulls is None else each.pulls[0].tolist(),
+            "pull_after_N": None if each.pulls is None else each.pulls[-1].tolist(),
+            "pull_lost": each.weakened,
+            "branch_damping_J": each.lost,
+            "membrane_energy_J": each.membrane,
+        }
+        for each in storages(record)
+    ]
+    return {"storage": {"waits": found, "in_words": storage_texts(record, outcome)}} if found else {}
 
 
 def groups_summary(groups: Groups | None) -> dict[str, Any] | None:
@@ -164,6 +196,7 @@ def groups_summary(groups: Groups | None) -> dict[str, Any] | None:
 
 def _balance_summary(balance: EnergyBalance) -> dict[str, float]:
     sometimes = {
+        "contacts_J": balance.contacts,
         "branch_energy_change_J": balance.branches,
         "branch_damping_J": balance.branch_damping,
         "yielding_J": balance.yielding,
@@ -172,6 +205,7 @@ def _balance_summary(balance: EnergyBalance) -> dict[str, float]:
         "spring_energy_change_J": balance.springs,
         "coupling_energy_change_J": balance.couplings,
         "closures_J": balance.closures,
+        "drag_J": balance.drag,
     }
     return {
         "residual": balance.residual,

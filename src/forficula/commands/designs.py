@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -12,29 +13,56 @@ from cyclopts import Parameter
 from forficula.errors import InputError
 from forficula.options import DesignName, OutIfGiven, Settings, read_option, read_quantity, read_ratio, read_settings
 from forficula.quantities import as_written
+from forficula.terminal import came_to
 
 if TYPE_CHECKING:
     from forficula.design import Design
     from forficula.pattern import CreasePattern
     from forficula.pattern.fold_writer import Frame
 
+_KINDS = "What it folds: earwig-fan, miura-ori, waterbomb, yoshimura, kresling, pleats, vertex or fold-file."
+
 
 def new(
     file: Annotated[Path, Parameter(help="Where to write it; must end with .toml and not exist.")],
     /,
     *,
-    kind: Annotated[
-        str,
-        Parameter(
-            help="What it folds: earwig-fan, miura-ori, waterbomb, yoshimura, kresling, pleats, vertex or fold-file."
-        ),
-    ] = "earwig-fan",
+    kind: Annotated[str, Parameter(help=_KINDS)] = "earwig-fan",
+    study: Annotated[bool, Parameter(help="Write a study file instead, of such a design.", negative=())] = False,
 ) -> None:
-    """Write a commented design file to start from."""
+    """Write a commented design file to start from, or a study file."""
+    if study:
+        from forficula.study.new_study import write_new_study
+
+        write_new_study(file, kind)
+        print(f"written to {file}; run it with: forficula study {file}")
+        return
+
     from forficula.design import write_new_design
 
     write_new_design(file, kind)
     print(f"written to {file}; run it with: forficula run {file}")
+
+
+def keys(
+    section: Annotated[str, Parameter(help="Only this section or key, as in tendon or protocol.stages.")] = "",
+    /,
+    *,
+    kind: Annotated[str, Parameter(help=_KINDS)] = "earwig-fan",
+    study: Annotated[bool, Parameter(help="Those of a study file instead.", negative=())] = False,
+) -> None:
+    """List the keys of a design file: what each may be, what counts where it is left out, and what it means."""
+    from forficula.design.key_table import key_facts
+    from forficula.design.kinds import KINDS
+    from forficula.names import one_of
+    from forficula.show.key_table import print_keys
+    from forficula.study.study_keys import study_key_facts
+
+    if kind not in KINDS:
+        raise InputError(f"--kind: need {one_of(KINDS, kind)}")
+    facts = study_key_facts(section) if study else key_facts(section, KINDS[kind])
+    print_keys(facts)
+    came_to([asdict(fact) for fact in facts])
 
 
 def scale(
@@ -96,10 +124,14 @@ def designs() -> None:
     """List the named designs, each with its source and what one would look at it for."""
     from forficula.design import load_design, named_designs
 
-    for name, source in named_designs().items():
-        print(f"{name}\n    {source}")
-        if shows := load_design(name).shows:
-            print(f"    shows {shows}")
+    told = [
+        {"name": name, "source": source, "shows": load_design(name).shows} for name, source in named_designs().items()
+    ]
+    for each in told:
+        print(f"{each['name']}\n    {each['source']}")
+        if each["shows"]:
+            print(f"    shows {each['shows']}")
+    came_to(told)
 
 
 def pattern(

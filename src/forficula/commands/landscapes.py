@@ -11,15 +11,18 @@ from cyclopts import Parameter
 from forficula.errors import InputError
 from forficula.options import (
     DesignName,
+    OkIf,
     OutIfGiven,
     Settings,
     Tolerate,
     check_folder,
+    check_verdicts,
     exit_status,
     read_quantity,
     read_settings,
     tell_replaced,
 )
+from forficula.terminal import came_to
 
 if TYPE_CHECKING:
     from forficula.analysis import Verdict
@@ -52,6 +55,7 @@ def landscape(
         Path | None, Parameter(help="Folder of a study of this design over the same keys, to compare the map with.")
     ] = None,
     tolerate: Tolerate = False,
+    ok_if: OkIf = None,
 ) -> int:
     """Survey a design's energy by statics: stable states, barriers, paths of its drives, what it withstands, snap."""
     from forficula.design import load_design
@@ -60,6 +64,7 @@ def landscape(
     length = None if unit is None else read_quantity("--unit", unit, LENGTH)
     chosen = load_design(design, read_settings(settings), unit=length)
     folder = out or Path("out") / f"{chosen.name}-landscape"
+    check_verdicts(ok_if)
     check_folder(folder)
     if simulated is not None and not over:
         raise InputError("--simulated: needs --over with the keys of the study")
@@ -79,7 +84,7 @@ def landscape(
         write_static_map(study, table, folder, beside)
         print_static_map(table, whole, beside)
     print(f"\nwritten to {folder}")
-    return exit_status([] if verdict is None else [verdict], tolerate=tolerate)
+    return exit_status([] if verdict is None else [verdict], tolerate=tolerate, ok_if=ok_if)
 
 
 def _survey(design: Design, folder: Path, simulation: bool) -> Verdict | None:
@@ -98,6 +103,8 @@ def _survey(design: Design, folder: Path, simulation: bool) -> Verdict | None:
     tell_replaced(folder, "landscape")
     for warning in structure_warnings(design, structure):
         print(f"warning: {warning}", file=sys.stderr)
+    if structure.contact is not None:
+        print("warning: at rest everything passes through everything: contact is of runs only", file=sys.stderr)
     if simulation:
         with waiting(f"working out the timestep that the {whole} allows"):
             warnings = timestep_warnings(design)
@@ -107,5 +114,6 @@ def _survey(design: Design, folder: Path, simulation: bool) -> Verdict | None:
     with survey_progress(first, "surveying") as (progress, steps):
         landscape, record = landscape_and_run(design, simulation=simulation, progress=progress, steps=steps)
     write_landscape(landscape, folder, record, tendon)
+    came_to(folder / "landscape.json")
     print_landscape(landscape, record, tendon)
     return None if record is None else measure(record).verdict

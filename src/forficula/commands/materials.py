@@ -20,6 +20,7 @@ from forficula.options import (
     read_stiffnesses,
     tell_replaced,
 )
+from forficula.terminal import came_to
 
 
 def material(
@@ -67,6 +68,7 @@ def material(
     from forficula.show.material.material_table import print_material
 
     write_material(found, out)
+    came_to(out / "material.json")
     print_material(found)
     print(f"\nwritten to {out}")
 
@@ -77,6 +79,7 @@ def materials() -> None:
 
     for name, source in named_laws().items():
         print(f"{name}\n    {source}")
+    came_to([{"name": name, "source": source} for name, source in named_laws().items()])
 
 
 def size(
@@ -102,7 +105,7 @@ def size(
     from forficula.material.law.law_file import load_law
     from forficula.material.law.law_keys import law_unit
     from forficula.material.law.material_law import chosen, known_moduli
-    from forficula.show.material.size_table import print_sizes, sizes_csv
+    from forficula.show.material.size_table import print_sizes, sizes_csv, sizes_json
 
     if out is not None and out.suffix != ".csv":
         raise InputError(f"--out: need a file that ends with .csv, got {out}")
@@ -117,6 +120,7 @@ def size(
         load_design(design, read_settings(settings)), law, read_stiffnesses("--stiffness", stiffness), length=own
     )
     print_sizes(law, sizes)
+    came_to(sizes_json(sizes))
     if out is not None:
         write_text(out, sizes_csv(sizes))
         print(f"\nwritten to {out}")

@@ -12,11 +12,13 @@ from forficula.errors import InputError
 from forficula.options import (
     WHOLE_NUMBER,
     DesignName,
+    OkIf,
     Out,
     OutIfGiven,
     Settings,
     Tolerate,
     check_folder,
+    check_verdicts,
     exit_status,
     read_option,
     read_quantity,
@@ -24,6 +26,7 @@ from forficula.options import (
     read_size,
     tell_replaced,
 )
+from forficula.terminal import came_to
 
 if TYPE_CHECKING:
     from forficula.analysis import Verdict
@@ -45,6 +48,7 @@ def run(
         Parameter(help="Fold and open again with the tendons as they are up to this cycle, as in 100."),
     ] = None,
     tolerate: Tolerate = False,
+    ok_if: OkIf = None,
 ) -> int:
     """Take a design through its protocol: energies, work, times, a verdict, and pictures."""
     from forficula.design import load_design
@@ -57,6 +61,7 @@ def run(
             print(f"{design}: {remark}", file=sys.stderr)
     chosen = load_design(design, read_settings(settings), unit=length)
     folder = out or Path("out") / chosen.name
+    check_verdicts(ok_if)
     check_folder(folder)
     if cycles is not None:
         from forficula.study.cycling import check_cycles
@@ -66,7 +71,7 @@ def run(
 
     from forficula.analysis import measure, run_warnings
     from forficula.dynamics import timestep_warnings
-    from forficula.show import print_outcome, print_strength, run_progress, write_run
+    from forficula.show import print_outcome, print_storage, print_strength, run_progress, write_run
     from forficula.show.progress import waiting
     from forficula.structure import structure_of, structure_warnings
     from forficula.study.runs import run as run_design
@@ -83,11 +88,13 @@ def run(
         print(f"warning: {warning}", file=sys.stderr)
     outcome = measure(record)
     write_run(record, outcome, folder)
+    came_to(folder / "summary.json")
     print_outcome(chosen.name, outcome, record.structure)
+    print_storage(record, outcome)
     print_strength(record)
     verdicts = [outcome.verdict, *_cycle(chosen, cycles, folder)]
     print(f"\nwritten to {folder}")
-    return exit_status(verdicts, tolerate=tolerate)
+    return exit_status(verdicts, tolerate=tolerate, ok_if=ok_if)
 
 
 def _cycle(design: Design, cycles: int | None, folder: Path) -> list[Verdict]:
@@ -158,15 +165,15 @@ def film(
 ) -> None:
     """Film a run: the structure, tendons coloured by their energy, held in every state and slowed between them."""
     from forficula.analysis.run_files import read_run
-    from forficula.show.film.film import LARGEST, SMALLEST, check_film, write_film
+    from forficula.show.film.film import LARGEST, SMALLEST, check_choices, check_film, write_film
     from forficula.show.progress import film_progress
 
     read_option("--out", lambda: check_film(out))
     pixels = None if size is None else read_size("--size", size, SMALLEST, LARGEST)
-    if fps is not None and not 1 <= fps <= 60:
-        raise InputError(f"--fps: need 1 to 60, got {fps}")
-    if slower is not None and not 0.01 <= slower <= 10_000:
-        raise InputError(f"--slower: need 0.01 to 10000, got {slower:g}")
+    try:
+        check_choices(pixels, fps, slower)
+    except InputError as error:
+        raise InputError(f"--{error}") from None
     record = read_run(run)
     with film_progress() as progress:
         write_film(record, out, size=pixels, rate=fps, slowed=slower, progress=progress)

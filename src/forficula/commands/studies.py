@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -10,19 +9,23 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from forficula.errors import InputError
+from forficula.names import listed
 from forficula.options import (
     WHOLE_NUMBER,
     DesignName,
+    OkIf,
     OutIfGiven,
     Settings,
     Tolerate,
     check_folder,
+    check_verdicts,
     exit_status,
     read_option,
     read_settings,
     read_shard,
     tell_replaced,
 )
+from forficula.terminal import came_to, remark
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -54,7 +57,7 @@ def study(
     from forficula.reproduction import check_reproduction
     from forficula.show.progress import building_progress
     from forficula.study import collect as collect_study
-    from forficula.study import load_study
+    from forficula.study import load_study, table_json
 
     chosen = load_study(study)
     folder = out or Path("out") / chosen.name
@@ -79,8 +82,9 @@ def study(
     from forficula.show import print_study, write_study
 
     if (folder / "table.nc").is_file():
-        print(f"{folder}: replaces the table, the maps and the page there; the rows stay", file=sys.stderr)
+        remark(f"{folder}: replaces the table, the maps and the page there; the rows stay")
     write_study(chosen, table, folder)
+    came_to(table_json(chosen, table))
     _report(chosen, table, keep, folder)
     print_study(chosen, table)
     print(f"\nwritten to {folder}")
@@ -131,9 +135,25 @@ def _report(study: Study, table: Dataset, keep: int | None, folder: Path) -> Non
     runs = runs_to_keep(study, table, MOST_POINTS if keep is None else keep)
     if runs:
         what = "1 run" if len(runs) == 1 else f"{len(runs)} runs"
-        print(f"keeping {what} whole, to be played in report.html (--keep 0 does without)", file=sys.stderr)
+        remark(f"keeping {what} whole, to be played in report.html (--keep 0 does without)")
     with study_progress() as progress:
         write_study_report(study, table, kept_runs(runs, folder, progress=progress), len(runs), folder)
+
+
+def studies() -> None:
+    """List the named studies, each with its source, what it asks and how many points it has."""
+    from forficula.study import load_study
+    from forficula.study.study_file import named_studies
+
+    told = []
+    for name in named_studies():
+        found = load_study(name)
+        factors = [factor.key for factor in found.factors]
+        over = listed([*factors, *(f"grid of {each.key}" for each in found.grid)])
+        print(f"{name}\n    {found.source}\n    {len(found.points)} points of {found.base.name} over {over}")
+        told.append({"name": name, "source": found.source, "design": found.base.name, "points": len(found.points)})
+        told[-1] |= {"factors": factors, "grid": [factor.key for factor in found.grid]}
+    came_to(told)
 
 
 def converge(
@@ -148,12 +168,14 @@ def converge(
         OutIfGiven, Parameter(help="Folder for the results; out/<name of the design>-converge if not given.")
     ] = None,
     tolerate: Tolerate = False,
+    ok_if: OkIf = None,
 ) -> int:
     """Run a design at several timesteps, membrane moduli or meshes: do its times depend on them?"""
     from forficula.design import load_design
 
     chosen = load_design(design, read_settings(settings))
     folder = out or Path("out") / f"{chosen.name}-converge"
+    check_verdicts(ok_if)
     check_folder(folder)
 
     from forficula.reproduction import shown_hinge
@@ -176,5 +198,6 @@ def converge(
         convergence = converge_design(chosen, key, values, hinge=hinge, progress=progress)
     print_convergence(convergence)
     write_convergence(convergence, folder)
+    came_to(folder / "convergence.json")
     print(f"\nwritten to {folder}")
-    return exit_status([convergence.own_verdict], tolerate=tolerate) or 2 * (convergence.fine is False)
+    return exit_status([convergence.own_verdict], tolerate=tolerate, ok_if=ok_if) or 2 * (convergence.fine is False)

@@ -1,6 +1,8 @@
 from forficula.design.crease_pattern import design_frames, design_pattern
 from forficula.design.design import Design, shortest_sample_interval
 from forficula.design.design_file import (
+    AnyDesign,
+    as_design,
     design_from_text,
     design_text,
     load_design,
@@ -11,6 +13,7 @@ from forficula.design.design_file import (
 from forficula.design.fan import FanDesign, FanProtocol
 from forficula.design.keys import key_quantity, key_value, names_law, put
 from forficula.design.law import LawSection, tendon_material
+from forficula.design.medium import MediumSection
 from forficula.design.new_design import write_new_design
 from forficula.design.part import LENGTH, TORQUE
 from forficula.design.protocol import Protocol, Stage, stage_drives
@@ -24,15 +27,18 @@ __all__ = [
     "LENGTH",
     "NO_LAW",
     "TORQUE",
+    "AnyDesign",
     "Design",
     "FanDesign",
     "FanProtocol",
     "Imperfection",
     "LawSection",
+    "MediumSection",
     "Protocol",
     "SheetDesign",
     "Stage",
     "TendonSection",
+    "as_design",
     "design_frames",
     "design_from_text",
     "design_pattern",

@@ -33,7 +33,7 @@ def design_frames(design: Design) -> list[tuple[str, NDArray[np.float64], NDArra
     Each crease by the same share of its angle; none of a sheet that is not built flat, or cannot fold so.
     """
     if isinstance(design, FanDesign):
-        return folded_frames(design.fan)
+        return folded_frames(design.fan) if design.fan.ring_folds == 1 else []
     pattern, frames = design_pattern(design), []
     if np.ptp(pattern.vertices_coords[:, 2]) > 0:
         return []

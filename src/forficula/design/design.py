@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import hashlib
 import json
-from typing import TYPE_CHECKING, Annotated, Any, Self
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Annotated, Any, Self, cast
 
 from pydantic import Field, field_validator
 
+from forficula.design.medium import MediumSection
 from forficula.design.part import SHORT_TIME, TIME, Part
 from forficula.design.protocol import Protocol
 from forficula.errors import InputError
@@ -33,7 +35,14 @@ class Design(Part):
     reproduces: Annotated[
         str | None, Field(description="the paper that its figures are set beside", examples=["binder2025"])
     ] = None
+    medium: Annotated[MediumSection | None, Field(description="what it moves in; without it, empty space")] = None
     protocol: Protocol
+
+    @field_validator("medium")
+    @classmethod
+    def _is_there(cls, medium: MediumSection | None) -> MediumSection | None:
+        """Empty space is no medium."""
+        return medium if medium is not None and (medium.density or medium.viscosity) else None
 
     @field_validator("name")
     @classmethod
@@ -49,6 +58,16 @@ class Design(Part):
     def chosen(self) -> tuple[Choice, ...]:
         """The values that a rule chooses, for they are not given; there are such of sheets."""
         return ()
+
+    def with_values(self, values: Mapping[str, object]) -> Self:
+        """The design with some values replaced, by dotted key: text with a unit, or a number in SI.
+
+        Raises:
+            InputError: an unknown key, or a value that is not allowed.
+        """
+        from forficula.design.design_file import with_values
+
+        return cast(Self, with_values(self, values))
 
     def settled(self) -> Self:
         """The design with the values that a rule chooses."""

@@ -28,6 +28,9 @@ from forficula.pattern import PATTERN_FILES
 from forficula.quantities import as_written
 from forficula.toml_text import with_remarks
 
+# what stands for a design where one is wanted
+AnyDesign = Design | str | os.PathLike[str]
+
 
 def load_design(
     name_or_path: str | Path, settings: Mapping[str, object] | None = None, *, unit: float | None = None
@@ -68,6 +71,19 @@ def load_design(
             message = message.replace(f"{number.rpartition('.')[0]}.", f"{name.rpartition('.')[0]}.")
         where = origin(error.place, files, by_hand)
         raise InputError(f"{where}: {message}" if where else message) from None
+
+
+def as_design(design: AnyDesign) -> Design:
+    """Take a design, or read that of a name or path.
+
+    Raises:
+        InputError: it is neither, or cannot be read.
+    """
+    if isinstance(design, Design):
+        return design
+    if isinstance(design, str | os.PathLike):
+        return load_design(os.fspath(design))
+    raise InputError(f"need a design, its name or the path of its file, got a {type(design).__name__}")
 
 
 def with_values(design: Design, values: Mapping[str, object]) -> Design:
@@ -152,6 +168,8 @@ def _read_files(name_or_path: str, above: tuple[Path, ...] = ()) -> list[File]:
 
 def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si: bool) -> dict[str, Any]:
     """Put values into tables by their dotted keys; those of a section count together, whatever their order."""
+    if not (isinstance(settings, Mapping) and all(isinstance(key, str) for key in settings)):
+        raise InputError(f'need values by key, such as {{"tendon.stiffness": "20 N/cm"}}, got {as_written(settings)}')
     if any(key.partition(".")[0] == "based_on" for key in settings):
         raise InputError("based_on: cannot be set; name the design to start from instead")
     return _over(tables, nested(with_sheet_read(settings)), laid_over, si=si)

@@ -11,6 +11,7 @@ from pydantic import Discriminator, Field, Tag, field_validator, model_validator
 
 from forficula.design.design import Design, check_duration
 from forficula.design.fan_sections import (
+    ContactSection,
     CouplingSection,
     FanPatternSection,
     GuardSection,
@@ -18,6 +19,7 @@ from forficula.design.fan_sections import (
     MembraneSection,
     VeinSection,
 )
+from forficula.design.medium import check_medium
 from forficula.design.part import ANGLE, LENGTH, SMALL_LENGTH, TORQUE, quantity
 from forficula.design.protocol import Protocol, check_bounds, check_stages, check_states, stage_drives
 from forficula.design.start import largest_start, start_stretch
@@ -113,6 +115,9 @@ class FanDesign(Design):
         Field(description="one for every vein, or by the number of the vein, None for one without"),
     ]
     guard: GuardSection
+    contact: Annotated[
+        ContactSection | None, Field(description="of panels and bars, where protocol.contact is true")
+    ] = None
     protocol: FanProtocol
 
     @field_validator("tendon", mode="before")
@@ -126,6 +131,7 @@ class FanDesign(Design):
 
     @model_validator(mode="after")
     def _fits_together(self) -> FanDesign:
+        self._layers_have_room()
         apart, width = float(vein_gaps(self.fan, np.ones(1))[0]), _ring_chord(self.fan)
         margin = self.membrane.margin
         for key, value, bound, unit, fault in (
@@ -137,6 +143,7 @@ class FanDesign(Design):
                     f"{key}: {fault}: need < {show_quantity(bound, unit)}, from vein to vein,"
                     f" got {show_quantity(value, unit)}"
                 )
+        check_medium(self.medium, self.protocol.gravity, self.vein.density, "vein.density")
         self._tendons_on_bars()
         self._driven_veins_there()
         for key, rows in (("proximal_rows", self.membrane.proximal_rows), ("distal_rows", self.membrane.distal_rows)):
@@ -147,6 +154,27 @@ class FanDesign(Design):
         # wings of more are drawn, but not run
         check_duration(self, min(self.fan.vein_count, _MOST_VEINS), "veins")
         return self
+
+    def _layers_have_room(self) -> None:
+        """Refuse folded layers that lie closer to each other than their veins and membranes are thick."""
+        pitch, least = self.pattern.pitch, self._least_pitch
+        if pitch is not None and pitch < least:
+            raise InputError(
+                f"pattern.pitch: folded layers overlap: need >= {show_quantity(least, SMALL_LENGTH)}, the larger of"
+                f" vein.diameter and twice {self._layer[0]}, got {show_quantity(pitch, SMALL_LENGTH)}"
+            )
+
+    @property
+    def _least_pitch(self) -> float:
+        """From one folded layer to the next, m: a vein beside a vein, or the two membranes at a vein."""
+        return max(self.vein.diameter, 2 * self._layer[1])
+
+    @property
+    def _layer(self) -> tuple[str, float]:
+        """What panels keep apart when they touch, m, and its key."""
+        if self.contact is not None and self.contact.thickness is not None:
+            return "contact.thickness", self.contact.thickness
+        return "membrane.thickness", self.membrane.thickness
 
     def _tendons_on_bars(self) -> None:
         """Refuse tendons on veins that are not there, and such as do not end on their bars."""
@@ -204,7 +232,8 @@ class FanDesign(Design):
                     f"protocol.{key}: need {above}<= {show_quantity(most, ANGLE)} (hinge.{stop}),"
                     f" got {show_quantity(angle, ANGLE)}"
                 )
-        stops = dict.fromkeys(("ring", "distal_angle"), (-folds, bends))
+        shared = self.pattern.ring_folds
+        stops = {"ring": (-folds / shared, bends / shared), "distal_angle": (-folds, bends)}
         stops["turn"] = (-self.hinge.turn_back, self.hinge.turn_limit)
         check_bounds(protocol, stops)
 
@@ -258,7 +287,7 @@ class FanDesign(Design):
     @property
     def fan(self) -> EarwigFan:
         """The crease pattern's construction."""
-        chosen = self.pattern
+        chosen, two = self.pattern, self.pattern.ring_folds == 2
         return EarwigFan(
             proximal_length=chosen.proximal_length,
             distal_length=chosen.distal_length,
@@ -266,6 +295,10 @@ class FanDesign(Design):
             sector_angle=chosen.sector_angle,
             units=chosen.units,
             tangent=chosen.tangent,
+            ring_folds=chosen.ring_folds,
+            pitch=(chosen.pitch or self._least_pitch) if two else 0.0,
+            # a vein and a panel lie between the innermost layers
+            gusset_height=self.vein.diameter + self._layer[1] if two else 0.0,
         )
 
 

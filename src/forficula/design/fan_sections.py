@@ -32,6 +32,8 @@ MOST_UNITS = 10_000
 class FanPatternSection(Part):
     """The sheet: where it folds."""
 
+    later: ClassVar[tuple[str, ...]] = ("ring_folds",)
+
     kind: Annotated[Literal["earwig-fan"], Field(description="the family of crease patterns")]
     proximal_length: float = quantity(LENGTH, "length of a vein from the hub to the ring fold", above=0)
     distal_length: float = quantity(LENGTH, "length of a vein beyond the ring fold", above=0)
@@ -41,6 +43,23 @@ class FanPatternSection(Part):
     tangent: Annotated[
         Literal["left", "right"], Field(description="side of the hub on which the proximal veins pass, seen outwards")
     ]
+    ring_folds: Annotated[
+        int,
+        Field(
+            strict=True,
+            ge=1,
+            le=2,
+            description="across every vein; two, with a gusset between them, let thick layers fold round each other and"
+            " share the ring fold's angles evenly",
+        ),
+    ] = 1
+    pitch: float | None = quantity(
+        SMALL_LENGTH,
+        "from one folded layer to the next, with two ring folds; without it, the least that there is room in: a vein's"
+        " diameter, or twice what panels keep apart (contact.thickness)",
+        default=None,
+        above=0,
+    )
 
     @model_validator(mode="after")
     def _of_a_size(self) -> FanPatternSection:
@@ -54,6 +73,11 @@ class FanPatternSection(Part):
                     f"pattern.{key}: need >= {show_quantity(least, LENGTH)} and <= {show_quantity(_LARGEST, LENGTH)},"
                     f" got {show_quantity(length, LENGTH)}"
                 )
+        if self.pitch is not None and self.ring_folds == 1:
+            raise InputError(
+                f"pattern.pitch: is for two ring folds (pattern.ring_folds = 2), got"
+                f" {show_quantity(self.pitch, SMALL_LENGTH)} with one"
+            )
         return self
 
 
@@ -130,6 +154,19 @@ class CouplingSection(Part):
         at_least=0,
         words=("rigid",),
     )
+
+
+class ContactSection(Part):
+    """How panels and bars that touch keep apart, where protocol.contact is true."""
+
+    heading: ClassVar[str] = "Contact"
+
+    thickness: float | None = quantity(
+        SMALL_LENGTH, "what panels keep apart, middle to middle; without it, membrane.thickness", default=None, above=0
+    )
+    friction: Annotated[
+        float, Field(strict=True, ge=0, description="Coulomb's coefficient of panels and bars; 0: they slide freely")
+    ] = 0.0
 
 
 class GuardSection(Part):

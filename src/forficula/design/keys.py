@@ -7,6 +7,8 @@ from collections.abc import Iterator, Sequence
 from types import UnionType
 from typing import Annotated, Any, TypeVar, Union, get_args, get_origin
 
+from pydantic.fields import FieldInfo
+
 from forficula.design.design import Design
 from forficula.design.fan import FanDesign
 from forficula.design.law import LawSection
@@ -88,7 +90,7 @@ def key_value(design: Design, key: str) -> Any:
     A key of all tendons has what they have in common, and None where they differ.
 
     Raises:
-        InputError: a list of the design has no such entry, or the design lacks the section.
+        InputError: a list of the design has no such entry, or the design lacks a section that needs values.
     """
     section, _, rest = key.partition(".")
     if section == "tendon" and rest and isinstance(design, FanDesign):
@@ -106,15 +108,26 @@ def key_value(design: Design, key: str) -> Any:
 def _value(design: Design, value: Any, key: str, within: str) -> Any:
     """What a part of a design has at a key, of which `within` leads to the part."""
     parts = key.removeprefix(f"{within}.").split(".")
+    left_out = None
     for depth, part in enumerate(parts, start=1):
+        value = left_out if value is None else value
         if value is None:
             raise InputError(f"{key}: {design.name} has no {within}")
+        left_out = _left_out(value, part)
         if isinstance(value, tuple):
             value = value[entry_index(within.split("."), part, value, parts[depth:])]
         else:
             value = getattr(value, part)
         within = f"{within}.{part}" if within else part
     return value
+
+
+def _left_out(part: object, name: str) -> Part | None:
+    """What counts where a part lacks the section of this name; None where the section has values that are needed."""
+    field = type(part).model_fields.get(name) if isinstance(part, Part) else None
+    forms = [] if field is None else [form for form in _forms(field.annotation) if _is_part(form)]
+    free = [form for form in forms if not any(each.is_required() for each in form.model_fields.values())]
+    return free[0]() if free else None
 
 
 def put(part: _PartOf, key: str, value: object) -> _PartOf:
@@ -145,14 +158,24 @@ def is_key(text: str, model: type[Design] = FanDesign) -> bool:
     return last in siblings([*section, last], model) or (last.isdecimal() and is_key(".".join(section), model))
 
 
-def known_keys(model: type[Part] = FanDesign, prefix: str = "") -> Iterator[str]:
+def fields_of(model: type[Part] = FanDesign, prefix: str = "") -> Iterator[tuple[str, FieldInfo]]:
     """All keys of a design; entries of a list of tables stand as number 0, tendons as the one for all."""
     for name, field in model.model_fields.items():
-        yield f"{prefix}{name}"
+        yield f"{prefix}{name}", field
         forms = list(_forms(field.annotation))
         number = "" if any(_is_part(form) for form in forms) else ".0"
         for part in dict.fromkeys(_parts(field.annotation)):
-            yield from known_keys(part, f"{prefix}{name}{number}.")
+            yield from fields_of(part, f"{prefix}{name}{number}.")
+
+
+def holds_parts(field: FieldInfo) -> bool:
+    """Whether a field holds a section, or a list of them, whose keys are fields of their own."""
+    return any(_parts(field.annotation))
+
+
+def known_keys(model: type[Part] = FanDesign) -> Iterator[str]:
+    """The names of `fields_of`."""
+    return (key for key, _ in fields_of(model))
 
 
 def siblings(place: Sequence[str], model: type[Design] = FanDesign) -> list[str]:

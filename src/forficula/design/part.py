@@ -20,6 +20,7 @@ MASS = Unit(display="g", si="kg", example="0.5 g")
 DENSITY = Unit(display="g/cm^3", si="kg/m^3", example="1.27 g/cm^3")
 MODULUS = Unit(display="MPa", si="Pa", example="1 MPa")
 TIME = Unit(display="s", si="s", example="0.5 s")
+LONG_TIME = Unit(display="d", si="s", example="30 d")
 SHORT_TIME = Unit(display="ms", si="s", example="0.2 ms")
 TORQUE = Unit(display="N cm", si="N m", example="50 N cm")
 STIFFNESS = Unit(display="N/cm", si="N/m", example="10 N/cm")
@@ -110,7 +111,7 @@ class Part(BaseModel):
     heading: ClassVar[str] = ""
     # key by which entries of a list say their number in a file; without one they come one after another
     numbered_by: ClassVar[str] = ""
-    # keys that came later, which count where they are not 0: designs keep the hashes that they had
+    # keys that came later, which count where they are not their defaults: designs keep the hashes that they had
     later: ClassVar[tuple[str, ...]] = ()
     # keys of what no size of a structure changes: how a material relaxes, and what acts everywhere
     natural: ClassVar[tuple[str, ...]] = ()
@@ -148,12 +149,13 @@ class Part(BaseModel):
     def hash_values(self) -> dict[str, Any]:
         """The values that tell it from others, SI, as plain data; what is absent is left out."""
         values: dict[str, Any] = {}
+        defaults = {name: type(self).model_fields[name].default for name in self.later}
         for name, value in self:
             if isinstance(value, Part):
                 values[name] = value.hash_values()
             elif isinstance(value, tuple):
                 values[name] = [item.hash_values() if isinstance(item, Part) else item for item in value]
-            elif value is not None and (value or name not in self.later):
+            elif value is not None and (name not in self.later or value != defaults[name]):
                 values[name] = value
         return values
 

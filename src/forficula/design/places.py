@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from itertools import pairwise
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -10,21 +13,31 @@ from forficula.design.fan import FanDesign
 Points = NDArray[np.float64]
 
 
-def mesh_rows(hub: Points, ring: Points, tip: Points, design: FanDesign) -> Points:
+def mesh_rows(places: Sequence[Points], design: FanDesign) -> Points:
     """Place the rows of the membrane's mesh on a vein.
 
     Args:
-        hub: hub end of the vein, in any unit of length, (axis,).
-        ring: its ring vertex, alike.
-        tip: its tip, alike.
+        places: hub end of the vein, its ring vertices and its tip, from the hub outwards, in any unit of length,
+            (axis,) each.
         design: the rows, in shares of the two lengths.
 
     Returns:
-        Hub to tip, (row, axis); the row of the ring fold follows the proximal ones, that of the tip comes last.
+        Hub to tip, (row, axis); those of the ring folds follow the proximal ones, that of the tip comes last.
     """
-    proximal = np.array([*design.membrane.proximal_rows, 1.0])[:, np.newaxis]
-    distal = np.array([*design.membrane.distal_rows, 1.0])[:, np.newaxis]
-    return np.concatenate([hub + proximal * (ring - hub), ring + distal * (tip - ring)])
+    first, last = design.membrane.proximal_rows, design.membrane.distal_rows
+    shares = [first, *[()] * (len(places) - 3), last]
+    return np.concatenate(
+        [
+            near + np.array([*share, 1.0])[:, np.newaxis] * (far - near)
+            for share, (near, far) in zip(shares, pairwise(places), strict=True)
+        ]
+    )
+
+
+def row_bars(folds: int, design: FanDesign) -> list[int]:
+    """The bar of a vein across so many ring folds that lies between a row of the mesh and the next, (row - 1,)."""
+    counts = [len(design.membrane.proximal_rows), *[1] * (folds - 1), len(design.membrane.distal_rows) + 1]
+    return [bar for bar, count in enumerate(counts) for _ in range(count)]
 
 
 def margin_edge(here: Points, there: Points, design: FanDesign) -> Points:

@@ -9,16 +9,21 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, field_validator
 
-from forficula.design.part import ACCELERATION, ANGLE, ANGULAR_SPEED, SHORT_TIME, TIME, Part, quantity
+from forficula.design.part import ACCELERATION, ANGLE, ANGULAR_SPEED, LONG_TIME, SHORT_TIME, TIME, Part, quantity
 from forficula.errors import InputError
 from forficula.names import one_of, shown_name
 from forficula.quantities import Unit, as_written, parse_quantity, show_quantity
 
 _WRITTEN = re.compile(r"\s*(?P<name>[^<>=]+?)\s*(?P<relation>[<>])=?\s*(?P<value>[^<>=]+?)\s*")
 
+# s, a thousand million days: every leap is twice the last one at most, and a wait of 1e300 d would never end
+_LONGEST_WAIT = 1e9 * 86400
+
 
 class Stage(Part):
     """A part of the protocol: what drives the structure, and when it ends."""
+
+    natural: ClassVar[tuple[str, ...]] = ("wait",)
 
     name: Annotated[str, Field(min_length=1, description="what figures and tables call it")]
     drive: Annotated[str | tuple[str, ...], Field(description="what acts: a drive by name, a list of them, or none")]
@@ -27,7 +32,15 @@ class Stage(Part):
     ]
     state: Annotated[str | None, Field(description="what to call the state at its end", examples=["folded"])] = None
     hold: float = quantity(TIME, "how long the goal must hold before the stage ends", default=0.0, at_least=0)
-    time_limit: float = quantity(TIME, "longest duration", above=0)
+    time_limit: float = quantity(TIME, "longest duration; of a stage with a wait, until it rests", above=0)
+    wait: float | None = quantity(
+        LONG_TIME,
+        "how long it stays at rest, which is not simulated step by step: tendons with Maxwell branches relax meanwhile;"
+        ' needs until = "rest"',
+        default=None,
+        at_least=0,
+        at_most=_LONGEST_WAIT,
+    )
 
     @field_validator("name")
     @classmethod
@@ -60,8 +73,8 @@ class Protocol(Part):
     rest_speed: float = quantity(ANGULAR_SPEED, "at rest means that every hinge is slower", above=0)
     window: float = quantity(
         TIME,
-        "over which a state is averaged; what rests so long short of its goal, and three times as long as its"
-        " tendons' Maxwell branches take to relax, is stuck",
+        "over which a state is averaged; what rests so long short of its goal, and three times as long as those of its"
+        " tendons' Maxwell branches take to relax that are no slower than its stages, is stuck",
         above=0,
     )
     least_hold: Annotated[
@@ -132,6 +145,9 @@ def check_stages(protocol: Protocol, drives: Sequence[str], goals: Sequence[str]
                 raise InputError(f"protocol.stages.{number}.drive: need {one_of(['none', *drives], name)}")
             if names.count(name) > 1:
                 raise InputError(f"protocol.stages.{number}.drive: need each drive once, got {as_written(stage.drive)}")
+        if stage.wait and stage.until != "rest":
+            rule = 'need until = "rest", for it waits at rest'
+            raise InputError(f"protocol.stages.{number}.wait: {rule}, got until = {as_written(stage.until)}")
         if stage.until in ("time", "rest", *goals):
             continue
         key, written = f"protocol.stages.{number}.until", read_goal(stage.until)

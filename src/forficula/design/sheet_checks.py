@@ -10,6 +10,7 @@ import numpy as np
 
 from forficula.design.crease_values import crease_key, creases_by_edge, stops
 from forficula.design.design import check_duration
+from forficula.design.medium import check_medium
 from forficula.design.part import ANGLE, LENGTH, TORQUE
 from forficula.design.protocol import GoalText, check_bound, check_stages, read_goal, stage_drives
 from forficula.design.rigid_checks import (
@@ -86,6 +87,9 @@ def check_sheet(design: SheetDesign) -> None:
         _check_apart(sheet, f"measure.{number}", measure, _ends(design, sheet, f"measure.{number}", measure))
     if design.protocol.contact:
         raise InputError("protocol.contact: need false, for facets do not touch each other, got true")
+    if design.medium is not None:
+        lightest = design.settled().facet.density or 0.0
+        check_medium(design.medium, design.protocol.gravity, lightest, "facet.density")
     _check_protocol(design, sheet)
     check_duration(design, len(sheet.faces_vertices), "facets")
 

@@ -6,13 +6,13 @@ import numpy as np
 from scipy.optimize import brentq
 from scipy.spatial.transform import Rotation
 
-from forficula.pattern import EarwigFan, ring_vertices, tips
+from forficula.pattern import EarwigFan, ring_directions, ring_vertices, tips
 
 
 def start_stretch(fan: EarwigFan, overbend: float) -> float:
     """How far apart neighbouring tips are where every distal hinge is bent past straight, by their flat distance.
 
-    Neighbouring veins bend to opposite sides of the sheet.
+    Neighbouring veins bend to opposite sides of the sheet, evenly at their ring folds.
 
     Args:
         fan: the crease pattern.
@@ -21,12 +21,13 @@ def start_stretch(fan: EarwigFan, overbend: float) -> float:
     Returns:
         The largest share of all pairs.
     """
-    ring, flat = ring_vertices(fan, continued=True), tips(fan)
-    creases = np.diff(ring, axis=0)
-    axes = creases / np.linalg.norm(creases, axis=1)[:, None]
+    flat = bent = tips(fan)
     # odd veins are valleys, as `earwig_pattern` has them
-    senses = (-1.0) ** (np.arange(len(axes)) + 1)
-    bent = ring[:-1] + Rotation.from_rotvec(overbend * senses[:, None] * axes).apply(flat - ring[:-1])
+    senses = (-1.0) ** (np.arange(len(flat)) + 1)
+    for fold in reversed(range(fan.ring_folds)):
+        turned = Rotation.from_rotvec(overbend / fan.ring_folds * senses[:, None] * ring_directions(fan))
+        ring = ring_vertices(fan, fold=fold)
+        bent = ring + turned.apply(bent - ring)
     distances = (np.linalg.norm(np.diff(points, axis=0), axis=1) for points in (bent, flat))
     return float(np.max(next(distances) / next(distances)))
 

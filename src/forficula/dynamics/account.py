@@ -13,6 +13,7 @@ from forficula.dynamics.explicit_work import explicit_works
 from forficula.dynamics.model import Model, joint_ranges
 from forficula.dynamics.stepper import energy_of
 from forficula.dynamics.steps import State, Steps
+from forficula.dynamics.stop_forces import stop_forces
 from forficula.structure import Motor
 
 Array = NDArray[np.float64]
@@ -57,6 +58,9 @@ class Account:
         self._stops = [np.array(each) for each in zip(*(joint_ranges(model) for model in models), strict=True)]
         # in which of the last steps a hinge met its stop or left it
         self._met = np.zeros((len(models), _JUMP), dtype=bool)
+        # what each has waited without steps, s, where some stage waits
+        self._waits = any(stage.wait for model in models for stage in model.design.protocol.stages)
+        self._waited = np.zeros(len(models))
         # the widest gap of each so far, m
         self._widest = np.zeros(len(models))
 
@@ -110,10 +114,13 @@ class Account:
                     for number in range(len(self._motors))
                 }
                 of_creases = np.array([damped for _, damped in each])
+            if "qfrc_applied" in steps.derived:
+                work["drag_work"] = np.sum(steps.derived["qfrc_applied"] * travel, axis=2)
             if self._explicit:
                 work |= explicit_works(steps, travel, self._damping[rows], self._timestep[rows])
-                motors = sum(work[motor_work_name(number)] for number in range(len(self._motors)))
-                self._add_stops(work, motors, rows, steps, taken)
+                outside = [motor_work_name(number) for number in range(len(self._motors))]
+                done = sum((work[name] for name in (*outside, "drag_work") if name in work), np.zeros(travel.shape[:2]))
+                self._add_stops(work, done, rows, steps, taken)
             else:
                 # the engine takes hinge damping implicitly, at the velocity after the step
                 work["hinge_damping_work"] = np.sum(-damping * velocity[:, 1:] * travel, axis=2) + of_creases
@@ -121,6 +128,8 @@ class Account:
                     (steps.derived["qfrc_damper"] + damping * velocity[:, :-1]) * travel, axis=2
                 )
                 work["stop_work"] = np.sum(steps.derived["qfrc_constraint"] * travel, axis=2)
+                if self._models[0].structure.contact is not None:
+                    self._add_contacts(work, rows, steps, travel)
             for place, row in enumerate(rows.tolist()):
                 self._add_branches(work, place, self._models[row], steps, travel)
             seconds = [float(self._models[row].design.protocol.timestep) for row in rows]
@@ -138,13 +147,23 @@ class Account:
                     before[motor_force_name(motor)] = self._force(rows, motor, steps, taken)
             if len(self._gaps):
                 before["closure_gap"] = self._widened(rows, steps, taken)
+            if self._waits:
+                before["waited"] = np.repeat(self._waited[rows, None], travel.shape[1], axis=1)
             self._set[rows] = np.where((taken > 0)[:, None], torques[np.arange(len(rows)), taken - 1], self._set[rows])
         return before
 
+    def wait(self, row: int, time: float, lost: float, spared: float) -> None:
+        """Add a leap of a structure at rest, of so long, s: what its branches lost and are spared, in model units."""
+        self._waited[row] += time
+        for name, work in (("branch_damping_work", -lost), ("letting_go_work", spared)):
+            if name in self._done:
+                self._done[name][row] += self._unit[row] * work
+
     def total(self, row: int) -> dict[str, float]:
-        """The work on a structure since its start, J."""
-        gap = {"closure_gap": float(self._widest[row])} if len(self._gaps) else {}
-        return {name: float(done[row]) for name, done in self._done.items()} | gap
+        """The work on a structure since its start, J, and what it waited, s."""
+        others = {"closure_gap": float(self._widest[row])} if len(self._gaps) else {}
+        others |= {"waited": float(self._waited[row])} if self._waits else {}
+        return {name: float(done[row]) for name, done in self._done.items()} | others
 
     def power(self, row: int, torques: Array, end: State) -> dict[str, float]:
         """Powers of the motors' torques (motor,) on a structure in a state, W; their settings, forces, N."""
@@ -171,7 +190,15 @@ class Account:
 
     def follow_leader(self, row: int, leader: int) -> None:
         """Put a structure where another one is, which has gone the same way so far."""
-        for done in (*self._done.values(), self._set, self._powers, self._forces, self._widest, self._met):
+        for done in (
+            *self._done.values(),
+            self._set,
+            self._powers,
+            self._forces,
+            self._widest,
+            self._met,
+            self._waited,
+        ):
             done[row] = done[leader]
 
     def _along(self, rows: Indices, travel: Array, motor: Motor) -> Array:
@@ -201,9 +228,16 @@ class Account:
             work["elastic_damping_work"][place] += damper
             work.setdefault("letting_go_work", np.zeros(travel.shape[:2]))[place] = spared
 
-    def _add_stops(
-        self, work: dict[str, Array], motors: Array | int, rows: Indices, steps: Steps, taken: Indices
-    ) -> None:
+    def _add_contacts(self, work: dict[str, Array], rows: Indices, steps: Steps, travel: Array) -> None:
+        """Part what constraints do into the work of stops and that of contacts."""
+        position = np.concatenate([steps.position_before[:, None], steps.position[:, :-1]], axis=1)
+        stops = np.zeros(travel.shape[:2])
+        for place, row in enumerate(rows.tolist()):
+            before = {name: values[place] for name, values in steps.derived.items()}
+            stops[place] = np.sum(stop_forces(self._models[row], position[place], before) * travel[place], axis=1)
+        work["contact_work"], work["stop_work"] = work["stop_work"] - stops, stops
+
+    def _add_stops(self, work: dict[str, Array], driven: Array, rows: Indices, steps: Steps, taken: Indices) -> None:
         """Part what constraints do into the work of stops and that of closures.
 
         The force of a stop jumps within the step in which a hinge meets it, or leaves it, and no rule for smooth forces
@@ -220,7 +254,7 @@ class Account:
         work["stop_work"] = np.where(stopped, work["stop_work"], 0.0)
         if len(self._gaps):
             work["closure_work"] = closing
-        others = motors + work["hinge_damping_work"] + work["elastic_damping_work"]
+        others = driven + work["hinge_damping_work"] + work["elastic_damping_work"]
         for place, step in zip(*np.nonzero(jumps & (np.arange(jumps.shape[1]) < taken[:, None])), strict=True):
             ends = (steps.before[place] if step == 0 else steps.after[place, step - 1], steps.after[place, step])
             before, after = (energy_of(self._models[rows[place]], state) for state in ends)

@@ -8,14 +8,12 @@ from collections.abc import Sequence
 import mujoco
 import numpy as np
 
+from forficula.dynamics.contact import BARS, set_contact, stop_reference
 from forficula.dynamics.folds import slide_name
 from forficula.structure import GROUND, Bar, Body, Hinge, Motor, Plate, Structure, mass_of
 
-# bits by which MuJoCo selects who touches whom
-_OVERLAPPING, _OTHERS = 1, 2
-# MuJoCo hardens a contact over 0.001 of its length unit, which would be another share of every structure; the other
-# numbers are its defaults.
-_SOFT_SHARE = 0.02
+# of a bar, but for rounding
+_WHOLE = 1 - 1e-6
 # in whose axes forces on plates point
 GROUND_SITE = "ground"
 
@@ -76,11 +74,6 @@ def engine_sites(structure: Structure) -> list[int]:
     return [number for number, point in enumerate(structure.points) if point.place.any() or number in ends]
 
 
-def stop_reference(timestep: float) -> list[float]:
-    """Time constant and damping ratio of joint limits: as stiff as the timestep allows without rebound."""
-    return [2 * timestep, 1.0]
-
-
 def _add_node(added: mujoco.MjsBody, body: Body) -> None:
     """Let a body without a shape slide; it never turns, so that its inertia is any."""
     added.explicitinertial = True
@@ -91,18 +84,22 @@ def _add_node(added: mujoco.MjsBody, body: Body) -> None:
 
 def _add_bar(body: mujoco.MjsBody, bar: Bar, structure: Structure, timestep: float) -> None:
     """Add a cylinder for the mass and, where bars touch, a capsule without mass, whose contacts are closed forms."""
-    place = {"size": [bar.diameter / 2, 0, 0], "fromto": [0, 0, 0, *bar.end]}
-    body.add_geom(type=mujoco.mjtGeom.mjGEOM_CYLINDER, density=bar.density, contype=0, conaffinity=0, **place)
-    if structure.contact:
-        body.add_geom(
-            type=mujoco.mjtGeom.mjGEOM_CAPSULE,
-            density=0,
-            contype=_OVERLAPPING if bar.overlaps else _OTHERS,
-            conaffinity=_OTHERS if bar.overlaps else _OVERLAPPING | _OTHERS,
-            solref=stop_reference(timestep),
-            solimp=[0.9, 0.95, _SOFT_SHARE * bar.diameter, 0.5, 2],
-            **place,
-        )
+    size = [bar.diameter / 2, 0, 0]
+    body.add_geom(
+        type=mujoco.mjtGeom.mjGEOM_CYLINDER,
+        density=bar.density,
+        contype=0,
+        conaffinity=0,
+        size=size,
+        fromto=[0, 0, 0, *bar.end],
+    )
+    share = bar.overlaps / float(np.linalg.norm(bar.end))
+    # no more than its end would touch
+    if structure.contact is not None and share < _WHOLE:
+        place = [*share * bar.end, *bar.end]
+        capsule = body.add_geom(type=mujoco.mjtGeom.mjGEOM_CAPSULE, density=0, size=size, fromto=place)
+        capsule.contype = capsule.conaffinity = BARS
+        set_contact(capsule, bar.diameter, structure.contact, timestep)
 
 
 def _add_plate(spec: mujoco.MjSpec, body: mujoco.MjsBody, plate: Plate, structure: Structure) -> None:

@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.dynamics.bodies import stop_reference
+from forficula.dynamics.contact import stop_reference
 from forficula.structure import Coupling, Structure, coupling_rows
 
 Array = NDArray[np.float64]

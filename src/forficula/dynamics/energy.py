@@ -146,6 +146,8 @@ def state_series(
         _, stiffness = branch_numbers(model)
         energy = branch_forces(model, derived["act"]) ** 2 / (2 * stiffness)
         series["branch_energy"] = units.energy * np.sum(energy, axis=-1)
+        pull = model.elastic.force(length - crept) - branch_forces(model, derived["act"]).sum(axis=-1)
+        series["tendon_pull"] = units.energy / units.length * np.where(model.lets_go, np.maximum(pull, 0.0), pull)
     if "xpos" not in derived:
         return series
     at_origin = model.sites < 0
@@ -153,7 +155,8 @@ def state_series(
     return series | {
         **state_energies(model, derived),
         "point_position": units.length * points,
-        "membrane_position": units.length * derived["flexvert_xpos"],
+        # after them come the surfaces that touch
+        "membrane_position": units.length * derived["flexvert_xpos"][:, : len(model.mesh.bodies)],
     }
 
 
@@ -191,7 +194,9 @@ def state_energies(model: Model, derived: Mapping[str, Array]) -> dict[str, Arra
         model: the model.
         derived: of the states, by MuJoCo's names, in the model's units: energy, flexvert_xpos, xipos.
     """
-    units, height = model.units, np.sum(model.engine.body_mass * derived["xipos"][..., 2], axis=-1)
+    # what moves with a body of the medium around it does not weigh
+    weighs = model.engine.body_mass * (1 - model.engine.body_gravcomp)
+    units, height = model.units, np.sum(weighs * derived["xipos"][..., 2], axis=-1)
     with np.errstate(over="ignore", invalid="ignore"):  # of what blows up
         return {
             "membrane_energy": units.energy * stretch_energy(derived["flexvert_xpos"], model.mesh),

@@ -29,8 +29,9 @@ class EnergyBalance:
         gravitational: change of the gravitational energy.
         hinge_damping: that the hinges' damping took.
         elastic_damping: that the tendons' and the membrane's damping took.
-        stops: that stops, length limits and, where they are on, contacts took; with rigid couplings what these took,
-            which should be none but for errors of the integration.
+        stops: that stops and length limits took; with rigid couplings what these took, which should be none but for
+            errors of the integration.
+        contacts: that contacts took, with their friction, and then rigid couplings; None where nothing touches.
         branches: change of the energy of the tendons' Maxwell branches; None where they have none.
         branch_damping: that the dampers in these branches took; None where there are none.
         yielding: that the tendons' yielding took; None where they never yield.
@@ -41,6 +42,7 @@ class EnergyBalance:
         couplings: change of the energy of elastic couplings between joints; None where there are none.
         closures: that loops of bodies took where they were closed, and part of what is missing: closing them takes no
             work but for errors of the integration; None where there are none.
+        drag: that air or water took; None in empty space.
         at_hand: what tendons stretched by their levers, hinges turned by 1 rad, or bars and membranes strained by 1e-4
             would hold, whichever is most; a billionth of it is rounding.
         stored: in tendons, membrane and springs at the start or the end, where there is more; 1e-5 of it is slight.
@@ -54,6 +56,7 @@ class EnergyBalance:
     hinge_damping: float
     elastic_damping: float
     stops: float
+    contacts: float | None = None
     branches: float | None = None
     branch_damping: float | None = None
     yielding: float | None = None
@@ -62,6 +65,7 @@ class EnergyBalance:
     springs: float | None = None
     couplings: float | None = None
     closures: float | None = None
+    drag: float | None = None
     at_hand: float = 0.0
     stored: float = 0.0
 
@@ -70,7 +74,7 @@ class EnergyBalance:
         """Work that the account does not find, J: the error of the integration."""
         stored = self.tendon + self.membrane + self.kinetic + self.gravitational
         of_law = (self.branches, self.branch_damping, self.yielding, self.letting_go, self.hinges, self.springs)
-        others = sum(term or 0.0 for term in (*of_law, self.couplings))
+        others = sum(term or 0.0 for term in (*of_law, self.couplings, self.contacts, self.drag))
         return self.work - stored - self.hinge_damping - self.elastic_damping - self.stops - others
 
     @property
@@ -106,6 +110,7 @@ def energy_balance(record: Record) -> EnergyBalance:
         hinge_damping=-change["hinge_damping_work"],
         elastic_damping=-change["elastic_damping_work"],
         stops=-change["stop_work"],
+        contacts=_taken(change, "contact_work"),
         branches=change.get("branch_energy"),
         branch_damping=_taken(change, "branch_damping_work"),
         yielding=_taken(change, "yield_work"),
@@ -114,6 +119,7 @@ def energy_balance(record: Record) -> EnergyBalance:
         springs=change.get("spring_energy"),
         couplings=change.get("coupling_energy"),
         closures=_taken(change, "closure_work"),
+        drag=_taken(change, "drag_work"),
         at_hand=_at_hand(record.structure),
         # of a run that blew up, which ends with no number, none
         stored=max((each for each in ends if np.isfinite(each)), default=0.0),

@@ -13,8 +13,10 @@ from numpy.typing import NDArray
 from forficula.design import Design
 from forficula.dynamics.bodies import add_bodies, brake_name, engine_sites, force_name, servo_names
 from forficula.dynamics.closures import add_closures, gap_name
+from forficula.dynamics.contact import add_panels, add_stop_sensors, check_apart
 from forficula.dynamics.couplings import add_couplings
 from forficula.dynamics.creases import Creases, add_creases, clear_rows, creases_of
+from forficula.dynamics.drag import HELD, Drag, add_medium, drag_of
 from forficula.dynamics.folds import Folds, folds_of, slide_name
 from forficula.dynamics.membrane import Mesh, add_membranes, joined_mesh
 from forficula.dynamics.node_modes import followed_steps
@@ -46,7 +48,8 @@ class Model:
         mesh: its membranes, in the model's units.
         folds: how its hinges' angles follow from the engine's positions.
         creases: those of its hinges that no joint makes; None where there are none.
-        followed: steps over which the engine's rows of creases stay as they are.
+        drag: of what surrounds it; None for empty space.
+        followed: steps over which the engine's rows of creases and the drag stay as they are.
         pushed: by what each coordinate's shift takes the points of a force along it, (motor, dof); 0 for other motors
             and on plates, where it changes.
         springs: index of each spring among the engine's tendons, (spring,).
@@ -79,6 +82,7 @@ class Model:
     mesh: Mesh
     folds: Folds
     creases: Creases | None
+    drag: Drag | None
     followed: int
     pushed: Array
     springs: Indices
@@ -149,7 +153,9 @@ def compile_model(design: Design) -> Model:
     """
     structure = structure_of(design)
     units = model_units(structure)
-    return compile_structure(design, structure, structure_of(design_in_model_units(design, units)), units)
+    model = compile_structure(design, structure, structure_of(design_in_model_units(design, units)), units)
+    check_apart(model.engine, model.in_units, units.length)
+    return model
 
 
 def compile_structure(design: Design, structure: Structure, in_units: Structure, units: ModelUnits) -> Model:
@@ -179,7 +185,7 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
     )
     engine = _compiled(spec, design.name)
     clear_rows(engine)
-    folds = folds_of(engine, in_units)
+    folds, drag = folds_of(engine, in_units), drag_of(engine, in_units)
     kinds = mujoco.mjtObj
     tendons = _indices(engine, kinds.mjOBJ_TENDON, [tendon.name for tendon in in_units.tendons])
     plastic = engine.tendon_plasticadr[tendons]
@@ -199,7 +205,8 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
         mesh=mesh,
         folds=folds,
         creases=creases_of(engine, in_units, folds),
-        followed=followed_steps(in_units) if len(folds.creases) else 1,
+        drag=drag,
+        followed=_followed_steps(in_units),
         pushed=_pushed(engine, in_units),
         springs=_indices(engine, kinds.mjOBJ_TENDON, [spring.name for spring in in_units.springs]),
         tendons=tendons,
@@ -237,6 +244,7 @@ def _spec_of(structure: Structure, timestep: float, mesh: Mesh, distances: list[
     """All parts of a structure, not compiled yet."""
     spec = _empty_spec(structure, timestep)
     add_bodies(spec, structure, timestep)
+    add_medium(spec, structure)
     add_creases(spec, structure)
     add_couplings(spec, structure, timestep)
     add_closures(spec, structure, timestep)
@@ -253,6 +261,8 @@ def _spec_of(structure: Structure, timestep: float, mesh: Mesh, distances: list[
         if measure.points is not None:
             add_distance(spec, f"distance_{measure.name}", measure.points, structure)
     add_membranes(spec, mesh, structure)
+    add_panels(spec, structure, timestep)
+    add_stop_sensors(spec, structure)
     return spec
 
 
@@ -274,8 +284,14 @@ def _empty_spec(structure: Structure, timestep: float) -> mujoco.MjSpec:
     option.enableflags |= mujoco.mjtEnableBit.mjENBL_ENERGY
     # what has diverged must stay so, not start again
     option.disableflags |= mujoco.mjtDisableBit.mjDSBL_AUTORESET
-    if not structure.contact:
+    if structure.contact is None:
         option.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT
+        return spec
+    # like the other one: where panels touch would be found to 1e-6 of the length unit
+    option.ccd_tolerance = 1e-10
+    if structure.contact.friction:
+        # a pyramid would be friction that depends on the direction
+        option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
     return spec
 
 
@@ -288,6 +304,14 @@ def _compiled(spec: mujoco.MjSpec, name: str) -> mujoco.MjModel:
             return spec.compile()
     except (ValueError, MemoryError, mujoco.FatalError) as error:
         raise InputError(f"{name}: MuJoCo cannot build it: {' '.join(str(error).split())}") from None
+
+
+def _followed_steps(structure: Structure) -> int:
+    """Steps over which creases and drag stay as they are; 1 where there is neither."""
+    most = [] if structure.medium is None else [HELD]
+    if any(hinge.flaps for hinge in structure.hinges):
+        most.append(followed_steps(structure))
+    return min(most, default=1)
 
 
 def _branches(counts: list[int]) -> Indices:

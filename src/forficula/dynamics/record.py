@@ -19,7 +19,7 @@ from forficula.design import Design, Stage, design_from_text, design_text
 from forficula.dynamics.membrane import joined_mesh
 from forficula.errors import InputError
 from forficula.files import write_bytes
-from forficula.structure import Structure, distances_of, hinges_of, measure_of, structure_of
+from forficula.structure import Structure, distances_of, hinges_of, measure_of, read_angles, structure_of
 
 if TYPE_CHECKING:
     import xarray
@@ -38,13 +38,14 @@ VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "motor_work": (("motor",), "J", "work of the motor since the start"),
     "hinge_damping_work": ((), "J", "work of the hinges' damping since the start"),
     "elastic_damping_work": ((), "J", "work of the tendons' and the membrane's damping since the start"),
-    "stop_work": ((), "J", "work of the hinges' stops, length limits, rigid couplings and contacts since the start"),
+    "stop_work": ((), "J", "work of the hinges' stops, length limits and rigid couplings since the start"),
     "point_position": (("point", "axis"), "m", "named points on bodies"),
     "membrane_position": (("node", "axis"), "m", "nodes of the membrane"),
 }
-# what is there only with springs in hinges, with displacements, with elastic couplings, with distances that are
-# watched, with Maxwell branches, with tendons that yield, and with tendons that let go
+# what is there only with contacts, springs in hinges, displacements, elastic couplings, distances that are watched,
+# Maxwell branches, tendons that yield or let go, and in air or water
 SOMETIMES: dict[str, tuple[tuple[str, ...], str, str]] = {
+    "contact_work": ((), "J", "work of contacts and their friction since the start; of rigid couplings then, too"),
     "hinge_energy": (("hinge",), "J", "energy of the hinge's spring"),
     "hinge_rest_angle": (("hinge",), "rad", "where the hinge's spring rests, which a drive moves"),
     "motor_force": (("motor",), "N", "force on all points that the motor displaces together, along its way"),
@@ -58,7 +59,10 @@ SOMETIMES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "yield_work": ((), "J", "work of the tendons' yielding since the start"),
     "closure_work": ((), "J", "work of what closes loops of bodies since the start, which should be none"),
     "closure_gap": ((), "m", "widest gap of the creases that close loops since the start"),
+    "drag_work": ((), "J", "work of the drag of air or water since the start"),
     "letting_go_work": ((), "J", "work that tendons which let go are spared, where their branches would push"),
+    "tendon_pull": (("tendon",), "N", "pull of the tendon's spring and Maxwell branches"),
+    "waited": ((), "s", "time at rest since the start that was not stepped, beside the time"),
 }
 # of the file; others are refused
 _FORMAT = 2
@@ -81,6 +85,7 @@ class StageEnd:
         goal_time: when the goal was reached, s; None where it was not, or where the goal was the time.
         at_rest: whether every hinge was slower at its end than what counts as rest.
         at_goal: whether the goal held at its end, for however short a time.
+        waited: how long it was at rest without being stepped, s, beside the time from start to end.
     """
 
     stage: Stage
@@ -89,6 +94,7 @@ class StageEnd:
     goal_time: float | None
     at_rest: bool
     at_goal: bool = False
+    waited: float = 0.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -118,7 +124,7 @@ class Record:
         return self.series["hinge_angle"][:, list(hinges_of(self.structure, role))]
 
     def measured(self, name: str) -> Array:
-        """What a measure reads: angles of its hinges, rad, (time, hinge), or a distance, m, (time, 1).
+        """What a measure reads: angles, rad, (time, reading), or a distance, m, (time, 1).
 
         Raises:
             InputError: there is no such measure, nor hinges of a role of that name.
@@ -130,7 +136,7 @@ class Record:
         if measure.points is not None:
             place = [each.name for each in distances_of(self.structure)].index(name)
             return self.series["distance"][:, place : place + 1]
-        return np.array(measure.signs) * self.series["hinge_angle"][:, list(measure.hinges)]
+        return read_angles(measure, self.series["hinge_angle"])
 
     @property
     def work(self) -> Array:
@@ -193,6 +199,7 @@ def save_record(record: Record, path: str | os.PathLike[str]) -> None:
         ),
         stage_at_goal=("stage", np.array([end.at_goal for end in record.stages], dtype=np.int8)),
         stage_at_rest=("stage", np.array([end.at_rest for end in record.stages], dtype=np.int8)),
+        stage_waited=("stage", [end.waited for end in record.stages], {"units": "s"}),
     )
     data.attrs = {
         "format": _FORMAT,
@@ -244,12 +251,16 @@ def _netcdf(data: xarray.Dataset) -> bytes:
 def load_record(path: str | os.PathLike[str]) -> Record:
     """Read a record that `save_record` wrote.
 
+    Args:
+        path: of its file, or of the folder of a run.
+
     Raises:
         InputError: no such file, not such a file, or not the bytes that were written.
     """
     import h5py
 
     path = Path(path)
+    path = path / "record.nc" if path.is_dir() else path
     try:
         content = path.read_bytes()
     except OSError as error:
@@ -281,6 +292,7 @@ def _read(file: Any) -> Record:
     """The record that an open file holds."""
     design = design_from_text(file.attrs["design"])
     ends = [file[f"stage_{name}"][()] for name in ("start", "end", "goal_time", "at_rest", "at_goal")]
+    waits = file["stage_waited"][()] if "stage_waited" in file else np.zeros(len(ends[0]))
     diverged_at = float(np.squeeze(file.attrs["diverged_at"]))
     stages = tuple(
         StageEnd(
@@ -290,8 +302,9 @@ def _read(file: Any) -> Record:
             goal_time=None if np.isnan(goal) else float(goal),
             at_rest=bool(at_rest),
             at_goal=bool(at_goal),
+            waited=float(waited),
         )
-        for stage, start, end, goal, at_rest, at_goal in zip(design.protocol.stages, *ends, strict=False)
+        for stage, start, end, goal, at_rest, at_goal, waited in zip(design.protocol.stages, *ends, waits, strict=False)
     )
     return Record(
         design=design,

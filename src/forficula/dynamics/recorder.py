@@ -147,6 +147,9 @@ class Recorder:
     def _works(self, account: Mapping[str, Array]) -> dict[str, Array]:
         """The account, with the works and powers of all motors as one array each, (row, motor)."""
         series = dict(account)
+        if not any(stage.wait for stage in self.model.design.protocol.stages):
+            # one beside it waits
+            series.pop("waited", None)
         motors = range(len(self.model.structure.motors))
         for name, of_motor in (
             ("motor_work", motor_work_name),

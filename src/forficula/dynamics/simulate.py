@@ -17,6 +17,7 @@ from forficula.dynamics.sharing import followers, successors
 from forficula.dynamics.stages import StageTracker
 from forficula.dynamics.stepper import Pending, Stepper
 from forficula.dynamics.steps import Steps
+from forficula.dynamics.waiting import Waits
 from forficula.errors import InputError
 
 Array = NDArray[np.float64]
@@ -91,7 +92,7 @@ def _records(
     enough: Callable[[Record], bool] | None,
 ) -> Iterator[tuple[int, Record]]:
     """Do as `simulate_each` does."""
-    tracker, account = StageTracker(models), Account(models)
+    tracker, account, waits = StageTracker(models), Account(models), Waits(models)
     recorders = [Recorder(model, sparse) for model in models]
     starts = [stepper.state(row) for row in range(len(models))]
     following = {} if enough is None else successors(models)
@@ -106,6 +107,8 @@ def _records(
         if under_way:
             rows, torques, steps = under_way.popleft()
             _advance(stepper, tracker, account, recorders, rows, torques, steps.result())
+            while tracker.waiting:
+                waits.go_on(tracker.waiting.pop(), tracker, stepper, account)
         for row, (leader, stages) in list(waiting.items()):
             if moving[leader] and (tracker.stage[leader] >= stages or tracker.ended[leader]):
                 stepper.follow_leader(row, leader)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import reduce
 
 import mujoco
@@ -14,7 +14,7 @@ from forficula.design import Stage, stage_drives
 from forficula.dynamics.model import Model, joint_ranges
 from forficula.dynamics.record import StageEnd
 from forficula.dynamics.steps import Steps
-from forficula.structure import Goal, drive_of, goal_of
+from forficula.structure import Goal, drive_of, goal_of, sums_of
 
 Array = NDArray[np.float64]
 Numbers = NDArray[np.int64]
@@ -28,6 +28,43 @@ _RELAXED = 3
 NEVER = 10**15
 _AT_ONCE = 1e-9  # steps
 _FAR = np.radians(10.0)  # beyond a stop
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Watched:
+    """The coordinates that some goal bounds, see `forficula.structure.goal_coordinates`.
+
+    Attributes:
+        hinges: numbers of those whose angles it takes, (hinge,).
+        angles: places among these of the angles that are bounded themselves.
+        distances: numbers of the distances, among those that are measured.
+        sums: by what each of these hinges counts in each sum, (sum, hinge).
+    """
+
+    hinges: Numbers
+    angles: Numbers
+    distances: Numbers
+    sums: Array
+
+    @classmethod
+    def of(cls, model: Model, kept: Numbers) -> _Watched:
+        """Those of a structure with these numbers, rising."""
+        structure = model.structure
+        turns, apart = len(structure.hinges), len(model.distances)
+        rows = [
+            np.bincount(part, weights=[measure.signs[measure.hinges.index(hinge)] for hinge in part], minlength=turns)
+            for measure in sums_of(structure)
+            for part in measure.parts
+        ]
+        sums: Array = np.array(rows, dtype=np.float64).reshape(-1, turns)[kept[kept >= turns + apart] - turns - apart]
+        angles = kept[kept < turns]
+        hinges = np.union1d(angles, np.flatnonzero(sums.any(axis=0)))
+        return cls(
+            hinges=hinges,
+            angles=np.searchsorted(hinges, angles),
+            distances=kept[(kept >= turns) & (kept < turns + apart)] - turns,
+            sums=sums[:, hinges],
+        )
 
 
 class StageTracker:
@@ -64,12 +101,17 @@ class StageTracker:
         goals = [[stage_goal(model, stage) for stage in row] for model, row in zip(models, stages, strict=True)]
         least, most = (np.array([[getattr(goal, end) for goal in row] for row in goals]) for end in ("least", "most"))
         # only what some goal bounds is looked at
-        self._watched = np.flatnonzero(np.isfinite(least).any(axis=(0, 1)) | np.isfinite(most).any(axis=(0, 1)))
-        self._least, self._most = least[:, :, self._watched], most[:, :, self._watched]
+        kept = np.flatnonzero(np.isfinite(least).any(axis=(0, 1)) | np.isfinite(most).any(axis=(0, 1)))
+        self._least, self._most = least[:, :, kept], most[:, :, kept]
+        self._watched = _Watched.of(models[0], kept)
         self._ends_at_rest = np.array([[goal.kind == "rest" for goal in row] for row in goals])
         self._has_bounds = np.array([[goal.kind == "bounds" for goal in row] for row in goals])
         self._hold = self._in_steps([[stage.hold for stage in row] for row in stages])
         self._limit = self._in_steps([[stage.time_limit for stage in row] for row in stages])
+        self._wait = np.array([[stage.wait or 0.0 for stage in row] for row in stages])
+        # a structure that waits rests for as long before every leap as its states are averaged over
+        windows = self._in_steps([[protocol.window] for protocol in protocols])
+        self._hold = np.where(self._wait > 0, np.maximum(self._hold, windows), self._hold)
         self._window = self._in_steps([[_longest_rest(model)] for model in models])[:, 0]
         driven = np.array([[bool(stage_drives(stage)) for stage in row] for row in stages])
         self._may_stick = driven & self._has_bounds
@@ -98,6 +140,13 @@ class StageTracker:
         # the step since which the stage's goal has held and it has rested, or -1
         self._goal_since: Numbers = np.full(count, -1, dtype=np.int64)
         self._rest_since: Numbers = np.full(count, -1, dtype=np.int64)
+        # what it has waited in all, and what before its stage, s; since when it may rest, and when it first did, steps
+        self.waited = np.zeros(count)
+        self._waited_before = np.zeros(count)
+        self._limit_start: Numbers = np.zeros(count, dtype=np.int64)
+        self._rested: Numbers = np.full(count, -1, dtype=np.int64)
+        # those that rest and are to wait
+        self.waiting: list[int] = []
         # whether it missed a goal or blew up, so that the rest of its protocol makes no sense
         self._stopped = np.zeros(count, dtype=bool)
 
@@ -165,7 +214,7 @@ class StageTracker:
         short = ~reached & self._may_stick[rows, stage][:, None]
         rest_since = np.maximum(rest_since, (self.stage_start[rows] + self._risen[rows, stage])[:, None])
         stuck = resting & short & (number - rest_since >= self._window[rows, None])
-        over = held | stuck | (number - self.stage_start[rows, None] >= self._limit[rows, stage][:, None])
+        over = held | stuck | (number - self._limit_start[rows, None] >= self._limit[rows, stage][:, None])
         end = _first(over, count) + 1
         taken = np.minimum(np.minimum(end, sound), count)
         self.steps[rows] += taken
@@ -179,15 +228,37 @@ class StageTracker:
                 self.ended[row] = self._stopped[row] = True
             elif end[place] <= count:
                 last = end[place] - 1
+                row = int(rows[place])
                 goal_step = int(goal_since[place, last]) if held[place, last] else None
+                self._begun[row] = position[place, last]
+                if goal_step is not None and self._wait[row, self.stage[row]] > 0:
+                    self._rested[row] = self._rested[row] if self._rested[row] >= 0 else self.steps[row]
+                    self._limit_start[row] = self.steps[row]
+                    self._goal_since[row] = self._rest_since[row] = -1
+                    self.waiting.append(row)
+                    continue
                 at_rest, at_goal = bool(resting[place, last]), bool(reached[place, last])
-                self._end_stage(int(rows[place]), goal_step, at_rest=at_rest, at_goal=at_goal)
-                self._begun[rows[place]] = position[place, last]
+                self._end_stage(row, goal_step, at_rest=at_rest, at_goal=at_goal)
         return np.asarray(taken)
+
+    def left_to_wait(self, row: int) -> tuple[float, float]:
+        """What a structure that rests has yet to wait in its stage, and for how long it is stepped at least, s."""
+        timestep, stage = self._timestep[row], self.stage[row]
+        passed = timestep * (self.steps[row] - self._rested[row]) + self.waited[row] - self._waited_before[row]
+        left = self._wait[row, stage] - passed
+        return float(left) if left > timestep / 2 else 0.0, float(self._hold[row, stage] * timestep)
+
+    def end_wait(self, row: int) -> None:
+        """End the stage of a structure that has waited, and rests."""
+        self._end_stage(row, int(self.steps[row] - self._hold[row, self.stage[row]]), at_rest=True, at_goal=True)
 
     def follow_leader(self, row: int, leader: int) -> None:
         """Put a structure where another one is, which has gone the same way so far."""
         for values in (
+            self.waited,
+            self._waited_before,
+            self._limit_start,
+            self._rested,
             self.steps,
             self.stage,
             self.stage_start,
@@ -215,8 +286,7 @@ class StageTracker:
 
     def _reached(self, rows: Numbers, steps: Steps, resting: NDArray[np.bool_]) -> NDArray[np.bool_]:
         """Whether the goal of each structure's stage holds after each step, (row, step)."""
-        stage, hinges = self.stage[rows], len(self._folds[0].senses)
-        angles = self._watched[self._watched < hinges]
+        stage, angles = self.stage[rows], self._watched.hinges
         if steps.angles is None:
             watched = self._senses[rows][:, None, angles] * steps.position[:, :, angles]
         else:
@@ -227,10 +297,13 @@ class StageTracker:
                     for place, row in enumerate(rows.tolist())
                 ]
             )
-        if len(angles) < len(self._watched):
+        parts = [watched[:, :, self._watched.angles]]
+        if len(self._watched.distances):
             # lengths are those before the step: a distance counts one step late
-            apart = steps.derived["ten_length"][:, :, self._distances[self._watched[len(angles) :] - hinges]]
-            watched = np.concatenate([watched, apart], axis=2)
+            parts.append(steps.derived["ten_length"][:, :, self._distances[self._watched.distances]])
+        if len(self._watched.sums):
+            parts.append(watched @ self._watched.sums.T)
+        watched = np.concatenate(parts, axis=2)
         least, most = self._least[rows, stage][:, None], self._most[rows, stage][:, None]
         within = np.all((watched >= least) & (watched <= most), axis=2)
         bounded, at_rest = (each[rows, stage][:, None] for each in (self._has_bounds, self._ends_at_rest))
@@ -238,7 +311,7 @@ class StageTracker:
 
     def _end_stage(self, row: int, goal_step: int | None, *, at_rest: bool, at_goal: bool) -> None:
         stage = self._models[row].design.protocol.stages[self.stage[row]]
-        goes_on = not self._has_bounds[row, self.stage[row]]
+        goes_on = not self._has_bounds[row, self.stage[row]] and not self._wait[row, self.stage[row]] > 0
         timestep = float(self._timestep[row])
         self.ends[row].append(
             StageEnd(
@@ -248,13 +321,15 @@ class StageTracker:
                 goal_time=None if goal_step is None else goal_step * timestep,
                 at_rest=at_rest,
                 at_goal=at_goal,
+                waited=float(self.waited[row] - self._waited_before[row]),
             )
         )
+        self._waited_before[row] = self.waited[row]
         self._stopped[row] = goal_step is None and not goes_on
         self.ended[row] = self._stopped[row] or self.stage[row] == self._last[row]
         self.stage[row] += 1
-        self.stage_start[row] = self.steps[row]
-        self._goal_since[row] = self._rest_since[row] = -1
+        self.stage_start[row] = self._limit_start[row] = self.steps[row]
+        self._goal_since[row] = self._rest_since[row] = self._rested[row] = -1
 
 
 def _rest_speeds(model: Model) -> Array:
@@ -268,9 +343,14 @@ def _rest_speeds(model: Model) -> Array:
 
 
 def _longest_rest(model: Model) -> float:
-    """How long a structure may rest short of its goal before it is stuck, s: until its branches have relaxed, too."""
+    """How long a structure may rest short of its goal before it is stuck, s: until its branches have relaxed, too.
+
+    Those that take longer than any stage do nothing in one.
+    """
+    protocol = model.design.protocol
+    longest = max(stage.time_limit for stage in protocol.stages)
     times = [branch.time for tendon in model.structure.tendons for branch in tendon.law.branches]
-    return max(model.design.protocol.window, _RELAXED * max(times, default=0.0))
+    return max(protocol.window, _RELAXED * max((time for time in times if time <= longest), default=0.0))
 
 
 def _far_beyond(model: Model) -> tuple[Array, Array]:
@@ -302,7 +382,8 @@ def stage_goal(model: Model, stage: Stage) -> Goal:
     """The goal of a stage, in the model's units."""
     # what is written of a distance is SI
     goal, hinges = goal_of(model.structure, stage.until), len(model.structure.hinges)
-    unit = np.where(np.arange(len(goal.least)) < hinges, 1.0, model.units.length)
+    place = np.arange(len(goal.least)) - hinges
+    unit = np.where((place < 0) | (place >= len(model.distances)), 1.0, model.units.length)
     return replace(goal, least=goal.least / unit, most=goal.most / unit)
 
 

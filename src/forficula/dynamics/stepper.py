@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from forficula.dynamics.crease_rows import crease_rows, without_jump
 from forficula.dynamics.creases import engine_rows
+from forficula.dynamics.drag import KINEMATICS, stacked_drag
 from forficula.dynamics.model import Model
 from forficula.dynamics.plate_creases import plate_rows
 from forficula.dynamics.steps import State, Steps
@@ -34,6 +35,7 @@ _OF_SPARSE = ("ten_length",)
 _OF_STATES = ("ten_length", "energy", "flexvert_xpos", "xpos", "xipos", "site_xpos")
 _OF_ACCOUNT = ("qfrc_damper", "qfrc_constraint")
 _OF_LETTING_GO = ("ten_velocity", "ten_J")
+_OF_CONTACT = ("sensordata", "ten_J")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -72,10 +74,18 @@ class Stepper:
         self._state = _start_states(models)
         self._moving, self._control = _columns(model, _MOVING), _columns(model, _CONTROL)
         self._inner = _inner(model)
+        self._activation = self._moving[self._inner.get("act", slice(0, 0))]
         self._kept = _OF_SPARSE if sparse else _OF_STATES
         self._names = (*self._kept, *_OF_ACCOUNT, *(_OF_LETTING_GO if models[0].lets_go.any() else ()))
+        if models[0].structure.contact is not None:
+            self._names = tuple(dict.fromkeys((*self._names, *_OF_CONTACT)))
         if models[0].ways.any():
             self._names = (*self._names, "actuator_force")
+        drags = [each.drag for each in models if each.drag is not None]
+        self._drag = stacked_drag(drags) if drags else None
+        self._applied = _columns(model, mujoco.mjtState.mjSTATE_QFRC_APPLIED.value)
+        if drags:
+            self._names = (*self._names, "qfrc_applied")
         # the same memory again and again: fresh memory costs as much time as looking at it
         self._memory = deque([_memory(models, self._names, chunk, len(self._moving)) for _ in range(2)])
         # where the creases of each were last, without jumps
@@ -128,17 +138,10 @@ class Stepper:
                     self._step,
                     rows[part],
                     controls[part],
-                    {name: each[part] for name, each in mine.items()},
-                    {name: each[part] for name, each in (late or {}).items()},
-                )
-                if angles is None
-                else self._workers.submit(
-                    self._follow,
-                    rows[part],
-                    controls[part],
                     efforts[part],
                     {name: each[part] for name, each in mine.items()},
-                    angles[part],
+                    {name: each[part] for name, each in (late or {}).items()},
+                    None if angles is None else angles[part],
                 )
                 for part in parts
             ],
@@ -174,88 +177,124 @@ class Stepper:
         angle[folds.creases] = without_jump(angle[folds.creases], self._angles[row])
         return State(position=data.qpos.copy(), velocity=data.qvel.copy(), angle=angle, derived=derived)
 
+    def lengths(self, row: int) -> Array:
+        """Lengths of the engine's tendons in a structure, (tendon,)."""
+        return np.asarray(self.state(row).derived["ten_length"])
+
+    def activation(self, row: int) -> Array:
+        """Forces of the Maxwell branches of a structure, pushing positive, (activation,)."""
+        return np.asarray(self._state[row, self._activation])
+
+    def set_activation(self, row: int, forces: Array) -> None:
+        """Put other forces in their place."""
+        self._state[row, self._activation] = forces
+
     def close(self) -> None:
         """Wait for the steps that are being made, and make no more."""
         self._workers.shutdown(cancel_futures=True)
 
-    def _step(
-        self, rows: Indices, controls: Array, memory: Mapping[str | int, Array], late: Mapping[str, Array]
+    def _roll(
+        self,
+        engine: Batch,
+        rows: Indices,
+        controls: Array,
+        memory: Mapping[str | int, Array],
+        late: Mapping[str, Array],
     ) -> None:
-        """Take some structures a chunk of steps further; what comes of it goes to memory."""
-        engine = self._engines.get()
-        try:
-            every = [*range(len(rows)), *[0] * (engine.nsim - len(rows))]
-            engine.set_models([self._models[rows[place]] for place in every])
-            engine.state[: len(rows)] = self._state[rows]
-            out: dict[str | int | mujoco.mjtState, Array] = {**memory}
-            first = self._fields(engine, rows, controls[:, 0]) if late else {}
-            with _quiet:
-                engine.rollout(
-                    self._chunk,
-                    control=controls,
-                    control_spec=_CONTROL,
-                    record=tuple(out),
-                    ids=np.arange(len(rows)),
-                    out=out,
-                )
-            for name, each in late.items():
-                # the engine leaves what the last of its four stages saw, next to the state after the step
-                each[:] = memory[name]
-                memory[name][:, 0], memory[name][:, 1:] = first[name], each[:, :-1]
-        finally:
-            self._engines.put(engine)
-
-    def _fields(self, engine: Batch, rows: Indices, controls: Array) -> dict[str, Array]:
-        """The derived fields of structures in the states that they are in, (row, ...); the states stay."""
-        count = len(rows)
-        engine.state[:count, self._control] = controls
-        # the engine fills what was bound before
-        bound = {name: engine.bind(name) for name in self._names}
+        """Take structures as many steps further as they have controls."""
+        first: dict[str, Array] = {}
+        if late:
+            state = self._state[rows]
+            state[:, self._control] = controls[:, 0]
+            first = self._fields(engine, rows, state, self._names, mujoco.mjtStage.mjSTAGE_ACC)
+        self._put(engine, rows, self._state[rows])
+        out: dict[str | int | mujoco.mjtState, Array] = {**memory}
         with _quiet:
-            engine.forward(np.arange(count))
-        fields = {name: each[:count].copy() for name, each in bound.items()}
-        engine.state[:count] = self._state[rows]
-        return fields
+            engine.rollout(
+                controls.shape[1],
+                control=controls,
+                control_spec=_CONTROL,
+                record=tuple(out),
+                ids=np.arange(len(rows)),
+                out=out,
+            )
+        for name, each in late.items():
+            # the engine leaves what the last of its four stages saw, next to the state after the step
+            each[:] = memory[name]
+            memory[name][:, 0], memory[name][:, 1:] = first[name], each[:, :-1]
 
-    def _follow(
-        self, rows: Indices, controls: Array, efforts: Array, memory: Mapping[str | int, Array], angles: Array
+    def _fields(
+        self, engine: Batch, rows: Indices, state: Array, names: Sequence[str], stage: mujoco.mjtStage
+    ) -> dict[str, Array]:
+        """Derived fields of structures in some states, up to a stage of the engine's, (row, ...)."""
+        self._put(engine, rows, state)
+        # the engine fills what was bound before
+        bound = {name: engine.bind(name) for name in names}
+        with _quiet:
+            engine.forward(np.arange(len(rows)), stage.value)
+        return {name: each[: len(rows)].copy() for name, each in bound.items()}
+
+    def _put(self, engine: Batch, rows: Indices, state: Array) -> None:
+        """Put structures into an engine, in some states, (row, number)."""
+        every = [*range(len(rows)), *[0] * (engine.nsim - len(rows))]
+        engine.set_models([self._models[rows[place]] for place in every])
+        engine.state[: len(rows)] = state
+
+    def _step(
+        self,
+        rows: Indices,
+        controls: Array,
+        efforts: Array,
+        memory: Mapping[str | int, Array],
+        late: Mapping[str, Array],
+        angles: Array | None,
     ) -> None:
-        """Do as `_step` does, block by block: in each the creases have what they have at its start."""
+        """Take some structures a chunk of steps further; what comes of it goes to memory.
+
+        Where there are creases or drag, block by block: in each they have what they have at its start.
+        """
         engine = self._engines.get()
         try:
+            if angles is None and self._drag is None:
+                self._roll(engine, rows, controls, memory, late)
+                return
             followed = self._structures[0].followed
-            for block in range(angles.shape[1]):
+            for block in range(controls.shape[1] // followed):
                 steps = slice(block * followed, (block + 1) * followed)
-                near = self._angles[rows] if block == 0 else angles[:, block - 1]
-                angles[:, block] = self._set_creases(rows, near, efforts[:, steps].mean(axis=1))
-                every = [*range(len(rows)), *[0] * (engine.nsim - len(rows))]
-                engine.set_models([self._models[rows[place]] for place in every])
-                engine.state[: len(rows)] = self._state[rows]
-                out: dict[str | int | mujoco.mjtState, Array] = {
-                    name: np.empty((len(rows), steps.stop - steps.start, *each.shape[2:]))
-                    for name, each in memory.items()
-                }
-                with _quiet:
-                    engine.rollout(
-                        steps.stop - steps.start,
-                        control=np.ascontiguousarray(controls[:, steps]),
-                        control_spec=_CONTROL,
-                        record=tuple(out),
-                        ids=np.arange(len(rows)),
-                        out=out,
-                    )
+                if angles is not None:
+                    near = self._angles[rows] if block == 0 else angles[:, block - 1]
+                    angles[:, block] = self._set_creases(rows, near, efforts[:, steps].mean(axis=1))
+                if self._drag is not None:
+                    self._set_drag(engine, rows)
+                mine = {name: np.ascontiguousarray(each[:, steps]) for name, each in memory.items()}
+                later = {name: np.ascontiguousarray(each[:, steps]) for name, each in late.items()}
+                self._roll(engine, rows, np.ascontiguousarray(controls[:, steps]), mine, later)
                 for name, each in memory.items():
-                    each[:, steps] = out[name]
-                self._state[np.ix_(rows, self._moving)] = out[_MOVING][:, -1]
+                    each[:, steps] = mine[name]
+                for field, each in late.items():
+                    each[:, steps] = later[field]
+                self._state[np.ix_(rows, self._moving)] = mine[_MOVING][:, -1]
         finally:
             self._engines.put(engine)
+
+    def _set_drag(self, engine: Batch, rows: Indices) -> None:
+        """Give structures the drag that they have where they are and as they move."""
+        assert self._drag is not None
+        _, velocity = self._motion(rows)
+        fields = self._fields(engine, rows, self._state[rows], KINEMATICS, mujoco.mjtStage.mjSTAGE_POS)
+        with np.errstate(over="ignore", invalid="ignore"):  # of what blows up, whose later steps do not count
+            self._state[np.ix_(rows, self._applied)] = self._drag.forces(rows, fields, velocity)
+
+    def _motion(self, rows: Indices) -> tuple[Array, Array]:
+        """Positions and velocities of structures, (row, position) and (row, velocity)."""
+        engine, moving = self._structures[0].engine, self._state[np.ix_(rows, self._moving)][:, 1:]
+        return moving[:, : engine.nq], moving[:, engine.nq : engine.nq + engine.nv]
 
     def _set_creases(self, rows: Indices, near: Array, efforts: Array) -> Array:
         """Give the creases of structures what they have where they are; their angles, without jumps, (row, crease)."""
-        creases, engine = self._creases, self._structures[0].engine
+        creases = self._creases
         assert creases is not None
-        moving = self._state[np.ix_(rows, self._moving)][:, 1:]
-        position, velocity = moving[:, : engine.nq], moving[:, engine.nq : engine.nq + engine.nv]
+        position, velocity = self._motion(rows)
         with np.errstate(over="ignore", invalid="ignore"):  # of what blows up, whose later steps do not count
             angles, values = creases.follow(rows, position, velocity, near, efforts)
         for row, own in zip(rows.tolist(), values, strict=True):
@@ -269,7 +308,9 @@ def energy_of(model: Model, moving: Array) -> float:
     mujoco.mj_setState(model.engine, data, moving, _MOVING)
     with _quiet:
         mujoco.mj_forward(model.engine, data)
-    return float(data.energy.sum())
+    # the engine counts the weight of what floats, too
+    floats = model.engine.body_mass * model.engine.body_gravcomp
+    return float(data.energy.sum() + floats @ (data.xipos @ model.engine.opt.gravity))
 
 
 def _own_models(models: Sequence[Model], sparse: bool) -> list[mujoco.MjModel]:

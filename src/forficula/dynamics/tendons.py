@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import mujoco
 import numpy as np
 
-from forficula.dynamics.bodies import stop_reference
+from forficula.dynamics.contact import stop_reference
 from forficula.material.law.tendon_law import TendonLaw
 from forficula.structure import LengthLimit, Spring, Structure, Tendon
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from forficula.design import Design, with_values
+from forficula.dynamics.drag import KINEMATICS, Drag, stacked_drag
 from forficula.dynamics.model import Model, compile_model
 from forficula.dynamics.node_modes import node_timestep
 from forficula.errors import InputError
@@ -153,6 +154,9 @@ def _as_built(model: Model) -> _Linear:
         number, way = model.brakes[control], model.ways[control]
         largest = max((abs(drive.strengths[number]) for drive in model.in_units.drives), default=0.0)
         damping += largest / model.in_units.motors[number].no_load_speed * np.outer(way, way)
+    if model.drag is not None:
+        # what is set anew after so many steps is as if it were so much stronger
+        damping += model.followed * _drag_damping(model, model.drag, data, inertia)
     return _Linear(
         inertia=inertia,
         stiffness=stiffness,
@@ -160,6 +164,18 @@ def _as_built(model: Model) -> _Linear:
         implicit=np.diag(np.array(engine.dof_damping).reshape(engine.nv, -1)[:, 0]),
         stretch=stretch,
     )
+
+
+def _drag_damping(model: Model, drag: Drag, data: mujoco.MjData, inertia: Array) -> Array:
+    """By how much drag damps coordinates at most, (dof, dof), each as fast as tendons and torques can make it alone."""
+    tendons = model.elastic.energy(model.engine.tendon_length0[model.tendons])
+    torque = sum(abs(drive.strength) for drive in model.in_units.drives)
+    energy = float(np.max(tendons, initial=0.0)) + torque * np.pi
+    speeds = np.maximum(np.sqrt(2 * energy / np.diag(inertia)), _NUDGE)
+    kinematics = {name: np.repeat(getattr(data, name)[None], len(speeds), axis=0) for name in KINEMATICS}
+    forces = stacked_drag([drag]).forces(np.zeros(len(speeds), dtype=np.int64), kinematics, np.diag(speeds))
+    # what goes with the square of a speed has twice that slope
+    return np.asarray(-2 * forces.T / speeds)
 
 
 def _at_largest_lever(model: Model, built: _Linear) -> _Linear:

@@ -9,7 +9,17 @@ from forficula.pattern.crease_pattern import (
     sectors_between,
 )
 from forficula.pattern.drawing_file import read_drawing
-from forficula.pattern.earwig import EarwigFan, Tangent, earwig_pattern, hub_points, ring_vertices, tips, vein_gaps
+from forficula.pattern.earwig import (
+    EarwigFan,
+    Tangent,
+    earwig_pattern,
+    hub_points,
+    ring_directions,
+    ring_vertices,
+    tips,
+    vein_gaps,
+    vein_roles,
+)
 from forficula.pattern.facet_tree import FacetLink, central_facet, edges_between, facet_tree
 from forficula.pattern.flat_folding import (
     VertexCheck,
@@ -101,11 +111,13 @@ __all__ = [
     "read_folded_frames",
     "read_pattern",
     "rigidity",
+    "ring_directions",
     "ring_vertices",
     "sectors_between",
     "tips",
     "triangulated",
     "vein_gaps",
+    "vein_roles",
     "vertex_checks",
     "vertex_creases",
     "vertex_facts",

@@ -91,8 +91,10 @@ def fan_fold_angles(fan: EarwigFan, pleat_angle: float) -> NDArray[np.float64]:
         creases stay at 0: they may fold only once the pleats are closed.
 
     Raises:
-        InputError: a pleat angle outside 0 to 180 deg.
+        InputError: a pleat angle outside 0 to 180 deg, or two ring folds, about which rigid panels do not fold.
     """
+    if fan.ring_folds != 1:
+        raise InputError("pattern.ring_folds: rigid panels fold about one ring fold only, got 2")
     if not 0 <= pleat_angle <= math.pi:
         raise InputError(f"pleat_angle: need 0 to 180 deg, got {math.degrees(pleat_angle):.6g} deg")
     square = math.pi / 2 - fan.sector_angle / 2

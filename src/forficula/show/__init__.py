@@ -2,7 +2,7 @@ from forficula.show.folder.run_folder import write_run
 from forficula.show.folder.study_folder import write_study
 from forficula.show.progress import run_progress, study_progress
 from forficula.show.run.folding_figure import draw_folding
-from forficula.show.run.outcome_table import outcome_table, print_outcome, print_strength
+from forficula.show.run.outcome_table import outcome_table, print_outcome, print_storage, print_strength
 from forficula.show.run.time_figures import draw_angles, draw_energies
 from forficula.show.structure.pattern_figure import draw_pattern
 from forficula.show.study.study_table import print_study
@@ -15,6 +15,7 @@ __all__ = [
     "draw_pattern",
     "outcome_table",
     "print_outcome",
+    "print_storage",
     "print_strength",
     "print_study",
     "run_progress",

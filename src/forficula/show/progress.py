@@ -15,13 +15,19 @@ from rich.markup import escape
 from rich.progress import BarColumn, Progress, TextColumn
 from rich.table import Column
 
+from forficula.terminal import is_quiet
+
 _PATIENCE = 3  # s
+
+
+def _console() -> Console:
+    return Console(stderr=True, highlight=False, quiet=is_quiet())
 
 
 @contextmanager
 def run_progress(first: str = "building the structure") -> Iterator[Callable[[str, float, float], None]]:
     """Show how far a run is, and what comes first of all: a bar on a terminal, a line a stage elsewhere."""
-    console = Console(stderr=True, highlight=False)
+    console = _console()
     if not console.is_terminal:
         stages = [""]
         with waiting(first) as stop_waiting:
@@ -49,7 +55,7 @@ def survey_progress(
         first: what comes first of all.
         what: is surveyed.
     """
-    console = Console(stderr=True, highlight=False)
+    console = _console()
     with run_progress(first) as line:
         if console.is_terminal:
             yield line, lambda step: line(f"{what}: {step}", 0.0, 0.0)
@@ -60,7 +66,8 @@ def survey_progress(
 @contextmanager
 def waiting(what: str) -> Iterator[Callable[[], None]]:
     """Say what takes so long, if it takes longer than a few seconds; what is handed out ends the waiting."""
-    timer = Timer(_PATIENCE, lambda: print(f"{what} ...", file=sys.stderr, flush=True))
+    quiet = is_quiet()  # here, for the timer's thread has a manner of its own
+    timer = Timer(_PATIENCE, lambda: None if quiet else print(f"{what} ...", file=sys.stderr, flush=True))
     timer.daemon = True
     timer.start()
     try:
@@ -76,7 +83,7 @@ def study_progress() -> Iterator[Callable[[int, int, dict[str, Any]], None]]:
     Lines come every 10 s. The rate is the mean since the start, and the time left is that of the runs known to be
     needed: what a search finds may ask for more of them, or do without some, which then count as done.
     """
-    console = Console(stderr=True, highlight=False)
+    console = _console()
     ends: Counter[str] = Counter()
     start = monotonic()
 
@@ -108,7 +115,7 @@ def study_progress() -> Iterator[Callable[[int, int, dict[str, Any]], None]]:
 @contextmanager
 def film_progress() -> Iterator[Callable[[int, int], None]]:
     """Show how many pictures of a film are drawn: a bar on a terminal, a line every 10 s elsewhere."""
-    console = Console(stderr=True, highlight=False)
+    console = _console()
     if not console.is_terminal:
         last = [monotonic()]
 
@@ -135,7 +142,7 @@ def map_progress(whole: str = "structure") -> Callable[[int, int], None]:
 
 
 def _lines(what: str, seconds: float) -> Callable[[int, int], None]:
-    console, last = Console(stderr=True, highlight=False), [monotonic()]
+    console, last = _console(), [monotonic()]
 
     def line(done: int, all_of_them: int) -> None:
         if monotonic() - last[-1] > seconds:

@@ -194,6 +194,7 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
         least_torques={name: None if each is None else _known(each.torque[0]) for name, each in slow.items()},
         tips=None if path is None else tip_stiffness(structures, start.position),
         remarks=(
+            *structure.remarks,
             *_tendon_remarks(structure, ideal_hinges, tendons),
             *_shared_remarks(structure),
             *(() if path is None else path.remarks),

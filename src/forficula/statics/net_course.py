@@ -16,7 +16,16 @@ from forficula.statics.net.minimum import Rest, minimum
 from forficula.statics.net.net import Net, Shape
 from forficula.statics.net.net_of import motor_load, own_angles, places
 from forficula.statics.net.slow_path import SlowPath, slow_path
-from forficula.structure import Drive, Goal, Structure, Transition, distances_of, driven_motor, goal_of
+from forficula.structure import (
+    Drive,
+    Goal,
+    Structure,
+    Transition,
+    distances_of,
+    driven_motor,
+    goal_coordinates,
+    goal_of,
+)
 
 Array = NDArray[np.float64]
 
@@ -123,10 +132,10 @@ def displaced_net(structure: Structure, net: Net, drive: Drive) -> Net:
 
 
 def watched(structure: Structure, net: Net, shape: Shape) -> Array:
-    """What goals are bounds on: angles of the hinges in their own senses, rad, then distances, m, (coordinate,)."""
+    """What goals are bounds on: angles and distances, rad and m, (coordinate,)."""
     pairs = [list(each.points) for each in distances_of(structure) if each.points is not None]
     distances = [np.linalg.norm(np.diff(places(net, shape)[pair], axis=0)) for pair in pairs]
-    return np.concatenate([own_angles(structure, shape), distances])
+    return goal_coordinates(structure, own_angles(structure, shape), np.array(distances))
 
 
 def short_of(structure: Structure, net: Net, goal: Goal, shape: Shape) -> float:

@@ -21,7 +21,7 @@ from forficula.statics.net.net_of import bends, motor_load, own_angles, panels, 
 from forficula.statics.net.passing import panels_pass
 from forficula.statics.net.rigidity import rigidity
 from forficula.statics.net.strength import strength
-from forficula.structure import Measure, Motor, Structure, springs_name
+from forficula.structure import Measure, Motor, Structure, read_angles, springs_name
 
 Array = NDArray[np.float64]
 
@@ -139,7 +139,7 @@ def readings(structure: Structure, net: Net, measure: Measure, shape: Shape) -> 
     if measure.points is not None:
         one, other = places(net, shape)[list(measure.points)]
         return np.array([np.linalg.norm(other - one)])
-    return np.asarray(own_angles(structure, shape)[list(measure.hinges)] * np.array(measure.signs))
+    return read_angles(measure, own_angles(structure, shape))
 
 
 def stored_parts(structure: Structure, net: Net, shape: Shape) -> dict[str, float]:

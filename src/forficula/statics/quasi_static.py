@@ -11,7 +11,17 @@ from forficula.errors import InputError
 from forficula.statics.equilibrium import Equilibria
 from forficula.statics.pose import carried_points, places_of, pose
 from forficula.statics.potential import Ensemble, rest, start_angles
-from forficula.structure import Drive, Goal, Structure, Transition, distances_of, drive_of, goal_of
+from forficula.structure import (
+    Drive,
+    Goal,
+    Structure,
+    Transition,
+    distances_of,
+    drive_of,
+    goal_coordinates,
+    goal_of,
+    hinge_bounds,
+)
 
 Array = NDArray[np.float64]
 
@@ -52,12 +62,12 @@ def state_beyond(structures: Ensemble, transition: Transition) -> Equilibria:
     goal, drive = goal_of(built, transition.goal), drive_of(built, transition.drive)
     start = np.zeros((structures.cases, structures.size))
     pushed = _by_unit(drive) @ structures.drives
-    count, ends = structures.size, np.full(structures.size, np.nan)
+    (least, most), ends = hinge_bounds(built, goal), np.full(structures.size, np.nan)
     for towards, stops in ((pushed < 0, structures.lower), (pushed > 0, structures.upper)):
         ends[towards] = stops[towards]
     for bounded, bounds, stops in (
-        (np.isfinite(goal.most[:count]), goal.most[:count], structures.lower),
-        (np.isfinite(goal.least[:count]), goal.least[:count], structures.upper),
+        (np.isfinite(most), most, structures.lower),
+        (np.isfinite(least), least, structures.upper),
     ):
         ends[bounded] = np.where(np.isfinite(stops), stops, bounds)[bounded]
     placed = np.flatnonzero(np.isfinite(ends))
@@ -73,8 +83,9 @@ def state_beyond(structures: Ensemble, transition: Transition) -> Equilibria:
 
 def at_goal(structures: Ensemble, position: Array, goal: Goal) -> NDArray[np.bool_]:
     """Whether every hinge and distance is within a goal's bounds, (case,)."""
-    watched = np.concatenate([position, _distances(structures.structure, structures, position)], axis=1)
-    return np.asarray(np.all((watched >= goal.least) & (watched <= goal.most), axis=1))
+    built = structures.structure
+    read = goal_coordinates(built, position, _distances(built, structures, position))
+    return np.asarray(np.all((read >= goal.least) & (read <= goal.most), axis=1))
 
 
 def _distances(structure: Structure, structures: Ensemble, position: Array) -> Array:

@@ -81,6 +81,7 @@ class Measure:
         kind: "angle" or "distance".
         hinges: numbers of the hinges of an angle.
         signs: by which the angles of these hinges, in their own senses, are multiplied.
+        together: so many of them, one after another, are one reading: the sum of what they would read each.
         points: numbers of the two points of a distance.
         label: what tables and figures call it.
     """
@@ -89,8 +90,14 @@ class Measure:
     kind: Literal["angle", "distance"]
     hinges: tuple[int, ...] = ()
     signs: tuple[int, ...] = ()
+    together: int = 1
     points: tuple[int, int] | None = None
     label: str = ""
+
+    @property
+    def parts(self) -> tuple[tuple[int, ...], ...]:
+        """Numbers of the hinges of every reading of an angle."""
+        return tuple(self.hinges[first : first + self.together] for first in range(0, len(self.hinges), self.together))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -100,8 +107,8 @@ class Goal:
     Attributes:
         name: as stages call it.
         kind: "time", "rest" or "bounds".
-        least: of every hinge's angle in its own sense, rad, and then of every distance that is measured, m,
-            (coordinate,); -inf where there is none.
+        least: of every hinge's angle in its own sense, rad, then of every distance that is measured, m, and of every
+            reading that is the sum of angles, rad, (coordinate,); -inf where there is none. See `goal_coordinates`.
         most: alike; inf where there is none.
     """
 

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from forficula.design import FanDesign
-from forficula.design.places import margin_edge, mesh_rows
-from forficula.structure.parts import Array, PointMass
+from forficula.design.places import margin_edge, mesh_rows, row_bars
+from forficula.structure.parts import Array, Panel, PointMass
 from forficula.structure.vein import Vein, attachments
 
 
@@ -22,8 +22,11 @@ def fan_masses(design: FanDesign, veins: Sequence[Vein]) -> tuple[PointMass, ...
     for index, vein in enumerate(veins):
         tendon, hinge = design.tendon_on(index), design.vein.added_mass / 2
         if hinge:
-            ends = ((2 * index, vein.on_proximal_bar(vein.ring_vertex)), (2 * index + 1, np.zeros(3)))
-            masses += [PointMass(body=body, place=place, mass=hinge, role="hinge") for body, place in ends]
+            for fold in range(len(vein.axes)):
+                ends = ((fold, vein.end(fold)), (fold + 1, np.zeros(3)))
+                masses += [
+                    PointMass(body=vein.body(index, bar), place=place, mass=hinge, role="hinge") for bar, place in ends
+                ]
         if tendon is not None and tendon.mass:
             masses += [
                 PointMass(body=end.body, place=end.place, mass=tendon.mass / 2, role="tendon")
@@ -38,27 +41,37 @@ def _membrane(design: FanDesign, veins: Sequence[Vein]) -> Iterator[PointMass]:
     """The mass of the panels, strip by strip between two rows of their nodes.
 
     The margin turns with its vein, and so do the nodes at its edge; those on the other side are on the axis of the next
-    vein. Beyond the ring fold all are those of distal bars, for its row lies on the axes of the hinges.
+    vein. From one ring fold on all are those of the bars beyond it, for its row lies on the axes of the hinges.
     """
     by_area = design.membrane.density * design.membrane.thickness
-    beyond = [0] * len(design.membrane.proximal_rows) + [1] * (len(design.membrane.distal_rows) + 1)
+    for panel in fan_panels(design, veins):
+        for body, place, area in triangle_masses(panel.corners, panel.carriers):
+            index, bar = divmod(body, veins[0].bars)
+            yield PointMass(body=body, place=veins[index].on_bar(bar, place), mass=by_area * area, role="membrane")
+
+
+def fan_panels(design: FanDesign, veins: Sequence[Vein]) -> Iterator[Panel]:
+    """The panels in triangles, margins and all, each as wide as the panel is where it lies, from vein to vein."""
+    carriers = row_bars(veins[0].bars - 1, design)
     for panel in range(len(veins) - 1):
         lines = _lines(design, veins[panel], veins[panel + 1])
-        for row, distal in enumerate(beyond):
-            bodies = [2 * (panel + side) + distal for side in (0, 0, 1)]
+        widths = np.linalg.norm(np.subtract(lines[2], lines[0]), axis=1)
+        for row, bar in enumerate(carriers):
+            bodies = [veins[panel + side].body(panel + side, bar) for side in (0, 0, 1)]
             for strip in (0, 1):
                 corners = np.array([line[at] for line in lines[strip : strip + 2] for at in (row, row + 1)])
                 on = [bodies[strip]] * 2 + [bodies[strip + 1]] * 2
                 for three in ([0, 1, 3], [0, 3, 2]):
-                    for body, place, area in triangle_masses(corners[three], [on[corner] for corner in three]):
-                        vein = veins[body // 2]
-                        local = vein.on_distal_bar(place) if distal else vein.on_proximal_bar(place)
-                        yield PointMass(body=body, place=local, mass=by_area * area, role="membrane")
+                    yield Panel(
+                        corners=corners[three],
+                        carriers=[on[corner] for corner in three],
+                        width=float(widths[row : row + 2].mean()),
+                    )
 
 
 def _lines(design: FanDesign, near: Vein, far: Vein) -> list[Array]:
     """Along a panel, row by row: the axis of its vein, the edge of the margin on it, the axis of the next, (row, 3)."""
-    here, there = (mesh_rows(vein.hub_point, vein.ring_vertex, vein.tip, design) for vein in (near, far))
+    here, there = (mesh_rows(vein.places, design) for vein in (near, far))
     edge = np.array([margin_edge(first, second, design) for first, second in zip(here, there, strict=True)])
     return [here, edge, there]
 

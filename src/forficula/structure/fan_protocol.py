@@ -5,12 +5,10 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-import numpy as np
-
 from forficula.design import FanDesign, FanProtocol, stage_drives
 from forficula.names import listed
-from forficula.structure.course import Drive, Goal, Measure, Motor, RestState, Transition, Wording
-from forficula.structure.goals import hinges_of
+from forficula.structure.course import Drive, Measure, Motor, RestState, Transition, Wording
+from forficula.structure.goals import bounded, hinges_of
 from forficula.structure.structure import Structure
 
 # how far past straight, folding, a hinge has left the overbend for good
@@ -64,18 +62,20 @@ _STATIC_KEYS = (
 
 def with_protocol(structure: Structure, design: FanDesign) -> Structure:
     """A fan with the drives, goals, states and transitions of a design's protocol."""
-    protocol, count = design.protocol, len(structure.hinges)
+    protocol = design.protocol
     turns, folds = (hinges_of(structure, role) for role in ("turn", "ring"))
-    # two bodies for every vein
-    driven = tuple(number for number in turns if structure.hinges[number].body // 2 in design.driven_veins)
+    # bodies of every vein are one more than its ring folds, whose angles add up to the distal one
+    shared = design.pattern.ring_folds
+    driven = tuple(number for number in turns if structure.hinges[number].body // (shared + 1) in design.driven_veins)
     fold, unfold = protocol.fold_torque, protocol.unfold_torque
 
-    def bounds(name: str, *, least: float = -math.inf, most: float = math.inf) -> Goal:
-        low, high = np.full(count, -np.inf), np.full(count, np.inf)
-        low[list(folds)], high[list(folds)] = least, most
-        return Goal(name=name, kind="bounds", least=low, most=high)
-
-    folded, opened = bounds("folded", most=-protocol.folded_angle), bounds("opened", least=protocol.opened_angle)
+    measure = Measure(
+        name="distal_angle", kind="angle", hinges=folds, signs=(1,) * len(folds), together=shared, label="distal angle"
+    )
+    structure = replace(structure, measures=(measure,))
+    flat = bounded(structure, measure, "flat", least=-LEFT_STRAIGHT)
+    folded = bounded(structure, measure, "folded", most=-protocol.folded_angle)
+    opened = bounded(structure, measure, "opened", least=protocol.opened_angle)
     return replace(
         structure,
         motors=(Motor(name="proximal", hinges=driven), Motor(name="distal", hinges=folds)),
@@ -101,12 +101,9 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
                 where=_on_proximal(design, "on every joint", "on every distal joint and "),
             ),
         ),
-        measures=(
-            Measure(name="distal_angle", kind="angle", hinges=folds, signs=(1,) * len(folds), label="distal angle"),
-        ),
         goals=(folded, opened),
         states=(
-            RestState(name="flat", bounds=bounds("flat", least=-LEFT_STRAIGHT), missed="not flat", unknown="not flat"),
+            RestState(name="flat", bounds=flat, missed="not flat", unknown="not flat"),
             RestState(name="folded", bounds=folded, missed="not folded", unknown="after folding"),
             RestState(name="opened", bounds=opened, missed="not opened", unknown="after unfolding"),
         ),
@@ -119,7 +116,7 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
                 goal="folded",
                 state="folded",
                 # a slack tendon lets its hinge rest anywhere on the folded side; one beyond half way has opened again
-                released=bounds("still folded", most=-protocol.folded_angle / 2),
+                released=bounded(structure, measure, "still folded", most=-protocol.folded_angle / 2),
                 measure="distal_angle",
                 furthest="largest",
                 begun=-LEFT_STRAIGHT,

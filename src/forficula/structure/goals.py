@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -12,6 +13,7 @@ from forficula.errors import InputError
 from forficula.names import one_of
 from forficula.quantities import as_written, parse_quantity
 from forficula.structure.course import Drive, Goal, Measure, Motor, RestState, Transition
+from forficula.structure.parts import Array
 from forficula.structure.structure import Structure
 
 _UNITS = {"torque": "N m", "force": "N", "displacement": "m", "rest-angle": "rad"}
@@ -83,7 +85,7 @@ def goal_of(structure: Structure, text: str) -> Goal:
     Raises:
         InputError: there is none, and which there are.
     """
-    count = len(structure.hinges) + len(distances_of(structure))
+    count = coordinate_count(structure)
     free = {"least": np.full(count, -np.inf), "most": np.full(count, np.inf)}
     if text in ("time", "rest"):
         return Goal(name=text, kind="rest" if text == "rest" else "time", **free)
@@ -112,21 +114,88 @@ def bounds_on(structure: Structure, measure: Measure, name: str, written: GoalTe
         value = parse_quantity(written.value, unit)
     except InputError as error:
         raise InputError(f"until: {as_written(name)}: {error}") from None
-    distances = distances_of(structure)
-    count = len(structure.hinges) + len(distances)
-    least, most = np.full(count, -np.inf), np.full(count, np.inf)
+    least, most = (value, math.inf) if written.relation == ">" else (-math.inf, value)
+    return bounded(structure, measure, name, least=least, most=most)
+
+
+def bounded(
+    structure: Structure, measure: Measure, name: str, *, least: float = -math.inf, most: float = math.inf
+) -> Goal:
+    """The goal that every reading of a measure is within bounds, rad or m."""
+    count = coordinate_count(structure)
+    low, high = np.full(count, -np.inf), np.full(count, np.inf)
+    first = len(structure.hinges)
     if measure.kind == "distance":
-        place = len(structure.hinges) + [each.name for each in distances].index(measure.name)
-        (least if written.relation == ">" else most)[place] = value
-    for hinge, sign in zip(measure.hinges, measure.signs, strict=True):
-        rises = (written.relation == ">") == (sign > 0)
-        (least if rises else most)[hinge] = sign * value
-    return Goal(name=name, kind="bounds", least=least, most=most)
+        place = first + [each.name for each in distances_of(structure)].index(measure.name)
+        low[place], high[place] = least, most
+    elif measure.together > 1:
+        sums = sums_of(structure)
+        before = sums[: [each.name for each in sums].index(measure.name)]
+        first += len(distances_of(structure)) + sum(len(each.parts) for each in before)
+        low[first : first + len(measure.parts)], high[first : first + len(measure.parts)] = least, most
+    else:
+        for hinge, sign in zip(measure.hinges, measure.signs, strict=True):
+            low[hinge], high[hinge] = (least, most) if sign > 0 else (-most, -least)
+    return Goal(name=name, kind="bounds", least=low, most=high)
 
 
 def distances_of(structure: Structure) -> tuple[Measure, ...]:
     """The measures that are distances, in the order of their coordinates in goals."""
     return tuple(measure for measure in structure.measures if measure.points is not None)
+
+
+def sums_of(structure: Structure) -> tuple[Measure, ...]:
+    """The measures whose readings are sums of angles, in the order of their coordinates in goals."""
+    return tuple(measure for measure in structure.measures if measure.together > 1)
+
+
+def coordinate_count(structure: Structure) -> int:
+    """How many coordinates a goal has, see `goal_coordinates`."""
+    sums = sum(len(measure.parts) for measure in sums_of(structure))
+    return len(structure.hinges) + len(distances_of(structure)) + sums
+
+
+def goal_coordinates(structure: Structure, angles: Array, distances: Array | None = None) -> Array:
+    """What goals are bounds on, (..., coordinate).
+
+    Args:
+        structure: with its measures.
+        angles: of all hinges in their own senses, rad, (..., hinge).
+        distances: of all measures that are distances, m, (..., distance); None where there are none.
+    """
+    sums = [read_angles(measure, angles) for measure in sums_of(structure)]
+    parts = [angles, *([] if distances is None else [distances]), *sums]
+    return np.concatenate(parts, axis=-1) if len(parts) > 1 else angles
+
+
+def read_angles(measure: Measure, angles: Array) -> Array:
+    """What a measure of angles reads, rad, (..., reading), of all hinges' angles in their own senses, (..., hinge)."""
+    turned = np.array(measure.signs) * angles[..., list(measure.hinges)]
+    if measure.together == 1:
+        return np.asarray(turned)
+    return np.asarray(turned.reshape(*turned.shape[:-1], -1, measure.together).sum(axis=-1))
+
+
+def measure_stops(structure: Structure, measure: Measure) -> list[tuple[float, float]]:
+    """Between which readings of a measure of angles the stops keep it, rad, for every reading."""
+    signs = dict(zip(measure.hinges, measure.signs, strict=True))
+    stops = {number: (structure.hinges[number].lower, structure.hinges[number].upper) for number in measure.hinges}
+    ends = {number: sorted(sign * end for end in stops[number]) for number, sign in signs.items()}
+    return [(sum(ends[each][0] for each in part), sum(ends[each][1] for each in part)) for part in measure.parts]
+
+
+def hinge_bounds(structure: Structure, goal: Goal) -> tuple[Array, Array]:
+    """Bounds of a goal on the angle of each hinge, rad, (hinge,) each; those on a sum are shared evenly."""
+    count = len(structure.hinges)
+    place, least, most = count + len(distances_of(structure)), goal.least[:count].copy(), goal.most[:count].copy()
+    for measure in sums_of(structure):
+        for part in measure.parts:
+            for hinge in part:
+                sign = measure.signs[measure.hinges.index(hinge)]
+                ends = sign * goal.least[place] / len(part), sign * goal.most[place] / len(part)
+                least[hinge], most[hinge] = max(least[hinge], min(ends)), min(most[hinge], max(ends))
+            place += 1
+    return least, most
 
 
 def _names(parts: Sequence[Drive] | Sequence[Measure] | Sequence[Goal]) -> list[str]:

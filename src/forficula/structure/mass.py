@@ -47,7 +47,20 @@ def _of_parts(structure: Structure, body: int) -> tuple[float, Array, Array]:
         for plate in structure.plates
         if plate.body == body
     ]
-    parts += [(each.mass, each.place, np.zeros((3, 3))) for each in structure.masses if each.body == body]
+    return _together(parts + [_at_one_place(each) for each in structure.masses if each.body == body])
+
+
+def gathered_mass(masses: Sequence[PointMass]) -> tuple[float, Array, Array]:
+    """Mass, centre and inertia about it of what one body carries at places, as of `mass_of`."""
+    return _together([_at_one_place(each) for each in masses])
+
+
+def _at_one_place(each: PointMass) -> tuple[float, Array, Array]:
+    return each.mass, each.place, np.zeros((3, 3))
+
+
+def _together(parts: Sequence[tuple[float, Array, Array]]) -> tuple[float, Array, Array]:
+    """Mass, centre and inertia of several of them as one."""
     mass = sum((part[0] for part in parts), 0.0)
     if not mass:
         return 0.0, np.zeros(3), np.zeros((3, 3))

@@ -20,6 +20,7 @@ from forficula.structure.appearance import Appearance
 from forficula.structure.facets import BEND
 from forficula.structure.flaps import flap_angles
 from forficula.structure.imperfection import imperfect
+from forficula.structure.medium import facet_panels, immersed
 from forficula.structure.parts import (
     GROUND,
     Array,
@@ -88,7 +89,8 @@ def node_structure(design: SheetDesign) -> Structure:
         gravity=design.protocol.gravity,
         appearance=Appearance(whole="sheet", bodies="one for every vertex", pattern=sheet),
     )
-    return with_protocol(built, design)
+    panels = facet_panels(sheet, triangles, nodes.parts, None)
+    return with_protocol(immersed(built, design.medium, panels), design)
 
 
 def _bodies(design: SheetDesign, sheet: CreasePattern, nodes: SheetNodes) -> tuple[Body, ...]:

@@ -11,14 +11,15 @@ from forficula.design import SheetDesign
 from forficula.design.crease_values import creases_by_edge
 from forficula.design.sheet_creases import crease_sense
 from forficula.design.sheet_places import SheetPlace, place_on
-from forficula.pattern import CreasePattern, FacetLink, facet_tree
+from forficula.pattern import CreasePattern, FacetLink, facet_tree, triangulated
 from forficula.pattern.crease_pattern import is_unfolded
 from forficula.pattern.fold_angles import built_fold_angles
 from forficula.structure.appearance import Appearance
 from forficula.structure.crossing import tendon_crossing
 from forficula.structure.facet_plates import corner_name, facet_plates, largest_mass, plate_tendons
+from forficula.structure.medium import facet_panels, immersed
 from forficula.structure.opening_creases import opening_creases, opening_parts
-from forficula.structure.parts import GROUND, Array, Body, Closure, Hinge, Point
+from forficula.structure.parts import GROUND, Array, Body, Closure, Hinge, Panel, Point
 from forficula.structure.sheet_hinge import sheet_hinge
 from forficula.structure.sheet_measures import sheet_measures
 from forficula.structure.sheet_protocol import pushed_name, with_protocol
@@ -74,7 +75,14 @@ def plate_structure(design: SheetDesign) -> Structure:
     if not structure.closures and not opening:
         # in a loop no hinge moves alone
         tendons = [replace(tendon, crossing=tendon_crossing(structure, tendon.points)) for tendon in tendons]
-    return with_protocol(replace(structure, tendons=tuple(tendons), mass=largest_mass(design, structure)), design)
+    structure = replace(structure, tendons=tuple(tendons), mass=largest_mass(design, structure))
+    return with_protocol(immersed(structure, design.medium, _panels(pattern, number)), design)
+
+
+def _panels(pattern: CreasePattern, number: Mapping[int, int]) -> list[Panel]:
+    """The facets in triangles."""
+    split, parts = triangulated(pattern)
+    return facet_panels(pattern, split, parts, [number[facet] for facet in range(len(pattern.faces_vertices))])
 
 
 def _built(pattern: CreasePattern) -> Array:

@@ -17,7 +17,7 @@ from forficula.errors import InputError
 from forficula.names import listed
 from forficula.quantities import as_written
 from forficula.structure.course import Drive, Goal, Motor, RestState, Transition, Wording
-from forficula.structure.goals import distances_of, drive_of, goal_of
+from forficula.structure.goals import coordinate_count, drive_of, goal_of
 from forficula.structure.sheet_measures import hinges_by_edge
 from forficula.structure.sheet_nodes import node_of, sheet_nodes
 from forficula.structure.structure import Structure
@@ -248,7 +248,7 @@ def target_angles(structure: Structure, design: SheetDesign) -> dict[int, float]
 
 def _target(structure: Structure, design: SheetDesign) -> Goal:
     """The goal that every crease is where it is to fold to."""
-    count = len(structure.hinges) + len(distances_of(structure))
+    count = coordinate_count(structure)
     least, most = np.full(count, -np.inf), np.full(count, np.inf)
     for hinge, angle in target_angles(structure, design).items():
         least[hinge], most[hinge] = angle - design.protocol.arrival, angle + design.protocol.arrival

@@ -14,10 +14,12 @@ from forficula.structure.parts import (
     Bar,
     Body,
     Closure,
+    Contact,
     Coupling,
     Facet,
     Hinge,
     LengthLimit,
+    Medium,
     Membrane,
     Plate,
     Point,
@@ -54,11 +56,13 @@ class Structure:
         stage_states: names of the states that the stages of the protocol end in, "" where one ends in none, (stage,).
         transitions: in the order in which a protocol takes them.
         rigid_fold: how its panels fold if they are rigid; None where there is no such way, or several.
+        remarks: sentences on what there is not of it, and why.
+        medium: that surrounds it; None for empty space.
         span: a length of the size of the whole, m.
         mass: of the size of its bodies' mass, kg.
         strength: stress that the material of its facets withstands, Pa; None where it is not told.
         imperfection: by which it is built beside its drawing; None where it is not.
-        contact: whether bars that touch push each other apart.
+        contact: how what touches is pushed apart; None where everything passes through everything.
         gravity: acceleration along -z, m/s^2.
         appearance: what drawings and sentences need beside all that.
     """
@@ -85,10 +89,12 @@ class Structure:
     stage_states: tuple[str, ...] = ()
     transitions: tuple[Transition, ...] = ()
     rigid_fold: RigidFold | None = None
+    remarks: tuple[str, ...] = ()
+    medium: Medium | None = None
     span: float
     mass: float
     strength: float | None = None
     imperfection: Imperfection | None = None
-    contact: bool = False
+    contact: Contact | None = None
     gravity: float = 0.0
     appearance: Appearance = field(default_factory=Appearance)

@@ -7,15 +7,18 @@ from itertools import pairwise
 
 import numpy as np
 
-from forficula.design import Design, design_pattern
+from forficula.design import Design, FanDesign, design_pattern
 from forficula.pattern import flat_folding_faults
 from forficula.quantities import reading_unit
+from forficula.structure.mass import mass_of
 from forficula.structure.parts import Array, Tendon
 from forficula.structure.structure import Structure
 from forficula.structure.tree import built_points, built_strains
 
 # tendons that are alike, and the largest of their strains
 _Group = tuple[list[Tendon], float]
+# of the mass of a structure: in water the medium has twice the kinetic energy that it should on the reference wing
+_SLIGHT = 0.2
 # places along a bar at which it is compared with its neighbour
 _SHARES = np.linspace(0, 1, 1001)
 
@@ -37,6 +40,8 @@ def structure_warnings(design: Design, structure: Structure) -> list[str]:
     return [
         *(f"the sheet does not fold flat: {fault.removesuffix('.')}" for fault in faults),
         *_overlapping_bars(structure),
+        *_heavy_medium(structure),
+        *_idle_contact(design),
         *_told(structure, groups, [_unmeasured_strain(built, tendons[0], strain) for tendons, strain in groups]),
         *_told(structure, groups, [_pushing_branches(tendons[0]) for tendons, _ in groups]),
         *_told(structure, groups, [_relaxing_branches(structure, tendons[0], folded) for tendons, _ in groups]),
@@ -82,6 +87,28 @@ def _overlapping_bars(structure: Structure) -> list[str]:
         f"neighbouring veins of {_readable(diameter)} overlap within {_readable(reach)} of the hub,"
         " which the simulation allows: a part to print needs thinner veins or a larger hub"
     ]
+
+
+def _heavy_medium(structure: Structure) -> list[str]:
+    """Of air or water that moves with panels and counts in every direction, where much of it does."""
+    if structure.medium is None:
+        return []
+    with_it = sum(each.mass for each in structure.medium.masses)
+    own = sum(body.mass + mass_of(structure, number)[0] for number, body in enumerate(structure.bodies))
+    if with_it <= _SLIGHT * own:
+        return []
+    whole = structure.appearance.whole
+    return [
+        f"the medium that moves with the {whole} has {with_it / own:.2g} times its mass, and counts where it moves in"
+        " its plane, too: it moves more slowly than it should"
+    ]
+
+
+def _idle_contact(design: Design) -> list[str]:
+    """Of what is said of contact where there is none."""
+    if isinstance(design, FanDesign) and design.contact is not None and not design.protocol.contact:
+        return ["contact.thickness and contact.friction do nothing, for nothing touches: need protocol.contact = true"]
+    return []
 
 
 def _overlaps(one: Array, other: Array, apart: float) -> list[float]:

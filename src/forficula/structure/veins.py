@@ -9,17 +9,19 @@ from dataclasses import replace
 import numpy as np
 
 from forficula.design import FanDesign, TendonSection, tendon_law
-from forficula.design.places import margin_edge, mesh_rows
+from forficula.design.places import margin_edge, mesh_rows, row_bars
 from forficula.errors import InputError
-from forficula.pattern import CreasePattern, earwig_pattern, ring_vertices
+from forficula.pattern import CreasePattern, earwig_pattern, ring_directions, vein_roles
 from forficula.quantities import show_value
 from forficula.structure.appearance import Appearance
 from forficula.structure.couplings import vein_couplings
 from forficula.structure.crossing import bar_crossing, sine_between
 from forficula.structure.fan_fold import fan_fold
-from forficula.structure.fan_masses import fan_masses
+from forficula.structure.fan_masses import fan_masses, fan_panels
 from forficula.structure.fan_protocol import with_protocol
 from forficula.structure.mass import end_inertia, turned_inertia
+from forficula.structure.medium import immersed
+from forficula.structure.panel_surface import fan_contact, overlapping_length, panel_surface
 from forficula.structure.parts import (
     GROUND,
     Array,
@@ -44,8 +46,14 @@ _APPEARANCE = Appearance(
     bodies="two for every vein",
     titles={"distal_angle": "distal hinge angle", "turn": "turn about its own axis"},
 )
+_NOT_RIGID = (
+    "with two ring folds, whose vertices are off Kawasaki, rigid panels do not fold, so there is no energy along that;"
+    " every tendon lies across both folds, so there are no landscapes of single hinges"
+)
 # a vein alone has next to no inertia about its own axis
 _STEADIER = "give the turning hinges the inertia of what drives them, hinge.armature"
+# what tells the ring folds of a vein from each other, from the hub outwards, in names
+_FOLDS = ("", "outer_")
 # the hinges of a vein in this order: sweep and lift aim it, turn is about its own axis
 _AIMS = (("sweep", (0.0, 0.0, 1.0)), ("lift", (0.0, 1.0, 0.0)), ("turn", (1.0, 0.0, 0.0)))
 # axis and bars of a hinge with both bars square to it
@@ -54,54 +62,58 @@ _SQUARE = (np.array([0.0, 1.0, 0.0]), (np.array([1.0, 0.0, 0.0]), np.array([1.0,
 
 def vein_structure(design: FanDesign) -> Structure:
     """Build bars, hinges, tendons and membranes on the creases of a fan, in the units of its design."""
-    pattern = earwig_pattern(design.fan)
-    # the last vein takes the ring crease of the pattern continued
-    built = structure_of_veins(design, veins_on(pattern, ring_vertices(design.fan, continued=True)[-1]))
-    chosen = design.pattern
+    fan, pattern = design.fan, earwig_pattern(design.fan)
+    built = structure_of_veins(design, veins_on(pattern, ring_directions(fan)))
+    chosen, rigid = design.pattern, fan.ring_folds == 1
     sizes = {
         "proximal length": chosen.proximal_length,
         "distal length": chosen.distal_length,
         "hub radius": chosen.hub_radius,
+        **({} if rigid else {"pitch": fan.pitch, "lowest gusset": fan.gusset_height}),
     }
     text = (
-        f"A fan of {design.fan.vein_count} veins and {design.fan.vein_count - 1} membrane panels, each vein"
+        f"A fan of {fan.vein_count} veins and {fan.vein_count - 1} membrane panels, each vein"
         f" {show_value(chosen.proximal_length, 'm')} long up to the ring fold and"
         f" {show_value(chosen.distal_length, 'm')} beyond it"
     )
+    if not rigid:
+        text += (
+            f", which is two folds with a gusset between them; layers lie {show_value(fan.pitch, 'm')} apart when"
+            " folded, and every layer's gusset stands higher by twice as much than that of the layer inside it"
+        )
     circles = {"hub": chosen.hub_radius}
     appearance = replace(built.appearance, text=text, sizes=sizes, pattern=pattern, circles=circles)
-    return replace(built, appearance=appearance, rigid_fold=fan_fold(design, built))
+    return replace(
+        built,
+        appearance=appearance if rigid else replace(appearance, bodies="three for every vein"),
+        rigid_fold=fan_fold(design, built) if rigid else None,
+        remarks=() if rigid else (_NOT_RIGID,),
+    )
 
 
-def veins_on(pattern: CreasePattern, beyond: Array) -> tuple[Vein, ...]:
-    """The veins on the creases of a pattern with the roles "proximal" and "distal".
+def veins_on(pattern: CreasePattern, directions: Array) -> tuple[Vein, ...]:
+    """The veins on the creases of a pattern with the roles of `vein_roles`.
 
-    Every distal hinge lies along the ring crease to the next vein. A turn of a vein by its sense folds it as a crease,
-    with the panel that hangs on it rising where the sense is -1.
+    A turn of a vein by its sense folds it as a crease, with the panel that hangs on it rising where the sense is -1.
 
     Args:
         pattern: flat.
-        beyond: where the ring fold would meet the vein after the last one, (3,).
+        directions: unit vectors along which each vein folds at its ring folds, (vein, 3).
     """
     place = pattern.vertices_coords
-    ends = {
-        role: [pattern.edges_vertices[edge] for edge, its in enumerate(pattern.edges_role) if its == role]
-        for role in ("proximal", "distal")
-    }
-    ring = np.concatenate([place[[vertex for _, vertex in ends["proximal"]]], beyond[None]])
-    creases = np.diff(ring, axis=0)
+    bars = [
+        place[[pattern.edges_vertices[edge] for edge, its in enumerate(pattern.edges_role) if its == role]]
+        for role in vein_roles(2 if "gusset" in pattern.edges_role else 1)
+    ]
+    lines = [bars[0][:, 0], *(ends[:, 1] for ends in bars)]
     return tuple(
         Vein(
-            hub_point=place[hub],
-            ring_vertex=place[vertex],
-            tip=place[tip],
-            ring_direction=crease / np.linalg.norm(crease),
+            places=tuple(line[index] for line in lines),
+            axes=(directions[index],) * (len(lines) - 2),
             # odd veins are valleys
             sense=(-1) ** (index + 1),
         )
-        for index, ((hub, vertex), (_, tip), crease) in enumerate(
-            zip(ends["proximal"], ends["distal"], creases, strict=True)
-        )
+        for index in range(len(lines[0]))
     )
 
 
@@ -112,39 +124,26 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
     bars: list[Bar] = []
     hinges: list[Hinge] = []
     tendons: list[Tendon] = []
-    masses = fan_masses(design, veins)
+    masses, overlapping = fan_masses(design, veins), overlapping_length(design)
     for index, vein in enumerate(veins):
-        ring, tip = vein.on_proximal_bar(vein.ring_vertex), vein.on_distal_bar(vein.tip)
-        proximal, distal, first = 2 * index, 2 * index + 1, len(points)
-        bodies.append(
-            Body(name=f"proximal{index}", role="proximal", parent=GROUND, position=vein.hub_point, frame=vein.frame)
-        )
-        bodies.append(Body(name=f"distal{index}", role="distal", parent=proximal, position=ring, frame=np.eye(3)))
-        choice = design.tendon_on(index)
-        points += [
-            Point(name=f"hub{index}", role="hub", body=proximal, place=np.zeros(3)),
-            Point(name=f"ring{index}", role="ring", body=distal, place=np.zeros(3)),
-            *([] if choice is None else attachments(choice, index, vein)),
-            Point(name=f"tip{index}", role="tip", body=distal, place=tip),
-        ]
-        thick, dense = design.vein.diameter, design.vein.density
-        # veins overlap near the hub even where the fan lies flat
-        base = Bar(body=proximal, end=ring, diameter=thick, density=dense, points=(first, first + 1), overlaps=True)
-        bars += [base, Bar(body=distal, end=tip, diameter=thick, density=dense, points=(first + 1, len(points) - 1))]
+        choice, first = design.tendon_on(index), len(points)
+        bodies += _bodies(index, vein)
+        points += _points(index, vein, choice)
+        bars += _bars(design, index, vein, (first, len(points) - 1), overlapping)
         hinges += _hinges(design, index, vein)
         if choice is None:
             continue
-        carried = turned_inertia(masses, distal, hinges[-1].axis)
+        carried = turned_inertia(masses, hinges[-1].body, hinges[-1].axis)
+        crossing, ideal = _crossings(design, choice, vein, len(hinges) - 1, carried)
         tendons.append(
             Tendon(
                 name=f"tendon{index}",
                 role="tendon",
-                points=(first + 2, first + 3),
+                points=(first + vein.bars, first + vein.bars + 1),
                 law=tendon_law(choice),
-                longest=math.hypot(choice.proximal_attachment, choice.proximal_offset, choice.proximal_aside)
-                + math.hypot(choice.distal_attachment, choice.distal_offset, choice.distal_aside),
-                crossing=_crossing(design, choice, len(hinges) - 1, vein.ring_direction, _bars(vein), carried),
-                ideal=_crossing(design, choice, len(hinges) - 1, *_SQUARE, carried),
+                longest=_longest(choice, vein),
+                crossing=crossing,
+                ideal=ideal,
                 gauge_length=choice.rest_length,
                 material=None if choice.law is None else choice.law.material,
                 key=f"tendon.{index}" if isinstance(design.tendon, tuple) else "tendon",
@@ -164,21 +163,73 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
         membranes=_panels(design, veins),
         span=design.pattern.proximal_length + design.pattern.distal_length,
         mass=_bar_mass(design),
-        contact=design.protocol.contact,
+        contact=fan_contact(design),
         gravity=design.protocol.gravity,
         appearance=_APPEARANCE if design.hinge.armature else replace(_APPEARANCE, steadier=_STEADIER),
     )
-    return with_protocol(built, design)
+    return with_protocol(immersed(built, design.medium, fan_panels(design, veins)), design)
+
+
+def _bodies(index: int, vein: Vein) -> list[Body]:
+    """The bars of a vein, each on the one before; all have the axes of the first."""
+    return [
+        Body(
+            name=f"{role}{index}",
+            role=role,
+            parent=vein.body(index, bar - 1) if bar else GROUND,
+            position=vein.end(bar - 1) if bar else vein.places[0],
+            frame=np.eye(3) if bar else vein.frame,
+        )
+        for bar, role in enumerate(vein_roles(len(vein.axes)))
+    ]
+
+
+def _points(index: int, vein: Vein, tendon: TendonSection | None) -> list[Point]:
+    """The ends of a vein's bars, from the hub outwards, and of its tendon, before the tip."""
+    last = vein.bars - 1
+    return [
+        Point(name=f"hub{index}", role="hub", body=vein.body(index, 0), place=np.zeros(3)),
+        *(
+            Point(name=f"{ring}ring{index}", role="ring", body=vein.body(index, fold + 1), place=np.zeros(3))
+            for fold, ring in enumerate(_FOLDS[: len(vein.axes)])
+        ),
+        *([] if tendon is None else attachments(tendon, index, vein)),
+        Point(name=f"tip{index}", role="tip", body=vein.body(index, last), place=vein.end(last)),
+    ]
+
+
+def _bars(design: FanDesign, index: int, vein: Vein, ends: tuple[int, int], overlapping: float) -> list[Bar]:
+    """The bars of a vein between points, given the numbers of the first and the last; nothing touches them up to there.
+
+    Args:
+        design: of the fan.
+        index: of the vein.
+        vein: where it lies.
+        ends: numbers of the points at the hub and at the tip.
+        overlapping: how far from the hub on the first one touches nothing, m.
+    """
+    hub, tip = ends
+    return [
+        Bar(
+            body=vein.body(index, bar),
+            end=vein.end(bar),
+            diameter=design.vein.diameter,
+            density=design.vein.density,
+            points=(hub + bar, hub + bar + 1 if bar < vein.bars - 1 else tip),
+            overlaps=overlapping if bar == 0 else 0.0,
+        )
+        for bar in range(vein.bars)
+    ]
 
 
 def _hinges(design: FanDesign, index: int, vein: Vein) -> list[Hinge]:
-    """The hinges of a vein: of its proximal bar, unless that is held, and of its distal one."""
-    choice = design.hinge
+    """The hinges of a vein: of its proximal bar, unless that is held, and at its ring folds, which share their way."""
+    choice, folds = design.hinge, len(vein.axes)
     aims = [
         Hinge(
             name=f"{role}{index}",
             role=role,
-            body=2 * index,
+            body=vein.body(index, 0),
             axis=np.array(axis),
             sense=vein.sense if role == "turn" else 1,
             lower=-choice.turn_back if role == "turn" else -math.inf,
@@ -190,26 +241,46 @@ def _hinges(design: FanDesign, index: int, vein: Vein) -> list[Hinge]:
         for role, axis in _AIMS
         if not vein.fixed_base
     ]
-    ring = Hinge(
-        name=f"fold{index}",
-        role="ring",
-        body=2 * index + 1,
-        axis=vein.frame.T @ vein.ring_direction,
-        lower=-choice.fold_limit,
-        upper=choice.overbend,
-        start=design.protocol.initial_overbend,
-        sense=vein.sense,
-        damping=choice.damping,
-        armature=choice.armature,
-        label=f"vein {index}",
+    rings = [
+        Hinge(
+            name=f"{which}fold{index}",
+            role="ring",
+            body=vein.body(index, fold + 1),
+            axis=vein.axis(fold),
+            lower=-choice.fold_limit / folds,
+            upper=choice.overbend / folds,
+            start=design.protocol.initial_overbend / folds,
+            sense=vein.sense,
+            damping=choice.damping,
+            armature=choice.armature,
+            label=f"vein {index}" if folds == 1 else f"vein {index}, {which.strip('_') or 'inner'}",
+        )
+        for fold, which in enumerate(_FOLDS[:folds])
+    ]
+    return [*aims, *rings]
+
+
+def _longest(tendon: TendonSection, vein: Vein) -> float:
+    """Up to which a tendon is ever stretched: from its ends to the ring folds, and from one of these to the next."""
+    ways = math.hypot(tendon.proximal_attachment, tendon.proximal_offset, tendon.proximal_aside) + math.hypot(
+        tendon.distal_attachment, tendon.distal_offset, tendon.distal_aside
     )
-    return [*aims, ring]
+    return ways + sum(float(np.linalg.norm(vein.end(bar))) for bar in range(1, vein.bars - 1))
 
 
-def _bars(vein: Vein) -> tuple[Array, Array]:
-    """Unit vectors along the proximal and the distal bar, outwards."""
-    proximal, distal = vein.ring_vertex - vein.hub_point, vein.tip - vein.ring_vertex
-    return proximal / np.linalg.norm(proximal), distal / np.linalg.norm(distal)
+def _crossings(
+    design: FanDesign, tendon: TendonSection, vein: Vein, hinge: int, carried: float
+) -> tuple[Crossing | None, Crossing | None]:
+    """How a tendon lies across the ring fold of a vein, and the same with bars square to it; None across several.
+
+    What the distal bar carries has the inertia `carried` about the hinge.
+    """
+    if len(vein.axes) > 1:
+        return None, None
+    proximal, distal = (vein.places[bar + 1] - vein.places[bar] for bar in range(2))
+    bars = proximal / np.linalg.norm(proximal), distal / np.linalg.norm(distal)
+    own = _crossing(design, tendon, hinge, vein.axes[0], bars, carried)
+    return own, _crossing(design, tendon, hinge, *_SQUARE, carried)
 
 
 def _crossing(
@@ -242,8 +313,8 @@ def _panels(design: FanDesign, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
     """Lay the membrane: panel k from the edge of its margin on vein k to the axis of vein k + 1.
 
     The margin is glued to vein k and turns with it; about vein k + 1 the panel may turn. A row of nodes lies at every
-    share of the proximal length, at the ring fold, at every share of the distal length and at the tip; that of the ring
-    fold is on the proximal bar.
+    share of the proximal length, at the ring folds, at every share of the distal length and at the tip; that of a ring
+    fold is on the bar before it.
     """
     choice, panels = design.membrane, []
     law = MembraneLaw(
@@ -252,22 +323,22 @@ def _panels(design: FanDesign, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
         thickness=choice.thickness,
         damping=choice.damping,
     )
-    beyond = [0] * (len(choice.proximal_rows) + 1) + [1] * (len(choice.distal_rows) + 1)
+    carriers = [0, *row_bars(veins[0].bars - 1, design)]
     for panel in range(len(veins) - 1):
         pair = veins[panel : panel + 2]
-        near, far = (mesh_rows(vein.hub_point, vein.ring_vertex, vein.tip, design) for vein in pair)
+        near, far = (mesh_rows(vein.places, design) for vein in pair)
         built: list[Array] = []
         bodies: list[int] = []
         places: list[Array] = []
         roots: list[Array] = []
-        for distal, here, there in zip(beyond, near, far, strict=True):
+        for bar, here, there in zip(carriers, near, far, strict=True):
             for vein, number, node, root in zip(
                 pair, (panel, panel + 1), (margin_edge(here, there, design), there), (here, there), strict=True
             ):
                 built.append(node)
-                bodies.append(2 * number + distal)
-                places.append(vein.on_distal_bar(node) if distal else vein.on_proximal_bar(node))
-                roots.append(vein.on_distal_bar(root) if distal else vein.on_proximal_bar(root))
+                bodies.append(vein.body(number, bar))
+                places.append(vein.on_bar(bar, node))
+                roots.append(vein.on_bar(bar, root))
         corners = [
             each
             for left in range(0, len(built) - 2, 2)
@@ -283,6 +354,7 @@ def _panels(design: FanDesign, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
                 law=law,
                 margin=choice.margin,
                 roots=np.array(roots),
+                surface=panel_surface(design, pair, panel),
             )
         )
     return tuple(panels)
@@ -292,7 +364,7 @@ def _guards(design: FanDesign, veins: Sequence[Vein], tips: Sequence[int]) -> tu
     """Guard tendons between neighbouring tips, of which the numbers are given."""
     limits = []
     for index in range(len(veins) - 1):
-        apart = float(np.linalg.norm(veins[index + 1].tip - veins[index].tip))
+        apart = float(np.linalg.norm(veins[index + 1].places[-1] - veins[index].places[-1]))
         ends, most = (tips[index], tips[index + 1]), design.guard.stretch * apart
         limits.append(LengthLimit(name=f"guard{index}", points=ends, built_length=apart, most=most))
     return tuple(limits)

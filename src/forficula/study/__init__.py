@@ -3,7 +3,7 @@ from forficula.study.run_study import collect, estimate, run_study
 from forficula.study.slurm import slurm_script
 from forficula.study.study import Study
 from forficula.study.study_file import load_study, named_studies
-from forficula.study.table import table_csv
+from forficula.study.table import table_csv, table_json
 
 __all__ = [
     "Study",
@@ -15,4 +15,5 @@ __all__ = [
     "run_study",
     "slurm_script",
     "table_csv",
+    "table_json",
 ]

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from forficula.analysis import (
+    SPRUNG,
     Ending,
     Outcome,
     State,
@@ -86,21 +87,20 @@ def _state(name: str, state: State | None) -> Row:
     if state is None:
         return {f"{name}_energy_J": None}
     energy = {f"{name}_energy_J": stored_energy(state)}
-    if state.hinge_energy is not None:
-        energy[f"{name}_hinge_energy_J"] = float(np.sum(state.hinge_energy))
-    if state.spring_energy is not None:
-        energy[f"{name}_spring_energy_J"] = float(np.sum(state.spring_energy))
+    for kind in SPRUNG:
+        if (stored := getattr(state, f"{kind}_energy")) is not None:
+            energy[f"{name}_{kind}_energy_J"] = float(np.sum(stored))
     return energy | _reading(f"{name}_", state.furthest, state.furthest_kind)
 
 
 def stored_energy(state: State) -> float | None:
-    """Energy of all tendons, J; of a structure without any, what hinges, springs and membranes store.
+    """Energy of all tendons, J; of a structure without any, what springs and membranes store.
 
     None of one without tendons that has membranes, whose energy sparse records do not have.
     """
     if len(state.tendon_energy):
         return float(np.sum(state.tendon_energy))
-    others = (state.hinge_energy, state.spring_energy, state.membrane_energy)
+    others = (*(getattr(state, f"{kind}_energy") for kind in SPRUNG), state.membrane_energy)
     stored = sum(float(np.sum(each)) for each in others if each is not None)
     return stored if np.isfinite(stored) else None
 

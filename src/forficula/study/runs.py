@@ -151,7 +151,8 @@ def topology(model: Model) -> tuple[int, ...]:
     engine = model.engine
     sizes = (engine.nq, engine.nv, engine.nu, engine.nbody, engine.ngeom, engine.ntendon, engine.nflexvert)
     driven = tuple(hinge for motor in model.structure.motors for hinge in motor.hinges)
-    return (*sizes, engine.neq, engine.nactuator, engine.na, engine.nplastic, model.followed, *driven)
+    medium = model.drag is not None
+    return (*sizes, engine.neq, engine.nactuator, engine.na, engine.nplastic, model.followed, medium, *driven)
 
 
 def _results(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from forficula.analysis import Verdict
+from forficula.analysis import SPRUNG, Verdict
 from forficula.design import Design, Stage, put, stage_drives, with_values
 from forficula.quantities import show_quantity
 from forficula.structure import drive_keys
@@ -102,9 +102,9 @@ def _numbers(step: SearchStep, row: Row) -> dict[str, Any]:
 
 
 def _energies(state: str, row: Row) -> dict[str, Any]:
-    """What the tendons store in a state, the hinges' springs, and those between points."""
-    kinds = ("energy", "hinge_energy", "spring_energy")
-    return {f"{state}_{name}": row.get(f"{state}_{name}_J") for name in kinds}
+    """What the tendons store in a state, and each kind of springs."""
+    names = ("energy", *(f"{kind}_energy" for kind in SPRUNG))
+    return {f"{state}_{name}": row.get(f"{state}_{name}_J") for name in names}
 
 
 def _decided(found: Mapping[float, Row], goal: str) -> tuple[float | None, Row]:

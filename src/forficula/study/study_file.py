@@ -18,21 +18,8 @@ from forficula.study.file_keys import check_keys, dotted_values
 from forficula.study.search_file import SEARCHES, read_search
 from forficula.study.search_steps import Search
 from forficula.study.study import Study
+from forficula.study.study_keys import names_in
 from forficula.toml_text import parse_toml
-
-_KEYS = (
-    "name",
-    "source",
-    "reproduces",
-    "design",
-    "ask",
-    "vary",
-    "settings",
-    "factors",
-    "grid",
-    "sampling",
-    "search",
-)
 
 
 def load_study(name_or_path: str | Path) -> Study:
@@ -51,6 +38,15 @@ def load_study(name_or_path: str | Path) -> Study:
         return _study(tables, folder)
     except InputError as error:
         raise InputError(f"{where}: {error}") from None
+
+
+def study_of(tables: Mapping[str, Any]) -> Study:
+    """Build a study of tables as a file has them, but for `design`, which may be one.
+
+    Raises:
+        InputError: an unknown key, or a value that is not allowed.
+    """
+    return _study(dict(tables), Path())
 
 
 def named_studies() -> list[str]:
@@ -81,7 +77,7 @@ def _read(name_or_path: str) -> tuple[str, str, Path]:
 
 
 def _study(tables: dict[str, Any], folder: Path) -> Study:
-    check_keys(tables, _KEYS, "")
+    check_keys(tables, names_in(), "")
     for key in ("settings", "sampling", "search"):
         if not isinstance(tables.get(key, {}), dict):
             raise InputError(f"{key}: need a table, got {as_written(tables[key])}")
@@ -142,12 +138,14 @@ def _base(tables: Mapping[str, Any], folder: Path) -> Design:
     name = tables.get("design")
     if name is None:
         raise InputError('design: is missing; give the name or path of a design, such as "binder2025"')
-    if not isinstance(name, str):
+    if not isinstance(name, str | Design):
         raise InputError(f'design: need the name or path of a design, such as "binder2025", got {as_written(name)}')
     settings = {
         key: value_from_folder(key, value, folder)
         for key, value in dotted_values(tables.get("settings", {}), "settings").items()
     }
+    if isinstance(name, Design):
+        return name.with_values(settings)
     return load_design(str(folder / name) if name.endswith(".toml") else name, settings)
 
 
@@ -192,7 +190,7 @@ def _search(tables: Mapping[str, Any], ask: str, base: Design, factors: Sequence
 
 
 def _drawn(factors: tuple[Factor, ...], sampling: Mapping[str, Any]) -> list[dict[str, object]]:
-    check_keys(sampling, ("method", "count", "seed"), "sampling.")
+    check_keys(sampling, names_in("sampling"), "sampling.")
     method = sampling.get("method", "sobol")
     if method not in ("random", "sobol"):
         raise InputError(f'sampling.method: need "random" or "sobol", got {method!r}')

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.analysis import Ending, Verdict
+from forficula.analysis import SPRUNG, Ending, Verdict
 from forficula.csv_text import csv_text
 from forficula.design import TORQUE, Design
 from forficula.quantities import as_written, parse_quantity
@@ -56,8 +56,9 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         words += (f"{search.first.transition}_outcome", "reference_outcome")
     variables: dict[str, Any] = {}
     for name, (unit, meaning) in numbers.items():
+        sprung = name.endswith(tuple(f"_{kind}_energy" for kind in SPRUNG))
         # springs are not in every structure
-        if name.endswith(("_hinge_energy", "_spring_energy")) and all(result.get(name) is None for result in results):
+        if sprung and all(result.get(name) is None for result in results):
             continue
         values = np.array([_nan(result.get(name)) for result in results]).reshape(shape)
         variables[name] = (dimensions, values, {"units": unit, "long_name": meaning})
@@ -110,6 +111,7 @@ def _numbers(study: Study, structure: Structure) -> dict[str, tuple[str, str]]:
         numbers[f"{state}_energy"] = ("J", f"{stored}, {where}")
         numbers[f"{state}_hinge_energy"] = ("J", f"energy of the hinges' springs, {where}")
         numbers[f"{state}_spring_energy"] = ("J", f"energy of the {springs_name(structure)}, {where}")
+        numbers[f"{state}_coupling_energy"] = ("J", f"energy of the couplings, {where}")
     numbers["residual"] = ("", "largest share of the energy that is missing in a run")
     return numbers
 
@@ -158,25 +160,36 @@ def _tried(step: SearchStep) -> tuple[str, Array, dict[str, str]]:
 
 def table_csv(study: Study, table: xarray.Dataset) -> str:
     """The table as text, one line a point, units in the names of the columns, empty where there is no number."""
+    names, rows = _rows(study, table)
+    varied = len(study.factors) + len(study.grid)
+    return csv_text([names, *([*row[:varied], *map(_cell, row[varied:])] for row in rows)])
+
+
+def table_json(study: Study, table: xarray.Dataset) -> list[dict[str, Any]]:
+    """The rows of `table_csv` as plain data, None where there is nothing."""
+    names, rows = _rows(study, table)
+    return [dict(zip(names, row, strict=True)) for row in rows]
+
+
+def _rows(study: Study, table: xarray.Dataset) -> tuple[list[str], list[list[Any]]]:
+    """Headings and rows of a table, one a point; None for what there is not, or that a run does not tell."""
     varied = (*study.factors, *study.grid)
     factors = [_column(factor) for factor in varied]
     names = _columns(study, table)
     units = {name: _suffix(table[name].attrs["units"]) for name in names if table[name].attrs.get("units")}
-    rows: list[Sequence[object]] = [
-        [*(name for name, _ in factors), *(f"{name}{units.get(name, '')}" for name in names)]
-    ]
-    columns = [table[name].values.ravel() for name in names]
+    columns = [table[name].values.ravel().tolist() for name in names]
     silent = [verdict for verdict in Verdict if not verdict.tells]
     told = table["verdict" if "verdict" in table else "outcome"].values
     tells = (~np.isin(told.astype(str).ravel(), silent)).tolist()
+    rows: list[list[Any]] = []
     for number, point in enumerate(study.points):
         values = [_point_value(study, factor, point) for factor in varied]
         cells = [
             factor * value if isinstance(value, float) else value
             for value, (_, factor) in zip(values, factors, strict=True)
         ]
-        rows.append([*cells, *(_cell(column[number], tells=tells[number]) for column in columns)])
-    return csv_text(rows)
+        rows.append([*cells, *(_told(column[number], tells=tells[number]) for column in columns)])
+    return [*(name for name, _ in factors), *(f"{name}{units.get(name, '')}" for name in names)], rows
 
 
 def _result(
@@ -246,8 +259,15 @@ def _nan(value: object) -> float:
     return math.nan if value is None else float(str(value))
 
 
-def _cell(value: object, *, tells: bool) -> object:
-    """A value as text has it; nothing for what there is not, or for yes or no of a run that does not tell."""
-    if isinstance(value, bool | np.bool_):
-        return str(value).lower() if tells else ""
-    return "" if isinstance(value, float) and math.isnan(value) else value
+def _told(value: object, *, tells: bool) -> object:
+    """A value; None for what there is not, or for yes or no of a run that does not tell."""
+    if isinstance(value, bool) and not tells:
+        return None
+    return None if isinstance(value, float) and math.isnan(value) else value
+
+
+def _cell(value: object) -> object:
+    """A value as text has it."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    return "" if value is None else value

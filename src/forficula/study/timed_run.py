@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from forficula.analysis import Verdict, ending_word, measure
 from forficula.dynamics import Record, StageEnd
-from forficula.structure import Transition, goal_of
+from forficula.structure import Transition, goal_coordinates, goal_of
 
 Array = NDArray[np.float64]
 
@@ -95,9 +95,7 @@ def timed_run(record: Record, hinge: int | None = None) -> TimedRun:
 def _distance(record: Record, transition: Transition) -> Array:
     """How far the furthest of what a goal bounds is from its bound, (row,), <= 0 where the goal is reached."""
     goal = goal_of(record.structure, transition.goal)
-    angles = record.series["hinge_angle"]
-    if "distance" in record.series:
-        angles = np.concatenate([angles, record.series["distance"]], axis=1)
+    angles = goal_coordinates(record.structure, record.series["hinge_angle"], record.series.get("distance"))
     above, below = np.isfinite(goal.most), np.isfinite(goal.least)
     distances: Array = np.max([*(angles - goal.most).T[above], *(goal.least - angles).T[below]], axis=0)
     return distances

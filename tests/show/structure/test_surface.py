@@ -41,7 +41,7 @@ def test_the_surface_is_where_the_record_has_the_structure(reference_run, shape,
     for node in nodes:
         assert np.linalg.norm(corners - node, axis=1).min() < 1e-12
     # and, beside the nodes, on the veins: the strip between a vein and its margin is wing, too
-    along = np.concatenate([mesh_rows(*vein, reference_run.design) for vein in veins[:-1]])
+    along = np.concatenate([mesh_rows(vein, reference_run.design) for vein in veins[:-1]])
     known = np.concatenate([nodes, along])
     assert max(np.linalg.norm(known - corner, axis=1).min() for corner in corners) < 1e-12
 

@@ -10,6 +10,7 @@ from forficula.errors import InputError
 from forficula.show.study.maps import (
     draw_energy_maps,
     draw_first_times,
+    draw_moving_maps,
     draw_status_map,
     draw_torque_maps,
     draw_work_maps,
@@ -200,6 +201,21 @@ def test_a_search_has_every_figure_and_plain_runs_those_without_torques():
     assert set(map_drawings(planted(TWO))) == {"status", "torques", "works", "energy", "fold_times"}
     assert set(map_drawings(as_run(planted(TWO)))) == {"status", "works", "energy"}
     assert set(map_drawings(sampled(planted(TWO)))) == {"status", "torques", "works", "energy"}
+
+
+def test_a_map_over_three_factors_is_drawn_at_every_value_of_the_third_with_how_many_have_one():
+    table = planted(("tendon_stiffness", "tendon_rest_length", "pattern_hub_radius"))
+    table["least_fold_torque"][1:, 1, 2] = np.nan
+    assert "torques_moving" in map_drawings(table)
+    assert "torques_moving" not in map_drawings(planted(("tendon_stiffness", "tendon_rest_length"))), (
+        "two have no third"
+    )
+    drawn = panels(draw_moving_maps(table))
+    assert list(drawn) == ["1 cm: 12 of 12 fold", "1.5 cm: 12 of 12 fold", "2 cm: 10 of 12 fold"]
+    for place, axes in enumerate(drawn.values()):
+        values = table["least_fold_torque"].values[:, :, place]
+        expected = {(column, row): 100 * value for (row, column), value in np.ndenumerate(values) if np.isfinite(value)}
+        assert written(axes) == pytest.approx(expected, rel=1e-2)  # N cm, three digits
 
 
 def test_each_value_stands_in_its_cell_in_the_unit_for_people():

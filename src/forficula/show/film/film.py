@@ -39,6 +39,22 @@ def check_film(path: Path) -> None:
         _ffmpeg()
 
 
+def check_choices(size: object, fps: object, slower: object) -> None:
+    """Refuse a film that is too small, too large or odd, and paces that nobody could watch; None is the usual one.
+
+    Raises:
+        InputError: that names which of them.
+    """
+    sides = size if isinstance(size, tuple | list) else ()
+    even = [each for each in sides if isinstance(each, int) and SMALLEST <= each <= LARGEST and each % 2 == 0]
+    if size is not None and not len(even) == len(sides) == 2:
+        raise InputError(f"size: need two even numbers from {SMALLEST} to {LARGEST} such as (1280, 720), got {size!r}")
+    if fps is not None and not (isinstance(fps, int) and 1 <= fps <= 60):
+        raise InputError(f"fps: need 1 to 60, got {fps!r}")
+    if slower is not None and not (isinstance(slower, int | float) and 0.01 <= slower <= 10_000):
+        raise InputError(f"slower: need 0.01 to 10000, got {slower!r}")
+
+
 def write_film(
     record: Record,
     path: Path,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import json
+import os
 from collections.abc import Callable, Iterable
 from functools import cache
 from pathlib import Path
@@ -12,17 +13,23 @@ from typing import TYPE_CHECKING
 from forficula.analysis import measure
 from forficula.analysis.run_files import read_run
 from forficula.design import load_design
+from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.files import clear_leftovers, write_bytes
+from forficula.material.characterisation import Characterisation
 from forficula.reproduction import shown_tendon
 from forficula.show.folder.convergence_folder import CONVERGENCE_FILE, convergence_drawings
 from forficula.show.folder.cycling_folder import cycling_drawings, read_cycling
 from forficula.show.folder.landscape_folder import landscape_drawings
+from forficula.show.folder.material_folder import material_drawings
 from forficula.show.folder.run_folder import run_drawings
 from forficula.show.folder.static_map_folder import SIMULATED, static_map_drawings
 from forficula.show.folder.study_folder import study_drawings
 from forficula.show.style import COLUMN_WIDTH, COPIES, ENDINGS, PAGE_WIDTH, Drawing, save_figure
+from forficula.statics import EnergyLandscape
+from forficula.study.convergence import Convergence
 from forficula.study.convergence_file import load_convergence
+from forficula.study.cycling import Cycling
 from forficula.study.landscape_and_run import landscape_and_run
 from forficula.study.outcome_kinds import check_table
 
@@ -54,6 +61,37 @@ def write_figure(folder: Path, kind: str, path: Path, width: float | None = None
         return
     drawings = folder_drawings(folder)
     save_figure(drawings[_known(kind, drawings, folder)](width or COLUMN_WIDTH), path)
+
+
+def drawings_of(result: object) -> dict[str, Drawing]:
+    """What draws every figure of some results, by kind.
+
+    Args:
+        result: a folder that forficula wrote, or a record, a landscape, a table of a study, a convergence study, what
+            became of cycles, or a material.
+
+    Raises:
+        InputError: it has no figures.
+    """
+    import xarray
+
+    match result:
+        case str() | os.PathLike():
+            clear_leftovers(Path(result))
+            return folder_drawings(Path(result))
+        case Record():
+            return run_drawings(result, measure(result))
+        case EnergyLandscape():
+            return landscape_drawings(result)
+        case xarray.Dataset():
+            return study_drawings(result)
+        case Convergence():
+            return convergence_drawings(result)
+        case Cycling():
+            return cycling_drawings(result)
+        case Characterisation():
+            return material_drawings(result)
+    raise InputError(f"need results of forficula or their folder, got a {type(result).__name__}")
 
 
 def folder_drawings(folder: Path) -> dict[str, Drawing]:

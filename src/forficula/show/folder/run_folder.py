@@ -9,12 +9,14 @@ from matplotlib.figure import Figure
 from forficula.analysis import Outcome
 from forficula.analysis.package import smallest_package
 from forficula.analysis.run_files import write_run_files
+from forficula.analysis.storage import storages
 from forficula.dynamics import Record, compile_model
 from forficula.files import replacing_all, write_text
 from forficula.show.folder.cycling_folder import CYCLING_FILES
 from forficula.show.page import write_run_page
 from forficula.show.run.folding_figure import draw_folding
 from forficula.show.run.package_figure import draw_package
+from forficula.show.run.storage_figure import draw_storage
 from forficula.show.run.time_figures import draw_angles, draw_energies
 from forficula.show.structure.pattern_figure import draw_pattern
 from forficula.show.style import VERMILION, Drawing, save_figures
@@ -49,12 +51,14 @@ def run_drawings(record: Record, outcome: Outcome) -> dict[str, Drawing]:
     smallest = smallest_package(record)
     folds = smallest is not None and smallest[2].area_ratio < _SMALLER
     package: dict[str, Drawing] = {"package": lambda width: _marked(draw_package(record, width), outcome)}
+    storage: dict[str, Drawing] = {"storage": lambda width: _marked(draw_storage(record, width), outcome)}
     return {
         "pattern": lambda width: draw_pattern(record.structure, width),
         "angles": lambda width: _marked(draw_angles(record, outcome, width), outcome),
         "energy": lambda width: _marked(draw_energies(record, width), outcome),
         "folding": lambda width: _marked(draw_folding(record, outcome, width), outcome),
         **(package if folds else {}),
+        **(storage if any(each.pulls is not None for each in storages(record)) else {}),
     }
 
 

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from forficula.names import listed
 from forficula.show.style import BLACK, GREEN, in_column
 from forficula.statics import EnergyLandscape, Rest
-from forficula.structure import Measure, Structure, Transition, drive_of, measure_of
+from forficula.structure import Measure, Structure, Transition, drive_of, measure_of, read_angles
 
 Array = NDArray[np.float64]
 
@@ -59,9 +59,9 @@ def torque_words(structure: Structure, transition: Transition) -> str:
 
 
 def show_angles(measure: Measure, angles: Array) -> str:
-    """The reading of a measure of all angles (rad), from the least to the largest where its hinges differ."""
-    read = [sign * angles[hinge] for hinge, sign in zip(measure.hinges, measure.signs, strict=True)]
-    low, high = show_angle(min(read)), show_angle(max(read))
+    """The reading of a measure of all angles (rad), from the least to the largest where its readings differ."""
+    read = read_angles(measure, angles)
+    low, high = show_angle(float(read.min())), show_angle(float(read.max()))
     return low if low == high else f"{low} to {high}"
 
 

@@ -25,7 +25,7 @@ from forficula.show.style import (
     is_narrow,
 )
 from forficula.statics import EnergyLandscape, Rest
-from forficula.structure import Measure
+from forficula.structure import Measure, read_angles
 
 _COLOURS = {"tendons": BLUE, "springs": GREEN, "couplings": SKY, "membranes": ORANGE, "weight": PURPLE}
 _MARKS = (("o", BLUE), ("s", VERMILION), ("^", GREEN), ("D", PURPLE), ("v", SKY))
@@ -98,14 +98,13 @@ def _mark_steps(axes: Axes, landscape: EnergyLandscape) -> None:
 
 def _plot_angles(axes: Axes, rests: tuple[Rest, ...], measures: tuple[Measure, ...]) -> None:
     """The angles of the hinges, side by side in the order of their measures."""
-    count = sum(len(measure.hinges) for measure in measures)
+    count = sum(len(measure.parts) for measure in measures)
     shifts = iter(np.linspace(-_WIDTH / 2, _WIDTH / 2, count + 2)[1:-1].tolist())
     axes.axhline(0, color="0.6", lw=0.5, ls=":", zorder=0)
     for number, measure in enumerate(measures):
         mark, colour = _MARKS[number % len(_MARKS)]
-        for hinge, sign in zip(measure.hinges, measure.signs, strict=True):
+        for angles in np.degrees([read_angles(measure, each.angles) for each in rests]).T:
             shift = next(shifts)
-            angles = [sign * float(np.degrees(each.angles[hinge])) for each in rests]
             places = [place + shift for place in range(len(rests))]
             axes.plot(places, angles, mark, color=colour, ms=4, ls="none", clip_on=False)
     axes.margins(y=0.15)

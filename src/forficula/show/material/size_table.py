@@ -39,16 +39,33 @@ def size_table(law: MaterialLaw, sizes: Sequence[TendonSizes]) -> RenderableType
     return Group(*parts, *([Text(), *remarks] if remarks else []))
 
 
+def sizes_json(sizes: Sequence[TendonSizes]) -> list[dict[str, float | bool | None]]:
+    """The sizes as plain data in SI, one row a tendon; None for what is absent."""
+    return [
+        dict(
+            zip(
+                _COLUMNS,
+                (
+                    *(each.length, size.stiffness, size.area, size.diameter, size.mean_area),
+                    *(each.flat_strain, each.beyond),
+                ),
+                strict=True,
+            )
+        )
+        for each in sizes
+        for size in each.sizes
+    ]
+
+
 def sizes_csv(sizes: Sequence[TendonSizes]) -> str:
-    """The sizes as comma-separated values in SI, one row a tendon; what is absent is empty."""
-    rows: list[Sequence[object]] = [_COLUMNS]
-    for each in sizes:
-        beyond = "" if each.beyond is None else str(each.beyond).lower()
-        for size in each.sizes:
-            mean = "" if size.mean_area is None else repr(size.mean_area)
-            row = (each.length, size.stiffness, size.area, size.diameter)
-            rows.append([*map(repr, row), mean, repr(each.flat_strain), beyond])
-    return csv_text(rows)
+    """The rows of `sizes_json` as comma-separated values; what is absent is empty."""
+    return csv_text([_COLUMNS, *([_cell(value) for value in row.values()] for row in sizes_json(sizes))])
+
+
+def _cell(value: float | bool | None) -> str:
+    if value is None:
+        return ""
+    return str(value).lower() if isinstance(value, bool) else repr(value)
 
 
 def _table(law: MaterialLaw, sizes: TendonSizes) -> RenderableType:

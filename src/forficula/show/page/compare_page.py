@@ -229,7 +229,7 @@ def _outcome_rows(runs: Sequence[ComparedRun]) -> list[list[str]]:
         {each.name: each for each in (*shown_angles(built), *shown_distances(built))}
         for built in (run.record.structure for run in runs)
     ]
-    titles = {name: title_of(own[name]) + "s" * (len(own[name].hinges) > 1) for own in measures for name in own}
+    titles = {name: title_of(own[name]) + "s" * (len(own[name].parts) > 1) for own in measures for name in own}
     tendons = any(run.record.structure.tendons for run in runs)
     for name, called in _states(runs).items():
         states = [run.outcome.states.get(name) for run in runs]

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from forficula.analysis import Outcome, run_warnings
+from forficula.analysis.storage import storage_texts
 from forficula.design import Design, design_text
 from forficula.dynamics import Record, timestep_warnings, versions
 from forficula.files import write_text
@@ -52,7 +53,7 @@ def numbers(record: Record, outcome: Outcome, run_versions: Mapping[str, str] | 
     """
     design = record.design
     known = [*structure_warnings(design, record.structure), *timestep_warnings(design), *run_warnings(record)]
-    warnings = [*outcome_remarks(record, outcome), *known]
+    warnings = [*outcome_remarks(record, outcome), *storage_texts(record, outcome), *known]
     return "".join(
         (
             section("What to know", _list(warnings) or paragraph("There is nothing to warn of.")),

@@ -171,6 +171,10 @@ def _drawn(table: Dataset) -> list[_Drawn]:
             ("energy", f"{state}_spring_energy", f"energy of what stretches when {state}", number)
             for state, number in states.items()
         ),
+        *(
+            ("energy", f"{state}_coupling_energy", f"couplings' energy when {state}", number)
+            for state, number in states.items()
+        ),
     ]
     return [
         _Drawn(group=group, name=name, title=title, transition=transition)

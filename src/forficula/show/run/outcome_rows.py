@@ -25,7 +25,7 @@ from forficula.show.structure.labels import (
     shown_distances,
     title_of,
 )
-from forficula.structure import Measure, Structure, Transition, drive_of, hinge_groups, springs_name
+from forficula.structure import Measure, Structure, Transition, drive_of, hinge_groups, read_angles, springs_name
 
 _ROUNDING = 1e-12  # of energies, by the largest
 
@@ -112,7 +112,7 @@ def state_rows(structure: Structure, states: Mapping[str, State]) -> StateRows:
 
 
 def _stores(structure: Structure) -> list[_Store]:
-    """What stores energy: tendons, springs of hinges, of many all creases and all bends, and bars."""
+    """What stores energy: tendons, springs of hinges, of many all creases and all bends, couplings, and bars."""
     stores = [
         _Store(kind="tendons", label=label_of(tendon), energy=partial(_of_tendon, number))
         for number, tendon in enumerate(structure.tendons)
@@ -128,6 +128,8 @@ def _stores(structure: Structure) -> list[_Store]:
             _Store(kind="springs", label=label_of(structure.hinges[hinge]), energy=partial(_of_hinges, [hinge]))
             for hinge in springs
         ]
+    if any(not coupling.rigid for coupling in structure.couplings):
+        stores.append(_Store(kind="couplings", label="couplings", energy=_of_couplings))
     if structure.springs:
         stores.append(_Store(kind=springs_name(structure), label=springs_name(structure), energy=_of_springs))
     return stores
@@ -150,6 +152,10 @@ def _of_springs(state: State) -> float:
     return 0.0 if state.spring_energy is None else float(state.spring_energy.sum())
 
 
+def _of_couplings(state: State) -> float:
+    return 0.0 if state.coupling_energy is None else float(state.coupling_energy.sum())
+
+
 def transition_headings(structure: Structure) -> tuple[str, ...]:
     """Of the columns of `transition_rows`."""
     kind = acting(structure)
@@ -169,12 +175,15 @@ def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str
     stored = (balance.tendon, balance.hinges or 0.0, balance.springs or 0.0, balance.couplings or 0.0)
     largest = max(abs(balance.work), *map(abs, stored), 1e-12)
     unit, factor = reading_unit("J", largest)
-    tendons, sheets, bars = (bool(each) for each in (structure.tendons, structure.membranes, structure.bars))
+    tendons, sheets = bool(structure.tendons), bool(structure.membranes)
     spring = springs_name(structure).removesuffix("s")
     stretched = (("tendon", tendons), ("membrane", sheets), (spring, bool(structure.springs)))
     damped = listed(name for name, there in stretched if there)
     folds = listed(name.removesuffix("s") for name in hinge_groups(structure)) or "hinge"
-    stops = ["stops", *["guard tendons"] * bool(structure.limits), *["contacts"] * bars]
+    ties = any(coupling.rigid for coupling in structure.couplings)
+    stops, contacts = ["stops", *["guard tendons"] * bool(structure.limits)], ["contacts"]
+    # the engine tells only stops and limits apart from the rest
+    (stops if structure.contact is None else contacts).extend(["rigid couplings"] * ties)
     terms = (
         (f"work of the {acting(structure)}", balance.work, True),
         ("= change of tendon energy", balance.tendon, tendons),
@@ -187,6 +196,8 @@ def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str
         (f"+ taken by {folds} damping", balance.hinge_damping, True),
         (f"+ taken by {damped} damping", balance.elastic_damping, bool(damped)),
         (f"+ taken by {listed(stops)}", balance.stops, True),
+        (f"+ taken by {listed(contacts)}", balance.contacts, True),
+        ("+ taken by drag of the medium", balance.drag, True),
         ("+ change of energy of the Maxwell branches", balance.branches, True),
         ("+ taken by the Maxwell branches", balance.branch_damping, True),
         ("+ taken by yielding", balance.yielding, True),
@@ -220,8 +231,8 @@ def _reading_cell(structure: Structure, measure: Measure, factor: float) -> Call
 
 
 def state_angles(state: State, measure: Measure) -> NDArray[np.float64]:
-    """Mean angles of a measure's hinges in a state, rad, (hinge,)."""
-    return np.asarray(np.array(measure.signs) * state.coordinates[list(measure.hinges)])
+    """Mean readings of a measure of angles in a state, rad, (reading,)."""
+    return read_angles(measure, state.coordinates)
 
 
 def _number(value: float, digits: int) -> str:

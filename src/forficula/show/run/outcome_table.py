@@ -11,6 +11,7 @@ from rich.text import Text
 from forficula.analysis import Outcome, State, Verdict
 from forficula.analysis.branch import branch_taken, branch_text
 from forficula.analysis.package import smallest_package
+from forficula.analysis.storage import storage_texts
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit, show_value
 from forficula.show.run.outcome_rows import StateRows, balance_rows, state_rows, transition_headings, transition_rows
@@ -39,6 +40,12 @@ def outcome_table(name: str, outcome: Outcome, structure: Structure) -> Renderab
 def print_outcome(name: str, outcome: Outcome, structure: Structure) -> None:
     """Print the outcome, as wide as it is."""
     Console(width=110, highlight=False).print(outcome_table(name, outcome, structure))
+
+
+def print_storage(record: Record, outcome: Outcome) -> None:
+    """Print what waits did to a structure."""
+    for text in storage_texts(record, outcome):
+        Console(width=110, highlight=False).print(Text(), Text(text), sep="\n")
 
 
 def print_strength(record: Record) -> None:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from forficula.analysis import Outcome
 from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
-from forficula.quantities import reading_unit, show_value
+from forficula.quantities import reading_unit, show_duration, show_value
 from forficula.show.run.outcome_rows import state_angles
 from forficula.show.run.state_names import state_letters
 from forficula.show.structure.drive_words import acting
@@ -41,7 +41,7 @@ from forficula.show.style import (
     figure_style,
     is_narrow,
 )
-from forficula.structure import Measure, Structure, hinge_groups, springs_name
+from forficula.structure import Measure, Structure, hinge_groups, measure_stops, springs_name
 
 Array = NDArray[np.float64]
 
@@ -50,6 +50,7 @@ _COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK)
 _LEAD = 0.15
 # of an axis of angles, deg: to one side where hinges go beyond a right angle, at least, and by where they stop
 _HALF_TURN, _LEAST_ROOM, _ROOM = 200.0, 25.0, 1.2
+_ROOMY = 0.25  # of an axis over time, over which words stand
 # of a legend; more lines than that have the colours of a scale, in their order
 _MOST_ENTRIES = 8
 _SHORT, _SHORTEST = 12, 7  # letters of a label, of which three or four fit beside one another in a column
@@ -75,6 +76,7 @@ def draw_angles(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) -> 
                 if measures[0].kind == "angle":
                     _scale_degrees(axes, record, measures)
                 _shade_stages(axes, record, start, scale)
+                _mark_waits(axes, record, start, scale)
             if list(lines) != [title_of(measures[0])]:
                 _legend(axes_row, width, columns=4 if max(map(len, lines), default=0) <= _SHORTEST else 3)
         if rows_of:
@@ -95,6 +97,7 @@ def draw_energies(record: Record, width: float = PAGE_WIDTH) -> Figure:
                     style = LINE_STYLES[index % len(LINE_STYLES)]
                     axes.plot(_time(record, start, scale), values * factor, style, color=colour, label=name)
                 _shade_stages(axes, record, start, scale)
+                _mark_waits(axes, record, start, scale)
             short = len(series) == 3 and max(map(len, series)) <= _SHORT
             _legend(axes_row, width, columns=3 if short else 2)
         return describe(figure, _tell_energies(record))
@@ -138,9 +141,11 @@ def _accounts(record: Record) -> dict[str, tuple[Array, str]]:
         name = alone.get(damped[0]) if len(damped) == 1 else None
         accounts[name or "taken by other damping"] = (-series["elastic_damping_work"], SKY)
     for name, words, colour in (
-        ("branch_damping_work", "taken by Maxwell branches", ORANGE),
+        ("contact_work", "taken by contacts", BLUE),
+        ("branch_damping_work", "taken by branches", ORANGE),
         ("letting_go_work", "branches that gave way", PURPLE),
         ("yield_work", "taken by yielding", PURPLE),
+        ("drag_work", "taken by drag", BLUE),
     ):
         if name in series:
             accounts[words] = (-series[name], colour)
@@ -150,8 +155,8 @@ def _accounts(record: Record) -> dict[str, tuple[Array, str]]:
 def _readings(structure: Structure) -> list[tuple[Measure, ...]]:
     """What is drawn in each row: a measure of several hinges by itself, those of one hinge together, and distances."""
     angles, distances = shown_angles(structure), shown_distances(structure)
-    rows = [(measure,) for measure in angles if len(measure.hinges) > 1]
-    single = tuple(measure for measure in angles if len(measure.hinges) == 1)
+    rows = [(measure,) for measure in angles if len(measure.parts) > 1]
+    single = tuple(measure for measure in angles if len(measure.parts) == 1)
     return [*rows, *(group for group in (single, distances) if group)]
 
 
@@ -204,9 +209,8 @@ def _room(record: Record, measures: tuple[Measure, ...], side: int) -> float:
     for measure in measures:
         angles = side * record.measured(measure.name)
         seen = angles.max(axis=0, initial=0.0, where=np.isfinite(angles))
-        for number, sign, most in zip(measure.hinges, measure.signs, seen, strict=True):
-            hinge = record.structure.hinges[number]
-            stop = hinge.upper if sign * side > 0 else -hinge.lower
+        for (low, high), most in zip(measure_stops(record.structure, measure), seen, strict=True):
+            stop = high if side > 0 else -low
             reach = max(reach, float(np.degrees(min(stop, np.pi) if np.isfinite(stop) else min(most, np.pi))))
     return _HALF_TURN if reach > _HALF_TURN / 2 else max(_LEAST_ROOM, _ROOM * reach)
 
@@ -317,6 +321,21 @@ def _shade_stages(axes: Axes, record: Record, start: float, scale: float) -> Non
         if max(left, low) < min(right, high):
             place = axes.get_xaxis_transform()
             axes.text(seen, 1.01, end.stage.name, transform=place, ha="center", va="bottom", fontsize=7)
+
+
+def _mark_waits(axes: Axes, record: Record, start: float, scale: float) -> None:
+    """Hatched bands where it waits, of which the axis shows only what was stepped, and how long."""
+    for end in record.stages:
+        left, right = ((moment - start) * scale for moment in (end.start, end.end))
+        low, high = axes.get_xlim()
+        if end.waited and max(left, low) < min(right, high):
+            axes.axvspan(left, right, fc="none", ec="0.85", hatch="///", zorder=-1, lw=0)
+            # beside the names of stages there is room over what is long
+            if min(right, high) - max(left, low) > _ROOMY * (high - low):
+                middle, text = (max(left, low) + min(right, high)) / 2, show_duration(end.waited)
+                axes.text(
+                    middle, 1.01, text, transform=axes.get_xaxis_transform(), ha="center", va="bottom", fontsize=7
+                )
 
 
 def _mark_states(axes: Axes, record: Record, outcome: Outcome, measures: tuple[Measure, ...], scale: float) -> None:

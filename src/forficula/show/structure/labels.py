@@ -39,15 +39,17 @@ def measure_labels(structure: Structure, measure: Measure) -> list[str]:
     """What the readings of a measure are called: its hinges, or itself where it is a distance."""
     if measure.points is not None:
         return [measure.label or measure.name]
-    return [label_of(structure.hinges[hinge]) for hinge in measure.hinges]
+    labels = [label_of(structure.hinges[part[0]]) for part in measure.parts]
+    # what tells the hinges of one reading from each other stands behind a comma
+    return labels if measure.together == 1 else [label.partition(",")[0] for label in labels]
 
 
 def role_groups(structure: Structure, measure: Measure) -> dict[str, list[int]]:
-    """Places of a measure's hinges by their role, where they are so many that each cannot be told; else none."""
+    """Places of a measure's readings by the role of their hinges, where they are too many to tell each; else none."""
     groups: dict[str, list[int]] = {}
-    if len(measure.hinges) > MOST_TOLD:
-        for place, hinge in enumerate(measure.hinges):
-            groups.setdefault(structure.hinges[hinge].role, []).append(place)
+    if len(measure.parts) > MOST_TOLD:
+        for place, part in enumerate(measure.parts):
+            groups.setdefault(structure.hinges[part[0]].role, []).append(place)
     return groups
 
 
@@ -61,7 +63,7 @@ def reading_labels(structure: Structure, measure: Measure) -> list[str]:
 
 
 def condensed(structure: Structure, measure: Measure, values: Array) -> Array:
-    """The readings of a measure, (..., hinge), as tables and pages tell them, (..., reading).
+    """The readings of a measure, (..., place), as tables and pages tell them, (..., reading).
 
     Of many angles the smallest, the median of each role, and the largest. A median is one of them, the lower one of two
     in the middle.

@@ -22,7 +22,7 @@ from forficula.show.style import (
     figure_style,
     is_narrow,
 )
-from forficula.structure import Measure, Structure, structure_of
+from forficula.structure import Measure, Structure, measure_stops, structure_of
 from forficula.study.convergence import Convergence
 from forficula.study.observed_order import OrderFit
 from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, value_text
@@ -140,14 +140,11 @@ def _tell(convergence: Convergence) -> str:
 
 def _range(structure: Structure, measure: Measure, convergence: Convergence) -> tuple[float, float]:
     """Between which angles the shown hinge can be, deg: its stops, or what it came to where it has none."""
-    hinge = structure.hinges[measure.hinges[convergence.hinge]]
-    ends = sorted(measure.signs[convergence.hinge] * end for end in (hinge.lower, hinge.upper))
-    if not np.isfinite(ends).all():
-        ends = [
-            min(np.nanmin(each) for each in convergence.angles),
-            max(np.nanmax(each) for each in convergence.angles),
-        ]
-    return math.degrees(ends[0]), math.degrees(ends[1])
+    low, high = measure_stops(structure, measure)[convergence.hinge]
+    if not np.isfinite([low, high]).all():
+        low = min(np.nanmin(each) for each in convergence.angles)
+        high = max(np.nanmax(each) for each in convergence.angles)
+    return math.degrees(low), math.degrees(high)
 
 
 def _time(time: float) -> str:

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.figure import Figure
 
+from forficula.analysis import SPRUNG
 from forficula.errors import InputError
-from forficula.show.study.factor_text import plain_name, value_text
+from forficula.show.study.factor_text import plain_name, value_text, value_with_unit
 from forficula.show.study.map_page import OTHER, draw_page, map_style
 from forficula.show.study.map_panel import Panel, View
 from forficula.show.style import PAGE_WIDTH, Drawing
@@ -37,6 +38,8 @@ def map_drawings(table: Dataset) -> dict[str, Drawing]:
     drawings: dict[str, Drawing] = {"status": lambda width: draw_status_map(table, width=width)}
     if any(each.least and each.least in table for each in transitions):
         drawings["torques"] = lambda width: draw_torque_maps(table, width=width)
+        if not _is_sampled(table) and len(_axes(table)) > 2:
+            drawings["torques_moving"] = lambda width: draw_moving_maps(table, width=width)
     if _known(table, *(f"{each.name}_work" for each in transitions)):
         drawings["works"] = lambda width: draw_work_maps(table, width=width)
     if _known(table, *(f"{state}_energy" for state in _states(table))):
@@ -63,6 +66,29 @@ def draw_torque_maps(
     names = {each.least: each.least.replace("_", " ") for each in table_transitions(table) if each.least}
     quantity = "torque" if all(_unit(table, name) == "N m" for name in names if name in table) else "least value"
     return _draw(table, x, y, names, quantity, width=width)
+
+
+def draw_moving_maps(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
+    """Draw how the map of the first least values moves with a third factor: a panel for each of its values.
+
+    Args:
+        table: of a search for the least values over a grid of three factors or more. Of many values some are drawn.
+        width: of the figure, inch.
+    """
+    first = next(each for each in table_transitions(table) if each.least and each.least in table)
+    upwards, across, moving, *_ = _axes(table)
+    with map_style():
+        view = _slice(table, [upwards, across, moving], x=across, y=upwards)
+        values, reasons = view.table[first.least], missing_reasons(view.table, first.least)
+        chosen, few = _few_values(table, moving)
+        panels = []
+        for index in chosen:
+            here = values.isel({moving: index})
+            title = f"{value_with_unit(table[moving], index)}: {int(here.count())} of {here.size} {first.wording.verb}"
+            why = reasons.isel({moving: index})
+            panels.append(Panel(title=title, values=here, reasons=why, unit=_unit(table, first.least)))
+        quantity, note = first.least.replace("_", " "), few or f"by {plain_name(table[moving])}"
+        return draw_page(view, panels, one_scale=True, quantity=quantity, note=note, width=width)
 
 
 def draw_work_maps(table: Dataset, x: str | None = None, y: str | None = None, *, width: float = PAGE_WIDTH) -> Figure:
@@ -142,19 +168,25 @@ def draw_first_times(
         if panels is None:
             only = Panel(title=found.label, values=times, reasons=reasons, unit="s")
             return draw_page(view, [only], quantity=found.label, width=width)
-        count = table.sizes[panels]
-        chosen = np.unique(np.linspace(0, count - 1, min(count, _MOST_PANELS)).round().astype(int))
+        chosen, few = _few_values(table, panels)
         drawn = [
             Panel(
-                title=value_text(table[panels], int(index)),
+                title=value_text(table[panels], index),
                 values=times.isel({panels: index}),
                 reasons=reasons.isel({panels: index}),
                 unit="s",
             )
             for index in chosen
         ]
-        few = f"{len(chosen)} of {count} values of {plain_name(table[panels])}" if len(chosen) < count else ""
         return draw_page(view, drawn, one_scale=True, quantity=found.label, note=few, width=width)
+
+
+def _few_values(table: Dataset, factor: str) -> tuple[list[int], str]:
+    """Which of a factor's values have a panel, from end to end, and a note where that is not all."""
+    count = table.sizes[factor]
+    chosen = np.unique(np.linspace(0, count - 1, min(count, _MOST_PANELS)).round().astype(int)).tolist()
+    note = f"{len(chosen)} of {count} values of {plain_name(table[factor])}" if len(chosen) < count else ""
+    return chosen, note
 
 
 def _draw(
@@ -193,6 +225,11 @@ def _factors(table: Dataset) -> list[str]:
         # maps are of the grid that is repeated at every choice
         return sorted((str(name) for name in table["outcome"].dims), key=lambda name: name == CHOICE)
     return [str(name) for name, values in table.coords.items() if values.dims == ("sample",) and name != "sample"]
+
+
+def _axes(table: Dataset) -> list[str]:
+    """Names of the factors of a grid that have several values, in the study's order; those of choices have none."""
+    return [name for name in _factors(table) if name != CHOICE and table.sizes[name] > 1]
 
 
 def _name(factors: Sequence[str], wanted: str) -> str:
@@ -280,7 +317,8 @@ def _states(table: Dataset) -> list[str]:
 def missing_reasons(table: Dataset, name: str) -> DataArray:
     """Why a variable has no value, wherever it has none."""
     outcome, transitions, kinds = table["outcome"], table_transitions(table), outcome_kinds(table)
-    name = name.replace("_hinge_energy", "_energy").replace("_spring_energy", "_energy")  # all are of the state
+    for kind in SPRUNG:  # all are of the state
+        name = name.replace(f"_{kind}_energy", "_energy")
     if not transitions or name in (f"{_states(table)[0]}_energy", "residual"):
         return outcome
     first = transitions[0]

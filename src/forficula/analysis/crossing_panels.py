@@ -1,0 +1,274 @@
+"""How far panels of membranes pass through each other, from the record alone: no engine is asked."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.design import stage_drives
+from forficula.dynamics import Record
+from forficula.structure import Structure
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+# rows of a stage that are looked at, and then beside the deepest
+_DRIVEN, _OTHERS, _CLOSER = 32, 4, 16
+_TOGETHER = 64  # rows that are looked at at once
+_SLIGHT, _ROUNDING = 1e-6, 1e-9  # of an edge's length: what reaches less far only touches; and of numbers
+
+
+@dataclass(frozen=True, kw_only=True)
+class PanelCrossing:
+    """The deepest that panels pass through each other.
+
+    Attributes:
+        depth: how far one of the two panels would have to go back, m; 0 where none crosses another.
+        names: of the two panels; empty where none cross.
+        time: s.
+    """
+
+    depth: float
+    names: tuple[str, ...] = ()
+    time: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PanelMesh:
+    """A panel as triangles.
+
+    Attributes:
+        name: of its own.
+        triangles: three nodes each, (triangle, 3), of the nodes from 0 on.
+    """
+
+    name: str
+    triangles: Indices
+
+    @cached_property
+    def edges(self) -> Indices:
+        """Two nodes each, (edge, 2)."""
+        return np.unique(self._sides.reshape(-1, 2), axis=0)
+
+    @cached_property
+    def rims(self) -> NDArray[np.bool_]:
+        """Which sides of triangles are on the rim, from corner to next corner, (triangle, 3)."""
+        _, which, count = np.unique(self._sides.reshape(-1, 2), axis=0, return_inverse=True, return_counts=True)
+        return np.asarray(count[which.ravel()] == 1).reshape(-1, 3)
+
+    @cached_property
+    def on_rim(self) -> NDArray[np.bool_]:
+        """Whether each node is on the rim, (node,)."""
+        return np.isin(np.arange(self.triangles.max() + 1), self._sides[self.rims])
+
+    @property
+    def _sides(self) -> Indices:
+        """Of each triangle, (triangle, 3, 2)."""
+        return np.sort(np.stack([self.triangles, np.roll(self.triangles, -1, axis=1)], axis=-1), axis=-1)
+
+
+def panel_crossing(record: Record, rows: Sequence[int] | None = None) -> PanelCrossing | None:
+    """The deepest crossing of panels in some rows of a record: those given, or some, evenly by how far panels move.
+
+    Returns:
+        None of what has no panels, of a sparse record, and of a run that diverged.
+    """
+    if record.diverged_at is not None or "membrane_position" not in record.series:
+        return None
+    meshes = panel_meshes(record.structure)
+    if not meshes:
+        return None
+    if rows is not None:
+        return _deepest(record, meshes, rows)
+    rows = _telling_rows(record)
+    found = _deepest(record, meshes, rows)
+    # between the rows beside the deepest one, once more
+    near = int(np.searchsorted(record.time[rows], found.time))
+    low, high = rows[max(near - 1, 0)], rows[min(near + 1, len(rows) - 1)]
+    closer = _deepest(record, meshes, np.unique(np.linspace(low, high, _CLOSER).round().astype(np.int64)).tolist())
+    return max(found, closer, key=lambda crossing: crossing.depth)
+
+
+def _deepest(record: Record, meshes: Sequence[PanelMesh], rows: Sequence[int]) -> PanelCrossing:
+    """The deepest crossing in some rows."""
+    places = panel_places(record, rows)
+    found = PanelCrossing(depth=0.0, time=float(record.time[rows[0]]))
+    for (one, here), (other, there) in combinations(zip(meshes, places, strict=True), 2):
+        depths = crossing_depths(one, here, other, there)
+        row = int(np.argmax(depths))
+        if depths[row] > found.depth:
+            names = (one.name, other.name)
+            found = PanelCrossing(depth=float(depths[row]), names=names, time=float(record.time[rows[row]]))
+    return found
+
+
+def _telling_rows(record: Record) -> list[int]:
+    """Rows of every stage between which the panels move by as much, both of its ends among them."""
+    steps = np.linalg.norm(np.diff(record.series["membrane_position"], axis=0), axis=2).max(axis=1)
+    way = np.concatenate([[0.0], np.cumsum(steps)])
+    bounds = np.searchsorted(record.time, [[end.start, end.end] for end in record.stages])
+    rows = []
+    for (first, last), end in zip(bounds.clip(max=len(way) - 1).tolist(), record.stages, strict=True):
+        wanted = np.linspace(way[first], way[last], _DRIVEN if stage_drives(end.stage) else _OTHERS)
+        rows += [first, last, *(first + np.searchsorted(way[first : last + 1], wanted)).clip(max=last).tolist()]
+    return sorted(set(rows))
+
+
+def panel_meshes(structure: Structure) -> list[PanelMesh]:
+    """The panels of all surfaces, one surface after another."""
+    return [
+        PanelMesh(name=name, triangles=np.unique(own, return_inverse=True)[1].reshape(-1, 3))
+        for surface in (each.surface for each in structure.membranes if each.surface is not None)
+        for name, own in ((name, surface.triangles[surface.panels == n]) for n, name in enumerate(surface.names))
+    ]
+
+
+def panel_places(record: Record, rows: Sequence[int]) -> list[Array]:
+    """Where the nodes of every panel are, as `panel_meshes` has them, m, (row, node, 3) each.
+
+    A node goes with its body: it is a sum of the places of that body's recorded points and nodes, with weights that are
+    found as it is built.
+    """
+    structure = record.structure
+    known = np.concatenate(
+        [record.series[name][list(rows)] for name in ("point_position", "membrane_position")], axis=1
+    )
+    bodies = np.concatenate(
+        [[point.body for point in structure.points], *(each.bodies for each in structure.membranes)]
+    )
+    places = np.concatenate(
+        [[point.place for point in structure.points], *(each.places for each in structure.membranes)]
+    )
+    found = []
+    for surface in (each.surface for each in structure.membranes if each.surface is not None):
+        nodes = np.zeros((len(known), len(surface.bodies), 3))
+        for body in np.unique(surface.bodies).tolist():
+            mine, own = surface.bodies == body, bodies == body
+            ones = np.ones((1, int(own.sum())))
+            wanted = np.vstack([surface.places[mine].T / structure.span, np.ones((1, int(mine.sum())))])
+            weights = np.linalg.lstsq(np.vstack([places[own].T / structure.span, ones]), wanted, rcond=1e-9)[0]
+            nodes[:, mine] = np.einsum("rkx,kn->rnx", known[:, own], weights)
+        found += [nodes[:, np.unique(surface.triangles[surface.panels == n])] for n in range(len(surface.names))]
+    return found
+
+
+def crossing_depths(one: PanelMesh, here: Array, other: PanelMesh, there: Array) -> Array:
+    """How far two panels pass through each other, m, (row,); 0 where they do not.
+
+    Where an edge of one goes through the other there are two parts of either panel, on either side of the other. The
+    part that reaches less far from the other panel is what has passed: the depth there is the least reach of these four
+    parts, and that of the panels the largest of all their edges. A part is made of nodes of one side that edges join,
+    and that have the other panel before them: what lies beside it may be on any side of it.
+
+    Args:
+        one: a panel.
+        here: its nodes, (row, node, 3).
+        other: another panel.
+        there: its nodes, (row, node, 3).
+    """
+    depths = np.zeros(len(here))
+    apart = (here.min(axis=1) > there.max(axis=1)) | (here.max(axis=1) < there.min(axis=1))
+    near = np.flatnonzero(~apart.any(axis=1))
+    for first in range(0, len(near), _TOGETHER):
+        rows = near[first : first + _TOGETHER]
+        depths[rows] = _depths(one, here[rows], other, there[rows])
+    return depths
+
+
+def _depths(one: PanelMesh, here: Array, other: PanelMesh, there: Array) -> Array:
+    """The same, of all rows at once."""
+    through = [_piercings(one, here, other, there), _piercings(other, there, one, here)]
+    cross, depths = np.union1d(through[0][0], through[1][0]), np.zeros(len(here))
+    if not len(cross):
+        return depths
+    views = [_reaches(one, here[cross], other, there[cross]), _reaches(other, there[cross], one, here[cross])]
+    for (rows, edges, triangles), pierces, pierced, own in zip(
+        through, (one, other), (other, one), (0, 1), strict=True
+    ):
+        places = np.searchsorted(cross, rows)[:, None]
+        reach, side, distance = (each[places, pierces.edges[edges]] for each in views[own])
+        # what seems to be on one side all along only skims the other panel
+        least = np.where(side[:, :1] == side[:, 1:], distance, reach).min(axis=1, initial=np.inf)
+        reach, side, _ = (each[places, pierced.triangles[triangles]] for each in views[1 - own])
+        for sign in (1, -1):
+            part = np.where(side == sign, reach, -np.inf).max(axis=1, initial=-np.inf)
+            least = np.minimum(least, np.where(np.isfinite(part), part, np.inf))
+        np.maximum.at(depths, rows, least)
+    return depths
+
+
+def _piercings(one: PanelMesh, here: Array, other: PanelMesh, there: Array) -> tuple[Indices, Indices, Indices]:
+    """Rows, edges of one panel that go through triangles of another in them, and these triangles, (piercing,) each.
+
+    What only touches does not count, as at the vein where two panels join.
+    """
+    start, end = (here[:, one.edges[:, each], None] for each in (0, 1))
+    corners = there[:, other.triangles]
+    normals, along = _normals(corners), end - start
+    before, after = (_heights(each, corners, normals) for each in (start, end))
+    slight = _SLIGHT * np.linalg.norm(along, axis=-1)
+    rows, edges, triangles = np.nonzero((before * after < 0) & (np.abs(before) > slight) & (np.abs(after) > slight))
+    before, after = before[rows, edges, triangles], after[rows, edges, triangles]
+    place = start[rows, edges, 0] + (before / (before - after))[:, None] * along[rows, edges, 0]
+    corners, normals = corners[rows, triangles], normals[rows, triangles]
+    inwards = np.cross(np.roll(corners, -1, axis=1) - corners, place[:, None] - corners)
+    inside = np.all(np.sum(inwards * normals[:, None], axis=-1) >= 0, axis=1)
+    return rows[inside], edges[inside], triangles[inside]
+
+
+def _reaches(one: PanelMesh, here: Array, other: PanelMesh, there: Array) -> tuple[Array, Indices, Array]:
+    """How far the part of each node of a panel reaches from another, m, its side, +-1, and its own distance, m."""
+    distance, side, before = _nearest(here, other, there)
+    reach, before = distance, before & (distance > _SLIGHT * np.ptp(here, axis=1).max())
+    tail, head = one.edges.T
+    joined = np.zeros((*reach.shape, reach.shape[1]), dtype=bool)
+    joined[:, tail, head] = before[:, tail] & before[:, head] & (side[:, tail] == side[:, head])
+    joined |= np.swapaxes(joined, 1, 2)
+    while True:
+        further = np.maximum(reach, np.where(joined, reach[:, None], 0.0).max(axis=2))
+        if np.array_equal(further, reach):
+            return reach, side, distance
+        reach = further
+
+
+def _nearest(points: Array, mesh: PanelMesh, nodes: Array) -> tuple[Array, Indices, NDArray[np.bool_]]:
+    """Distances of points from a panel, m, sides, +-1, and whether it is before them and not beside, (row, point)."""
+    corners, points = nodes[:, mesh.triangles], points[:, :, None]
+    normals = _normals(corners)
+    height = _heights(points, corners, normals)
+    within, square = np.ones(height.shape, dtype=bool), np.full(height.shape, np.inf)
+    beside = np.zeros(height.shape, dtype=bool)
+    for corner in range(3):
+        following = (corner + 1) % 3
+        start, away = corners[:, :, corner][:, None], points - corners[:, :, corner][:, None]
+        along = (corners[:, :, following] - corners[:, :, corner])[:, None]
+        within &= np.sum(np.cross(along, away) * normals[:, None], axis=-1) >= 0
+        share = np.clip(np.sum(away * along, axis=-1) / np.sum(along**2, axis=-1), 0, 1)
+        distance = np.sum((points - start - share[..., None] * along) ** 2, axis=-1)
+        at_rim = mesh.rims[:, corner] | ((share == 0) & mesh.on_rim[mesh.triangles[:, corner]])
+        at_rim |= (share == 1) & mesh.on_rim[mesh.triangles[:, following]]
+        beside = np.where(distance < square, at_rim, beside)
+        square = np.minimum(square, distance)
+    square = np.where(within, height**2, square)
+    # of triangles as near as each other, at an edge, the one that the point is most plainly on a side of
+    least = square.min(axis=2, keepdims=True)
+    tied = square <= least * (1 + _ROUNDING) + np.finfo(float).tiny
+    pick = np.where(tied, np.abs(height), -1.0).argmax(axis=2)[..., None]
+    before = np.take_along_axis(within | ~beside, pick, axis=2)[..., 0]
+    return np.sqrt(least[..., 0]), np.where(np.take_along_axis(height, pick, axis=2)[..., 0] >= 0, 1, -1), before
+
+
+def _normals(corners: Array) -> Array:
+    """Unit vectors square to triangles, (row, triangle, 3)."""
+    normals = np.cross(corners[:, :, 1] - corners[:, :, 0], corners[:, :, 2] - corners[:, :, 0])
+    return np.asarray(normals / np.maximum(np.linalg.norm(normals, axis=2)[..., None], np.finfo(float).tiny))
+
+
+def _heights(points: Array, corners: Array, normals: Array) -> Array:
+    """Of points, (row, point, 1, 3), over the planes of triangles, m, (row, point, triangle)."""
+    return np.asarray(np.sum((points - corners[:, None, :, 0]) * normals[:, None], axis=-1))

@@ -1,0 +1,304 @@
+"""What every command does, as one call: designs by name or path in, records, tables, figures and files out.
+
+In the examples, `ff` is forficula, `design` is `ff.load_design("letter-fold")`, and `record` a run of it.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from forficula.design import AnyDesign, as_design
+from forficula.errors import InputError
+from forficula.names import one_of
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from forficula.dynamics import Record
+    from forficula.dynamics.simulate import Progress
+    from forficula.pattern import PatternFacts
+    from forficula.statics import EnergyLandscape
+    from forficula.study import Study
+    from forficula.study.convergence import Convergence
+
+AnyPath = str | os.PathLike[str]
+_OPTIONS = ("timesteps", "moduli", "meshes")
+_WIDEST = 100  # inch, of a figure
+
+
+def run(design: AnyDesign, progress: Progress | None = None) -> Record:
+    """Take a design through its protocol, as `forficula run` does.
+
+    Args:
+        design: or the name of one, or the path of a design file, a FOLD file or a drawing.
+        progress: called now and then with the stage's name, the time so far and the longest it can take, s.
+
+    Returns:
+        What happened, sampled at the protocol's interval. `measure` says what that came to, `save` writes it. With a
+        timestep "auto" its design has the one that was found.
+
+    Raises:
+        InputError: no such design, or it cannot be built.
+
+    >>> record = ff.run(design)
+    >>> ff.measure(record).status
+    'closed and opened'
+    """
+    from forficula.study.runs import run as run_one
+
+    return run_one(as_design(design), progress)
+
+
+def landscape(design: AnyDesign, *, progress: Callable[[str], None] = lambda _: None) -> EnergyLandscape:
+    """Survey a design's energy by statics, as `forficula landscape --no-simulation` does.
+
+    Args:
+        design: or its name or path.
+        progress: is told what is surveyed.
+
+    Raises:
+        InputError: no such design, or it cannot be built.
+
+    >>> surveyed = ff.landscape("binder2025")
+    >>> f"{1e3 * ff.barrier(surveyed, 'flat', 'folded'):.2f} mJ"
+    '2.08 mJ'
+    """
+    from forficula.statics import energy_landscape
+
+    return energy_landscape(as_design(design), progress=progress)
+
+
+def converge(
+    design: AnyDesign,
+    *,
+    timesteps: str | Sequence[float] | None = None,
+    moduli: str | Sequence[float] | None = None,
+    meshes: str | Sequence[float] | None = None,
+    progress: Callable[[int, int, dict[str, Any]], None] | None = None,
+) -> Convergence:
+    """Run a design at several timesteps, membrane moduli or meshes, as `forficula converge` does.
+
+    Args:
+        design: or its name or path.
+        timesteps: as in "0.5 0.2 ms", or s; this, `moduli` or `meshes`.
+        moduli: of the membrane, as in "0.5 1 2 MPa", or Pa.
+        meshes: by how much its rows are closer, as in "1 2".
+        progress: called with the runs done, all runs, and what the last came to.
+
+    Raises:
+        InputError: none of the three, several of them, or values that are not allowed.
+
+    >>> set(ff.converge(design, timesteps="0.4 0.2 ms").statuses)
+    {'closed and opened'}
+    """
+    from forficula.study.convergence import converge as converge_design
+    from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, read_values
+
+    every = zip(_OPTIONS, (TIMESTEP, YOUNGS_MODULUS, MESH), (timesteps, moduli, meshes), strict=True)
+    given = [(name, key, values) for name, key, values in every if values is not None]
+    if len(given) != 1:
+        names = ", ".join(name for name, _, _ in given) or "none"
+        raise InputError(f"converge: need one of {', '.join(_OPTIONS)}, got {names}")
+    ((name, key, values),) = given
+    try:
+        read = read_values(key, values) if isinstance(values, str) else values
+        return converge_design(as_design(design), key, read, progress=progress)
+    except InputError as error:
+        raise InputError(f"{name}: {error}") from None
+
+
+def new_study(
+    design: AnyDesign,
+    factors: Mapping[str, object],
+    *,
+    name: str = "study",
+    **tables: object,
+) -> Study:
+    """Build a study without a file: `run_study` runs it, `estimate` says how long that takes.
+
+    Args:
+        design: that is varied, or its name or path.
+        factors: by key of the design: a list of values, a range, or a distribution, as in a study file.
+        name: what outputs call it.
+        **tables: what else a study file may have, such as `ask="least-torques"` or `search={"refinements": 2}`; the
+            command `forficula keys --study` lists them.
+
+    Raises:
+        InputError: an unknown key, or a value that is not allowed.
+
+    >>> asked = ff.new_study(design, {"tendon.left.stiffness": ["0.4 N/cm", "0.5 N/cm"]})
+    >>> ff.run_study(asked, out="asked")["status"].values.tolist()
+    ['closed and opened', 'closed and opened']
+    """
+    from forficula.study.study_file import study_of
+
+    return study_of(
+        {
+            **tables,
+            "name": name,
+            "design": as_design(design),
+            "factors": dict(factors) if isinstance(factors, Mapping) else factors,
+        }
+    )
+
+
+def pattern_facts(design: AnyDesign) -> PatternFacts:
+    """Say what a design's crease pattern is, as `forficula pattern` does: freedoms, faults, flat-foldability.
+
+    Args:
+        design: or its name, or the path of a design file, a FOLD file or a drawing.
+
+    >>> ff.pattern_facts("binder2025").title
+    'earwig fan, 1 unit, 3 veins'
+    """
+    from forficula.design import design_pattern
+    from forficula.pattern import pattern_facts as facts_of
+
+    return facts_of(design_pattern(as_design(design)))
+
+
+def figure(of: object, kind: str | None = None, *, width: float | Literal["column", "page"] = "column") -> Figure:
+    """Draw a figure of some results, as `forficula figure` does.
+
+    Args:
+        of: a folder that a command wrote, or a record, a landscape, a study's table, a convergence study, a
+            material, or what became of cycles.
+        kind: which figure, by the name of its picture in the folder; may be left out where there is one only.
+        width: of a journal's column or page, or inch.
+
+    Raises:
+        InputError: no such kind, another width, or nothing that has figures.
+
+    >>> ff.figure(record, "angles", width="page").savefig("angles.pdf")
+    """
+    from forficula.show.folder.figure_kinds import drawings_of
+    from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
+
+    drawings = drawings_of(of)
+    name = next(iter(drawings)) if kind is None and len(drawings) == 1 else kind
+    if name not in drawings:
+        raise InputError(f"kind: need {one_of(sorted(drawings), name)}")
+    inches: object = {"column": COLUMN_WIDTH, "page": PAGE_WIDTH}.get(width) if isinstance(width, str) else width
+    if not (isinstance(inches, int | float) and 1 <= inches <= _WIDEST):
+        raise InputError(f'width: need "column", "page" or 1 to {_WIDEST} inch, got {width!r}')
+    return drawings[name](inches)
+
+
+def film(
+    run: Record | AnyPath,
+    path: AnyPath,
+    *,
+    size: tuple[int, int] | None = None,
+    fps: int | None = None,
+    slower: float | None = None,
+) -> None:
+    """Film a run, as `forficula film` does.
+
+    Args:
+        run: its record or its folder.
+        path: .mp4 or .gif.
+        size: pixels across and upwards, both even; 1280 x 720, or 800 x 450 for .gif.
+        fps: pictures a second; 30, or 15 for .gif.
+        slower: how many times slower than the run its moves are; each takes about 3.5 s if not given.
+
+    Raises:
+        InputError: no such run, another ending, a choice that is not allowed, or it cannot be written.
+
+    >>> ff.film(record, "short.gif", size=(160, 160), fps=1, slower=2)
+    """
+    from forficula.show.film.film import check_choices, check_film, write_film
+
+    check_film(Path(path))
+    check_choices(size, fps, slower)
+    write_film(as_record(run), Path(path), size=size, rate=fps, slowed=slower)
+
+
+def page(run: Record | AnyPath, path: AnyPath) -> None:
+    """Write a run as one HTML file that plays in any browser without a network.
+
+    >>> ff.page(record, "run.html")
+    """
+    from forficula.analysis import measure
+    from forficula.show.page import write_run_page
+
+    record = as_record(run)
+    write_run_page(record, measure(record), Path(path))
+
+
+def compare(folders: Iterable[AnyPath], path: AnyPath) -> None:
+    """Show runs side by side on one clock, as `forficula compare` does: a page.
+
+    Args:
+        folders: of the runs, two to twelve.
+        path: of the page; must end with .html.
+
+    Raises:
+        InputError: too few or too many folders, one that holds no run, or it cannot be written.
+
+    >>> for folder in (Path("one"), Path("two")):
+    ...     folder.mkdir()
+    ...     ff.save_record(record, folder / "record.nc")
+    >>> ff.compare(["one", "two"], "both.html")
+    """
+    from forficula.show.page import compare_runs
+
+    if not isinstance(folders, Iterable) or isinstance(folders, str | bytes):
+        raise InputError(f"compare: need a list of 2 to 12 folders of runs, got {folders!r}")
+    compare_runs([Path(folder) for folder in folders], Path(path))
+
+
+def save(result: object, folder: AnyPath) -> None:
+    """Write a record, a landscape, a convergence study or a material to a folder, as its command does.
+
+    Args:
+        result: of `run`, `landscape`, `converge` or `characterise`.
+        folder: made where it is missing; what an earlier result of the kind left there is replaced.
+
+    Raises:
+        InputError: nothing that a command writes, or the folder cannot be written.
+
+    >>> ff.save(record, "there")
+    >>> ff.load_record("there").design.name
+    'letter-fold'
+    """
+    from forficula.analysis import measure
+    from forficula.dynamics import Record
+    from forficula.material.characterisation import Characterisation
+    from forficula.show import write_run
+    from forficula.show.folder.convergence_folder import write_convergence
+    from forficula.show.folder.landscape_folder import write_landscape
+    from forficula.show.folder.material_folder import write_material
+    from forficula.statics import EnergyLandscape
+    from forficula.study.convergence import Convergence
+
+    match result:
+        case Record():
+            write_run(result, measure(result), Path(folder))
+        case EnergyLandscape():
+            write_landscape(result, Path(folder))
+        case Convergence():
+            write_convergence(result, Path(folder))
+        case Characterisation():
+            write_material(result, Path(folder))
+        case _:
+            raise InputError(
+                f"need a record, a landscape, a convergence study or a material, got a {type(result).__name__}"
+            )
+
+
+def as_record(run: object) -> Record:
+    """A record, or that of a run's folder or file.
+
+    Raises:
+        InputError: it is none, or cannot be read.
+    """
+    from forficula.dynamics import Record, load_record
+
+    if isinstance(run, Record):
+        return run
+    if isinstance(run, str | os.PathLike):
+        return load_record(run)
+    raise InputError(f"need the record of a run, or its folder, got a {type(run).__name__}")

@@ -1,0 +1,133 @@
+"""What every key of a design means, what it may hold, and what stands there if it is left out."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal, get_args, get_origin
+
+from annotated_types import Ge, Gt, Le, Lt
+from pydantic.fields import FieldInfo
+
+from forficula.design.design import Design
+from forficula.design.fan import FanDesign
+from forficula.design.keys import fields_of, hint, holds_parts
+from forficula.design.part import Quantity, field_quantity, is_list
+from forficula.errors import InputError
+from forficula.names import listed, one_of
+from forficula.quantities import show_quantity
+
+
+@dataclass(frozen=True, kw_only=True)
+class KeyFact:
+    """A key of a design.
+
+    Attributes:
+        key: dotted; entries of a list of tables stand as number 0.
+        meaning: of its value, in words.
+        allowed: kind, unit and bounds of its value.
+        default: what counts if it is left out, "needed" where a design that is based on no other must give it, "" where
+            it is then absent.
+    """
+
+    key: str
+    meaning: str
+    allowed: str
+    default: str
+
+
+def key_facts(within: str = "", model: type[Design] = FanDesign) -> list[KeyFact]:
+    """Tell all keys of a kind of design, in the order of its file, or those in a section of it.
+
+    Args:
+        within: a section or a key, as in "tendon", "protocol.stages.2" or "tendon.stiffness"; all if empty.
+        model: class of the design.
+
+    Raises:
+        InputError: there is no such section or key, and which is near.
+    """
+    facts = [_fact(key, field) for key, field in fields_of(model) if not holds_parts(field)]
+    try:
+        return facts_within(within, facts)
+    except InputError:
+        raise InputError(f"{within}: unknown key; {hint(within.split('.'), model)}") from None
+
+
+def facts_within(within: str, facts: Sequence[KeyFact]) -> list[KeyFact]:
+    """Those of some keys that are in a section, or are a key; all if that is empty.
+
+    Raises:
+        InputError: none is.
+    """
+    wanted = _unnumbered(within) if within else []
+    found = [fact for fact in facts if _unnumbered(fact.key)[: len(wanted)] == wanted]
+    if not found:
+        raise InputError(f"need {one_of(dict.fromkeys(fact.key.split('.')[0] for fact in facts), within)}")
+    return found
+
+
+def _unnumbered(key: str) -> list[str]:
+    """A key without the numbers of entries of lists, which all have the same keys."""
+    return [part for part in key.split(".") if not part.isdecimal()]
+
+
+def _fact(key: str, field: FieldInfo) -> KeyFact:
+    reader = field_quantity(field)
+    allowed = _quantity(reader) if reader else _plain(field)
+    default = "needed" if field.is_required() else _written(field.get_default(), reader)
+    return KeyFact(
+        key=key,
+        meaning=field.description or "",
+        allowed=f"list of: {allowed}" if is_list(field) else allowed,
+        default=default,
+    )
+
+
+def _written(value: Any, reader: Quantity | None) -> str:
+    match value:
+        case None | () | "":
+            return ""
+        case bool():
+            return str(value).lower()
+        case tuple():
+            return f"[{', '.join(_written(each, reader) for each in value)}]"
+        case float() if reader is not None:
+            return show_quantity(value, reader.unit)
+        case _:
+            return str(value)
+
+
+def _quantity(reader: Quantity) -> str:
+    rules = ((">", reader.above), (">=", reader.at_least), ("<", reader.below), ("<=", reader.at_most))
+    bounds = [
+        f"{rule} {show_quantity(bound, reader.unit) if bound else 0}" for rule, bound in rules if math.isfinite(bound)
+    ]
+    return listed([", ".join([reader.unit.display, *bounds]), *(f'"{word}"' for word in reader.words)], "or")
+
+
+def _plain(field: FieldInfo) -> str:
+    """What a value without a unit may be: its kind, and its bounds."""
+    forms = [form for form in _forms(field.annotation) if form is not type(None)]
+    words = [f'"{word}"' for form in forms if get_origin(form) is Literal for word in get_args(form)]
+    kinds = {bool: "true or false", int: "whole number", float: "number", str: "text"}
+    names = [name for kind, name in kinds.items() if kind in forms]
+    signs = {Gt: (">", "gt"), Ge: (">=", "ge"), Lt: ("<", "lt"), Le: ("<=", "le")}
+    bounds = [
+        f"{sign} {getattr(rule, name):g}"
+        for rule in field.metadata
+        for kind, (sign, name) in signs.items()
+        if isinstance(rule, kind)
+    ]
+    return ", ".join([listed([*names, *words], "or"), *bounds])
+
+
+def _forms(annotation: Any) -> Iterator[Any]:
+    """What an annotation allows, entries of lists instead of these."""
+    origin = get_origin(annotation)
+    if origin is None or origin is Literal:
+        yield annotation
+        return
+    for each in get_args(annotation):
+        if each is not Ellipsis:
+            yield from _forms(each)

@@ -1,0 +1,111 @@
+"""Contact in the engine: how hard bars and panels are that touch, and the surface by which panels do."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+
+import mujoco
+import numpy as np
+
+from forficula.design.part import SMALL_LENGTH
+from forficula.errors import InputError
+from forficula.quantities import show_quantity
+from forficula.structure import Contact, Structure
+
+# bits by which MuJoCo selects who touches whom
+BARS, PANELS = 1, 2
+# MuJoCo hardens a contact over 0.001 of its length unit, which would be another share of every structure; the other
+# numbers are its defaults
+_SOFT_SHARE = 0.02
+# of a thickness: numbers are told with four digits
+_ROUNDING = 1e-3
+
+
+def stop_reference(timestep: float) -> list[float]:
+    """Time constant and damping ratio of stops: as stiff as the timestep allows without rebound."""
+    return [2 * timestep, 1.0]
+
+
+def set_contact(shape: mujoco.MjsGeom | mujoco.MjsFlex, thickness: float, contact: Contact, timestep: float) -> None:
+    """Make a shape as hard as the timestep allows; a contact softens over 2 % of a thickness."""
+    shape.condim = 3 if contact.friction else 1
+    # nothing rolls or spins against friction: condim leaves those out
+    shape.friction = [contact.friction, 0, 0]
+    shape.solref[:2] = stop_reference(timestep)
+    shape.solimp = [0.9, 0.95, _SOFT_SHARE * thickness, 0.5, 2]
+
+
+def add_panels(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> None:
+    """Add the surfaces of membranes that touch, as one flex without elasticity and mass.
+
+    The engine spares triangles with nodes on one and the same body, which all panels at a vein have. So nodes are on
+    copies of their bodies, fixed to them: one for those of a surface that are of the same panels, and one for those
+    that surfaces have in common, where they join and must not push each other apart. The engine takes the softness of
+    a contact from how easily the origins of bodies move: copies have theirs in the middle of their nodes, for those of
+    the veins at the hub do not move.
+    """
+    contact = structure.contact
+    surfaces = [each.surface for each in structure.membranes if each.surface is not None]
+    if contact is None or not surfaces:
+        return
+    joined = Counter(place for surface in surfaces for place in surface.carried)
+    bodies: list[str] = []
+    copies: list[str] = []
+    triangles = []
+    for number, surface in enumerate(surfaces):
+        triangles.append(len(copies) + surface.triangles)
+        # which panels each node is of, as bits
+        of = np.zeros(len(surface.bodies), dtype=np.int64)
+        np.bitwise_or.at(of, surface.triangles, 1 << surface.panels[:, None])
+        for place, panels in zip(surface.carried, of.tolist(), strict=True):
+            bodies.append(structure.bodies[place[0]].name)
+            copies.append(f"{bodies[-1]}_{'seam' if joined[place] > 1 else number}_{panels}")
+    names, of_copy = np.unique(copies, return_inverse=True)
+    places = np.concatenate([surface.places for surface in surfaces])
+    for copy, name in enumerate(names.tolist()):
+        mine = of_copy == copy
+        middle = places[mine].mean(axis=0)
+        spec.body(bodies[int(np.argmax(mine))]).add_body(name=name, pos=middle)
+        places[mine] -= middle
+    flex = spec.add_flex(name="panels", dim=2, radius=contact.thickness / 2, thickness=contact.thickness)
+    flex.vertbody = copies
+    flex.vert = places.ravel()
+    flex.elem = np.concatenate(triangles).ravel()
+    flex.selfcollide = mujoco.mjtFlexSelf.mjFLEXSELF_AUTO
+    flex.contype = flex.conaffinity = PANELS
+    set_contact(flex, contact.thickness, contact, timestep)
+
+
+def check_apart(engine: mujoco.MjModel, structure: Structure, unit: float) -> None:
+    """Refuse panels that contact keeps further apart than they are built: it would drive them, out of nothing.
+
+    Args:
+        engine: the compiled model.
+        structure: that it is of, in its units.
+        unit: of length, m.
+
+    Raises:
+        InputError: how thick they may be.
+    """
+    if structure.contact is None or not engine.nflex:
+        return
+    data = mujoco.MjData(engine)
+    mujoco.mj_forward(engine, data)
+    overlap = -float(np.min(data.contact.dist[data.contact.flex[:, 0] >= 0], initial=0.0))
+    thickness = structure.contact.thickness
+    if overlap > _ROUNDING * thickness:
+        most, given = (show_quantity(unit * each, SMALL_LENGTH) for each in (thickness - overlap, thickness))
+        raise InputError(f"contact.thickness: panels are nearer than that as built: need <= {most}, got {given}")
+
+
+def add_stop_sensors(spec: mujoco.MjSpec, structure: Structure) -> None:
+    """Where there are contacts, let the engine tell the forces of stops and length limits apart from theirs."""
+    if structure.contact is None:
+        return
+    limits = mujoco.mjtSensor
+    hinges = [each for each in structure.hinges if math.isfinite(each.lower) or math.isfinite(each.upper)]
+    for hinge in hinges:
+        spec.add_sensor(type=limits.mjSENS_JOINTLIMITFRC, objtype=mujoco.mjtObj.mjOBJ_JOINT, objname=hinge.name)
+    for limit in structure.limits:
+        spec.add_sensor(type=limits.mjSENS_TENDONLIMITFRC, objtype=mujoco.mjtObj.mjOBJ_TENDON, objname=limit.name)

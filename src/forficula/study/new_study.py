@@ -1,0 +1,88 @@
+"""A commented study file to start from."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from forficula.design import FanDesign, key_quantity, key_value, load_design
+from forficula.design.kinds import KINDS, OTHER_REFERENCE, REFERENCES
+from forficula.errors import InputError
+from forficula.files import check_new, write_text
+from forficula.names import one_of
+from forficula.quantities import format_quantity
+
+_TEMPLATE = """\
+# A forficula study: every point of its factors is a run of its design. What is behind # may be left out.
+# forficula keys --study tells all keys, forficula keys --kind {kind} those of the design.
+design = "{design}"  # a named design, or the path of a design file
+# source = "where the values come from"
+
+# What is asked of every point: "run" takes the protocol as it is; "least-torques" looks for the least that fold and
+# open, "least-value" for the least value of any key: see [search].
+ask = "run"
+
+# Of all points, by key of the design.
+[settings]
+# protocol.timestep = "0.1 ms"
+
+# What varies, by key of the design: a list, a range, or a distribution; several lists or ranges are crossed.
+[factors]
+"{key}" = ["{low}", "{value}", "{high}"]
+# "{key}" = "{low_range} step {step}"
+# "{key}" = {{ distribution = "uniform", low = "{low}", high = "{high}" }}
+
+# With distributions: how many points are drawn, and how.
+# [sampling]
+# method = "sobol"  # or "random"
+# count = 64
+# seed = 0
+
+# With ask = "least-torques": what is tried, rising. fold and unfold are names of the design's transitions.
+# [search]
+# fold_torques = "0..50 N cm step 10"
+# fold_with = "50 N cm"  # goes on to the second with it
+# unfold_torques = "10..100 N cm step 10"
+# refinements = 3  # how often the last step is halved
+
+# With ask = "least-value":
+# [search]
+# key = "{key}"
+# values = ["{low}", "{value}", "{high}"]
+# state = "{state}"  # that is to be reached
+"""
+
+
+def write_new_study(path: str | os.PathLike[str], kind: str = "earwig-fan") -> None:
+    """Write a study file to start from, which runs as it is: a design, one factor, and what else there may be.
+
+    Args:
+        path: of the file.
+        kind: of the pattern of the design that it varies, one of `KINDS`.
+
+    Raises:
+        InputError: no such kind, or the file exists already, or cannot be written.
+    """
+    path = Path(path)
+    if kind not in KINDS:
+        raise InputError(f"kind: need {one_of(KINDS, kind)}")
+    check_new(path, ".toml")
+    reference = REFERENCES.get(kind, OTHER_REFERENCE)
+    design = load_design(reference)
+    key = "tendon.stiffness" if isinstance(design, FanDesign) else "crease.stiffness"
+    quantity, value = key_quantity(key, type(design)), key_value(design, key)
+    assert quantity is not None
+    low, own, high = (format_quantity(share * value, quantity.unit) for share in (0.5, 1.0, 2.0))
+    states = [stage.state for stage in design.protocol.stages if stage.state is not None]
+    text = _TEMPLATE.format(
+        kind=kind,
+        design=reference,
+        key=key,
+        low=low,
+        value=own,
+        high=high,
+        low_range=f"{low.split()[0]}..{high}",
+        step=low,
+        state=states[-1] if states else "folded",
+    )
+    write_text(path, text)

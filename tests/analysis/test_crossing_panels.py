@@ -1,0 +1,131 @@
+"""How far panels pass through each other, held to planted cases turned any way."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
+
+import forficula as ff
+from forficula.analysis.crossing_panels import PanelMesh, crossing_depths, panel_crossing, panel_places
+from forficula.analysis.run_warnings import run_warnings
+from forficula.analysis.summary import summary
+from forficula.quantities import show_value
+from forficula.structure import Contact
+
+turns = st.tuples(*[st.floats(-np.pi, np.pi)] * 3).map(lambda angles: Rotation.from_euler("xyz", angles).as_matrix())
+
+
+def sheet(first, second, across=4, along=3):
+    """A flat rectangle from the origin as a mesh, and its nodes, (node, 3)."""
+    u, v = np.meshgrid(np.linspace(0, 1, along + 1), np.linspace(0, 1, across + 1), indexing="ij")
+    nodes = u.ravel()[:, None] * np.asarray(first, float) + v.ravel()[:, None] * np.asarray(second, float)
+    corners = np.arange(len(nodes)).reshape(u.shape)
+    a, b, c, d = (each.ravel() for each in (corners[:-1, :-1], corners[1:, :-1], corners[1:, 1:], corners[:-1, 1:]))
+    triangles = np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
+    return PanelMesh(name="sheet", triangles=triangles), nodes
+
+
+def moved(nodes, by):
+    return nodes + np.array(by)
+
+
+def depth(one, here, other, there, turn=None):
+    places = [nodes if turn is None else nodes @ turn.T for nodes in (here, there)]
+    found = [crossing_depths(one, places[0][None], other, places[1][None])[0]]
+    found.append(crossing_depths(other, places[1][None], one, places[0][None])[0])
+    assert found[0] == pytest.approx(found[1], abs=1e-12)
+    return found[0]
+
+
+@settings(max_examples=25)
+@given(st.floats(1e-3, 0.9), turns, st.integers(1, 5))
+def test_a_blade_has_cut_as_deep_as_it_has_gone(far, turn, strips):
+    floor, flat = sheet([4, 0, 0], [0, 3, 0])
+    blade, upright = sheet([1.1, 0.2, 0], [0, 0, 2], across=strips)
+    assert depth(floor, flat, blade, moved(upright, [1.3, 1.1, -far]), turn) == pytest.approx(far, rel=1e-9)
+
+
+@settings(max_examples=25)
+@given(st.floats(1e-3, 1.0), turns)
+def test_what_does_not_meet_does_not_cross(gap, turn):
+    floor, flat = sheet([4, 0, 0], [0, 3, 0])
+    blade, upright = sheet([1.1, 0.2, 0], [0, 0, 2])
+    assert depth(floor, flat, blade, moved(upright, [1.3, 1.1, gap]), turn) == 0
+    assert depth(floor, flat, blade, moved(upright, [5, 1.1, -1]), turn) == 0
+    # it lies beside the edge on both sides of the plane
+    assert depth(floor, flat, blade, moved(upright, [1.3, -1.0, -1]), turn) == 0
+
+
+@settings(max_examples=25)
+@given(st.floats(0.05, 3.1), turns)
+def test_two_panels_that_fold_at_a_common_edge_do_not_cross(angle, turn):
+    floor, flat = sheet([1, 0, 0], [0, 3, 0])
+    other, raised = sheet([np.cos(angle), 0, np.sin(angle)], [0, 3, 0])
+    assert depth(floor, flat, other, raised, turn) == 0
+
+
+@pytest.mark.parametrize("height", [-0.2, 0.2])
+def test_plates_that_cross_in_the_middle_have_passed_by_the_part_that_reaches_less_far(height):
+    """Of a plate that leans through another by 30 deg, the ends reach length * sin."""
+    floor, flat = sheet([4, 0, 0], [0, 3, 0])
+    along = np.array([np.cos(np.pi / 6), 0, np.sin(np.pi / 6)])
+    leaning, nodes = sheet(2 * along, [0, 1, 0])
+    middle = nodes.mean(axis=0)
+    found = depth(floor, flat, leaning, nodes - middle + [2, 1, height])
+    assert found == pytest.approx(0.5 - abs(height), rel=1e-9)
+
+
+def test_the_finer_mesh_tells_the_same():
+    found = []
+    for fine in (1, 3, 8):
+        floor, flat = sheet([4, 0, 0], [0, 3, 0], across=fine, along=fine)
+        blade, upright = sheet([1.1, 0.2, 0], [0, 0.3, 2], across=fine, along=fine)
+        found.append(depth(floor, flat, blade, moved(upright, [1.3, 1.1, -0.37])))
+    assert found == pytest.approx([0.37] * 3, rel=1e-9)
+
+
+def test_nodes_of_panels_go_with_their_bodies(reference_run):
+    """Those at the edges of margins and on the next vein's axis are nodes of the membrane, too."""
+    row = int(np.argmin(reference_run.angles("ring")[:, 1]))
+    proximal = panel_places(reference_run, [row])[0][0]
+    recorded = reference_run.series["membrane_position"][row]
+    np.testing.assert_allclose(proximal[[2, 3, 14, 15]], recorded[:4], atol=1e-12)
+    sides = np.linalg.norm(np.diff(proximal[0::4], axis=0), axis=1)
+    np.testing.assert_allclose(sides, 0.12 * 0.7 / 3, rtol=1e-9)
+
+
+def test_the_reference_wing_passes_through_itself_and_says_so(reference_run, reference_outcome):
+    found = panel_crossing(reference_run)
+    # the paper's has no contact either, and its authors say that it penetrates itself
+    assert 0.01 < found.depth < 0.03
+    assert summary(reference_run, reference_outcome, {})["crossing"]["depth_m"] == found.depth
+    told = [each for each in run_warnings(reference_run) if "pass through each other" in each]
+    assert told == [
+        f"{' and '.join(found.names)} pass through each other by {show_value(found.depth, 'm')} at {found.time:.3g} s:"
+        " nothing keeps them apart, which protocol.contact = true does"
+    ]
+
+
+def test_thick_panels_that_contact_lets_through_say_so_however_thick(reference_run):
+    """Their middles cross: they are deeper in each other, the thicker they are."""
+    thick = replace(reference_run.structure, contact=Contact(thickness=0.03))
+    (told,) = (each for each in run_warnings(replace(reference_run, structure=thick)) if "pass through" in each)
+    assert "more than contact should let through" in told
+
+
+def test_what_has_no_panels_and_what_blew_up_has_no_crossing():
+    short = {"protocol.timestep": "5 ms"}
+    record = ff.run(ff.load_design("binder2025", short))
+    assert record.diverged_at is not None
+    assert panel_crossing(record) is None
+
+
+def test_the_deepest_crossing_of_a_run_is_found_between_the_rows_that_are_looked_at_first(reference_run):
+    found = panel_crossing(reference_run)
+    near = np.flatnonzero(np.abs(reference_run.time - found.time) < 5e-3)
+    assert found.depth == panel_crossing(reference_run, near.tolist()).depth
+    # README
+    assert found.depth == pytest.approx(0.0174, abs=5e-4)

@@ -1,0 +1,72 @@
+"""A study file to start from runs as it is, and what it has behind # is right, too."""
+
+import re
+import tomllib
+
+import pytest
+
+import forficula as ff
+from forficula.design.kinds import KINDS
+from forficula.study.new_study import write_new_study
+from forficula.study.study_file import named_studies
+from forficula.study.study_keys import STUDY_KEYS, study_key_facts
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_new_study_of_every_kind_is_read_and_varies_one_value(tmp_path, kind):
+    write_new_study(path := tmp_path / "new.toml", kind)
+    study = ff.load_study(path)
+    assert len(study.points) == 3
+    assert study.search is None
+
+
+@pytest.mark.parametrize(
+    "taken",
+    [
+        ["[sampling]", "method", "count", "seed", '"tendon.stiffness" = {'],
+        ['"tendon.stiffness" = "5..20', 'protocol.timestep = "0.1 ms"'],
+        ["[search]", "fold_torques", "fold_with", "unfold_torques", "refinements"],
+    ],
+)
+def test_what_a_new_study_has_behind_a_hash_can_be_taken(tmp_path, taken):
+    write_new_study(path := tmp_path / "new.toml")
+    text = path.read_text("utf-8")
+    for start in taken:
+        if '"tendon.stiffness"' in start:
+            text = text.replace('\n"tendon.stiffness" = [', '\n# "tendon.stiffness" = [', 1)
+        text = text.replace(f"\n# {start}", f"\n{start}", 1)
+    if "[search]" in taken:
+        text = text.replace('ask = "run"', 'ask = "least-torques"')
+    path.write_text(text, "utf-8")
+    assert ff.load_study(path).points
+
+
+def test_a_new_study_is_not_written_over_a_file(tmp_path):
+    write_new_study(path := tmp_path / "new.toml")
+    with pytest.raises(ff.InputError, match="exists already"):
+        write_new_study(path)
+    with pytest.raises(ff.InputError, match=r'need "earwig-fan", .* got "wing"'):
+        write_new_study(tmp_path / "other.toml", "wing")
+
+
+@pytest.mark.parametrize("name", named_studies())
+def test_every_key_of_a_named_study_is_told(name):
+    from importlib import resources
+
+    tables = tomllib.loads((resources.files("forficula.study") / "references" / f"{name}.toml").read_text("utf-8"))
+    known = {fact.key for fact in STUDY_KEYS}
+    for key, value in tables.items():
+        inside = [f"{key}.{name}" for name in value] if isinstance(value, dict) else [key]
+        for each in inside:
+            told = re.sub(r"^(settings|factors|grid)\..*", r"\1.KEY", each)
+            assert re.sub(r"\.[a-z]+_(torques|with)$", r".DRIVE_\1", told) in known
+
+
+def test_a_table_of_a_study_that_there_is_not_is_refused():
+    assert [fact.key for fact in study_key_facts("sampling")] == [
+        "sampling.method",
+        "sampling.count",
+        "sampling.seed",
+    ]
+    with pytest.raises(ff.InputError, match='got "serch"; did you mean "search"'):
+        study_key_facts("serch")

@@ -1,0 +1,150 @@
+"""From Python: what every command does is one call, by name, path or design, and every example in it is true."""
+
+import doctest
+import os
+from importlib import metadata
+
+import pytest
+
+import forficula as ff
+import forficula.calls
+from forficula.design import with_values
+
+
+@pytest.fixture(scope="module")
+def design():
+    return ff.load_design("letter-fold")
+
+
+@pytest.fixture(scope="module")
+def record(design):
+    return ff.run(design)
+
+
+def test_every_example_is_true(tmp_path, monkeypatch, design, record):
+    monkeypatch.chdir(tmp_path)
+    examples = doctest.DocTestFinder().find(forficula.calls, extraglobs={"ff": ff, "design": design, "record": record})
+    told = [each for each in examples if each.examples]
+    runner = doctest.DocTestRunner()
+    for each in told:
+        runner.run(each)
+    assert runner.summarize(verbose=False).failed == 0
+    public = {name for name, call in vars(forficula.calls).items() if callable(call) and name in ff.__all__}
+    shown = {each.name.rpartition(".")[2] for each in told}
+    assert {name for name in public if getattr(ff, name).__module__ == "forficula.calls"} <= shown
+
+
+def test_every_public_name_is_there_and_told_once():
+    assert len(set(ff.__all__)) == len(ff.__all__)
+    assert set(ff.__all__) == set(dir(ff))
+    for name in ff.__all__:
+        assert getattr(ff, name) is not None
+    assert ff.__version__ == metadata.version("forficula")
+    with pytest.raises(AttributeError, match="runn"):
+        ff.runn  # noqa: B018
+
+
+def test_values_are_replaced_by_text_with_a_unit_or_in_si(design):
+    changed = ff.load_design("binder2025").with_values({"tendon.stiffness": "20 N/cm", "pattern.units": 2})
+    assert changed == with_values(ff.load_design("binder2025"), {"tendon.stiffness": 2000.0, "pattern.units": 2})
+    with pytest.raises(ff.InputError, match=r"did you mean tendon\.stiffness"):
+        ff.load_design("binder2025").with_values({"tendon.stifness": "20 N/cm"})
+    assert design.with_values({}) == design
+
+
+@pytest.mark.parametrize("call", [ff.run, ff.landscape, ff.pattern_facts, lambda given: ff.new_study(given, {})])
+def test_what_is_no_design_gets_a_sentence(call):
+    with pytest.raises(ff.InputError, match="need a design, its name or the path of its file, got a int"):
+        call(3)
+    with pytest.raises(ff.InputError, match='did you mean "binder2025"'):
+        call("binder2026")
+
+
+def test_a_run_is_looked_for_in_its_folder(tmp_path, record):
+    (tmp_path / "there").mkdir()
+    ff.save_record(record, tmp_path / "there" / "record.nc")
+    found = ff.load_record(tmp_path / "there")
+    assert found.data.equals(record.data)
+    ff.page(os.fspath(tmp_path / "there"), tmp_path / "page.html")
+    assert "letter-fold" in (tmp_path / "page.html").read_text("utf-8")
+    with pytest.raises(ff.InputError, match=r"record.nc: cannot be read"):
+        ff.load_record(tmp_path)
+    with pytest.raises(ff.InputError, match="need the record of a run, or its folder, got a list"):
+        ff.film([record], tmp_path / "film.gif")
+
+
+def test_figures_are_drawn_of_whatever_a_call_hands_back(tmp_path, record):
+    surveyed = ff.landscape("binder2025")
+    assert ff.figure(surveyed, "levels", width="page").get_size_inches()[0] == pytest.approx(7.1)
+    assert ff.figure(record, "angles", width=5.0).get_size_inches()[0] == pytest.approx(5.0)
+    ff.save_record(record, tmp_path / "record.nc")
+    assert ff.figure(tmp_path, "energy").get_size_inches()[0] == pytest.approx(3.5)
+    with pytest.raises(ff.InputError, match=r'kind: need "angles", .* got "angels"; did you mean "angles"'):
+        ff.figure(record, "angels")
+    with pytest.raises(ff.InputError, match="need results of forficula or their folder, got a int"):
+        ff.figure(3)
+    with pytest.raises(ff.InputError, match=r"need a record, a landscape, .* got a dict"):
+        ff.save({}, tmp_path)
+
+
+def test_a_study_is_built_without_a_file(design):
+    asked = ff.new_study(design, {"tendon.left.stiffness": "0.4..0.5 N/cm step 0.1"}, name="mine", source="own")
+    assert (asked.name, asked.source, len(asked.points)) == ("mine", "own", 2)
+    assert asked.base == design
+    with pytest.raises(ff.InputError, match="askk: unknown key; did you mean ask"):
+        ff.new_study(design, {"tendon.left.stiffness": ["0.4 N/cm"]}, askk="run")
+
+
+def test_convergence_asks_for_one_of_three(design):
+    with pytest.raises(ff.InputError, match="converge: need one of timesteps, moduli, meshes, got none"):
+        ff.converge(design)
+    with pytest.raises(ff.InputError, match=r'timesteps: need numbers .* got "often"'):
+        ff.converge(design, timesteps="often")
+
+
+@pytest.mark.parametrize("values", [None, 5, "x", [("tendon.left.stiffness", 1.0)], {5: 6}])
+def test_values_are_given_by_key(design, values):
+    with pytest.raises(ff.InputError, match=r'need values by key, such as {"tendon.stiffness": "20 N/cm"}, got '):
+        design.with_values(values)
+
+
+@pytest.mark.parametrize("factors", [None, 5, []])
+def test_factors_of_a_study_are_given_by_key(design, factors):
+    with pytest.raises(ff.InputError, match="factors: need a table with at least one"):
+        ff.new_study(design, factors)
+
+
+@pytest.mark.parametrize("width", ["colum", 0, -1, float("nan"), 1e9, None, (3, 4)])
+def test_a_width_that_no_figure_has_is_refused(record, width):
+    with pytest.raises(ff.InputError, match=r'^width: need "column", "page" or 1 to 100 inch, got '):
+        ff.figure(record, "angles", width=width)
+
+
+@pytest.mark.parametrize(
+    ("choice", "value"),
+    [("size", value) for value in (5, (5,), (161, 161), "160x160", (0, 0), (10**9, 10**9))]
+    + [("fps", value) for value in (0, -1, "x", 2.5)]
+    + [("slower", value) for value in (0, -3, "x", float("nan"), 1e12)],
+)
+def test_a_film_that_nobody_could_watch_is_refused(tmp_path, record, choice, value):
+    with pytest.raises(ff.InputError, match=rf"^{choice}: need .* got "):
+        ff.film(record, tmp_path / "film.gif", **{choice: value})
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_study_varies_what_its_design_leaves_out():
+    asked = ff.new_study("binder2025", {"medium.density": ["0 kg/m^3", "1.2 kg/m^3"], "contact.friction": [0.0, 0.5]})
+    assert len(asked.points) == 4
+    with pytest.raises(ff.InputError, match=r"tendon\.law\.linear_modulus: binder2025 has no tendon\.law"):
+        ff.new_study("binder2025", {"tendon.law.linear_modulus": ["1 MPa"]})
+
+
+@pytest.mark.parametrize("folders", ["out/one", 5])
+def test_one_folder_is_no_list_of_them(tmp_path, folders):
+    with pytest.raises(ff.InputError, match=r"^compare: need a list of 2 to 12 folders of runs, got "):
+        ff.compare(folders, tmp_path / "both.html")
+
+
+def test_a_wait_that_would_never_end_is_refused():
+    with pytest.raises(ff.InputError, match=r"stages\.2\.wait: need <= 1e\+09 d, got 1e300 d"):
+        ff.load_design("binder2025-stored", {"protocol.stages.2.wait": "1e300 d"})

@@ -1,0 +1,290 @@
+"""Panels in air and water beside closed forms: added mass of strips, drag of plates, viscosity of discs.
+
+Lamb 1932, Hydrodynamics, articles 71 and 339: pi rho w^2 / 4 by length of a strip moves with it; 16 mu a U on a disc.
+Hoerner 1965, Fluid-Dynamic Drag, chapter 3: a coefficient of 2 of a long plate square to the flow.
+"""
+
+import math
+
+import mujoco
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from forficula.analysis import measure
+from forficula.analysis.summary import summary
+from forficula.design import load_design, with_values
+from forficula.dynamics import compile_model, energy_balance, simulate, stable_timestep
+from forficula.dynamics.drag import KINEMATICS, stacked_drag
+from forficula.show.run.outcome_rows import balance_rows
+from forficula.structure import structure_of
+from tests.plate_sheets import miura, plates
+
+LENGTH, WIDTH, THICK, DENSITY = 0.1, 0.06, 0.001, 1200.0
+MASS = DENSITY * LENGTH * WIDTH * THICK
+# of a box about the middle of an end face: m L^2 / 3 + m t^2 / 12
+INERTIA = MASS * (LENGTH**2 / 3 + THICK**2 / 12)
+AIR = {"medium.density": 1.2, "medium.viscosity": 1.8e-5}
+WATER = {"medium.density": 1000.0, "medium.viscosity": 1e-3}
+
+
+def stage(until, drive="none", limit=1.0):
+    return {"name": f"{drive} {until}", "drive": drive, "until": until, "hold": 0.0, "time_limit": limit}
+
+
+def flap(stages, torque=0.0, **values):
+    """A plate of 10 cm by 6 cm, hinged at its shorter side on one that is held; no springs, no dampers."""
+    changes = {
+        "pattern.panels": 2,
+        "pattern.panel_lengths": [LENGTH],
+        "pattern.width": WIDTH,
+        "facet.thickness": THICK,
+        "facet.density": DENSITY,
+        "crease.stiffness": 0.0,
+        "crease.damping": 0.0,
+        "crease.fold_limit": math.pi,
+        "crease.back_limit": math.pi,
+        "crease.start": 0.0,
+        "support": [],
+        "tendon": [],
+        "drive": [{"name": "push", "kind": "torque", "of": "creases", "value": f"{torque} N m"}],
+        "measure": [],
+        "protocol.timestep": 1e-4,
+        "protocol.least_hold": 0.0,
+        "protocol.sample_interval": 1e-4,
+        "protocol.stages": stages,
+    }
+    return with_values(load_design("letter-fold"), changes | values)
+
+
+def run(design):
+    (record,) = simulate([compile_model(design)])
+    return record
+
+
+def added_inertia(density):
+    """Of the strip about the hinge: pi rho w^2 / 4 by length, over its length."""
+    return math.pi / 4 * density * WIDTH**2 * LENGTH**3 / 3
+
+
+def test_a_pendulum_swings_slower_by_the_mass_that_moves_with_it():
+    """2 pi sqrt(I / (m g L / 2)) of a small swing: the medium adds to I, and nothing to the weight."""
+    density, down = 12.0, -math.pi / 2
+    swing = flap(
+        [stage("time", limit=1.7)],
+        **{"crease.start": down + 0.01, "protocol.gravity": 9.81, "medium.density": density},
+        **{"protocol.timestep": 2e-4, "protocol.sample_interval": 2e-4},
+    )
+    record = run(swing)
+    away = record.series["hinge_angle"][:, 0] - down
+    rising = np.flatnonzero((away[:-1] < 0) & (away[1:] >= 0))
+    at = record.time[rising] - away[rising] * 2e-4 / (away[rising + 1] - away[rising])
+    expected = 2 * math.pi * math.sqrt((INERTIA + added_inertia(density)) / (MASS * 9.81 * LENGTH / 2))
+    assert len(at) > 1
+    assert np.diff(at).mean() == pytest.approx(expected, rel=1e-4)
+    assert energy_balance(record).residual < 0.005
+
+
+def test_what_moves_with_a_body_weighs_nothing():
+    start = [stage("time", limit=1e-3)]
+    weights = [
+        run(flap(start, **{"crease.start": 1.0, "protocol.gravity": 9.81}, **medium)).series["gravitational_energy"][0]
+        for medium in ({}, {"medium.density": 12.0})
+    ]
+    assert weights[0] == pytest.approx(MASS * 9.81 * LENGTH / 2 * math.sin(1.0), rel=1e-9)
+    assert weights[1] == pytest.approx(weights[0], rel=1e-12)
+
+
+@pytest.mark.parametrize("density", [1.2, 1000.0])
+def test_a_plate_under_a_torque_comes_to_the_speed_at_which_drag_takes_it_all(density):
+    """w^2 = tau / c2 (1 - exp(-2 c2 angle / I)) from rest, with c2 = rho C_D / 2 times the integral of w r^3."""
+    drag, inertia = density * WIDTH * LENGTH**4 / 4, INERTIA + added_inertia(density)
+    torque = 40.0 * drag + 1e-3
+    record = run(flap([stage("creases > 170 deg", "push")], torque, **{"medium.density": density}))
+    angle, energy = record.series["hinge_angle"][:, 0], record.series["kinetic_energy"]
+    square = torque / drag * (1 - np.exp(-2 * drag * angle / inertia))
+    assert energy == pytest.approx(inertia / 2 * square, rel=0.01, abs=0.01 * energy.max())
+    balance = energy_balance(record)
+    assert balance.residual < 0.005
+    assert balance.drag == pytest.approx(torque * angle[-1] - inertia / 2 * square[-1], rel=0.02)
+
+
+def test_the_error_of_the_drag_is_of_first_order_in_the_timestep():
+    drag, inertia = 1000.0 * WIDTH * LENGTH**4 / 4, INERTIA + added_inertia(1000.0)
+    errors = []
+    for step in (8e-4, 4e-4, 2e-4):
+        values = {"medium.density": 1000.0, "protocol.timestep": step}
+        record = run(flap([stage("time", "push", 0.08)], 0.1, **values))
+        angle, energy = record.series["hinge_angle"][-1, 0], record.series["kinetic_energy"][-1]
+        errors.append(abs(energy - inertia / 2 * 0.1 / drag * (1 - math.exp(-2 * drag * angle / inertia))))
+    orders = np.log2(np.array(errors[:-1]) / errors[1:])
+    assert orders == pytest.approx(1.0, abs=0.25)
+
+
+@pytest.mark.parametrize("torque", [1e-3, 2e-3])
+def test_in_a_viscous_medium_without_mass_speeds_go_with_torques(torque):
+    """32 mu / (pi w) by area and speed: from rest w = tau / c1 (1 - exp(-c1 t / I))."""
+    viscosity = 0.1
+    damping = 32 * viscosity / math.pi * LENGTH**3 / 3
+    record = run(flap([stage("time", "push", 0.4)], torque, **{"medium.viscosity": viscosity}))
+    slow = INERTIA / damping
+    expected = torque / damping * (record.time - slow * (1 - np.exp(-record.time / slow)))
+    assert record.series["hinge_angle"][:, 0] == pytest.approx(expected, rel=0.01, abs=2e-3)
+
+
+def test_auto_minds_how_fast_viscosity_stops_what_is_light():
+    """A force that stays for five steps is stable while 5 h c1 / I < 2."""
+    viscosity = 10.0
+    rate = 32 * viscosity / math.pi * LENGTH**3 / 3 / INERTIA
+    design = flap([stage("time", "push", 0.02)], 1e-3, **{"medium.viscosity": viscosity})
+    allowed = stable_timestep(design)
+    assert allowed < 2 / (5 * rate)
+    ends = []
+    for step in (allowed, 10 * 2 / (5 * rate)):
+        record = run(with_values(design, {"protocol.timestep": step}))
+        ends.append(abs(record.series["hinge_angle"][-1, 0]))
+    expected = 1e-3 / (rate * INERTIA) * 0.02
+    assert ends[0] == pytest.approx(expected, rel=0.05)
+    assert ends[1] > 2 * expected
+
+
+def moving(name, seed, **values):
+    """A design's model somewhere near its built shape, moving any way."""
+    model = compile_model(with_values(load_design(name), {**AIR, "protocol.timestep": 1e-4, **values}))
+    rng = np.random.default_rng(seed)
+    data = mujoco.MjData(model.engine)
+    mujoco.mj_integratePos(model.engine, data.qpos, rng.normal(scale=0.02, size=model.engine.nv), 1.0)
+    data.qvel[:] = rng.normal(size=model.engine.nv)
+    mujoco.mj_forward(model.engine, data)
+    return model, data
+
+
+def corners(model, data):
+    """Corners of the panels, (triangle, 3, 3)."""
+    medium = model.in_units.medium
+    bodies = [
+        mujoco.mj_name2id(model.engine, mujoco.mjtObj.mjOBJ_BODY, model.in_units.bodies[number].name)
+        for number in medium.carriers.ravel()
+    ]
+    frames = data.xmat[bodies].reshape(-1, 3, 3)
+    return (data.xpos[bodies] + np.einsum("nij,nj->ni", frames, medium.places.reshape(-1, 3))).reshape(-1, 3, 3)
+
+
+def taken(model, data):
+    """Power that drag takes by its definition: normal speeds from positions a moment apart, in a hundred parts each."""
+    medium, moment, places = model.in_units.medium, 1e-6, []
+    for way in (-moment, moment):
+        other = mujoco.MjData(model.engine)
+        other.qpos[:] = data.qpos
+        mujoco.mj_integratePos(model.engine, other.qpos, data.qvel, way)
+        mujoco.mj_forward(model.engine, other)
+        places.append(corners(model, other))
+    here, speeds = corners(model, data), (places[1] - places[0]) / (2 * moment)
+    area = np.cross(here[:, 1] - here[:, 0], here[:, 2] - here[:, 0]) / 2
+    size = np.linalg.norm(area, axis=1)
+    across = np.einsum("tci,ti->tc", speeds, area / size[:, None])
+    # middles of the small triangles of a side divided in ten
+    middles = [
+        ((one + share) / 10, (two + share) / 10)
+        for one in range(10)
+        for two in range(10 - one)
+        for share in ((1 / 3, 2 / 3) if one + two < 9 else (1 / 3,))
+    ]
+    at = np.array([[1 - one - two, one, two] for one, two in middles])
+    speed = across @ at.T
+    pressure = medium.density * np.abs(speed) * speed + 32 / math.pi * medium.viscosity / medium.widths[:, None] * speed
+    return float(np.sum(size * np.mean(pressure * speed, axis=1)))
+
+
+@settings(deadline=None, max_examples=12)
+@given(
+    name=st.sampled_from(["binder2025", "miura-sheet", "letter-fold", "four-plate-snap"]),
+    seed=st.integers(0, 10_000),
+    viscosity=st.sampled_from([1.8e-5, 10.0]),
+)
+def test_the_power_of_the_forces_is_the_integral_over_the_panels_however_they_move(name, seed, viscosity):
+    model, data = moving(name, seed, **{"medium.viscosity": viscosity})
+    drag = stacked_drag([model.drag])
+    kinematics = {field: getattr(data, field)[None] for field in KINEMATICS}
+    power = float(drag.forces(np.array([0]), kinematics, data.qvel[None])[0] @ data.qvel)
+    # of a hundred parts, and of six points where a panel moves both ways
+    assert power == pytest.approx(-taken(model, data), rel=0.02)
+
+
+def test_nothing_resists_a_sheet_that_moves_in_its_plane():
+    flat = {"pattern.fold": "0 deg", "crease.rest_angle": "flat", "support": []}
+    model = compile_model(with_values(load_design("miura-sheet"), {**WATER, **flat}))
+    data = mujoco.MjData(model.engine)
+    mujoco.mj_forward(model.engine, data)
+    kinematics = {field: getattr(data, field)[None] for field in KINEMATICS}
+    for axis, resists in ((0, False), (1, False), (2, True)):
+        speed = np.zeros((1, model.engine.nv))
+        speed[0, axis::3] = 1.0
+        force = stacked_drag([model.drag]).forces(np.array([0]), kinematics, speed)
+        assert np.abs(force).max() > 0 if resists else np.abs(force).max() < 1e-12
+
+
+def folding(**values):
+    """The reference until it is folded, after a short while of settling."""
+    base = load_design("binder2025")
+    settle, fold = base.protocol.stages[:2]
+    stages = [settle.model_copy(update={"time_limit": 0.05}), fold]
+    return with_values(base, {"protocol.stages": [each.model_dump(exclude_none=True) for each in stages], **values})
+
+
+def test_the_wing_folds_later_in_air_and_its_account_says_what_the_air_took():
+    records = {name: run(folding(**medium)) for name, medium in (("none", {}), ("air", AIR))}
+    times = {name: measure(record).transitions["fold"].time for name, record in records.items()}
+    assert 1.03 < times["air"] / times["none"] < 1.1
+    balance = energy_balance(records["air"])
+    assert balance.residual < 0.005
+    # of 0.05 J: rho times the cube of the normal speed, measured of the wing in empty space
+    assert 0.03 < balance.drag < 0.08
+    told = {name: summary(record, measure(record), {})["energy_balance"] for name, record in records.items()}
+    assert told["air"]["drag_J"] == pytest.approx(balance.drag)
+    assert "drag_J" not in told["none"]
+    structure = records["air"].structure
+    assert any("drag" in label for label, _ in balance_rows(structure, balance))
+    assert not any("drag" in label for label, _ in balance_rows(structure, energy_balance(records["none"])))
+
+
+def test_wings_in_two_media_side_by_side_are_as_each_alone():
+    short = [stage("time", limit=0.02)]
+    designs = [with_values(folding(**medium), {"protocol.stages": short}) for medium in (AIR, WATER)]
+    models = [compile_model(design) for design in designs]
+    for record, model in zip(simulate(models), models, strict=True):
+        (alone,) = simulate([model])
+        assert np.array_equal(record.series["hinge_angle"], alone.series["hinge_angle"])
+        assert np.array_equal(record.series["drag_work"], alone.series["drag_work"])
+
+
+def test_plates_in_loops_and_nodes_account_for_drag_too():
+    small = {"pattern.columns": 2, "pattern.rows": 2, "measure": [], "support": [{"of": "facet 0"}]}
+    push = {"name": "fold", "kind": "torque", "of": "creases", "value": "0.5 N cm"}
+    for kind in ("rigid", "bars"):
+        values = {"facet.kind": kind, "drive": [push], "protocol.stages": [stage("time", "fold", 0.03)]}
+        record = run(with_values(load_design("miura-sheet"), {**AIR, **small, **values}))
+        balance = energy_balance(record)
+        assert balance.drag > 1e-3 * balance.exchanged
+        assert balance.residual < 0.005
+
+
+def test_the_medium_weighs_nothing_in_the_work_of_stops_of_plates_in_a_loop():
+    """Where a stop jumps, its work is what else is missing: the medium's weight would be in it."""
+    drive = '[[drive]]\nname = "fold"\nkind = "torque"\nof = "creases"\nvalue = "2e-3 N cm"\nrise = "20 ms"'
+    crease = 'stiffness = "1e-3 N m/rad/m"\ndamping = "1e-5 N m s/rad/m"\nfold_limit = "45 deg"'
+    stages = [{"name": "fold", "drive": "fold", "limit": "80 ms"}]
+    sheet = plates(miura(2, "30 deg"), crease=crease, more=drive, stages=stages, step="0.1 ms", gravity=9.81)
+    balance = energy_balance(run(with_values(sheet, {"medium.density": 12.0})))
+    assert balance.stops > 0.1 * balance.work > 0
+    assert balance.residual < 2e-6
+
+
+@pytest.mark.parametrize("name", ["binder2025", "miura-sheet", "letter-fold"])
+def test_empty_space_is_no_medium(name):
+    given, empty = load_design(name), load_design(name, {"medium.density": "0 kg/m^3", "medium.viscosity": "0 Pa s"})
+    assert empty == given
+    assert empty.hash == given.hash
+    assert structure_of(empty).medium is None
+    assert compile_model(empty).followed == compile_model(given).followed

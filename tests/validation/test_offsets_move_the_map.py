@@ -1,0 +1,43 @@
+"""What README says of tendons on the bars: how few fold, and that the sum of both ends' heights counts.
+
+To first order in height by arm the crest of a hinge's energy lies at -(h_p / a + h_d / b) from straight (law of cosines
+of the two anchors, turned by their angles above the bars).
+"""
+
+import math
+
+import pytest
+
+import forficula as ff
+from forficula.design import with_values
+from forficula.statics import holding_torque, ideal_hinges, top_barrier
+from forficula.structure import structure_of
+from forficula.study import load_study
+
+ONE_END = {"tendon.proximal_offset": "6.2 mm", "tendon.distal_offset": "0 mm"}
+BOTH_ENDS = {"tendon.proximal_offset": "3.1 mm", "tendon.distal_offset": "3.1 mm"}
+
+
+def hinge(reference, offsets):
+    return ideal_hinges(structure_of(with_values(reference, offsets)))[0]
+
+
+def test_one_end_at_twice_the_height_is_as_both_ends_to_first_order(reference):
+    one, both = hinge(reference, ONE_END), hinge(reference, BOTH_ENDS)
+    # of second order: (6.2 mm / 55 mm)^2 = 0.013
+    assert math.degrees(one.top) == pytest.approx(math.degrees(-2 * 3.1 / 55), rel=0.013)
+    assert one.top == pytest.approx(both.top, rel=0.013)
+    assert top_barrier(one) == pytest.approx(top_barrier(both), rel=0.02)
+    assert holding_torque(one) == pytest.approx(holding_torque(both), rel=0.02)
+    assert top_barrier(both) == pytest.approx(10 * top_barrier(hinge(reference, {})), rel=0.02)
+
+
+@pytest.mark.parametrize("offsets", [ONE_END, BOTH_ENDS])
+@pytest.mark.parametrize(("rest_length", "folds"), [("7 cm", True), ("6 cm", False)])
+def test_at_bars_of_5_mm_the_map_ends_between_6_and_7_cm(offsets, rest_length, folds):
+    """Of 10 N/cm with 50 N cm, in the study's settings; at 0 mm all ten lengths fold."""
+    study = load_study("binder2025-offsets")
+    design = with_values(study.base, {**offsets, "tendon.rest_length": rest_length})
+    protocol = design.protocol.model_copy(update={"stages": design.protocol.stages[:3]})
+    outcome = ff.measure(ff.run(design.model_copy(update={"protocol": protocol})))
+    assert outcome.holds["folded"] is folds
