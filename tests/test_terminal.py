@@ -27,7 +27,8 @@ def test_letters_that_the_output_lacks_are_spelled(tmp_path, encoding, length, n
     (tmp_path / "law.toml").write_text(LAW, "utf-8")
     small = ["--material", str(tmp_path / "law.toml"), "--length", "50 µm"]
     done = forficula("size", "binder2025", *small, "--stiffness", "10 N/cm", PYTHONIOENCODING=encoding)
-    assert (done.returncode, done.stderr) == (0, b"")
+    # on a busy machine it says how long it took
+    assert (done.returncode, [line for line in done.stderr.splitlines() if not line.startswith(b"took ")]) == (0, [])
     assert name in done.stdout
     refused = forficula("run", "binder2025", "--set", "tendon.rest_length=5 µJ", PYTHONIOENCODING=encoding)
     assert refused.returncode == 1

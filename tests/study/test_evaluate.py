@@ -73,6 +73,7 @@ KEYS = (
 @example({"protocol.unfold_torque": 1e300})
 @example({"protocol.window": 1e308})
 @example({"membrane.youngs_modulus": 1e300, "vein.density": 1e-300})
+@example({"pattern.proximal_length": 1.0, "membrane.margin": 1e-17})  # a margin narrower than a place has digits
 def test_any_number_that_a_design_may_have_gives_one_row_of_plain_numbers(values):
     try:
         design = with_values(SHORT, values)

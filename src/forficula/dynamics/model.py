@@ -302,7 +302,7 @@ def _compiled(spec: mujoco.MjSpec, name: str) -> mujoco.MjModel:
             # said of a membrane without damping, although its elasticity is there
             warnings.filterwarnings("ignore", message=".*has no.*passive forces")
             return spec.compile()
-    except (ValueError, MemoryError, mujoco.FatalError) as error:
+    except (ValueError, MemoryError, RuntimeError, mujoco.FatalError) as error:
         raise InputError(f"{name}: MuJoCo cannot build it: {' '.join(str(error).split())}") from None
 
 

@@ -60,7 +60,7 @@ def panel_surface(design: FanDesign, veins: Sequence[Vein], number: int) -> Surf
         here, there = (vein.places[bar] + share * (vein.places[bar + 1] - vein.places[bar]) for vein in (near, far))
         edge = margin_edge(here, there, design)
         margin = float(np.linalg.norm(edge - here))
-        begins = here + min(beside / margin, 0.5) * (edge - here)
+        begins = here + beside / max(margin, 2 * beside) * (edge - here)
         for vein, index, place in zip(
             (near, near, near, far), (number, number, number, number + 1), (here, begins, edge, there), strict=True
         ):
