@@ -148,3 +148,32 @@ def test_one_folder_is_no_list_of_them(tmp_path, folders):
 def test_a_wait_that_would_never_end_is_refused():
     with pytest.raises(ff.InputError, match=r"stages\.2\.wait: need <= 1e\+09 d, got 1e300 d"):
         ff.load_design("binder2025-stored", {"protocol.stages.2.wait": "1e300 d"})
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda _: ff.load_record(5), r"need the folder of a run, or its record\.nc, got 5 \(int\)"),
+        (lambda _: ff.load_design(""), r'need a named design, or the path of a file, got ""'),
+        (lambda _: ff.load_design("binder2025", 5), r"need values by key, such as .*, got 5"),
+        (lambda _: ff.load_study(None), r"need a named study, or the path of a file, got None"),
+        (lambda _: ff.load_study("binder2025-serch"), r'did you mean "binder2025-search"'),
+        (lambda _: ff.measure(5), r"need the record of a run, or its folder, got a int"),
+        (lambda _: ff.converge("letter-fold", timesteps=5), r"timesteps: need text with a unit, or a list of numbers"),
+        (lambda _: ff.converge("letter-fold", timesteps=["a"]), r"timesteps: need text with a unit, or a list"),
+        (lambda _: ff.scale_design("binder2025", "small"), r'factor: need >= 1e-09 and <= 1e\+09, got "small"'),
+        (lambda record: ff.compare([record, record], "both.html"), r"need the folder of a run, as save\(record"),
+        (lambda record: ff.page(record, "run.txt"), r"need a file that ends with \.html, got run\.txt"),
+        (lambda record: ff.save(record, ""), r'need a folder, got ""'),
+        (lambda record: ff.film(record, 3), r"need a file that ends with \.mp4 or \.gif, got 3"),
+    ],
+)
+def test_what_is_no_path_and_no_result_gets_a_sentence(record, call, message):
+    with pytest.raises(ff.InputError, match=message):
+        call(record)
+
+
+def test_what_takes_a_design_or_a_run_takes_its_name_or_folder(tmp_path, record):
+    assert ff.scale_design("letter-fold", 0.5) == ff.scale_design(ff.load_design("letter-fold"), 0.5)
+    ff.save(record, tmp_path / "there")
+    assert ff.measure(tmp_path / "there").status == ff.measure(record).status

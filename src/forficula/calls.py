@@ -7,12 +7,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from forficula.design import AnyDesign, as_design
 from forficula.errors import InputError
+from forficula.files import as_path
 from forficula.names import one_of
+from forficula.quantities import as_written
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -105,6 +106,9 @@ def converge(
     ((name, key, values),) = given
     try:
         read = read_values(key, values) if isinstance(values, str) else values
+        read = [*read] if isinstance(read, Iterable) else read
+        if not isinstance(read, Sequence) or not all(isinstance(value, int | float) for value in read):
+            raise InputError(f"need text with a unit, or a list of numbers, got {as_written(values)}")
         return converge_design(as_design(design), key, read, progress=progress)
     except InputError as error:
         raise InputError(f"{name}: {error}") from None
@@ -209,11 +213,13 @@ def film(
 
     >>> ff.film(record, "short.gif", size=(160, 160), fps=1, slower=2)
     """
+    from forficula.dynamics import as_record
     from forficula.show.film.film import check_choices, check_film, write_film
 
-    check_film(Path(path))
+    file = as_path(path, "a file that ends with .mp4 or .gif")
+    check_film(file)
     check_choices(size, fps, slower)
-    write_film(as_record(run), Path(path), size=size, rate=fps, slowed=slower)
+    write_film(as_record(run), file, size=size, rate=fps, slowed=slower)
 
 
 def page(run: Record | AnyPath, path: AnyPath) -> None:
@@ -222,10 +228,12 @@ def page(run: Record | AnyPath, path: AnyPath) -> None:
     >>> ff.page(record, "run.html")
     """
     from forficula.analysis import measure
+    from forficula.dynamics import as_record
     from forficula.show.page import write_run_page
+    from forficula.show.page.page import page_path
 
-    record = as_record(run)
-    write_run_page(record, measure(record), Path(path))
+    file, record = page_path(path), as_record(run)
+    write_run_page(record, measure(record), file)
 
 
 def compare(folders: Iterable[AnyPath], path: AnyPath) -> None:
@@ -238,16 +246,17 @@ def compare(folders: Iterable[AnyPath], path: AnyPath) -> None:
     Raises:
         InputError: too few or too many folders, one that holds no run, or it cannot be written.
 
-    >>> for folder in (Path("one"), Path("two")):
-    ...     folder.mkdir()
-    ...     ff.save_record(record, folder / "record.nc")
+    >>> for folder in ("one", "two"):
+    ...     os.mkdir(folder)
+    ...     ff.save_record(record, f"{folder}/record.nc")
     >>> ff.compare(["one", "two"], "both.html")
     """
     from forficula.show.page import compare_runs
 
     if not isinstance(folders, Iterable) or isinstance(folders, str | bytes):
         raise InputError(f"compare: need a list of 2 to 12 folders of runs, got {folders!r}")
-    compare_runs([Path(folder) for folder in folders], Path(path))
+    runs = [as_path(folder, "the folder of a run, as save(record, folder) leaves it") for folder in folders]
+    compare_runs(runs, as_path(path, "a file that ends with .html"))
 
 
 def save(result: object, folder: AnyPath) -> None:
@@ -274,31 +283,17 @@ def save(result: object, folder: AnyPath) -> None:
     from forficula.statics import EnergyLandscape
     from forficula.study.convergence import Convergence
 
+    folder = as_path(folder, "a folder")
     match result:
         case Record():
-            write_run(result, measure(result), Path(folder))
+            write_run(result, measure(result), folder)
         case EnergyLandscape():
-            write_landscape(result, Path(folder))
+            write_landscape(result, folder)
         case Convergence():
-            write_convergence(result, Path(folder))
+            write_convergence(result, folder)
         case Characterisation():
-            write_material(result, Path(folder))
+            write_material(result, folder)
         case _:
             raise InputError(
                 f"need a record, a landscape, a convergence study or a material, got a {type(result).__name__}"
             )
-
-
-def as_record(run: object) -> Record:
-    """A record, or that of a run's folder or file.
-
-    Raises:
-        InputError: it is none, or cannot be read.
-    """
-    from forficula.dynamics import Record, load_record
-
-    if isinstance(run, Record):
-        return run
-    if isinstance(run, str | os.PathLike):
-        return load_record(run)
-    raise InputError(f"need the record of a run, or its folder, got a {type(run).__name__}")

@@ -29,6 +29,23 @@ _MARK = re.compile(r"(\.forficula-[0-9a-f]{12})(\.lock|-.*)")
 _TURN = ".forficula.lock"
 
 
+def as_path(path: object, what: str) -> Path:
+    """Take a path.
+
+    Args:
+        path: text, or a path.
+        what: is wanted there, as errors say it.
+
+    Raises:
+        InputError: it is no path, or an empty text, which would be the current folder.
+    """
+    if not isinstance(path, str | os.PathLike):
+        raise InputError(f"need {what}, got {as_written(path)} ({type(path).__name__})")
+    if not os.fspath(path):
+        raise InputError(f'need {what}, got ""')
+    return Path(path)
+
+
 @contextmanager
 def replacing(path: Path) -> Iterator[Path]:
     """Give a temporary name in the same folder, and put the file in place when the block ends well.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 
 from forficula.analysis.verdict import Ending, Verdict, ending_advice, ending_text
 from forficula.design import stage_drives
-from forficula.dynamics import EnergyBalance, Record, StageEnd, energy_balance
+from forficula.dynamics import EnergyBalance, Record, StageEnd, as_record, energy_balance
 from forficula.quantities import show_duration, show_value
 from forficula.structure import (
     Drive,
@@ -176,13 +177,17 @@ class _Way:
     holds: bool
 
 
-def measure(record: Record) -> Outcome:
-    """Find what a run means.
+def measure(run: Record | str | os.PathLike[str]) -> Outcome:
+    """Find what a run, or the one in a folder, means.
 
     A state is taken at the end of the stage that the protocol names it by. Where that did not take place it is taken
     at the end of the stage that was to lead there. It is the mean over the protocol's window; at the end of a driven
     stage that reached its goal, it is the moment at which it did.
+
+    Raises:
+        InputError: it is no run, or cannot be read.
     """
+    record = as_record(run)
     structure, protocol, balance = record.structure, record.design.protocol, energy_balance(record)
     ways = [_way(record, transition) for transition in structure.transitions]
     missed = _missed(record, ways)

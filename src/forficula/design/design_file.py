@@ -23,7 +23,7 @@ from forficula.design.sheet_tables import with_sheet_read
 from forficula.design.tables import RejectedError, dotted_keys, laid_over, merged, nested, numbered
 from forficula.design.tendon_tables import entries_over, tendons_over, value_from_folder
 from forficula.errors import InputError
-from forficula.files import read_toml, write_text
+from forficula.files import as_path, read_toml, write_text
 from forficula.pattern import PATTERN_FILES
 from forficula.quantities import as_written
 from forficula.toml_text import with_remarks
@@ -51,7 +51,7 @@ def load_design(
         InputError: no such design or file, not TOML, an unknown key, a value that is not allowed, or a unit for what
             has units of its own.
     """
-    path = Path(name_or_path)
+    path = as_path(name_or_path, "a named design, or the path of a file")
     if path.suffix.lower() in PATTERN_FILES:
         files = [(str(name_or_path), file_tables(path, unit))]
     elif unit is not None:

@@ -133,12 +133,19 @@ class FanDesign(Design):
     def _fits_together(self) -> FanDesign:
         self._layers_have_room()
         apart, width = float(vein_gaps(self.fan, np.ones(1))[0]), _ring_chord(self.fan)
-        margin = self.membrane.margin
+        kept = None if self.contact is None else self.contact.thickness
         for key, value, bound, unit, fault in (
             ("vein.diameter", self.vein.diameter, apart, SMALL_LENGTH, "the veins overlap at the ring fold"),
-            ("membrane.margin", margin, width, LENGTH, "the margin is wider than the panel at the ring fold"),
+            (
+                "membrane.margin",
+                self.membrane.margin,
+                width,
+                LENGTH,
+                "the margin is wider than the panel at the ring fold",
+            ),
+            ("contact.thickness", kept, width, LENGTH, "panels would be thicker than they are wide at the ring fold"),
         ):
-            if not value < bound:
+            if value is not None and not value < bound:
                 raise InputError(
                     f"{key}: {fault}: need < {show_quantity(bound, unit)}, from vein to vein,"
                     f" got {show_quantity(value, unit)}"

@@ -165,7 +165,8 @@ class ContactSection(Part):
         SMALL_LENGTH, "what panels keep apart, middle to middle; without it, membrane.thickness", default=None, above=0
     )
     friction: Annotated[
-        float, Field(strict=True, ge=0, description="Coulomb's coefficient of panels and bars; 0: they slide freely")
+        float,
+        Field(strict=True, ge=0, le=10, description="Coulomb's coefficient of panels and bars; 0: they slide freely"),
     ] = 0.0
 
 

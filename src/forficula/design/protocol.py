@@ -148,6 +148,9 @@ def check_stages(protocol: Protocol, drives: Sequence[str], goals: Sequence[str]
         if stage.wait and stage.until != "rest":
             rule = 'need until = "rest", for it waits at rest'
             raise InputError(f"protocol.stages.{number}.wait: {rule}, got until = {as_written(stage.until)}")
+        if stage.wait and stage.wait <= protocol.window:
+            least = f"need > {show_quantity(protocol.window, TIME)}, the protocol.window of a state, or none"
+            raise InputError(f"protocol.stages.{number}.wait: {least}, got {show_quantity(stage.wait, TIME)}")
         if stage.until in ("time", "rest", *goals):
             continue
         key, written = f"protocol.stages.{number}.until", read_goal(stage.until)

@@ -7,10 +7,10 @@ from collections.abc import Collection
 from typing import Any, TypeVar
 
 from forficula.design.design import Design
-from forficula.design.design_file import with_values
+from forficula.design.design_file import AnyDesign, as_design, with_values
 from forficula.design.part import Part, Quantity, field_quantity
 from forficula.errors import InputError
-from forficula.quantities import dimension, show_quantity
+from forficula.quantities import as_written, dimension, show_quantity
 
 _Part = TypeVar("_Part", bound=Part)
 
@@ -36,7 +36,7 @@ def in_units(design: Design, *, length: float, mass: float, time: float) -> Desi
     return _rescaled(design.settled(), length, mass, time, f"{design.name}: ")
 
 
-def scale_design(design: Design, factor: float, *, natural: bool = False) -> Design:
+def scale_design(design: AnyDesign, factor: float, *, natural: bool = False) -> Design:
     """Scale a structure's size at fixed modulus and density, with all that makes it move alike.
 
     Stiffness goes with the factor, energy and torque with its cube, inertia with its fifth power, time with the factor
@@ -44,7 +44,7 @@ def scale_design(design: Design, factor: float, *, natural: bool = False) -> Des
     that speed).
 
     Args:
-        design: in SI.
+        design: or its name or path.
         factor: size of the new structure by that of the old.
         natural: whether what no size changes is left as it is: gravity, and how fast materials relax.
 
@@ -52,10 +52,11 @@ def scale_design(design: Design, factor: float, *, natural: bool = False) -> Des
         The scaled design; in t / time scale its motion is the same, or, if natural, the same but for what that does.
 
     Raises:
-        InputError: the factor is not between 1e-9 and 1e9, or a value leaves its bounds.
+        InputError: no such design, the factor is not between 1e-9 and 1e9, or a value leaves its bounds.
     """
-    if not _SMALLEST <= factor <= _LARGEST:
-        raise InputError(f"factor: need >= {_SMALLEST:g} and <= {_LARGEST:g}, got {factor}")
+    design = as_design(design)
+    if not isinstance(factor, int | float) or not _SMALLEST <= factor <= _LARGEST:
+        raise InputError(f"factor: need >= {_SMALLEST:g} and <= {_LARGEST:g}, got {as_written(factor)}")
     scaled = _rescaled(design.settled(), 1 / factor, 1 / factor**3, 1 / factor)
     if natural:
         # what a rule chooses is no material's, and goes by the rule

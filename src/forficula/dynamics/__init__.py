@@ -1,6 +1,6 @@
 from forficula.dynamics.energy_balance import EnergyBalance, energy_balance
 from forficula.dynamics.model import Model, compile_model, compile_structure
-from forficula.dynamics.record import Record, StageEnd, load_record, save_record, versions
+from forficula.dynamics.record import Record, StageEnd, as_record, load_record, save_record, versions
 from forficula.dynamics.sharing import but_last_drive
 from forficula.dynamics.simulate import simulate, simulate_each
 from forficula.dynamics.timestep import stable_timestep, timestep_warnings, with_timestep
@@ -11,6 +11,7 @@ __all__ = [
     "Model",
     "Record",
     "StageEnd",
+    "as_record",
     "but_last_drive",
     "compile_model",
     "compile_structure",

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from forficula.design import Design, Stage, design_from_text, design_text
 from forficula.dynamics.membrane import joined_mesh
 from forficula.errors import InputError
-from forficula.files import write_bytes
+from forficula.files import as_path, write_bytes
 from forficula.structure import Structure, distances_of, hinges_of, measure_of, read_angles, structure_of
 
 if TYPE_CHECKING:
@@ -259,7 +259,7 @@ def load_record(path: str | os.PathLike[str]) -> Record:
     """
     import h5py
 
-    path = Path(path)
+    path = as_path(path, "the folder of a run, or its record.nc")
     path = path / "record.nc" if path.is_dir() else path
     try:
         content = path.read_bytes()
@@ -286,6 +286,19 @@ def load_record(path: str | os.PathLike[str]) -> Record:
         f"{path}: written by {age} state of forficula (format {written}, this one reads {_FORMAT}): run"
         f" `forficula run {design}`"
     )
+
+
+def as_record(run: object) -> Record:
+    """A record, or that of a run's folder or file.
+
+    Raises:
+        InputError: it is none, or cannot be read.
+    """
+    if isinstance(run, Record):
+        return run
+    if isinstance(run, str | os.PathLike):
+        return load_record(run)
+    raise InputError(f"need the record of a run, or its folder, got a {type(run).__name__}")
 
 
 def _read(file: Any) -> Record:

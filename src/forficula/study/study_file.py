@@ -9,7 +9,8 @@ from typing import Any
 
 from forficula.design import Design, key_quantity, key_value, load_design, value_from_folder
 from forficula.errors import InputError
-from forficula.names import folder_name, one_of
+from forficula.files import as_path
+from forficula.names import folder_name, near_name, one_of
 from forficula.quantities import as_written, is_whole
 from forficula.structure import structure_of
 from forficula.study.choices import one_at_a_time, with_own_word
@@ -31,7 +32,7 @@ def load_study(name_or_path: str | Path) -> Study:
     Raises:
         InputError: no such study or file, not TOML, an unknown key, or a value that is not allowed.
     """
-    text, where, folder = _read(str(name_or_path))
+    text, where, folder = _read(str(as_path(name_or_path, "a named study, or the path of a file")))
     try:
         tables = parse_toml(text, "a study")
         tables.setdefault("name", Path(where).stem)
@@ -62,8 +63,8 @@ def _read(name_or_path: str) -> tuple[str, str, Path]:
         return file.read_text("utf-8"), name_or_path, Path()
     if not name_or_path.endswith(".toml"):
         raise InputError(
-            f'"{name_or_path}" is neither a named study nor a .toml file; the named studies are'
-            f" {', '.join(named_studies())}"
+            f"{as_written(name_or_path)} is neither a named study nor a .toml file; the named studies are"
+            f" {', '.join(named_studies())}{near_name(name_or_path, named_studies())}"
         )
     path = Path(name_or_path)
     try:

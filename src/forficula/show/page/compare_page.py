@@ -21,7 +21,7 @@ from forficula.names import listed
 from forficula.quantities import reading_unit
 from forficula.show.page.design_rows import DIGITS, differing_rows
 from forficula.show.page.html import Cell, escaped, paragraph, section, table
-from forficula.show.page.page import page_html
+from forficula.show.page.page import page_html, page_path
 from forficula.show.page.playback import (
     BUDGET,
     Clip,
@@ -71,8 +71,10 @@ def compare_runs(folders: Sequence[Path], path: Path) -> None:
     Raises:
         InputError: too few or too many folders, one that holds no run, a wrong ending, or it cannot be written.
     """
-    if path.suffix != ".html":
-        raise InputError(f"--out: need a file that ends with .html, got {path}")
+    try:
+        path = page_path(path)
+    except InputError as error:
+        raise InputError(f"--out: {error}") from None
     if not _FEWEST <= len(folders) <= _MOST:
         raise InputError(f"compare: need {_FEWEST} to {_MOST} folders of runs, got {len(folders)}")
     runs = []

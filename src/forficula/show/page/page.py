@@ -6,11 +6,26 @@ import base64
 import hashlib
 import json
 from importlib import resources
+from pathlib import Path
 from typing import Any
 
+from forficula.errors import InputError
+from forficula.files import as_path
 from forficula.show.page.html import escaped
 
 _NO_SCRIPT = "Without JavaScript nothing moves and there are no plots; the numbers below are all there."
+
+
+def page_path(path: object) -> Path:
+    """Take the path of a page.
+
+    Raises:
+        InputError: it is none, or does not end with .html.
+    """
+    file = as_path(path, "a file that ends with .html")
+    if file.suffix != ".html":
+        raise InputError(f"need a file that ends with .html, got {file}")
+    return file
 
 
 def page_html(title: str, body: str, data: dict[str, Any] | None) -> str:
