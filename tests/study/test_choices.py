@@ -109,7 +109,7 @@ def test_the_table_has_the_values_of_every_factor_at_every_choice_in_si(alone, t
     assert [row["pattern_units"] for row in rows] == ["1", "1", "1", "2", "30"]
     (tmp_path / "table.nc").write_bytes(table.to_netcdf(engine="h5netcdf"))
     with xr.open_dataset(tmp_path / "table.nc", engine="h5netcdf") as again:
-        xr.testing.assert_identical(again.load(), table)
+        assert again.load().identical(table)
 
 
 def test_the_table_of_a_grid_at_each_choice_has_both_as_dimensions(gridded):
@@ -127,7 +127,7 @@ def test_shards_of_choices_are_collected_and_nothing_is_left_to_do(tmp_path, alo
     assert estimate(study, tmp_path)[:2] == (5, 4)  # the wing that cannot be built takes no run
     assert run_study(study, tmp_path, shard=(1, 2)) is None
     run_study(study, tmp_path, shard=(2, 2))
-    xr.testing.assert_identical(collect(study, tmp_path), table)
+    assert collect(study, tmp_path).identical(table)
     assert estimate(study, tmp_path)[:2] == (5, 0)
 
 

@@ -346,7 +346,7 @@ def test_a_study_killed_at_any_moment_goes_on_and_ends_with_the_same_bytes(tmp_p
     assert set(found) == set(keys(undisturbed)[0])
     assert (out / "table.csv").read_bytes() == table_csv(study, table).encode()
     with xr.open_dataset(out / "table.nc", engine="h5netcdf") as written:
-        xr.testing.assert_identical(written.load(), table)
+        assert written.load().identical(table)
 
 
 @pytest.mark.skipif(os.name != "posix", reason="signals are POSIX's")

@@ -112,7 +112,7 @@ def test_the_dataset_comes_back_from_its_file(searched, tmp_path):
     _, table = searched
     (tmp_path / "table.nc").write_bytes(table.to_netcdf(engine="h5netcdf"))
     with xr.open_dataset(tmp_path / "table.nc", engine="h5netcdf") as again:
-        xr.testing.assert_identical(again.load(), table)
+        assert again.load().identical(table)
 
 
 def test_the_order_of_the_factors_is_the_studys(tmp_path, study_file):

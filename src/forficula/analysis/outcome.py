@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 
 from forficula.analysis.verdict import Ending, Verdict, ending_advice, ending_text
 from forficula.design import stage_drives
+from forficula.displayed import Displayed
 from forficula.dynamics import EnergyBalance, Record, StageEnd, as_record, energy_balance
-from forficula.quantities import show_duration, show_value
+from forficula.quantities import reading_unit, show_duration, show_value
 from forficula.structure import (
     Drive,
     Goal,
@@ -23,6 +24,7 @@ from forficula.structure import (
     drive_of,
     goal_coordinates,
     goal_of,
+    measure_of,
     state_of,
 )
 
@@ -32,6 +34,7 @@ _STIR = np.radians(0.1)
 _STIR_SHARE = 1e-3  # of the size of the whole
 _TOO_SHORT = "at its goal for too short a time when its stage was over"
 _RISING = "at rest under a torque that still rose when its stage was over"
+_SHOWN = 1e-3  # of a reading, of which half its range is told
 _FIRST_STEP = 1.5  # timesteps, for times are multiples of it up to rounding
 
 
@@ -40,14 +43,29 @@ class Reading:
     """What a measure reads over a while: of each hinge of an angle, rad, or of a distance, m, (reading,).
 
     Attributes:
+        kind: "angle" or "distance".
         mean: over the while.
         low: lowest.
         high: highest.
     """
 
+    kind: Literal["angle", "distance"]
     mean: Array
     low: Array
     high: Array
+
+    def __repr__(self) -> str:
+        """The means as a table has them, with half the range where they swing."""
+        if self.kind == "angle":
+            unit, factor = "deg", float(np.degrees(1.0))
+        else:
+            unit, factor = reading_unit("m", float(np.abs(self.mean).max(initial=0)))
+        halves = factor * (self.high - self.low) / 2
+        told = (
+            f"{value:.4g}{f' ± {half:.2g}' if half >= _SHOWN * abs(value) else ''}"
+            for value, half in zip((factor * self.mean).tolist(), halves.tolist(), strict=True)
+        )
+        return f"{', '.join(told)} {unit}"
 
 
 # what has springs, beside tendons; of each there is a state's energy if the structure has any
@@ -90,6 +108,12 @@ class State:
     swings: bool
     furthest: float | None
     furthest_kind: Literal["angle", "distance"]
+
+    def __repr__(self) -> str:
+        """What is measured, and the energy of its tendons, in the units of tables."""
+        told = [f"{name} {reading!r}" for name, reading in self.readings.items()]
+        told += [f"tendons {show_value(float(self.tendon_energy.sum()), 'J')}"] if len(self.tendon_energy) else []
+        return f"<{self.name} at {show_value(self.time, 's')}: {'; '.join(told) or 'nothing is measured'}>"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -135,7 +159,7 @@ class StageOutcome:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Outcome:
+class Outcome(Displayed):
     """What a run means.
 
     Attributes:
@@ -149,6 +173,8 @@ class Outcome:
         transitions: by name, all of the structure; None where the protocol has no such stage or did not get there.
         stages: that took place, in order.
         energy_balance: over the whole run.
+        name: of the design.
+        structure: that ran.
     """
 
     ending: Ending
@@ -160,6 +186,13 @@ class Outcome:
     transitions: Mapping[str, TransitionOutcome | None]
     stages: tuple[StageOutcome, ...]
     energy_balance: EnergyBalance
+    name: str
+    structure: Structure
+
+    def __repr__(self) -> str:
+        """What became of it, and the states."""
+        states = [repr(state) for state in self.states.values() if state is not None]
+        return "\n  ".join([f"<Outcome of {self.name}: {self.status}>", *states])
 
     @property
     def verdict(self) -> Verdict:
@@ -225,6 +258,8 @@ def measure(run: Record | str | os.PathLike[str]) -> Outcome:
         transitions={way.transition.name: _transition(record, way, holds) for way in ways},
         stages=tuple(_stage(record, end, tells=verdict.tells) for end in record.stages),
         energy_balance=balance,
+        name=record.design.name,
+        structure=structure,
     )
 
 
@@ -353,7 +388,13 @@ def _state(record: Record, end: StageEnd, name: str) -> State:
     watched = [*(each.name for each in record.structure.measures), *(t.measure for t in record.structure.transitions)]
     for each in dict.fromkeys(watched):
         values = record.measured(each)[window]
-        readings[each] = Reading(mean=values.mean(axis=0), low=values.min(axis=0), high=values.max(axis=0))
+        measure = measure_of(record.structure, each)
+        readings[each] = Reading(
+            kind="angle" if measure is None else measure.kind,
+            mean=values.mean(axis=0),
+            low=values.min(axis=0),
+            high=values.max(axis=0),
+        )
     swung = [readings[each.name] for each in record.structure.measures if each.kind == "angle"]
     far = _STIR_SHARE * record.structure.span
     moved = [readings[each.name] for each in record.structure.measures if each.kind == "distance"]

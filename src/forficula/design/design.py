@@ -12,6 +12,7 @@ from pydantic import Field, field_validator
 from forficula.design.medium import MediumSection
 from forficula.design.part import SHORT_TIME, TIME, Part
 from forficula.design.protocol import Protocol
+from forficula.displayed import Displayed
 from forficula.errors import InputError
 from forficula.names import folder_name
 from forficula.quantities import show_quantity
@@ -24,7 +25,7 @@ _MOST_STEPS = 1e9
 _MOST_ROWS = 1e7
 
 
-class Design(Part):
+class Design(Displayed, Part):
     """The thing to build and what is done to it; every number in SI and radians."""
 
     name: Annotated[str, Field(min_length=1, description="what outputs call it")]
@@ -48,6 +49,16 @@ class Design(Part):
     @classmethod
     def _names_a_folder(cls, name: str) -> str:
         return folder_name(name)
+
+    def __repr__(self) -> str:
+        """The design by its name; `print` writes its file, with units."""
+        return f"<{type(self).__name__} {self.name}, hash {self.hash}>"
+
+    def __str__(self) -> str:
+        """The design file."""
+        from forficula.design.design_file import design_text
+
+        return design_text(self)
 
     @property
     def hash(self) -> str:

@@ -16,9 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.design import Design, Stage, design_from_text, design_text
+from forficula.displayed import Displayed
 from forficula.dynamics.membrane import joined_mesh
 from forficula.errors import InputError
 from forficula.files import as_path, write_bytes
+from forficula.quantities import show_duration
 from forficula.structure import Structure, distances_of, hinges_of, measure_of, read_angles, structure_of
 
 if TYPE_CHECKING:
@@ -98,7 +100,7 @@ class StageEnd:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Record:
+class Record(Displayed):
     """What a run leaves.
 
     Attributes:
@@ -118,6 +120,11 @@ class Record:
     stages: tuple[StageEnd, ...]
     diverged_at: float | None
     doubt: str = ""
+
+    def __repr__(self) -> str:
+        """What ran, how long, through which stages."""
+        names = ", ".join(end.stage.name for end in self.stages)
+        return f"<Record of {self.design.name}: {len(self.time)} rows over {show_duration(self.time[-1])}: {names}>"
 
     def angles(self, role: str) -> Array:
         """Angles of the hinges of a role, in their own senses, rad, (time, hinge)."""

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.displayed import Displayed
 from forficula.errors import InputError
 from forficula.material.fit.fit import LawFit, fit_law
 from forficula.material.law.drift import Drift, fit_drift
@@ -63,7 +64,7 @@ class Specimen:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Characterisation:
+class Characterisation(Displayed):
     """What the tensile tests of a material say.
 
     Attributes:
@@ -91,6 +92,11 @@ class Characterisation:
     fit: LawFit | None
     law: MaterialLaw | None
     remarks: tuple[str, ...] = field(default=())
+
+    def __repr__(self) -> str:
+        """What was tested, and the form of its law."""
+        specimens = f"{len(self.specimens)} specimen{'s' * (len(self.specimens) != 1)}"
+        return f"<Characterisation of {self.name}: {specimens}, {'no law' if self.fit is None else self.fit.form.name}>"
 
     @property
     def simulated_moduli(self) -> tuple[float, float]:

@@ -13,8 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.design import TORQUE, Design
+from forficula.displayed import Displayed
 from forficula.errors import InputError
-from forficula.quantities import show_quantity
+from forficula.quantities import show_quantity, show_value
 from forficula.statics.equilibrium import Equilibria, PathState, barrier_between
 from forficula.statics.fold_path import FoldPath, fold_path, rigid_fold
 from forficula.statics.hinge import TendonHinge, tendon_hinge
@@ -74,7 +75,7 @@ class Rest:
 
 
 @dataclass(frozen=True, kw_only=True)
-class EnergyLandscape:
+class EnergyLandscape(Displayed):
     """What statics says of a design.
 
     Attributes:
@@ -113,6 +114,11 @@ class EnergyLandscape:
     tips: TipStiffness | None
     remarks: tuple[str, ...]
     net: NetLandscape | None = None
+
+    def __repr__(self) -> str:
+        """Where it rests, with energies."""
+        rests = ", ".join(f"{each.name} {show_value(each.energy, 'J')}" for each in self.rests)
+        return f"<EnergyLandscape of {self.design.name}: {rests or f'{len(self.remarks)} remarks'}>"
 
     @property
     def easiest_barrier(self) -> float | None:

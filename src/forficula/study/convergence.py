@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from forficula.analysis import Verdict
 from forficula.design import Design, with_values
+from forficula.displayed import Displayed
 from forficula.dynamics import Model, compile_model
 from forficula.dynamics.simulate import simulate_each
 from forficula.errors import InputError
@@ -40,7 +41,7 @@ _MOST_ROWS = 100_000
 
 
 @dataclass(frozen=True, kw_only=True)
-class Convergence:
+class Convergence(Displayed):
     """One design at several values of one setting, from coarse to fine, soft to stiff.
 
     Attributes:

@@ -92,7 +92,7 @@ def static_map(study: Study, progress: Callable[[int, int], None] | None = None)
     Raises:
         InputError: the study draws its points, or searches for no torques.
     """
-    import xarray
+    from forficula.study.study_table import StudyTable
 
     search = study.search
     if search is None or study.sampled or any(step.unit is not TORQUE for step in search.steps):
@@ -127,7 +127,7 @@ def static_map(study: Study, progress: Callable[[int, int], None] | None = None)
     for name in ("status", "verdict", "outcome"):
         words = np.array([result[name] for result in results], dtype=object).reshape(shape)
         variables[name] = (dimensions, words)
-    return xarray.Dataset(
+    return StudyTable(
         variables,
         coordinates,
         {

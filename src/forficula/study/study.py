@@ -6,12 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from forficula.design import Design
+from forficula.displayed import Displayed
 from forficula.study.factors import Factor
 from forficula.study.search_steps import Search
 
 
 @dataclass(frozen=True, kw_only=True)
-class Study:
+class Study(Displayed):
     """Many runs of one design.
 
     Attributes:
@@ -38,3 +39,8 @@ class Study:
     choices: tuple[Mapping[str, object], ...] = ()
     grid: tuple[Factor, ...] = ()
     reproduces: str | None = None
+
+    def __repr__(self) -> str:
+        """How many points over what."""
+        keys = ", ".join(factor.key for factor in (*self.factors, *self.grid))
+        return f"<Study {self.name}: {len(self.points)} points of {self.base.name} over {keys}>"

@@ -45,7 +45,7 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         value; the attribute `transitions` names them, see `table_transitions`, and `whole` is what sentences call the
         structure.
     """
-    import xarray
+    from forficula.study.study_table import StudyTable
 
     structure, search = structure_of(study.base), study.search
     numbers = _numbers(study, structure)
@@ -88,7 +88,7 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         "whole": structure.appearance.whole,
         **({"reproduces": study.reproduces} if study.reproduces is not None else {}),
     }
-    return xarray.Dataset(variables, coordinates, attributes)
+    return StudyTable(variables, coordinates, attributes)
 
 
 def _numbers(study: Study, structure: Structure) -> dict[str, tuple[str, str]]:

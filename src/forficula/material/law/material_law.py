@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
+from forficula.displayed import Displayed
 from forficula.errors import InputError
 from forficula.material.law.drift import Drift
 from forficula.material.law.law_keys import law_unit, show_range
@@ -71,7 +72,7 @@ class Fact:
 
 
 @dataclass(frozen=True, kw_only=True)
-class MaterialLaw:
+class MaterialLaw(Displayed):
     """Engineering stress (force by initial area) against strain (extension by resting length).
 
     A spring E1 x + E2 x^2 + E3 x^3 while x > 0, none when slack, where x is the strain less the set; a damper

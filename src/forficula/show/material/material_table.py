@@ -134,14 +134,19 @@ def _drift(drift: Drift) -> list[str]:
     return [f"{middle} {unit}", f"{low} to {high}", course]
 
 
-def _law(law: MaterialLaw, fit: LawFit) -> list[RenderableType]:
+def law_table(law: MaterialLaw) -> Table:
+    """Lay out the values of a law, each with its interval where it has one."""
     table = plain_table("", "value", "95 % interval")
     for key, value, bounds in law_rows(law):
         table.add_row(
             key, _minus(show_value(key, value)), _NONE if bounds is None else _minus(show_range(key, *bounds))
         )
+    return table
+
+
+def _law(law: MaterialLaw, fit: LawFit) -> list[RenderableType]:
     left = f"{_stress(fit.misfit)}, {100 * fit.relative_misfit:.2g} % of the largest stress"
-    return [Text(f"Law: {fit.form.name}; residual {left}", style="italic"), table, *_amplitudes(fit)]
+    return [Text(f"Law: {fit.form.name}; residual {left}", style="italic"), law_table(law), *_amplitudes(fit)]
 
 
 def _amplitudes(fit: LawFit) -> Iterator[Text]:

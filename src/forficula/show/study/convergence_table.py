@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from rich.console import Console
+from rich.console import Console, Group, RenderableType
 from rich.table import Table
+from rich.text import Text
 
 from forficula.structure import structure_of
 from forficula.study.convergence import Convergence
@@ -32,6 +33,11 @@ def convergence_rows(convergence: Convergence) -> list[dict[str, Any]]:
 
 def print_convergence(convergence: Convergence) -> None:
     """Print the table and the verdict."""
+    Console(width=110, highlight=False).print(convergence_table(convergence))
+
+
+def convergence_table(convergence: Convergence) -> RenderableType:
+    """Lay out every run, the limits where there are such, and the verdict."""
     table = Table(box=None, padding=(0, 2, 0, 0))
     for heading in (
         {TIMESTEP: "timestep", YOUNGS_MODULUS: "Young's modulus", MESH: "rows"}[convergence.key],
@@ -46,12 +52,12 @@ def print_convergence(convergence: Convergence) -> None:
         own = " (the design's own)" if value == convergence.own else ""
         times = (f"{1e3 * time:.5g} ms" if math.isfinite(time) else "" for time in _times_of(convergence, run))
         table.add_row(name, *times, status + own)
-    console = Console(width=110, highlight=False)
-    console.print(table)
-    for name, label in time_labels(convergence).items():
-        if (fit := convergence.orders[name]) is not None:
-            console.print(f"limit of the {label}: {1e3 * fit.limit:.5g} ms, {order_text(fit)}")
-    console.print(f"\n{convergence.design.name}: {convergence.verdict}")
+    limits = [
+        Text(f"limit of the {label}: {1e3 * fit.limit:.5g} ms, {order_text(fit)}")
+        for name, label in time_labels(convergence).items()
+        if (fit := convergence.orders[name]) is not None
+    ]
+    return Group(table, *limits, Text(), Text(f"{convergence.design.name}: {convergence.verdict}"))
 
 
 def time_labels(convergence: Convergence) -> dict[str, str]:

@@ -1,0 +1,177 @@
+"""Results as notebooks show them: the sentence, tables with units, a figure, a run that plays."""
+
+from __future__ import annotations
+
+import base64
+import io
+from collections.abc import Iterator
+from functools import singledispatch
+from itertools import zip_longest
+from typing import TYPE_CHECKING
+
+import xarray
+from rich.console import Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from forficula.analysis import Outcome, measure
+from forficula.design import Design
+from forficula.displayed import Displayed
+from forficula.dynamics import Record
+from forficula.material import MaterialLaw
+from forficula.material.characterisation import Characterisation
+from forficula.show.folder.figure_kinds import drawings_of
+from forficula.show.landscape.landscape_table import landscape_table
+from forficula.show.material.material_table import law_table, material_table
+from forficula.show.page.design_tables import design_tables
+from forficula.show.page.html import escaped, paragraph, table
+from forficula.show.page.outcome_tables import outcome_tables
+from forficula.show.page.run_page import run_page
+from forficula.show.page.words import outcome_sentence
+from forficula.show.structure.pattern_figure import draw_pattern
+from forficula.show.study.convergence_table import convergence_table
+from forficula.show.style import PAGE_WIDTH, description
+from forficula.statics import EnergyLandscape
+from forficula.structure import structure_of
+from forficula.study.convergence import Convergence
+from forficula.study.factors import Factor
+from forficula.study.study import Study
+from forficula.study.study_table import StudyTable
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+# no colours of our own: what a notebook has by day and by night
+_STYLE = (
+    "<style>.forficula table{border-collapse:collapse;margin:.5em 0}.forficula caption{text-align:left;font-weight:600}"
+    ".forficula th,.forficula td{padding:.15em .8em .15em 0;text-align:left;vertical-align:top}"
+    ".forficula .numbers td{text-align:right}.forficula img{max-width:min(100%,46em);background:#fff}"
+    ".forficula small{display:block;opacity:.7}.forficula p{margin:.4em 0;max-width:46em}</style>"
+)
+_HEIGHT = 640  # pixels, of the page of a run
+_DPI = 110
+_MOST_VALUES = 12  # of a factor, that are told
+
+
+def notebook_html(result: Displayed) -> str:
+    """A result as HTML for a cell of a notebook."""
+    return f'{_STYLE}<div class="forficula">{"".join(_parts(result))}</div>'
+
+
+@singledispatch
+def _parts(result: Displayed) -> Iterator[str]:
+    raise TypeError(f"nothing to show of a {type(result).__name__}")
+
+
+@_parts.register
+def _design(design: Design) -> Iterator[str]:
+    yield _title(design.name)
+    yield paragraph(design.shows or "")
+    yield _picture(draw_pattern(structure_of(design)))
+    yield f"<details><summary>Every value</summary>{''.join(design_tables(design))}</details>"
+
+
+@_parts.register
+def _record(record: Record) -> Iterator[str]:
+    """The page of the run, in a frame of its own: it plays, and its style and script touch nothing else."""
+    page = escaped(run_page(record, measure(record)))
+    yield (
+        f'<iframe srcdoc="{page}" title="{escaped(record.design.name)}, playing"'
+        f' sandbox="allow-scripts allow-downloads" style="width:100%;height:{_HEIGHT}px;border:0"></iframe>'
+    )
+
+
+@_parts.register
+def _outcome(outcome: Outcome) -> Iterator[str]:
+    yield paragraph(outcome_sentence(outcome.name, outcome, outcome.structure))
+    yield paragraph(outcome.advice)
+    yield from outcome_tables(outcome, outcome.structure)
+
+
+@_parts.register
+def _landscape(landscape: EnergyLandscape) -> Iterator[str]:
+    yield from _laid_out(landscape_table(landscape))
+    yield _first_figure(landscape)
+
+
+@_parts.register
+def _material(material: Characterisation) -> Iterator[str]:
+    yield from _laid_out(material_table(material))
+    drawings = drawings_of(material)
+    yield _picture(drawings.get("fit", drawings["cycles"])(PAGE_WIDTH))
+
+
+@_parts.register
+def _law(law: MaterialLaw) -> Iterator[str]:
+    yield _title(law.name)
+    yield from _laid_out(Group(law_table(law)))
+    yield paragraph(f"Source: {law.source}" if law.source else "")
+
+
+@_parts.register
+def _convergence(convergence: Convergence) -> Iterator[str]:
+    yield from _laid_out(convergence_table(convergence))
+    yield _first_figure(convergence)
+
+
+@_parts.register
+def _study(study: Study) -> Iterator[str]:
+    yield _title(study.name)
+    asked = "runs its protocol" if study.search is None else "finds the least values that do"
+    yield paragraph(f"{len(study.points)} points of {study.base.name}, at each of which it {asked}.")
+    rows = [(factor.key, _values(factor)) for factor in (*study.factors, *study.grid)]
+    yield table("What is varied", ("key", "values"), rows, numbers=False)
+
+
+@_parts.register
+def _table(found: StudyTable) -> Iterator[str]:
+    yield _first_figure(found)
+    yield xarray.Dataset._repr_html_(found)
+
+
+def _title(text: str) -> str:
+    return f"<h3>{escaped(text)}</h3>"
+
+
+def _first_figure(result: object) -> str:
+    drawings = drawings_of(result)
+    return _picture(next(iter(drawings.values()))(PAGE_WIDTH)) if drawings else ""
+
+
+def _picture(figure: Figure) -> str:
+    """A figure within the cell, with the text that stands for it."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    content = io.BytesIO()
+    figure.set_dpi(_DPI)
+    FigureCanvasAgg(figure).print_png(content)  # type: ignore[no-untyped-call]
+    packed = base64.b64encode(content.getvalue()).decode("ascii")
+    return f'<p><img src="data:image/png;base64,{packed}" alt="{escaped(description(figure))}"></p>'
+
+
+def _values(factor: Factor) -> str:
+    if factor.distribution is not None:
+        drawn = factor.distribution
+        return f"{drawn.name}, {drawn.first:g} to {drawn.second:g} in SI"
+    shown = [str(value) for value in factor.values]
+    return ", ".join(shown if len(shown) <= _MOST_VALUES else [*shown[: _MOST_VALUES - 2], "…", shown[-1]])
+
+
+def _laid_out(renderable: RenderableType) -> Iterator[str]:
+    """What the terminal shows of a result, as HTML."""
+    match renderable:
+        case Group():
+            for part in renderable.renderables:
+                yield from _laid_out(part)
+        case Table():
+            headings = [_plain(column.header) for column in renderable.columns]
+            cells = [[_plain(cell) for cell in column.cells] for column in renderable.columns]
+            title = "" if renderable.title is None else _plain(renderable.title)
+            yield table(title, headings, list(zip_longest(*cells, fillvalue="")))
+        case Text() | str():
+            text = paragraph(_plain(renderable))
+            yield f"<strong>{text}</strong>" if "bold" in str(getattr(renderable, "style", "")) and text else text
+
+
+def _plain(cell: object) -> str:
+    return cell.plain if isinstance(cell, Text) else str(cell)

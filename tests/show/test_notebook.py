@@ -1,0 +1,85 @@
+"""In a notebook results show themselves: a sentence, tables with units, a figure, a run that plays."""
+
+import pytest
+import xarray
+
+import forficula as ff
+from forficula.design import design_text
+from forficula.material import load_law
+from tests.material.synthetic import cyclic_test
+
+
+@pytest.fixture(scope="module")
+def design():
+    return ff.load_design("letter-fold")
+
+
+@pytest.fixture(scope="module")
+def record(design):
+    return ff.run(design)
+
+
+@pytest.fixture(scope="module")
+def results(design, record, tmp_path_factory):
+    study = ff.new_study(design, {"tendon.left.stiffness": ["0.4 N/cm", "0.5 N/cm"]}, name="letters")
+    return {
+        "design": design,
+        "record": record,
+        "outcome": ff.measure(record),
+        "landscape": ff.landscape("bistable-clasp"),
+        "convergence": ff.converge(design, timesteps="0.4 0.2 ms"),
+        "study": study,
+        "table": ff.run_study(study, out=tmp_path_factory.mktemp("study")),
+        "material": ff.characterise([cyclic_test(lambda strain, _: 5e6 * strain)]),
+        "law": load_law("tpu-82a"),
+    }
+
+
+@pytest.mark.parametrize(
+    ("name", "parts"),
+    [
+        ("design", ("letter-fold", "<img", "tendon.left.stiffness")),
+        ("record", ("<iframe", "allow-scripts", "letter-fold got closed in")),
+        ("outcome", ("letter-fold got closed in", "tendon (cm)", "Energy balance")),
+        ("landscape", ("Stable states", "<img", "J</td>")),
+        ("convergence", ("0.2 ms", "the design&#x27;s own", "<img")),
+        ("study", ("2 points of letter-fold", "0.4 N/cm, 0.5 N/cm")),
+        ("table", ("<img", "xarray.StudyTable")),
+        ("material", ("MPa", "<img")),
+        ("law", ("modulus.linear", "MPa")),
+    ],
+)
+def test_a_result_shows_itself_in_a_notebook(results, name, parts):
+    shown = results[name]._repr_html_()
+    for part in parts:
+        assert part in shown
+    assert "http://" not in shown.replace("http://www.w3.org", "")
+    assert all("alt=" in picture for picture in shown.split("<img")[1:])
+
+
+def test_a_name_that_looks_like_a_script_stays_text(design):
+    named = design.with_values({"name": "<script>alert(1)<script>", "shows": "<b>"})
+    assert "<script>alert" not in named._repr_html_()
+
+
+def test_a_line_of_a_result_has_the_units_of_the_field(results):
+    assert repr(results["design"]).startswith("<PleatsDesign letter-fold, hash ")
+    outcome = repr(results["outcome"])
+    assert outcome.startswith("<Outcome of letter-fold: closed and opened>")
+    assert "closed at 1.519 s: creases 105.6, 105.6 deg; mouth 4.586 cm; tendons 0.9959 mJ" in outcome
+    assert repr(results["record"]).endswith("rows over 3.264 s: settle, close, release closed, open, release open>")
+    assert repr(results["study"]) == "<Study letters: 2 points of letter-fold over tendon.left.stiffness>"
+    assert repr(results["landscape"]).startswith("<EnergyLandscape of bistable-clasp: ")
+    assert repr(results["material"]) == "<Characterisation of material: 1 specimen, linear spring>"
+
+
+def test_a_design_is_printed_as_its_file(design):
+    assert str(design) == design_text(design)
+    assert 'stiffness = "' in str(design)
+
+
+def test_a_table_of_a_study_is_a_dataset_and_stays_one(results):
+    table = results["table"]
+    assert isinstance(table, xarray.Dataset)
+    assert "<img" in table.isel(tendon_left_stiffness=[0])._repr_html_()
+    assert "<img" in table._repr_html_()
