@@ -38,7 +38,7 @@ def results(design, record, tmp_path_factory):
 @pytest.mark.parametrize(
     ("name", "parts"),
     [
-        ("design", ("letter-fold", "<img", "tendon.left.stiffness")),
+        ("design", ("letter-fold", "<img", "Every value", "N/cm")),
         ("record", ("<iframe", "allow-scripts", "letter-fold got closed in")),
         ("outcome", ("letter-fold got closed in", "tendon (cm)", "Energy balance")),
         ("landscape", ("Stable states", "<img", "J</td>")),
