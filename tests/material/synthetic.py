@@ -4,30 +4,12 @@ from itertools import pairwise
 
 import numpy as np
 
-from forficula.material.tensile.tensile_test import TensileTest
+from forficula.material.sample_tests import AREA, LENGTH, SPEED, cyclic_test
+from forficula.material.sample_tests import rubber_test as tpu
 
-LENGTH, AREA = 0.06, 5e-6  # m and m2, the paper's tendon
-SPEED = 0.01 / 60  # m/s, the paper's 10 mm/min
+__all__ = ["AREA", "LENGTH", "SPEED", "cyclic_test", "tpu"]
+
 TO_MM, TO_MM2 = 1e3, 1e6
-
-
-def cyclic_test(
-    loading, unloading=None, *, cycles=5, largest=1.0, samples=500, noise=0.0, offset=0.0, seed=1, name="s"
-):
-    """Pulled to a strain and back, over and over.
-
-    `loading` and `unloading` take strain, shape (sample,), and the number of the cycle, and give stress in Pa, `noise`
-    and `offset` are Pa, too; `samples` stand on each way.
-    """
-    up = np.linspace(0, largest, samples, endpoint=False)
-    ways = [(up, loading, number + 1) for number in range(cycles)]
-    backs = [(largest - up, unloading or loading, number + 1) for number in range(cycles)]
-    strain = np.concatenate([way[0] for pair in zip(ways, backs, strict=True) for way in pair] + [[0.0]])
-    stress = [law(path, number) for pair in zip(ways, backs, strict=True) for path, law, number in pair]
-    stress = np.concatenate([*stress, (unloading or loading)(np.zeros(1), cycles)])
-    stress = stress + offset + noise * np.random.default_rng(seed).standard_normal(len(stress))
-    time = np.arange(len(strain)) * (largest * LENGTH / SPEED / samples)
-    return TensileTest(name=name, time=time, extension=strain * LENGTH, force=stress * AREA, length=LENGTH, area=AREA)
 
 
 def few_rows():
@@ -96,26 +78,6 @@ def quoted(text):
 
 def number(text, decimal):
     return text.replace(".", decimal)
-
-
-def tpu(seed, *, cycles=4, samples=100):
-    """A specimen like the paper's: nonlinear, hysteretic, slack below 35 % strain on unloading, softer every cycle."""
-    stiffness = 4.8e6 * (1 + 0.03 * np.random.default_rng(seed).standard_normal())
-
-    def set_strain(number):
-        return 0.27 + 0.03 * np.log(number)
-
-    def loading(strain, number):
-        grown = 0.75 * set_strain(number - 1) if number > 1 else 0.0
-        x = np.clip(strain - grown, 0, None) / (1 - grown)
-        return stiffness * (1 - 0.055 * np.log(number)) * (0.3 * np.tanh(x / 0.12) + 0.3 * x + 0.4 * x**4)
-
-    def unloading(strain, number):
-        x = np.clip(strain - set_strain(number), 0, None) / (1 - set_strain(number))
-        return loading(np.ones(1), number) * (0.55 * x**1.6 + 0.45 * x**7)
-
-    name = f"tpu-{seed}"
-    return cyclic_test(loading, unloading, cycles=cycles, samples=samples, noise=4e3, seed=seed, name=name)
 
 
 def loading_program(steps, *, acceleration=0.05):

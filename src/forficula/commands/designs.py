@@ -29,8 +29,17 @@ def new(
     *,
     kind: Annotated[str, Parameter(help=_KINDS)] = "earwig-fan",
     study: Annotated[bool, Parameter(help="Write a study file instead, of such a design.", negative=())] = False,
+    tests: Annotated[
+        bool, Parameter(help="Write three tensile tests instead, to try material with; made up.", negative=())
+    ] = False,
 ) -> None:
-    """Write a commented design file to start from, or a study file."""
+    """Write a commented design file to start from, a study file, or sample tensile tests (FILE ends with .csv)."""
+    if tests:
+        from forficula.material.sample_tests import write_sample_tests
+
+        files = " ".join(str(written) for written in write_sample_tests(file))
+        print(f'written, not measured; read with: forficula material {files} --length "60 mm" --area "5 mm^2"')
+        return
     if study:
         from forficula.study.new_study import write_new_study
 
