@@ -53,7 +53,7 @@ def cyclic_test(
     strain = np.concatenate([*(way[0] for way in ways), [0.0]])
     stress = np.concatenate([*(law(path, number) for path, law, number in ways), down(np.zeros(1), cycles)])
     stress = stress + offset + noise * np.random.default_rng(seed).standard_normal(len(stress))
-    time = np.arange(len(strain)) * (largest * LENGTH / SPEED / samples)
+    time = np.arange(len(strain), dtype=np.float64) * (largest * LENGTH / SPEED / samples)
     return TensileTest(name=name, time=time, extension=strain * LENGTH, force=stress * AREA, length=LENGTH, area=AREA)
 
 
