@@ -154,7 +154,7 @@ def test_a_wait_that_would_never_end_is_refused():
     ("call", "message"),
     [
         (lambda _: ff.load_record(5), r"need the folder of a run, or its record\.nc, got 5 \(int\)"),
-        (lambda _: ff.load_design(""), r'need a named design, or the path of a file, got ""'),
+        (lambda _: ff.load_design(5), r"need a named design, or the path of a file, got 5 \(int\)"),
         (lambda _: ff.load_design("binder2025", 5), r"need values by key, such as .*, got 5"),
         (lambda _: ff.load_study(None), r"need a named study, or the path of a file, got None"),
         (lambda _: ff.load_study("binder2025-serch"), r'did you mean "binder2025-search"'),

@@ -283,6 +283,8 @@ def save(result: object, folder: AnyPath) -> None:
     from forficula.statics import EnergyLandscape
     from forficula.study.convergence import Convergence
 
+    if folder == "":  # which would be the current one
+        raise InputError('need a folder, got ""')
     folder = as_path(folder, "a folder")
     match result:
         case Record():

@@ -37,12 +37,10 @@ def as_path(path: object, what: str) -> Path:
         what: is wanted there, as errors say it.
 
     Raises:
-        InputError: it is no path, or an empty text, which would be the current folder.
+        InputError: it is none.
     """
     if not isinstance(path, str | os.PathLike):
         raise InputError(f"need {what}, got {as_written(path)} ({type(path).__name__})")
-    if not os.fspath(path):
-        raise InputError(f'need {what}, got ""')
     return Path(path)
 
 

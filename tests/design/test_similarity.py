@@ -96,7 +96,7 @@ def test_what_no_size_changes_stays_as_it_is():
     assert scaled.protocol.gravity == 9.81
     assert scaled.membrane.damping == REFERENCE.membrane.damping
     kept = {"protocol.gravity": similar.protocol.gravity, "membrane.damping": similar.membrane.damping}
-    assert with_values(scaled, kept) == similar
+    assert with_values(scaled, kept).hash == similar.hash
 
 
 def test_a_tendon_of_a_material_keeps_it_at_any_size():

@@ -12,6 +12,7 @@ from pydantic import Field, field_validator
 from forficula.design.medium import MediumSection
 from forficula.design.part import SHORT_TIME, TIME, Part
 from forficula.design.protocol import Protocol
+from forficula.design.provenance import WORDS
 from forficula.displayed import Displayed
 from forficula.errors import InputError
 from forficula.names import folder_name
@@ -86,8 +87,7 @@ class Design(Displayed, Part):
 
     def hash_values(self) -> dict[str, Any]:
         """The values but for what they are called and where they come from."""
-        names = ("name", "source", "shows", "reproduces")
-        return {key: value for key, value in super().hash_values().items() if key not in names}
+        return {key: value for key, value in super().hash_values().items() if key not in WORDS}
 
 
 def check_duration(design: Design, parts: int, what: str) -> None:

@@ -18,6 +18,7 @@ from forficula.design.fan import FanDesign
 from forficula.design.fan_sections import MOST_UNITS
 from forficula.design.file_design import file_tables
 from forficula.design.kinds import KINDS, design_class, kind_of, reference_of
+from forficula.design.provenance import derived_source
 from forficula.design.rejection import File, origin, rejected
 from forficula.design.sheet_tables import with_sheet_read
 from forficula.design.tables import RejectedError, dotted_keys, laid_over, merged, nested, numbered
@@ -61,9 +62,10 @@ def load_design(
     tables: dict[str, Any] = {}
     try:
         for _, given in files:
-            tables = _over(tables, given, merged, si=False)
-        tables = _with_settings(tables, settings or {}, si=False)
-        return _validate(tables, si=False)
+            before, tables = tables, _over(tables, given, merged, si=False)
+            tables = _with_source(before, tables, given)
+        before, tables = tables, _with_settings(tables, settings or {}, si=False)
+        return _validate(_with_source(before, tables, settings or {}), si=False)
     except RejectedError as error:
         # as it was set: an entry by its name
         by_hand, message = {numbered(key, tables): key for key in dotted_keys(settings or {})}, str(error)
@@ -93,9 +95,12 @@ def with_values(design: Design, values: Mapping[str, object]) -> Design:
         InputError: an unknown key, or a value that is not allowed.
     """
     try:
-        return _validate(_with_settings(design.as_tables(lambda value, _: value), values, si=True), si=True)
+        changed = _validate(_with_settings(design.as_tables(lambda value, _: value), values, si=True), si=True)
     except RejectedError as error:
         raise InputError(f"{design.name}: {error}") from None
+    if "source" in values:
+        return changed
+    return changed.model_copy(update={"source": derived_source(design, changed)})
 
 
 def named_designs() -> dict[str, str]:
@@ -173,6 +178,18 @@ def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si
     if any(key.partition(".")[0] == "based_on" for key in settings):
         raise InputError("based_on: cannot be set; name the design to start from instead")
     return _over(tables, nested(with_sheet_read(settings)), laid_over, si=si)
+
+
+def _with_source(base: dict[str, Any], tables: dict[str, Any], given: Mapping[str, object]) -> dict[str, Any]:
+    """Tables that are laid over others say so in their source, where they name none of their own."""
+    if not base or not given or "source" in given:
+        return tables
+    try:
+        source = derived_source(_validate(base, si=False), _validate(tables, si=False))
+    except RejectedError:
+        # of what cannot be built the error is told with its place
+        return tables
+    return tables | {"source": source}
 
 
 def _over(

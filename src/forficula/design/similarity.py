@@ -9,6 +9,7 @@ from typing import Any, TypeVar
 from forficula.design.design import Design
 from forficula.design.design_file import AnyDesign, as_design, with_values
 from forficula.design.part import Part, Quantity, field_quantity
+from forficula.design.provenance import scaled_source
 from forficula.errors import InputError
 from forficula.quantities import as_written, dimension, show_quantity
 
@@ -61,7 +62,8 @@ def scale_design(design: AnyDesign, factor: float, *, natural: bool = False) -> 
     if natural:
         # what a rule chooses is no material's, and goes by the rule
         scaled = _with_natural(scaled, design.settled(), {(choice.section, choice.key) for choice in design.chosen})
-    return with_values(scaled, {"name": f"{design.name}-x{factor:g}"})
+    told = scaled_source(design.name, design.source, factor)
+    return with_values(scaled, {"name": f"{design.name}-x{factor:g}", "source": told})
 
 
 def _with_natural(scaled: _Part, original: _Part, but: Collection[tuple[str, str]], section: str = "") -> _Part:

@@ -1,0 +1,48 @@
+"""Where the values of a design come from, once some of them are other ones."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from forficula.names import listed
+
+if TYPE_CHECKING:
+    from forficula.design.design import Design
+
+# what a design says of itself, which is no value of it
+WORDS = ("name", "source", "shows", "reproduces")
+_MOST_TOLD = 6
+
+
+def derived_source(base: Design, design: Design) -> str:
+    """The source of a design that came from another: where values differ, which, and then the source of the other."""
+    given = _differing(base.as_tables(_unread), design.as_tables(_unread))
+    if not given:
+        return base.source
+    beginning, end = f"{base.name} with other values of ", f"; {base.name}: "
+    told, _, original = base.source.removeprefix(beginning).partition(end)
+    before = told.replace(" and ", ", ").split(", ") if base.source.startswith(beginning) and original else []
+    changed = sorted({*before, *given} - {"more"})
+    if len(changed) > _MOST_TOLD:
+        changed = [*changed[:_MOST_TOLD], "more"]
+    source = original if before else base.source
+    return f"{beginning}{listed(changed)}{end}{source}" if source else f"{beginning}{listed(changed)}"
+
+
+def _unread(value: float, _: object) -> float:
+    return value
+
+
+def _differing(base: object, given: object, key: str = "") -> list[str]:
+    """The dotted keys at which tables differ, but for words."""
+    if not (isinstance(base, dict) and isinstance(given, dict)):
+        return [] if base == given else [key]
+    names = [name for name in {**base, **given} if key or name not in WORDS]
+    parts = (_differing(base.get(name), given.get(name), f"{key}.{name}" if key else name) for name in names)
+    return [found for part in parts for found in part]
+
+
+def scaled_source(name: str, source: str, factor: float) -> str:
+    """The source of a design that was scaled in size."""
+    scaled = f"{name} at {factor:g} times its size"
+    return f"{scaled}; {name}: {source}" if source else scaled
