@@ -58,7 +58,7 @@ def panel_surface(design: FanDesign, veins: Sequence[Vein], number: int) -> Surf
     bodies, places = [], []
     for bar, share in rows:
         here, there = (vein.places[bar] + share * (vein.places[bar + 1] - vein.places[bar]) for vein in (near, far))
-        edge = margin_edge(here, there, design)
+        edge = margin_edge(here, there, design, near.margin_along(bar, share))
         margin = float(np.linalg.norm(edge - here))
         begins = here + beside / max(margin, 2 * beside) * (edge - here)
         for vein, index, place in zip(
