@@ -54,15 +54,13 @@ class Vein:
         """Unit vector of a hinge at a ring fold, in the axes of the bars, (3,)."""
         return np.asarray(self.frame.T @ self.axes[fold])
 
-    def margin_along(self, bar: int, share: float) -> Array | None:
-        """Along what a margin lies at a share of a bar, in the flat sheet, (3,); None where that is to the next vein.
+    def margin_along(self, bar: int) -> Array | None:
+        """Along what a margin lies where a bar ends, in the flat sheet, (3,); None where that is to the next vein.
 
-        That of a gusset is as high as its bar: were it to lean with the ring folds, which tilt, its corners would stand
-        out of the folded layer, through the next one.
+        At a gusset that is what its vein folds about: were it to lean with the ring folds, which tilt from vein to
+        vein, its corners would stand out of the folded layer, through the next one.
         """
-        if self.bars == 2 or bar == self.bars - 1 or (bar == 0 and share < 1):
-            return None
-        return self.axes[bar if share == 1 else bar - 1]
+        return self.axes[bar] if self.bars > 2 and bar < len(self.axes) else None
 
     def body(self, index: int, bar: int) -> int:
         """Number of the body that a bar is, of the vein with this number among veins of as many bars."""
@@ -74,7 +72,7 @@ def panel_lines(design: FanDesign, near: Vein, far: Vein) -> list[Array]:
     here, there = (mesh_rows(vein.places, design) for vein in (near, far))
     along: list[Array | None] = [None] * len(here)
     for fold in range(near.bars - 1):
-        along[len(design.membrane.proximal_rows) + fold] = near.margin_along(fold, 1.0)
+        along[len(design.membrane.proximal_rows) + fold] = near.margin_along(fold)
     rows = zip(here, there, along, strict=True)
     return [here, np.array([margin_edge(first, second, design, way) for first, second, way in rows]), there]
 
