@@ -35,7 +35,8 @@ class Stack:
 
     def placed(self, bodies, places):
         """Where points of the flat sheet on these bodies lie, m, (point, 3)."""
-        return np.array([self._placed(*divmod(int(body), 3), place) for body, place in zip(bodies, places, strict=True)])
+        pairs = zip(np.asarray(bodies).tolist(), places, strict=True)
+        return np.array([self._placed(*divmod(body, 3), place) for body, place in pairs])
 
     def _placed(self, vein, bar, place):
         axis = ring_directions(self.fan)[vein]
@@ -142,5 +143,5 @@ def test_margins_that_lean_with_the_ring_folds_would_stand_through_the_next_laye
     """What the construction avoids, and this check sees."""
     wide = REFERENCE.with_values({"pattern.units": 2, "pattern.tangent": tangent, "membrane.margin": "2.9 cm"})
     assert stack_of(wide).crossing() == 0
-    monkeypatch.setattr(Vein, "margin_along", lambda vein, bar: None)
+    monkeypatch.setattr(Vein, "margin_along", lambda *_: None)
     assert stack_of(wide).crossing() > 1e-4
