@@ -116,13 +116,13 @@ def distance(one, other):
     return float(np.sqrt(2 * lsq_linear(ways, other[0] - one[0], bounds=(0, 1)).cost))
 
 
-@settings(max_examples=25)
+@settings(max_examples=15)
 @given(thick_fans())
 def test_no_panel_lies_in_another_where_layers_fold_rigidly(design):
     assert stack_of(design).crossing() == 0
 
 
-@settings(max_examples=25)
+@settings(max_examples=15)
 @given(thick_fans())
 def test_rigidly_folded_layers_lie_a_pitch_apart_and_bars_beside_each_other(design):
     pitch, bars = design.fan.pitch, stack_of(design).bars()
