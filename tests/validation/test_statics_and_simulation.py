@@ -16,6 +16,7 @@ import pytest
 
 import forficula as ff
 from forficula.design import load_design, with_values
+from forficula.statics.lines import line_energy
 from forficula.statics.potential import ensemble_of, rest
 from forficula.statics.quasi_static import at_goal, least_slow_torque, start_state
 from forficula.statics.sheet import sheet_energy
@@ -192,3 +193,25 @@ def test_the_least_torque_of_one_motor_on_tied_veins_is_that_of_a_damped_wing(st
             static = rest(wings, flat, driven(wings, "fold", share * least))
             # the engine's stops give, and the wing creeps on
             assert angles(run, -1) == pytest.approx(static.position, abs=math.radians(1))
+
+
+def test_slowly_growing_torque_folds_two_ring_folds_as_the_statics_say():
+    """Where it comes at once it folds with less, for the pleats close before the membrane settles."""
+    thick = with_values(load_design("binder2025-thick"), {"protocol.contact": False, "protocol.rise": 15.0})
+    wings = ensemble_of([with_values(thick, {"protocol.folded_angle": FOLDED})])
+    flat = start_state(wings).position
+    least = least_slow_torque(wings, flat, wings.structure.transitions[0], 0.5).torque[0]
+    below, above = (
+        damped(thick, [stage("fold", "fold", "folded", 40.0)], 0.005, fold_torque=share * least)
+        for share in (0.97, 1.03)
+    )
+    assert above.stages[1].goal_time is not None
+    assert below.stages[1].goal_time is None
+    # partly folded, where the statics rest
+    assert below.series["kinetic_energy"][-1] < 1e-9
+    held = angles(below, -1)
+    assert np.ptp(rings(wings, held)) > math.radians(80)
+    static = rest(wings, held, driven(wings, "fold", 0.97 * least)).position
+    assert static == pytest.approx(held, abs=math.radians(0.2))
+    assert line_energy(wings.lines, static)[0] == pytest.approx(below.series["tendon_energy"][-1].sum(), rel=2e-3)
+    assert sheet_energy(wings.sheet, static)[0] == pytest.approx(below.series["membrane_energy"][-1], rel=0.02)

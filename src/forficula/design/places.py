@@ -40,8 +40,15 @@ def row_bars(folds: int, design: FanDesign) -> list[int]:
     return [bar for bar, count in enumerate(counts) for _ in range(count)]
 
 
-def margin_edge(here: Points, there: Points, design: FanDesign) -> Points:
-    """Where a row of a panel leaves the margin on its vein, from that vein to the next, (axis,)."""
+def margin_edge(here: Points, there: Points, design: FanDesign, along: Points | None = None) -> Points:
+    """Where a row of a panel leaves the margin on its vein, (axis,).
+
+    Args:
+        here: on the axis of the vein, (axis,).
+        there: on that of the next one, (axis,).
+        design: how wide margins are.
+        along: unit vector to the edge, (axis,); without it, towards `there`.
+    """
     width = float(np.linalg.norm(there - here))
     margin = min(design.membrane.margin, design.membrane.margin_limit * width)
-    return np.asarray(here + margin / width * (there - here))
+    return np.asarray(here + (margin / width * (there - here) if along is None else margin * along))

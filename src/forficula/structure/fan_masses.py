@@ -7,9 +7,9 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from forficula.design import FanDesign
-from forficula.design.places import margin_edge, mesh_rows, row_bars
+from forficula.design.places import row_bars
 from forficula.structure.parts import Array, Panel, PointMass
-from forficula.structure.vein import Vein, attachments
+from forficula.structure.vein import Vein, attachments, panel_lines
 
 
 def fan_masses(design: FanDesign, veins: Sequence[Vein]) -> tuple[PointMass, ...]:
@@ -54,7 +54,7 @@ def fan_panels(design: FanDesign, veins: Sequence[Vein]) -> Iterator[Panel]:
     """The panels in triangles, margins and all, each as wide as the panel is where it lies, from vein to vein."""
     carriers = row_bars(veins[0].bars - 1, design)
     for panel in range(len(veins) - 1):
-        lines = _lines(design, veins[panel], veins[panel + 1])
+        lines = panel_lines(design, veins[panel], veins[panel + 1])
         widths = np.linalg.norm(np.subtract(lines[2], lines[0]), axis=1)
         for row, bar in enumerate(carriers):
             bodies = [veins[panel + side].body(panel + side, bar) for side in (0, 0, 1)]
@@ -67,13 +67,6 @@ def fan_panels(design: FanDesign, veins: Sequence[Vein]) -> Iterator[Panel]:
                         carriers=[on[corner] for corner in three],
                         width=float(widths[row : row + 2].mean()),
                     )
-
-
-def _lines(design: FanDesign, near: Vein, far: Vein) -> list[Array]:
-    """Along a panel, row by row: the axis of its vein, the edge of the margin on it, the axis of the next, (row, 3)."""
-    here, there = (mesh_rows(vein.places, design) for vein in (near, far))
-    edge = np.array([margin_edge(first, second, design) for first, second in zip(here, there, strict=True)])
-    return [here, edge, there]
 
 
 def triangle_masses(corners: Array, carriers: Sequence[int]) -> Iterator[tuple[int, Array, float]]:

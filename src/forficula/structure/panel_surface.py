@@ -12,7 +12,8 @@ from forficula.pattern import vein_gaps, vein_roles
 from forficula.structure.parts import Contact, Surface
 from forficula.structure.vein import Vein
 
-# strips along a vein from the membrane's inner edge to the ring fold, and from there to the tip
+# strips along a vein from the membrane's inner edge to the ring fold, and from there to the tip; a gusset is one, for
+# all of it is joined to the panels on both sides, which are further from each other than layers are thick
 _STRIPS = 3
 # how far beside a vein's axis neighbouring panels begin to touch at least, by their thickness: nearer they are joined
 _BESIDE = 5.0
@@ -54,11 +55,12 @@ def panel_surface(design: FanDesign, veins: Sequence[Vein], number: int) -> Surf
     rows = [(0, design.membrane.proximal_rows[0])]
     for bar in range(near.bars):
         first = rows[0][1] if bar == 0 else 0.0
-        rows += [(bar, share) for share in np.linspace(first, 1, _STRIPS + 1)[1:].tolist()]
+        strips = _STRIPS if bar in (0, near.bars - 1) else 1
+        rows += [(bar, share) for share in np.linspace(first, 1, strips + 1)[1:].tolist()]
     bodies, places = [], []
     for bar, share in rows:
         here, there = (vein.places[bar] + share * (vein.places[bar + 1] - vein.places[bar]) for vein in (near, far))
-        edge = margin_edge(here, there, design)
+        edge = margin_edge(here, there, design, near.margin_along(bar) if share == 1 else None)
         margin = float(np.linalg.norm(edge - here))
         begins = here + beside / max(margin, 2 * beside) * (edge - here)
         for vein, index, place in zip(

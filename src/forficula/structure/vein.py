@@ -9,7 +9,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.design import TendonSection
+from forficula.design import FanDesign, TendonSection
+from forficula.design.places import margin_edge, mesh_rows
 from forficula.structure.parts import Array, Point
 
 
@@ -53,9 +54,27 @@ class Vein:
         """Unit vector of a hinge at a ring fold, in the axes of the bars, (3,)."""
         return np.asarray(self.frame.T @ self.axes[fold])
 
+    def margin_along(self, bar: int) -> Array | None:
+        """Along what a margin lies where a bar ends, in the flat sheet, (3,); None where that is to the next vein.
+
+        At a gusset that is what its vein folds about: were it to lean with the ring folds, which tilt from vein to
+        vein, its corners would stand out of the folded layer, through the next one.
+        """
+        return self.axes[bar] if self.bars > 2 and bar < len(self.axes) else None
+
     def body(self, index: int, bar: int) -> int:
         """Number of the body that a bar is, of the vein with this number among veins of as many bars."""
         return self.bars * index + bar
+
+
+def panel_lines(design: FanDesign, near: Vein, far: Vein) -> list[Array]:
+    """Along a panel, row by row: the axis of its vein, the edge of the margin on it, the axis of the next, (row, 3)."""
+    here, there = (mesh_rows(vein.places, design) for vein in (near, far))
+    along: list[Array | None] = [None] * len(here)
+    for fold in range(near.bars - 1):
+        along[len(design.membrane.proximal_rows) + fold] = near.margin_along(fold)
+    rows = zip(here, there, along, strict=True)
+    return [here, np.array([margin_edge(first, second, design, way) for first, second, way in rows]), there]
 
 
 def attachments(tendon: TendonSection, index: int, vein: Vein) -> list[Point]:

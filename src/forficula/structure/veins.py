@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from forficula.design import FanDesign, TendonSection, tendon_law
-from forficula.design.places import margin_edge, mesh_rows, row_bars
+from forficula.design.places import row_bars
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, earwig_pattern, ring_directions, vein_roles
 from forficula.quantities import show_value
@@ -36,7 +36,7 @@ from forficula.structure.parts import (
     Tendon,
 )
 from forficula.structure.structure import Structure
-from forficula.structure.vein import Vein, attachments
+from forficula.structure.vein import Vein, attachments, panel_lines
 
 _APPEARANCE = Appearance(
     whole="wing",
@@ -326,15 +326,12 @@ def _panels(design: FanDesign, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
     carriers = [0, *row_bars(veins[0].bars - 1, design)]
     for panel in range(len(veins) - 1):
         pair = veins[panel : panel + 2]
-        near, far = (mesh_rows(vein.places, design) for vein in pair)
         built: list[Array] = []
         bodies: list[int] = []
         places: list[Array] = []
         roots: list[Array] = []
-        for bar, here, there in zip(carriers, near, far, strict=True):
-            for vein, number, node, root in zip(
-                pair, (panel, panel + 1), (margin_edge(here, there, design), there), (here, there), strict=True
-            ):
+        for bar, here, edge, there in zip(carriers, *panel_lines(design, *pair), strict=True):
+            for vein, number, node, root in zip(pair, (panel, panel + 1), (edge, there), (here, there), strict=True):
                 built.append(node)
                 bodies.append(vein.body(number, bar))
                 places.append(vein.on_bar(bar, node))

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from forficula.quantities import reading_unit, show_value
 from forficula.show.structure.crease_lines import draw_creases, sheet_axes
-from forficula.show.structure.labels import counted, label_of, parts_of, shown_angles
+from forficula.show.structure.labels import counted, label_of, measure_labels, parts_of, shown_angles
 from forficula.show.structure.painted_shape import BAR, structure_view
 from forficula.show.style import BLACK, ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
 from forficula.structure import Hinge, Structure, built_hinges, built_points, held_corners
@@ -78,9 +78,13 @@ def _draw_built(axes: Axes, structure: Structure, points: Array) -> list[Line2D]
 
 
 def _number(axes: Axes, structure: Structure, factor: float, turn: Array) -> None:
-    """Say which of the hinges that figures show is which: at the end of its bar, or on its line."""
-    hinges = list(dict.fromkeys(hinge for measure in shown_angles(structure) for hinge in measure.hinges))
-    names = parts_of([label_of(structure.hinges[hinge]) for hinge in hinges]).names
+    """Say which of the angles that figures show is which: at the end of its last hinge's bar, or on its line."""
+    told = {
+        part[-1]: label
+        for measure in shown_angles(structure)
+        for part, label in zip(measure.parts, measure_labels(structure, measure), strict=True)
+    }
+    hinges, names = list(told), parts_of(list(told.values())).names
     points, (origins, directions) = (built_points(structure) @ turn, (each @ turn for each in built_hinges(structure)))
     shown = range(len(hinges))
     if len(hinges) > _MOST_NUMBERED and structure.facets:

@@ -1,0 +1,81 @@
+"""A tendon across two ring folds is as long as the chain of three bars between its ends, whose hinges are parallel.
+
+Along the hinges its ends stay as far apart as in the flat sheet. Square to them lie p cos(s/2 - e) of the proximal bar,
+the height h + 2 k q of the gusset and d cos(s/2 + e) of the distal one, with the attachments p and d, the sector angle
+s, the angle e from the radius to a vein, the lowest gusset h, the pitch q and k layers inside. Of a chain of A, B and C
+with angles x and y from one to the next the square is A^2 + B^2 + C^2 + 2 (A B cos x + B C cos y + A C cos(x + y)).
+Simulation and statics each lay out such tendons by themselves.
+"""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import forficula as ff
+from forficula.design import with_values
+from forficula.statics.lines import line_energy
+from forficula.statics.potential import ensemble_of
+from forficula.structure import hinges_of
+
+THICK = ff.load_design("binder2025-thick", {"protocol.contact": False})
+
+
+def lengths(design, inner, outer):
+    """Of all tendons from the angles of their vein's ring folds, rad, (..., vein): m, (..., vein)."""
+    fan, tendon = design.fan, design.tendon
+    apart = fan.epsilon if fan.tangent == "right" else -fan.epsilon
+    veins = np.arange(fan.vein_count)
+    layers = veins if fan.tangent == "right" else veins[::-1]
+    near, far = fan.sector_angle / 2 - apart, fan.sector_angle / 2 + apart
+    height = fan.gusset_height + 2 * fan.pitch * layers
+    first, last = tendon.proximal_attachment * math.cos(near), tendon.distal_attachment * math.cos(far)
+    beyond = height / math.cos(far) + tendon.distal_attachment
+    along = tendon.proximal_attachment * math.sin(near) + beyond * math.sin(far)
+    square = first**2 + height**2 + last**2 + 2 * first * height * np.cos(inner)
+    square = square + 2 * height * last * np.cos(outer) + 2 * first * last * np.cos(inner + outer)
+    return np.sqrt(square + along**2)
+
+
+def energies(design, inner, outer):
+    """Of all tendons together, J."""
+    stretched = np.maximum(lengths(design, inner, outer) - design.tendon.rest_length, 0)
+    return design.tendon.stiffness / 2 * (stretched**2).sum(axis=-1)
+
+
+angles = st.lists(st.floats(-math.pi / 2, math.radians(3)), min_size=6, max_size=6)
+
+
+@settings(max_examples=10)
+@given(angles, st.sampled_from(["left", "right"]), st.floats(0, 0.03), st.floats(0.01, 0.09), st.floats(0.01, 0.09))
+def test_the_statics_store_what_the_closed_form_says(drawn, tangent, hub, proximal, distal):
+    design = with_values(
+        THICK,
+        {
+            "pattern.tangent": tangent,
+            "pattern.hub_radius": hub,
+            "tendon.proximal_attachment": proximal,
+            "tendon.distal_attachment": distal,
+            "guard.stretch": 2.0,
+        },
+    )
+    wings = ensemble_of([design])
+    position = np.zeros((1, wings.size))
+    position[:, list(hinges_of(wings.structure, "ring"))] = drawn
+    inner, outer = np.array(drawn).reshape(-1, 2).T
+    assert line_energy(wings.lines, position)[0] == pytest.approx(energies(design, inner, outer), rel=1e-9, abs=1e-12)
+
+
+def test_the_simulation_moves_by_the_closed_form_and_stores_what_it_says():
+    fold = {"name": "fold", "drive": "fold", "until": "time", "hold": 0.0, "time_limit": 1.0}
+    flat = {"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.05}
+    run = ff.run(with_values(THICK, {"protocol.stages": [flat, fold], "protocol.timestep": 2e-4}))
+    rings = run.angles("ring").reshape(len(run.time), -1, 2)
+    assert rings.min() < -math.radians(89)
+    inner, outer = np.moveaxis(rings, -1, 0)
+    # m
+    np.testing.assert_allclose(run.series["tendon_length"], lengths(THICK, inner, outer), rtol=1e-9)
+    total = run.series["tendon_energy"].sum(axis=1)
+    np.testing.assert_allclose(total, energies(THICK, inner, outer), rtol=1e-7, atol=1e-9)

@@ -1,0 +1,48 @@
+"""Thick layers that touch fold flat about two ring folds; about one they do not. README, "Thick layers"."""
+
+import math
+
+import numpy as np
+import pytest
+
+import forficula as ff
+from forficula.analysis.crossing_panels import panel_crossing
+from forficula.dynamics import energy_balance
+
+STAGES = [
+    {"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.05},
+    {"name": "fold", "drive": "fold", "until": "time", "hold": 0.0, "time_limit": 1.2},
+]
+
+
+def folded(**values):
+    """Under the torque that folds, for 1.2 s."""
+    given = {key.replace("__", "."): value for key, value in values.items()}
+    return ff.run(ff.load_design("binder2025-thick").with_values({"protocol.stages": STAGES, **given}))
+
+
+def angles(record):
+    """Of the veins at the end, rad, (vein,)."""
+    return record.measured("distal_angle")[-1]
+
+
+@pytest.fixture(scope="module")
+def two_folds():
+    return folded()
+
+
+def test_two_ring_folds_close_and_layers_do_not_pass_through_each_other(two_folds):
+    assert angles(two_folds).max() < -math.radians(165)
+    assert panel_crossing(two_folds).depth < 5e-4
+    assert energy_balance(two_folds).residual < two_folds.design.protocol.residual_limit
+
+
+def test_one_ring_fold_stops_where_bars_lie_on_each_other(two_folds):
+    one = folded(pattern__ring_folds=1)
+    assert angles(one).max() > -math.radians(160)
+    assert angles(one).max() - angles(two_folds).max() > math.radians(8)
+
+
+def test_every_hinge_takes_about_half_of_the_way(two_folds):
+    rings = np.degrees(two_folds.angles("ring")[-1]).reshape(-1, 2)
+    assert rings == pytest.approx(-90, abs=12)
