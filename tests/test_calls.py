@@ -7,6 +7,7 @@ from importlib import metadata
 import pytest
 
 import forficula as ff
+import forficula.analysis.json_schemas
 import forficula.calls
 from forficula.design import with_values
 
@@ -23,7 +24,9 @@ def record(design):
 
 def test_every_example_is_true(tmp_path, monkeypatch, design, record):
     monkeypatch.chdir(tmp_path)
-    examples = doctest.DocTestFinder().find(forficula.calls, extraglobs={"ff": ff, "design": design, "record": record})
+    known = {"ff": ff, "design": design, "record": record}
+    modules = (forficula.calls, forficula.analysis.json_schemas)
+    examples = [each for module in modules for each in doctest.DocTestFinder().find(module, extraglobs=known)]
     told = [each for each in examples if each.examples]
     runner = doctest.DocTestRunner()
     for each in told:

@@ -3,6 +3,7 @@
 from .analysis import Outcome as Outcome
 from .analysis import Verdict as Verdict
 from .analysis import measure as measure
+from .analysis.json_schemas import json_schema as json_schema
 from .analysis.sizing import TendonSizes as TendonSizes
 from .analysis.sizing import size_tendons as size_tendons
 from .calls import compare as compare

@@ -9,7 +9,7 @@ from typing import Annotated
 
 from cyclopts import App, CycloptsError, Parameter
 
-from forficula.commands import designs, landscapes, materials, runs, studies
+from forficula.commands import designs, landscapes, materials, runs, schemas, studies
 from forficula.errors import InputError
 from forficula.names import listed
 from forficula.quantities import as_written
@@ -39,6 +39,7 @@ _COMMANDS = (
     designs.designs,
     studies.studies,
     designs.keys,
+    schemas.schema,
 )
 # those that come to something that other programs would read
 _WITH_DATA = (

@@ -1,0 +1,98 @@
+"""What commands write as JSON is what its schema says, and a schema refuses what it does not."""
+
+import json
+
+import jsonschema
+import pytest
+
+import forficula as ff
+from forficula.analysis import summary
+from forficula.analysis.json_schemas import json_schema
+from forficula.cli import main
+from forficula.dynamics import versions
+from forficula.errors import InputError
+from forficula.statics import landscape_summary
+from forficula.study.table import table_json
+
+SHORT = {
+    "protocol.stages": [
+        {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "4 ms", "state": "flat"},
+        {"name": "fold", "drive": "fold", "until": "folded", "hold": "0 s", "time_limit": "4 ms"},
+    ]
+}
+
+
+def summary_of(design):
+    record = ff.run(design)
+    return json.loads(json.dumps(summary(record, ff.measure(record), versions()), allow_nan=False))
+
+
+@pytest.fixture(scope="module")
+def letter():
+    return summary_of("letter-fold")
+
+
+def valid(kind, data):
+    jsonschema.Draft202012Validator(json_schema(kind)).validate(data)
+
+
+def test_schemas_are_schemas():
+    for kind in ("summary", "landscape", "row"):
+        jsonschema.Draft202012Validator.check_schema(json_schema(kind))
+
+
+def test_the_summary_of_plates_is_valid(letter):
+    valid("summary", letter)
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        SHORT | {"protocol.contact": True, "medium.density": "1.2 kg/m^3", "medium.viscosity": "1.8e-5 Pa s"},
+        SHORT | {"coupling.stiffness": "1 N m/rad", "protocol.gravity": "9.81 m/s^2"},
+        SHORT | {"protocol.timestep": "2 ms", "protocol.rise": "0.2 s"},
+    ],
+)
+def test_the_summary_of_a_wing_is_valid(values):
+    valid("summary", summary_of(ff.load_design("binder2025", values)))
+
+
+def test_the_summary_of_a_sheet_of_bars_is_valid():
+    stage = {"name": "fold", "drive": "fold", "until": "time", "hold": "0 s", "time_limit": "5 ms"}
+    sheet = ff.load_design("miura-sheet")
+    valid("summary", summary_of(sheet.with_values({"protocol.stages": [stage]})))
+
+
+@pytest.mark.parametrize("name", ["letter-fold", "binder2025"])
+def test_a_landscape_is_valid(name):
+    valid("landscape", json.loads(json.dumps(landscape_summary(ff.landscape(name)), allow_nan=False)))
+
+
+def test_a_row_of_a_study_is_valid(tmp_path):
+    study = ff.new_study("letter-fold", {"tendon.left.stiffness": ["0.4 N/cm", "0.5 N/cm"]})
+    for row in table_json(study, ff.run_study(study, out=tmp_path)):
+        valid("row", json.loads(json.dumps(row, allow_nan=False)))
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        lambda told: told.pop("verdict"),
+        lambda told: told.update(verdict="fine"),
+        lambda told: told["energy_balance"].update(work_kJ=1.0),
+        lambda told: told.update(folded="yes"),
+        lambda told: told["states"]["flat"].update(time_s="soon"),
+    ],
+)
+def test_what_is_wrong_is_refused(letter, wrong):
+    told = json.loads(json.dumps(letter))
+    wrong(told)
+    with pytest.raises(jsonschema.ValidationError):
+        valid("summary", told)
+
+
+def test_a_schema_is_printed(capsys):
+    main(["schema", "row"])
+    assert json.loads(capsys.readouterr().out) == json_schema("row")
+    with pytest.raises(InputError, match=r'need "summary", "landscape" or "row", got "sumary"; did you mean "summary"'):
+        json_schema("sumary")
