@@ -22,6 +22,7 @@ from forficula.files import write_bytes
 
 COLUMN_WIDTH, PAGE_WIDTH = 3.5, 7.1  # inch, one and two columns of a journal
 _RESOLUTION = 200  # dots per inch
+PICTURE_RESOLUTION = 400  # of pictures among lines, dots per inch: journals ask for 300 or more
 ENDINGS = (".png", ".svg", ".pdf")
 # of a results' folder, where the copies for papers lie
 COPIES = "figures"
@@ -113,7 +114,7 @@ def save_figure(figure: Figure, path: Path) -> None:
     text = description(figure)
     content = io.BytesIO()
     told: dict[str, str | None] = {"Title": text.partition(". ")[0].removesuffix(".")}
-    figure.set_dpi(_RESOLUTION)
+    figure.set_dpi(_RESOLUTION if path.suffix == ".png" else PICTURE_RESOLUTION)
     # Not by figure.savefig, which draws everything twice. TrueType, because journals refuse Type 3. Outlines in SVG,
     # because few readers have the font, and with another one words run into one another. A salt and no dates, because
     # otherwise the same figure is another file each time.
