@@ -3,25 +3,31 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Callable, Iterator, Mapping
+import textwrap
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import cache
 from html import escape
 from importlib.resources import as_file, files
 from pathlib import Path
+from typing import Any
 
 from matplotlib import font_manager, rc_context
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.backends.backend_pdf import FigureCanvasPdf
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
+from matplotlib.legend import Legend
 
 from forficula.errors import InputError
 from forficula.files import write_bytes
 
 COLUMN_WIDTH, PAGE_WIDTH = 3.5, 7.1  # inch, one and two columns of a journal
 _RESOLUTION = 200  # dots per inch
+_LEAST_LETTERS = 8  # of a line of a legend
+_FILLED = 0.96  # of the room of a legend: at another resolution letters are a little wider
 PICTURE_RESOLUTION = 400  # of pictures among lines, dots per inch: journals ask for 300 or more
 ENDINGS = (".png", ".svg", ".pdf")
 # of a results' folder, where the copies for papers lie
@@ -80,6 +86,35 @@ def _know_font() -> None:
 def is_narrow(width: float) -> bool:
     """Whether a width (inch) is that of a column rather than of a page."""
     return width < (COLUMN_WIDTH + PAGE_WIDTH) / 2
+
+
+def fit_legend(
+    owner: Figure | Axes, handles: Sequence[Artist], columns: int, *, room: float | None = None, **look: Any
+) -> Legend:
+    """Give a figure or axes a legend that is not cut: in fewer columns, and at last with its words in more lines.
+
+    Args:
+        owner: of the legend.
+        handles: what it names.
+        columns: at most.
+        room: how wide it may be, inch; as wide as the figure if not given.
+        look: where it stands and how, as matplotlib takes it.
+    """
+    figure = owner.get_figure(root=True)
+    assert isinstance(figure, Figure)
+    room = _FILLED * (figure.get_figwidth() if room is None else room)
+    for count in range(max(1, min(columns, len(handles))), 0, -1):
+        legend = owner.legend(handles=handles, ncols=count, **look)
+        beyond = legend.get_window_extent().width - room * figure.dpi
+        if beyond <= 0 or count == 1:
+            break
+        legend.remove()
+    if beyond > 0:
+        widths = [text.get_window_extent().width for text in legend.get_texts()]
+        for text, width in zip(legend.get_texts(), widths, strict=True):
+            words, share = text.get_text(), (max(widths) - beyond) / width
+            text.set_text(textwrap.fill(words, max(_LEAST_LETTERS, int(share * len(words)))))
+    return legend
 
 
 def in_column(axes: Axes) -> bool:

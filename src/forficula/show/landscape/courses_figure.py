@@ -14,7 +14,17 @@ from numpy.typing import NDArray
 from forficula.quantities import reading_unit
 from forficula.show.landscape.net_pictures import Pictures, hang_all, net_pictures
 from forficula.show.landscape.net_words import course_words, shown_value
-from forficula.show.style import BLACK, BLUE, GREEN, PAGE_WIDTH, VERMILION, describe, figure_style, is_narrow
+from forficula.show.style import (
+    BLACK,
+    BLUE,
+    GREEN,
+    PAGE_WIDTH,
+    VERMILION,
+    describe,
+    figure_style,
+    fit_legend,
+    is_narrow,
+)
 from forficula.statics import EnergyLandscape
 from forficula.statics.net.load_path import PathPoint
 from forficula.statics.net.net import Shape
@@ -52,7 +62,7 @@ def draw_courses(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figur
         panels = np.ravel(figure.subfigures(rows, columns, squeeze=False))
         for panel, course, each, picture in zip(panels, courses, moments, pictures, strict=False):
             _draw_course(panel, landscape, course, each, picture, width / columns)
-        figure.legend(handles=_handles(courses), loc="outside lower center", ncols=2 if is_narrow(width) else 4)
+        fit_legend(figure, _handles(courses), 4, loc="outside lower center")
         return describe(figure, _tell(landscape, courses))
 
 

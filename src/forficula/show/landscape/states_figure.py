@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from forficula.show.landscape.net_pictures import hang_all, net_pictures
 from forficula.show.landscape.net_words import shown_value
-from forficula.show.style import PAGE_WIDTH, describe, figure_style, is_narrow
+from forficula.show.style import PAGE_WIDTH, describe, figure_style, fit_legend, is_narrow
 from forficula.statics import EnergyLandscape
 from forficula.statics.net.energy import shape_at
 from forficula.statics.net.net import Shape
@@ -38,8 +38,7 @@ def draw_states(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure
         hang_all(pictures, axes, width / columns)
         for each, state in zip(axes, net.states, strict=False):
             each.set_title(f"{state.name}\n{shown_value(state.energy, 'J', 3)}", pad=2)
-        columns = 2 if is_narrow(width) else 4
-        figure.legend(handles=list(pictures.handles), loc="outside lower center", ncols=columns)
+        fit_legend(figure, pictures.handles, 4, loc="outside lower center")
         told = "; ".join(f"{each.name} with {shown_value(each.energy, 'J', 3)}" for each in net.states)
         what = f"The stable states of the {structure.appearance.whole} {landscape.design.name} in space"
         return describe(figure, f"{what}. {told}.")

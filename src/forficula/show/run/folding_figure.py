@@ -19,7 +19,7 @@ from forficula.show.structure.labels import shown_angles
 from forficula.show.structure.painted_shape import PaintedShape, hang, paint_shape, shape_handles, structure_view
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import at_time, surface_at
-from forficula.show.style import ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
+from forficula.show.style import ORANGE, PAGE_WIDTH, describe, figure_style, fit_legend, is_narrow
 
 Array = NDArray[np.float64]
 
@@ -95,7 +95,7 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) ->
             panels[len(moments)].set_title(f"{moments[place].name}\nenlarged {times:.2g} times", pad=2)
         for axes in panels:
             axes.set_axis_off()
-        figure.legend(handles=handles, loc="outside lower center", ncols=across)
+        fit_legend(figure, handles, across, loc="outside lower center")
         told = "; ".join(texts[each].replace("\n", ", ") for each in moments)
         what = f"The {structure.appearance.whole} {record.design.name} in space at {len(moments)} moments of a run"
         return describe(figure, f"{what}, each with the time since its stage began. {told}.")

@@ -39,6 +39,7 @@ from forficula.show.style import (
     VERMILION,
     describe,
     figure_style,
+    fit_legend,
     is_narrow,
 )
 from forficula.structure import Measure, Structure, hinge_groups, measure_stops, springs_name
@@ -53,6 +54,7 @@ _HALF_TURN, _LEAST_ROOM, _ROOM = 200.0, 25.0, 1.2
 _ROOMY = 0.25  # of an axis over time, over which words stand
 # of a legend; more lines than that have the colours of a scale, in their order
 _MOST_ENTRIES = 8
+_LABELS = 0.6  # inch, of an axis upwards
 _SHORT, _SHORTEST = 12, 7  # letters of a label, of which three or four fit beside one another in a column
 _STEPS, _MOST_STEPS = (5, 10, 15, 30, 45, 90), 6
 
@@ -301,8 +303,8 @@ def _legend(row: list[Axes], width: float, columns: int) -> None:
         others = Line2D([], [], ls="none", label=f"and {len(handles) - len(places)} others")
         handles, columns = [*(handles[place] for place in places), others], min(columns, 3)
     if is_narrow(width):
-        above = {"bbox_to_anchor": (0, 1.14), "ncols": columns, "columnspacing": 1.2}
-        row[0].legend(handles=handles, loc="lower left", borderaxespad=0, **above)
+        above = {"bbox_to_anchor": (0, 1.14), "columnspacing": 1.2}
+        fit_legend(row[0], handles, columns, room=width - _LABELS, loc="lower left", borderaxespad=0, **above)
     else:
         row[-1].legend(handles=handles, loc="upper left", bbox_to_anchor=(1.04, 1), borderaxespad=0)
 

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from forficula.show.study.factor_text import display_values, factor_label, number_text, plain_name
 from forficula.show.study.map_panel import Panel, View
 from forficula.show.study.map_text import maps_text
-from forficula.show.style import BLUE, ORANGE, PAGE_WIDTH, PURPLE, SKY, describe, figure_style, is_narrow
+from forficula.show.style import BLUE, ORANGE, PAGE_WIDTH, PURPLE, SKY, describe, figure_style, fit_legend, is_narrow
 from forficula.study.map_comparison import (
     BOTH,
     BOTH_LESS,
@@ -269,9 +269,8 @@ def _legend(figure: Figure, view: View, panels: Sequence[Panel], *, cells: bool)
             handles.append(Line2D([], [], ls="", marker=look.marker, color=_ink(look), ms=5, label=word))
     if handles:
         narrow = is_narrow(figure.get_figwidth())
-        columns = min(len(handles), 4 if figure.get_figwidth() >= PAGE_WIDTH else 2)
         shape = {"handleheight": 1.3, "handlelength": 1.6, "fontsize": 6} if narrow and len(handles) > 4 else _SHAPE
-        figure.legend(handles=handles, loc="outside lower center", ncols=columns, **shape)
+        fit_legend(figure, handles, 4, loc="outside lower center", **shape)
 
 
 def _ink(look: Look) -> str:
