@@ -81,7 +81,7 @@ def test_the_figures_of_a_small_wing_are_in_millimetres_and_milliseconds(small):
     outcome = measure(small)
     assert draw_pattern(small.structure).axes[0].get_xlabel() == "x (mm)"
     assert draw_angles(small, outcome).axes[0].get_xlabel() == "time (ms)"
-    assert draw_energies(small).axes[0].get_ylabel() == "stored energy (mJ)"
+    assert draw_energies(small).axes[0].get_ylabel() == "energy (mJ)"
     folding = draw_folding(small, outcome).axes
     assert any(text.get_text() == "2 mm" for axes in folding for text in axes.texts)
 
