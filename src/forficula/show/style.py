@@ -18,6 +18,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.backends.backend_pdf import FigureCanvasPdf
 from matplotlib.backends.backend_svg import FigureCanvasSVG
+from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 from matplotlib.legend import Legend
 
@@ -42,6 +43,11 @@ BLACK, ORANGE, SKY, GREEN, BLUE, VERMILION, PURPLE = (
     "#0072B2",
     "#D55E00",
     "#CC79A7",
+)
+# of a tendon's energy, as on the page: viridis (Smith and van der Walt 2015) without its darkest end, which dark bars
+# would swallow
+ENERGY_COLOURS = LinearSegmentedColormap.from_list(
+    "energy", ["#453781", "#39568c", "#2d708e", "#20908d", "#29af7f", "#73d055", "#b8de29", "#fde725"]
 )
 LINE_STYLES = ("-", "--", "-.", ":")
 

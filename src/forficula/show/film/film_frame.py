@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.cm import ScalarMappable
@@ -21,13 +20,12 @@ from forficula.show.run.time_figures import stored_energies
 from forficula.show.structure.painted_shape import PaintedShape, paint_shape, shape_handles, structure_view
 from forficula.show.structure.shape import Shape, shape_of
 from forficula.show.structure.surface import at_time, surface_at
-from forficula.show.style import LINE_STYLES, PAGE_WIDTH, figure_style
+from forficula.show.style import ENERGY_COLOURS, LINE_STYLES, PAGE_WIDTH, figure_style
 from forficula.structure import hinge_groups, springs_name
 
 Array = NDArray[np.float64]
 Picture = NDArray[np.uint8]
 
-_COLOURS = colormaps["cividis"]
 # within the picture, in shares of it: left, low, width, height
 _PICTURE, _BAR, _KEY = (0.03, 0.32, 0.94, 0.66), (0.72, 0.945, 0.25, 0.018), (0.775, 0.03, 0.2, 0.24)
 _PLOTS_LEFT, _PLOTS_RIGHT, _PLOTS_LOW, _PLOTS_HIGH, _PLOTS_GAP = 0.08, 0.735, 0.105, 0.25, 0.025
@@ -80,7 +78,7 @@ class FilmFrame:
         Returns:
             Red, green and blue of every pixel, 0 to 255, the highest row first, (height, width, 3).
         """
-        colours = _COLOURS(self._norm(at_time(self._record, "tendon_energy", time)))
+        colours = ENERGY_COLOURS(self._norm(at_time(self._record, "tendon_energy", time)))
         painted = paint_shape(surface_at(self._record, self._shape, time), self._view, colours)
         self._words.set_text(cut.words)
         self._clock.set_text(_clock_text(cut, time))
@@ -173,7 +171,7 @@ def _colour_bar(figure: Figure, norm: Normalize) -> None:
     unit, factor = reading_unit("J", float(norm.vmax or 1.0))
     axes = figure.add_axes(_BAR)
     scaled = Normalize(0, factor * float(norm.vmax or 1.0))
-    bar = figure.colorbar(ScalarMappable(scaled, _COLOURS), cax=axes, orientation="horizontal")
+    bar = figure.colorbar(ScalarMappable(scaled, ENERGY_COLOURS), cax=axes, orientation="horizontal")
     bar.outline.set_visible(False)
     bar.ax.tick_params(length=2, pad=1)
     bar.set_label(f"energy of a tendon ({unit})", fontsize=7, labelpad=1)
@@ -191,7 +189,7 @@ def _key(figure: Figure, shape: Shape, record: Record) -> None:
     """What the colours are."""
     axes = figure.add_axes(_KEY)
     axes.set_axis_off()
-    handles = shape_handles(shape, record.structure, _COLOURS(0.95), 2.4)
+    handles = shape_handles(shape, record.structure, ENERGY_COLOURS(0.95), 2.4)
     for (name, (_, colour)), style in zip(_energies(record).items(), LINE_STYLES, strict=False):
         of = f"{'energy ' * (style == LINE_STYLES[0])}of the {name}"
         label = "kinetic energy" if name == "kinetic" else of

@@ -22,7 +22,7 @@ from forficula.show.run.stalled import needed_torque
 from forficula.show.run.storage_figure import draw_storage
 from forficula.show.run.time_figures import draw_angles, draw_energies
 from forficula.show.structure.pattern_figure import draw_pattern
-from forficula.show.style import VERMILION, Drawing, save_figures
+from forficula.show.style import VERMILION, Drawing, figure_style, save_figures
 
 _HEADING, _LETTERS = 8.0, 15  # pt of a heading, and its letters to the inch
 _SMALLER = 0.9  # of the area as it begins: what takes more is not folded away
@@ -73,5 +73,6 @@ def _marked(figure: Figure, outcome: Outcome) -> Figure:
         told = f"{outcome.status[:1].upper()}{outcome.status[1:]}"
         advice = f". {outcome.advice}" if outcome.verdict.tells and outcome.advice else ""
         words = textwrap.fill(told + advice, int(_LETTERS * figure.get_figwidth()))
-        figure.suptitle(words, color=VERMILION, fontweight=None if advice else "bold", fontsize=_HEADING)
+        with figure_style():  # names are no formulas
+            figure.suptitle(words, color=VERMILION, fontweight=None if advice else "bold", fontsize=_HEADING)
     return figure
