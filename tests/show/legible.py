@@ -1,15 +1,20 @@
 """Whether the words of a figure can be read: large enough, inside it, and not on one another."""
 
+import io
 import itertools
 from unittest import mock
 
+import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.image import imread
 from matplotlib.text import Text
-from matplotlib.transforms import Affine2D
+from matplotlib.transforms import Affine2D, Bbox
 
 from forficula.show.style import description
 
 _FINE = 3
+_BEYOND, _DOTS, _WHITE = 0.5, 144, 0.95  # inch, dots per inch, and what is as good as white
+_ROUNDED = 1.0  # pt, that a layout in whole pixels may be off
 SMALLEST = 6.0  # pt, below which journals refuse
 # what is drawn on purpose over something else, or as one word
 OVER = ("a", "b", "c")
@@ -33,10 +38,38 @@ def check_words(figure, width):
             min(first.y1, second.y1) - max(first.y0, second.y0),
         )
         assert min(common) < 1.5, f"{one.get_text()!r} lies on {other.get_text()!r}"
+    check_inside(figure)
     told = description(figure)
     assert told.endswith(".")
     assert len(told) > 60
     assert any(letter.isdigit() for letter in told)
+
+
+def check_inside(figure):
+    """Check that nothing is drawn beyond the edges of a figure, where files and pages cut it off."""
+    width, height = figure.get_size_inches()
+    figure.set_dpi(_DOTS)
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    outside = {"above": 0.0, "below": 0.0, "to the left": 0.0, "to the right": 0.0}
+    for legend in figure.legends:
+        box = legend.get_window_extent(canvas.get_renderer()).transformed(Affine2D().scale(1 / _DOTS))
+        sides = (box.y1 - height, -box.y0, -box.x0, box.x1 - width)
+        outside = {edge: max(before, side) for (edge, before), side in zip(outside.items(), sides, strict=True)}
+        # in a larger window they would stand at its edges
+        legend.set_visible(False)
+    pixels = io.BytesIO()
+    figure.set_layout_engine("none")
+    window = Bbox([[-_BEYOND, -_BEYOND], [width + _BEYOND, height + _BEYOND]])
+    figure.savefig(pixels, format="png", dpi=_DOTS, bbox_inches=window)
+    pixels.seek(0)
+    drawn = (imread(pixels) < _WHITE).any(axis=2)
+    rows, columns = (np.flatnonzero(drawn.any(axis=axis)) for axis in (1, 0))
+    first, last = np.array([rows[0], columns[0]]) / _DOTS, np.array([rows[-1] + 1, columns[-1] + 1]) / _DOTS
+    sides = (_BEYOND - first[0], last[0] - _BEYOND - height, _BEYOND - first[1], last[1] - _BEYOND - width)
+    for (edge, of_legend), side in zip(outside.items(), sides, strict=True):
+        out = 72 * max(of_legend, side)
+        assert out < _ROUNDED, f"something sticks out {edge} by {out:.1f} pt"
 
 
 def words(figure):

@@ -1,7 +1,11 @@
-"""Every figure as wide as a journal's column: its words are large enough, inside it, and not on one another."""
+"""Every figure at both widths of a journal: all is inside it, and its words are large enough and not on one another."""
 
+import numpy as np
 import pytest
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
+from forficula.analysis import measure
 from forficula.design import with_values
 from forficula.show.folder.convergence_folder import convergence_drawings
 from forficula.show.folder.cycling_folder import cycling_drawings
@@ -10,21 +14,40 @@ from forficula.show.folder.material_folder import material_drawings
 from forficula.show.folder.run_folder import run_drawings
 from forficula.show.folder.static_map_folder import static_map_drawings
 from forficula.show.study.maps import map_drawings
-from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
+from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, figure_style, fit_legend
 from forficula.structure import structure_of
 from forficula.study.convergence import converge
 from forficula.study.cycling import Cycling, driven_transitions
 from forficula.study.refinement import TIMESTEP
+from forficula.study.runs import run
 from forficula.study.static_map import map_study, static_map
 from tests.show.folder.test_cycling_folder import STUCK
 from tests.show.folder.test_cycling_folder import run as cycle
-from tests.show.legible import check_words
+from tests.show.legible import check_inside, check_words
+from tests.show.sheets import sheet_run
 from tests.show.study.test_convergence_figure import STAGES
 from tests.show.study.test_maps import TWO, many_ends, planted
 
+# it stays where it is
+SHORT = {
+    "protocol.stages.0.time_limit": "20 ms",
+    "protocol.stages.1.time_limit": "0.15 s",
+    "tendon.rest_length": "5 cm",
+}
+
+
+def simulated(statics):
+    """A search beside statics, which agrees and differs in every way."""
+    table = statics.copy(deep=True)
+    for name in ("least_fold_torque", "least_unfold_torque"):
+        values = table[name].values
+        values[0, :3] = [0.3, np.nan, 0.02]
+        values[1:, 1:4] = 0.4
+    return table
+
 
 @pytest.fixture(scope="module")
-def drawings(reference, reference_run, reference_outcome, surveyed, tpu_material):
+def drawings(reference, reference_run, reference_outcome, surveyed, tpu_material, elastic_material):
     """What draws every figure there is, by a name."""
     over = {"tendon.stiffness": "10..30 N/cm step 10", "tendon.rest_length": "5..9 cm step 1"}
     folding = with_values(reference, {"protocol.stages": STAGES})
@@ -34,14 +57,20 @@ def drawings(reference, reference_run, reference_outcome, surveyed, tpu_material
         design=reference, runs=runs, seen=(2, 4), transitions=driven, verdict="Up to cycle 4.", remarks=()
     )
     statics = static_map(map_study(reference, over))
+    stuck = run(with_values(reference, SHORT | {"protocol.fold_torque": "1 N cm"}))
+    sheet, sheet_outcome = sheet_run("miura with a tendon")
     every = {
         "run": run_drawings(reference_run, reference_outcome),
         "landscape": landscape_drawings(surveyed("reference"), reference_run),
         "material": material_drawings(tpu_material),
+        "three cycles": material_drawings(elastic_material),
         "converge": convergence_drawings(converge(folding, TIMESTEP, [4e-4, 3e-4])),
         "study": map_drawings(planted(TWO)),
         "failures": map_drawings(many_ends()),
         "map": static_map_drawings(statics),
+        "beside": static_map_drawings(statics, simulated(statics)),
+        "stuck": run_drawings(stuck, measure(stuck)),
+        "sheet": run_drawings(sheet, sheet_outcome),
         "cycling": cycling_drawings(cycling),
     }
     return {f"{of}, {kind}": draw for of, kinds in every.items() for kind, draw in kinds.items()}
@@ -51,12 +80,28 @@ KINDS = [
     *(f"run, {kind}" for kind in ("pattern", "angles", "energy", "folding", "package")),
     *(f"landscape, {kind}" for kind in ("tendon", "wing", "levels")),
     *(f"material, {kind}" for kind in ("cycles", "modulus", "drift", "fit")),
+    "three cycles, cycles",
     *(f"converge, {kind}" for kind in ("angles", "times")),
     *(f"{of}, {kind}" for of in ("study", "failures") for kind in ("status", "torques", "works", "energy")),
     "study, fold_times",
     "map, map",
+    "beside, map",
+    *(f"{of}, {kind}" for of in ("stuck", "sheet") for kind in ("pattern", "angles", "energy", "folding")),
     "cycling, cycles",
 ]
+
+
+@pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])
+def test_a_legend_that_is_wider_than_its_figure_gets_fewer_columns_and_then_more_lines(width):
+    for names in (["short"] * 3, ["of a length that is no longer short"] * 5, ["longer than a page is wide " * 6]):
+        with figure_style():
+            figure = Figure(figsize=(width, 3), layout="constrained")
+            figure.subplots()
+            handles = [Line2D([], [], label=f"{number} {name}") for number, name in enumerate(names)]
+            legend = fit_legend(figure, handles, 3, loc="outside lower center")
+            check_inside(figure)
+        told = " ".join(text.get_text() for text in legend.get_texts()).split()
+        assert told == " ".join(handle.get_label() for handle in handles).split()
 
 
 @pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])

@@ -1,16 +1,19 @@
 """Figures as files: what a journal accepts, the same bytes each time, and a text for those who do not see them."""
 
 import re
+from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from PIL import Image
 
 from forficula.errors import InputError
 from forficula.show.style import (
     COLUMN_WIDTH,
+    ENERGY_COLOURS,
     PAGE_WIDTH,
     describe,
     figure_files,
@@ -94,3 +97,10 @@ def test_every_figure_is_left_for_the_screen_at_page_width_and_for_papers_at_col
     files = {path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*") if path.is_file()}
     assert files == set(figure_files("energy")) == {"energy.png", "figures/energy.svg", "figures/energy.pdf"}
     assert 'width="252pt"' in (tmp_path / "figures" / "energy.svg").read_text("utf-8")
+
+
+def test_film_and_page_show_the_energy_of_a_tendon_in_the_same_colours():
+    scheme = (Path(__file__).parents[2] / "web" / "src" / "scheme.js").read_text("utf-8")
+    of_page = re.findall(r"#[0-9a-f]{6}", scheme[scheme.index("const ENERGY = ") :].partition(";")[0])
+    of_film = ENERGY_COLOURS(np.linspace(0, 1, len(of_page)))[:, :3]
+    assert of_film == pytest.approx(np.array([to_rgb(colour) for colour in of_page]), abs=0.01)

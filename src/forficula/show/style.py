@@ -3,25 +3,33 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Callable, Iterator, Mapping
+import textwrap
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import cache
 from html import escape
 from importlib.resources import as_file, files
 from pathlib import Path
+from typing import Any
 
 from matplotlib import font_manager, rc_context
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.backends.backend_pdf import FigureCanvasPdf
 from matplotlib.backends.backend_svg import FigureCanvasSVG
+from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
+from matplotlib.legend import Legend
 
 from forficula.errors import InputError
 from forficula.files import write_bytes
 
 COLUMN_WIDTH, PAGE_WIDTH = 3.5, 7.1  # inch, one and two columns of a journal
 _RESOLUTION = 200  # dots per inch
+_LEAST_LETTERS = 8  # of a line of a legend
+_FILLED = 0.96  # of the room of a legend: at another resolution letters are a little wider
+PICTURE_RESOLUTION = 400  # of pictures among lines, dots per inch: journals ask for 300 or more
 ENDINGS = (".png", ".svg", ".pdf")
 # of a results' folder, where the copies for papers lie
 COPIES = "figures"
@@ -35,6 +43,11 @@ BLACK, ORANGE, SKY, GREEN, BLUE, VERMILION, PURPLE = (
     "#0072B2",
     "#D55E00",
     "#CC79A7",
+)
+# of a tendon's energy, as on the page: viridis (Smith and van der Walt 2015) without its darkest end, which dark bars
+# would swallow
+ENERGY_COLOURS = LinearSegmentedColormap.from_list(
+    "energy", ["#453781", "#39568c", "#2d708e", "#20908d", "#29af7f", "#73d055", "#b8de29", "#fde725"]
 )
 LINE_STYLES = ("-", "--", "-.", ":")
 
@@ -81,6 +94,35 @@ def is_narrow(width: float) -> bool:
     return width < (COLUMN_WIDTH + PAGE_WIDTH) / 2
 
 
+def fit_legend(
+    owner: Figure | Axes, handles: Sequence[Artist], columns: int, *, room: float | None = None, **look: Any
+) -> Legend:
+    """Give a figure or axes a legend that is not cut: in fewer columns, and at last with its words in more lines.
+
+    Args:
+        owner: of the legend.
+        handles: what it names.
+        columns: at most.
+        room: how wide it may be, inch; as wide as the figure if not given.
+        look: where it stands and how, as matplotlib takes it.
+    """
+    figure = owner.get_figure(root=True)
+    assert isinstance(figure, Figure)
+    room = _FILLED * (figure.get_figwidth() if room is None else room)
+    for count in range(max(1, min(columns, len(handles))), 0, -1):
+        legend = owner.legend(handles=handles, ncols=count, **look)
+        beyond = legend.get_window_extent().width - room * figure.dpi
+        if beyond <= 0 or count == 1:
+            break
+        legend.remove()
+    if beyond > 0:
+        widths = [text.get_window_extent().width for text in legend.get_texts()]
+        for text, width in zip(legend.get_texts(), widths, strict=True):
+            words, share = text.get_text(), (max(widths) - beyond) / width
+            text.set_text(textwrap.fill(words, max(_LEAST_LETTERS, int(share * len(words)))))
+    return legend
+
+
 def in_column(axes: Axes) -> bool:
     """Whether axes are in a figure as wide as a column, in which words have half the room."""
     figure = axes.get_figure(root=True)
@@ -113,7 +155,7 @@ def save_figure(figure: Figure, path: Path) -> None:
     text = description(figure)
     content = io.BytesIO()
     told: dict[str, str | None] = {"Title": text.partition(". ")[0].removesuffix(".")}
-    figure.set_dpi(_RESOLUTION)
+    figure.set_dpi(_RESOLUTION if path.suffix == ".png" else PICTURE_RESOLUTION)
     # Not by figure.savefig, which draws everything twice. TrueType, because journals refuse Type 3. Outlines in SVG,
     # because few readers have the font, and with another one words run into one another. A salt and no dates, because
     # otherwise the same figure is another file each time.

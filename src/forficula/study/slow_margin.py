@@ -15,7 +15,7 @@ from forficula.structure import Transition, drive_of
 Array = NDArray[np.float64]
 
 # What does not move with the protocol's torque is tried with so many times it.
-_MORE = 10.0
+MORE = 10.0
 
 
 def least_slow_torques(designs: Sequence[Design]) -> tuple[Array, ...]:
@@ -46,7 +46,7 @@ def _least(structures: Ensemble, start: Array, transition: Transition) -> Array:
     own = abs(drive_of(structures.structure, transition.drive).strength)
     least = np.full(len(start), np.nan)
     # what the protocol's torque moves is found more finely without the larger ones
-    for most in (own, _MORE * own) if own > 0 else ():
+    for most in (own, MORE * own) if own > 0 else ():
         left = np.flatnonzero(np.isnan(least))
         if len(left):
             least[left] = least_slow_torque(structures.only(left), start[left], transition, most).torque

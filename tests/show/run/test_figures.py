@@ -1,3 +1,5 @@
+import re
+
 import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -6,7 +8,7 @@ from rich.console import Console
 from forficula.analysis import measure
 from forficula.design import load_design, scale_design
 from forficula.show import draw_angles, draw_energies, draw_folding, draw_pattern, outcome_table
-from forficula.structure import structure_of
+from forficula.structure import measure_of, structure_of
 from forficula.study.runs import run
 
 STAGE = {"hold": "0 s", "drive": "none", "until": "time"}
@@ -79,19 +81,46 @@ def test_the_figures_of_a_small_wing_are_in_millimetres_and_milliseconds(small):
     outcome = measure(small)
     assert draw_pattern(small.structure).axes[0].get_xlabel() == "x (mm)"
     assert draw_angles(small, outcome).axes[0].get_xlabel() == "time (ms)"
-    assert draw_energies(small).axes[0].get_ylabel() == "stored energy (mJ)"
+    assert draw_energies(small).axes[0].get_ylabel() == "energy (mJ)"
     folding = draw_folding(small, outcome).axes
     assert any(text.get_text() == "2 mm" for axes in folding for text in axes.texts)
 
 
 @pytest.mark.parametrize("name", ["reference", "small"])
-def test_the_times_of_two_moments_are_told_apart(runs, small, name):
+def test_every_moment_tells_its_stage_and_the_time_since_that_began(runs, small, name):
     record = small if name == "small" else runs[name]
-    titles = [axes.get_title() for axes in draw_folding(record, measure(record)).axes if axes.get_title()]
-    assert len(titles) == 7
-    times = {title.rpartition(", ")[2] for title in titles}
-    assert len(times) == 7
-    assert {time.split()[1] for time in times} == {"ms" if name == "small" else "s"}
+    outcome = measure(record)
+    titles = [axes.get_title() for axes in draw_folding(record, outcome).axes if axes.get_title()]
+    *told, enlarged = titles
+    assert len({title.partition("\n")[2] or title for title in told}) == len(told) == 7
+    starts = {end.stage.name: end.start for end in record.stages}
+    for state, letter in zip(outcome.states.values(), "abc", strict=True):
+        (title,) = (each for each in told if each.startswith(f"{letter} "))
+        stage, since = title.partition("\n")[2].split(" + ")
+        factor = {"s": 1, "ms": 1e-3}[since.split()[1]]
+        assert factor * float(since.split()[0]) == pytest.approx(state.time - starts[stage], rel=5e-3)
+    assert re.fullmatch(r"b folded\nenlarged 1\.\d times", enlarged)
+
+
+def test_moments_on_the_way_are_a_third_of_the_way_apart_by_angle(runs):
+    record = runs["reference"]
+    fold = record.stages[1]
+    titles = [axes.get_title() for axes in draw_folding(record, measure(record)).axes]
+    times = [fold.start + 1e-3 * float(title.split()[2]) for title in titles if title.startswith("fold + ")]
+    rows = (record.time >= fold.start) & (record.time <= fold.end)
+    # ring hinges and the motors' turn by different angles: of each the share of its own furthest
+    turned = np.abs(record.series["hinge_angle"][rows] - record.series["hinge_angle"][rows][0])
+    groups = [measure_of(record.structure, "ring").hinges, record.structure.motors[0].hinges]
+    shares = (
+        sum(turned[:, list(group)].mean(axis=1) / turned[:, list(group)].mean(axis=1).max() for group in groups) / 2
+    )
+    done = np.interp(times, record.time[rows], shares)
+    assert done == pytest.approx([1 / 3, 2 / 3], abs=0.1)
+
+
+def test_a_state_that_is_as_large_as_the_whole_is_not_enlarged(runs):
+    titles = [axes.get_title() for axes in draw_folding(runs["settled"], measure(runs["settled"])).axes]
+    assert not any("enlarged" in title for title in titles)
 
 
 def test_the_table_of_a_small_wing_reads_well(small):

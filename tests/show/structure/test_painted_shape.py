@@ -1,4 +1,6 @@
-"""Painting from back to front: what is nearer to the eye is painted later, whatever it is."""
+"""A structure as a picture: what is nearer to the eye is seen, whatever it is."""
+
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -34,39 +36,45 @@ def planted(sheet_height):
     )
 
 
-def last_at(painted, x, y):
-    """The colour on top at a place: that of the last polygon around it."""
-    corners = painted.polygons - [x, y]
-    turns = corners[:, :, 0] * np.roll(corners[:, :, 1], -1, 1) - corners[:, :, 1] * np.roll(corners[:, :, 0], -1, 1)
-    inside = (turns > 0).all(axis=1) | (turns < 0).all(axis=1)
-    return painted.colours[np.flatnonzero(inside)[-1]]
+def seen_at(painted, x, y):
+    """The colour at a place: that of a picture of one pixel around it."""
+    pixel = painted.picture(np.array([x, y]) - 5e-5, 1e-4, (1, 1))[0, 0]
+    assert pixel[3] == 255
+    return pixel[:3] / 255
 
 
 @pytest.mark.parametrize(("height", "seen"), [(-0.05, True), (0.0, True), (0.05, False)])
 def test_a_tendon_is_seen_on_and_above_a_sheet_and_not_through_it(height, seen):
     painted = paint_shape(planted(height), FROM_ABOVE, [RED, RED])
-    assert (tuple(last_at(painted, 0.0551, 0.0501)) == RED) == seen
+    assert (tuple(seen_at(painted, 0.0551, 0.0501)) == RED[:3]) == seen
+
+
+def test_a_bar_that_passes_through_a_sheet_is_seen_on_the_side_where_it_is_nearer():
+    bar = np.array([[[0.05, 0.02, -0.02], [0.05, 0.08, 0.02]]])
+    surface = replace(planted(0.0), bars=bar, radii=np.array([2.5e-3]), tendons=np.zeros((0, 2, 3)))
+    painted = paint_shape(surface, FROM_ABOVE, RED)
+    sheet = seen_at(painted, 0.01, 0.05)
+    shades = np.array([seen_at(painted, 0.05, y) for y in (0.025, 0.035, 0.043, 0.06, 0.07, 0.075)])
+    assert np.abs(shades[:3] - sheet).max() < 0.01
+    assert np.all(shades[3:] < 0.5)
 
 
 def test_regions_differ_and_both_sides_look_alike():
     painted = paint_shape(planted(0.0), FROM_ABOVE, RED)
-    one, other = last_at(painted, 0.0551, 0.0251), last_at(painted, 0.1551, 0.0251)
+    one, other = seen_at(painted, 0.0551, 0.0251), seen_at(painted, 0.1551, 0.0251)
     assert abs(one - other).max() > 0.1
     below = View(right=FROM_ABOVE.right, up=-FROM_ABOVE.up, towards=-FROM_ABOVE.towards)
     turned = paint_shape(planted(0.0), below, RED)
-    assert last_at(turned, 0.0551, -0.0251) == pytest.approx(one)
+    assert seen_at(turned, 0.0551, -0.0251) == pytest.approx(one)
 
 
-def test_the_finer_the_cells_the_more_polygons_and_all_of_the_structure_at_any_number(reference_run):
+def test_the_picture_of_a_structure_has_all_of_it(reference_run):
     structure = reference_run.structure
     surface, view = surface_at(reference_run, shape_of(structure), 0.32), structure_view(structure)
-    coarse, fine = (paint_shape(surface, view, RED, cells=cells).polygons for cells in (4, 40))
-    assert len(fine) > 5 * len(coarse)
     places = view.project(np.concatenate([surface.faces.reshape(-1, 3), surface.bars.reshape(-1, 3)]))
-    for polygons in (coarse, fine):
-        corners = polygons.reshape(-1, 2)
-        assert np.all(corners.min(axis=0) <= places.min(axis=0) + 1e-12)
-        assert corners.max(axis=0) == pytest.approx(places.max(axis=0), abs=1.01 * surface.radii[0])
+    low, high = paint_shape(surface, view, RED).corners
+    assert np.all(low <= places.min(axis=0) + 1e-12)
+    assert high == pytest.approx(places.max(axis=0), abs=1.01 * surface.radii[0])
 
 
 @pytest.mark.parametrize("settings", [{}, {"pattern.units": 5, "pattern.sector_angle": "12 deg"}])

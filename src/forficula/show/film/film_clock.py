@@ -11,10 +11,10 @@ import numpy as np
 from forficula.analysis import Outcome, State
 from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
+from forficula.show.run.stalled import still_time
 from forficula.show.run.state_names import lettered_states
 
 _HOLD, _SKIP, _MOVE = 1.2, 0.8, 3.5  # seconds of a film: of a state, on the way to it, and of a move
-_NEARLY_ALL = 0.95
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -62,7 +62,7 @@ def film_cuts(record: Record, outcome: Outcome, slowed: float | None = None) -> 
     for stage, until in pairwise([*driven, None]):
         assert stage is not None
         limit = end if until is None else min(until.start, end)
-        still = _still_time(record, stage.start, limit)
+        still = still_time(record, stage.start, limit)
         cuts.append(_move(stage.stage.name, stage.start, still, slowed, stage))
         since = still
         for name, state in held:
@@ -111,12 +111,3 @@ def _move(words: str, start: float, end: float, slowed: float | None, stage: Sta
     lasts = max(end - start, 1e-9)
     factor = slowed or float(f"{_MOVE / lasts:.1g}")
     return Cut(words=words, first=start, last=end, length=lasts * factor, stage=stage, slowed=factor)
-
-
-def _still_time(record: Record, start: float, end: float) -> float:
-    """When the hinges that motors act on have on average gone nearly all their way, s: the rest creeps."""
-    rows = (record.time >= start) & (record.time <= end)
-    driven = [hinge for motor in record.structure.motors for hinge in motor.hinges]
-    angles = record.series["hinge_angle"][rows][:, driven or slice(None)]
-    way = np.abs(angles - angles[0]).mean(axis=1)
-    return float(record.time[rows][np.argmax(way >= _NEARLY_ALL * way.max())])

@@ -5,11 +5,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.cm import ScalarMappable
-from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -19,17 +17,15 @@ from forficula.dynamics import Record
 from forficula.quantities import reading_unit
 from forficula.show.film.film_clock import Cut
 from forficula.show.run.time_figures import stored_energies
-from forficula.show.structure.painted_shape import paint_shape, shape_handles, structure_view
+from forficula.show.structure.painted_shape import PaintedShape, paint_shape, shape_handles, structure_view
 from forficula.show.structure.shape import Shape, shape_of
 from forficula.show.structure.surface import at_time, surface_at
-from forficula.show.style import LINE_STYLES, PAGE_WIDTH, figure_style
+from forficula.show.style import ENERGY_COLOURS, LINE_STYLES, PAGE_WIDTH, figure_style
 from forficula.structure import hinge_groups, springs_name
 
 Array = NDArray[np.float64]
 Picture = NDArray[np.uint8]
 
-_CELLS = 60  # to the size of the whole
-_COLOURS = colormaps["cividis"]
 # within the picture, in shares of it: left, low, width, height
 _PICTURE, _BAR, _KEY = (0.03, 0.32, 0.94, 0.66), (0.72, 0.945, 0.25, 0.018), (0.775, 0.03, 0.2, 0.24)
 _PLOTS_LEFT, _PLOTS_RIGHT, _PLOTS_LOW, _PLOTS_HIGH, _PLOTS_GAP = 0.08, 0.735, 0.105, 0.25, 0.025
@@ -59,8 +55,6 @@ class FilmFrame:
             figure = Figure(figsize=((size[0] + 0.01) / dpi, (size[1] + 0.01) / dpi), dpi=dpi)
             self._canvas = FigureCanvasAgg(figure)
             self._axes = _picture_axes(figure, self._corners(cuts), size)
-            self._painted = PolyCollection([], edgecolors="face", linewidths=0.4)
-            self._axes.add_collection(self._painted, autolim=False)
             figure.text(0.03, 0.97, record.design.name, va="top", color="0.35")
             self._words = figure.text(0.03, 0.925, "", fontsize=11, fontweight="bold", va="top")
             self._clock = figure.text(0.03, 0.865, "", va="top", color="0.25")
@@ -68,7 +62,7 @@ class FilmFrame:
             if record.structure.tendons:
                 _colour_bar(figure, self._norm)
             _key(figure, self._shape, record)
-            self._moving = [self._painted, self._words, self._clock, *(line for _, _, line in self._cursors)]
+            self._moving = [self._words, self._clock, *(line for _, _, line in self._cursors)]
             for artist in self._moving:
                 artist.set_animated(True)
             self._canvas.draw()  # type: ignore[no-untyped-call]
@@ -84,10 +78,8 @@ class FilmFrame:
         Returns:
             Red, green and blue of every pixel, 0 to 255, the highest row first, (height, width, 3).
         """
-        colours = _COLOURS(self._norm(at_time(self._record, "tendon_energy", time)))
-        painted = paint_shape(surface_at(self._record, self._shape, time), self._view, colours, cells=_CELLS)
-        self._painted.set_verts(painted.polygons)  # type: ignore[arg-type]  # faster than a list
-        self._painted.set_facecolor(painted.colours)  # type: ignore[arg-type]
+        colours = ENERGY_COLOURS(self._norm(at_time(self._record, "tendon_energy", time)))
+        painted = paint_shape(surface_at(self._record, self._shape, time), self._view, colours)
         self._words.set_text(cut.words)
         self._clock.set_text(_clock_text(cut, time))
         for shown, scale, cursor in self._cursors:
@@ -96,10 +88,23 @@ class FilmFrame:
             cursor.set_visible(time >= shown.first)
         with figure_style():
             self._canvas.restore_region(self._still)  # type: ignore[no-untyped-call]
+            self._paste(painted)
             for artist in self._moving:
                 artist.axes.draw_artist(artist) if artist.axes else self._canvas.figure.draw_artist(artist)
         drawn: Picture = np.asarray(self._canvas.buffer_rgba())[..., :3]  # type: ignore[no-untyped-call]
         return drawn
+
+    def _paste(self, painted: PaintedShape) -> None:
+        """Draw what is painted on what stays, before words and cursors come over it."""
+        pixels = np.asarray(self._canvas.buffer_rgba())[::-1]  # type: ignore[no-untyped-call]
+        size = np.array(pixels.shape[1::-1])
+        low, high = self._axes.transData.transform(painted.corners)
+        first, last = (np.clip(each, 0, size).astype(int) for each in (np.floor(low), np.ceil(high)))
+        start, beside = self._axes.transData.inverted().transform([first, first + 1])
+        width, height = (last - first).tolist()
+        drawn = painted.picture(start, float(beside[0] - start[0]), (width, height))[::-1]
+        under, opacity = pixels[first[1] : last[1], first[0] : last[0], :3], drawn[..., 3:] / np.float32(255)
+        under[:] = np.rint(opacity * drawn[..., :3] + (1 - opacity) * under)
 
     def _corners(self, cuts: tuple[Cut, ...]) -> Array:
         """Everywhere that the structure comes to, on the picture, m, (point, 2)."""
@@ -166,7 +171,7 @@ def _colour_bar(figure: Figure, norm: Normalize) -> None:
     unit, factor = reading_unit("J", float(norm.vmax or 1.0))
     axes = figure.add_axes(_BAR)
     scaled = Normalize(0, factor * float(norm.vmax or 1.0))
-    bar = figure.colorbar(ScalarMappable(scaled, _COLOURS), cax=axes, orientation="horizontal")
+    bar = figure.colorbar(ScalarMappable(scaled, ENERGY_COLOURS), cax=axes, orientation="horizontal")
     bar.outline.set_visible(False)
     bar.ax.tick_params(length=2, pad=1)
     bar.set_label(f"energy of a tendon ({unit})", fontsize=7, labelpad=1)
@@ -184,7 +189,7 @@ def _key(figure: Figure, shape: Shape, record: Record) -> None:
     """What the colours are."""
     axes = figure.add_axes(_KEY)
     axes.set_axis_off()
-    handles = shape_handles(shape, record.structure, _COLOURS(0.95), 2.4)
+    handles = shape_handles(shape, record.structure, ENERGY_COLOURS(0.95), 2.4)
     for (name, (_, colour)), style in zip(_energies(record).items(), LINE_STYLES, strict=False):
         of = f"{'energy ' * (style == LINE_STYLES[0])}of the {name}"
         label = "kinetic energy" if name == "kinetic" else of

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import textwrap
+from functools import cache
 from pathlib import Path
 
 from matplotlib.figure import Figure
 
-from forficula.analysis import Outcome
+from forficula.analysis import Outcome, Verdict
 from forficula.analysis.package import smallest_package
 from forficula.analysis.run_files import write_run_files
 from forficula.analysis.storage import storages
@@ -16,11 +18,13 @@ from forficula.show.folder.cycling_folder import CYCLING_FILES
 from forficula.show.page import write_run_page
 from forficula.show.run.folding_figure import draw_folding
 from forficula.show.run.package_figure import draw_package
+from forficula.show.run.stalled import needed_torque
 from forficula.show.run.storage_figure import draw_storage
 from forficula.show.run.time_figures import draw_angles, draw_energies
 from forficula.show.structure.pattern_figure import draw_pattern
-from forficula.show.style import VERMILION, Drawing, save_figures
+from forficula.show.style import VERMILION, Drawing, figure_style, save_figures
 
+_HEADING, _LETTERS = 8.0, 15  # pt of a heading, and its letters to the inch
 _SMALLER = 0.9  # of the area as it begins: what takes more is not folded away
 
 
@@ -49,12 +53,13 @@ def _write_files(record: Record, outcome: Outcome, folder: Path) -> None:
 def run_drawings(record: Record, outcome: Outcome) -> dict[str, Drawing]:
     """What draws a run, by the stem of its file; the room that it takes where a state takes less."""
     smallest = smallest_package(record)
+    needed = cache(lambda: needed_torque(record))
     folds = smallest is not None and smallest[2].area_ratio < _SMALLER
     package: dict[str, Drawing] = {"package": lambda width: _marked(draw_package(record, width), outcome)}
     storage: dict[str, Drawing] = {"storage": lambda width: _marked(draw_storage(record, width), outcome)}
     return {
         "pattern": lambda width: draw_pattern(record.structure, width),
-        "angles": lambda width: _marked(draw_angles(record, outcome, width), outcome),
+        "angles": lambda width: _marked(draw_angles(record, outcome, width, needed), outcome),
         "energy": lambda width: _marked(draw_energies(record, width), outcome),
         "folding": lambda width: _marked(draw_folding(record, outcome, width), outcome),
         **(package if folds else {}),
@@ -63,13 +68,11 @@ def run_drawings(record: Record, outcome: Outcome) -> dict[str, Drawing]:
 
 
 def _marked(figure: Figure, outcome: Outcome) -> Figure:
-    """Say on a figure where what it shows is not what the structure would do."""
-    if not outcome.verdict.tells:
-        figure.suptitle(
-            f"{outcome.status[:1].upper()}{outcome.status[1:]}",
-            color=VERMILION,
-            fontweight="bold",
-            fontsize="medium",
-            wrap=True,
-        )
+    """Say on a figure what became of a run that did not reach its goal, and what to try."""
+    if outcome.verdict is not Verdict.REACHED:
+        told = f"{outcome.status[:1].upper()}{outcome.status[1:]}"
+        advice = f". {outcome.advice}" if outcome.verdict.tells and outcome.advice else ""
+        words = textwrap.fill(told + advice, int(_LETTERS * figure.get_figwidth()))
+        with figure_style():  # names are no formulas
+            figure.suptitle(words, color=VERMILION, fontweight=None if advice else "bold", fontsize=_HEADING)
     return figure

@@ -10,7 +10,16 @@ from numpy.typing import NDArray
 
 from forficula.quantities import reading_unit
 from forficula.show.landscape.net_words import shown_value
-from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, in_column, is_narrow
+from forficula.show.style import (
+    BLACK,
+    BLUE,
+    PAGE_WIDTH,
+    VERMILION,
+    describe,
+    figure_style,
+    fit_legend,
+    in_column,
+)
 from forficula.statics import EnergyLandscape
 from forficula.statics.net_landscape import NetLandscape
 
@@ -53,7 +62,7 @@ def draw_barriers(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figu
             words = "saddle, and what is to climb to it from either side"
             mark = {"marker": "^", "mfc": "white", "mec": VERMILION, "mew": 1.1, "ms": 5, "ls": "none"}
             handles.append(Line2D([], [], label=words, **mark))  # type: ignore[arg-type]
-        figure.legend(handles=handles, loc="outside upper center", ncols=1 if is_narrow(width) else 2)
+        fit_legend(figure, handles, 2, loc="outside upper center")
         return describe(figure, _tell(landscape, net))
 
 

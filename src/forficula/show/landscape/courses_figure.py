@@ -12,9 +12,19 @@ from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from forficula.quantities import reading_unit
-from forficula.show.landscape.net_pictures import Pictures, hang, net_pictures
+from forficula.show.landscape.net_pictures import Pictures, hang_all, net_pictures
 from forficula.show.landscape.net_words import course_words, shown_value
-from forficula.show.style import BLACK, BLUE, GREEN, PAGE_WIDTH, VERMILION, describe, figure_style, is_narrow
+from forficula.show.style import (
+    BLACK,
+    BLUE,
+    GREEN,
+    PAGE_WIDTH,
+    VERMILION,
+    describe,
+    figure_style,
+    fit_legend,
+    is_narrow,
+)
 from forficula.statics import EnergyLandscape
 from forficula.statics.net.load_path import PathPoint
 from forficula.statics.net.net import Shape
@@ -23,7 +33,6 @@ from forficula.structure import drive_unit, driven_motor
 
 Array = NDArray[np.float64]
 
-_CELLS = 10  # of a picture, to the size of the whole
 _MOST = 5  # pictures of a course
 _PLOT = 2.3  # inch
 _LEGEND = 0.45
@@ -44,8 +53,7 @@ def draw_courses(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figur
     columns = 1 if is_narrow(width) else min(2, len(courses))
     rows = -(-len(courses) // columns)
     pictures = [
-        net_pictures(landscape.structure, landscape.net.net, [shape for _, shape, _ in each], _CELLS)
-        for each in moments
+        net_pictures(landscape.structure, landscape.net.net, [shape for _, shape, _ in each]) for each in moments
     ]
     most = max(len(each) for each in moments)
     height = _PLOT + min(max(each.slope for each in pictures) * width / columns / most, 1.3) + 0.25
@@ -53,8 +61,8 @@ def draw_courses(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figur
         figure = Figure(figsize=(width, rows * height + _LEGEND * (1 + is_narrow(width))), layout="constrained")
         panels = np.ravel(figure.subfigures(rows, columns, squeeze=False))
         for panel, course, each, picture in zip(panels, courses, moments, pictures, strict=False):
-            _draw_course(panel, landscape, course, each, picture)
-        figure.legend(handles=_handles(courses), loc="outside lower center", ncols=2 if is_narrow(width) else 4)
+            _draw_course(panel, landscape, course, each, picture, width / columns)
+        fit_legend(figure, _handles(courses), 4, loc="outside lower center")
         return describe(figure, _tell(landscape, courses))
 
 
@@ -64,8 +72,9 @@ def _draw_course(
     course: Course,
     moments: Sequence[tuple[float, Shape, str]],
     pictures: Pictures,
+    width: float,
 ) -> None:
-    """One drive: the plot, and beneath it pictures with the letters of their places."""
+    """One drive, so wide, inch: the plot, and beneath it pictures with the letters of their places."""
     plot = _Plot(landscape, course)
     grid = panel.add_gridspec(2, len(moments), height_ratios=[_PLOT, max(pictures.slope, 0.3)])
     axes = panel.add_subplot(grid[0, :])
@@ -90,7 +99,7 @@ def _draw_course(
     axes.set_title(course.name, loc="left")
     axes.margins(x=0.06, y=0.1)
     small = [panel.add_subplot(grid[1, number]) for number in range(len(moments))]
-    hang(pictures, small)
+    hang_all(pictures, small, width / len(moments))
     for letter, each, (_, _, words) in zip(_LETTERS, small, moments, strict=False):
         each.set_title(f"{letter}\n{words}" if words else letter, pad=1, fontsize=7)
 

@@ -29,8 +29,8 @@ from forficula.show.style import (
     VERMILION,
     describe,
     figure_style,
+    fit_legend,
     in_column,
-    is_narrow,
 )
 from forficula.statics import EnergyLandscape, FoldPath, StableState, folding_hinges, stable_states
 from forficula.statics.fold_path import rigid_fold
@@ -100,7 +100,7 @@ def draw_fold_path(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Fig
         bottom.set_xlabel("pleat angle (deg): camber < 0, flat 0, folding > 0")
         handles = [handle for axes in (top, middle) for handle in axes.get_legend_handles_labels()[0]]
         handles += state_handles({state.kind for state in states})
-        figure.legend(handles=handles, loc="outside upper center", ncols=2 if is_narrow(width) else 4)
+        fit_legend(figure, handles, 4, loc="outside upper center")
         return describe(figure, _tell(landscape))
 
 

@@ -11,7 +11,7 @@ from matplotlib.patches import Patch
 from forficula.quantities import reading_unit, show_value
 from forficula.show.landscape.landscape_marks import sheet_parts, springy_parts, write_note
 from forficula.show.structure.labels import label_of
-from forficula.show.style import BLACK, BLUE, ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
+from forficula.show.style import BLACK, BLUE, ORANGE, PAGE_WIDTH, describe, figure_style, fit_legend
 from forficula.statics import EnergyLandscape, PartialFold, folding_hinges
 
 _NARROW = 0.03  # share of all bars' width in which no words have room
@@ -74,7 +74,7 @@ def draw_levels(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure
         overbend = landscape.structure.appearance.overbend
         bottom.set_xlabel(f"hinges that start folded, the others in the {overbend}")
         top.set_xlim(places[0] - 1, places[-1] + 1)
-        figure.legend(handles=_handles(landscape), loc="outside upper center", ncols=1 if is_narrow(width) else 3)
+        fit_legend(figure, _handles(landscape), 3, loc="outside upper center")
         return describe(figure, _tell(landscape))
 
 

@@ -7,12 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.collections import PolyCollection
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
-from forficula.show.structure.painted_shape import PaintedShape, paint_shape, shape_handles, structure_view
+from forficula.show.structure.painted_shape import PaintedShape, hang, paint_shape, shape_handles, structure_view
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_of
 from forficula.show.style import ORANGE
@@ -30,26 +29,24 @@ class Pictures:
     Attributes:
         painted: in order.
         lines: ends of creases and edges on the picture, m, (line, end, 2), by picture.
-        low: lower left corner, m, (2,).
-        high: upper right corner, m, (2,).
+        window: lower left and upper right corner of what holds them all, m, (2, 2).
         handles: what the colours mean.
     """
 
     painted: tuple[PaintedShape, ...]
     lines: tuple[Array, ...]
-    low: Array
-    high: Array
+    window: Array
     handles: tuple[Patch | Line2D, ...]
 
     @property
     def slope(self) -> float:
         """Height by width."""
-        width, height = self.high - self.low
+        width, height = np.ptp(self.window, axis=0)
         return float(height / width)
 
 
-def net_pictures(structure: Structure, net: Net, shapes: Sequence[Shape], cells: int) -> Pictures:
-    """Paint a structure in some shapes of the net that it is, from so many cells to the size of the whole."""
+def net_pictures(structure: Structure, net: Net, shapes: Sequence[Shape]) -> Pictures:
+    """Paint a structure in some shapes of the net that it is."""
     shape, view = shape_of(structure), structure_view(structure)
     at = {point.body: number for number, point in enumerate(structure.points)}
     nodes = [at[body] for membrane in structure.membranes for body in membrane.bodies.tolist()]
@@ -62,26 +59,20 @@ def net_pictures(structure: Structure, net: Net, shapes: Sequence[Shape], cells:
             each.angles,
             two_sided=bool(structure.facets),
         )
-        painted.append(paint_shape(surface, view, ORANGE, cells=cells))
+        painted.append(paint_shape(surface, view, ORANGE))
         lines.append(view.project(surface.lines))
-    corners = np.concatenate([each.polygons.reshape(-1, 2) for each in painted])
+    corners = np.concatenate([each.corners for each in painted])
     return Pictures(
         painted=tuple(painted),
         lines=tuple(lines),
-        low=corners.min(axis=0),
-        high=corners.max(axis=0),
+        window=np.array([corners.min(axis=0), corners.max(axis=0)]),
         handles=tuple(shape_handles(shape, structure, ORANGE, 2.0)),
     )
 
 
-def hang(pictures: Pictures, all_axes: Iterable[Axes]) -> None:
-    """Draw pictures into axes, which are left without lines; axes that are left over stay empty."""
+def hang_all(pictures: Pictures, all_axes: Iterable[Axes], width: float) -> None:
+    """Draw pictures into axes so wide, inch, and without lines; axes that are left over stay empty."""
     for axes in (all_axes := list(all_axes)):
         axes.set_axis_off()
     for axes, painted in zip(all_axes, pictures.painted, strict=False):
-        # edges of the same colour, or else seams show between the polygons
-        axes.add_collection(
-            PolyCollection(list(painted.polygons), facecolors=painted.colours, edgecolors="face", linewidths=0.3)
-        )
-        (left, bottom), (right, top) = pictures.low, pictures.high
-        axes.set(xlim=(left, right), ylim=(bottom, top), aspect="equal")
+        hang(axes, painted, pictures.window, width)

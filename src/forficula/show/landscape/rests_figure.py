@@ -22,7 +22,7 @@ from forficula.show.style import (
     VERMILION,
     describe,
     figure_style,
-    is_narrow,
+    fit_legend,
 )
 from forficula.statics import EnergyLandscape, Rest
 from forficula.structure import Measure, read_angles
@@ -62,9 +62,7 @@ def draw_rests(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
         bottom.set_xlim(-0.6, len(rests) - 0.4)
         bottom.set_ylabel(f"{title_of(measures[0]) if len(measures) == 1 else 'angle'} (deg)")
         bottom.set_xlabel(_order(landscape, measures))
-        figure.legend(
-            handles=_handles(landscape, measures), loc="outside upper center", ncols=1 if is_narrow(width) else 4
-        )
+        fit_legend(figure, _handles(landscape, measures), 4, loc="outside upper center")
         return describe(figure, _tell(landscape, measures))
 
 

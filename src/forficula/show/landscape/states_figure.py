@@ -6,9 +6,9 @@ import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
-from forficula.show.landscape.net_pictures import hang, net_pictures
+from forficula.show.landscape.net_pictures import hang_all, net_pictures
 from forficula.show.landscape.net_words import shown_value
-from forficula.show.style import PAGE_WIDTH, describe, figure_style, is_narrow
+from forficula.show.style import PAGE_WIDTH, describe, figure_style, fit_legend, is_narrow
 from forficula.statics import EnergyLandscape
 from forficula.statics.net.energy import shape_at
 from forficula.statics.net.net import Shape
@@ -17,7 +17,6 @@ from forficula.statics.net_state import NetState
 
 _SWING = 0.12  # largest displacement that is drawn of a mode, of the net's size
 _TITLE, _LEGEND = 0.42, 0.35  # inch
-_CELLS = 16  # to the size of the whole: the more, the larger the file
 _MOST = 4  # states whose modes are drawn
 
 
@@ -29,18 +28,17 @@ def draw_states(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure
         width: of the figure, inch.
     """
     net, structure = _net(landscape), landscape.structure
-    pictures = net_pictures(structure, net.net, [state.rest.shape for state in net.states], _CELLS)
+    pictures = net_pictures(structure, net.net, [state.rest.shape for state in net.states])
     columns = min(2 if is_narrow(width) else 4, len(net.states))
     rows = -(-len(net.states) // columns)
     height = min(width / columns * pictures.slope, 2.4) + _TITLE
     with figure_style():
         figure = Figure(figsize=(width, rows * height + _LEGEND * (1 + is_narrow(width))), layout="constrained")
         axes = np.ravel(figure.subplots(rows, columns, squeeze=False))
-        hang(pictures, axes)
+        hang_all(pictures, axes, width / columns)
         for each, state in zip(axes, net.states, strict=False):
             each.set_title(f"{state.name}\n{shown_value(state.energy, 'J', 3)}", pad=2)
-        columns = 2 if is_narrow(width) else 4
-        figure.legend(handles=list(pictures.handles), loc="outside lower center", ncols=columns)
+        fit_legend(figure, pictures.handles, 4, loc="outside lower center")
         told = "; ".join(f"{each.name} with {shown_value(each.energy, 'J', 3)}" for each in net.states)
         what = f"The stable states of the {structure.appearance.whole} {landscape.design.name} in space"
         return describe(figure, f"{what}. {told}.")
@@ -59,7 +57,7 @@ def draw_modes(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
     count = max(len(state.modes) for state in states)
     columns = min(count, 2 if is_narrow(width) else 4)
     swung = [_swung(net, state, mode) for state in states for mode in range(min(columns, len(state.modes)))]
-    pictures = net_pictures(structure, net.net, [*swung, *(state.rest.shape for state in states)], _CELLS)
+    pictures = net_pictures(structure, net.net, [*swung, *(state.rest.shape for state in states)])
     height = min(width / columns * pictures.slope, 2.0) + _TITLE
     with figure_style():
         figure = Figure(figsize=(width, len(states) * height), layout="constrained")
@@ -67,7 +65,7 @@ def draw_modes(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
         drawn = [axes for row, state in zip(grid, states, strict=True) for axes in row[: len(state.modes)]]
         for axes in grid.ravel():
             axes.set_axis_off()
-        hang(pictures, drawn)
+        hang_all(pictures, drawn, width / columns)
         for row, state, still in zip(grid, states, pictures.lines[len(swung) :], strict=True):
             for axes, frequency in zip(row, state.frequencies, strict=False):
                 axes.add_collection(LineCollection(list(still), colors="0.35", linewidths=0.5, linestyles=":"))

@@ -39,6 +39,7 @@ from forficula.show.style import (
     VERMILION,
     describe,
     figure_style,
+    fit_legend,
     in_column,
     is_narrow,
 )
@@ -111,7 +112,7 @@ def draw_tendon(
         lines = [handle for handle in handles if handle not in simulated]
         stops = Patch(color=_STOP, label="beyond the stops")
         handles = [*lines, stops, *simulated, *state_handles({state.kind for state in own.states})]
-        figure.legend(handles=handles, loc="outside upper center", ncols=1 if is_narrow(width) else 3)
+        fit_legend(figure, handles, 3, loc="outside upper center")
         return describe(figure, _tell(landscape, shown, title))
 
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from forficula.material.characterisation import Characterisation
 from forficula.material.tensile.cycles import Branch, Cycle
 from forficula.show.material.material_units import stress_unit
-from forficula.show.style import BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, in_column, is_narrow
+from forficula.show.style import BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, fit_legend, in_column, is_narrow
 
 Array = NDArray[np.float64]
 
@@ -108,10 +108,10 @@ def _legend(figure: Figure, spare: Sequence[Axes], *, many: bool) -> None:
     if many:
         handles.append(Line2D([], [], color="0.5", lw=0.6, label="each specimen"))
     handles.append(Line2D([], [], label="unloading carries no force below", **_SLACK))
-    if spare:
+    if spare and not is_narrow(figure.get_figwidth()):
         spare[0].legend(handles=handles, loc="center left", borderaxespad=0)
     else:
-        figure.legend(handles=handles, loc="outside lower center", ncols=1 if is_narrow(figure.get_figwidth()) else 2)
+        fit_legend(figure, handles, 2, loc="outside lower center")
 
 
 def _tell(material: Characterisation, numbers: Sequence[int]) -> str:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from forficula.material.characterisation import DRIFTING, Characterisation, common_cycles, cycle_table
 from forficula.material.law.drift import Drift
 from forficula.show.material.material_units import energy_unit, stress_unit
-from forficula.show.style import BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, is_narrow
+from forficula.show.style import BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, fit_legend, is_narrow
 
 Array = NDArray[np.float64]
 
@@ -100,7 +100,7 @@ def _legend(figure: Figure, *, many: bool, left_out: bool) -> None:
     if left_out:
         handles.append(Line2D([], [], ls="none", marker="o", color="white", mec=BLUE, ms=3.5, label="left out"))
     handles.append(Line2D([], [], ls="--", color=VERMILION, label="drift that was fitted, and its 95 % interval"))
-    figure.legend(handles=handles, loc="outside lower center", ncols=2 if is_narrow(figure.get_figwidth()) else 3)
+    fit_legend(figure, handles, 3, loc="outside lower center")
 
 
 def _tell(material: Characterisation) -> str:

@@ -13,7 +13,7 @@ from forficula.material.characterisation import Characterisation
 from forficula.material.fit.fit import LawFit, Residual
 from forficula.quantities import reading_unit
 from forficula.show.material.material_units import stress_unit
-from forficula.show.style import BLACK, PAGE_WIDTH, SKY, VERMILION, describe, figure_style, is_narrow
+from forficula.show.style import BLACK, PAGE_WIDTH, SKY, VERMILION, describe, figure_style, fit_legend, is_narrow
 
 _MINUTE, _HOUR = 60.0, 3600.0
 _SOME_ROWS = 1.5  # more than one
@@ -106,8 +106,8 @@ def _legend(figure: Figure, material: Characterisation, fit: LawFit, misfit: str
         Line2D([], [], color=VERMILION, label=along if many else "law"),
         Line2D([], [], color=BLACK, lw=0.7, ls=":", label=f"root mean square, {misfit}"),
     ]
-    columns, size = (1, 6) if is_narrow(figure.get_figwidth()) else (3, 7)
-    figure.legend(handles=handles, loc="outside lower center", ncols=columns, fontsize=size)
+    size = 6 if is_narrow(figure.get_figwidth()) else 7
+    fit_legend(figure, handles, 3, loc="outside lower center", fontsize=size)
 
 
 def _tell(name: str, fit: LawFit) -> str:

@@ -15,7 +15,17 @@ from matplotlib.ticker import FuncFormatter
 from forficula.material.characterisation import AREA, LENGTH, Characterisation
 from forficula.material.tensile.modulus import ModulusClass
 from forficula.quantities import show_quantity
-from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, in_column, is_narrow
+from forficula.show.style import (
+    BLACK,
+    BLUE,
+    PAGE_WIDTH,
+    VERMILION,
+    describe,
+    figure_style,
+    fit_legend,
+    in_column,
+    is_narrow,
+)
 
 Kind = Literal["secant_modulus", "local_modulus"]
 
@@ -151,8 +161,7 @@ def _legend(figure: Figure, material: Characterisation) -> None:
     narrow = is_narrow(figure.get_figwidth())
     if narrow:
         note = textwrap.fill(note, _COLUMN_LINE)
-    columns = 1 if narrow else 3
-    figure.legend(handles=handles, loc="outside upper center", ncols=columns, title=note, title_fontsize=7)
+    fit_legend(figure, handles, 3, loc="outside upper center", title=note, title_fontsize=7)
 
 
 def _tell(material: Characterisation) -> str:

@@ -23,6 +23,7 @@ from forficula.show.style import (
     VERMILION,
     describe,
     figure_style,
+    fit_legend,
     in_column,
     is_narrow,
 )
@@ -53,7 +54,7 @@ def draw_cycling(cycling: Cycling, width: float = PAGE_WIDTH) -> Figure:
         _draw_margins(margins, cycling)
         for axes in (energies, times, margins):
             _draw_counts(axes, cycling)
-        figure.legend(handles=_handles(cycling), loc="outside lower center", ncols=2 if narrow else 6)
+        fit_legend(figure, _handles(cycling), 6, loc="outside lower center")
         return describe(figure, _tell(cycling))
 
 

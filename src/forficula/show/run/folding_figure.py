@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
-from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
@@ -17,24 +15,44 @@ from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
 from forficula.quantities import reading_unit
 from forficula.show.run.state_names import lettered_states
-from forficula.show.structure.painted_shape import paint_shape, shape_handles, structure_view
+from forficula.show.structure.labels import shown_angles
+from forficula.show.structure.painted_shape import PaintedShape, hang, paint_shape, shape_handles, structure_view
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import at_time, surface_at
-from forficula.show.style import ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
-from forficula.structure import Structure, hinge_groups
+from forficula.show.style import ORANGE, PAGE_WIDTH, describe, figure_style, fit_legend, is_narrow
 
 Array = NDArray[np.float64]
 
-_LEGEND_HEIGHT = 0.9  # inch
+_LEGEND_ROW, _TITLE = 0.2, 0.42  # inch
 _BAR_HEIGHT = 0.3  # inch, of a scale bar with its number
 _TORN = 10.0  # spans
 _MOST_LINES = 200  # of creases and edges: more would hide what they lie on
-# to the size of the whole: the more, the larger the file; facets hide more of one another than sheets between bars do
-_CELLS, _FACET_CELLS = 16, 20
+_ENLARGED = 1.4  # times at least, or else a state is large enough as it is
+_MARGIN = 1.06  # of an enlarged picture
+_STILL = np.radians(1.0)  # hinges that turn less in a stage have no part in its progress
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Moment:
+    """What one picture shows.
+
+    Attributes:
+        name: of the state or the stage.
+        time: of the run, s.
+        stage: the last one that began before it.
+        state: whether it is a state.
+    """
+
+    name: str
+    time: float
+    stage: StageEnd
+    state: bool
 
 
 def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) -> Figure:
-    """Draw a structure in its states and on its ways between them, all at one scale and from one side.
+    """Draw a structure in its states and, by angle, on its ways between them, all at one scale and from one side.
+
+    A state that is much smaller than the whole is drawn once more, enlarged.
 
     Args:
         record: what happened.
@@ -43,90 +61,120 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) ->
     """
     moments, structure = _moments(record, outcome), record.structure
     shape, view = shape_of(structure), structure_view(structure)
+    texts = _titles(moments)
     with figure_style():
         columns = 2 if is_narrow(width) else 4
-        times = time_texts([time for _, time in moments])
-        surfaces = [surface_at(record, shape, time) for _, time in moments]
+        surfaces = [surface_at(record, shape, each.time) for each in moments]
         if len(shape.lines) > _MOST_LINES and not structure.facets:
             surfaces = [replace(each, lines=each.lines[:0], folds=each.folds[:0]) for each in surfaces]
-        cells = _FACET_CELLS if structure.facets else _CELLS
-        drawn = [paint_shape(surface, view, ORANGE, cells=cells) for surface in surfaces]
-        corners = np.concatenate([painted.polygons.reshape(-1, 2) for painted in drawn])
-        low, high = corners.min(axis=0), corners.max(axis=0)
-        scale = width / columns / (high - low)[0]
-        height = scale * (high - low)[1]
-        flat = height < _LEGEND_HEIGHT / 2
-        if flat:  # the scale bar comes beneath the first one, and the legend beneath all
-            low[1] -= _BAR_HEIGHT / scale
-            height += _BAR_HEIGHT
-        else:
-            height = max(height, _LEGEND_HEIGHT)
-        rows = -(-(len(moments) + (not flat)) // columns)  # one place for the legend
-        figure = Figure(figsize=(width, rows * (height + 0.25) + 0.25 * flat), layout="constrained")
-        for axes, (name, time), painted in zip(
-            np.ravel(figure.subplots(rows, columns, squeeze=False)), moments, drawn, strict=False
-        ):
-            # edges of the same colour, or else seams show between the polygons
-            axes.add_collection(
-                PolyCollection(list(painted.polygons), facecolors=painted.colours, edgecolors="face", linewidths=0.3)
-            )
-            axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
-            axes.set_title(f"{name}, {times[time]}", pad=2)
-        for axes in figure.axes:
-            axes.set_axis_off()
+        drawn = [paint_shape(surface, view, ORANGE) for surface in surfaces]
+        corners = np.concatenate([painted.corners for painted in drawn])
+        window = np.array([corners.min(axis=0), corners.max(axis=0)])
+        scale = width / columns / np.ptp(window, axis=0)[0]
+        # the scale bar stands where there is room beneath a picture, or room is made for it
+        room = _BAR_HEIGHT / scale
+        barred = next((place for place, each in enumerate(drawn) if each.corners[0, 1] > window[0, 1] + room), None)
+        if barred is None:
+            window[0, 1] -= room
+        enlarged = _enlarged(moments, drawn, window)
+        rows = -(-(len(moments) + (enlarged is not None)) // columns)
         handles = shape_handles(shape, structure, ORANGE, 2.0)
-        if flat:
-            _scale_bar(figure.axes[0], high - low, low)
-            figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
-        else:
-            _legend(figure.axes[len(moments)], handles, high - low, low)
-        told = "; ".join(f"{name} at {times[time]}" for name, time in moments)
+        across = 2 if is_narrow(width) else len(handles)
+        legend = _LEGEND_ROW * -(-len(handles) // across)
+        height = rows * (scale * np.ptp(window, axis=0)[1] + _TITLE) + legend
+        figure = Figure(figsize=(width, height), layout="constrained")
+        panels = np.ravel(figure.subplots(rows, columns, squeeze=False))
+        for axes, each, painted in zip(panels, moments, drawn, strict=False):
+            hang(axes, painted, window, width / columns)
+            axes.set_title(texts[each], pad=2)
+        _scale_bar(panels[barred or 0], window)
+        if enlarged is not None:
+            place, times = enlarged
+            close = drawn[place].corners.mean(axis=0) + np.ptp(window, axis=0) / times * np.array([[-0.5], [0.5]])
+            hang(panels[len(moments)], drawn[place], close, width / columns)
+            panels[len(moments)].set_title(f"{moments[place].name}\nenlarged {times:.2g} times", pad=2)
+        for axes in panels:
+            axes.set_axis_off()
+        fit_legend(figure, handles, across, loc="outside lower center")
+        told = "; ".join(texts[each].replace("\n", ", ") for each in moments)
         what = f"The {structure.appearance.whole} {record.design.name} in space at {len(moments)} moments of a run"
-        return describe(figure, f"{what}. {told}.")
+        return describe(figure, f"{what}, each with the time since its stage began. {told}.")
+
+
+def _titles(moments: Sequence[_Moment]) -> dict[_Moment, str]:
+    """What stands over the pictures: a state's name, and the stage and how long ago it began."""
+    texts = {}
+    for each in moments:
+        beside = [other.time - other.stage.start for other in moments if other.stage is each.stage]
+        since = f"{each.stage.stage.name} + {time_texts(beside)[each.time - each.stage.start]}"
+        texts[each] = f"{each.name}\n{since}" if each.state else since
+    return texts
 
 
 def time_texts(times: list[float]) -> dict[float, str]:
-    """Times (s) in one unit, with four significant digits or as many as tell them apart."""
+    """Times (s) in one unit, with three significant digits or as many as tell them apart."""
     unit, factor = reading_unit("s", max(times))
-    for digits in range(4, 18):
-        texts = {time: f"{factor * time:#.{digits}g} {unit}" for time in times}
+    for digits in range(3, 18):
+        texts = {time: f"{factor * time:.{digits}g} {unit}" for time in times}
         if len(set(texts.values())) == len(texts):
             break
     return texts
 
 
-def _legend(axes: Axes, handles: Sequence[Artist], size: Array, low: Array) -> None:
-    """What the colours mean, and a scale bar."""
-    axes.set(xlim=(low[0], low[0] + size[0]), ylim=(low[1], low[1] + size[1]), aspect="equal")
-    _scale_bar(axes, size, low)
-    axes.legend(handles=handles, loc="upper left", borderaxespad=0)
+def _enlarged(moments: Sequence[_Moment], drawn: Sequence[PaintedShape], window: Array) -> tuple[int, float] | None:
+    """The smallest state, and how many times larger it fills a window; None where that is hardly more."""
+    times = {
+        place: float((np.ptp(window, axis=0) / np.ptp(painted.corners, axis=0)).min()) / _MARGIN
+        for place, (each, painted) in enumerate(zip(moments, drawn, strict=True))
+        if each.state
+    }
+    place = max(times, key=times.__getitem__, default=0)
+    return (place, np.floor(10 * times[place]) / 10) if times.get(place, 0.0) >= _ENLARGED else None
 
 
-def _scale_bar(axes: Axes, size: Array, low: Array) -> None:
-    """A scale bar of about a third of the picture."""
+def _scale_bar(axes: Axes, window: Array) -> None:
+    """A scale bar of about a third of the picture, at its foot."""
+    size = np.ptp(window, axis=0)
     bar = 10.0 ** np.floor(np.log10(size[0] / 2))
     bar *= next(steps for steps in (5, 2, 1) if steps * bar <= size[0] / 2)
-    left, height = low[0] + 0.15 * size[0], low[1] + 0.05 * size[1]
-    axes.plot([left, left + bar], [height, height], color="black", lw=1.5)
+    left, foot = window[0, 0] + 0.04 * size[0], window[0, 1] + 0.02 * size[1]
+    axes.plot([left, left + bar], [foot, foot], color="black", lw=1.5, solid_capstyle="butt")
     unit, factor = reading_unit("m", bar)
-    axes.text(left + bar / 2, height + 0.04 * size[1], f"{factor * bar:.4g} {unit}", ha="center", va="bottom")
+    axes.annotate(
+        f"{factor * bar:.4g} {unit}",
+        (left + bar / 2, foot),
+        (0, 2),
+        textcoords="offset points",
+        ha="center",
+        va="bottom",
+    )
 
 
-def _moments(record: Record, outcome: Outcome) -> list[tuple[str, float]]:
-    """Names and times: the states, and between them moments at equal progress of every driven stage.
+def _moments(record: Record, outcome: Outcome) -> list[_Moment]:
+    """The states, and between them moments at equal progress of every driven stage.
 
     Where none is driven, of every stage, from the start.
     """
-    moments = [(name, state.time) for name, state in lettered_states(record.structure, outcome)]
+    moments = [(name, state.time, True) for name, state in lettered_states(record.structure, outcome)]
     driven = [end for end in record.stages if stage_drives(end.stage)]
     if not driven:
-        moments.append(("start", 0.0))
+        moments.append(("start", 0.0, True))
     for end in driven or record.stages:
-        moments += [(end.stage.name, time) for time in _halfway(record, end)]
+        moments += [(end.stage.name, time, False) for time in _halfway(record, end)]
     moments.sort(key=lambda moment: moment[1])
     # of two names for one moment the first
-    apart = [(name, time) for place, (name, time) in enumerate(moments) if place == 0 or time > moments[place - 1][1]]
-    return [(name, time) for name, time in apart if not _is_torn(record, time)] or [("start", 0.0)]
+    apart = [each for place, each in enumerate(moments) if place == 0 or each[1] > moments[place - 1][1]]
+    seen = [each for each in apart if not _is_torn(record, each[1])] or [("start", 0.0, True)]
+    half = float(record.design.protocol.timestep) / 2  # times are multiples of it up to rounding
+    return [
+        _Moment(
+            name=name,
+            time=time,
+            stage=next((end for end in reversed(record.stages) if end.start < time - half), record.stages[0]),
+            state=state,
+        )
+        for name, time, state in seen
+    ]
 
 
 def _is_torn(record: Record, time: float) -> bool:
@@ -140,31 +188,21 @@ def _is_torn(record: Record, time: float) -> bool:
 
 
 def _halfway(record: Record, end: StageEnd) -> list[float]:
-    """Times in a stage at which it has gone a third and two thirds of its way."""
+    """Times in a stage at which its angles have gone a third and two thirds of their way."""
     rows = (record.time >= end.start) & (record.time <= end.end)
-    time, progress = record.time[rows], _progress(record)[rows]
-    done = np.maximum.accumulate(np.abs(progress - progress[0]))
+    time, done = record.time[rows], np.maximum.accumulate(_progress(record, rows))
     return [float(time[int(np.searchsorted(done, share * done[-1]))]) for share in (1 / 3, 2 / 3)]
 
 
-def _progress(record: Record) -> Array:
-    """How far the hinges of every motor are on their way to their further stops, on average, summed, (time,)."""
-    structure, angles = record.structure, record.series["hinge_angle"]
-    groups = [motor.hinges for motor in structure.motors if motor.hinges]
-    groups = groups or [hinges for kind, hinges in hinge_groups(structure).items() if kind != "facet bends"]
-    return sum(
-        ((angles[:, list(group)] / _ways(structure, angles, group)).mean(axis=1) for group in groups),
-        np.zeros(len(record.time)),
-    )
-
-
-def _ways(structure: Structure, angles: Array, group: tuple[int, ...]) -> Array:
-    """The angles of hinges at their further stops, rad, (hinge,); where there is none, the furthest that they come."""
-    ways = []
-    for number in group:
-        hinge = structure.hinges[number]
-        stops = [stop for stop in (hinge.lower, hinge.upper) if np.isfinite(stop)]
-        seen = angles[:, number][np.isfinite(angles[:, number])]
-        way = max(stops, key=abs, default=0.0) or (float(seen[np.argmax(np.abs(seen))]) if len(seen) else 0.0)
-        ways.append(way or 1.0)
-    return np.array(ways)
+def _progress(record: Record, rows: NDArray[np.bool_]) -> Array:
+    """How far the measured hinges and those of every motor have turned, by their furthest, summed, (row,)."""
+    structure = record.structure
+    measured = [measure.hinges for measure in shown_angles(structure)]
+    turned = np.abs(record.series["hinge_angle"][rows] - record.series["hinge_angle"][rows][0])
+    means = [
+        turned[:, list(group)].mean(axis=1)
+        for group in {*measured, *(motor.hinges for motor in structure.motors)}
+        if group
+    ]
+    moving = [mean / mean.max() for mean in means if mean.max() > _STILL]
+    return np.asarray(np.sum(moving, axis=0) if moving else turned.sum(axis=1))

@@ -4,21 +4,20 @@ from __future__ import annotations
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from forficula.analysis.package import Package, open_package, smallest_package
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit, show_value
-from forficula.show.structure.painted_shape import View, paint_shape
+from forficula.show.structure.painted_shape import View, hang, paint_shape
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_at
 from forficula.show.style import ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
 
 Array = NDArray[np.float64]
 
-_CELLS = 30
+_ROOM = 1.15  # of a picture, by its larger side
 _BESIDE = 0.06  # of a picture's width: how far off a dimension stands
 
 
@@ -43,18 +42,19 @@ def draw_package(record: Record, width: float = PAGE_WIDTH) -> Figure:
         rows, columns = (3, 1) if narrow else (1, 3)
         figure = Figure(figsize=(width, 2.2 * rows), layout="constrained")
         panels = np.ravel(figure.subplots(rows, columns, squeeze=False))
-        sizes = []
-        for axes, (title, at, view) in zip(panels, pictures, strict=True):
-            polygons = _paint(axes, record, at, view)
-            sizes.append((polygons.min(axis=0), polygons.max(axis=0)))
+        shape = shape_of(record.structure)
+        painted = [paint_shape(surface_at(record, shape, at), view, ORANGE) for _, at, view in pictures]
+        sizes = [each.corners for each in painted]
+        largest = max(float(np.ptp(size, axis=0).max()) for size in sizes[:2])
+        for axes, (title, _, _), each, enlarged in zip(panels, pictures, painted, (False, False, True), strict=True):
+            side = float(np.ptp(each.corners, axis=0).max()) if enlarged else largest
+            window = each.corners.mean(axis=0) + _ROOM * side * np.array([[-0.5], [0.5]])
+            if enlarged:
+                window[:, 1] = each.corners[:, 1] + _BESIDE * side * np.array([-3, 2])
+            hang(axes, each, window, width / columns)
             axes.set_title(title, pad=3)
-            axes.set_axis_off()
-        largest = max(float(np.max(high - low)) for low, high in sizes[:2])
-        for axes, (low, high) in zip(panels[:2], sizes, strict=False):
-            left, right = (low + high) / 2 + largest * np.array([[-0.55], [0.55]])
-            axes.set(xlim=(left[0], right[0]), ylim=(left[1], right[1]), aspect="equal")
-        _dimension(panels[1], *sizes[1], package.width, package.length)
-        _dimension(panels[2], *sizes[2], package.length, package.height)
+        _dimension(panels[1], sizes[1], package.width, package.length)
+        _dimension(panels[2], sizes[2], package.length, package.height)
         return describe(figure, f"The {whole} {record.design.name}. {package_text(name, time, package)}")
 
 
@@ -84,20 +84,9 @@ def _from_the_side(package: Package) -> View:
     return View(right=along, up=package.upwards, towards=np.cross(along, package.upwards))
 
 
-def _paint(axes: Axes, record: Record, time: float, view: View) -> Array:
-    """Paint the structure at a time; returns the corners of what is painted, (corner, 2)."""
-    surface = surface_at(record, shape_of(record.structure), time)
-    painted = paint_shape(surface, view, ORANGE, cells=_CELLS)
-    axes.add_collection(
-        PolyCollection(list(painted.polygons), facecolors=painted.colours, edgecolors="face", linewidths=0.2)
-    )
-    axes.set_aspect("equal")
-    axes.autoscale_view()
-    return painted.polygons.reshape(-1, 2)
-
-
-def _dimension(axes: Axes, low: Array, high: Array, across: float, upwards: float) -> None:
+def _dimension(axes: Axes, corners: Array, across: float, upwards: float) -> None:
     """Write the size of a picture beneath it and beside it."""
+    low, high = corners
     beside = _BESIDE * max(high - low)
     arrow = {"arrowstyle": "<->", "lw": 0.7, "shrinkA": 0, "shrinkB": 0}
     axes.annotate("", (low[0], low[1] - beside), (high[0], low[1] - beside), arrowprops=arrow, annotation_clip=False)

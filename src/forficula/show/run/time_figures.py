@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import matplotlib as mpl
@@ -16,10 +17,12 @@ from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
 from forficula.quantities import reading_unit, show_duration, show_value
 from forficula.show.run.outcome_rows import state_angles
+from forficula.show.run.stalled import stalled_stage, still_time
 from forficula.show.run.state_names import state_letters
 from forficula.show.structure.drive_words import acting
 from forficula.show.structure.labels import (
     counted,
+    driven_angles,
     measure_labels,
     median,
     role_groups,
@@ -39,31 +42,69 @@ from forficula.show.style import (
     VERMILION,
     describe,
     figure_style,
+    fit_legend,
     is_narrow,
 )
-from forficula.structure import Measure, Structure, hinge_groups, measure_stops, springs_name
+from forficula.structure import (
+    Drive,
+    Measure,
+    Structure,
+    drive_of,
+    drive_unit,
+    hinge_groups,
+    measure_stops,
+    springs_name,
+)
+from forficula.study.slow_margin import MORE
 
 Array = NDArray[np.float64]
 
 _COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK)
 # before and after a driven stage, as a share of it
 _LEAD = 0.15
+_AFTER = 1.6  # of the time until it reached its goal or came to rest, that is drawn
+_LEAST_SEEN = 0.05  # deg, to either side: less is rounding
 # of an axis of angles, deg: to one side where hinges go beyond a right angle, at least, and by where they stop
 _HALF_TURN, _LEAST_ROOM, _ROOM = 200.0, 25.0, 1.2
 _ROOMY = 0.25  # of an axis over time, over which words stand
 # of a legend; more lines than that have the colours of a scale, in their order
 _MOST_ENTRIES = 8
+_LABELS = 0.6  # inch, of an axis upwards
 _SHORT, _SHORTEST = 12, 7  # letters of a label, of which three or four fit beside one another in a column
 _STEPS, _MOST_STEPS = (5, 10, 15, 30, 45, 90), 6
 
 
-def draw_angles(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) -> Figure:
-    """Draw angles and distances over time with the states marked, in a figure of a width in inch."""
-    rows_of = _readings(record.structure)
+def draw_angles(
+    record: Record, outcome: Outcome, width: float = PAGE_WIDTH, needed: Callable[[], float | None] = lambda: None
+) -> Figure:
+    """Draw angles and distances over time with the states marked.
+
+    Of a run that missed a goal also the angles that motors act on, close up, and the torque that acts beside the least
+    one that would have done.
+
+    Args:
+        record: what happened.
+        outcome: what it means.
+        width: of the figure, inch.
+        needed: finds that least torque, N m: nan where none does, None where it is not known.
+    """
+    stalled, structure = stalled_stage(record), record.structure
+    rows_of = _readings(structure)
+    if stalled is not None:
+        had = [measure for measures in rows_of for measure in measures]
+        rows_of = [(measure,) for measure in driven_angles(structure, had) if measure not in had] + rows_of
     with figure_style():
         labels = [_row_label(record, measures) for measures in rows_of]
-        figure, rows = _layout(record, labels, width, height=2.5 if len(labels) == 1 else 2.2 * len(labels))
-        for axes_row, measures in zip(rows, rows_of, strict=True):
+        drives = [] if stalled is None else [drive_of(structure, name) for name in stage_drives(stalled.stage)]
+        torques = drives if all(drive_unit(structure, drive) == "N m" for drive in drives) else []
+        if torques:
+            least = needed()
+            unit, factor = reading_unit("N m", max(abs(drive.strength) for drive in torques))
+            labels.append(f"torque ({unit})")
+        figure, rows = _layout(
+            record, labels, width, height=2.5 if len(labels) == 1 else (2.2 if stalled is None else 1.7) * len(labels)
+        )
+        for axes_row, measures in zip(rows, rows_of, strict=False):
             lines = _lines(record, measures)
             for axes, (start, scale) in zip(axes_row, _spans(record), strict=True):
                 time = _time(record, start, scale)
@@ -72,21 +113,33 @@ def draw_angles(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) -> 
                 else:
                     for line, (name, values) in enumerate(lines.items()):
                         axes.plot(time, values, **_look(line, len(lines)), label=name)
-                axes.axhline(0, color="0.6", lw=0.5, zorder=0)
                 if measures[0].kind == "angle":
-                    _scale_degrees(axes, record, measures)
+                    _scale_degrees(axes, record, measures, stalled)
+                axes.axhline(0, color="0.6", lw=0.5, zorder=0)
                 _shade_stages(axes, record, start, scale)
                 _mark_waits(axes, record, start, scale)
             if list(lines) != [title_of(measures[0])]:
                 _legend(axes_row, width, columns=4 if max(map(len, lines), default=0) <= _SHORTEST else 3)
+        if torques and stalled is not None:
+            for axes, (start, scale) in zip(rows[-1], _spans(record), strict=True):
+                _draw_torques(axes, record, stalled, torques, least, (start, scale, factor))
+            _legend(rows[-1], width, columns=2)
         if rows_of:
             _mark_states(rows[0][0], record, outcome, rows_of[0], _run_unit(record)[1])
         return describe(figure, _tell_angles(record, outcome))
 
 
 def draw_energies(record: Record, width: float = PAGE_WIDTH) -> Figure:
-    """Draw stored energies over time, and under them the work done and where it went; the width is in inch."""
-    tables = {"stored energy": stored_energies(record), "work since the start": _accounts(record)}
+    """Draw energies over time, and under them the work done and where it went; the width is in inch.
+
+    Of a run that missed a goal their changes since the stage that was to reach it.
+    """
+    stored, name = stored_energies(record), "energy"
+    if (stalled := stalled_stage(record)) is not None:
+        # what changes little would lie on what is large and stays
+        first, name = int(np.argmax(record.time >= stalled.start)), "change of energy"
+        stored = {part: (values - values[first], colour) for part, (values, colour) in stored.items()}
+    tables = {name: stored, "work since the start": _accounts(record)}
     with figure_style():
         figure, rows = _layout(record, list(tables), width, height=4.4)
         for axes_row, (label, series) in zip(rows, tables.items(), strict=True):
@@ -195,9 +248,47 @@ def _draw_many(axes: Axes, time: Array, record: Record, measure: Measure) -> Non
         axes.plot(time, median(own), **look, lw=1.6, label=f"{role} ({len(places)}), median")
 
 
-def _scale_degrees(axes: Axes, record: Record, measures: tuple[Measure, ...]) -> None:
-    """From stop to stop with some room, and no further than a turn of half a circle needs."""
+def _draw_torques(
+    axes: Axes,
+    record: Record,
+    stalled: StageEnd,
+    drives: Sequence[Drive],
+    least: float | None,
+    scales: tuple[float, float, float],
+) -> None:
+    """The torques that act while a stage is driven, and the least one that would have brought it to its goal."""
+    start, scale, factor = scales
+    first = np.nextafter(stalled.start, stalled.end)
+    time = np.sort([*record.time, stalled.start, first, stalled.end])
+    acts = (time >= first) & (time <= stalled.end)
+    highest = max(abs(drive.strength) for drive in drives)
+    for drive in drives:
+        risen = np.clip((time - stalled.start) / drive.rise, 0, 1) if drive.rise > 0 else 1.0
+        torque = np.where(acts, factor * abs(drive.strength) * risen, 0.0)
+        axes.plot((time - start) * scale, torque, color=BLACK, label=f"acts {drive.where}".rstrip())
+    if least is not None and np.isfinite(least):
+        axes.axhline(factor * least, color=VERMILION, ls="--", label="needed at least, slowly")
+        highest = max(highest, least)
+    elif least is not None:
+        tried = show_value(MORE * abs(drives[0].strength), "N m", 3)
+        axes.plot([], [], ls="none", label=f"slowly, none up to {tried} does")
+    axes.set_ylim(0, 1.2 * factor * highest or 1.0)
+    _shade_stages(axes, record, start, scale)
+
+
+def _scale_degrees(axes: Axes, record: Record, measures: tuple[Measure, ...], stalled: StageEnd | None) -> None:
+    """From stop to stop with some room, and no further than a turn of half a circle needs.
+
+    Where a stage missed its goal, only what it moved.
+    """
     low, high = (_room(record, measures, side) for side in (-1, 1))
+    if stalled is not None:
+        rows = record.time >= stalled.start
+        seen = np.degrees(np.concatenate([record.measured(measure.name)[rows].ravel() for measure in measures]))
+        middle, half = (seen.max() + seen.min()) / 2, max(_LEAST_SEEN, (0.5 + _LEAD) * np.ptp(seen))
+        if 2 * half < low + high:
+            axes.set_ylim(middle - half, middle + half)
+            return
     axes.set_ylim(-low, high)
     step = next(step for step in _STEPS if low + high <= _MOST_STEPS * step)
     axes.set_yticks(np.arange(-step * (low // step), high, step))
@@ -269,8 +360,9 @@ def _layout(record: Record, labels: list[str], width: float, height: float) -> t
         row[0].set_ylabel(label)
         row[0].set_xlim(0, run_scale * max(float(record.time[-1]), float(record.design.protocol.timestep)))
         for axes, end in zip(row[1:], driven, strict=True):
-            # the stage holds its goal for a while, in which little happens
-            duration = 1e3 * min(end.end - end.start, 1.6 * ((end.goal_time or end.end) - end.start))
+            # it holds its goal for a while, or rests short of it, in which little happens
+            moved = end.goal_time or still_time(record, end.start, end.end)
+            duration = 1e3 * min(end.end - end.start, _AFTER * (moved - end.start) or end.end - end.start)
             axes.set_xlim(-_LEAD * duration, (1 + _LEAD) * duration)
         if narrow or row is rows[-1]:
             row[0].set_xlabel(f"time ({run_unit})")
@@ -301,8 +393,8 @@ def _legend(row: list[Axes], width: float, columns: int) -> None:
         others = Line2D([], [], ls="none", label=f"and {len(handles) - len(places)} others")
         handles, columns = [*(handles[place] for place in places), others], min(columns, 3)
     if is_narrow(width):
-        above = {"bbox_to_anchor": (0, 1.14), "ncols": columns, "columnspacing": 1.2}
-        row[0].legend(handles=handles, loc="lower left", borderaxespad=0, **above)
+        above = {"bbox_to_anchor": (0, 1.14), "columnspacing": 1.2}
+        fit_legend(row[0], handles, columns, room=width - _LABELS, loc="lower left", borderaxespad=0, **above)
     else:
         row[-1].legend(handles=handles, loc="upper left", bbox_to_anchor=(1.04, 1), borderaxespad=0)
 

@@ -1,4 +1,4 @@
-"""A structure as flat polygons from back to front: what a picture without a depth buffer needs."""
+"""A structure as shaded triangles, and as a picture of them in axes."""
 
 from __future__ import annotations
 
@@ -7,14 +7,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.colors import to_rgb, to_rgba, to_rgba_array
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from numpy.typing import ArrayLike, NDArray
 
+from forficula.show.structure.raster import SAMPLES, Picture, rasterise
 from forficula.show.structure.shape import Shape
 from forficula.show.structure.surface import Surface
-from forficula.show.style import BLUE, VERMILION
+from forficula.show.style import BLUE, PICTURE_RESOLUTION, VERMILION
 from forficula.structure import Structure, outer_ends
 
 Array = NDArray[np.float64]
@@ -27,11 +29,14 @@ _CREASE, _CASING = "#6E6E6E", "#FFFFFF"
 _LIGHT = np.array([0.35, -0.25, 0.9])
 # the eye's height, and how far from the middle of what lies flat it looks
 _ELEVATION, _ASIDE = np.radians(47.0), np.radians(80.0)
-# strips of a tube: from where to where beside its axis, in radii, and how light they are
-_STRIPS = ((-1.0, -0.35, 0.75), (-0.35, 0.35, 1.5), (0.35, 1.0, 0.6))
 # half widths in radii of the thickest bar
 _TENDON, _CASED, _THIN, _FOLDED, _HELD = 0.62, 0.95, 0.14, 0.3, 1.0
-_MOST_PIECES = 200  # along a side: what blew up is far longer than the whole
+# by that radius: how much nearer to the eye than the face, or the bar's axis, what lies on it is painted
+_ON_FACE, _ON_BAR = 0.5, 1.5
+_CELLS = 12  # of a twisted face, to a side: it is not of one shade
+_TWIST = 1e-6  # the volume between the corners of a face, by the size of the whole, above which it is twisted
+_SIDES = 12  # of a tube
+_DULL, _LUSTRE = 0.55, 0.95  # how light a tube is that is seen from beside, and how much more from above
 _CENTRED = 1e-3  # by the size of the whole: what is no further from the origin lies no way from it
 _FLAT = "#B8B8B8"  # of what is not folded
 
@@ -57,15 +62,37 @@ class View:
 
 @dataclass(frozen=True, kw_only=True)
 class PaintedShape:
-    """What to paint, the farthest first.
+    """What to paint: triangles that may hide one another and pass through one another.
 
     Attributes:
-        polygons: m on the picture, (polygon, 4, 2).
-        colours: red, green, blue, opacity, (polygon, 4).
+        triangles: m on the picture, and towards the eye, (triangle, corner, 3); of those as near as another the later
+            one is seen.
+        colours: red, green, blue, 0 to 1, (triangle, 3).
     """
 
-    polygons: Array
+    triangles: Array
     colours: Array
+
+    @property
+    def corners(self) -> Array:
+        """The lower left and the upper right corner of what is painted, m on the picture, (2, 2)."""
+        places = self.triangles[..., :2].reshape(-1, 2)
+        return np.array([places.min(axis=0), places.max(axis=0)])
+
+    def picture(self, low: Array, pixel: float, size: tuple[int, int], samples: int = SAMPLES) -> Picture:
+        """Draw it.
+
+        Args:
+            low: lower left corner of the picture, m, (2,).
+            pixel: side of a pixel, m.
+            size: pixels across and upwards.
+            samples: of a pixel, across and upwards.
+
+        Returns:
+            Red, green, blue and opacity, 0 to 255, the highest row first, (height, width, 4).
+        """
+        placed = (self.triangles - [*low, 0.0]) / [pixel, -pixel, pixel] + [0.0, size[1], 0.0]
+        return rasterise(placed, self.colours, size, samples)
 
 
 def structure_view(structure: Structure) -> View:
@@ -81,40 +108,51 @@ def structure_view(structure: Structure) -> View:
     return View(right=right, up=np.cross(towards, right), towards=towards)
 
 
-def paint_shape(
-    surface: Surface, view: View, tendon_colours: str | Sequence[str] | ArrayLike, *, cells: int = 40
-) -> PaintedShape:
-    """Cut a surface into small polygons, shade them and sort them by their distance.
+def paint_shape(surface: Surface, view: View, tendon_colours: str | Sequence[str] | ArrayLike) -> PaintedShape:
+    """Cover a surface with triangles and shade them.
 
     Args:
         surface: in space.
         view: from where it is seen.
         tendon_colours: one, or one a tendon.
-        cells: to the size of the whole; the more, the better is seen what hides what.
     """
-    radius, cell = surface.thickness / 2, surface.span / cells
-    # what lies on a face is in front of the cells beside it, whose middles may be nearer to the eye
-    above = radius + cell / 2
+    radius = surface.thickness / 2
     plain = np.isnan(surface.folds)
+    folds = fold_colours(surface.folds[~plain])
     parts = [
-        _faces(surface, view, cell),
-        _ribbons(surface.lines[plain], view, cell, _CREASE, _THIN * radius, cell / 2),
-        _ribbons(surface.lines[~plain], view, cell, fold_colours(surface.folds[~plain]), _FOLDED * radius, cell / 2),
-        _squares(surface.held, view, _HELD * radius, above),
+        _faces(surface, view),
+        _ribbons(surface.lines[plain], view, _CREASE, _THIN * radius, _ON_FACE * radius),
+        _ribbons(surface.lines[~plain], view, folds, _FOLDED * radius, _ON_FACE * radius),
+        _tubes(surface.bars, surface.radii, view),
+        # the casing shows on both sides of what lies on it
+        _ribbons(surface.tendons, view, _CASING, _CASED * radius, _ON_BAR * radius),
+        _ribbons(surface.tendons, view, tendon_colours, _TENDON * radius, (_ON_BAR + _ON_FACE) * radius),
+        _squares(surface.held, view, _HELD * radius, _ON_BAR * radius),
     ]
-    for low, high, lustre in _STRIPS:
-        shade = to_rgba_array(BAR) * [lustre, lustre, lustre, 1]
-        # the bright strip last, so that the ends of the others do not lie on it
-        nearer = above + cell / 2 if lustre > 1 else above
-        for thick in np.unique(surface.radii):
-            bars = surface.bars[surface.radii == thick]
-            parts.append(_ribbons(bars, view, cell, shade, (low * thick, high * thick), nearer))
-    # the casing shows on both sides of what lies on it
-    for half, colours, nearer in ((_CASED, _CASING, 2 * radius), (_TENDON, tendon_colours, 2 * radius + cell / 2)):
-        parts.append(_ribbons(surface.tendons, view, cell, colours, half * radius, above + nearer))
-    depths, polygons, shades = (np.concatenate(each) for each in zip(*parts, strict=True))
-    order = np.argsort(depths, kind="stable")
-    return PaintedShape(polygons=polygons[order], colours=np.clip(shades[order], 0, 1))
+    quads, colours = (np.concatenate(each) for each in zip(*parts, strict=True))
+    placed = np.concatenate([view.project(quads), (quads @ view.towards)[..., np.newaxis]], axis=-1)
+    return PaintedShape(
+        triangles=placed[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3, 3), colours=np.repeat(colours, 2, axis=0)
+    )
+
+
+def hang(axes: Axes, painted: PaintedShape, window: Array, width: float) -> None:
+    """Show what is painted in axes, which are left without lines, at one scale across and upwards.
+
+    Args:
+        axes: to draw into.
+        painted: what to show.
+        window: the lower left and the upper right corner of what the axes show, m, (2, 2).
+        width: of the window in the figure, inch.
+    """
+    low, high = np.clip(painted.corners, *window)
+    pixel = float(window[1, 0] - window[0, 0]) / (width * PICTURE_RESOLUTION)
+    across, upwards = np.maximum(np.ceil((high - low) / pixel), 1).astype(int).tolist()
+    left, bottom = low.tolist()
+    drawn = painted.picture(low, pixel, (across, upwards))
+    axes.imshow(drawn, extent=(left, left + across * pixel, bottom, bottom + upwards * pixel))
+    axes.set(xlim=window[:, 0], ylim=window[:, 1], aspect="equal")
+    axes.set_axis_off()
 
 
 def fold_colours(angles: Array) -> Array:
@@ -148,38 +186,29 @@ def shape_handles(shape: Shape, structure: Structure, tendon_colour: ArrayLike, 
     return handles
 
 
-def _faces(surface: Surface, view: View, cell: float) -> tuple[Array, Array, Array]:
-    """Depths, polygons and colours of the cells of sheets and plates."""
+def _faces(surface: Surface, view: View) -> tuple[Array, Array]:
+    """Corners and colours of the cells of sheets and plates."""
     if not len(surface.faces):
-        return np.zeros(0), np.zeros((0, 4, 2)), np.zeros((0, 4))
-    cells, tints = [], []
-    for face, region in zip(surface.faces, surface.regions.tolist(), strict=True):
-        small = _cut(face, cell)
-        cells.append(small)
-        tints.append(np.tile(to_rgb(tint(region)), (len(small), 1)))
-    every, colours = np.concatenate(cells), np.concatenate(tints)
+        return np.zeros((0, 4, 3)), np.zeros((0, 3))
+    tints = np.array([to_rgb(tint(region)) for region in surface.regions.tolist()])
+    first, second, third, fourth = surface.faces.swapaxes(0, 1)
+    out_of_plane = np.abs(np.sum(np.cross(second - first, third - first) * (fourth - first), axis=1))
+    twisted = out_of_plane > _TWIST * surface.span**3
+    cells = np.concatenate([surface.faces[~twisted], _cells(surface.faces[twisted])])
+    colours = np.concatenate([tints[~twisted], np.repeat(tints[twisted], _CELLS**2, axis=0)])
     if surface.two_sided:
-        colours[_normals(every) @ view.towards < 0] = to_rgb(_BACK)
-    shades = np.column_stack([colours * _facing(every)[:, np.newaxis], np.ones(len(every))])
-    return every.mean(axis=1) @ view.towards, view.project(every), shades
+        colours[_normals(cells) @ view.towards < 0] = to_rgb(_BACK)
+    return cells, colours * _facing(cells)[:, np.newaxis]
 
 
-def _cut(quad: Array, cell: float) -> Array:
-    """Cells of a surface between four corners, straight from side to side, (cell, 4, axis)."""
-    first, second, third, fourth = quad
-    u = np.linspace(0, 1, _pieces(max(_length(second - first), _length(third - fourth)), cell) + 1)
-    v = np.linspace(0, 1, _pieces(max(_length(fourth - first), _length(third - second)), cell) + 1)
-    u, v = u[:, np.newaxis, np.newaxis], v[:, np.newaxis]
+def _cells(quads: Array) -> Array:
+    """Cells of surfaces between four corners, straight from side to side, `_CELLS` to a side, (cell, 4, axis)."""
+    shares = np.linspace(0, 1, _CELLS + 1)
+    u, v = shares[:, np.newaxis, np.newaxis], shares[:, np.newaxis]
+    first, second, third, fourth = quads[:, :, np.newaxis, np.newaxis].swapaxes(0, 1)
     grid = (1 - v) * ((1 - u) * first + u * second) + v * ((1 - u) * fourth + u * third)
-    return np.stack([grid[:-1, :-1], grid[1:, :-1], grid[1:, 1:], grid[:-1, 1:]], axis=2).reshape(-1, 4, 3)
-
-
-def _length(vector: Array) -> float:
-    return float(np.linalg.norm(vector))
-
-
-def _pieces(length: float, cell: float) -> int:
-    return max(1, math.ceil(min(length / cell, _MOST_PIECES)))
+    cells = [grid[:, :-1, :-1], grid[:, 1:, :-1], grid[:, 1:, 1:], grid[:, :-1, 1:]]
+    return np.stack(cells, axis=3).reshape(-1, 4, 3)
 
 
 def _normals(quads: Array) -> Array:
@@ -189,47 +218,55 @@ def _normals(quads: Array) -> Array:
 
 def _facing(quads: Array) -> Array:
     """Lambert shading of both sides alike, (quad,)."""
-    normals = _normals(quads)
-    lengths = np.maximum(np.linalg.norm(normals, axis=1), 1e-300)
-    return np.asarray(0.55 + 0.45 * np.abs(normals @ _LIGHT) / lengths / np.linalg.norm(_LIGHT))
+    return np.asarray(0.55 + 0.45 * np.abs(_unit(_normals(quads)) @ _unit(_LIGHT)))
 
 
-def _squares(places: Array, view: View, half: float, above: float) -> tuple[Array, Array, Array]:
-    """Depths, polygons and colours of squares that face the eye, by their middles, m, (square, axis)."""
-    corners = half * np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
-    shades = np.broadcast_to(to_rgba(BAR), (len(places), 4))
-    return places @ view.towards + above, view.project(places)[:, np.newaxis] + corners, shades
+def _unit(vectors: Array) -> Array:
+    return np.asarray(vectors / np.maximum(np.linalg.norm(vectors, axis=-1, keepdims=True), 1e-300))
+
+
+def _squares(places: Array, view: View, half: float, above: float) -> tuple[Array, Array]:
+    """Corners and colours of squares that face the eye, by their middles, m, (square, axis)."""
+    corners = [right * view.right + up * view.up for right, up in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+    quads = (places + above * view.towards)[:, np.newaxis] + half * np.array(corners)
+    return quads, np.tile(to_rgb(BAR), (len(places), 1))
+
+
+def _tubes(bars: Array, radii: Array, view: View) -> tuple[Array, Array]:
+    """Corners and colours of round bars with flat ends, m, (bar, end, axis), of radii, m, (bar,)."""
+    along = _unit(bars[:, 1] - bars[:, 0])
+    # any way across, but never along
+    across = _unit(np.cross(along, np.eye(3)[np.argmin(np.abs(along), axis=1)]))
+    turns = np.linspace(0, 2 * np.pi, _SIDES + 1)[:, np.newaxis, np.newaxis]
+    spokes = np.cos(turns) * across + np.sin(turns) * np.cross(along, across)  # (side, bar, axis)
+    first, second = (bars[:, end] + radii[:, np.newaxis] * spokes for end in (0, 1))
+    sides = np.stack([first[:-1], first[1:], second[1:], second[:-1]], axis=2)
+    ends = [
+        np.stack([np.broadcast_to(bars[:, end], rim[1:].shape), rim[:-1], rim[1:], rim[1:]], axis=2)
+        for end, rim in ((0, first), (1, second))
+    ]
+    quads = np.concatenate([sides, *ends]).reshape(-1, 4, 3)
+    outwards = np.concatenate(
+        [_unit(spokes[:-1] + spokes[1:]), *np.broadcast_to([-along, along], (_SIDES, 2, *along.shape)).swapaxes(0, 1)]
+    )
+    bright = outwards.reshape(-1, 3) @ view.towards
+    seen = bright > 0
+    return quads[seen], (_DULL + _LUSTRE * bright[seen, np.newaxis] ** 4) * to_rgb(BAR)
 
 
 def _ribbons(
-    lines: Array,
-    view: View,
-    cell: float,
-    colours: str | Sequence[str] | ArrayLike,
-    width: float | tuple[float, float],
-    above: float,
-) -> tuple[Array, Array, Array]:
-    """Depths, polygons and colours of lines, as bands that face the eye.
+    lines: Array, view: View, colours: str | Sequence[str] | ArrayLike, half: float, above: float
+) -> tuple[Array, Array]:
+    """Corners and colours of lines, as bands that face the eye.
 
     Args:
         lines: m, (line, end, axis).
         view: from where they are seen.
-        cell: length of a polygon, m.
         colours: one, or one a line.
-        width: half of the band's, or from where to where it lies beside the line, m.
+        half: of a band's width, m.
         above: how much nearer than the line it is painted, m.
     """
-    if not len(lines):
-        return np.zeros(0), np.zeros((0, 4, 2)), np.zeros((0, 4))
-    pieces = _pieces(max(_length(end - start) for start, end in lines), cell)
-    shares = np.linspace(0, 1, pieces + 1)[:, np.newaxis]
-    points = lines[:, :1] + shares * (lines[:, 1:] - lines[:, :1])
-    flat = view.project(points)
-    across = (flat[:, -1] - flat[:, 0])[:, ::-1] * [-1, 1]
-    across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-300)
-    low, high = width if isinstance(width, tuple) else (-width, width)
-    left, right = (flat + side * across[:, np.newaxis] for side in (low, high))
-    bands = np.stack([left[:, :-1], left[:, 1:], right[:, 1:], right[:, :-1]], axis=2)
-    depths = ((points[:, :-1] + points[:, 1:]) / 2) @ view.towards + above
-    shades = np.repeat(np.broadcast_to(to_rgba_array(colours), (len(lines), 4)), pieces, axis=0)
-    return depths.ravel(), bands.reshape(-1, 4, 2), shades
+    across = half * _unit(np.cross(view.towards, lines[:, 1] - lines[:, 0]))
+    start, end = (lines[:, place] + above * view.towards for place in (0, 1))
+    quads = np.stack([start - across, end - across, end + across, start + across], axis=1)
+    return quads, np.broadcast_to(to_rgba_array(colours)[:, :3], (len(lines), 3))

@@ -12,7 +12,7 @@ from forficula.quantities import reading_unit, show_value
 from forficula.show.structure.crease_lines import draw_creases, sheet_axes
 from forficula.show.structure.labels import counted, label_of, measure_labels, parts_of, shown_angles
 from forficula.show.structure.painted_shape import BAR, structure_view
-from forficula.show.style import BLACK, ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
+from forficula.show.style import BLACK, ORANGE, PAGE_WIDTH, describe, figure_style, fit_legend
 from forficula.structure import Hinge, Structure, built_hinges, built_points, held_corners
 
 Array = NDArray[np.float64]
@@ -49,7 +49,7 @@ def draw_pattern(structure: Structure, width: float = PAGE_WIDTH) -> Figure:
         if structure.tendons:
             handles.append(Line2D([], [], color=ORANGE, marker="o", ms=3.5, lw=3, alpha=0.6, label="tendon"))
         handles += [Line2D([], [], color="0.5", ls=":", label=name) for name in structure.appearance.circles]
-        figure.legend(handles=handles, loc="outside upper center", ncols=3 if is_narrow(figure.get_figwidth()) else 5)
+        fit_legend(figure, handles, 5, loc="outside upper center")
         return describe(figure, _tell(structure))
 
 

@@ -21,7 +21,7 @@ from forficula.pattern import (
 )
 from forficula.quantities import reading_unit, show_value
 from forficula.show.structure.crease_lines import draw_creases, sheet_axes
-from forficula.show.style import PAGE_WIDTH, PURPLE, describe, figure_style
+from forficula.show.style import PAGE_WIDTH, PURPLE, describe, figure_style, fit_legend
 
 _MOST_LABELS = 8
 _LETTER, _LINE = 4.2, 9.5  # pt, a little more than what a letter is wide and a line is high
@@ -51,7 +51,7 @@ def draw_sheet(pattern: CreasePattern, facts: PatternFacts, width: float = PAGE_
             axes.set_xlabel(f"{axes.get_xlabel()}, seen from above")
         if faults:
             handles.append(_mark(axes, pattern, faults, factor, figure.get_figwidth()))
-        figure.legend(handles=handles, loc="outside upper center", ncols=3)
+        fit_legend(figure, handles, 3, loc="outside upper center")
         return describe(figure, _tell(facts, faults))
 
 

@@ -19,7 +19,7 @@ from forficula.reproduction import named_reproduction
 from forficula.show.study.factor_text import display_values, factor_label, number_text
 from forficula.show.study.map_page import look_of, map_style
 from forficula.show.study.maps import energy_noun, missing_reasons
-from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, SKY, VERMILION, describe, is_narrow
+from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, SKY, VERMILION, describe, fit_legend, is_narrow
 from forficula.study.choice_groups import choice_groups, count_all, count_first, count_unknown
 from forficula.study.choices import CHOICE
 from forficula.study.outcome_kinds import asked_verbs, table_transitions, whole_of
@@ -159,8 +159,7 @@ def _draw_counts(axes: Axes, table: Dataset, rows: Sequence[_Row]) -> None:
     axes.set_xticks(np.unique(np.linspace(0, count, 7).round()))
     figure = axes.get_figure(root=True)
     if isinstance(figure, Figure):
-        columns = 2 if is_narrow(figure.get_figwidth()) else 5
-        figure.legend(handles=handles, loc="outside lower center", ncols=min(columns, len(handles)))
+        fit_legend(figure, handles, 5, loc="outside lower center")
 
 
 def _draw_numbers(axes: Axes, table: Dataset, name: str, rows: Sequence[_Row]) -> None:

@@ -20,6 +20,7 @@ from forficula.show.style import (
     VERMILION,
     describe,
     figure_style,
+    fit_legend,
     is_narrow,
 )
 from forficula.structure import Measure, Structure, measure_stops, structure_of
@@ -77,11 +78,11 @@ def draw_convergence_angles(convergence: Convergence, width: float = PAGE_WIDTH)
             axes.set_xlim(*(1e3 * np.nanmax(times) * np.array([-_BEFORE, _AFTER])))
             axes.set_xlabel("since its start (ms)" if narrow else "time since its start (ms)")
             axes.set_title(name)
-        lines = whole.get_legend_handles_labels()
+        lines = whole.get_legend_handles_labels()[0]
         if narrow:
-            figure.legend(*lines, loc="outside upper center", ncols=3)
+            fit_legend(figure, lines, 3, loc="outside upper center")
         else:
-            figure.legend(*lines, loc="outside right upper")
+            figure.legend(handles=lines, loc="outside right upper")
         runs = f"in {len(convergence.values)} runs of {convergence.design.name}"
         return describe(figure, f"{which.capitalize()} over time {runs}. {_tell(convergence)}")
 

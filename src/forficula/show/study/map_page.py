@@ -6,7 +6,7 @@ import math
 import textwrap
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import matplotlib
@@ -16,14 +16,17 @@ from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import ListedColormap, Normalize
 from matplotlib.figure import Figure
+from matplotlib.font_manager import FontProperties
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.textpath import TextPath
 from numpy.typing import NDArray
 
 from forficula.show.study.factor_text import display_values, factor_label, number_text, plain_name
 from forficula.show.study.map_panel import Panel, View
 from forficula.show.study.map_text import maps_text
-from forficula.show.style import BLUE, ORANGE, PAGE_WIDTH, PURPLE, SKY, describe, figure_style, is_narrow
+from forficula.show.style import BLUE, ORANGE, PAGE_WIDTH, PURPLE, SKY, describe, figure_style, fit_legend, is_narrow
 from forficula.study.map_comparison import (
     BOTH,
     BOTH_LESS,
@@ -44,10 +47,10 @@ Array = NDArray[np.float64]
 _COLOURS = matplotlib.colormaps["cividis"]
 # beyond this many values a factor's cells are too small for numbers, and its ticks are thinned out
 _MOST_NUMBERS = 12
-# inch: beside the cells, and what a cell needs to hold a number
-_BESIDE, _TWO_DIGITS, _THREE_DIGITS = 0.9, 0.19, 0.23
+_NUMBER, _CELL_FILLED = 6.0, 0.86  # pt of a number in a cell, and the share of a cell that it may be as wide as
 _POINTS_HEIGHT, _UPWARDS = 1.7, 27  # inch, of axes with points; letters that fit upwards
 _SHAPE = {"handleheight": 1.4, "handlelength": 2.2, "fontsize": 7}
+_APART = 0.12  # of a map's width: between maps that have a bar each
 _INK = "0.35"
 
 OTHER = "no value"
@@ -143,11 +146,10 @@ def draw_page(
     width = width if columns > 1 else min(width, 0.6 * PAGE_WIDTH)
     figure, grid = _empty_page(view, len(panels), columns, width, cells)
     scales = [_scale(panels)] * len(panels) if one_scale else [_scale([panel]) for panel in panels]
-    digits = _digits(view, (width - _BESIDE) / columns)
     for index, (axes, panel, scale) in enumerate(zip(grid, panels, scales, strict=True)):
         axes.set_title(_wrapped(panel.title, width / columns))
         if cells:
-            _draw_cells(axes, view, panel, scale, digits)
+            _draw_cells(axes, view, panel, scale)
         else:
             _draw_points(axes, view, panel, scale)
         if index + columns >= len(panels):
@@ -158,11 +160,17 @@ def draw_page(
             axes.tick_params(labelleft=False)
         if (cells or view.y) and not one_scale and not scale.empty:
             _colour_bar(figure, [axes], f"{quantity} ({scale.unit})", scale)
+            # so that the bar's label is read with its own map
+            layout = figure.get_layout_engine()
+            assert isinstance(layout, ConstrainedLayoutEngine)
+            layout.set(wspace=_APART)
     if (cells or view.y) and one_scale and not scales[0].empty:
         _colour_bar(figure, grid, f"{quantity} ({scales[0].unit})", scales[0])
     if text := ", ".join(part for part in (view.note, note) if part):
         figure.suptitle(text, fontsize=8)
     _legend(figure, view, panels, cells=cells)
+    if cells and max(_across_and_upwards(view)) <= _MOST_NUMBERS:
+        _write_numbers(figure, view, list(zip(grid, panels, scales, strict=True)))
     factors = [plain_name(view.table[name]) for name in (view.y, view.x) if name]
     return describe(
         figure,
@@ -190,15 +198,6 @@ def _empty_page(view: View, count: int, columns: int, width: float, cells: bool)
     for axes in grid[count:]:
         axes.remove()
     return figure, list(grid[:count])
-
-
-def _digits(view: View, width: float) -> int:
-    """How many digits of its number a cell has room for in a panel so wide, inch; 0 where it has none."""
-    across, upwards = _across_and_upwards(view)
-    room = width / across
-    if max(across, upwards) > _MOST_NUMBERS or room < _TWO_DIGITS:
-        return 0
-    return 3 if room >= _THREE_DIGITS else 2
 
 
 def _across_and_upwards(view: View) -> tuple[int, int]:
@@ -235,8 +234,9 @@ def _colour_bar(figure: Figure, axes: list[Axes], label: str, scale: _Scale) -> 
     # beneath two narrow columns, which need all of the width
     beneath = is_narrow(figure.get_figwidth()) and len(axes) > 3
     bar = figure.colorbar(
-        mappable, ax=axes, label=label, pad=0.015, aspect=25, fraction=0.06, location="bottom" if beneath else "right"
+        mappable, ax=axes, pad=0.015, aspect=25, fraction=0.06, location="bottom" if beneath else "right"
     )
+    bar.set_label(label, labelpad=1.5)
     bar.outline.set_visible(False)
 
 
@@ -269,9 +269,8 @@ def _legend(figure: Figure, view: View, panels: Sequence[Panel], *, cells: bool)
             handles.append(Line2D([], [], ls="", marker=look.marker, color=_ink(look), ms=5, label=word))
     if handles:
         narrow = is_narrow(figure.get_figwidth())
-        columns = min(len(handles), 4 if figure.get_figwidth() >= PAGE_WIDTH else 2)
         shape = {"handleheight": 1.3, "handlelength": 1.6, "fontsize": 6} if narrow and len(handles) > 4 else _SHAPE
-        figure.legend(handles=handles, loc="outside lower center", ncols=columns, **shape)
+        fit_legend(figure, handles, 4, loc="outside lower center", **shape)
 
 
 def _ink(look: Look) -> str:
@@ -279,16 +278,11 @@ def _ink(look: Look) -> str:
     return look.face if look.face in (BLUE, SKY) else _INK
 
 
-def _draw_cells(axes: Axes, view: View, panel: Panel, scale: _Scale, digits: int) -> None:
+def _draw_cells(axes: Axes, view: View, panel: Panel, scale: _Scale) -> None:
     """A cell for each pair of values, evenly spaced whatever the values are."""
     order = [name for name in (view.y, view.x) if name]
-    panel = Panel(
-        title=panel.title,
-        values=panel.values.transpose(*order),
-        reasons=panel.reasons.transpose(*order),
-        unit=panel.unit,
-    )
-    values = np.atleast_2d(panel.values.values.astype(float) * scale.factor)
+    panel = replace(panel, values=panel.values.transpose(*order), reasons=panel.reasons.transpose(*order))
+    values = _cells(view, panel, scale)
     edges = [np.arange(count + 1) - 0.5 for count in reversed(values.shape)]
     if np.isfinite(values).any():
         shown = np.ma.masked_invalid(values)
@@ -303,8 +297,6 @@ def _draw_cells(axes: Axes, view: View, panel: Panel, scale: _Scale, digits: int
             edgecolor="white" if look.face == "0.86" else _INK,
             linewidth=0.25,
         )
-    if digits:
-        _write_numbers(axes, values, scale, digits)
     axes.set(xlim=edges[0][[0, -1]], ylim=edges[1][[0, -1]])
     axes.tick_params(length=0)
     for name, axis in ((view.x, axes.xaxis), (view.y, axes.yaxis)):
@@ -314,22 +306,44 @@ def _draw_cells(axes: Axes, view: View, panel: Panel, scale: _Scale, digits: int
         axis.set_ticks(list(places), [number_text(shown_values[place].item()) for place in places])
 
 
-def _write_numbers(axes: Axes, values: Array, scale: _Scale, digits: int) -> None:
-    """Every value in its cell, with the digits that the largest one allows, in the ink that shows on its colour."""
+def _cells(view: View, panel: Panel, scale: _Scale) -> Array:
+    """Values in the scale's unit, (upwards, across)."""
+    values = panel.values.transpose(*(name for name in (view.y, view.x) if name)).values
+    return np.atleast_2d(values.astype(float) * scale.factor)
+
+
+def _write_numbers(figure: Figure, view: View, drawn: Sequence[tuple[Axes, Panel, _Scale]]) -> None:
+    """Every value in its cell, in the ink that shows on its colour, with as many digits as fit those of all maps."""
+    figure.draw_without_rendering()  # then it is known how wide they are
+    fonts = FontProperties(size=_NUMBER)
+    cells = [(axes, scale, _cells(view, panel, scale)) for axes, panel, scale in drawn]
+    for digits in (3, 2, 1):
+        texts = [_short_texts(values, digits) for _, _, values in cells]
+        widths = {
+            text: TextPath((0, 0), text, prop=fonts).get_extents().width for each in texts for text in each.values()
+        }
+        room = min(72 * axes.get_window_extent().width / figure.dpi / values.shape[1] for axes, _, values in cells)
+        if max(widths.values(), default=0.0) <= _CELL_FILLED * room:
+            break
+    else:
+        return
+    for (axes, scale, values), each in zip(cells, texts, strict=True):
+        for (row, column), text in each.items():
+            red, green, blue, _ = _COLOURS(scale.norm(values[row, column]))
+            ink = "black" if 0.299 * red + 0.587 * green + 0.114 * blue > 0.5 else "white"
+            axes.text(column, row, text, ha="center", va="center", fontsize=_NUMBER, color=ink)
+
+
+def _short_texts(values: Array, digits: int) -> dict[tuple[int, ...], str]:
+    """Numbers by their cell, with the digits that the largest one allows; whole numbers whole."""
     largest = float(np.nanmax(np.abs(values), initial=0.0))
-    decimals = 3 - math.floor(math.log10(largest)) if largest else 0
-    for (row, column), value in np.ndenumerate(values):
+    decimals = digits - math.floor(math.log10(largest)) if largest else 0
+    texts = {}
+    for place, value in np.ndenumerate(values):
         if np.isfinite(value):
-            red, green, blue, _ = _COLOURS(scale.norm(value))
-            light = 0.299 * red + 0.587 * green + 0.114 * blue > 0.5
-            text = _short(round(value, decimals) + 0.0, digits)
-            axes.text(column, row, text, ha="center", va="center", fontsize=6, color="black" if light else "white")
-
-
-def _short(value: float, digits: int) -> str:
-    """So many digits, or one less where a cell has no room for them; whole numbers whole."""
-    text = f"{value:.{digits}g}" if abs(value) < 10**digits else f"{value:.0f}"
-    return text if len(text) <= 4 else f"{value:.{digits - 1}g}"
+            rounded = round(float(value), decimals) + 0.0
+            texts[place] = f"{rounded:.{digits}g}" if abs(rounded) < 10**digits else f"{rounded:.0f}"
+    return texts
 
 
 def _draw_points(axes: Axes, view: View, panel: Panel, scale: _Scale) -> None:
