@@ -34,6 +34,8 @@ def new(
     ] = False,
 ) -> None:
     """Write a commented design file to start from, a study file, or sample tensile tests (FILE ends with .csv)."""
+    if tests and study:
+        raise InputError("new: need one of --study and --tests, got both")
     if tests:
         from forficula.material.sample_tests import write_sample_tests
 
