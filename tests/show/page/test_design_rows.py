@@ -1,7 +1,7 @@
 import pytest
 
 from forficula.design import load_design, scale_design, with_values
-from forficula.show.page.design_rows import ABSENT, base_design, design_rows, differing_rows
+from forficula.show.page.design_rows import ABSENT, base_design, design_rows, design_title, differing_rows
 from forficula.show.page.design_tables import design_tables
 
 
@@ -24,6 +24,30 @@ def test_exactly_what_was_changed_differs_with_both_values_and_units():
         "pattern.units": ("1", "2"),
         "protocol.stages.1.time_limit": ("1 s", "2 s"),
     }
+
+
+@pytest.mark.parametrize(
+    ("values", "title"),
+    [
+        ({}, "binder2025"),
+        ({"tendon.stiffness": "20 N/cm"}, "binder2025, tendon.stiffness 20 N/cm"),
+        ({"tendon.stiffness": "0.02 N/mm"}, "binder2025, tendon.stiffness 0.2 N/cm"),
+        ({"pattern.units": 3, "tendon.rest_length": "2 cm"}, "binder2025, pattern.units 3, tendon.rest_length 2 cm"),
+        ({"name": "my wing", "pattern.units": 3}, "my wing"),
+    ],
+)
+def test_the_title_names_what_sets_a_design_apart_from_the_named_one(values, title):
+    assert design_title(load_design("binder2025", values)) == title
+
+
+def test_where_much_differs_the_title_counts_it_and_the_hash_tells_two_apart():
+    wings = [
+        load_design("binder2025", {"pattern.units": 2, "tendon.rest_length": "2 cm", "tendon.stiffness": stiffness})
+        for stiffness in ("20 N/cm", "30 N/cm")
+    ]
+    titles = [design_title(wing) for wing in wings]
+    assert titles == [f"binder2025 with 3 other values ({wing.hash})" for wing in wings]
+    assert titles[0] != titles[1]
 
 
 def test_the_tables_mark_what_differs_and_show_the_old_value():

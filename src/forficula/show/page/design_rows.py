@@ -15,6 +15,7 @@ from forficula.quantities import as_written, show_quantity
 
 ABSENT = "—"
 DIGITS = 9  # of a quantity, significant
+_MOST_IN_TITLE = 2  # values that a title names [chosen]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -79,6 +80,22 @@ def design_rows(design: Design, base: Design) -> list[DesignRow]:
     ]
 
 
+def design_title(design: Design) -> str:
+    """A design's name and what sets it apart from the named design of that name, for a heading or a window's title.
+
+    Returns:
+        Such as "binder2025, tendon.stiffness 20 N/cm"; where more differs, how many values do and the design's hash. Of
+        a design that no named one has the name of, the name.
+    """
+    base = base_design(design)
+    if base is None or base.name != design.name:
+        return design.name
+    rows = [row for row in design_rows(design, base) if row.differs]
+    if len(rows) > _MOST_IN_TITLE:
+        return f"{design.name} with {len(rows)} other values ({design.hash})"
+    return ", ".join([design.name, *(_apart(row) for row in rows)])
+
+
 def differing_rows(designs: Sequence[Design]) -> list[tuple[str, list[str]]]:
     """The keys in which designs differ, dotted, each with every design's value."""
     flat = [_flat(design) for design in designs]
@@ -96,6 +113,11 @@ def section_heading(section: str, designs: Sequence[Design]) -> str:
     """What is written over a part, as the first of some designs that has it says; empty where it does not say."""
     parts = (_section(section, design) for design in designs)
     return next((part.heading for part in parts if part is not None), "")
+
+
+def _apart(row: DesignRow) -> str:
+    key = f"{row.section}.{row.key}"
+    return f"{key} left out" if row.value == ABSENT else f"{key} {row.value}"
 
 
 def _section(section: str, design: Design) -> Part | None:

@@ -12,6 +12,7 @@ from forficula.analysis.storage import storage_texts
 from forficula.design import Design, design_text
 from forficula.dynamics import Record, timestep_warnings, versions
 from forficula.files import write_text
+from forficula.show.page.design_rows import design_title
 from forficula.show.page.design_tables import design_tables
 from forficula.show.page.html import escaped, paragraph, section, table
 from forficula.show.page.outcome_tables import groups_table, outcome_tables, strength_table
@@ -35,12 +36,11 @@ def write_run_page(record: Record, outcome: Outcome, path: Path) -> None:
 def run_page(record: Record, outcome: Outcome) -> str:
     """A run as one page: the structure in 3-D, its plots, its numbers, its design and how to repeat it."""
     design, clip = record.design, make_clip(record, outcome)
+    title = design_title(design)
     sentence = paragraph(outcome_sentence(design.name, outcome, record.structure), "outcome")
     places = "".join(f'<div id="{name}"></div>\n' for name in ("player", "plots", "readout"))
-    body = (
-        f"<header><h1>{escaped(design.name)}</h1>{sentence}</header>\n<main>{places}{numbers(record, outcome)}</main>"
-    )
-    return page_html(f"{design.name}: {outcome.status}", body, playback_data(clip))
+    body = f"<header><h1>{escaped(title)}</h1>{sentence}</header>\n<main>{places}{numbers(record, outcome)}</main>"
+    return page_html(f"{title}: {outcome.status}", body, playback_data(clip))
 
 
 def numbers(record: Record, outcome: Outcome, run_versions: Mapping[str, str] | None = None) -> str:
