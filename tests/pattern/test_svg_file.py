@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from forficula.errors import InputError
-from forficula.pattern import CreasePattern, EarwigFan, earwig_pattern, write_svg
+from forficula.pattern import CreasePattern, EarwigFan, earwig_pattern, read_drawing, write_svg
 
 SVG = "{http://www.w3.org/2000/svg}"
 FAN = EarwigFan(proximal_length=0.12, distal_length=0.10, hub_radius=0.015, sector_angle=math.radians(20), units=2)
@@ -48,7 +48,7 @@ def test_the_page_is_in_millimetres_and_holds_every_line(tmp_path):
     left, top, width, height = (float(number) for number in root.get("viewBox").split())
     assert (left, top) == (0, 0)
     assert 30 < width < 40
-    assert 10 < height < 20
+    assert 16 < height < 26  # with a scale bar beneath
     assert root.get("width") == f"{width:.6f}mm"
     for line in root.iter(f"{SVG}line"):
         assert all(0 < float(line.get(f"x{end}")) < width and 0 < float(line.get(f"y{end}")) < height for end in "12")
@@ -78,10 +78,34 @@ def test_the_legend_is_text_and_every_line_is_a_crease(tmp_path):
     root = drawn(strip("MV", title="a <strip> & \x00more"), tmp_path / "strip.svg")
     assert root.find(f"{SVG}title").text == "a <strip> & more"
     assert "mountain: red" in root.find(f"{SVG}desc").text
-    assert {child.tag for child in root} == {f"{SVG}title", f"{SVG}desc", f"{SVG}line"}
+    stroked = {child.tag for child in root if child.get("stroke", "none") != "none"}
+    assert stroked == {f"{SVG}line"}
 
 
 def test_a_folded_sheet_is_not_drawn(tmp_path):
     with pytest.raises(InputError, match="need one z for all vertices"):
         write_svg(strip("M", lift=0.001), tmp_path / "strip.svg")
     assert not list(tmp_path.iterdir())
+
+
+def test_tendons_end_at_dots_and_a_bar_tells_the_size_and_none_of_them_is_read_as_a_crease(tmp_path):
+    pattern = earwig_pattern(FAN)
+    ends = np.array([[0.06, 0.01, 0.0], [0.15, -0.02, 0.0]])
+    write_svg(pattern, tmp_path / "fan.svg", ends)
+    root = ElementTree.parse(tmp_path / "fan.svg").getroot()
+    lines, dots = list(root.iter(f"{SVG}line")), list(root.iter(f"{SVG}circle"))
+    # a place of a crease's end and its place in the drawing give where the dots belong
+    tail = pattern.vertices_coords[pattern.edges_vertices[0, 0], :2]
+    for end, dot in zip(ends, dots, strict=True):
+        beside = 1e3 * (end[:2] - tail) * [1, -1]
+        assert float(dot.get("cx")) - float(lines[0].get("x1")) == pytest.approx(beside[0], abs=1e-5)
+        assert float(dot.get("cy")) - float(lines[0].get("y1")) == pytest.approx(beside[1], abs=1e-5)
+    (bar,), (told,) = root.iter(f"{SVG}rect"), root.iter(f"{SVG}text")
+    assert f"{float(bar.get('width')):g} mm" == told.text == "50 mm"
+    assert max(float(line.get(f"y{end}")) for line in lines for end in "12") < float(bar.get("y"))
+    assert {each.get("stroke") for each in (*dots, bar, told)} == {"none"}
+    again, _ = read_drawing(tmp_path / "fan.svg")
+    write_svg(pattern, tmp_path / "bare.svg")
+    bare, _ = read_drawing(tmp_path / "bare.svg")
+    assert np.array_equal(again.vertices_coords, bare.vertices_coords)
+    assert again.edges_assignment == bare.edges_assignment

@@ -16,9 +16,14 @@ from forficula.quantities import as_written
 from forficula.terminal import came_to
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from forficula.design import Design
     from forficula.pattern import CreasePattern
     from forficula.pattern.fold_writer import Frame
+
+    Array = NDArray[np.float64]
 
 _KINDS = "What it folds: earwig-fan, miura-ori, waterbomb, yoshimura, kresling, pleats, vertex or fold-file."
 
@@ -169,7 +174,7 @@ def pattern(
     settings: Settings = None,
 ) -> None:
     """Say what a crease pattern is, where it does not fold flat and how freely it moves, or write it to a file."""
-    sheet, remarks, frames = _sheet(design, unit, settings)
+    sheet, remarks, frames, attachments = _sheet(design, unit, settings)
     if out is None:
         from forficula.pattern import pattern_facts
         from forficula.show.structure.pattern_table import print_pattern
@@ -179,7 +184,7 @@ def pattern(
     for remark in remarks:
         print(f"{design}: {remark}", file=sys.stderr)
     try:
-        _write(sheet, frames, out)
+        _write(sheet, frames, attachments, out)
     except InputError as error:
         # what is wrong with the file that is written names it
         raise InputError(
@@ -188,7 +193,9 @@ def pattern(
     print(f"written to {out}")
 
 
-def _write(sheet: CreasePattern, frames: Callable[[], list[Frame]], out: Path) -> None:
+def _write(
+    sheet: CreasePattern, frames: Callable[[], list[Frame]], attachments: Callable[[], Array | None], out: Path
+) -> None:
     """Write a pattern, or a picture of it, by the ending of the file."""
     match out.suffix:
         case ".fold":
@@ -198,7 +205,7 @@ def _write(sheet: CreasePattern, frames: Callable[[], list[Frame]], out: Path) -
         case ".svg":
             from forficula.pattern import write_svg
 
-            write_svg(sheet, out)
+            write_svg(sheet, out, attachments())
         case ".png" | ".pdf":
             from forficula.pattern import pattern_facts
             from forficula.show.structure.sheet_figure import draw_sheet
@@ -211,8 +218,8 @@ def _write(sheet: CreasePattern, frames: Callable[[], list[Frame]], out: Path) -
 
 def _sheet(
     name: str, unit: str | None, settings: list[str] | None
-) -> tuple[CreasePattern, list[str], Callable[[], list[Frame]]]:
-    """The pattern of a design or of a file, remarks on how it was read, and what gives its folded states."""
+) -> tuple[CreasePattern, list[str], Callable[[], list[Frame]], Callable[[], Array | None]]:
+    """The pattern of a design or of a file, remarks on how it was read, its folded states and where tendons end."""
     from forficula.design import design_frames, design_pattern, load_design
     from forficula.design.part import LENGTH
     from forficula.pattern import PATTERN_FILES, read_folded_frames, read_pattern
@@ -222,11 +229,20 @@ def _sheet(
         if unit is not None:
             raise InputError(f"--unit: a design has units of its own, got {as_written(unit)}")
         chosen = load_design(name, read_settings(settings))
-        return design_pattern(chosen), [], lambda: design_frames(chosen)
+        return design_pattern(chosen), [], lambda: design_frames(chosen), lambda: _attachments(chosen)
     if settings:
         raise InputError(f"--set: a {kind} file has no values to replace, got {settings[0]}")
     metres = None if unit is None else read_quantity("--unit", unit, LENGTH)
     if metres is not None and not metres > 0:
         raise InputError(f"--unit: need > 0, got {as_written(unit)}")
     sheet, remarks = read_pattern(name, metres)
-    return sheet, remarks, lambda: read_folded_frames(name, metres) if kind == "FOLD" else []
+    return sheet, remarks, lambda: read_folded_frames(name, metres) if kind == "FOLD" else [], lambda: None
+
+
+def _attachments(design: Design) -> Array | None:
+    """Where the tendons of a design end in its flat pattern, m, (end, 3)."""
+    from forficula.structure import built_points, structure_of
+
+    structure = structure_of(design)
+    ends = [point for tendon in structure.tendons for point in tendon.points]
+    return built_points(structure)[ends] if ends else None

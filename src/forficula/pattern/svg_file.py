@@ -8,6 +8,7 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from forficula.files import write_text
 from forficula.pattern.crease_pattern import ASSIGNMENTS, CreasePattern, check_flat
@@ -25,19 +26,25 @@ _LINES = {
 }
 _STROKE = 0.35  # mm
 _MARGIN = 3.0  # mm
+_DOT, _ATTACHMENT, _BAR_HEIGHT = 1.2, "#e69f00", 6.0  # mm of a dot's radius, and of what is beneath a scale bar's top
 _MILLIMETRES = 1e3
 
 
-def write_svg(pattern: CreasePattern, path: str | os.PathLike[str]) -> None:
+def write_svg(
+    pattern: CreasePattern, path: str | os.PathLike[str], attachments: NDArray[np.float64] | None = None
+) -> None:
     """Draw a flat pattern in true size, millimetres, y axis up.
 
     Mountains are red and dash-dotted, valleys blue and dashed, borders black and solid, cuts green, flat edges grey,
     unassigned ones magenta. The size of a fold angle is the opacity of its line, 1 at 180 deg. What the lines mean
-    stands in the description of the file and not beside the drawing, where a program would take it for creases.
+    stands in the description of the file and not beside the drawing, where a program would take it for creases. Where
+    tendons end there are dots, and beneath is a scale bar; both are filled and have no line, so that no program takes
+    them for creases either.
 
     Args:
         pattern: a flat sheet.
         path: the file, replaced where it exists.
+        attachments: where tendons end, m, (end, 3).
 
     Raises:
         InputError: the sheet is not flat, or the file cannot be written.
@@ -46,7 +53,9 @@ def write_svg(pattern: CreasePattern, path: str | os.PathLike[str]) -> None:
     points = pattern.vertices_coords[:, :2] * _MILLIMETRES
     left, top = points[:, 0].min() - _MARGIN, points[:, 1].max() + _MARGIN
     page = np.column_stack([points[:, 0] - left, top - points[:, 1]])
+    bar = _bar_length(float(np.ptp(points[:, 0])))
     width, height = page.max(axis=0) + _MARGIN
+    width, foot, height = max(width, bar + 2 * _MARGIN), height, height + _BAR_HEIGHT
     drawing = ElementTree.Element(
         "svg",
         {
@@ -73,9 +82,25 @@ def write_svg(pattern: CreasePattern, path: str | os.PathLike[str]) -> None:
         if letter in "MV" and math.isfinite(fold_angle):
             line["stroke-opacity"] = f"{min(abs(fold_angle) / math.pi, 1.0):.6g}"
         ElementTree.SubElement(drawing, "line", line)
+    for place in () if attachments is None else attachments[:, :2] * _MILLIMETRES:
+        x, y = place[0] - left, top - place[1]
+        dot = {"cx": f"{x:.6f}", "cy": f"{y:.6f}", "r": f"{_DOT:g}", "fill": _ATTACHMENT, "stroke": "none"}
+        ElementTree.SubElement(ElementTree.SubElement(drawing, "circle", dot), "title").text = "end of a tendon"
+    filled = {"fill": "#000000", "stroke": "none"}
+    thick = {"width": f"{bar:g}", "height": f"{2 * _STROKE:g}"}
+    ElementTree.SubElement(drawing, "rect", {"x": f"{_MARGIN:g}", "y": f"{foot:.6f}", **thick, **filled})
+    below = {"x": f"{_MARGIN:g}", "y": f"{foot + _BAR_HEIGHT - 1.5:.6f}", "font-size": "3", "font-family": "sans-serif"}
+    ElementTree.SubElement(drawing, "text", {**below, **filled}).text = f"{bar:g} mm"
     ElementTree.indent(drawing)
     text = ElementTree.tostring(drawing, encoding="unicode")
     write_text(Path(path), f'<?xml version="1.0" encoding="utf-8"?>\n{text}\n')
+
+
+def _bar_length(width: float) -> float:
+    """A round length of about a third of a width, mm."""
+    most = max(width / 3, 1e-6)
+    size = 10.0 ** math.floor(math.log10(most))
+    return float(next(steps for steps in (5, 2, 1) if steps * size <= most) * size)
 
 
 def _printable(text: str) -> str:

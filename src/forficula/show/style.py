@@ -6,13 +6,11 @@ import io
 import textwrap
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from functools import cache
 from html import escape
-from importlib.resources import as_file, files
 from pathlib import Path
 from typing import Any
 
-from matplotlib import font_manager, rc_context
+from matplotlib import rc_context
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -58,11 +56,9 @@ Drawing = Callable[[float], Figure]
 @contextmanager
 def figure_style() -> Iterator[None]:
     """Draw with small sans-serif text and thin axes."""
-    _know_font()
     with rc_context(
         {
-            # what its letters are not enough for is taken from the font that they come from
-            "font.family": ["Forficula Sans", "DejaVu Sans"],
+            "font.family": "DejaVu Sans",
             "font.size": 8,
             "axes.labelsize": 8,
             "axes.titlesize": 8,
@@ -79,14 +75,6 @@ def figure_style() -> Iterator[None]:
         }
     ):
         yield
-
-
-@cache
-def _know_font() -> None:
-    """Tell matplotlib of our font, of which a PDF with its font in it is written three times as fast."""
-    for name in ("ForficulaSans.ttf", "ForficulaSans-Bold.ttf"):
-        with as_file(files("forficula.show") / "font" / name) as path:
-            font_manager.fontManager.addfont(path)
 
 
 def is_narrow(width: float) -> bool:

@@ -12,7 +12,7 @@ from forficula.statics import energy_landscape
 from forficula.study.runs import run
 
 SHORT = {"protocol.stages.0.time_limit": "20 ms", "protocol.stages.1.time_limit": "0.3 s", "protocol.rise": "0.1 s"}
-WEAK = SHORT | {"protocol.fold_torque": "2 N cm", "tendon.rest_length": "7 cm"}
+WEAK = SHORT | {"protocol.fold_torque": "1 N cm", "tendon.rest_length": "7 cm"}
 
 
 @pytest.fixture(scope="module")
@@ -56,16 +56,16 @@ def test_the_torque_that_acts_stands_beside_the_least_that_folds_slowly(weak):
     drawn = lines(figure.axes[place + 1])  # of the stage, in ms
     acts = drawn["acts on every proximal joint"]
     at = np.interp([-1, 50, 100, 250], acts.get_xdata(), acts.get_ydata())
-    assert at == pytest.approx([0, 1, 2, 2], abs=0.05)  # it rises over 0.1 s
+    assert at == pytest.approx([0, 0.5, 1, 1], abs=0.03)  # it rises over 0.1 s
     least = energy_landscape(weak.design).least_torques["fold"]
     assert drawn["needed at least, slowly"].get_ydata()[0] == pytest.approx(100 * least, rel=0.02)
-    assert least > 0.02
+    assert least > 0.01
 
 
 def test_where_no_torque_does_there_is_no_line_but_words(weak):
     figure = draw_angles(weak, measure(weak), 3.5, lambda: np.nan)
     told = [text.get_text() for axes in figure.axes if (key := axes.get_legend()) for text in key.get_texts()]
-    assert "slowly, none up to 20 N cm does" in told
+    assert "slowly, none up to 10 N cm does" in told
     assert "needed at least, slowly" not in told
 
 

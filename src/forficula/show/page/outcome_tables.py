@@ -11,6 +11,7 @@ from forficula.dynamics import Record
 from forficula.show.page.html import Cell, paragraph, table
 from forficula.show.page.words import readable
 from forficula.show.run.outcome_rows import (
+    balance_remark,
     balance_rows,
     state_rows,
     transition_headings,
@@ -96,4 +97,5 @@ def _balance(outcome: Outcome, structure: Structure) -> str:
     if outcome.verdict is Verdict.DIVERGED or not balance.residual <= 1:
         return paragraph("The energy balance does not close; the numbers mean nothing.")
     rows = [(label, value.replace("-", "−")) for label, value in balance_rows(structure, balance)]
-    return table("Energy balance", ("", ""), rows)
+    remark = balance_remark(balance)
+    return table("Energy balance", ("", ""), rows) + (paragraph(remark) if remark else "")

@@ -28,6 +28,7 @@ from forficula.show.structure.labels import (
 from forficula.structure import Measure, Structure, Transition, drive_of, hinge_groups, read_angles, springs_name
 
 _ROUNDING = 1e-12  # of energies, by the largest
+_LARGE = 0.05  # of the work or of what is stored: energies that hang in the books only are told from there on
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -168,6 +169,18 @@ def transition_rows(structure: Structure, outcome: Outcome) -> list[list[str]]:
         [transition.wording.noun, *_transition_cells(structure, transition, outcome.transitions[transition.name])]
         for transition in structure.transitions
     ]
+
+
+def balance_remark(balance: EnergyBalance) -> str:
+    """What two large numbers of a balance mean that no work was done for; empty where there are none."""
+    taken, unpaid = balance.branch_damping, balance.letting_go
+    if taken is None or unpaid is None or abs(unpaid) <= _LARGE * max(abs(balance.work), abs(balance.stored)):
+        return ""
+    return (
+        "A Maxwell branch that would push lets go and acts on nothing, but is reckoned on as if it were held: of the"
+        f" {show_value(taken, 'J', 3)} that branches take, {show_value(-unpaid, 'J', 3)} are such, which nobody paid"
+        f" and the row of what gave way takes off again. Together they are {show_value(taken + unpaid, 'J', 3)}."
+    )
 
 
 def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str, str]]:

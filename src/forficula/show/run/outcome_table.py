@@ -14,7 +14,14 @@ from forficula.analysis.package import smallest_package
 from forficula.analysis.storage import storage_texts
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit, show_value
-from forficula.show.run.outcome_rows import StateRows, balance_rows, state_rows, transition_headings, transition_rows
+from forficula.show.run.outcome_rows import (
+    StateRows,
+    balance_remark,
+    balance_rows,
+    state_rows,
+    transition_headings,
+    transition_rows,
+)
 from forficula.show.run.package_figure import package_text
 from forficula.show.run.state_names import states_reached
 from forficula.show.run.strength_rows import STRENGTH_HEADINGS, strength_rows
@@ -123,4 +130,5 @@ def _balance(outcome: Outcome, structure: Structure) -> RenderableType:
     table.add_column("", justify="right")
     for label, value in balance_rows(structure, balance):
         table.add_row(label, value)
-    return table
+    remark = balance_remark(balance)
+    return Group(table, Text(remark)) if remark else table

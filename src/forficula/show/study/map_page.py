@@ -50,6 +50,7 @@ _MOST_NUMBERS = 12
 _NUMBER, _CELL_FILLED = 6.0, 0.86  # pt of a number in a cell, and the share of a cell that it may be as wide as
 _POINTS_HEIGHT, _UPWARDS = 1.7, 27  # inch, of axes with points; letters that fit upwards
 _SHAPE = {"handleheight": 1.4, "handlelength": 2.2, "fontsize": 7}
+_LEGEND_HEIGHT = 0.4  # inch, for which there is room beneath the maps
 _APART = 0.12  # of a map's width: between maps that have a bar each
 _INK = "0.35"
 
@@ -270,7 +271,10 @@ def _legend(figure: Figure, view: View, panels: Sequence[Panel], *, cells: bool)
     if handles:
         narrow = is_narrow(figure.get_figwidth())
         shape = {"handleheight": 1.3, "handlelength": 1.6, "fontsize": 6} if narrow and len(handles) > 4 else _SHAPE
-        fit_legend(figure, handles, 4, loc="outside lower center", **shape)
+        legend = fit_legend(figure, handles, 4, loc="outside lower center", columnspacing=1.2, **shape)
+        # the maps keep their height
+        more = legend.get_window_extent().height / figure.dpi - _LEGEND_HEIGHT
+        figure.set_figheight(figure.get_figheight() + max(more, 0.0))
 
 
 def _ink(look: Look) -> str:
