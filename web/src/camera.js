@@ -1,10 +1,11 @@
-/** Where the structures are seen from: one camera for all of them. */
+/** Where the structures are seen from: one camera for all of them, which follows them as they move. */
 
 import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { makeFraming } from "./framing.js";
 
 const FIELD = 28; // deg, upwards
-const ROOM = 1.1;
+const ROOM = 1.09; // around what is framed, for bars that are thicker than their axes
 const TURN = Math.PI / 24;
 const ZOOM = 1.15;
 
@@ -16,21 +17,46 @@ export const VIEWS = [
   { name: "along", text: "from the far end, along the middle", towards: [1, 0, 0.0001] },
 ];
 
-/** A camera that turns about what the clips ever show, by pointer, wheel and keys. */
-export function makeCamera(canvas, clips, onChange) {
-  const seen = sample(clips);
-  const target = centre(seen);
-  const size = largest(seen, (point) => point.distanceTo(target));
+/**
+ * A camera that frames what the clips show, turned, moved and zoomed by pointer, wheel and keys.
+ *
+ * `aim` puts it where it belongs at the clock's time, for all structures or, where each has a scale of its own, for one.
+ * `look` holds what a reader has chosen of it; a camera that is made with another's look begins as that one ended.
+ */
+export function makeCamera(canvas, clips, clock, onChange, look = firstLook()) {
+  const { size, target } = extent(clips);
+  const all = clips.map((_, index) => index);
+  const together = makeFraming(clips, all, clock);
+  const alone = all.map((index) => makeFraming(clips, [index], clock));
   const camera = new PerspectiveCamera(FIELD, 1, 0.02 * size, 60 * size);
   camera.up.set(0, 0, 1);
   const controls = new OrbitControls(camera, canvas);
-  controls.minDistance = 0.3 * size;
+  controls.minDistance = 0.1 * size;
   controls.maxDistance = 20 * size;
-  controls.addEventListener("change", onChange);
-  let view = VIEWS[0];
-  let moved = false;
-  controls.addEventListener("start", () => {
-    moved = true;
+  let fitted = null;
+
+  function aim(index = 0) {
+    const frame = look.oneScale ? together : alone[index];
+    const high = Math.tan((FIELD * Math.PI) / 360) / ROOM;
+    fitted = frame(look.towards, camera.up, [high * camera.aspect, high], look.following);
+    controls.target.copy(fitted.target).addScaledVector(look.aside, fitted.distance);
+    camera.position.copy(controls.target).addScaledVector(look.towards, look.closer * fitted.distance);
+    camera.lookAt(controls.target);
+    camera.updateMatrixWorld();
+  }
+
+  function changed() {
+    aim();
+    onChange();
+  }
+
+  // a reader's hand turns, moves and zooms the camera that is there: keep what it did beside what frames the structures
+  controls.addEventListener("change", () => {
+    const away = camera.position.clone().sub(controls.target);
+    look.closer = away.length() / fitted.distance;
+    look.towards.copy(away).normalize();
+    look.aside.copy(controls.target).sub(fitted.target).divideScalar(fitted.distance);
+    changed();
   });
   // a wheel over the picture scrolls the page, until the picture is chosen
   const hold = (event) => {
@@ -38,108 +64,72 @@ export function makeCamera(canvas, clips, onChange) {
   };
   canvas.parentElement.addEventListener("wheel", hold, { capture: true });
 
-  function show(chosen) {
-    view = chosen;
-    moved = false;
-    const towards = new Vector3(...chosen.towards).normalize();
-    const fit = fitted(seen, towards, camera);
-    controls.target.copy(fit.target);
-    camera.position.copy(fit.target).addScaledVector(towards, fit.distance);
-    controls.update();
-    onChange();
+  function show({ towards }) {
+    look.towards.set(...towards).normalize();
+    look.closer = 1;
+    look.aside.set(0, 0, 0);
+    changed();
   }
 
   function turn(across, upwards) {
-    moved = true;
-    const offset = camera.position.clone().sub(controls.target);
-    offset.applyAxisAngle(camera.up, across * TURN);
-    const side = new Vector3().crossVectors(camera.up, offset).normalize();
-    const lifted = offset.clone().applyAxisAngle(side, -upwards * TURN);
+    const turned = look.towards.clone().applyAxisAngle(camera.up, across * TURN);
+    const side = new Vector3().crossVectors(camera.up, turned).normalize();
+    const lifted = turned.clone().applyAxisAngle(side, -upwards * TURN);
     // not over the top
-    if (Math.abs(lifted.z) < 0.9999 * lifted.length()) offset.copy(lifted);
-    camera.position.copy(controls.target).add(offset);
-    controls.update();
-    onChange();
+    look.towards.copy(Math.abs(lifted.z) < 0.9999 ? lifted : turned);
+    changed();
   }
 
   function zoom(steps) {
-    moved = true;
-    const offset = camera.position
-      .clone()
-      .sub(controls.target)
-      .multiplyScalar(ZOOM ** -steps);
-    offset.clampLength(controls.minDistance, controls.maxDistance);
-    camera.position.copy(controls.target).add(offset);
-    controls.update();
-    onChange();
+    const distance = look.closer * fitted.distance * ZOOM ** -steps;
+    look.closer = Math.min(controls.maxDistance, Math.max(controls.minDistance, distance)) / fitted.distance;
+    changed();
   }
 
-  /** Fit the picture's shape; a view that nobody has turned is fitted anew. */
+  function choose(choice) {
+    Object.assign(look, choice);
+    changed();
+  }
+
+  /** Fit the picture's shape. */
   function resize(aspect, rows) {
     camera.aspect = aspect;
     camera.updateProjectionMatrix();
     controls.rotateSpeed = rows;
     controls.panSpeed = rows;
-    if (!moved) show(view);
+    changed();
   }
 
-  return { camera, controls, size, target, show, turn, zoom, resize, dispose: () => controls.dispose() };
+  return { camera, controls, look, size, target, aim, show, turn, zoom, choose, resize, dispose: () => controls.dispose() };
 }
 
-/** Points of all structures at moments all through, as many as a view needs. */
-function sample(clips) {
-  const seen = [];
+/** towards: direction to the eye; closer: its distance by that which fits; aside: how far it is moved, by the same. */
+function firstLook() {
+  return {
+    towards: new Vector3(...VIEWS[0].towards).normalize(),
+    closer: 1,
+    aside: new Vector3(),
+    following: true,
+    oneScale: true,
+  };
+}
+
+/** The middle of the box around all that is ever shown, and how far it reaches from there. */
+function extent(clips) {
+  const low = new Vector3(Infinity, Infinity, Infinity);
+  const high = new Vector3(-Infinity, -Infinity, -Infinity);
+  const point = new Vector3();
   for (const clip of clips) {
     const step = Math.max(1, Math.floor(clip.time.length / 60));
     for (let frame = 0; frame < clip.time.length; frame += step) {
       const points = clip.pointsAt(clip.time[frame]);
-      for (let at = 0; at < points.length; at += 3) seen.push(new Vector3(points[at], points[at + 1], points[at + 2]));
+      for (let at = 0; at < points.length; at += 3) {
+        point.fromArray(points, at);
+        low.min(point);
+        high.max(point);
+      }
     }
   }
-  return seen;
-}
-
-/** The middle of the box around points. */
-function centre(points) {
-  const low = new Vector3(Infinity, Infinity, Infinity);
-  const high = new Vector3(-Infinity, -Infinity, -Infinity);
-  for (const point of points) {
-    low.min(point);
-    high.max(point);
-  }
-  return low.add(high).multiplyScalar(0.5);
-}
-
-/** What to look at, and from how far away, so that all points are in the picture. */
-function fitted(points, towards, camera) {
-  const right = new Vector3().crossVectors(camera.up, towards).normalize();
-  const upwards = new Vector3().crossVectors(towards, right);
-  const axes = [right, upwards, towards];
-  const places = points.map((point) => axes.map((axis) => point.dot(axis)));
-  const high = Math.tan((FIELD * Math.PI) / 360) / ROOM;
-  const slopes = [high * camera.aspect, high];
-  const middle = axes.map(
-    (_, axis) => (largest(places, (place) => place[axis]) - largest(places, (place) => -place[axis])) / 2,
-  );
-  let distance = 0;
-  // what is nearer looks larger: shift the middle until both sides need the same distance
-  for (let round = 0; round < 20; round++) {
-    const needed = [0, 1].map((axis) =>
-      [-1, 1].map((side) =>
-        largest(places, (place) => (side * (place[axis] - middle[axis])) / slopes[axis] + place[2] - middle[2]),
-      ),
-    );
-    distance = Math.max(...needed.flat());
-    for (const axis of [0, 1]) middle[axis] += ((needed[axis][1] - needed[axis][0]) * slopes[axis]) / 2;
-  }
-  const target = new Vector3();
-  for (const [index, axis] of axes.entries()) target.addScaledVector(axis, middle[index]);
-  return { target, distance: distance || 1 };
-}
-
-/** The largest of a number of each, of very many, too. */
-function largest(all, number) {
-  let most = -Infinity;
-  for (const each of all) most = Math.max(most, number(each));
-  return most;
+  const target = low.clone().add(high).multiplyScalar(0.5);
+  return { target, size: high.distanceTo(target) || 1 };
 }

@@ -22,6 +22,19 @@ export function makeClock(clips, spans) {
     return paces.get(span);
   }
 
+  // close up, most of the time something moves
+  const stretched = () => speed === "even" && span.whole;
+
+  /** How far along the time line a moment of the span stands, 0 to 1. */
+  function shareAt(moment) {
+    return stretched() ? pace().wayAt(moment) : (moment - span.start) / (span.end - span.start || 1);
+  }
+
+  /** The moment at a share of the time line. */
+  function momentAt(share) {
+    return stretched() ? pace().timeAt(share) : span.start + share * (span.end - span.start);
+  }
+
   /** Tell everyone once, in the next frame. */
   function changed() {
     if (!waiting) waiting = requestAnimationFrame(frame);
@@ -64,8 +77,18 @@ export function makeClock(clips, spans) {
       return playing;
     },
     spans,
-    /** The time of a clip, within it. */
-    clipTime: (index) => Math.min(clips[index].end, Math.max(clips[index].start, time + span.origins[index])),
+    /** The time of a clip, within it, now or at a moment of the clock. */
+    clipTime: (index, moment = time) =>
+      Math.min(clips[index].end, Math.max(clips[index].start, moment + span.origins[index])),
+    /** Whether the time line is stretched where something moves. */
+    get stretched() {
+      return stretched();
+    },
+    shareAt,
+    momentAt,
+    /** How far a moment of the span is on the way of even motion, 0 to 1, and back. */
+    wayAt: (moment) => pace().wayAt(moment),
+    timeAt: (way) => pace().timeAt(way),
     /** How much slower than real time it goes now; 1 is real time. */
     get slowness() {
       if (speed !== "even") return 1 / speed;
@@ -89,7 +112,7 @@ export function makeClock(clips, spans) {
       }
       seek(moment - span.origins[index]);
     },
-    step: (steps) => seek(time + (steps * (span.end - span.start)) / STEPS),
+    step: (steps) => seek(momentAt(shareAt(time) + steps / STEPS)),
     play() {
       if (time >= span.end) time = span.start;
       playing = true;

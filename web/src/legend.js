@@ -8,7 +8,7 @@ import { ENERGY_GRADIENT, MOUNTAIN, VALLEY, regionTint } from "./scheme.js";
 /** entries: {sample, text} of what is drawn; whole: what one is called, of several that are drawn; else null. */
 export function makeLegend(entries, energy, size, whole) {
   const ofSeveral = whole
-    ? [`all ${whole}s are drawn to one scale`, "marks on the time line: the states of each run, in its colour"]
+    ? ["marks on the time line: the states of each run, in its colour"]
     : [];
   return make(
     "ul",
@@ -27,7 +27,7 @@ function entry(sample, text) {
 
 function energyEntry(text, energy) {
   const bar = make("li", { className: "energy" }, `${text}: 0`, swatch("bar", { background: ENERGY_GRADIENT }));
-  bar.append(`${short(energy.factor * energy.largest_J)} ${energy.unit}`);
+  bar.append(`${short(energy.factor * energy.largest_J)} ${energy.unit}, thin where slack`);
   return bar;
 }
 

@@ -7,6 +7,7 @@ import { short, timeUnit } from "./format.js";
 import { lineLook, onSchemeChange, styleColour } from "./scheme.js";
 
 const HEIGHT = 210;
+const STRETCHED_SPACE = 64; // pixels between times of a stretched time line
 const DEGREES = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 90, 180, 360, ...powers(3, 20)];
 
 /** Put plots into an element, all over the span that the clock shows. */
@@ -35,6 +36,7 @@ function makePlot(plot, clips, clock) {
   const cursor = make("div", { className: "cursor" });
   let chart = null;
   let span = null;
+  let stretched = false;
   let stops = [];
   const watch = new ResizeObserver(() => chart?.setSize({ width: place.clientWidth, height: HEIGHT }));
 
@@ -47,8 +49,9 @@ function makePlot(plot, clips, clock) {
   }
 
   function follow() {
-    if (clock.span !== span) {
+    if (clock.span !== span || clock.stretched !== stretched) {
       span = clock.span;
+      stretched = clock.stretched;
       chart.setData(tables(plot, values, clips, span), false);
       chart.setScale("x", { min: span.start, max: span.end });
     }
@@ -57,6 +60,7 @@ function makePlot(plot, clips, clock) {
 
   function start() {
     span = clock.span;
+    stretched = clock.stretched;
     chart = new uPlot(options(plot, clips, clock, place.clientWidth), tables(plot, values, clips, span), place);
     chart.setScale("x", { min: span.start, max: span.end });
     chart.over.append(cursor);
@@ -113,7 +117,7 @@ function options(plot, clips, clock, width) {
     legend: { show: false },
     cursor: { show: false },
     padding: [8, 10, 0, 0],
-    scales: { x: { time: false, auto: false }, y: { range: (_, low, high) => yRange(plot, low, high) } },
+    scales: { x: { time: false, auto: false, distr: 100, fwd: clock.shareAt, bwd: clock.momentAt }, y: { range: (_, low, high) => yRange(plot, low, high) } },
     series: [
       {},
       ...plot.lines.map((_, index) => ({
@@ -132,7 +136,8 @@ function options(plot, clips, clock, width) {
         labelSize: 18,
         labelGap: 0,
         labelFont: "12px system-ui, sans-serif",
-        label: () => `${clock.span.label} (${timeUnit(clock.span).unit})`,
+        label: () => `${clock.span.label} (${timeUnit(clock.span).unit})${clock.stretched ? ", stretched where it moves" : ""}`,
+        splits: (chart, number, low, high, step) => (clock.stretched ? stretchedSplits(chart, clock) : evenSplits(low, high, step)),
         values: (_, splits) =>
           splits.map((value) => (value === null ? "" : tickText(value * timeUnit(clock.span).factor))),
         space: 56,
@@ -150,6 +155,25 @@ function options(plot, clips, clock, width) {
       draw: [(chart) => drawMarks(chart, clips, clock.span)],
     },
   };
+}
+
+/** Round times that stand about evenly along a stretched time line. */
+function stretchedSplits(chart, clock) {
+  const count = Math.max(2, Math.floor(chart.bbox.width / devicePixelRatio / STRETCHED_SPACE));
+  const { factor } = timeUnit(clock.span);
+  const splits = new Set();
+  for (let step = 0; step <= count; step++) {
+    const moment = clock.momentAt(step / count);
+    const round = [1, 2, 3, 4, 5, 6].map((digits) => Number((factor * moment).toPrecision(digits)) / factor);
+    const near = (each) => Math.abs(clock.shareAt(each) - step / count) < 0.2 / count;
+    splits.add(round.find(near) ?? round[round.length - 1]);
+  }
+  return [...splits].filter((each) => each >= clock.span.start && each <= clock.span.end);
+}
+
+function evenSplits(low, high, step) {
+  const first = Math.ceil(low / step - 1e-9);
+  return Array.from({ length: Math.floor(high / step + 1e-9) - first + 1 }, (_, index) => (first + index) * step);
 }
 
 /** From what is there to what is there, zero included, with some room, at the top for the letters of the states. */

@@ -4,7 +4,7 @@ export const MOUNTAIN = "#d55e00";
 export const VALLEY = "#0072b2";
 
 // of the regions of sheets and plates, in their order
-const TINTS = ["#e2cf9f", "#9cc4dd", "#b7cfa2", "#d6aeb9", "#bdb6dc", "#cfcfcf"];
+const TINTS = ["#e2cf9f", "#c5bcd9", "#b7cfa2", "#d6aeb9", "#9cc4dd", "#cfcfcf"];
 
 export function regionTint(region) {
   return TINTS[region % TINTS.length];

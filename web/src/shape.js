@@ -10,13 +10,18 @@ import {
   Group,
   InstancedMesh,
   Mesh,
+  MeshBasicMaterial,
   MeshLambertMaterial,
+  NotEqualStencilFunc,
+  ReplaceStencilOp,
   SphereGeometry,
 } from "three";
 import { TENDONS } from "./clip.js";
 import { MOUNTAIN, VALLEY, energyColour, regionTint, styleColour } from "./scheme.js";
 
-const OPACITY = 0.88;
+const OPACITY = 0.9;
+const SLACK = 0.4; // radius of a tendon that holds nothing, by that of one that does
+const TAUT = 0.02; // share of the largest energy from which on a tendon is as thick as any
 const LINES = ["crease", "rim", "edge"];
 
 /** The structure of a clip; `pose` moves it, `sort` prepares it for a camera. */
@@ -45,6 +50,7 @@ export function makeShape(clip, largestEnergy) {
   const joints = makeJoints(mesh);
   const group = new Group();
   group.add(plates.object, bars.object, joints.object, lines.object, tendons.object, sheet.object);
+  const shadow = makeShadow(sheet.object, plates.object, bars.object);
   const colour = [0, 0, 0];
   const shade = new Color();
 
@@ -52,10 +58,12 @@ export function makeShape(clip, largestEnergy) {
     clip.verticesAt(moment, vertices);
     sheet.pose(vertices);
     plates.pose(vertices);
-    for (const part of [bars, lines, tendons, joints]) part.pose(vertices);
+    for (const part of [bars, lines, joints]) part.pose(vertices);
     clip.valuesAt(TENDONS, moment, energies);
+    const shares = energies.map((energy) => (largestEnergy > 0 ? energy / largestEnergy : 0));
+    tendons.pose(vertices, (tendon) => SLACK + (1 - SLACK) * Math.min(1, Math.max(0, shares[tendon]) / TAUT));
     for (let tendon = 0; tendon < clip.tendons; tendon++) {
-      energyColour(largestEnergy > 0 ? energies[tendon] / largestEnergy : 0, colour);
+      energyColour(shares[tendon], colour);
       tendons.object.setColorAt(tendon, shade.setRGB(...colour, "srgb"));
     }
     if (clip.tendons) tendons.object.instanceColor.needsUpdate = true;
@@ -64,6 +72,7 @@ export function makeShape(clip, largestEnergy) {
   /** Take the colours that depend on whether the page is light or dark. */
   function paint() {
     for (const part of [bars, lines, joints]) part.paint();
+    shadow.children[0].material.color.set(styleColour("--shadow"));
   }
 
   function dispose() {
@@ -72,9 +81,35 @@ export function makeShape(clip, largestEnergy) {
       part.object.geometry.dispose();
       part.object.material.dispose();
     }
+    shadow.children[0].material.dispose();
   }
 
-  return { group, pose, paint, sort: sheet.sort, vertices, dispose };
+  return { group, shadow, pose, paint, sort: sheet.sort, vertices, dispose };
+}
+
+/** What faces and bars throw straight down: all of it in one plane, each place of it darkened once. */
+function makeShadow(...objects) {
+  const material = new MeshBasicMaterial({
+    side: DoubleSide,
+    transparent: true,
+    opacity: 0.16,
+    depthWrite: false,
+    stencilWrite: true,
+    stencilRef: 1,
+    stencilFunc: NotEqualStencilFunc,
+    stencilZPass: ReplaceStencilOp,
+  });
+  const shadow = new Group();
+  for (const object of objects) {
+    const thrown = object.isInstancedMesh
+      ? new InstancedMesh(object.geometry, material, object.count)
+      : new Mesh(object.geometry, material);
+    if (object.isInstancedMesh) thrown.instanceMatrix = object.instanceMatrix;
+    thrown.frustumCulled = false;
+    shadow.add(thrown);
+  }
+  shadow.scale.z = 1e-5;
+  return shadow;
 }
 
 /** Sheets, a little translucent, or plates: flat triangles, a tint for each region, their undersides darker. */
@@ -148,9 +183,10 @@ function makeTubes(tubes, sides, nearer) {
   paint();
   const ends = tubes.map((tube) => [3 * tube.ends[0], 3 * tube.ends[1], tube.radius]);
 
-  function pose(vertices) {
+  function pose(vertices, thickness = () => 1) {
     const matrix = object.instanceMatrix.array;
-    for (let index = 0; index < ends.length; index++) placeTube(vertices, ...ends[index], matrix, 16 * index);
+    for (const [index, [first, second, radius]] of ends.entries())
+      placeTube(vertices, first, second, thickness(index) * radius, matrix, 16 * index);
     object.instanceMatrix.needsUpdate = true;
   }
 

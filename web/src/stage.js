@@ -10,14 +10,20 @@ import { makeShape } from "./shape.js";
 const LONGEST = 4096; // pixels of the canvas in one direction, which all graphics chips have
 const NAME_ROOM = 3.2; // lines of letters at the top of a cell, where several structures have their names
 const TOWARDS_LIGHT = new Vector3(-0.45, 0.75, 1);
+// together a little less than what turns a surface that faces the light white: its colour is the one that the legend has
+const LIGHT = 0.42 * Math.PI;
+const SKY = 0.64 * Math.PI;
+// opacity of the grid
+const GRID = 0.5;
+const GRID_FROM_BELOW = 0.14;
 
 /**
  * A stage for clips, or null where the browser has no WebGL.
- * Its cells take the structures' names and what else a page writes on them.
+ * Its cells take the structures' names and what else a page writes on them; look: of a camera, to begin with.
  */
-export function makeStage(clips, clock, energy, text) {
+export function makeStage(clips, clock, energy, text, look) {
   const canvas = make("canvas", { tabIndex: 0, role: "img", "aria-label": `${text} ${HELP}` });
-  const context = canvas.getContext("webgl2", { antialias: true, alpha: true });
+  const context = canvas.getContext("webgl2", { antialias: true, alpha: true, stencil: true });
   if (!context) return null;
   const cells = clips.map(() => make("div", { className: "cell" }));
   const several = clips.length > 1;
@@ -27,9 +33,9 @@ export function makeStage(clips, clock, energy, text) {
     String(clips.length === 4 ? 2 : Math.min(clips.length, clips.length > 6 ? 4 : 3)),
   );
   const names = () => (several ? Math.ceil(NAME_ROOM * parseFloat(getComputedStyle(cells[0]).fontSize)) : 0);
-  const renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
+  const renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true, stencil: true });
   renderer.setScissorTest(true);
-  const eye = makeCamera(canvas, clips, invalidate);
+  const eye = makeCamera(canvas, clips, clock, invalidate, look);
   const views = clips.map((clip) => makeView(clip, energy, eye));
   let waiting = 0;
   let posed = false;
@@ -53,6 +59,7 @@ export function makeStage(clips, clock, energy, text) {
     renderer.setViewport(0, 0, canvas.clientWidth, height);
     renderer.clear();
     for (const [index, view] of views.entries()) {
+      eye.aim(index);
       const cell = cells[index];
       const place = [
         cell.offsetLeft,
@@ -63,9 +70,13 @@ export function makeStage(clips, clock, energy, text) {
       renderer.setViewport(...place);
       renderer.setScissor(...place);
       view.light.position.copy(TOWARDS_LIGHT).applyQuaternion(eye.camera.quaternion);
+      const above = eye.camera.position.z > view.floor.position.z;
+      view.floor.material.opacity = above ? GRID : GRID_FROM_BELOW;
+      view.shape.shadow.visible = above;
       view.shape.sort(eye.camera.position);
       renderer.render(view.scene, eye.camera);
     }
+    eye.aim();
   }
 
   function paint() {
@@ -122,9 +133,10 @@ function makeView(clip, energy, eye) {
   const shape = makeShape(clip, energy.largest_J);
   const floor = makeFloor(eye.size, eye.target);
   floor.position.z = lowest(clip) - 0.06 * eye.size;
-  const light = new DirectionalLight("#ffffff", 2.1);
+  shape.shadow.position.z = floor.position.z + 1e-3 * eye.size;
+  const light = new DirectionalLight("#ffffff", LIGHT);
   const scene = new Scene();
-  scene.add(shape.group, floor, light, new HemisphereLight("#ffffff", "#e6eaee", 2.0));
+  scene.add(shape.group, shape.shadow, floor, light, new HemisphereLight("#ffffff", "#dde2e8", SKY));
   return { shape, floor, light, scene };
 }
 

@@ -33,15 +33,16 @@ export function makeTransport(clips, clock) {
   play.addEventListener("click", () => (clock.playing ? clock.pause() : clock.play()));
   slider.addEventListener("input", () => {
     clock.pause();
-    clock.seek(clock.span.start + (slider.value / TICKS) * (clock.span.end - clock.span.start));
+    clock.seek(clock.momentAt(slider.value / TICKS));
   });
-  let drawnSpan = null;
+  let drawn = null;
   let wasPlaying = null;
   let quiet = 0;
   clock.onChange(() => {
-    if (clock.span !== drawnSpan) drawTrack(clips, clock, bands, ticks);
-    drawnSpan = clock.span;
-    slider.value = Math.round((TICKS * (clock.time - clock.span.start)) / (clock.span.end - clock.span.start || 1));
+    const line = `${clock.spans.indexOf(clock.span)} ${clock.stretched}`;
+    if (line !== drawn) drawTrack(clips, clock, bands, ticks);
+    drawn = line;
+    slider.value = Math.round(TICKS * clock.shareAt(clock.time));
     slider.setAttribute("aria-valuetext", momentText(clips, clock));
     const since =
       clips.length === 1 ? ` \u00b7 ${stageText(clips[0], clock.clipTime(0))}` : clock.span.label.replace("time", "");
@@ -95,7 +96,7 @@ function spanChoice(clock) {
 /** Bands where torques act, and ticks at the states; of several clips a tick in each one's colour. */
 function drawTrack(clips, clock, bands, ticks) {
   const { span } = clock;
-  const place = (moment) => Math.min(1, Math.max(0, (moment - span.start) / (span.end - span.start || 1)));
+  const place = (moment) => Math.min(1, Math.max(0, clock.shareAt(moment)));
   bands.replaceChildren();
   ticks.replaceChildren();
   for (const [index, clip] of clips.entries()) {
@@ -123,7 +124,7 @@ function slowness(times) {
   return `${times < 10 ? fixed(times, 1) : Math.round(times)} times slower`;
 }
 
-function stageText(clip, moment) {
+export function stageText(clip, moment) {
   const mark = clip.markAt(moment);
   return mark ? `${mark.letter} ${mark.name}` : clip.stageAt(moment).name;
 }

@@ -24,6 +24,7 @@ class Span:
         start: s on the clock.
         end: s on the clock.
         origins: time of each clip that is 0 on the clock, s, (clip,).
+        whole: whether it is all that there is, most of it rest.
     """
 
     name: str
@@ -31,15 +32,17 @@ class Span:
     start: float
     end: float
     origins: tuple[float, ...]
+    whole: bool = False
 
 
 def run_spans(clip: Clip) -> list[Span]:
     """The whole run, then each driven stage close up, in the run's own time."""
     label = "time since the start of the run"
-    spans = [Span(name="whole run", label=label, start=float(clip.time[0]), end=float(clip.time[-1]), origins=(0.0,))]
+    first, last = float(clip.time[0]), float(clip.time[-1])
+    spans = [Span(name="whole run", label=label, start=first, end=last, origins=(0.0,), whole=True)]
     for end in _driven(clip):
         low, high = _close_up(end)
-        within = (max(end.start + low, float(clip.time[0])), min(end.start + high, float(clip.time[-1])))
+        within = (max(end.start + low, first), min(end.start + high, last))
         if within[0] < within[1]:
             spans.append(Span(name=end.stage.name, label=label, start=within[0], end=within[1], origins=(0.0,)))
     return spans
@@ -80,6 +83,7 @@ def span_data(span: Span) -> dict[str, Any]:
         "start": span.start,
         "end": span.end,
         "origins": list(span.origins),
+        "whole": span.whole,
     }
 
 
@@ -91,6 +95,7 @@ def _whole(clips: Sequence[Clip], origins: tuple[float, ...], label: str) -> Spa
         start=min(float(clip.time[0]) - origin for clip, origin in pairs),
         end=max(float(clip.time[-1]) - origin for clip, origin in pairs),
         origins=origins,
+        whole=True,
     )
 
 
