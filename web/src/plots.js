@@ -6,7 +6,7 @@ import { lineSample, make } from "./elements.js";
 import { short, timeUnit } from "./format.js";
 import { lineLook, onSchemeChange, styleColour } from "./scheme.js";
 
-const HEIGHT = 210;
+export const HEIGHT = 210;
 const DEGREES = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 90, 180, 360, ...powers(3, 20)];
 
 /** Put plots into an element, all over the span that the clock shows. */
@@ -22,16 +22,7 @@ function makePlot(plot, clips, clock) {
   const values = plot.lines.map((line) =>
     line.readings ? clips[line.clip].line(line.readings, line.part) : unpack(line.values, Float32Array),
   );
-  const place = make("div", { className: "chart", role: "img", "aria-label": plot.text });
-  const key = make("ul", { className: "key" });
-  const element = make(
-    "figure",
-    {},
-    make("h2", {}, `${plot.title[0].toUpperCase()}${plot.title.slice(1)} (${plot.unit})`),
-    key,
-    place,
-    make("figcaption", {}, plot.text),
-  );
+  const { element, key, place } = figureOf(plot);
   const cursor = make("div", { className: "cursor" });
   let chart = null;
   let span = null;
@@ -87,6 +78,14 @@ function makePlot(plot, clips, clock) {
   };
 }
 
+/** The figure of a plot, with an empty key and the place of its chart. */
+export function figureOf(plot) {
+  const place = make("div", { className: "chart", role: "img", "aria-label": plot.text });
+  const key = make("ul", { className: "key" });
+  const heading = make("h2", {}, `${plot.title[0].toUpperCase()}${plot.title.slice(1)} (${plot.unit})`);
+  return { element: make("figure", {}, heading, key, place, make("figcaption", {}, plot.text)), key, place };
+}
+
 /** The lines over the clock's time; those of several clips share one row of times. */
 function tables(plot, values, clips, span) {
   const byLine = plot.lines.map((line, index) => [
@@ -100,13 +99,7 @@ function tables(plot, values, clips, span) {
 }
 
 function options(plot, clips, clock, width) {
-  const ink = () => styleColour("--muted");
-  const axis = {
-    stroke: ink,
-    grid: { stroke: () => styleColour("--grid"), width: 1 },
-    ticks: { stroke: () => styleColour("--grid"), width: 1, size: 4 },
-    font: "12px system-ui, sans-serif",
-  };
+  const axis = axisLook();
   return {
     width,
     height: HEIGHT,
@@ -131,24 +124,38 @@ function options(plot, clips, clock, width) {
         gap: 3,
         labelSize: 18,
         labelGap: 0,
-        labelFont: "12px system-ui, sans-serif",
+        labelFont: axis.font,
         label: () => `${clock.span.label} (${timeUnit(clock.span).unit})`,
         values: (_, splits) =>
           splits.map((value) => (value === null ? "" : tickText(value * timeUnit(clock.span).factor))),
         space: 56,
       },
-      {
-        ...axis,
-        size: (_, texts) => Math.max(48, 16 + 7 * Math.max(0, ...(texts ?? []).map((text) => text.length))),
-        gap: 3,
-        values: (_, splits) => splits.map((value) => (value === null ? "" : tickText(value))),
-        ...(plot.unit === "deg" ? { incrs: DEGREES, space: 26 } : { space: 30 }),
-      },
+      valueAxis(plot),
     ],
     hooks: {
       drawClear: [(chart) => drawStages(chart, clips, clock.span)],
       draw: [(chart) => drawMarks(chart, clips, clock.span)],
     },
+  };
+}
+
+export function axisLook() {
+  return {
+    stroke: () => styleColour("--muted"),
+    grid: { stroke: () => styleColour("--grid"), width: 1 },
+    ticks: { stroke: () => styleColour("--grid"), width: 1, size: 4 },
+    font: "12px system-ui, sans-serif",
+  };
+}
+
+/** The axis of a plot's values, as wide as these are long. */
+export function valueAxis(plot) {
+  return {
+    ...axisLook(),
+    size: (_, texts) => Math.max(48, 16 + 7 * Math.max(0, ...(texts ?? []).map((text) => text.length))),
+    gap: 3,
+    values: (_, splits) => splits.map((value) => (value === null ? "" : tickText(value))),
+    ...(plot.unit === "deg" ? { incrs: DEGREES, space: 26 } : { space: 30 }),
   };
 }
 
