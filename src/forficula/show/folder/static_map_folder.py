@@ -104,9 +104,13 @@ def static_map_sentences(table: Dataset, whole: str, simulated: Dataset | None =
         if each.least not in table:
             continue
         made = len(least_values(table, each))
-        told.append(f"{made} of {count} {whole}s {each.wording.verb} under slowly growing torques{lost_text(table, each)}")
+        told.append(
+            f"{made} of {count} {whole}s {each.wording.verb} under slowly growing torques{lost_text(table, each)}"
+        )
         if simulated is not None:
-            words, numbers = np.unique(compare_maps(table, simulated, each.least).values.astype(str), return_counts=True)
+            words, numbers = np.unique(
+                compare_maps(table, simulated, each.least).values.astype(str), return_counts=True
+            )
             parts = [f"{number} {word}" for word, number in zip(words.tolist(), numbers.tolist(), strict=True)]
             told[-1] += f"; beside the simulation: {', '.join(parts)}"
     return told

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from itertools import chain
 
-from forficula.show.page.html import Cell, escaped, paragraph, section, table
+from forficula.show.page.html import Cell, paragraph, remarks, section, table
 from forficula.show.page.words import readable
 from forficula.study.cycling import CycleRun, Cycling
 
@@ -16,13 +16,12 @@ def cycling_section(cycling: Cycling, drawn: str) -> str:
     asked = [(each, each.wording.doing) for each in cycling.transitions]
     headings = ["cycle", "stiffness by the first", "residual strain"]
     headings += [f"{doing}: {what}" for _, doing in asked for what in ("time", "work", "margin")]
-    remarks = "".join(f"<li>{escaped(each)}</li>" for each in cycling.remarks)
     return section(
         "Over cycles",
-        paragraph(f"Cycles: {cycling.verdict}."),
+        paragraph(f"{cycling.verdict[:1].upper()}{cycling.verdict[1:]}.".replace(" -", " −")),
         drawn,
         table("Every cycle that was run", [*headings, "status"], [_row(cycling, run) for run in cycling.runs]),
-        f'<ul class="warnings">{remarks}</ul>' * bool(remarks),
+        remarks(cycling.remarks),
         name="cycles",
     )
 
@@ -44,7 +43,7 @@ def _row(cycling: Cycling, run: CycleRun) -> list[str | Cell]:
         f"{value:.3g} ({low} to {high})",
         f"{100 * run.residual_strain:.3g} %".replace("-", "−"),
         *numbers,
-        Cell(text=str(run.row["status"]), marked=not cycling.works(run)),
+        Cell(text=str(run.row["status"]).replace(" -", " −"), marked=not cycling.works(run)),
     ]
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -20,9 +20,11 @@ from forficula.show.page.words import readable
 from forficula.show.run.time_figures import stored_energies
 from forficula.show.structure.labels import label_of, parts_of, title_of
 from forficula.statics import EnergyLandscape, HingeLandscape, stable_states
+from forficula.statics.potential import ensemble, stored_energy
 from forficula.structure import crossing_tendons
 
 Array = NDArray[np.float64]
+Rows = NDArray[np.int64]
 
 _PLACES = 721  # of a line
 _MOVING = ("kinetic", "Maxwell branches")  # energies that are none at rest, so that statics has none of them
@@ -108,7 +110,7 @@ def curve_data(curve: Curve) -> dict[str, Any]:
     }
 
 
-def _of_tendons(landscape: EnergyLandscape, record: Record | None, tendon: int | None, rows: Array) -> Curve | None:
+def _of_tendons(landscape: EnergyLandscape, record: Record | None, tendon: int | None, rows: Rows) -> Curve | None:
     """One tendon over the angle of its hinge, with its hinge's spring; a ball for every tendon that has this curve."""
     shown, structure = shown_hinge(landscape, tendon), landscape.structure
     if shown is None:
@@ -140,14 +142,15 @@ def _of_tendons(landscape: EnergyLandscape, record: Record | None, tendon: int |
     return Curve(
         title="tendon and spring of one hinge" if sprung else "energy of one tendon",
         axis=title,
-        lines=tuple(
-            _smooth(name, hinge, energy, moment) for hinge, energy, moment, name, _ in drawn
+        lines=tuple(_smooth(name, hinge, energy, moment) for hinge, energy, moment, name, _ in drawn),
+        marks=tuple(
+            _mark("", (own.sense * each.angle, own.sense * each.far_angle), each.energy) for each in own.states
         ),
-        marks=tuple(_mark("", own.sense * each.angle, own.sense * each.far_angle, each.energy) for each in own.states),
         balls=tuple(balls),
         top=top,
         text=f"Energy over the {title} of one hinge, by statics.{barrier}"
-        + " Every tendon has a ball, at its energy and its hinge's angle in the run; dots are its frames." * bool(balls),
+        + " Every tendon has a ball, at its energy and its hinge's angle in the run; dots are its frames."
+        * bool(balls),
     )
 
 
@@ -167,7 +170,7 @@ def _alike(hinge: HingeLandscape, own: HingeLandscape) -> bool:
     return hinge.sense == own.sense and bool(np.allclose(*both, rtol=0, atol=1e-6 * float(both[0].max())))
 
 
-def _along_fold(landscape: EnergyLandscape, record: Record | None, rows: Array) -> Curve | None:
+def _along_fold(landscape: EnergyLandscape, record: Record | None, rows: Rows) -> Curve | None:
     """All that a structure stores along its rigid fold, over the mean angle of the hinges that fold."""
     path, structure, fold = landscape.fold_path, landscape.structure, landscape.structure.rigid_fold
     if path is None or fold is None:
@@ -179,24 +182,18 @@ def _along_fold(landscape: EnergyLandscape, record: Record | None, rows: Array) 
         angles = record.series["hinge_angle"][rows]
         angle = angles[:, list(fold.folds)].mean(axis=1) if folds else 2 * angles[:, list(fold.turns)].mean(axis=1)
         stored = [values[rows] for name, (values, _) in stored_energies(record).items() if name not in _MOVING]
-        balls = (Course(name="", angle=angle, energy=np.sum(stored, axis=0)),)
+        balls = (Course(name="", angle=angle, energy=np.sum(stored, axis=0) + _weight_zero(record)),)
     along = -path.ring_angle if folds else path.pleat_angle
     states = [
-        _mark(
-            each.name,
-            *np.interp([each.pleat_angle, each.far_pleat_angle], path.pleat_angle, along).tolist(),
-            each.energy,
-        )
-        for each in stable_states(landscape)
+        _mark(each.name, (each.pleat_angle, each.far_pleat_angle), each.energy) for each in stable_states(landscape)
     ]
+    states = [replace(each, angle=np.interp(each.angle, path.pleat_angle, along)) for each in states]
     told = ", ".join(f"{each.name} {readable(float(each.energy[0]), 'J')}" for each in states)
     whole = structure.appearance.whole
     return Curve(
         title=f"energy of the {whole} along its fold",
         axis=axis,
-        lines=(
-            Course(name="rigid panels, slowly", angle=along, energy=path.energy),
-        ),
+        lines=(Course(name="rigid panels, slowly", angle=along, energy=path.energy),),
         marks=tuple(states),
         balls=balls,
         top=None,
@@ -205,5 +202,13 @@ def _along_fold(landscape: EnergyLandscape, record: Record | None, rows: Array) 
     )
 
 
-def _mark(name: str, angle: float, far: float, energy: float) -> Course:
-    return Course(name=name, angle=np.array([angle, far]), energy=np.array([energy, energy]))
+def _weight_zero(record: Record) -> float:
+    """By how much statics counts the energy of the weight from lower than a run does, J."""
+    if not record.structure.gravity:
+        return 0.0
+    first = stored_energy(ensemble([record.structure]), record.series["hinge_angle"][:1]).get("weight", np.zeros(1))
+    return float(first[0] - record.series["gravitational_energy"][0])
+
+
+def _mark(name: str, ends: tuple[float, float], energy: float) -> Course:
+    return Course(name=name, angle=np.array(ends), energy=np.full(2, energy))

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from forficula.errors import InputError
-from forficula.show.page.html import escaped, paragraph, section
+from forficula.show.page.html import escaped, paragraph, remarks, section
 from forficula.show.page.page import page_html
 from forficula.show.page.rich_html import LaidOut
 from forficula.show.style import COPIES
@@ -37,8 +37,8 @@ def results_page(
         data: what the page's script shows, if there is such.
     """
     places = "".join(f'<div id="{each}"></div>\n' for each in ("player", "curves", "plots", "readout"))
-    sentence = paragraph(f"{found.heading.rstrip('.')}.", "outcome")
-    remarks = "".join(f"<li>{escaped(each)}</li>" for each in found.sentences)
+    told = found.heading.removeprefix(f"{name}: ").rstrip(".")
+    sentence = paragraph(f"{told[:1].upper()}{told[1:]}.", "outcome")
     body = "".join(
         (
             f"<header><h1>{escaped(name)}</h1>{sentence}</header>\n<main>",
@@ -46,7 +46,7 @@ def results_page(
             places * (data is not None),
             *figures,
             section("Numbers", *found.tables, name="numbers"),
-            section("What to know", f'<ul class="warnings">{remarks}</ul>' * bool(remarks), name="remarks"),
+            section("What to know", remarks(found.sentences), name="remarks"),
             "</main>",
         )
     )
