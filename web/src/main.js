@@ -3,11 +3,12 @@
 import "./page.css";
 import { make } from "./elements.js";
 import { showComparison } from "./page-compare.js";
+import { showCurves } from "./page-curves.js";
 import { showRun } from "./page-run.js";
 import { showStudy } from "./page-study.js";
 import { watchTables } from "./tables.js";
 
-const PAGES = { run: showRun, compare: showComparison, study: showStudy };
+const PAGES = { run: showRun, compare: showComparison, curves: showCurves, study: showStudy };
 
 const data = JSON.parse(document.getElementById("data").textContent);
 // for those who want the numbers behind the picture, and for tests

@@ -1,7 +1,8 @@
-/** The page of one run. */
+/** The page of one run, and of a landscape that has one: with curves on which it is. */
 
 import { readClip } from "./clip.js";
 import { makeClock } from "./clock.js";
+import { mountCurves } from "./curves.js";
 import { mountPlayer } from "./player.js";
 import { mountPlots } from "./plots.js";
 import { mountReadout } from "./readout.js";
@@ -11,8 +12,9 @@ export function showRun(data) {
   const clips = data.clips.map(readClip);
   const clock = makeClock(clips, data.spans);
   const player = mountPlayer(document.getElementById("player"), clips, clock, data);
+  const curves = data.curves ? mountCurves(document.getElementById("curves"), data.curves, clips, clock) : [];
   const plots = mountPlots(document.getElementById("plots"), data.plots, clips, clock);
   mountReadout(document.getElementById("readout"), clips[0], clock, data.energy);
   playOnceSeen(document.getElementById("player"), clock);
-  return { clips, clock, player, plots };
+  return { clips, clock, player, curves, plots };
 }

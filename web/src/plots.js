@@ -6,8 +6,12 @@ import { lineSample, make } from "./elements.js";
 import { short, timeUnit } from "./format.js";
 import { lineLook, onSchemeChange, styleColour } from "./scheme.js";
 
+<<<<<<< HEAD
 const HEIGHT = 210;
 const STRETCHED_SPACE = 64; // pixels between times of a stretched time line
+=======
+export const HEIGHT = 210;
+>>>>>>> s4
 const DEGREES = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 90, 180, 360, ...powers(3, 20)];
 
 /** Put plots into an element, all over the span that the clock shows. */
@@ -23,16 +27,7 @@ function makePlot(plot, clips, clock) {
   const values = plot.lines.map((line) =>
     line.readings ? clips[line.clip].line(line.readings, line.part) : unpack(line.values, Float32Array),
   );
-  const place = make("div", { className: "chart", role: "img", "aria-label": plot.text });
-  const key = make("ul", { className: "key" });
-  const element = make(
-    "figure",
-    {},
-    make("h2", {}, `${plot.title[0].toUpperCase()}${plot.title.slice(1)} (${plot.unit})`),
-    key,
-    place,
-    make("figcaption", {}, plot.text),
-  );
+  const { element, key, place } = figureOf(plot);
   const cursor = make("div", { className: "cursor" });
   let chart = null;
   let span = null;
@@ -91,6 +86,14 @@ function makePlot(plot, clips, clock) {
   };
 }
 
+/** The figure of a plot, with an empty key and the place of its chart. */
+export function figureOf(plot) {
+  const place = make("div", { className: "chart", role: "img", "aria-label": plot.text });
+  const key = make("ul", { className: "key" });
+  const heading = make("h2", {}, `${plot.title[0].toUpperCase()}${plot.title.slice(1)} (${plot.unit})`);
+  return { element: make("figure", {}, heading, key, place, make("figcaption", {}, plot.text)), key, place };
+}
+
 /** The lines over the clock's time; those of several clips share one row of times. */
 function tables(plot, values, clips, span) {
   const byLine = plot.lines.map((line, index) => [
@@ -104,13 +107,7 @@ function tables(plot, values, clips, span) {
 }
 
 function options(plot, clips, clock, width) {
-  const ink = () => styleColour("--muted");
-  const axis = {
-    stroke: ink,
-    grid: { stroke: () => styleColour("--grid"), width: 1 },
-    ticks: { stroke: () => styleColour("--grid"), width: 1, size: 4 },
-    font: "12px system-ui, sans-serif",
-  };
+  const axis = axisLook();
   return {
     width,
     height: HEIGHT,
@@ -135,20 +132,19 @@ function options(plot, clips, clock, width) {
         gap: 3,
         labelSize: 18,
         labelGap: 0,
+<<<<<<< HEAD
         labelFont: "12px system-ui, sans-serif",
         label: () => `${clock.span.label} (${timeUnit(clock.span).unit})${clock.stretched ? ", stretched where it moves" : ""}`,
         splits: (chart, number, low, high, step) => (clock.stretched ? stretchedSplits(chart, clock) : evenSplits(low, high, step)),
+=======
+        labelFont: axis.font,
+        label: () => `${clock.span.label} (${timeUnit(clock.span).unit})`,
+>>>>>>> s4
         values: (_, splits) =>
           splits.map((value) => (value === null ? "" : tickText(value * timeUnit(clock.span).factor))),
         space: 56,
       },
-      {
-        ...axis,
-        size: (_, texts) => Math.max(48, 16 + 7 * Math.max(0, ...(texts ?? []).map((text) => text.length))),
-        gap: 3,
-        values: (_, splits) => splits.map((value) => (value === null ? "" : tickText(value))),
-        ...(plot.unit === "deg" ? { incrs: DEGREES, space: 26 } : { space: 30 }),
-      },
+      valueAxis(plot),
     ],
     hooks: {
       drawClear: [(chart) => drawStages(chart, clips, clock.span)],
@@ -157,6 +153,7 @@ function options(plot, clips, clock, width) {
   };
 }
 
+<<<<<<< HEAD
 /** Round times that stand about evenly along a stretched time line. */
 function stretchedSplits(chart, clock) {
   const count = Math.max(2, Math.floor(chart.bbox.width / devicePixelRatio / STRETCHED_SPACE));
@@ -174,6 +171,26 @@ function stretchedSplits(chart, clock) {
 function evenSplits(low, high, step) {
   const first = Math.ceil(low / step - 1e-9);
   return Array.from({ length: Math.floor(high / step + 1e-9) - first + 1 }, (_, index) => (first + index) * step);
+=======
+export function axisLook() {
+  return {
+    stroke: () => styleColour("--muted"),
+    grid: { stroke: () => styleColour("--grid"), width: 1 },
+    ticks: { stroke: () => styleColour("--grid"), width: 1, size: 4 },
+    font: "12px system-ui, sans-serif",
+  };
+}
+
+/** The axis of a plot's values, as wide as these are long. */
+export function valueAxis(plot) {
+  return {
+    ...axisLook(),
+    size: (_, texts) => Math.max(48, 16 + 7 * Math.max(0, ...(texts ?? []).map((text) => text.length))),
+    gap: 3,
+    values: (_, splits) => splits.map((value) => (value === null ? "" : tickText(value))),
+    ...(plot.unit === "deg" ? { incrs: DEGREES, space: 26 } : { space: 30 }),
+  };
+>>>>>>> s4
 }
 
 /** From what is there to what is there, zero included, with some room, at the top for the letters of the states. */

@@ -6,13 +6,10 @@ import base64
 import io
 from collections.abc import Iterator
 from functools import singledispatch
-from itertools import zip_longest
 from typing import TYPE_CHECKING
 
 import xarray
-from rich.console import Group, RenderableType
-from rich.table import Table
-from rich.text import Text
+from rich.console import RenderableType
 
 from forficula.analysis import Outcome, measure
 from forficula.design import Design
@@ -26,6 +23,7 @@ from forficula.show.material.material_table import law_table, material_table
 from forficula.show.page.design_tables import design_tables
 from forficula.show.page.html import escaped, paragraph, table
 from forficula.show.page.outcome_tables import outcome_tables
+from forficula.show.page.rich_html import laid_out
 from forficula.show.page.run_page import run_page
 from forficula.show.page.words import outcome_sentence
 from forficula.show.structure.pattern_figure import draw_pattern
@@ -90,13 +88,13 @@ def _outcome(outcome: Outcome) -> Iterator[str]:
 
 @_parts.register
 def _landscape(landscape: EnergyLandscape) -> Iterator[str]:
-    yield from _laid_out(landscape_table(landscape))
+    yield from _told(landscape_table(landscape))
     yield _first_figure(landscape)
 
 
 @_parts.register
 def _material(material: Characterisation) -> Iterator[str]:
-    yield from _laid_out(material_table(material))
+    yield from _told(material_table(material))
     drawings = drawings_of(material)
     yield _picture(drawings.get("fit", drawings["cycles"])(PAGE_WIDTH))
 
@@ -104,13 +102,13 @@ def _material(material: Characterisation) -> Iterator[str]:
 @_parts.register
 def _law(law: MaterialLaw) -> Iterator[str]:
     yield _title(law.name)
-    yield from _laid_out(Group(law_table(law)))
+    yield from _told(law_table(law))
     yield paragraph(f"Source: {law.source}" if law.source else "")
 
 
 @_parts.register
 def _convergence(convergence: Convergence) -> Iterator[str]:
-    yield from _laid_out(convergence_table(convergence))
+    yield from _told(convergence_table(convergence))
     yield _first_figure(convergence)
 
 
@@ -157,21 +155,10 @@ def _values(factor: Factor) -> str:
     return ", ".join(shown if len(shown) <= _MOST_VALUES else [*shown[: _MOST_VALUES - 2], "…", shown[-1]])
 
 
-def _laid_out(renderable: RenderableType) -> Iterator[str]:
-    """What the terminal shows of a result, as HTML."""
-    match renderable:
-        case Group():
-            for part in renderable.renderables:
-                yield from _laid_out(part)
-        case Table():
-            headings = [_plain(column.header) for column in renderable.columns]
-            cells = [[_plain(cell) for cell in column.cells] for column in renderable.columns]
-            title = "" if renderable.title is None else _plain(renderable.title)
-            yield table(title, headings, list(zip_longest(*cells, fillvalue="")))
-        case Text() | str():
-            text = paragraph(_plain(renderable))
-            yield f"<strong>{text}</strong>" if "bold" in str(getattr(renderable, "style", "")) and text else text
-
-
-def _plain(cell: object) -> str:
-    return cell.plain if isinstance(cell, Text) else str(cell)
+def _told(renderable: RenderableType) -> Iterator[str]:
+    """What the terminal shows of a result."""
+    found = laid_out(renderable)
+    if found.heading:
+        yield f"<p><strong>{escaped(found.heading)}</strong></p>"
+    yield from found.tables
+    yield from map(paragraph, found.sentences)

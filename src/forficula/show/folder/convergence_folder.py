@@ -11,18 +11,21 @@ import numpy as np
 from forficula.csv_text import csv_text
 from forficula.dynamics import versions
 from forficula.files import replacing_all, write_text
+from forficula.show.page.results_page import figure_sections, results_page
+from forficula.show.page.rich_html import laid_out
 from forficula.show.study.convergence_figure import draw_convergence_angles, draw_convergence_times
-from forficula.show.study.convergence_table import convergence_rows
+from forficula.show.study.convergence_table import convergence_rows, convergence_table
 from forficula.show.style import Drawing, save_figures
 from forficula.study.convergence import Convergence
 from forficula.study.convergence_file import save_convergence
 from forficula.study.observed_order import OrderFit
 
 CONVERGENCE_FILE = "convergence.nc"
+_HEADINGS = {"times": "Times and their limits", "angles": "Every run"}
 
 
 def write_convergence(convergence: Convergence, folder: Path) -> None:
-    """Write convergence.json, convergence.csv, convergence.nc and the figures; all of them, or none.
+    """Write convergence.json, convergence.csv, convergence.nc, the figures and the page; all of them, or none.
 
     Args:
         convergence: what to write.
@@ -53,7 +56,14 @@ def _write_files(convergence: Convergence, folder: Path) -> None:
     }
     write_text(folder / "convergence.json", json.dumps(content, indent=2, ensure_ascii=False) + "\n")
     save_convergence(convergence, folder / CONVERGENCE_FILE)
-    save_figures(convergence_drawings(convergence), folder)
+    texts = save_figures(convergence_drawings(convergence), folder)
+    page = results_page(
+        "convergence",
+        convergence.design.name,
+        laid_out(convergence_table(convergence)),
+        figure_sections(folder, _HEADINGS, texts),
+    )
+    write_text(folder / "report.html", page)
 
 
 def convergence_drawings(convergence: Convergence) -> dict[str, Drawing]:

@@ -14,6 +14,8 @@ from forficula.design import load_design
 from forficula.dynamics import versions
 from forficula.errors import InputError
 from forficula.files import replacing_all, write_text
+from forficula.show.page.cycling_section import cycling_section
+from forficula.show.page.results_page import figure_html, read_page, with_section
 from forficula.show.run.cycling_figure import draw_cycling
 from forficula.show.style import Drawing, figure_files, save_figures
 from forficula.structure import Structure, structure_of
@@ -24,7 +26,7 @@ _STIFFNESS = ("stiffness_by_first", "stiffness_by_first_low_95", "stiffness_by_f
 
 
 def write_cycling(cycling: Cycling, folder: Path) -> None:
-    """Write cycles.csv, cycles.json and the figure; all of them, or none.
+    """Write cycles.csv, cycles.json and the figure, and show them on the page of the run; all of it, or nothing.
 
     Args:
         cycling: what to write.
@@ -37,7 +39,10 @@ def write_cycling(cycling: Cycling, folder: Path) -> None:
         write_text(unfinished / "cycles.csv", cycling_csv(cycling))
         text = json.dumps(cycling_summary(cycling), indent=2, ensure_ascii=False, allow_nan=False)
         write_text(unfinished / "cycles.json", text + "\n")
-        save_figures(cycling_drawings(cycling), unfinished)
+        texts = save_figures(cycling_drawings(cycling), unfinished)
+        if (page := read_page(folder)) is not None:
+            drawn = figure_html(unfinished, "cycles", texts["cycles"])
+            write_text(unfinished / "report.html", with_section(page, "cycles", cycling_section(cycling, drawn)))
 
 
 def cycling_drawings(cycling: Cycling) -> dict[str, Drawing]:

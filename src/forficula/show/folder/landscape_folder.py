@@ -26,7 +26,7 @@ from forficula.statics import EnergyLandscape, folding_hinges, landscape_summary
 def write_landscape(
     landscape: EnergyLandscape, folder: Path, record: Record | None = None, tendon: int | None = None
 ) -> None:
-    """Write design, landscape and figures; all of them, or none.
+    """Write design, landscape, figures and page; all of them, or none.
 
     Args:
         landscape: what to write.
@@ -53,8 +53,7 @@ def _write_files(landscape: EnergyLandscape, folder: Path, record: Record | None
     text = json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False)
     write_text(folder / "landscape.json", text + "\n")
     texts = save_figures(landscape_drawings(landscape, record, tendon), folder)
-    if landscape.net is not None:
-        write_text(folder / "report.html", landscape_page(landscape, folder, texts))
+    write_text(folder / "report.html", landscape_page(landscape, folder, texts, record, tendon))
 
 
 def _apart(landscape: EnergyLandscape, record: Record) -> dict[str, Any]:

@@ -12,14 +12,23 @@ from forficula.material.material_summary import material_summary
 from forficula.show.material.cycles_figure import draw_cycles
 from forficula.show.material.drift_figure import draw_drift
 from forficula.show.material.law_figure import draw_fit
+from forficula.show.material.material_table import material_table
 from forficula.show.material.modulus_figure import draw_moduli
+from forficula.show.page.results_page import figure_sections, results_page
+from forficula.show.page.rich_html import laid_out
 from forficula.show.style import Drawing, figure_files, save_figures
 
 LAW_FILE = "tendon_law.toml"
+_HEADINGS = {
+    "fit": "Tests, the law that fits them, and what is left",
+    "cycles": "Every cycle",
+    "modulus": "Moduli by class of strain",
+    "drift": "Drift over the cycles",
+}
 
 
 def write_material(material: Characterisation, folder: Path) -> None:
-    """Write summary, law and figures; all of them, or none.
+    """Write summary, law, figures and page; all of them, or none.
 
     Args:
         material: what to write.
@@ -39,7 +48,10 @@ def _write_files(material: Characterisation, folder: Path) -> None:
     write_text(folder / "material.json", text + "\n")
     if material.law is not None:
         save_law(material.law, folder / LAW_FILE)
-    save_figures(material_drawings(material), folder)
+    texts = save_figures(material_drawings(material), folder)
+    found = laid_out(material_table(material))
+    page = results_page("material", material.name, found, figure_sections(folder, _HEADINGS, texts))
+    write_text(folder / "report.html", page)
 
 
 def material_drawings(material: Characterisation) -> dict[str, Drawing]:

@@ -10,8 +10,11 @@ import numpy as np
 from forficula.design import Design
 from forficula.errors import InputError
 from forficula.files import replacing_all, write_bytes, write_text
+from forficula.show.page.html import paragraph, section
+from forficula.show.page.results_page import figure_html, read_page, with_section
 from forficula.show.study.static_maps import draw_static_maps
 from forficula.show.style import PAGE_WIDTH, Drawing, save_figures
+from forficula.structure import structure_of
 from forficula.study import Study, table_csv
 from forficula.study.map_comparison import compare_maps
 from forficula.study.outcome_kinds import check_table, least_values, lost_text, table_transitions
@@ -49,7 +52,7 @@ def read_simulated(folder: Path, design: Design) -> Dataset:
 
 
 def write_static_map(study: Study, table: Dataset, folder: Path, simulated: Dataset | None = None) -> None:
-    """Write the map as a table and as a figure; all of it, or nothing.
+    """Write the map as a table and as a figure, and show it on the page of the landscape; all of it, or nothing.
 
     Args:
         study: the grid.
@@ -67,7 +70,12 @@ def write_static_map(study: Study, table: Dataset, folder: Path, simulated: Data
         write_bytes(unfinished / "map.nc", table.to_netcdf(engine="h5netcdf"))
         if simulated is not None:
             write_bytes(unfinished / SIMULATED, simulated.to_netcdf(engine="h5netcdf"))
-        save_figures(drawings, unfinished)
+        texts = save_figures(drawings, unfinished)
+        if (page := read_page(folder)) is not None:
+            told = static_map_sentences(table, structure_of(study.base).appearance.whole, simulated)
+            words = [paragraph(f"{each}.") for each in told]
+            made = section("Map", figure_html(unfinished, "map", texts["map"]), *words, name="map")
+            write_text(unfinished / "report.html", with_section(page, "map", made))
 
 
 def static_map_drawings(table: Dataset, simulated: Dataset | None = None) -> dict[str, Drawing]:
@@ -76,21 +84,33 @@ def static_map_drawings(table: Dataset, simulated: Dataset | None = None) -> dic
 
 
 def print_static_map(table: Dataset, whole: str, simulated: Dataset | None = None) -> None:
-    """Say how many structures make their transitions slowly, and where a simulation differs.
+    """Say how many structures make their transitions slowly, and where a simulation differs; args as for sentences."""
+    print()
+    for sentence in static_map_sentences(table, whole, simulated):
+        first, *rest = sentence.split("; beside the simulation: ")
+        print(first, *(f"    beside the simulation: {each}" for each in rest), sep="\n")
+
+
+def static_map_sentences(table: Dataset, whole: str, simulated: Dataset | None = None) -> list[str]:
+    """How many structures make their transitions slowly, and where a simulation differs.
 
     Args:
         table: from `static_map`.
         whole: what sentences call the structure.
         simulated: table of a simulated study with the same factors.
     """
-    count = table["outcome"].size
-    print()
-    asked = [each for each in table_transitions(table) if each.least in table]
-    for each in asked:
-        name, made = each.least, len(least_values(table, each))
-        lost = lost_text(table, each)
-        print(f"{made} of {count} {whole}s {each.wording.verb} under slowly growing torques{lost}")
+    count, told = table["outcome"].size, []
+    for each in table_transitions(table):
+        if each.least not in table:
+            continue
+        made = len(least_values(table, each))
+        told.append(
+            f"{made} of {count} {whole}s {each.wording.verb} under slowly growing torques{lost_text(table, each)}"
+        )
         if simulated is not None:
-            words, numbers = np.unique(compare_maps(table, simulated, name).values.astype(str), return_counts=True)
+            words, numbers = np.unique(
+                compare_maps(table, simulated, each.least).values.astype(str), return_counts=True
+            )
             parts = [f"{number} {word}" for word, number in zip(words.tolist(), numbers.tolist(), strict=True)]
-            print(f"    beside the simulation: {', '.join(parts)}")
+            told[-1] += f"; beside the simulation: {', '.join(parts)}"
+    return told

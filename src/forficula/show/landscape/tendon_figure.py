@@ -55,7 +55,7 @@ _APART = 12.0  # between two points of the simulation, deg
 _INSET = (0.62, 0.58, 0.34, 0.40)
 _WIDE_BOWL = 50.0  # of a moment, beside or within which there is room for words, deg
 _CROSSING = 0.15  # of the largest moment, by which another hinge's curve crosses such words
-_WIDEST = math.radians(60)  # from the overbend stop to a barrier that needs no close-up
+WIDEST = math.radians(60)  # from the overbend stop to a barrier that needs no close-up
 _SPRING: dict[str, Any] = {"color": ORANGE, "ls": "--", "lw": 1.2, "zorder": 2}
 _BOTH: dict[str, Any] = {"color": BLACK, "ls": "-", "lw": 1.6, "zorder": 3}
 
@@ -79,7 +79,7 @@ def draw_tendon(
     shown = shown_hinge(landscape, tendon)
     if shown is None:
         raise InputError(f"{landscape.design.name}: no tendon lies across one hinge")
-    own, curves = shown.own, list(_curves(landscape, shown))
+    own, curves = shown.own, list(tendon_curves(landscape, shown))
     energy_unit, energy_factor = reading_unit("J", max(float(energy.max()) for _, energy, _, _, _ in curves))
     torque_unit, torque_factor = reading_unit("N m", max(float(np.abs(moment).max()) for *_, moment, _, _ in curves))
     with figure_style():
@@ -121,7 +121,7 @@ def _place(hinge: HingeLandscape, angle: ArrayLike) -> Array:
     return np.asarray(hinge.sense * np.degrees(angle))
 
 
-def _curves(
+def tendon_curves(
     landscape: EnergyLandscape, shown: ShownHinge
 ) -> Iterator[tuple[HingeLandscape, Array, Array, str, dict[str, Any]]]:
     """Hinges to draw, with energy, moment, name and line style: the ideal one, and of the true ones those that differ.
@@ -257,14 +257,14 @@ def _close_up(axes: Axes, landscape: EnergyLandscape, shown: ShownHinge) -> None
         if own.remarks:
             write_note(axes, (left + width / 2, low + height / 2), own.remarks[0])
         return
-    curves = [(hinge, style) for hinge, _, _, _, style in _curves(landscape, shown)]
+    curves = [(hinge, style) for hinge, _, _, _, style in tendon_curves(landscape, shown)]
     if own.spring is not None:
         curves = [(own, _BOTH)]
     overbend = own.hinge.overbend
     unit, factor = reading_unit("J", own.barrier)
     tops = [hinge.barrier_angle for hinge, _ in curves if hinge.barrier_angle is not None]
     reach = overbend - min(tops)
-    if reach > _WIDEST:
+    if reach > WIDEST:
         at = show_angle(own.sense * own.barrier_angle)
         write_note(axes, (left + width / 2, low + height / 2), f"barrier {factor * own.barrier:.4g} {unit} at {at}")
         return

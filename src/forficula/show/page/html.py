@@ -60,11 +60,22 @@ def paragraph(text: str, kind: str = "") -> str:
     return f"<p{f' class={kind}' if kind else ''}>{escaped(text)}</p>" if text else ""
 
 
+def remarks(sentences: Iterable[str]) -> str:
+    """A list of sentences, each with a capital, unless it begins with a key, and a full stop; nothing for none."""
+    items = "".join(f"<li>{escaped(_sentence(each))}</li>" for each in sentences)
+    return f'<ul class="warnings">{items}</ul>' if items else ""
+
+
 def section(heading: str, *parts: str, name: str = "") -> str:
     """A section under a heading; nothing where it would be empty."""
     inside = "".join(parts)
     identity = f' id="{name}"' if name else ""
     return f"<section{identity}><h2>{escaped(heading)}</h2>{inside}</section>\n" if inside else ""
+
+
+def _sentence(text: str) -> str:
+    key = "." in text.partition(" ")[0].rstrip(".,:")
+    return f"{(text if key else text[:1].upper() + text[1:]).rstrip('.')}."
 
 
 def _heading(text: str, scope: str) -> str:

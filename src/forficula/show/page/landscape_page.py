@@ -1,17 +1,27 @@
-"""The page of a landscape: its figures and its numbers, on which nothing moves."""
+"""The page of a landscape: the run and where it is on the curves of energy, figures and numbers."""
 
 from __future__ import annotations
 
-import base64
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
-from forficula.show.landscape.net_tables import net_tables, net_verdict
-from forficula.show.page.html import escaped, paragraph, section, table
-from forficula.show.page.page import page_html
+from forficula.analysis import measure
+from forficula.dynamics import Record
+from forficula.show.landscape.landscape_table import landscape_table
+from forficula.show.page.landscape_curves import curve_data, landscape_curves
+from forficula.show.page.playback import make_clip
+from forficula.show.page.results_page import figure_sections, results_page
+from forficula.show.page.rich_html import laid_out
+from forficula.show.page.run_page import playback_data
+from forficula.show.page.words import outcome_sentence
 from forficula.statics import EnergyLandscape
 
 _HEADINGS = {
+    "tendon": "One tendon over its hinge",
+    "wing": "Along the fold",
+    "rests": "Where it rests",
+    "levels": "With some hinges folded",
     "states": "Stable states",
     "barriers": "Barriers between them",
     "courses": "What drives do",
@@ -19,35 +29,36 @@ _HEADINGS = {
 }
 
 
-def landscape_page(landscape: EnergyLandscape, folder: Path, texts: Mapping[str, str]) -> str:
-    """A landscape of points that slide as one page.
+def landscape_page(
+    landscape: EnergyLandscape,
+    folder: Path,
+    texts: Mapping[str, str],
+    record: Record | None = None,
+    tendon: int | None = None,
+) -> str:
+    """A landscape as one page.
 
     Args:
         landscape: what is shown.
         folder: in which its figures lie.
         texts: that stand for them, by the stems of their files.
+        record: a run of its design, which plays there; one that diverged is named only.
+        tendon: number of the one that stands for all; an inner one if not given.
     """
-    shown = [
-        section(_HEADINGS[stem], _image(folder / f"{stem}.png", texts[stem]), name=stem)
-        for stem in _HEADINGS
-        if stem in texts
-    ]
-    tables = [table(each.title, each.headings, each.rows) for each in net_tables(landscape)]
-    remarks = "".join(f"<li>{escaped(remark[:1].upper() + remark[1:])}.</li>" for remark in landscape.remarks)
-    body = "".join(
-        (
-            f"<header><h1>{escaped(landscape.design.name)}</h1>",
-            f"{paragraph(f'{net_verdict(landscape)}.', 'outcome')}</header>\n<main>",
-            *shown,
-            section("Numbers", *tables, name="numbers"),
-            section("Remarks", f"<ul>{remarks}</ul>" * bool(remarks), name="remarks"),
-            "</main>",
-        )
+    name, run = landscape.design.name, ""
+    drawn = record if record is not None and record.diverged_at is None else None
+    curves = landscape_curves(landscape, drawn, tendon)
+    data: dict[str, Any] | None = {"kind": "curves"} if curves else None
+    if drawn is not None:
+        outcome = measure(drawn)
+        clip = make_clip(drawn, outcome)
+        run = f"The run beside it: {outcome_sentence(name, outcome, drawn.structure)}"
+        data, curves = playback_data(clip), landscape_curves(landscape, drawn, tendon, clip.time)
+    return results_page(
+        "landscape",
+        name,
+        laid_out(landscape_table(landscape, record, tendon)),
+        figure_sections(folder, _HEADINGS, texts),
+        run=run,
+        data=None if data is None else data | {"curves": [curve_data(each) for each in curves]},
     )
-    return page_html(f"{landscape.design.name}: landscape", body, None)
-
-
-def _image(path: Path, text: str) -> str:
-    """A figure within the page."""
-    packed = base64.b64encode(path.read_bytes()).decode("ascii")
-    return f'<p><img src="data:image/png;base64,{packed}" alt="{escaped(text)}" style="max-width: 100%"></p>'

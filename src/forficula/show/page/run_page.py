@@ -14,7 +14,7 @@ from forficula.dynamics import Record, timestep_warnings, versions
 from forficula.files import write_text
 from forficula.show.page.design_rows import design_title
 from forficula.show.page.design_tables import design_tables
-from forficula.show.page.html import escaped, paragraph, section, table
+from forficula.show.page.html import escaped, paragraph, remarks, section, table
 from forficula.show.page.outcome_tables import groups_table, outcome_tables, strength_table
 from forficula.show.page.page import page_html
 from forficula.show.page.playback import Clip, clip_data, energy_scale, legend_data, make_clip, whole_of
@@ -56,7 +56,7 @@ def numbers(record: Record, outcome: Outcome, run_versions: Mapping[str, str] | 
     warnings = [*outcome_remarks(record, outcome), *storage_texts(record, outcome), *known]
     return "".join(
         (
-            section("What to know", _list(warnings) or paragraph("There is nothing to warn of.")),
+            section("What to know", remarks(warnings) or paragraph("There is nothing to warn of.")),
             section("Outcome", *outcome_tables(outcome, record.structure), strength_table(record), name="outcome"),
             section("What weighs how much", groups_table(record), name="groups"),
             section("Design", *design_tables(design), name="design"),
@@ -82,11 +82,6 @@ def playback_data(clip: Clip) -> dict[str, Any]:
         "legend": legend_data([clip]),
         "text": structure_text(clip.structure),
     }
-
-
-def _list(sentences: list[str]) -> str:
-    items = "".join(f"<li>{escaped(f'{each[:1].upper()}{each[1:]}'.rstrip('.'))}.</li>" for each in sentences)
-    return f'<ul class="warnings">{items}</ul>' if items else ""
 
 
 def _repeat(design: Design, run_versions: Mapping[str, str]) -> list[str]:

@@ -57,7 +57,8 @@ def convergence_table(convergence: Convergence) -> RenderableType:
         for name, label in time_labels(convergence).items()
         if (fit := convergence.orders[name]) is not None
     ]
-    return Group(table, *limits, Text(), Text(f"{convergence.design.name}: {convergence.verdict}"))
+    verdict = Text(f"{convergence.design.name}: {convergence.verdict}", style="bold")
+    return Group(table, *limits, Text(), verdict)
 
 
 def time_labels(convergence: Convergence) -> dict[str, str]:

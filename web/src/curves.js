@@ -1,0 +1,272 @@
+/**
+ * Curves of energy over an angle, with balls on them: where a run is at the clock's time, or, without a run, where a
+ * slider puts one. Where a run's curve is pressed, the clock goes to when a ball was nearest.
+ */
+
+import uPlot from "uplot";
+import { placeIn, unpack } from "./clip.js";
+import { lineSample, make } from "./elements.js";
+import { short } from "./format.js";
+import { HEIGHT, axisLook, figureOf, valueAxis } from "./plots.js";
+import { lineLook, onSchemeChange, styleColour } from "./scheme.js";
+
+const ANGLES = [0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 60, 90, 180];
+const TALLER = 1.35;
+
+/** Put curves into an element; clips and clock are those of the page's run, or none. */
+export function mountCurves(element, curves, clips = [], clock = null) {
+  const made = curves.map((curve) => makeCurve(curve, clips[0], clock));
+  element.replaceChildren(...made.map((each) => each.element));
+  element.classList.add("plots");
+  for (const each of made) each.start();
+  return made;
+}
+
+function makeCurve(data, clip, clock) {
+  const [lines, balls, marks] = [data.lines, data.balls, data.marks].map((courses) => courses.map(readCourse));
+  const { element, key, place } = figureOf(data);
+  const dots = (balls.length ? balls : [lines[0]]).map((ball) =>
+    make("span", { className: "ball" }, balls.length && ball.name.length < 3 ? ball.name : ""),
+  );
+  const now = balls.map((ball) => [ball.places[0], ball.values[0]]);
+  const height = Math.round(TALLER * HEIGHT);
+  const whole = endsOf(lines);
+  let shown = whole;
+  let chart = null;
+
+  function drawKey() {
+    const samples = lines.map((line, index) => make("li", {}, lineSample(lineLook(index)), line.name));
+    const run = make("li", {}, make("span", { className: "ball still" }), clip ? "the run now" : "moved by the slider");
+    key.replaceChildren(...samples, run);
+  }
+
+  /** Put the balls where they are now; those beside the curve that is shown are not seen. */
+  function placeBalls() {
+    for (const [index, [angle, energy]] of now.entries()) {
+      const [x, y] = [chart.valToPos(angle, "x"), chart.valToPos(energy, "y")];
+      dots[index].style.transform = `translate(${x.toFixed(2)}px, ${y.toFixed(2)}px)`;
+    }
+  }
+
+  function follow() {
+    const [frame, share] = placeIn(clip.time, clock.clipTime(0));
+    for (const [index, { places, values }] of balls.entries())
+      now[index] = [between(places, frame, share), between(values, frame, share)];
+    placeBalls();
+  }
+
+  function show(range) {
+    shown = range;
+    chart.setScale("x", { min: range[0], max: range[1] });
+  }
+
+  /** Of all of the curve zero, too, and the run's way; of a part of it that of the first line only. */
+  function energyRange(_, low, high) {
+    if (shown !== whole) {
+      const { places, values } = lines[0];
+      const part = values.filter((_, at) => places[at] >= shown[0] && places[at] <= shown[1]);
+      const [least, most] = [Math.min(...part), Math.max(...part)];
+      return [least - 0.25 * (most - least), most + 0.25 * (most - least)];
+    }
+    const most = balls.reduce((found, ball) => Math.max(found, ball.most), high);
+    const least = Math.min(0, low);
+    return [least - 0.06 * (most - least || 1), most + 0.1 * (most - least || 1)];
+  }
+
+  function start() {
+    const table = uPlot.join(lines.map((line) => [line.sorted.places, line.sorted.values]));
+    chart = new uPlot(options({ data, lines, balls, marks, energyRange }, place.clientWidth, height), table, place);
+    chart.over.append(...dots);
+    new ResizeObserver(() => chart.setSize({ width: place.clientWidth, height })).observe(place);
+    chart.hooks.setSize = [placeBalls];
+    chart.hooks.setScale = [placeBalls];
+    drawKey();
+    onSchemeChange(() => {
+      drawKey();
+      chart.redraw(false);
+    });
+    if (data.top) place.after(views(whole, data.top, show));
+    if (balls.length) {
+      clock.onChange(follow);
+      seekByPointer(chart, balls, clip, clock);
+    } else slide(data, lines[0], place, (angle, energy) => {
+      now[0] = [angle, energy];
+      placeBalls();
+    });
+    show(whole);
+  }
+
+  return { element, start, now, show, get chart() { return chart; } };
+}
+
+function readCourse({ name, places, values }) {
+  const course = { name, places: unpack(places, Float32Array), values: unpack(values, Float32Array) };
+  const order = Array.from(course.places.keys()).sort((one, other) => course.places[one] - course.places[other]);
+  course.most = course.values.reduce((most, value) => Math.max(most, value), 0);
+  course.sorted = { places: order.map((at) => course.places[at]), values: order.map((at) => course.values[at]) };
+  return course;
+}
+
+function between(values, frame, share) {
+  const next = values[Math.min(frame + 1, values.length - 1)];
+  return values[frame] + share * (next - values[frame]);
+}
+
+/** From the least to the largest angle of all lines, with some room. */
+function endsOf(lines) {
+  const all = lines.flatMap((line) => [line.sorted.places[0], line.sorted.places.at(-1)]);
+  const [low, high] = [Math.min(...all), Math.max(...all)];
+  return [low - 0.03 * (high - low), high + 0.03 * (high - low)];
+}
+
+function options({ data, lines, balls, marks, energyRange }, width, height) {
+  const look = axisLook();
+  const values = valueAxis(data);
+  return {
+    width,
+    height,
+    legend: { show: false },
+    cursor: { show: false },
+    pxAlign: 0,
+    padding: [10, 12, 0, 0],
+    scales: {
+      x: { time: false, auto: false, dir: data.backwards ? -1 : 1 },
+      y: { range: energyRange },
+    },
+    series: [
+      {},
+      ...lines.map((_, index) => ({
+        stroke: () => lineLook(index).colour,
+        dash: lineLook(index).dash,
+        width: 1.8,
+        points: { show: false },
+        spanGaps: true,
+      })),
+    ],
+    axes: [
+      {
+        ...look,
+        size: 24,
+        gap: 3,
+        labelSize: 18,
+        labelGap: 0,
+        labelFont: look.font,
+        label: `${data.axis} (deg)`,
+        values: values.values,
+        incrs: ANGLES,
+        space: 44,
+      },
+      values,
+    ],
+    hooks: { draw: [(chart) => drawRun(chart, balls), (chart) => drawMarks(chart, marks)] },
+  };
+}
+
+/** Where the run was at every frame, faint: dots, for between two frames of a snap nothing is known. */
+function drawRun(chart, balls) {
+  const { ctx, bbox } = chart;
+  const size = 1.6 * devicePixelRatio;
+  ctx.save();
+  ctx.globalAlpha = 0.55;
+  ctx.fillStyle = styleColour("--accent");
+  for (const { places, values } of balls)
+    for (let frame = 0; frame < places.length; frame++) {
+      const [x, y] = [chart.valToPos(places[frame], "x", true), chart.valToPos(values[frame], "y", true)];
+      const inside = x > bbox.left && x < bbox.left + bbox.width && y > bbox.top && y < bbox.top + bbox.height;
+      if (inside) ctx.fillRect(x - size / 2, y - size / 2, size, size);
+    }
+  ctx.restore();
+}
+
+/** Rings where it rests stably, wide lines where it does so along a range, with their names. */
+function drawMarks(chart, marks) {
+  const { ctx, bbox } = chart;
+  const ratio = devicePixelRatio;
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(bbox.left - 6 * ratio, bbox.top, bbox.width + 12 * ratio, bbox.height + 6 * ratio);
+  ctx.clip();
+  ctx.setLineDash([]);
+  ctx.font = `${12 * ratio}px system-ui, sans-serif`;
+  for (const { name, places, values } of marks) {
+    const [x, far] = Array.from(places, (place) => chart.valToPos(place, "x", true));
+    const y = chart.valToPos(values[0], "y", true);
+    ctx.beginPath();
+    if (x === far) {
+      ctx.arc(x, y, 4.5 * ratio, 0, 2 * Math.PI);
+      ctx.fillStyle = styleColour("--page");
+      ctx.fill();
+      ctx.strokeStyle = styleColour("--ink");
+      ctx.lineWidth = 1.4 * ratio;
+      ctx.stroke();
+    } else {
+      ctx.globalAlpha = 0.35;
+      ctx.moveTo(x, y);
+      ctx.lineTo(far, y);
+      ctx.strokeStyle = styleColour("--line-2");
+      ctx.lineWidth = 7 * ratio;
+      ctx.stroke();
+      ctx.globalAlpha = 1;
+    }
+    const middle = (x + far) / 2;
+    const left = x === far && x > bbox.left + bbox.width / 2;
+    ctx.fillStyle = styleColour("--ink");
+    ctx.textAlign = x !== far ? "center" : left ? "right" : "left";
+    ctx.fillText(name, middle + (x !== far ? 0 : left ? -12 : 12) * ratio, y - 9 * ratio);
+  }
+  ctx.restore();
+}
+
+/** Buttons for all of the curve and for its barrier. */
+function views(whole, top, show) {
+  const buttons = [["whole curve", whole], ["barrier close up", top]].map(([text, range], index) => {
+    const button = make("button", { type: "button", "aria-pressed": String(index === 0) }, text);
+    button.addEventListener("click", () => {
+      for (const each of buttons) each.setAttribute("aria-pressed", String(each === button));
+      show(range);
+    });
+    return button;
+  });
+  return make("div", { className: "ranges", role: "group", "aria-label": "part of the curve" }, ...buttons);
+}
+
+/** Go to when the run was nearest to what is pressed. */
+function seekByPointer(chart, balls, clip, clock) {
+  const seek = (event) => {
+    const box = chart.over.getBoundingClientRect();
+    const [x, y] = [event.clientX - box.left, event.clientY - box.top];
+    let [nearest, least] = [0, Infinity];
+    for (const { places, values } of balls)
+      for (let frame = 0; frame < places.length; frame++) {
+        const away = Math.hypot(chart.valToPos(places[frame], "x") - x, chart.valToPos(values[frame], "y") - y);
+        if (away < least) [nearest, least] = [frame, away];
+      }
+    clock.pause();
+    clock.seekClip(0, clip.time[nearest]);
+  };
+  chart.over.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) return;
+    chart.over.setPointerCapture(event.pointerId);
+    seek(event);
+  });
+  chart.over.addEventListener("pointermove", (event) => {
+    if (chart.over.hasPointerCapture(event.pointerId)) seek(event);
+  });
+}
+
+/** A slider that moves the ball along a line, from where the line begins, and says where it is. */
+function slide(data, line, place, moved) {
+  const last = line.places.length - 1;
+  const slider = make("input", { type: "range", min: "0", max: String(last), value: "0" });
+  slider.setAttribute("aria-label", `${data.axis} along the curve`);
+  const said = make("output", {});
+  const move = () => {
+    const at = Number(slider.value);
+    moved(line.places[at], line.values[at]);
+    said.textContent = `${short(line.places[at])}\u00b0, ${short(line.values[at])} ${data.unit}`;
+    slider.setAttribute("aria-valuetext", said.textContent);
+  };
+  slider.addEventListener("input", move);
+  place.after(make("div", { className: "slide" }, slider, said));
+  move();
+}
