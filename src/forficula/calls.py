@@ -198,6 +198,7 @@ def film(
     size: tuple[int, int] | None = None,
     fps: int | None = None,
     slower: float | None = None,
+    strain: bool = False,
 ) -> None:
     """Film a run, as `forficula film` does.
 
@@ -207,6 +208,7 @@ def film(
         size: pixels across and upwards, both even; 1280 x 720, or 800 x 450 for .gif.
         fps: pictures a second; 30, or 15 for .gif.
         slower: how many times slower than the run its moves are; each takes about 3.5 s if not given.
+        strain: whether membranes have the colours of their largest strains.
 
     Raises:
         InputError: no such run, another ending, a choice that is not allowed, or it cannot be written.
@@ -219,7 +221,7 @@ def film(
     file = as_path(path, "a file that ends with .mp4 or .gif")
     check_film(file)
     check_choices(size, fps, slower)
-    write_film(as_record(run), file, size=size, rate=fps, slowed=slower)
+    write_film(as_record(run), file, size=size, rate=fps, slowed=slower, strain=strain)
 
 
 def page(run: Record | AnyPath, path: AnyPath) -> None:

@@ -77,7 +77,7 @@ def drawings(reference, reference_run, reference_outcome, surveyed, tpu_material
 
 
 KINDS = [
-    *(f"run, {kind}" for kind in ("pattern", "angles", "energy", "folding", "package")),
+    *(f"run, {kind}" for kind in ("pattern", "angles", "energy", "folding", "package", "strain")),
     *(f"landscape, {kind}" for kind in ("tendon", "wing", "levels")),
     *(f"material, {kind}" for kind in ("cycles", "modulus", "drift", "fit")),
     "three cycles, cycles",

@@ -6,12 +6,8 @@ import { lineSample, make } from "./elements.js";
 import { short, timeUnit } from "./format.js";
 import { lineLook, onSchemeChange, styleColour } from "./scheme.js";
 
-<<<<<<< HEAD
-const HEIGHT = 210;
-const STRETCHED_SPACE = 64; // pixels between times of a stretched time line
-=======
 export const HEIGHT = 210;
->>>>>>> s4
+const STRETCHED_SPACE = 64; // pixels between times of a stretched time line
 const DEGREES = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 90, 180, 360, ...powers(3, 20)];
 
 /** Put plots into an element, all over the span that the clock shows. */
@@ -132,14 +128,9 @@ function options(plot, clips, clock, width) {
         gap: 3,
         labelSize: 18,
         labelGap: 0,
-<<<<<<< HEAD
-        labelFont: "12px system-ui, sans-serif",
+        labelFont: axis.font,
         label: () => `${clock.span.label} (${timeUnit(clock.span).unit})${clock.stretched ? ", stretched where it moves" : ""}`,
         splits: (chart, number, low, high, step) => (clock.stretched ? stretchedSplits(chart, clock) : evenSplits(low, high, step)),
-=======
-        labelFont: axis.font,
-        label: () => `${clock.span.label} (${timeUnit(clock.span).unit})`,
->>>>>>> s4
         values: (_, splits) =>
           splits.map((value) => (value === null ? "" : tickText(value * timeUnit(clock.span).factor))),
         space: 56,
@@ -153,7 +144,6 @@ function options(plot, clips, clock, width) {
   };
 }
 
-<<<<<<< HEAD
 /** Round times that stand about evenly along a stretched time line. */
 function stretchedSplits(chart, clock) {
   const count = Math.max(2, Math.floor(chart.bbox.width / devicePixelRatio / STRETCHED_SPACE));
@@ -171,7 +161,8 @@ function stretchedSplits(chart, clock) {
 function evenSplits(low, high, step) {
   const first = Math.ceil(low / step - 1e-9);
   return Array.from({ length: Math.floor(high / step + 1e-9) - first + 1 }, (_, index) => (first + index) * step);
-=======
+}
+
 export function axisLook() {
   return {
     stroke: () => styleColour("--muted"),
@@ -190,7 +181,6 @@ export function valueAxis(plot) {
     values: (_, splits) => splits.map((value) => (value === null ? "" : tickText(value))),
     ...(plot.unit === "deg" ? { incrs: DEGREES, space: 26 } : { space: 30 }),
   };
->>>>>>> s4
 }
 
 /** From what is there to what is there, zero included, with some room, at the top for the letters of the states. */

@@ -162,6 +162,7 @@ def film(
     slower: Annotated[
         float | None, Parameter(help="How many times; each move takes about 3.5 s of the film if not given.")
     ] = None,
+    strain: Annotated[bool, Parameter(negative=(), help="Colour the membrane by its strains.")] = False,
 ) -> None:
     """Film a run: the structure, tendons coloured by their energy, held in every state and slowed between them."""
     from forficula.analysis.run_files import read_run
@@ -176,5 +177,5 @@ def film(
         raise InputError(f"--{error}") from None
     record = read_run(run)
     with film_progress() as progress:
-        write_film(record, out, size=pixels, rate=fps, slowed=slower, progress=progress)
+        write_film(record, out, size=pixels, rate=fps, slowed=slower, strain=strain, progress=progress)
     print(f"written to {out}")

@@ -10,7 +10,7 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from matplotlib import rc_context
+from matplotlib import colormaps, rc_context
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -47,6 +47,8 @@ BLACK, ORANGE, SKY, GREEN, BLUE, VERMILION, PURPLE = (
 ENERGY_COLOURS = LinearSegmentedColormap.from_list(
     "energy", ["#453781", "#39568c", "#2d708e", "#20908d", "#29af7f", "#73d055", "#b8de29", "#fde725"]
 )
+# of strains of a sheet, from as it was built on: from pale on, so that what it hides is told from it
+STRAIN_COLOURS = colormaps["YlOrRd"]
 LINE_STYLES = ("-", "--", "-.", ":")
 
 # Draws a figure at a width in inch.

@@ -9,6 +9,7 @@ import pytest
 from PIL import Image
 
 from forficula.analysis import measure
+from forficula.analysis.strength import strain_peaks
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.show.film.film import check_film, write_film
@@ -16,7 +17,9 @@ from forficula.show.film.film_clock import film_cuts, moment
 from forficula.show.film.film_frame import FilmFrame
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_at
+from forficula.show.style import STRAIN_COLOURS
 from forficula.study.runs import run
+from tests.show.plates import plates_run
 
 SIZE, RATE = (320, 180), 4
 SETTLE = {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "20 ms"}
@@ -162,3 +165,19 @@ def test_what_ffmpeg_cannot_write_is_told_in_its_words_and_nothing_is_left(tmp_p
     with pytest.raises(InputError, match="ffmpeg could not write the film: Unknown encoder libx264"):
         write_film(reference_run, tmp_path / "out" / "wing.mp4", size=SIZE, rate=RATE)
     assert not list((tmp_path / "out").iterdir())
+
+
+def test_a_film_of_strains_colours_the_membrane_alone_and_needs_one(reference_run, cuts, frame, tmp_path):
+    fold = next(cut for cut in cuts if cut.words == "fold")
+    # of all moments the one at which it is strained most
+    peak = max((each for each in strain_peaks(reference_run) if each.kind == "membranes"), key=lambda each: each.strain)
+    assert fold.first < peak.time < fold.last
+    strained = FilmFrame(reference_run, cuts, (640, 360), strain=True)
+    assert strained._strains.vmax == pytest.approx(peak.strain, rel=0.01)
+    before, now = (np.asarray(each.draw(fold, peak.time)).astype(int) for each in (frame, strained))
+    dark = np.array([round(255 * part) for part in STRAIN_COLOURS(1.0)[:3]])
+    red = (np.abs(now - dark).max(axis=2) < 40)[60:220]  # beneath the bar of colours and above the plots
+    assert red.sum() > 50 > (np.abs(before - dark).max(axis=2) < 40)[60:220].sum()
+    plates, _ = plates_run()
+    with pytest.raises(InputError, match="strain: need a structure with a membrane"):
+        write_film(plates, tmp_path / "plates.gif", size=SIZE, rate=RATE, strain=True)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from forficula.analysis import Verdict, measure
-from forficula.design import load_design
+from forficula.design import load_design, with_values
 from forficula.show import draw_angles, draw_energies
 from forficula.show.folder.run_folder import run_drawings
 from forficula.show.run.stalled import needed_torque, stalled_stage, still_time
@@ -57,7 +57,8 @@ def test_the_torque_that_acts_stands_beside_the_least_that_folds_slowly(weak):
     acts = drawn["acts on every proximal joint"]
     at = np.interp([-1, 50, 100, 250], acts.get_xdata(), acts.get_ydata())
     assert at == pytest.approx([0, 0.5, 1, 1], abs=0.03)  # it rises over 0.1 s
-    least = energy_landscape(weak.design).least_torques["fold"]
+    stronger = with_values(weak.design, {"protocol.fold_torque": "5 N cm"})  # of which the landscape tries no more
+    least = energy_landscape(stronger).least_torques["fold"]
     assert drawn["needed at least, slowly"].get_ydata()[0] == pytest.approx(100 * least, rel=0.02)
     assert least > 0.01
 

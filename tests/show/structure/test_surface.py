@@ -1,9 +1,12 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from forficula.analysis.strength import strain_peaks
 from forficula.design.places import mesh_rows
 from forficula.show.structure.shape import shape_of
-from forficula.show.structure.surface import at_time, surface_at
+from forficula.show.structure.surface import at_time, face_strains, surface_at
 
 
 @pytest.fixture(scope="module")
@@ -61,3 +64,24 @@ def test_a_tendon_is_as_long_as_the_record_has_it(reference_run, shape):
         lengths = np.linalg.norm(surface.tendons[:, 1] - surface.tendons[:, 0], axis=1)
         # the record's are of the engine's tendon, between sites on the same places
         assert lengths == pytest.approx(reference_run.series["tendon_length"][row], rel=1e-6)
+
+
+def test_strains_of_faces_are_greens_of_a_sheet_that_is_pulled_sheared_and_turned(reference_run, shape):
+    built = surface_at(reference_run, shape, 0.0)
+    corners = np.array([(*face, face[-1])[:4] for face in shape.faces])
+    turn = np.linalg.qr(np.random.default_rng(0).normal(size=(3, 3)))[0]
+    pulled = turn @ np.diag([1.2, 0.9, 1.0]) @ [[1.0, 0.3, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+    flat = np.diag([1.2, 0.9]) @ [[1.0, 0.3], [0.0, 1.0]]
+    largest = np.linalg.svd(flat, compute_uv=False)[0]
+    moved = replace(built, faces=shape.built[corners] @ pulled.T)
+    assert face_strains(shape, moved) == pytest.approx((largest**2 - 1) / 2, rel=1e-9)
+    still = replace(built, faces=shape.built[corners])
+    assert face_strains(shape, still) == pytest.approx(0, abs=1e-7)
+
+
+def test_the_largest_strain_of_faces_is_that_of_the_membrane(reference_run, shape):
+    peak = max(
+        (each for each in strain_peaks(reference_run) if each.kind == "membranes"), key=lambda each: abs(each.strain)
+    )
+    strains = face_strains(shape, surface_at(reference_run, shape, peak.time))
+    assert strains.max() == pytest.approx(peak.strain, rel=0.01)

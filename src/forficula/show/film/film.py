@@ -62,6 +62,7 @@ def write_film(
     size: tuple[int, int] | None = None,
     rate: int | None = None,
     slowed: float | None = None,
+    strain: bool = False,
     progress: Callable[[int, int], None] | None = None,
 ) -> None:
     """Write a film of a run.
@@ -72,6 +73,7 @@ def write_film(
         size: pixels across and upwards, both even; 1280 x 720, or 800 x 450 for .gif.
         rate: pictures a second; 30, or 15 for .gif.
         slowed: how many times slower than the run its moves are; each takes about 3.5 s if not given.
+        strain: whether membranes have the colours of their largest strains.
         progress: called with the number of pictures drawn and of all.
 
     Raises:
@@ -81,7 +83,9 @@ def write_film(
     usual_size, usual_rate = _DEFAULTS[path.suffix]
     size, rate = size or usual_size, rate or usual_rate
     cuts = film_cuts(record, measure(record), slowed)
-    pictures = _pictures(record, cuts, size, rate, progress)
+    if strain and not record.structure.membranes:
+        raise InputError(f"{record.design.name}: strain: need a structure with a membrane")
+    pictures = _pictures(FilmFrame(record, cuts, size, strain=strain), cuts, rate, progress)
     with replacing(path) as temporary:
         if path.suffix == ".mp4":
             _write_mp4(pictures, temporary, size, rate, _title(record))
@@ -102,13 +106,12 @@ def frame_times(cuts: tuple[Cut, ...], rate: int) -> list[float]:
 
 
 def _pictures(
-    record: Record,
+    frame: FilmFrame,
     cuts: tuple[Cut, ...],
-    size: tuple[int, int],
     rate: int,
     progress: Callable[[int, int], None] | None,
 ) -> Iterator[Picture]:
-    frame, times = FilmFrame(record, cuts, size), frame_times(cuts, rate)
+    times = frame_times(cuts, rate)
     for number, time in enumerate(times, start=1):
         yield frame.draw(*moment(cuts, time))
         if progress is not None:

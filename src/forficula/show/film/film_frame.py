@@ -11,6 +11,7 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from forficula.dynamics import Record
@@ -19,14 +20,15 @@ from forficula.show.film.film_clock import Cut
 from forficula.show.run.time_figures import stored_energies
 from forficula.show.structure.painted_shape import PaintedShape, paint_shape, shape_handles, structure_view
 from forficula.show.structure.shape import Shape, shape_of
-from forficula.show.structure.surface import at_time, surface_at
-from forficula.show.style import ENERGY_COLOURS, LINE_STYLES, PAGE_WIDTH, figure_style
+from forficula.show.structure.surface import at_time, face_strains, surface_at
+from forficula.show.style import ENERGY_COLOURS, LINE_STYLES, PAGE_WIDTH, STRAIN_COLOURS, figure_style
 from forficula.structure import hinge_groups, springs_name
 
 Array = NDArray[np.float64]
 Picture = NDArray[np.uint8]
 
 # within the picture, in shares of it: left, low, width, height
+_STRAIN_BAR = (0.72, 0.845, 0.25, 0.018)
 _PICTURE, _BAR, _KEY = (0.03, 0.32, 0.94, 0.66), (0.72, 0.945, 0.25, 0.018), (0.775, 0.03, 0.2, 0.24)
 _PLOTS_LEFT, _PLOTS_RIGHT, _PLOTS_LOW, _PLOTS_HIGH, _PLOTS_GAP = 0.08, 0.735, 0.105, 0.25, 0.025
 # a time of 0.3 s reads better as 300.0 ms when it runs
@@ -38,17 +40,19 @@ _LEAD = 0.04  # before and after a move, as a share of it
 class FilmFrame:
     """A picture that is drawn again and again: what stays is drawn once, what moves every time."""
 
-    def __init__(self, record: Record, cuts: tuple[Cut, ...], size: tuple[int, int]) -> None:
+    def __init__(self, record: Record, cuts: tuple[Cut, ...], size: tuple[int, int], *, strain: bool = False) -> None:
         """Draw what stays.
 
         Args:
             record: what happened.
             cuts: of the film.
             size: of the picture, pixels across and upwards.
+            strain: whether membranes have the colours of their largest strains.
         """
         self._record, self._shape = record, shape_of(record.structure)
         self._view = structure_view(record.structure)
         self._norm = Normalize(0, _largest(record, record.series["tendon_energy"], cuts) or 1.0)
+        self._strains = Normalize(0, self._largest_strain(cuts) or 1e-6) if strain else None
         with figure_style():
             dpi = size[0] / PAGE_WIDTH
             # a little more than whole pixels, which rounding could make one less
@@ -61,7 +65,9 @@ class FilmFrame:
             self._cursors = _plots(figure, record, cuts)
             if record.structure.tendons:
                 _colour_bar(figure, self._norm)
-            _key(figure, self._shape, record)
+            if self._strains is not None:
+                _strain_bar(figure, self._strains)
+            _key(figure, self._shape, record, strain)
             self._moving = [self._words, self._clock, *(line for _, _, line in self._cursors)]
             for artist in self._moving:
                 artist.set_animated(True)
@@ -79,7 +85,11 @@ class FilmFrame:
             Red, green and blue of every pixel, 0 to 255, the highest row first, (height, width, 3).
         """
         colours = ENERGY_COLOURS(self._norm(at_time(self._record, "tendon_energy", time)))
-        painted = paint_shape(surface_at(self._record, self._shape, time), self._view, colours)
+        surface = surface_at(self._record, self._shape, time)
+        faces = None
+        if self._strains is not None:
+            faces = STRAIN_COLOURS(self._strains(face_strains(self._shape, surface)))[:, :3]
+        painted = paint_shape(surface, self._view, colours, faces)
         self._words.set_text(cut.words)
         self._clock.set_text(_clock_text(cut, time))
         for shown, scale, cursor in self._cursors:
@@ -105,6 +115,13 @@ class FilmFrame:
         drawn = painted.picture(start, float(beside[0] - start[0]), (width, height))[::-1]
         under, opacity = pixels[first[1] : last[1], first[0] : last[0], :3], drawn[..., 3:] / np.float32(255)
         under[:] = np.rint(opacity * drawn[..., :3] + (1 - opacity) * under)
+
+    def _largest_strain(self, cuts: tuple[Cut, ...]) -> float:
+        """The largest strain of a face at the samples that the film shows."""
+        times = self._record.time
+        shown = times[(times >= cuts[0].first) & (times <= cuts[-1].last)]
+        surfaces = (surface_at(self._record, self._shape, float(time)) for time in shown)
+        return max((float(face_strains(self._shape, each).max(initial=0.0)) for each in surfaces), default=0.0)
 
     def _corners(self, cuts: tuple[Cut, ...]) -> Array:
         """Everywhere that the structure comes to, on the picture, m, (point, 2)."""
@@ -177,6 +194,15 @@ def _colour_bar(figure: Figure, norm: Normalize) -> None:
     bar.set_label(f"energy of a tendon ({unit})", fontsize=7, labelpad=1)
 
 
+def _strain_bar(figure: Figure, norm: Normalize) -> None:
+    axes = figure.add_axes(_STRAIN_BAR)
+    scaled = Normalize(0, 100 * float(norm.vmax or 0.0))
+    bar = figure.colorbar(ScalarMappable(scaled, STRAIN_COLOURS), cax=axes, orientation="horizontal")
+    bar.outline.set_visible(False)
+    bar.ax.tick_params(length=2, pad=1)
+    bar.set_label("strain of the membrane, Green's (%)", fontsize=7, labelpad=1)
+
+
 def _energies(record: Record) -> dict[str, tuple[Array, str]]:
     """What a film plots: energies of what stretches and bends, J, (time,), and their colours; else of the motion."""
     stored = stored_energies(record)
@@ -185,11 +211,12 @@ def _energies(record: Record) -> dict[str, tuple[Array, str]]:
     return {name: stored[name] for name in springs or ["kinetic"]}
 
 
-def _key(figure: Figure, shape: Shape, record: Record) -> None:
+def _key(figure: Figure, shape: Shape, record: Record, strain: bool) -> None:
     """What the colours are."""
     axes = figure.add_axes(_KEY)
     axes.set_axis_off()
-    handles = shape_handles(shape, record.structure, ENERGY_COLOURS(0.95), 2.4)
+    every = shape_handles(shape, record.structure, ENERGY_COLOURS(0.95), 2.4)
+    handles = [each for each in every if not (strain and isinstance(each, Patch))]
     for (name, (_, colour)), style in zip(_energies(record).items(), LINE_STYLES, strict=False):
         of = f"{'energy ' * (style == LINE_STYLES[0])}of the {name}"
         label = "kinetic energy" if name == "kinetic" else of

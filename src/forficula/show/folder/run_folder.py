@@ -25,6 +25,7 @@ from forficula.show.structure.pattern_figure import draw_pattern
 from forficula.show.style import VERMILION, Drawing, figure_style, save_figures
 
 _HEADING, _LETTERS = 8.0, 15  # pt of a heading, and its letters to the inch
+STRAIN = "strain"  # kind of a figure
 _SMALLER = 0.9  # of the area as it begins: what takes more is not folded away
 
 
@@ -46,7 +47,9 @@ def write_run(record: Record, outcome: Outcome, folder: Path) -> None:
 def _write_files(record: Record, outcome: Outcome, folder: Path) -> None:
     write_run_files(record, outcome, folder)
     write_text(folder / "model.xml", compile_model(record.design).xml)
-    save_figures(run_drawings(record, outcome), folder)
+    drawings = run_drawings(record, outcome)
+    drawings.pop(STRAIN, None)  # drawn where it is asked for
+    save_figures(drawings, folder)
     write_run_page(record, outcome, folder / "report.html")
 
 
@@ -56,12 +59,14 @@ def run_drawings(record: Record, outcome: Outcome) -> dict[str, Drawing]:
     needed = cache(lambda: needed_torque(record))
     folds = smallest is not None and smallest[2].area_ratio < _SMALLER
     package: dict[str, Drawing] = {"package": lambda width: _marked(draw_package(record, width), outcome)}
+    strain: Drawing = lambda width: _marked(draw_folding(record, outcome, width, strain=True), outcome)  # noqa: E731
     storage: dict[str, Drawing] = {"storage": lambda width: _marked(draw_storage(record, width), outcome)}
     return {
         "pattern": lambda width: draw_pattern(record.structure, width),
         "angles": lambda width: _marked(draw_angles(record, outcome, width, needed), outcome),
         "energy": lambda width: _marked(draw_energies(record, width), outcome),
         "folding": lambda width: _marked(draw_folding(record, outcome, width), outcome),
+        **({STRAIN: strain} if record.structure.membranes else {}),
         **(package if folds else {}),
         **(storage if any(each.pulls is not None for each in storages(record)) else {}),
     }

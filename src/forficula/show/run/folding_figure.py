@@ -7,7 +7,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
+from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from forficula.analysis import Outcome
@@ -18,8 +21,8 @@ from forficula.show.run.state_names import lettered_states
 from forficula.show.structure.labels import shown_angles
 from forficula.show.structure.painted_shape import PaintedShape, hang, paint_shape, shape_handles, structure_view
 from forficula.show.structure.shape import shape_of
-from forficula.show.structure.surface import at_time, surface_at
-from forficula.show.style import ORANGE, PAGE_WIDTH, describe, figure_style, fit_legend, is_narrow
+from forficula.show.structure.surface import at_time, face_strains, surface_at
+from forficula.show.style import ORANGE, PAGE_WIDTH, STRAIN_COLOURS, describe, figure_style, fit_legend, is_narrow
 
 Array = NDArray[np.float64]
 
@@ -49,7 +52,7 @@ class _Moment:
     state: bool
 
 
-def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) -> Figure:
+def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH, *, strain: bool = False) -> Figure:
     """Draw a structure in its states and, by angle, on its ways between them, all at one scale and from one side.
 
     A state that is much smaller than the whole is drawn once more, enlarged.
@@ -58,6 +61,7 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) ->
         record: what happened.
         outcome: what it means.
         width: of the figure, inch.
+        strain: whether a membrane has the colours of its largest strains instead of those of its regions.
     """
     moments, structure = _moments(record, outcome), record.structure
     shape, view = shape_of(structure), structure_view(structure)
@@ -67,7 +71,10 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) ->
         surfaces = [surface_at(record, shape, each.time) for each in moments]
         if len(shape.lines) > _MOST_LINES and not structure.facets:
             surfaces = [replace(each, lines=each.lines[:0], folds=each.folds[:0]) for each in surfaces]
-        drawn = [paint_shape(surface, view, ORANGE) for surface in surfaces]
+        strains = [face_strains(shape, surface) for surface in surfaces] if strain else []
+        norm = Normalize(0, max((float(each.max(initial=0)) for each in strains), default=0.0) or 1e-6)
+        colours = [STRAIN_COLOURS(norm(each))[:, :3] for each in strains] or [None] * len(surfaces)
+        drawn = [paint_shape(surface, view, ORANGE, each) for surface, each in zip(surfaces, colours, strict=True)]
         corners = np.concatenate([painted.corners for painted in drawn])
         window = np.array([corners.min(axis=0), corners.max(axis=0)])
         scale = width / columns / np.ptp(window, axis=0)[0]
@@ -78,7 +85,9 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) ->
             window[0, 1] -= room
         enlarged = _enlarged(moments, drawn, window)
         rows = -(-(len(moments) + (enlarged is not None)) // columns)
-        handles = shape_handles(shape, structure, ORANGE, 2.0)
+        handles = [
+            each for each in shape_handles(shape, structure, ORANGE, 2.0) if not (strain and isinstance(each, Patch))
+        ]
         across = 2 if is_narrow(width) else len(handles)
         legend = _LEGEND_ROW * -(-len(handles) // across)
         height = rows * (scale * np.ptp(window, axis=0)[1] + _TITLE) + legend
@@ -95,10 +104,16 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH) ->
             panels[len(moments)].set_title(f"{moments[place].name}\nenlarged {times:.2g} times", pad=2)
         for axes in panels:
             axes.set_axis_off()
+        if strain:
+            scaled = ScalarMappable(Normalize(0, 100 * float(norm.vmax or 0)), STRAIN_COLOURS)
+            bar = figure.colorbar(scaled, ax=list(panels), fraction=0.04, pad=0.02, aspect=30)
+            bar.set_label("largest strain of the membrane, Green's (%)")
+            bar.outline.set_visible(False)
         fit_legend(figure, handles, across, loc="outside lower center")
+        seen = f" Largest strain of the membrane then: {100 * float(norm.vmax or 0):.3g} %." if strain else ""
         told = "; ".join(texts[each].replace("\n", ", ") for each in moments)
         what = f"The {structure.appearance.whole} {record.design.name} in space at {len(moments)} moments of a run"
-        return describe(figure, f"{what}, each with the time since its stage began. {told}.")
+        return describe(figure, f"{what}, each with the time since its stage began. {told}.{seen}")
 
 
 def _titles(moments: Sequence[_Moment]) -> dict[_Moment, str]:

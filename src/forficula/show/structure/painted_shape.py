@@ -108,19 +108,23 @@ def structure_view(structure: Structure) -> View:
     return View(right=right, up=np.cross(towards, right), towards=towards)
 
 
-def paint_shape(surface: Surface, view: View, tendon_colours: str | Sequence[str] | ArrayLike) -> PaintedShape:
+def paint_shape(
+    surface: Surface, view: View, tendon_colours: str | Sequence[str] | ArrayLike, face_colours: Array | None = None
+) -> PaintedShape:
     """Cover a surface with triangles and shade them.
 
     Args:
         surface: in space.
         view: from where it is seen.
         tendon_colours: one, or one a tendon.
+        face_colours: red, green, blue of faces, 0 to 1, (face, 3), which are not shaded then; those of their regions if
+            not given.
     """
     radius = surface.thickness / 2
     plain = np.isnan(surface.folds)
     folds = fold_colours(surface.folds[~plain])
     parts = [
-        _faces(surface, view),
+        _faces(surface, view, face_colours),
         _ribbons(surface.lines[plain], view, _CREASE, _THIN * radius, _ON_FACE * radius),
         _ribbons(surface.lines[~plain], view, folds, _FOLDED * radius, _ON_FACE * radius),
         _tubes(surface.bars, surface.radii, view),
@@ -186,10 +190,12 @@ def shape_handles(shape: Shape, structure: Structure, tendon_colour: ArrayLike, 
     return handles
 
 
-def _faces(surface: Surface, view: View) -> tuple[Array, Array]:
+def _faces(surface: Surface, view: View, own: Array | None) -> tuple[Array, Array]:
     """Corners and colours of the cells of sheets and plates."""
     if not len(surface.faces):
         return np.zeros((0, 4, 3)), np.zeros((0, 3))
+    if own is not None:
+        return surface.faces, own
     tints = np.array([to_rgb(tint(region)) for region in surface.regions.tolist()])
     first, second, third, fourth = surface.faces.swapaxes(0, 1)
     out_of_plane = np.abs(np.sum(np.cross(second - first, third - first) * (fourth - first), axis=1))

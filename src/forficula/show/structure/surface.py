@@ -12,6 +12,8 @@ from forficula.show.structure.shape import Shape, vertex_places
 
 Array = NDArray[np.float64]
 
+_FLAT = 1e-9  # of a triangle's squared size: what has no area has no strain
+
 
 @dataclass(frozen=True, kw_only=True)
 class Surface:
@@ -85,6 +87,29 @@ def surface_of(shape: Shape, places: Array, folds: Array, *, two_sided: bool) ->
         thickness=shape.thickness,
         span=shape.span,
     )
+
+
+def face_strains(shape: Shape, surface: Surface) -> Array:
+    """The largest principal strain of each face, Green's, 0 where it is as built, (face,).
+
+    Of a face of four corners it is that of its two triangles which is stretched further: (l - 1) / 2 with l the larger
+    eigenvalue of the metric of its sides by that of these as built.
+    """
+    corners = np.array([(*face, face[-1])[:4] for face in shape.faces], dtype=np.int64).reshape(-1, 4)
+    both = [_largest_strains(shape.built[corners[:, half]], surface.faces[:, half]) for half in ([0, 1, 2], [0, 2, 3])]
+    return np.asarray(np.fmax(*both))
+
+
+def _largest_strains(built: Array, now: Array) -> Array:
+    """Largest principal strains of triangles, (triangle, corner, axis); nan of those without an area."""
+    before, after = (each[:, 1:] - each[:, :1] for each in (built, now))
+    metric, stretched = (each @ each.swapaxes(1, 2) for each in (before, after))
+    flat = np.linalg.det(metric) <= _FLAT * np.trace(metric, axis1=1, axis2=2) ** 2
+    metric[flat] = np.eye(2)
+    relative = np.linalg.solve(metric, stretched)
+    half, product = np.trace(relative, axis1=1, axis2=2) / 2, np.linalg.det(relative)
+    largest = half + np.sqrt(np.maximum(half**2 - product, 0.0))
+    return np.where(flat, np.nan, (largest - 1) / 2)
 
 
 def at_time(record: Record, name: str, time: float) -> Array:
