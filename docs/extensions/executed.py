@@ -12,6 +12,7 @@ from typing import Any
 from docutils import nodes
 from docutils.parsers.rst import Directive, directives
 from docutils.parsers.rst.directives.images import Figure
+from docutils.statemachine import StringList
 from sphinx.application import Sphinx
 from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective, SphinxRole
@@ -114,15 +115,20 @@ class LiveDirective(Directive):
         return [nodes.raw("", html, format="html")]
 
 
-class ShowDirective(Directive):
-    """The text of a file that a cell of this page wrote."""
+class ShowDirective(SphinxDirective):
+    """A file that a cell of this page wrote: its text, or what its Markdown says below its heading."""
 
     required_arguments = 1
-    option_spec = {"lines": directives.positive_int}
+    option_spec = {"lines": directives.positive_int, "read": directives.flag}
 
     def run(self) -> list[nodes.Node]:
-        path = folder_of(self.state.document.settings.env.docname) / self.arguments[0]
+        path = folder_of(self.env.docname) / self.arguments[0]
         lines = path.read_text("utf-8").splitlines()
+        if "read" in self.options:
+            inside = nodes.Element()
+            read = StringList([line for line in lines if not line.startswith("# ")], str(path))
+            self.state.nested_parse(read, 0, inside)
+            return list(inside.children)
         text = "\n".join([*lines[: self.options.get("lines", len(lines))]])
         return [nodes.literal_block(text, text, language=path.suffix.lstrip("."))]
 

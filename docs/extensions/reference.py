@@ -12,6 +12,7 @@ from collections.abc import Sequence
 
 from docutils import nodes
 from docutils.parsers.rst import directives
+from docutils.statemachine import StringList
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
@@ -25,6 +26,7 @@ _DESIGN_PAGE = "reference/design-file"
 _STUDY_PAGE = "reference/study-file"
 _HEADINGS = ("key", "may be", "if left out", "meaning")
 _WIDTHS = (24, 22, 14, 40)
+_EVERYWHERE = ("* `--json`", "* `--quiet`")
 _NUMBER = re.compile(r"\.0\.")
 
 
@@ -115,17 +117,21 @@ class CommandsDirective(SphinxDirective):
     """All commands, a section each."""
 
     def run(self) -> list[nodes.Node]:
-        told = cli.meta.generate_docs(output_format="markdown", generate_toc=False)
-        sections = re.split(r"^## ", told, flags=re.M)[1:]
+        told = cli.generate_docs(output_format="markdown")
+        sections = [text for text in re.split(r"^## ", told, flags=re.M) if text.startswith("forficula ")]
         if len(sections) < 2:
             raise self.error("the command line tells no commands")
         found: list[nodes.Node] = []
         for text in sections:
             title, _, body = text.partition("\n")
+            if title.startswith("forficula --"):
+                continue
+            # those of every command stand above
+            lines = [line for line in body.splitlines() if not line.startswith(_EVERYWHERE)]
             section = nodes.section(ids=[nodes.make_id(title)], names=[title.lower()])
             section += nodes.title("", "", nodes.literal("", title))
             self.state.document.note_explicit_target(section)
-            self.state.nested_parse(body.replace("\\", "\\\\").splitlines(), self.content_offset, section)
+            self.state.nested_parse(StringList(lines, "commands"), self.content_offset, section)
             found.append(section)
         return found
 

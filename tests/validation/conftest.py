@@ -42,6 +42,6 @@ def agree(record_property) -> Callable[..., None]:
             told |= {"over": [name, np.asarray(axis)[some].tolist()]}
             told |= {"ours_all": first[some].tolist(), "theirs_all": second[some].tolist()}
         record_property("agreement", json.dumps(told))
-        assert ours == pytest.approx(theirs, rel=rel, abs=abs)
+        assert first == pytest.approx(second, rel=rel, abs=abs)
 
     return compare
