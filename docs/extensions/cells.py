@@ -5,8 +5,10 @@
     ```
 
 runs in a folder of the page's own, and what it prints stands below it. A cell of `{python}` shares its names with those
-before it, and a figure that it ends with is drawn; `{file} sheet.fold` is written there. `{picture}
-out/letter/energy.png` and `{live} out/letter/report.html` show what cells wrote. A command that ends with another status than `:status:`, or Python that raises, stops the build.
+before it, and a figure that it ends with is drawn; `{file} sheet.fold` is written there. What cells wrote is shown by
+`{picture} out/letter/energy.png`, `{live} out/letter/report.html` and `{show} out/letter/design.toml`.
+
+A command that ends with another status than `:status:`, or Python that raises, stops the build.
 Cells run again where they, those before them on the page, or forficula's sources have changed.
 """
 

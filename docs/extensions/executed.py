@@ -7,8 +7,9 @@ import os
 import re
 import shutil
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
+from cells import DOCS, Shown, cells_of, folder_of, run_page, sources_digest
 from docutils import nodes
 from docutils.parsers.rst import Directive, directives
 from docutils.parsers.rst.directives.images import Figure
@@ -16,8 +17,7 @@ from docutils.statemachine import StringList
 from sphinx.application import Sphinx
 from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective, SphinxRole
-
-from cells import DOCS, Shown, cells_of, folder_of, run_page, sources_digest
+from sphinx.util.typing import OptionSpec
 
 _LOG = logging.getLogger(__name__)
 _LANGUAGES = {"command": "bash", "python": "python"}
@@ -38,7 +38,7 @@ class CellDirective(SphinxDirective):
     has_content = True
     optional_arguments = 1
     final_argument_whitespace = True
-    option_spec = {
+    option_spec: ClassVar[OptionSpec] = {
         "status": directives.nonnegative_int,
         "shared": directives.flag,
         "lines": directives.positive_int,
@@ -91,7 +91,7 @@ class LiveDirective(Directive):
 
     required_arguments = 1
     final_argument_whitespace = True
-    option_spec = {"height": directives.nonnegative_int}
+    option_spec: ClassVar[OptionSpec] = {"height": directives.nonnegative_int}
 
     def run(self) -> list[nodes.Node]:
         env = self.state.document.settings.env
@@ -119,7 +119,7 @@ class ShowDirective(SphinxDirective):
     """A file that a cell of this page wrote: its text, or what its Markdown says below its heading."""
 
     required_arguments = 1
-    option_spec = {"lines": directives.positive_int, "read": directives.flag}
+    option_spec: ClassVar[OptionSpec] = {"lines": directives.positive_int, "read": directives.flag}
 
     def run(self) -> list[nodes.Node]:
         path = folder_of(self.env.docname) / self.arguments[0]
@@ -159,12 +159,12 @@ def copy_live_pages(app: Sphinx, error: Exception | None) -> None:
         shutil.copyfile(path, there)
 
 
-def forget_page(app: Sphinx, env: Any, page: str) -> None:
+def forget_page(_: Sphinx, env: Any, page: str) -> None:
     lives = getattr(env, "live_pages", {})
     env.live_pages = {name: where for name, where in lives.items() if where[0] != page}
 
 
-def merge_pages(app: Sphinx, env: Any, pages: set[str], other: Any) -> None:
+def merge_pages(_: Sphinx, env: Any, __: set[str], other: Any) -> None:
     env.live_pages = {**getattr(env, "live_pages", {}), **getattr(other, "live_pages", {})}
 
 

@@ -9,12 +9,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from typing import ClassVar
 
 from docutils import nodes
 from docutils.parsers.rst import directives
 from docutils.statemachine import StringList
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective, SphinxRole
+from sphinx.util.typing import OptionSpec
 
 from forficula.cli import app as cli
 from forficula.design.key_table import KeyFact, key_facts
@@ -47,7 +49,7 @@ class KeysDirective(SphinxDirective):
     """Keys, a table for each section."""
 
     required_arguments = 1
-    option_spec = {"section": directives.unchanged, "without": directives.unchanged}
+    option_spec: ClassVar[OptionSpec] = {"section": directives.unchanged, "without": directives.unchanged}
 
     def run(self) -> list[nodes.Node]:
         kind, within = self.arguments[0], self.options.get("section", "")

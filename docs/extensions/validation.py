@@ -1,7 +1,7 @@
 """The table of the validation tests: what each claims, whether it holds, and what it compared.
 
-The tests leave their results in `_build/validation.xml`, in JUnit's form: `make validation` runs all of them. Where that
-file is missing or older than what it tells of, the build runs those that compare numbers itself.
+The tests leave their results in `_build/validation.xml`, in JUnit's form: `make validation` runs all of them. Where
+that file is missing or older than what it tells of, the build runs those that compare numbers itself.
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ def begin_tests(_: Sphinx) -> None:
 
 
 def run_tests() -> None:
-    """Run the tests that compare numbers; only when all is done is there a file of results, or one that says why not."""
+    """Run the tests that compare numbers; only when all is done is there a file of results, or of why not."""
     making = RESULTS.with_suffix(".part")
     command = [sys.executable, "-m", "pytest", str(TESTS), "-m", "compares", "-q", "-p", "no:cacheprovider"]
     environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "FORFICULA_REPEATABLE": "1"}
