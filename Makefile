@@ -4,7 +4,7 @@ BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 INSTALLED_DOCS := $(VENV)/.installed-docs
 
-.PHONY: demo test check format page docs docs-links validation clean
+.PHONY: demo test check format page docs docs-all docs-links validation clean
 
 demo: $(INSTALLED)  ## fold and open the reference wing; results in out/binder2025/
 	$(BIN)/forficula run binder2025 --out out/binder2025
@@ -28,6 +28,9 @@ page:  ## build the script of the HTML pages, which is kept in the package; need
 docs: $(INSTALLED_DOCS)  ## build the documentation into docs/_build/html; it runs all that it shows
 	$(BIN)/python -m sphinx -W --keep-going -q -j 2 -d docs/_build/doctrees docs docs/_build/html
 	$(BIN)/python docs/check_pages.py docs/_build/html
+
+docs-all: validation  ## the same with what takes minutes: all validation tests, and the study beside the paper
+	FORFICULA_DOCS=all $(MAKE) docs
 
 docs-links: $(INSTALLED_DOCS)  ## ask the network whether what the documentation links to is there
 	$(BIN)/python -m sphinx -q -b linkcheck -d docs/_build/doctrees docs docs/_build/links

@@ -25,6 +25,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import textwrap
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -39,7 +40,9 @@ _CELL = re.compile(
 _OPTION = re.compile(r"^:([a-z]+):\s*(.*)$", re.M)
 # what a terminal would show while it waits is left out
 _TOLD = ("warning:", "forficula:")
-_WIDE = "100"
+_WIDE = 100
+# in the folder of a page some of whose cells were too costly to run
+NOT_RUN = "not-run"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -50,7 +53,8 @@ class Cell:
         kind: "command", "python" or "file".
         name: of a file.
         text: as it is shown.
-        options: status, that a command ends with; shared, for one that several pages have and that is run once.
+        options: status, that a command ends with; shared, for one that several pages have and that is run once; costly,
+            for one that is run where FORFICULA_DOCS is "all" only.
     """
 
     kind: str
@@ -100,7 +104,8 @@ def sources_digest() -> str:
 def run_page(page: str, cells: Sequence[Cell], sources: str) -> list[Shown]:
     """What comes of a page's cells; what an earlier build found is kept where nothing has changed."""
     folder = folder_of(page)
-    key = hashlib.sha256(json.dumps([sources, [asdict(cell) for cell in cells]]).encode()).hexdigest()
+    every = json.dumps([sources, _all_wanted(), [asdict(cell) for cell in cells]])
+    key = hashlib.sha256(every.encode()).hexdigest()
     kept = folder.with_suffix(".json")
     if kept.exists() and (found := json.loads(kept.read_text("utf-8")))["key"] == key:
         return [Shown(**each) for each in found["shown"]]
@@ -121,7 +126,10 @@ def _run_here(cells: Sequence[Cell], sources: str) -> Iterator[Shown]:
     """Run cells in the working folder."""
     names: dict[str, Any] = {"__name__": "__main__"}
     for number, cell in enumerate(cells):
-        if cell.kind == "file":
+        if "costly" in cell.options and not _all_wanted():
+            Path(NOT_RUN).touch()
+            yield Shown(text="This build did not run it: make docs-all does.")
+        elif cell.kind == "file":
             Path(cell.name).write_text(cell.text, "utf-8")
             yield Shown()
         elif cell.kind == "python":
@@ -130,6 +138,10 @@ def _run_here(cells: Sequence[Cell], sources: str) -> Iterator[Shown]:
             yield _shared(cell, sources)
         else:
             yield Shown(text=_command(cell))
+
+
+def _all_wanted() -> bool:
+    return os.environ.get("FORFICULA_DOCS") == "all"
 
 
 def _shared(cell: Cell, sources: str) -> Shown:
@@ -151,7 +163,7 @@ def _shared(cell: Cell, sources: str) -> Shown:
 
 def _command(cell: Cell) -> str:
     expected = int(cell.options.get("status", "0"))
-    environment = {**os.environ, "COLUMNS": _WIDE, "OPENBLAS_NUM_THREADS": "1", "NO_COLOR": "1", "PYTHONUTF8": "1"}
+    environment = {**os.environ, "COLUMNS": str(_WIDE), "OPENBLAS_NUM_THREADS": "1", "NO_COLOR": "1", "PYTHONUTF8": "1"}
     printed = []
     for program, *arguments in cell.commands:
         if program != "forficula":
@@ -163,7 +175,11 @@ def _command(cell: Cell) -> str:
             env=environment,
             check=False,
         )
-        told = [line for line in done.stderr.splitlines() if line.startswith(_TOLD)]
+        told = [
+            textwrap.fill(line, _WIDE, subsequent_indent="    ")
+            for line in done.stderr.splitlines()
+            if line.startswith(_TOLD)
+        ]
         if done.returncode != expected:
             raise RuntimeError(f"{shlex.join(arguments)}: ended with {done.returncode}: {done.stderr}")
         printed += [*told, done.stdout.rstrip()]

@@ -9,7 +9,7 @@ import shutil
 from pathlib import Path
 from typing import Any, ClassVar
 
-from cells import DOCS, Shown, cells_of, folder_of, run_page, sources_digest
+from cells import DOCS, NOT_RUN, Shown, cells_of, folder_of, run_page, sources_digest
 from docutils import nodes
 from docutils.parsers.rst import Directive, directives
 from docutils.parsers.rst.directives.images import Figure
@@ -43,6 +43,8 @@ class CellDirective(SphinxDirective):
         "shared": directives.flag,
         "lines": directives.positive_int,
         "quiet": directives.flag,
+        "hidden": directives.flag,
+        "costly": directives.flag,
         "alt": directives.unchanged,
     }
 
@@ -50,6 +52,8 @@ class CellDirective(SphinxDirective):
         text = "\n".join(self.content)
         shown: Shown = self.env.temp_data["shown"].pop(0)
         language = _LANGUAGES.get(self.name) or Path(self.arguments[0]).suffix.lstrip(".").replace("fold", "json")
+        if "hidden" in self.options:
+            return []
         given: nodes.Node = nodes.literal_block(text, text, language=language)
         if self.name == "file":
             caption = nodes.caption("", "", nodes.literal("", self.arguments[0]))
@@ -72,14 +76,20 @@ class CellDirective(SphinxDirective):
         return nodes.literal_block(printed, printed, language="text")
 
 
+def written(directive: Directive, page: str, path: str) -> bool:
+    """Whether a cell of a page wrote a file; none need where one was too costly to run, else it is an error."""
+    if not (folder_of(page) / path).exists() and not (folder_of(page) / NOT_RUN).exists():
+        raise directive.error(f"{path}: no cell of this page wrote it")
+    return (folder_of(page) / path).exists()
+
+
 class PictureDirective(Figure):
     """A picture that a cell of this page wrote."""
 
     def run(self) -> list[nodes.Node]:
         page = self.state.document.settings.env.docname
-        path = folder_of(page) / self.arguments[0]
-        if not path.exists():
-            raise self.error(f"{self.arguments[0]}: no cell of this page wrote it")
+        if not written(self, page, self.arguments[0]):
+            return []
         if "alt" not in self.options:
             raise self.error("needs :alt:, what it shows")
         self.arguments[0] = _uri(page, self.arguments[0])
@@ -96,8 +106,8 @@ class LiveDirective(Directive):
     def run(self) -> list[nodes.Node]:
         env = self.state.document.settings.env
         path = folder_of(env.docname) / self.arguments[0]
-        if not path.exists():
-            raise self.error(f"{self.arguments[0]}: no cell of this page wrote it")
+        if not written(self, env.docname, self.arguments[0]):
+            return []
         name = f"{env.docname}-{self.arguments[0]}".replace("/", "-")
         env.metadata[env.docname].setdefault("live", {})
         lives = getattr(env, "live_pages", None)
@@ -123,6 +133,8 @@ class ShowDirective(SphinxDirective):
 
     def run(self) -> list[nodes.Node]:
         path = folder_of(self.env.docname) / self.arguments[0]
+        if not written(self, self.env.docname, self.arguments[0]):
+            return []
         lines = path.read_text("utf-8").splitlines()
         if "read" in self.options:
             inside = nodes.Element()
