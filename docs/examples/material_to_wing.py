@@ -16,9 +16,8 @@ wing = ff.load_design("binder2025")
 for facts in ff.size_tendons(wing, law, [1000.0, 2000.0, 3000.0]):
     print(f"{100 * facts.length:.0f} cm long, {facts.why}:")
     for size in facts.sizes:
-        print(
-            f"    {size.stiffness / 100:.0f} N/cm takes {1e6 * size.area:.1f} mm2, {1e3 * size.diameter:.1f} mm if round"
-        )
+        area, across = 1e6 * size.area, 1e3 * size.diameter
+        print(f"    {size.stiffness / 100:.0f} N/cm takes {area:.1f} mm2, {across:.1f} mm if round")
 
 # %%
 # A tendon with a law instead of a stiffness. The law's damping comes with it.
