@@ -43,8 +43,10 @@ autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_typehints_format = "short"
 default_role = "code"
+smartquotes = False  # an option such as --set keeps its dashes
 napoleon_numpy_docstring = False
 napoleon_use_ivar = True
+napoleon_attr_annotations = False
 add_module_names = False
 maximum_signature_line_length = 80
 
@@ -63,6 +65,8 @@ sphinx_gallery_conf = {
     "capture_repr": ("_repr_html_", "__repr__"),
     "download_all_examples": False,
     "image_srcset": ["2x"],
+    "image_scrapers": ("matplotlib", "gallery_figures.save_figure"),
+    "reset_modules": ("matplotlib",),
     "remove_config_comments": True,
 }
 

@@ -8,8 +8,6 @@ Three rigid panels, two creases, two tendons: a sheet of A4 that stays open unti
 # %%
 # What is it? The pattern says how free it is.
 
-import matplotlib.pyplot as plt
-
 import forficula as ff
 
 design = ff.load_design("letter-fold")
@@ -29,11 +27,10 @@ for name, move in outcome.transitions.items():
 # How it looks on its way.
 
 ff.figure(record, "folding", width="page")
-plt.show()
 
 # %%
 # Stiffer tendons want a stronger hand. Values are replaced by their keys, in any unit.
 
 for stiffness in ("0.4 N/cm", "0.8 N/cm", "1.6 N/cm"):
-    stiffer = design.with_values({"tendon.left.stiffness": stiffness, "tendon.right.stiffness": stiffness})
-    print(stiffness, "-", ff.measure(ff.run(stiffer)).status)
+    values = {f"tendon.{side}.stiffness": stiffness for side in ("left", "right")}
+    print(stiffness, "-", ff.measure(ff.run(design.with_values(values))).status)

@@ -15,7 +15,10 @@ import forficula as ff
 design = ff.load_design("binder2025", {"protocol.fold_torque": "20 N cm"})
 study = ff.new_study(
     design,
-    {"tendon.stiffness": "10..40 N/cm step 10", "tendon.rest_length": ["5 cm", "7 cm", "9 cm"]},
+    {
+        "tendon.stiffness": "10..40 N/cm step 10",
+        "tendon.rest_length": ["5 cm", "7 cm", "9 cm"],
+    },
     name="twenty",
 )
 
@@ -31,7 +34,6 @@ print(table["status"].to_pandas().to_string())
 # Every figure that the command would draw is one call; this one is the map of what each run came to.
 
 ff.figure(table, "status", width=6)
-plt.show()
 
 # %%
 # Or draw your own.
@@ -39,9 +41,9 @@ plt.show()
 folds = table["fold_time"]
 figure, axes = plt.subplots(figsize=(6, 3), layout="constrained")
 for column in folds.transpose("tendon_rest_length", ...):
-    axes.plot(
-        table["tendon_stiffness"] / 100, 1e3 * column, "o-", label=f"{100 * float(column.tendon_rest_length):.0f} cm"
-    )
+    length = f"{100 * float(column.tendon_rest_length):.0f} cm"
+    axes.plot(table["tendon_stiffness"] / 100, 1e3 * column, "o-", label=length)
 axes.set(xlabel="stiffness (N/cm)", ylabel="time to fold (ms)")
+axes.spines[["top", "right"]].set_visible(False)
 axes.legend(title="resting length", frameon=False)
 plt.show()

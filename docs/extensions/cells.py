@@ -40,7 +40,7 @@ _CELL = re.compile(
 _OPTION = re.compile(r"^:([a-z]+):\s*(.*)$", re.M)
 # what a terminal would show while it waits is left out
 _TOLD = ("warning:", "forficula:")
-_WIDE = 100
+_WIDE = 94
 # in the folder of a page some of whose cells were too costly to run
 NOT_RUN = "not-run"
 

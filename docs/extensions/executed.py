@@ -71,7 +71,7 @@ class CellDirective(SphinxDirective):
     def _printed(self, text: str) -> nodes.literal_block:
         lines = text.splitlines()
         most = self.options.get("lines", len(lines))
-        cut = [] if len(lines) <= most else [f"... and {len(lines) - most} lines more"]
+        cut = [] if len(lines) <= most else ["..."]
         printed = "\n".join([*lines[:most], *cut])
         return nodes.literal_block(printed, printed, language="text")
 
@@ -129,7 +129,11 @@ class ShowDirective(SphinxDirective):
     """A file that a cell of this page wrote: its text, or what its Markdown says below its heading."""
 
     required_arguments = 1
-    option_spec: ClassVar[OptionSpec] = {"lines": directives.positive_int, "read": directives.flag}
+    option_spec: ClassVar[OptionSpec] = {
+        "from": directives.unchanged,
+        "lines": directives.positive_int,
+        "read": directives.flag,
+    }
 
     def run(self) -> list[nodes.Node]:
         path = folder_of(self.env.docname) / self.arguments[0]
@@ -141,7 +145,9 @@ class ShowDirective(SphinxDirective):
             read = StringList([line for line in lines if not line.startswith("# ")], str(path))
             self.state.nested_parse(read, 0, inside)
             return list(inside.children)
-        text = "\n".join([*lines[: self.options.get("lines", len(lines))]])
+        if "from" in self.options:
+            lines = lines[next(number for number, line in enumerate(lines) if line.startswith(self.options["from"])) :]
+        text = "\n".join(lines[: self.options.get("lines", len(lines))])
         return [nodes.literal_block(text, text, language=path.suffix.lstrip("."))]
 
 

@@ -119,7 +119,7 @@ class CommandsDirective(SphinxDirective):
     """All commands, a section each."""
 
     def run(self) -> list[nodes.Node]:
-        told = cli.generate_docs(output_format="markdown")
+        told = cli.generate_docs(output_format="markdown", usage_name="forficula").replace("<", r"\<")
         sections = [text for text in re.split(r"^## ", told, flags=re.M) if text.startswith("forficula ")]
         if len(sections) < 2:
             raise self.error("the command line tells no commands")
