@@ -24,7 +24,22 @@ for facts in ff.size_tendons(wing, law, [1000.0, 2000.0, 3000.0]):
 
 linear = wing
 printed = linear.with_values({"tendon.law": "tpu-82a", "tendon.area": "18.75 mm^2"})
-for name, design in {"10 N/cm, linear": linear, "TPU 82A": printed}.items():
-    outcome = ff.measure(ff.run(design))
-    fold = outcome.transitions["fold"]
-    print(f"{name}: {outcome.status}, in {1e3 * fold.time:.1f} ms")
+records = {"10 N/cm, linear": ff.run(linear), "TPU 82A": ff.run(printed)}
+for name, record in records.items():
+    outcome = ff.measure(record)
+    print(f"{name}: {outcome.status}, in {1e3 * outcome.transitions['fold'].time:.1f} ms")
+
+# %%
+# Side by side: the angle of the middle hinge while the wing folds.
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+figure, axes = plt.subplots(figsize=(6, 3), layout="constrained")
+for name, record in records.items():
+    start = record.stages[1].start
+    axes.plot(1e3 * (record.time - start), np.degrees(record.angles("ring")[:, 1]), label=name)
+axes.set(xlim=(0, 100), xlabel="time since the torque came (ms)", ylabel="angle of the hinge (deg)")
+axes.spines[["top", "right"]].set_visible(False)
+axes.legend(frameon=False)
+plt.show()

@@ -38,8 +38,8 @@ _CELL = re.compile(
     re.M | re.S,
 )
 _OPTION = re.compile(r"^:([a-z]+):\s*(.*)$", re.M)
-# what a terminal would show while it waits is left out
-_TOLD = ("warning:", "forficula:")
+# what tells that something goes on, and how long it took
+_WAITING = re.compile(r"simulated$|^took |runs/s|^keeping |^\d+ of \d+ ")
 _WIDE = 94
 # in the folder of a page some of whose cells were too costly to run
 NOT_RUN = "not-run"
@@ -93,8 +93,8 @@ def folder_of(page: str) -> Path:
 
 
 def sources_digest() -> str:
-    """Of everything in the package: where it changes, so may any result."""
-    digest = hashlib.sha256()
+    """Of everything in the package, and of what runs cells: where it changes, so may any result."""
+    digest = hashlib.sha256(Path(__file__).read_bytes())
     for path in sorted((DOCS.parent / "src").rglob("*")):
         if path.suffix in {".py", ".pyi", ".toml", ".js", ".css"}:
             digest.update(path.read_bytes())
@@ -178,7 +178,7 @@ def _command(cell: Cell) -> str:
         told = [
             textwrap.fill(line, _WIDE, subsequent_indent="    ")
             for line in done.stderr.splitlines()
-            if line.startswith(_TOLD)
+            if not _WAITING.search(line)
         ]
         if done.returncode != expected:
             raise RuntimeError(f"{shlex.join(arguments)}: ended with {done.returncode}: {done.stderr}")

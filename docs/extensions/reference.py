@@ -119,7 +119,9 @@ class CommandsDirective(SphinxDirective):
     """All commands, a section each."""
 
     def run(self) -> list[nodes.Node]:
-        told = cli.generate_docs(output_format="markdown", usage_name="forficula").replace("<", r"\<")
+        told = cli.generate_docs(output_format="markdown").replace("<", r"\<")
+        # the program that builds these pages
+        told = re.sub(r" -m \S+", "", told)
         sections = [text for text in re.split(r"^## ", told, flags=re.M) if text.startswith("forficula ")]
         if len(sections) < 2:
             raise self.error("the command line tells no commands")
