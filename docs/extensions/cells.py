@@ -37,7 +37,7 @@ _CELL = re.compile(
     r"^```\{(?P<kind>command|python|file)\}[ ]*(?P<name>[^\n]*)\n(?P<options>(?::[a-z]+:[^\n]*\n)*)(?P<text>.*?)^```$",
     re.M | re.S,
 )
-_OPTION = re.compile(r"^:([a-z]+):\s*(.*)$", re.M)
+_OPTION = re.compile(r"^:([a-z]+):[ ]*(.*)$", re.M)
 # what tells that something goes on, and how long it took
 _WAITING = re.compile(r"simulated$|^took |runs/s|^keeping |^\d+ of \d+ ")
 _WIDE = 94
