@@ -68,7 +68,7 @@ def added_inertia(density):
     return math.pi / 4 * density * WIDTH**2 * LENGTH**3 / 3
 
 
-def test_a_pendulum_swings_slower_by_the_mass_that_moves_with_it():
+def test_a_pendulum_swings_slower_by_the_mass_that_moves_with_it(agree):
     """2 pi sqrt(I / (m g L / 2)) of a small swing: the medium adds to I, and nothing to the weight."""
     density, down = 12.0, -math.pi / 2
     swing = flap(
@@ -82,7 +82,7 @@ def test_a_pendulum_swings_slower_by_the_mass_that_moves_with_it():
     at = record.time[rising] - away[rising] * 2e-4 / (away[rising + 1] - away[rising])
     expected = 2 * math.pi * math.sqrt((INERTIA + added_inertia(density)) / (MASS * 9.81 * LENGTH / 2))
     assert len(at) > 1
-    assert np.diff(at).mean() == pytest.approx(expected, rel=1e-4)
+    agree("period of a plate in a medium", np.diff(at).mean(), expected, unit="s", by="Lamb's added mass", rel=1e-4)
     assert energy_balance(record).residual < 0.005
 
 
@@ -97,14 +97,23 @@ def test_what_moves_with_a_body_weighs_nothing():
 
 
 @pytest.mark.parametrize("density", [1.2, 1000.0])
-def test_a_plate_under_a_torque_comes_to_the_speed_at_which_drag_takes_it_all(density):
+def test_a_plate_under_a_torque_comes_to_the_speed_at_which_drag_takes_it_all(agree, density):
     """w^2 = tau / c2 (1 - exp(-2 c2 angle / I)) from rest, with c2 = rho C_D / 2 times the integral of w r^3."""
     drag, inertia = density * WIDTH * LENGTH**4 / 4, INERTIA + added_inertia(density)
     torque = 40.0 * drag + 1e-3
     record = run(flap([stage("creases > 170 deg", "push")], torque, **{"medium.density": density}))
     angle, energy = record.series["hinge_angle"][:, 0], record.series["kinetic_energy"]
     square = torque / drag * (1 - np.exp(-2 * drag * angle / inertia))
-    assert energy == pytest.approx(inertia / 2 * square, rel=0.01, abs=0.01 * energy.max())
+    agree(
+        f"kinetic energy of a driven plate at {density:g} kg/m³",
+        1e3 * energy,
+        1e3 * inertia / 2 * square,
+        unit="mJ",
+        by="τ / c (1 - exp(-2 c φ / I))",
+        rel=0.01,
+        abs=10 * energy.max(),
+        over=("angle (deg)", np.degrees(angle)),
+    )
     balance = energy_balance(record)
     assert balance.residual < 0.005
     assert balance.drag == pytest.approx(torque * angle[-1] - inertia / 2 * square[-1], rel=0.02)
@@ -123,14 +132,16 @@ def test_the_error_of_the_drag_is_of_first_order_in_the_timestep():
 
 
 @pytest.mark.parametrize("torque", [1e-3, 2e-3])
-def test_in_a_viscous_medium_without_mass_speeds_go_with_torques(torque):
+def test_in_a_viscous_medium_without_mass_speeds_go_with_torques(agree, torque):
     """32 mu / (pi w) by area and speed: from rest w = tau / c1 (1 - exp(-c1 t / I))."""
     viscosity = 0.1
     damping = 32 * viscosity / math.pi * LENGTH**3 / 3
     record = run(flap([stage("time", "push", 0.4)], torque, **{"medium.viscosity": viscosity}))
     slow = INERTIA / damping
     expected = torque / damping * (record.time - slow * (1 - np.exp(-record.time / slow)))
-    assert record.series["hinge_angle"][:, 0] == pytest.approx(expected, rel=0.01, abs=2e-3)
+    angle = record.series["hinge_angle"][:, 0]
+    what = f"angle of a plate in a viscous medium under {1e3 * torque:g} mN m"
+    agree(what, angle, expected, unit="rad", by="Stokes flow about a disc", rel=0.01, abs=2e-3)
 
 
 def test_auto_minds_how_fast_viscosity_stops_what_is_light():

@@ -1,4 +1,4 @@
-"""What README says of values that are chosen: the armature's share, and where the work of a constant torque goes.
+"""What is said of values that are chosen: the armature's share, and where the work of a constant torque goes.
 
 Semi-implicit Euler moves a hinge by its velocity times the timestep, so rows at every step give velocities exactly.
 """
@@ -22,7 +22,7 @@ def folding(design, **settings):
     return ff.run(design.model_copy(update={"protocol": design.protocol.model_copy(update={"stages": stages})}))
 
 
-def test_the_armature_is_twenty_times_a_veins_own_inertia_about_its_axis(reference):
+def test_the_armature_is_twenty_times_a_veins_own_inertia_about_its_axis(reference, agree):
     """Of two thin rods, one along the axis, one at the angle at which the flat creases meet (m l^2 sin^2 / 3)."""
     hubs, rings, ends = hub_points(reference.fan), ring_vertices(reference.fan), tips(reference.fan)
     proximal, distal = (rings - hubs)[0], (ends - rings)[0]
@@ -31,7 +31,7 @@ def test_the_armature_is_twenty_times_a_veins_own_inertia_about_its_axis(referen
     radius = reference.vein.diameter / 2
     line = reference.vein.density * math.pi * radius**2
     own = line * lengths[1] ** 3 * (1 - cosine**2) / 3 + line * lengths[0] * radius**2 / 2
-    assert reference.hinge.armature / own == pytest.approx(20, rel=0.05)
+    agree("armature by a vein's own inertia", reference.hinge.armature / own, 20, by="as the pages say", rel=0.05)
 
 
 @pytest.mark.parametrize(("stiffness", "rest_length"), [("10 N/cm", "9 cm"), ("10 N/cm", "4 cm"), ("60 N/cm", "8 cm")])
@@ -56,7 +56,7 @@ def test_the_work_of_a_constant_torque_hardly_knows_the_tendon(reference, stiffn
         assert degrees[0] <= math.degrees(transition.work / veins / transition.strength) <= degrees[1]
 
 
-def test_stops_take_two_fifths_of_the_work_of_folding_and_half_of_that_of_opening(reference_run):
+def test_stops_take_two_fifths_of_the_work_of_folding_and_half_of_that_of_opening(reference_run, agree):
     series, time = reference_run.series, reference_run.time
     shares = {}
     for place, stage in enumerate(reference_run.stages):
@@ -65,5 +65,5 @@ def test_stops_take_two_fifths_of_the_work_of_folding_and_half_of_that_of_openin
             rows = np.searchsorted(time, [stage.start, reference_run.stages[place + 1].end - 1e-9])
             work = np.diff(reference_run.work[rows])
             shares[stage.stage.drive] = float(np.diff(-series["stop_work"][rows])[0] / work[0])
-    assert shares["fold"] == pytest.approx(0.41, abs=0.02)
-    assert shares["unfold"] == pytest.approx(0.5, abs=0.03)
+    agree("share of the work of folding that stops take", shares["fold"], 0.41, by="as the pages say", abs=0.02)
+    agree("share of that of opening", shares["unfold"], 0.5, by="as the pages say", abs=0.03)

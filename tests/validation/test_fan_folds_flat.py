@@ -110,8 +110,9 @@ def test_veins_fold_alike_beyond_the_ring_and_the_ring_alternates(fan, pleat):
     assert np.tan(np.abs(ring) / 2) == pytest.approx(expected, rel=1e-12)
 
 
-def test_the_ring_of_a_small_hub_moves_at_the_end_of_the_pleating():
+def test_the_ring_of_a_small_hub_moves_at_the_end_of_the_pleating(agree):
     fan = EarwigFan(proximal_length=0.12, distal_length=0.1, hub_radius=0.003, sector_angle=math.radians(20), units=1)
     ring = [abs(np.degrees(fan_fold_angles(fan, math.radians(pleat))[6])) for pleat in (90, 150, 175, 180)]
     # 2 atan(m tan(pleat / 2)) with m = sin(epsilon) / cos(10 deg) = 0.02538
-    assert ring == pytest.approx([2.907, 10.821, 60.334, 180], abs=1e-3)
+    known = [2.907, 10.821, 60.334, 180]
+    agree("angle of the ring at pleats of 90 to 180 deg", ring, known, unit="deg", by="2 arctan(m tan(ρ/2))", abs=1e-3)

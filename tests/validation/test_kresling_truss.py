@@ -60,16 +60,16 @@ def truss_and_states():
     return net, find_stable_states(net, [built_shape(net)], tries=12)
 
 
-def test_it_has_the_two_states_without_stress(truss_and_states):
+def test_it_has_the_two_states_without_stress(truss_and_states, agree):
     _, found = truss_and_states
     other = np.pi - STEP - TWIST
     low = np.sqrt(HEIGHT**2 + 2 * RADIUS**2 * (np.cos(other) - np.cos(TWIST)))
     heights = sorted(state.shape.positions[APEX, 2] - RADIUS for state in found.states)
-    assert heights == pytest.approx([low, HEIGHT], abs=1e-9)
+    agree("heights of both states", heights, [low, HEIGHT], unit="m", by="bars of equal length", abs=1e-9)
     assert [state.energy for state in found.states] == pytest.approx([0, 0], abs=1e-18)
 
 
-def test_its_barrier_is_that_of_the_closed_form(truss_and_states):
+def test_its_barrier_is_that_of_the_closed_form(truss_and_states, agree):
     net, found = truss_and_states
     saddle = find_saddle(net, *found.states)
     assert saddle is not None
@@ -77,11 +77,11 @@ def test_its_barrier_is_that_of_the_closed_form(truss_and_states):
     top = minimize_scalar(
         lambda height: -twisted(height)[1], bounds=(0.72, 1.29), method="bounded", options={"xatol": 1e-9}
     )
-    assert saddle.rest.energy == pytest.approx(-top.fun, rel=2 / RIGID)
+    agree("barrier between them", saddle.rest.energy, -top.fun, unit="J", by="the closed form's top", rel=2 / RIGID)
     assert saddle.rest.shape.positions[APEX, 2] - RADIUS == pytest.approx(top.x, abs=1e-4)
 
 
-def test_a_force_leads_along_the_closed_form_and_peaks_with_it():
+def test_a_force_leads_along_the_closed_form_and_peaks_with_it(agree):
     net = kresling()
     push = point_forces(net, np.array([APEX]), np.array([[0.0, 0.0, -1.0]]))
     path = load_path(net, built_shape(net), push, step=0.02, target=0.0)
@@ -91,8 +91,16 @@ def test_a_force_leads_along_the_closed_form_and_peaks_with_it():
     def force(height):
         return (twisted(height - 1e-5)[1] - twisted(height + 1e-5)[1]) / 2e-5
 
-    for point in path.points[1:-1:5]:
-        height = point.shape.positions[SIDES : 2 * SIDES, 2].mean()
-        assert point.factor == pytest.approx(force(height), rel=1e-4, abs=1e-3)
+    heights = np.array([point.shape.positions[SIDES : 2 * SIDES, 2].mean() for point in path.points[1:-1]])
+    agree(
+        "force on the tower",
+        [point.factor for point in path.points[1:-1]],
+        [force(height) for height in heights],
+        unit="N",
+        by="slope of the closed form",
+        rel=1e-4,
+        abs=1e-3,
+        over=("how far it is pushed down (m)", HEIGHT - heights),
+    )
     peak = -minimize_scalar(lambda height: -force(height), bounds=(1.1, 1.29), method="bounded").fun
-    assert path.events[0].point.factor == pytest.approx(peak, rel=1e-4)
+    agree("largest force that it bears", path.events[0].point.factor, peak, unit="N", by="the closed form", rel=1e-4)

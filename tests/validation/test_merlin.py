@@ -124,6 +124,7 @@ def folded():
     return folded_sheet()
 
 
+WORDS = {"cell": "a Kresling cell", "popped": "a popped Miura sheet", "folded": "a folded Miura sheet"}
 # displacement, load factor and energy of MERLIN, exponents 2 and 1
 CELL = [
     (0.04763627, 0.29952872, 0.06441603),
@@ -155,13 +156,14 @@ FOLDED = [
 
 
 @pytest.mark.parametrize(("followed", "published"), [("cell", CELL), ("popped", POPPED), ("folded", FOLDED)])
-def test_displacements_and_energies_are_those_of_merlin_at_its_loads(request, followed, published):
-    followed = request.getfixturevalue(followed)
-    for moved, factor, energy in published:
-        point = followed.nearest(moved, factor)
-        assert point.factor == factor
-        assert followed.moved(point) == pytest.approx(moved, abs=1e-6)
-        assert point.energy == pytest.approx(energy, rel=1e-6)
+def test_displacements_and_energies_are_those_of_merlin_at_its_loads(request, agree, followed, published):
+    name, followed = WORDS[followed], request.getfixturevalue(followed)
+    points = [followed.nearest(moved, factor) for moved, factor, _ in published]
+    assert [point.factor for point in points] == [factor for _, factor, _ in published]
+    moved, _, energy = zip(*published, strict=True)
+    found = [followed.moved(point) for point in points]
+    agree(f"displacement of {name}", found, moved, unit="m", by="MERLIN", abs=1e-6)
+    agree(f"energy of {name}", [point.energy for point in points], energy, unit="J", by="MERLIN", rel=1e-6)
 
 
 @pytest.mark.parametrize(
@@ -172,17 +174,19 @@ def test_displacements_and_energies_are_those_of_merlin_at_its_loads(request, fo
         ("folded", [(1.147417, 0.8463599), (8.655338, 0.6748023)], [0.8463599, 0.6748023], 6e-5),
     ],
 )
-def test_loads_at_which_it_snaps_are_those_of_merlin(request, followed, linear, release, strain):
+def test_loads_at_which_it_snaps_are_those_of_merlin(request, agree, followed, linear, release, strain):
     """Of linear bars to the precision with which increments tell a limit, of the release's bars to the law's.
 
     For these MERLIN was run with a quarter, a third and a fifth of the release's first load factor: a parabola through
     increments that are farther apart tells the second limit of the popped sheet to 2e-4 alone.
     """
-    followed = request.getfixturevalue(followed)
+    name, followed = WORDS[followed], request.getfixturevalue(followed)
     limits = [event.point for event in followed.path.events if event.kind == "limit"]
-    assert len(limits) == len(linear)
-    for limit, (moved, factor), of_release in zip(limits, linear, release, strict=True):
-        assert limit.factor == pytest.approx(factor, rel=LIMITS_OF_MERLIN)
+    loads = [factor for _, factor in linear]
+    agree(
+        f"limit loads of {name}", [limit.factor for limit in limits], loads, unit="N", by="MERLIN", rel=LIMITS_OF_MERLIN
+    )
+    for limit, (moved, _), of_release in zip(limits, linear, release, strict=True):
         assert followed.moved(limit) == pytest.approx(moved, rel=1e-3)  # the path is flat there
         assert limit.factor == pytest.approx(of_release, rel=LIMITS_OF_MERLIN + LAW * strain)
 

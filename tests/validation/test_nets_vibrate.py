@@ -12,7 +12,7 @@ from tests.statics.net.nets import truss
 
 
 @pytest.mark.parametrize("count", [5, 120])
-def test_a_tight_string_of_masses_has_lagranges_frequencies(count):
+def test_a_tight_string_of_masses_has_lagranges_frequencies(agree, count):
     # Lagrange 1788: 2 sqrt(k / m) sin(j pi / (2 (n + 1))) along it, sqrt(T / (m a)) for sqrt(k / m) across, twice
     stiffness, mass, apart, rest = 50.0, 0.1, 0.2, 0.15
     nodes = np.zeros((count + 2, 3))
@@ -24,7 +24,8 @@ def test_a_tight_string_of_masses_has_lagranges_frequencies(count):
     across, along = np.sqrt(tension / (mass * apart)) * shares, np.sqrt(stiffness / mass) * shares
     known = np.sort(np.concatenate((across, across, along)))[:12]
     modes = natural_modes(net, built_shape(net), 12)
-    np.testing.assert_allclose(2 * np.pi * modes.frequencies, known, rtol=1e-7)
+    found = 2 * np.pi * modes.frequencies
+    agree(f"frequencies of a string of {count} masses", found, known, unit="rad/s", by="Lagrange 1788", rel=1e-7)
     assert not modes.rigid.any()
 
 

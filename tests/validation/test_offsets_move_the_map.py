@@ -1,4 +1,4 @@
-"""What README says of tendons on the bars: how few fold, and that the sum of both ends' heights counts.
+"""What is said of tendons on the bars: how few fold, and that the sum of both ends' heights counts.
 
 To first order in height by arm the crest of a hinge's energy lies at -(h_p / a + h_d / b) from straight (law of cosines
 of the two anchors, turned by their angles above the bars).

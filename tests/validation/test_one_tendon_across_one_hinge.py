@@ -1,6 +1,6 @@
 """One tendon across one hinge moves as the closed form says.
 
-Law of cosines, energy conservation and the pendulum's elliptic integral; theory.md, section 3. A bar of inertia I
+Law of cosines, energy conservation and the pendulum's elliptic integral. A bar of inertia I
 turns about a hinge square to it; a tendon of stiffness k and resting length l0 joins points a before and b beyond it:
 L^2 = a^2 + b^2 + 2 a b cos(phi), U = k/2 max(L - l0, 0)^2, t* = sqrt(I / (k a b)).
 """
@@ -113,13 +113,14 @@ def test_it_folds_in_the_time_of_the_quadrature(one_hinge, tendon):
 
 
 @pytest.mark.parametrize("start", [0.1, 1, 10])
-def test_without_resting_length_it_folds_in_the_time_of_a_pendulum(one_hinge, start):
+def test_without_resting_length_it_folds_in_the_time_of_a_pendulum(one_hinge, agree, start):
     phi = math.radians(start)
     time = one_hinge(start=phi).time_scale * ellipk(math.cos(phi / 2) ** 2)
     hinge = one_hinge(timestep=time / 1000, duration=1.01 * time, start=phi)
     angles, record = hinge.run()
+    found = crossing(angles, record.design.protocol.timestep, math.pi)
     # half a step: 1 / 2000
-    assert crossing(angles, record.design.protocol.timestep, math.pi) == pytest.approx(time, rel=1e-3)
+    agree(f"time from {start} deg to 180 deg", 1e3 * found, 1e3 * time, unit="ms", by="t* K(cos²(φ₀/2))", rel=1e-3)
 
 
 @pytest.mark.parametrize("rest_length", REST_LENGTHS)
@@ -137,13 +138,14 @@ def test_the_error_falls_in_proportion_to_the_timestep(one_hinge, rest_length):
 
 
 @pytest.mark.parametrize("rest_length", REST_LENGTHS)
-def test_the_final_speed_is_two_less_the_resting_length(one_hinge, rest_length):
+def test_the_final_speed_is_two_less_the_resting_length(one_hinge, agree, rest_length):
     hinge, angles, record = swing(one_hinge, rest_length, (0.055, 0.055), steps=1000)
     last = int(np.argmax(angles >= math.pi))  # the step that passes 180 deg knows no stop yet
     speed = (angles[last] - angles[last - 1]) / record.design.protocol.timestep
     closed_form = 2 * math.cos(hinge.start / 2) - rest_length / 0.055
     # first order, a step in a thousand
-    assert speed * hinge.time_scale == pytest.approx(closed_form, rel=1e-3)
+    what = f"final speed times t*, resting length {100 * rest_length:.0f} cm"
+    agree(what, speed * hinge.time_scale, closed_form, by="conservation of energy", rel=1e-3)
 
 
 @pytest.mark.parametrize("rest_length", REST_LENGTHS[1:])
@@ -158,10 +160,19 @@ def test_the_tendon_goes_slack_at_twice_the_arc_cosine_and_then_the_bar_coasts(o
 
 
 @pytest.mark.parametrize("rest_length", REST_LENGTHS)
-def test_it_leaves_the_barrier_at_its_growth_rate(one_hinge, rest_length):
+def test_it_leaves_the_barrier_at_its_growth_rate(one_hinge, agree, rest_length):
     start = math.radians(0.01)
     scale = one_hinge(rest_length).time_scale / math.sqrt(1 - rest_length / 0.11)
     hinge = one_hinge(rest_length, timestep=scale / 1000, duration=5 * scale, start=start)
     angles, record = hinge.run()
     # linear near straight: the angle grows with cosh(t / scale); half a step of 1e-3, to cosh(5) times 0.01 deg
-    assert angles == pytest.approx(start * np.cosh(record.data["time"].values / scale), rel=1e-3)
+    time = record.data["time"].values
+    agree(
+        f"angle past straight, resting length {100 * rest_length:.0f} cm",
+        np.degrees(angles),
+        np.degrees(start * np.cosh(time / scale)),
+        unit="deg",
+        by="φ₀ cosh(t / scale)",
+        rel=1e-3,
+        over=("time (ms)", 1e3 * time) if rest_length == 0.06 else None,
+    )

@@ -35,7 +35,7 @@ def period(time, angle, about):
     return float(np.diff(at).mean())
 
 
-def test_a_plate_swings_about_its_spring_as_a_pendulum_does():
+def test_a_plate_swings_about_its_spring_as_a_pendulum_does(agree):
     """2 pi sqrt(I / k), for a crease that hardly opens."""
     stiffness = 0.02
     crease = f'stiffness = "{stiffness / WIDTH} N m/rad/m"\nrest_angle = "40 deg"\ndamping = "0 N m s/rad/m"\n'
@@ -43,13 +43,12 @@ def test_a_plate_swings_about_its_spring_as_a_pendulum_does():
     stages = [{"name": "swing", "limit": "0.6 s"}]
     record = run(plates(pleats(2, "V"), crease=crease, more=HELD, stages=stages))
     angle = record.measured("creases")[:, 0]
-    assert period(record.time, angle, math.radians(40)) == pytest.approx(
-        2 * math.pi * math.sqrt(INERTIA / stiffness), rel=1e-3
-    )
+    found, known = period(record.time, angle, math.radians(40)), 2 * math.pi * math.sqrt(INERTIA / stiffness)
+    agree("period of a plate on a spring", 1e3 * found, 1e3 * known, unit="ms", by="2π √(I / κ)", rel=1e-3)
     assert angle.max() == pytest.approx(math.radians(80), abs=math.radians(0.2))
 
 
-def test_a_plate_hangs_and_swings_far_under_its_weight():
+def test_a_plate_hangs_and_swings_far_under_its_weight(agree):
     """4 sqrt(I / (m g d)) K(sin^2(a / 2)) from level, 90 deg, to level on the other side."""
     crease = 'stiffness = "0 N m/rad/m"\nextension = "1e5 N/m^2"\nextension_damping = "0 N s/m^2"'
     stages = [{"name": "swing", "limit": "2 s"}]
@@ -57,7 +56,8 @@ def test_a_plate_hangs_and_swings_far_under_its_weight():
     record = run(design)
     angle = record.measured("creases")[:, 0]
     expected = 4 * math.sqrt(INERTIA / (MASS * 9.81 * LENGTH / 2)) * ellipk(math.sin(math.pi / 4) ** 2)
-    assert period(record.time, angle, math.pi / 2) == pytest.approx(expected, rel=2e-3)
+    found = period(record.time, angle, math.pi / 2)
+    agree("period of a plate that swings by 90 deg", found, expected, unit="s", by="a pendulum's K(m)", rel=2e-3)
     # past folded back, without a jump: level on the other side is 180 deg
     assert angle.max() == pytest.approx(math.pi, abs=math.radians(1))
     assert energy_balance(record).residual < 5e-3

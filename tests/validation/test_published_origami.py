@@ -20,7 +20,7 @@ FREE = {"support": [], "protocol.stages": [stage()]}
 
 
 @pytest.mark.parametrize(("acute", "fold"), [(60, 30), (70, 90), (45, 60), (80, 150)])
-def test_a_miura_sheet_widens_and_lengthens_at_once_as_schenk_and_guest_say(acute, fold):
+def test_a_miura_sheet_widens_and_lengthens_at_once_as_schenk_and_guest_say(agree, acute, fold):
     """Expansion along by that across, in the one way to fold: cos^2(theta) tan^2(gamma).
 
     It follows from S and L of the unit cell, theta being half the fold angle of the zigzag creases and gamma the acute
@@ -39,7 +39,9 @@ def test_a_miura_sheet_widens_and_lengthens_at_once_as_schenk_and_guest_say(acut
         return apart @ (way[other] - way[one]) / (apart @ apart)
 
     across, along = strain(0, 4), strain(0, 20)
-    assert along / across == pytest.approx((np.cos(angle / 2) * np.tan(gamma)) ** 2, rel=1e-9)
+    known = (np.cos(angle / 2) * np.tan(gamma)) ** 2
+    what = f"strain along by strain across of a Miura sheet, {acute} deg, folded by {fold} deg"
+    agree(what, along / across, known, by="Schenk and Guest 2013", rel=1e-9)
 
 
 def uniform_fields(pattern):
@@ -131,7 +133,7 @@ def test_a_waterbomb_base_rests_up_and_down_where_its_symmetric_energy_is_least(
 
 
 @pytest.mark.parametrize(("sides", "height", "twist"), [(6, 1.5, 30), (8, 2.0, 40), (5, 1.4, 25)])
-def test_a_kresling_tower_has_its_other_state_where_the_closed_form_puts_it(sides, height, twist):
+def test_a_kresling_tower_has_its_other_state_where_the_closed_form_puts_it(agree, sides, height, twist):
     """Both twists add up to 180 deg - 360 deg / sides where the creases keep their lengths.
 
     Cai, Deng, Zhou, Feng and Tu 2015 (doi 10.1115/1.4030158); Yasuda, Tachi, Lee and Yang 2017
@@ -149,7 +151,11 @@ def test_a_kresling_tower_has_its_other_state_where_the_closed_form_puts_it(side
     there = shape_at(net, placed.vertices_coords)
     found = find_stable_states(net, [built_shape(net), there], tries=4)
     rests = sorted((state.shape.positions[sides:, 2].mean(), state.energy) for state in found.states)
-    assert [rest[0] for rest in rests[:1] + rests[-1:]] == pytest.approx([other.height, height * radius], rel=1e-6)
+    found_heights = [100 * rest[0] for rest in (rests[0], rests[-1])]
+    known = [100 * other.height, 100 * height * radius]
+    agree(
+        f"heights of a Kresling tower of {sides} sides", found_heights, known, unit="cm", by="Cai et al. 2015", rel=1e-6
+    )
     scale = net.springs.stiffness.max() * radius**2
     assert max(rests[0][1], rests[-1][1]) < 1e-12 * scale
     lengths = kresling_lengths(sides, radius, other.height, other.twist)

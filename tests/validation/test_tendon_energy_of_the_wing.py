@@ -1,6 +1,6 @@
 """Tendon lengths and energies of the wing are those of its geometry, and near the paper's.
 
-Geometry: theory.md, section 2, the tendon's ends 5.5 cm before and beyond the ring vertex, the distal bar turned about
+Geometry: the tendon's ends 5.5 cm before and beyond the ring vertex, the distal bar turned about
 the ring crease (Rodrigues 1840). Numbers: Binder et al. 2025, doi 10.3390/biomimetics11010009: open tendons of about
 11 cm, more than 35 J at the stiff and short end, about 6 J at 10 N/cm without resting length.
 """
@@ -50,13 +50,22 @@ def settled(reference, values):
     return ff.measure(ff.run(with_values(reference, {**values, "protocol.stages": SETTLE}))).states["flat"]
 
 
-def test_length_and_energy_are_those_of_the_angles_all_along_the_reference(reference_run):
+def test_length_and_energy_are_those_of_the_angles_all_along_the_reference(reference_run, agree):
     data, design = reference_run.data, reference_run.design
     angles = reference_run.angles("ring")
     assert np.degrees(angles).min() < -170
     # rounding
-    assert data["tendon_length"].values == pytest.approx(tendon_length(design, angles), abs=1e-12)
-    assert data["tendon_energy"].values == pytest.approx(tendon_energy(design, angles), abs=1e-12)
+    geometry = tendon_length(design, angles)
+    agree(
+        "length of the tendons",
+        100 * data["tendon_length"].values,
+        100 * geometry,
+        unit="cm",
+        by="Rodrigues",
+        abs=1e-10,
+    )
+    energy = tendon_energy(design, angles)
+    agree("energy of the tendons", data["tendon_energy"].values, energy, unit="J", by="k (L - l₀)² / 2", abs=1e-12)
 
 
 def test_flat_opened_and_folded_hold_the_energy_of_their_angles(reference_run, reference_outcome):
@@ -89,9 +98,10 @@ def test_the_length_follows_the_geometry_in_other_fans(reference, hub, sector, b
     assert record.data["tendon_length"].values == pytest.approx(lengths, abs=1e-12)
 
 
-def test_open_tendons_are_about_11_cm_long(reference_outcome):
+def test_open_tendons_are_about_11_cm_long(reference_outcome, agree):
     # "about": to the centimetre
-    assert reference_outcome.states["flat"].tendon_length == pytest.approx(0.11, abs=0.005)
+    length = reference_outcome.states["flat"].tendon_length
+    agree("length of the flat wing's tendons", 100 * length, 11, unit="cm", by="the paper, about", abs=0.5)
 
 
 def test_the_stiff_and_short_tendon_holds_more_than_35_joules(reference):
@@ -99,10 +109,12 @@ def test_the_stiff_and_short_tendon_holds_more_than_35_joules(reference):
     assert flat.tendon_energy.min() > 35
 
 
-def test_the_softest_tendon_without_resting_length_holds_about_6_joules(reference):
+def test_the_softest_tendon_without_resting_length_holds_about_6_joules(reference, agree):
     flat = settled(reference, {"tendon.stiffness": 1000.0, "tendon.rest_length": 0.0})
     # "about": to the joule
-    assert flat.tendon_energy == pytest.approx(6, abs=0.5)
+    agree(
+        "energy of a tendon, 10 N/cm, resting length 0", flat.tendon_energy, 6, unit="J", by="the paper, about", abs=0.5
+    )
 
 
 def test_with_equal_attachments_a_folded_tendon_without_resting_length_holds_little(reference):

@@ -1,7 +1,7 @@
 """Tendons in the simulation follow their material's law.
 
 Maxwell's branch at constant length relaxes as exp(-t / tau) and loses pi k w tau / (1 + w^2 tau^2) x0^2 in a cycle of
-amplitude x0 (theory.md, section 5; Tschoegl, The Phenomenological Theory of Linear Viscoelastic Behavior, 1989). A
+amplitude x0 (Tschoegl, The Phenomenological Theory of Linear Viscoelastic Behavior, 1989). A
 damped oscillator's amplitude falls by 2 pi zeta / sqrt(1 - zeta^2) a period, in logarithms. A polynomial spring's
 energy is the integral of its force, and its motion that of an integrator which this code does not share (Dormand and
 Prince 1980). A spring of ideal plasticity keeps its largest stretch less its elastic range. By unit length and area
@@ -52,7 +52,7 @@ def pulled(one_hinge, law, lengths, timestep):
 
 
 @pytest.mark.parametrize("times", [(0.02,), (1.7,), (0.02, 1.7, 16.0)])
-def test_a_branch_that_is_held_relaxes_with_its_time(one_hinge, times):
+def test_a_branch_that_is_held_relaxes_with_its_time(one_hinge, agree, times):
     law = {"linear_modulus": 1e6, "branches": [{"modulus": 2e6, "time": time} for time in times]}
     steps, timestep = 2000, 1e-4
     lengths = np.full(steps, 0.09)
@@ -60,14 +60,15 @@ def test_a_branch_that_is_held_relaxes_with_its_time(one_hinge, times):
     _, pulls, _ = pulled(one_hinge, law, lengths, timestep)
     for pull, time in zip(pulls.T, times, strict=True):
         # rounding of 2000 steps
-        assert pull[1:] == pytest.approx(pull[1] * np.exp(-timestep * np.arange(steps - 1) / time), rel=1e-11)
+        faded = pull[1] * np.exp(-timestep * np.arange(steps - 1) / time)
+        agree(f"pull of a branch of {time} s that is held", pull[1:], faded, unit="N", by="Maxwell 1867", rel=1e-11)
         # it takes up k x, less what relaxed during the one step: half of the step's share of its time
         assert pull[1] == pytest.approx(2e6 * BY_LENGTH * 0.02 * (1 - timestep / time / 2), rel=1e-5)
 
 
 @pytest.mark.parametrize("times", [(0.02,), (0.005, 0.2)])
 @pytest.mark.parametrize("turns", [0.1, 1.0, 10.0])
-def test_in_a_sinusoidal_test_branches_lose_what_their_loss_modulus_says(one_hinge, times, turns):
+def test_in_a_sinusoidal_test_branches_lose_what_their_loss_modulus_says(one_hinge, agree, times, turns):
     rate = turns / times[0]  # rad/s
     steps, cycles, amplitude = 4000, 40, 0.004
     if turns > 1:
@@ -84,7 +85,8 @@ def test_in_a_sinusoidal_test_branches_lose_what_their_loss_modulus_says(one_hin
         loss = math.pi * stiffness * turn / (1 + turn**2) * amplitude**2
         work = np.trapezoid(pulls[last, number], lengths[last])
         # of second order in the step of a 4000th of a cycle: (2 pi / 4000)^2
-        assert work == pytest.approx(loss, rel=1e-5)
+        what = f"loss of a branch of {time} s in a cycle at {rate:g} rad/s"
+        agree(what, 1e6 * work, 1e6 * loss, unit="µJ", by="π E'' x₀²", rel=1e-5)
         # and the account of the losses says the same
         force = wing.units.energy / wing.units.length
         lost = branch_losses(wing, -pulls[last] / force).sum(axis=0)[0, number]

@@ -67,16 +67,23 @@ def test_a_shallow_truss_collapses_at_its_limit_whose_snap_an_increment_would_st
     assert path.events[0].point.factor == pytest.approx(limit(height), rel=1e-6)
 
 
-def test_a_displacement_leads_through_without_a_limit():
+def test_a_displacement_leads_through_without_a_limit(agree):
     net = von_mises(0.3, held=[1])
     move = np.zeros((3, 3))
     move[1] = DOWN
     path = load_path(net, built_shape(net), held_displacements(net, move), target=0.6, increments=200)
     assert path.ended == "target"
     assert not path.events
-    for point in path.points:
-        reaction = -expand(net, point.shape).slope[1, 2]
-        assert reaction == pytest.approx(force(0.3, 0.3 - point.factor), abs=1e-9)
+    ways = np.array([point.factor for point in path.points])
+    agree(
+        "force on the apex of a truss",
+        [-expand(net, point.shape).slope[1, 2] for point in path.points],
+        force(0.3, 0.3 - ways),
+        unit="N",
+        by="von Mises 1923",
+        abs=1e-9,
+        over=("how far it is pushed (m)", ways),
+    )
 
 
 def test_a_soft_spring_in_series_snaps_back_under_displacement():
@@ -150,7 +157,7 @@ def test_a_tall_truss_leaves_sideways_first():
             assert sum(pulls) * z == pytest.approx(point.factor, abs=1e-8)
 
 
-def test_two_states_lie_on_either_side_of_the_saddle_of_straight_bars():
+def test_two_states_lie_on_either_side_of_the_saddle_of_straight_bars(agree):
     net = von_mises(0.3)
     found = find_stable_states(net, [built_shape(net)], tries=10)
     assert sorted(state.shape.positions[1, 2] for state in found.states) == pytest.approx([-0.3, 0.3])
@@ -158,7 +165,7 @@ def test_two_states_lie_on_either_side_of_the_saddle_of_straight_bars():
     assert saddle is not None
     assert saddle.joins
     barrier = STIFFNESS * (np.hypot(HALF, 0.3) - HALF) ** 2
-    assert saddle.barriers == pytest.approx((barrier, barrier), rel=1e-9)
+    agree("barrier of a truss of two bars", saddle.barriers, barrier, unit="J", by="straight bars", rel=1e-9)
 
 
 def test_it_collapses_at_the_limit_under_a_force_or_an_acceleration():

@@ -76,7 +76,7 @@ class MaterialLaw(Displayed):
     """Engineering stress (force by initial area) against strain (extension by resting length).
 
     A spring E1 x + E2 x^2 + E3 x^3 while x > 0, none when slack, where x is the strain less the set; a damper
-    eta1 e' + eta2 e'|e'| + eta3 e'^3 (Kelvin and Voigt, for the nonlinear form see MuJoCo 4's tendon damping); and
+    eta1 e' + eta2 e' abs(e') + eta3 e'^3 (Kelvin and Voigt, for the nonlinear form see MuJoCo 4's tendon damping); and
     Maxwell branches (generalised Maxwell or Zener model), damper and branches at any strain. The set is the residual
     strain, and creeps so that x never passes the yield strain (ideal plasticity). What is None is absent: `require`
     says why.

@@ -1,0 +1,43 @@
+"""
+An earwig's size
+================
+
+The reference wing is 22 cm long, an earwig's 1 cm. Scaled in every dimensionless group it moves alike; of the same
+materials under the same gravity it cannot keep all of them.
+"""
+
+# %%
+# All groups kept: torques go with the cube of the length, times with the length.
+
+import forficula as ff
+
+large = ff.load_design("binder2025")
+small = ff.scale_design(large, 1 / 22)
+records = {"22 cm": ff.run(large), "1 cm": ff.run(small)}
+folds = {name: ff.measure(record).transitions["fold"] for name, record in records.items()}
+for name, fold in folds.items():
+    print(f"{name}: folds in {1e3 * fold.time:.3g} ms, with {fold.work:.3g} J")
+
+# %%
+# By its own time, each does the same.
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+figure, axes = plt.subplots(figsize=(6, 3), layout="constrained")
+for (name, record), line in zip(records.items(), ("-", "--"), strict=True):
+    time = (record.time - record.stages[1].start) / folds[name].time
+    axes.plot(time, np.degrees(record.angles("ring")[:, 1]), line, label=name)
+axes.set(xlim=(0, 1.5), xlabel="time by that of the fold", ylabel="angle of the hinge (deg)")
+axes.spines[["top", "right"]].set_visible(False)
+axes.legend(frameon=False)
+plt.show()
+
+# %%
+# With `natural=True` gravity and what belongs to the materials stay as they are.
+
+natural = ff.scale_design(large, 1 / 22, natural=True)
+print(
+    f"damping of the membrane: {large.membrane.damping} s, {small.membrane.damping:.2g} s, {natural.membrane.damping} s"
+)
+print(ff.measure(ff.run(natural)).status)

@@ -1,0 +1,31 @@
+"""Figures of the gallery that are no pyplot's: the one that a block of an example ends with."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+from weakref import WeakSet
+
+from matplotlib.figure import Figure
+from sphinx_gallery.scrapers import figure_rst
+
+_SHOWN: WeakSet[Figure] = WeakSet()
+
+
+def save_figure(_: object, block_vars: Mapping[str, Any], gallery_conf: Mapping[str, Any]) -> str:
+    """Save the value of a block's last expression where that is a figure, and return how to show it."""
+    shown = block_vars["example_globals"].get("___")
+    # the value stays there until a later block ends with an expression
+    if not isinstance(shown, Figure) or shown in _SHOWN or getattr(shown, "number", None) in _drawn():
+        return ""
+    _SHOWN.add(shown)
+    path = next(block_vars["image_path_iterator"])
+    shown.savefig(path, dpi=160)
+    return str(figure_rst([path], gallery_conf["src_dir"]))
+
+
+def _drawn() -> list[int]:
+    """Numbers of the figures that pyplot has, which are shown already."""
+    import matplotlib.pyplot as plt
+
+    return plt.get_fignums()

@@ -1,0 +1,136 @@
+"""What can go stale in the documentation without its being built: names, commands, options, keys, links."""
+
+import ast
+import importlib.util
+import re
+import sys
+from pathlib import Path
+
+import pytest
+
+import forficula as ff
+from forficula.cli import app
+from forficula.design.key_table import key_facts
+from forficula.design.kinds import KINDS
+from forficula.study.study_keys import study_key_facts
+
+DOCS = Path(__file__).parents[1] / "docs"
+PAGES = sorted(path for path in DOCS.rglob("*.md") if "_build" not in path.parts and "gallery" not in path.parts)
+PYTHON = DOCS / "reference" / "python.md"
+# what follows one of these in a command is a key and a value
+SETTING = ("--set", "--over")
+
+each_page = pytest.mark.parametrize("page", PAGES, ids=lambda path: path.relative_to(DOCS).as_posix())
+
+
+def loaded(name):
+    """A module that lies in the documentation, which is no package."""
+    path = DOCS / f"{name}.py"
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+cells = loaded("extensions/cells")
+check_pages = loaded("check_pages")
+
+
+@pytest.fixture(scope="module")
+def keys():
+    """Every key of a design or of a study, and every section; entries of lists have no number."""
+    facts = [*study_key_facts(), *(fact for model in KINDS.values() for fact in key_facts("", model))]
+    whole = {re.sub(r"\.0(?=\.|$)", "", fact.key) for fact in facts}
+    return whole | {".".join(key.split(".")[:depth]) for key in whole for depth in range(1, 5)}
+
+
+def commands_of(page):
+    """Commands that a page has run and that are to succeed, or that it shows, as lists of words."""
+    text = page.read_text("utf-8")
+    run = [cell for cell in cells.cells_of(text) if cell.kind == "command" and cell.options.get("status") != "1"]
+    texts = re.findall(r"^    (forficula .*)$", text, re.M) + re.findall(r"`(forficula [a-z]+ [^`]*)`", text)
+    shown = [cells.Cell(kind="command", name="", text=each.replace("\n", " "), options={}) for each in texts]
+    return [words for cell in (*run, *shown) for words in cell.commands]
+
+
+def test_every_public_name_is_described_once_and_nothing_else():
+    described = re.findall(r"^\.\. auto\w+:: (\w+)$", PYTHON.read_text("utf-8"), re.M)
+    public = {name for name in ff.__all__ if not name.startswith("_")}
+    assert sorted(described) == sorted(public)
+
+
+@each_page
+def test_commands_have_the_names_and_options_that_there_are(page):
+    for words in commands_of(page):
+        assert words[0] == "forficula", words
+        if words[1] in ("COMMAND", "--install-completion", "..."):
+            continue
+        options = {name for argument in app[words[1]].assemble_argument_collection() for name in argument.names}
+        given = {word.split("=")[0] for word in words[2:] if word.startswith("--")}
+        assert given <= options | {"--help", "--json", "--quiet"}, words
+
+
+@each_page
+def test_keys_that_a_page_names_exist(page, keys):
+    text = page.read_text("utf-8")
+    named = set(re.findall(r"\{key\}`([^`]+)`", text))
+    for words in commands_of(page):
+        named |= {words[place + 1].split("=")[0] for place, word in enumerate(words) if word in SETTING}
+    without_numbers = {re.sub(r"\.\d+(?=\.|$)", "", name) for name in named}
+    assert {name for name in without_numbers if name not in keys} == set()
+
+
+@each_page
+def test_python_that_is_run_parses_and_calls_what_there_is(page):
+    for cell in cells.cells_of(page.read_text("utf-8")):
+        if cell.kind == "python":
+            assert_calls(cell.text)
+
+
+@pytest.mark.parametrize("path", sorted((DOCS / "examples").glob("*.py")), ids=lambda path: path.stem)
+def test_examples_parse_and_call_what_there_is(path):
+    assert_calls(path.read_text("utf-8"))
+
+
+def assert_calls(text):
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id == "ff":
+            assert hasattr(ff, node.attr), node.attr
+
+
+@each_page
+def test_pages_link_to_pages_that_there_are_and_stand_in_the_menu(page):
+    text = page.read_text("utf-8")
+    for target in re.findall(r"\]\(([^)#:]+\.md)(?:#[^)]*)?\)", text):
+        assert (page.parent / target).is_file() or target.startswith("gallery/"), target
+    menu = (DOCS / "index.md").read_text("utf-8")
+    name = page.relative_to(DOCS).with_suffix("").as_posix()
+    assert name == "index" or re.search(rf"^(?:.*<)?{name}>?$", menu, re.M)
+
+
+def test_a_cell_is_found_with_its_options_and_commands():
+    (first, second) = cells.cells_of(
+        "```{command}\n:quiet:\n:shared:\n:status: 2\nforficula run a \\\n  --out b  # why\n```\n\n```{file} a.toml\nx = 1\n```\n"
+    )
+    assert (first.kind, first.options) == ("command", {"quiet": "", "shared": "", "status": "2"})
+    assert first.commands == [["forficula", "run", "a", "--out", "b"]]
+    assert (second.kind, second.name, second.text) == ("file", "a.toml", "x = 1\n")
+
+
+def test_pages_that_load_from_elsewhere_or_lead_nowhere_are_found(tmp_path):
+    (tmp_path / "there.html").write_text("<p id='here'>text</p>", "utf-8")
+    (tmp_path / "style.css").write_text("@font-face { src: url(https://fonts.example/a.woff2) }", "utf-8")
+    (tmp_path / "index.html").write_text(
+        "<script src='https://cdn.example/a.js'></script><style>p { background: url(//x.example/y.png) }</style>"
+        "<a href='https://doi.example/1'>out</a><a href='there.html#here'>in</a><a href='there.html#gone'>in</a>"
+        "<img src='missing.png'><img src='data:image/png;base64,AA'>",
+        "utf-8",
+    )
+    assert sorted(check_pages.faults(tmp_path)) == [
+        "index.html: loads //x.example/y.png from elsewhere",
+        "index.html: loads https://cdn.example/a.js from elsewhere",
+        "index.html: missing.png: is not there",
+        "index.html: there.html#gone: has no place gone",
+        "style.css: loads https://fonts.example/a.woff2 from elsewhere",
+    ]
