@@ -45,7 +45,7 @@ def test_terminal_and_page_say_what_the_month_did(stored_run, capsys):
     outcome = ff.measure(stored_run)
     print_storage(stored_run, outcome)
     told = " ".join(capsys.readouterr().out.split())
-    # 19 %, which README says, too
+    # 19 %, which the documentation says, too
     assert "After 30 d opened its tendons pull 19" in told
     assert "Then it opened again." in told
     assert "After 30 d opened its tendons pull 19" in run_page(stored_run, outcome)
