@@ -1,10 +1,14 @@
 """Of the documentation: see contributing.md for how its pages are made."""
 
+import logging
 import sys
 from importlib import metadata
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent / "extensions"))
+
+# that we call a newton metre Nm is no news
+logging.getLogger("pint.util").setLevel(logging.ERROR)
 
 project = "forficula"
 version = release = metadata.version("forficula")

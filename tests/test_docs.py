@@ -110,10 +110,8 @@ def test_pages_link_to_pages_that_there_are_and_stand_in_the_menu(page):
 
 
 def test_a_cell_is_found_with_its_options_and_commands():
-    (first, second) = cells.cells_of(
-        "```{command}\n:quiet:\n:shared:\n:status: 2\nforficula run a \\\n  --out b  # why\n```\n"
-        "\n```{file} a.toml\nx = 1\n```\n"
-    )
+    page = "```{command}\n:quiet:\n:shared:\n:status: 2\nforficula run a \\\n  --out b  # why\n```\n"
+    (first, second) = cells.cells_of(page + "\n```{file} a.toml\nx = 1\n```\n")
     assert (first.kind, first.options) == ("command", {"quiet": "", "shared": "", "status": "2"})
     assert first.commands == [["forficula", "run", "a", "--out", "b"]]
     assert (second.kind, second.name, second.text) == ("file", "a.toml", "x = 1\n")

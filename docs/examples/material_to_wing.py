@@ -17,7 +17,7 @@ for facts in ff.size_tendons(wing, law, [1000.0, 2000.0, 3000.0]):
     print(f"{100 * facts.length:.0f} cm long, {facts.why}:")
     for size in facts.sizes:
         area, across = 1e6 * size.area, 1e3 * size.diameter
-        print(f"    {size.stiffness / 100:.0f} N/cm takes {area:.1f} mm2, {across:.1f} mm if round")
+        print(f"    {size.stiffness / 100:.0f} N/cm: {area:.1f} mm2, {across:.1f} mm if round")
 
 # %%
 # A tendon with a law instead of a stiffness. The law's damping comes with it.
@@ -37,9 +37,9 @@ import numpy as np
 
 figure, axes = plt.subplots(figsize=(6, 3), layout="constrained")
 for name, record in records.items():
-    start = record.stages[1].start
-    axes.plot(1e3 * (record.time - start), np.degrees(record.angles("ring")[:, 1]), label=name)
-axes.set(xlim=(0, 100), xlabel="time since the torque came (ms)", ylabel="angle of the hinge (deg)")
+    time = 1e3 * (record.time - record.stages[1].start)
+    axes.plot(time, np.degrees(record.angles("ring")[:, 1]), label=name)
+axes.set(xlim=(0, 100), xlabel="time since the torque came (ms)", ylabel="hinge (deg)")
 axes.spines[["top", "right"]].set_visible(False)
 axes.legend(frameon=False)
 plt.show()

@@ -28,7 +28,7 @@ figure, axes = plt.subplots(figsize=(6, 3), layout="constrained")
 for (name, record), line in zip(records.items(), ("-", "--"), strict=True):
     time = (record.time - record.stages[1].start) / folds[name].time
     axes.plot(time, np.degrees(record.angles("ring")[:, 1]), line, label=name)
-axes.set(xlim=(0, 1.5), xlabel="time by that of the fold", ylabel="angle of the hinge (deg)")
+axes.set(xlim=(0, 1.5), xlabel="time by that of the fold", ylabel="hinge (deg)")
 axes.spines[["top", "right"]].set_visible(False)
 axes.legend(frameon=False)
 plt.show()
@@ -37,7 +37,6 @@ plt.show()
 # With `natural=True` gravity and what belongs to the materials stay as they are.
 
 natural = ff.scale_design(large, 1 / 22, natural=True)
-print(
-    f"damping of the membrane: {large.membrane.damping} s, {small.membrane.damping:.2g} s, {natural.membrane.damping} s"
-)
+for name, design in {"22 cm": large, "all groups": small, "same material": natural}.items():
+    print(f"{name}: the membrane relaxes in {1e3 * design.membrane.damping:.2g} ms")
 print(ff.measure(ff.run(natural)).status)
