@@ -79,6 +79,15 @@ def test_a_record_of_a_run_is_read_back_whole(tmp_path, short_run):
     assert ff.measure(back).energy_balance == ff.measure(short_run).energy_balance
 
 
+def test_the_most_kinetic_energy_is_that_of_every_step_and_not_only_of_the_rows(tmp_path, short_run):
+    every = ff.run(with_values(short_run.design, {"protocol.sample_interval": "0.2 ms"}))
+    most = every.series["kinetic_energy"]
+    assert short_run.kinetic_peak == every.kinetic_peak == (every.time[most.argmax()], most.max())
+    assert short_run.kinetic_peak[1] >= short_run.series["kinetic_energy"].max()
+    save_record(short_run, tmp_path / "record.nc")
+    assert load_record(tmp_path / "record.nc").kinetic_peak == short_run.kinetic_peak
+
+
 def test_every_series_says_its_unit_in_the_file(tmp_path):
     save_record(planted(), tmp_path / "record.nc")
     with h5netcdf.File(tmp_path / "record.nc", "r") as file:

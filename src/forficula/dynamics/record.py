@@ -111,6 +111,8 @@ class Record(Displayed):
         stages: the stages that took place, in order.
         diverged_at: when it diverged, s, or None.
         doubt: why it is not to be trusted, beside what its energy balance says; mostly empty.
+        kinetic_peak: when the kinetic energy was largest, s, and how large, J, of all steps, not only those of `time`;
+            None where not every step was looked at.
     """
 
     design: Design
@@ -120,6 +122,7 @@ class Record(Displayed):
     stages: tuple[StageEnd, ...]
     diverged_at: float | None
     doubt: str = ""
+    kinetic_peak: tuple[float, float] | None = None
 
     def __repr__(self) -> str:
         """What ran, how long, through which stages."""
@@ -215,6 +218,7 @@ def save_record(record: Record, path: str | os.PathLike[str]) -> None:
         "design_hash": record.design.hash,
         "diverged_at": nothing if record.diverged_at is None else record.diverged_at,
         "doubt": record.doubt,
+        **({} if record.kinetic_peak is None else {"kinetic_peak": np.array(record.kinetic_peak)}),
         **{f"version_{name}": version for name, version in versions().items()},
     }
     content = _netcdf(data)
@@ -334,6 +338,7 @@ def _read(file: Any) -> Record:
         stages=stages,
         diverged_at=None if np.isnan(diverged_at) else diverged_at,
         doubt=str(file.attrs["doubt"]),
+        kinetic_peak=(float(peak[0]), float(peak[1])) if (peak := file.attrs.get("kinetic_peak")) is not None else None,
     )
 
 

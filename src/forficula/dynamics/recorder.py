@@ -70,11 +70,14 @@ class Recorder:
         self.interval = max(1, round(min(protocol.sample_interval, longest) / self._timestep))  # steps
         # the rows of each stage so far, from its first on, in parts
         self._stages: list[list[_Part]] = []
+        # the most kinetic energy before any step, in the model's units, and that step's number
+        self._peak = (0, -np.inf)
 
     def fork(self, model: Model) -> Recorder:
         """A recorder of another structure that has gone the same way so far."""
         other = Recorder(model, self._sparse)
         other._stages = [[*parts] for parts in self._stages]
+        other._peak = self._peak
         return other
 
     def add(self, rows: _Rows, mine: slice, chunk: Chunk, place: int) -> None:
@@ -92,6 +95,11 @@ class Recorder:
             oldest = chunk.first[place] + chunk.taken[place] - self._window
             while len(parts) > 2 and parts[2][0].number[parts[2][1].start] <= oldest:
                 del parts[1]
+
+    def see_kinetic(self, number: int, energy: float) -> None:
+        """Take notice of a kinetic energy, in the model's units, before the step of a number."""
+        if energy > self._peak[1]:
+            self._peak = number, energy
 
     def record(
         self,
@@ -135,7 +143,15 @@ class Recorder:
             stages=stages,
             diverged_at=diverged_at,
             doubt=self._doubt(account),
+            kinetic_peak=self._kinetic_peak(),
         )
+
+    def _kinetic_peak(self) -> tuple[float, float] | None:
+        """When the kinetic energy was largest, s, and how large, J; None where it was not looked at at every step."""
+        number, energy = self._peak
+        if not np.isfinite(energy):
+            return None
+        return float(number * self._timestep), float(self.model.units.energy * energy)
 
     def _doubt(self, account: Mapping[str, float]) -> str:
         """Why the run is not to be trusted, where closures opened by more than a thousandth of the structure's size."""
@@ -183,6 +199,11 @@ def keep(recorders: Sequence[Recorder], chunk: Chunk) -> None:
     """Keep the states of a chunk's structures at their sample intervals and where stages begin."""
     steps, step = chunk.steps, np.arange(chunk.steps.after.shape[1])
     number = chunk.first[:, None] + step
+    if "energy" in steps.kept:
+        kinetic = np.where(step < chunk.taken[:, None], steps.derived["energy"][..., 1], -np.inf)
+        kinetic[~np.isfinite(kinetic)] = -np.inf  # of what blows up
+        for place, most in enumerate(kinetic.argmax(axis=1).tolist()):
+            recorders[place].see_kinetic(int(number[place, most]), float(kinetic[place, most]))
     interval = np.array([recorder.interval for recorder in recorders])
     kept = (number % interval[:, None] == 0) & (step < chunk.taken[:, None])
     # where a stage begins, even one whose first step blows up

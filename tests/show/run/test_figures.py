@@ -7,7 +7,9 @@ from rich.console import Console
 
 from forficula.analysis import measure
 from forficula.design import load_design, scale_design
+from forficula.quantities import show_value
 from forficula.show import draw_angles, draw_energies, draw_folding, draw_pattern, outcome_table
+from forficula.show.style import description
 from forficula.structure import measure_of, structure_of
 from forficula.study.runs import run
 
@@ -150,3 +152,15 @@ def test_the_pattern_shows_every_crease_and_tendon_of_a_fan(units):
     # proximal, distal, ring, hub and outer edges, then the hub circle and the tendons
     edges = 2 * veins + 3 * (veins - 1)
     assert len(figure.axes[0].lines) == edges + 1 + veins
+
+
+def test_the_largest_kinetic_energy_is_drawn_and_told_even_where_it_is_between_two_samples(runs):
+    record = runs["reference"]
+    at, most = record.kinetic_peak
+    assert at not in record.time
+    assert most > 1.01 * record.series["kinetic_energy"].max()
+    figure = draw_energies(record)
+    (line,) = (line for line in figure.axes[0].lines if line.get_label() == "kinetic")
+    assert line.get_ydata().max() == most
+    assert line.get_xdata()[line.get_ydata().argmax()] == pytest.approx(at)
+    assert f"kinetic {show_value(most, 'J')}" in description(figure)

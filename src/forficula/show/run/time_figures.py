@@ -147,13 +147,25 @@ def draw_energies(record: Record, width: float = PAGE_WIDTH) -> Figure:
             axes_row[0].set_ylabel(f"{label} ({unit})")
             for axes, (start, scale) in zip(axes_row, _spans(record), strict=True):
                 for index, (name, (values, colour)) in enumerate(series.items()):
-                    style = LINE_STYLES[index % len(LINE_STYLES)]
-                    axes.plot(_time(record, start, scale), values * factor, style, color=colour, label=name)
+                    style, time, drawn = LINE_STYLES[index % len(LINE_STYLES)], record.time, values
+                    if name == "kinetic":
+                        time, drawn = _with_peak(record, values)
+                    axes.plot((time - start) * scale, drawn * factor, style, color=colour, label=name)
                 _shade_stages(axes, record, start, scale)
                 _mark_waits(axes, record, start, scale)
             short = len(series) == 3 and max(map(len, series)) <= _SHORT
             _legend(axes_row, width, columns=3 if short else 2)
         return describe(figure, _tell_energies(record))
+
+
+def _with_peak(record: Record, kinetic: Array) -> tuple[Array, Array]:
+    """Times, s, and kinetic energies, or their changes, J, with the largest one, which may be between two samples."""
+    if record.kinetic_peak is None:
+        return record.time, kinetic
+    at, most = record.kinetic_peak
+    place = int(np.searchsorted(record.time, at))
+    change = float(kinetic[0] - record.series["kinetic_energy"][0])
+    return np.insert(record.time, place, at), np.insert(kinetic, place, most + change)
 
 
 def stored_energies(record: Record) -> dict[str, tuple[Array, str]]:
@@ -323,9 +335,10 @@ def _tell_angles(record: Record, outcome: Outcome) -> str:
 
 def _tell_energies(record: Record) -> str:
     """What the energies come to, in words."""
-    largest = ", ".join(
-        f"{name} {show_value(float(values.max()), 'J')}" for name, (values, _) in stored_energies(record).items()
-    )
+    most = {name: float(values.max()) for name, (values, _) in stored_energies(record).items()}
+    if record.kinetic_peak is not None:
+        most["kinetic"] = record.kinetic_peak[1]
+    largest = ", ".join(f"{name} {show_value(value, 'J')}" for name, value in most.items())
     name, structure = record.design.name, record.structure
     work = f"; work of the {acting(structure)}: {show_value(float(record.work[-1]), 'J')}" if structure.motors else ""
     return f"Stored energies and work over the time of a run of {name}. Largest: {largest}{work}."
