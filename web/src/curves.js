@@ -36,8 +36,8 @@ function makeCurve(data, clip, clock) {
 
   function drawKey() {
     const samples = lines.map((line, index) => make("li", {}, lineSample(lineLook(index)), line.name));
-    const run = make("li", {}, make("span", { className: "ball still" }), clip ? "the run now" : "moved by the slider");
-    key.replaceChildren(...samples, run);
+    const what = balls.length ? "the run now" : "moved by the slider";
+    key.replaceChildren(...samples, make("li", {}, make("span", { className: "ball still" }), what));
   }
 
   /** Put the balls where they are now; those beside the curve that is shown are not seen. */
@@ -89,14 +89,23 @@ function makeCurve(data, clip, clock) {
     if (balls.length) {
       clock.onChange(follow);
       seekByPointer(chart, balls, clip, clock);
-    } else slide(data, lines[0], place, (angle, energy) => {
-      now[0] = [angle, energy];
-      placeBalls();
-    });
+    } else {
+      slide(data, lines[0], place, (angle, energy) => {
+        now[0] = [angle, energy];
+        placeBalls();
+      });
+    }
     show(whole);
   }
 
-  return { element, start, now, show, get chart() { return chart; } };
+  return {
+    element,
+    start,
+    now,
+    get chart() {
+      return chart;
+    },
+  };
 }
 
 function readCourse({ name, places, values }) {
@@ -189,7 +198,8 @@ function drawMarks(chart, marks) {
   ctx.setLineDash([]);
   ctx.font = `${12 * ratio}px system-ui, sans-serif`;
   for (const { name, places, values } of marks) {
-    const [xs, ys] = [places, values].map((all, axis) => Array.from(all, (each) => chart.valToPos(each, "xy"[axis], true)));
+    const xs = Array.from(places, (each) => chart.valToPos(each, "x", true));
+    const ys = Array.from(values, (each) => chart.valToPos(each, "y", true));
     const [x, y] = [xs[xs.length >> 1], ys[ys.length >> 1]];
     ctx.beginPath();
     if (xs.length === 1) {

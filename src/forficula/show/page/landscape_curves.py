@@ -105,7 +105,6 @@ def curve_data(curve: Curve) -> dict[str, Any]:
         "lines": [course(each) for each in curve.lines],
         "marks": [course(each) for each in curve.marks],
         "balls": [course(each) for each in curve.balls],
-        "word": "",
         "top": None if curve.top is None else sorted(np.degrees(curve.top).tolist()),
         "text": curve.text,
     }
@@ -203,7 +202,7 @@ def _along_fold(landscape: EnergyLandscape, record: Record | None, rows: Rows) -
         balls=balls,
         top=None,
         text=f"What the {whole} stores along the one way in which rigid panels fold; stable: {told or 'none'}."
-        + " The ball is at what the same parts store in the run." * bool(balls),
+        + " The ball is at what the same parts store in the run, with panels that give way and at its speed." * bool(balls),
     )
 
 
