@@ -202,7 +202,7 @@ def _along_fold(landscape: EnergyLandscape, record: Record | None, rows: Rows) -
         balls=balls,
         top=None,
         text=f"What the {whole} stores along the one way in which rigid panels fold; stable: {told or 'none'}."
-        + " The ball is at what the same parts store in the run, with panels that give way and at its speed." * bool(balls),
+        + " The ball is at what the same parts store in the run, fast and with panels that give way." * bool(balls),
     )
 
 
