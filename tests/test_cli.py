@@ -143,7 +143,7 @@ def test_a_landscape_of_plates_leaves_what_there_is(in_an_empty_folder, call):
     assert output.out.startswith("letter-fold: rests stably: flat, closed, opened (as flat); ")
     figures = [name for kind in ("levels", "rests", "tendon") for name in figure_files(kind)]
     found = everything_in(in_an_empty_folder / "there")
-    assert found == sorted(["design.toml", "figures", "landscape.json", *figures])
+    assert found == sorted(["design.toml", "figures", "landscape.json", "report.html", *figures])
 
 
 def test_a_landscape_needs_no_simulation(in_an_empty_folder, call):
@@ -697,6 +697,8 @@ def test_a_landscape_over_two_keys_is_a_map_beside_a_study(tmp_path, write_study
     result = call("landscape", str(tmp_path / "base.toml"), *over, *options)
     assert "1 of 2 wings fold under slowly growing torques" in result.out
     assert {"map.csv", "map.nc", "map.png", "landscape.json"} <= {path.name for path in (tmp_path / "map").iterdir()}
+    section = (tmp_path / "map" / "report.html").read_text("utf-8").partition('<section id="map">')[2]
+    assert "<p>1 of 2 wings fold under slowly growing torques" in section
 
 
 @pytest.mark.parametrize(

@@ -36,8 +36,8 @@ function makeCurve(data, clip, clock) {
 
   function drawKey() {
     const samples = lines.map((line, index) => make("li", {}, lineSample(lineLook(index)), line.name));
-    const run = make("li", {}, make("span", { className: "ball still" }), clip ? "the run now" : "moved by the slider");
-    key.replaceChildren(...samples, run);
+    const what = balls.length ? "the run now" : "moved by the slider";
+    key.replaceChildren(...samples, make("li", {}, make("span", { className: "ball still" }), what));
   }
 
   /** Put the balls where they are now; those beside the curve that is shown are not seen. */
@@ -89,14 +89,23 @@ function makeCurve(data, clip, clock) {
     if (balls.length) {
       clock.onChange(follow);
       seekByPointer(chart, balls, clip, clock);
-    } else slide(data, lines[0], place, (angle, energy) => {
-      now[0] = [angle, energy];
-      placeBalls();
-    });
+    } else {
+      slide(data, lines[0], place, (angle, energy) => {
+        now[0] = [angle, energy];
+        placeBalls();
+      });
+    }
     show(whole);
   }
 
-  return { element, start, now, show, get chart() { return chart; } };
+  return {
+    element,
+    start,
+    now,
+    get chart() {
+      return chart;
+    },
+  };
 }
 
 function readCourse({ name, places, values }) {
@@ -189,10 +198,11 @@ function drawMarks(chart, marks) {
   ctx.setLineDash([]);
   ctx.font = `${12 * ratio}px system-ui, sans-serif`;
   for (const { name, places, values } of marks) {
-    const [x, far] = Array.from(places, (place) => chart.valToPos(place, "x", true));
-    const y = chart.valToPos(values[0], "y", true);
+    const xs = Array.from(places, (each) => chart.valToPos(each, "x", true));
+    const ys = Array.from(values, (each) => chart.valToPos(each, "y", true));
+    const [x, y] = [xs[xs.length >> 1], ys[ys.length >> 1]];
     ctx.beginPath();
-    if (x === far) {
+    if (xs.length === 1) {
       ctx.arc(x, y, 4.5 * ratio, 0, 2 * Math.PI);
       ctx.fillStyle = styleColour("--page");
       ctx.fill();
@@ -201,18 +211,16 @@ function drawMarks(chart, marks) {
       ctx.stroke();
     } else {
       ctx.globalAlpha = 0.35;
-      ctx.moveTo(x, y);
-      ctx.lineTo(far, y);
+      for (const at of xs.keys()) ctx.lineTo(xs[at], ys[at]);
       ctx.strokeStyle = styleColour("--line-2");
       ctx.lineWidth = 7 * ratio;
       ctx.stroke();
       ctx.globalAlpha = 1;
     }
-    const middle = (x + far) / 2;
-    const left = x === far && x > bbox.left + bbox.width / 2;
+    const side = xs.length > 1 ? 0 : x > bbox.left + bbox.width / 2 ? -1 : 1;
     ctx.fillStyle = styleColour("--ink");
-    ctx.textAlign = x !== far ? "center" : left ? "right" : "left";
-    ctx.fillText(name, middle + (x !== far ? 0 : left ? -12 : 12) * ratio, y - 9 * ratio);
+    ctx.textAlign = ["right", "center", "left"][side + 1];
+    ctx.fillText(name, x + 12 * side * ratio, y - 9 * ratio);
   }
   ctx.restore();
 }

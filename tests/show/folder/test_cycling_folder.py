@@ -1,5 +1,6 @@
 import csv
 import json
+import re
 from dataclasses import replace
 
 import pytest
@@ -97,6 +98,22 @@ def test_the_cycles_of_an_earlier_run_go_when_another_run_takes_its_place(cyclin
     write_run(reference_run, ff.measure(reference_run), tmp_path / "run")
     assert not set(CYCLING_FILES) & set(files_in(tmp_path / "run"))
     assert "record.nc" in files_in(tmp_path / "run")
+
+
+def test_the_page_of_a_run_tells_of_its_cycles(cycling, tmp_path, reference_run):
+    ff.page(reference_run, tmp_path / "report.html")
+    alone = (tmp_path / "report.html").read_text("utf-8")
+    write_cycling(cycling, tmp_path)
+    page = (tmp_path / "report.html").read_text("utf-8")
+    before, section, after = re.split(r'(<section id="cycles">.*?</section>\n)', page, flags=re.S)
+    assert before + after == alone
+    assert after.startswith('<section id="design">')
+    assert "<p>Up to cycle 4.</p>" in section
+    assert "<li>[2] to 4 seen.</li>" in section
+    assert section.count("<small>extrapolated</small>") == 3
+    # what did not fold and open
+    assert section.count("<mark>stuck at −80.0 deg</mark>") == 2
+    assert "<td>1 (0.9 to 1.1)</td><td>1 %</td><td>50 ms</td><td>1 J</td><td>70</td>" in section
 
 
 def test_the_verdict_and_the_remarks_are_printed(cycling, capsys):

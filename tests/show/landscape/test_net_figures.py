@@ -73,7 +73,8 @@ def test_a_folder_holds_figures_numbers_and_a_page(landscape, record, tmp_path):
     assert set(written["rests_apart_m"]) == {"up", "down", "up again"}
     page = (folder / "report.html").read_text("utf-8")
     assert page.count("<img ") == len(KINDS)
-    assert "<script" not in page
+    # the run plays above them
+    assert '"kind":"run"' in page
     assert "2 stable states were found: up, down." in page
     assert "http" not in page.replace("http-equiv", "").replace("http://www.w3.org", "")
     assert list(folder_drawings(folder)) == KINDS

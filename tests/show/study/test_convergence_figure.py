@@ -7,6 +7,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from forficula.design import with_values
 from forficula.errors import InputError
 from forficula.show.folder.convergence_folder import write_convergence
+from forficula.show.page.html import escaped
 from forficula.show.study.convergence_figure import draw_convergence_angles, draw_convergence_times
 from forficula.show.study.convergence_table import convergence_rows
 from forficula.study.convergence import converge
@@ -66,6 +67,20 @@ def test_a_time_that_is_not_there_is_none_and_not_a_number(studies):
     assert rows[0]["fold_time_s"] is None
     assert rows[0]["status"].startswith("diverged")
     assert all(row["unfold_time_s"] is None for row in rows)
+
+
+def test_the_page_of_a_study_has_every_run_the_limit_its_order_and_the_curves(studies, tmp_path):
+    study = studies[TIMESTEP]
+    write_convergence(study, tmp_path)
+    page, fit = (tmp_path / "report.html").read_text("utf-8"), study.orders["fold"]
+    assert page.count("<img ") == page.count('alt="') == 2
+    for value, time in zip(study.values[1:], study.transition_times["fold"][1:], strict=True):
+        assert f'<th scope="row">{1e3 * value:g} ms</th><td>{1e3 * time:.5g} ms</td>' in page
+    assert (
+        f"Limit of the fold time: {1e3 * fit.limit:.5g} ms, order {fit.order:{'.2f' if fit.observed else 'g'}}, "
+        in page
+    )
+    assert escaped(study.verdict.rstrip(".")) in page
 
 
 def test_a_study_leaves_all_files_or_none(studies, tmp_path):

@@ -27,6 +27,7 @@ Array = NDArray[np.float64]
 Rows = NDArray[np.int64]
 
 _PLACES = 721  # of a line
+_SAME = 1e-9  # rad
 _MOVING = ("kinetic", "Maxwell branches")  # energies that are none at rest, so that statics has none of them
 
 
@@ -104,7 +105,6 @@ def curve_data(curve: Curve) -> dict[str, Any]:
         "lines": [course(each) for each in curve.lines],
         "marks": [course(each) for each in curve.marks],
         "balls": [course(each) for each in curve.balls],
-        "word": "",
         "top": None if curve.top is None else sorted(np.degrees(curve.top).tolist()),
         "text": curve.text,
     }
@@ -138,13 +138,15 @@ def _of_tendons(landscape: EnergyLandscape, record: Record | None, tendon: int |
         barrier = f" The barrier is {readable(own.barrier, 'J')}."
         if reach < WIDEST:
             top = own.sense * (start + 0.15 * reach), own.sense * max(start - 2.5 * reach, -own.hinge.fold_limit)
+    lines = [_smooth(name, hinge, energy, moment) for hinge, energy, moment, name, _ in drawn]
     sprung = own.spring is not None
     return Curve(
         title="tendon and spring of one hinge" if sprung else "energy of one tendon",
         axis=title,
-        lines=tuple(_smooth(name, hinge, energy, moment) for hinge, energy, moment, name, _ in drawn),
+        lines=tuple(lines),
         marks=tuple(
-            _mark("", (own.sense * each.angle, own.sense * each.far_angle), each.energy) for each in own.states
+            _mark("", (own.sense * each.angle, own.sense * each.far_angle), each.energy, lines[0])
+            for each in own.states
         ),
         balls=tuple(balls),
         top=top,
@@ -184,21 +186,23 @@ def _along_fold(landscape: EnergyLandscape, record: Record | None, rows: Rows) -
         stored = [values[rows] for name, (values, _) in stored_energies(record).items() if name not in _MOVING]
         balls = (Course(name="", angle=angle, energy=np.sum(stored, axis=0) + _weight_zero(record)),)
     along = -path.ring_angle if folds else path.pleat_angle
+    line = Course(name="rigid panels, slowly", angle=path.pleat_angle, energy=path.energy)
     states = [
-        _mark(each.name, (each.pleat_angle, each.far_pleat_angle), each.energy) for each in stable_states(landscape)
+        _mark(each.name, (each.pleat_angle, each.far_pleat_angle), each.energy, line)
+        for each in stable_states(landscape)
     ]
-    states = [replace(each, angle=np.interp(each.angle, path.pleat_angle, along)) for each in states]
+    line, *states = (replace(each, angle=np.interp(each.angle, path.pleat_angle, along)) for each in (line, *states))
     told = ", ".join(f"{each.name} {readable(float(each.energy[0]), 'J')}" for each in states)
     whole = structure.appearance.whole
     return Curve(
         title=f"energy of the {whole} along its fold",
         axis=axis,
-        lines=(Course(name="rigid panels, slowly", angle=along, energy=path.energy),),
+        lines=(line,),
         marks=tuple(states),
         balls=balls,
         top=None,
         text=f"What the {whole} stores along the one way in which rigid panels fold; stable: {told or 'none'}."
-        + " The ball is at what the same parts store in the run." * bool(balls),
+        + " The ball is at what the same parts store in the run, fast and with panels that give way." * bool(balls),
     )
 
 
@@ -210,5 +214,10 @@ def _weight_zero(record: Record) -> float:
     return float(first[0] - record.series["gravitational_energy"][0])
 
 
-def _mark(name: str, ends: tuple[float, float], energy: float) -> Course:
-    return Course(name=name, angle=np.array(ends), energy=np.full(2, energy))
+def _mark(name: str, ends: tuple[float, float], energy: float, line: Course) -> Course:
+    """A stable state: a place, or the part of a line along which it rests."""
+    low, high = sorted(ends)
+    between = (line.angle >= low - _SAME) & (line.angle <= high + _SAME)
+    if high - low <= _SAME:
+        return Course(name=name, angle=np.array([low]), energy=np.array([energy]))
+    return Course(name=name, angle=line.angle[between], energy=line.energy[between])
