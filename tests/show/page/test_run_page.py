@@ -192,7 +192,9 @@ def test_in_even_motion_the_time_line_is_stretched_where_the_wing_moves_in_real_
         speed.select_option(name)
         opened.settle()
         widths[name] = [float(width.rstrip("%")) / 100 for width in page.eval_on_selector_all(bands, WIDTHS)]
-        left, right = (page.evaluate(f"forficula.plots.charts[0].valToPos({each}, 'x')") for each in (stage.start, stage.end))
+        left, right = (
+            page.evaluate(f"forficula.plots.charts[0].valToPos({each}, 'x')") for each in (stage.start, stage.end)
+        )
         assert (right - left) / page.locator(".u-over").first.bounding_box()["width"] == pytest.approx(
             widths[name][0], abs=1e-3
         )
