@@ -39,6 +39,7 @@ export function makeCamera(canvas, clips, clock, onChange, look = firstLook()) {
     const frame = look.oneScale ? together : alone[index];
     const high = Math.tan((FIELD * Math.PI) / 360) / ROOM;
     fitted = frame(look.towards, camera.up, [high * camera.aspect, high], look.following);
+    if (look.oneScale) fitted.distance *= look.scale;
     controls.target.copy(fitted.target).addScaledVector(look.aside, fitted.distance);
     camera.position.copy(controls.target).addScaledVector(look.towards, look.closer * fitted.distance);
     camera.lookAt(controls.target);
@@ -103,14 +104,18 @@ export function makeCamera(canvas, clips, clock, onChange, look = firstLook()) {
   return { camera, controls, look, size, target, aim, show, turn, zoom, choose, resize, dispose: () => controls.dispose() };
 }
 
-/** towards: direction to the eye; closer: its distance by that which fits; aside: how far it is moved, by the same. */
-function firstLook() {
+/**
+ * towards: direction to the eye; closer: its distance by that which fits; aside: how far it is moved, by the same;
+ * scale: how much further all structures are than fits, where larger ones are shown at another time.
+ */
+export function firstLook() {
   return {
     towards: new Vector3(...VIEWS[0].towards).normalize(),
     closer: 1,
     aside: new Vector3(),
     following: true,
     oneScale: true,
+    scale: 1,
   };
 }
 

@@ -27,11 +27,16 @@ export function showStudy(data) {
   return { model, map, panel, open };
 }
 
-/** The first point that can be played, of those that came furthest. */
+/** The point that can be played, of those that came furthest the one that needs least: torque by torque, as they act. */
 function firstPoint(model, runs) {
-  const ranks = ["\u25cf", "\u25c6", "\u25a0"];
-  const rank = (run) => ranks.indexOf(model.word(model.study.verdicts[run.point]).sign) >>> 0;
-  return runs.reduce((best, run) => (best === null || rank(run) < rank(best) ? run : best), null)?.point ?? 0;
+  const least = model.study.quantities.filter((quantity) => quantity.group === "torque");
+  const keys = (point) => [model.study.verdicts[point], ...least.map((quantity) => quantity.values[point] ?? Infinity), point];
+  const before = (first, second) => {
+    const place = first.findIndex((value, index) => value !== second[index]);
+    return place >= 0 && first[place] < second[place];
+  };
+  const points = runs.map((run) => run.point);
+  return points.reduce((best, point) => (best === null || before(keys(point), keys(best)) ? point : best), null) ?? 0;
 }
 
 /** Where map and run are not side by side, go to the point's numbers, below which it is played. */

@@ -17,7 +17,7 @@ import { makeTransport, stageText } from "./transport.js";
 export function mountPlayer(element, clips, clock, { energy, legend: entries, text, whole }, look) {
   const stage = makeStage(clips, clock, energy, text, look);
   const picture = stage
-    ? make("div", { className: "picture" }, stage.element, viewButtons(stage.eye, clips.length > 1 ? whole : null))
+    ? make("div", { className: "picture" }, stage.element, viewButtons(stage.eye, clips.length > 1 || look ? whole : null))
     : make("p", { className: "note" }, noPicture(whole));
   if (stage && clips.length === 1) nameState(stage.cells[0], clips[0], clock);
   const legend = stage ? [makeLegend(entries, energy, stage.eye.size, clips.length > 1 ? whole : null)] : [];
@@ -50,7 +50,7 @@ function noPicture(whole) {
   return `This browser has no WebGL, so the ${whole} cannot be drawn in 3-D. The plots and all numbers are here.`;
 }
 
-/** whole: what one of several structures is called; null of a single one. */
+/** whole: what one of several structures is called, which are seen beside or after each other; null of a single one. */
 function viewButtons(eye, whole) {
   const button = (text, label, action) => {
     const made = make("button", { type: "button", title: label, "aria-label": label }, text);
@@ -74,7 +74,7 @@ function viewButtons(eye, whole) {
   };
   const frames = [
     switched("follow", "follow: keep the picture filled as it moves", "following"),
-    ...(whole ? [switched("one scale", `one scale: all ${whole}s as large as they are beside each other`, "oneScale")] : []),
+    ...(whole ? [switched("one scale", `one scale: all ${whole}s as large as they are by each other`, "oneScale")] : []),
   ];
   const zooms = [button("+", "nearer", () => eye.zoom(1)), button("\u2212", "further", () => eye.zoom(-1))];
   return make(

@@ -128,8 +128,10 @@ function options(plot, clips, clock, width) {
         gap: 3,
         labelSize: 18,
         labelGap: 0,
-        labelFont: axis.font,
-        label: () => `${clock.span.label} (${timeUnit(clock.span).unit})${clock.stretched ? ", stretched where it moves" : ""}`,
+labelFont: axis.font,
+        label: () => `${clock.span.label} (${timeUnit(clock.span).unit})${clock.stretched ? ", stretched" : ""}`,
+        // those of a scale that is not linear would be left out where they are not 1, 2 or 5
+        filter: (_, splits) => splits,
         splits: (chart, number, low, high, step) => (clock.stretched ? stretchedSplits(chart, clock) : evenSplits(low, high, step)),
         values: (_, splits) =>
           splits.map((value) => (value === null ? "" : tickText(value * timeUnit(clock.span).factor))),

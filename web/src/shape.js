@@ -92,7 +92,7 @@ function makeShadow(...objects) {
   const material = new MeshBasicMaterial({
     side: DoubleSide,
     transparent: true,
-    opacity: 0.16,
+    opacity: 0.12,
     depthWrite: false,
     stencilWrite: true,
     stencilRef: 1,

@@ -10,7 +10,7 @@ export function playOnceSeen(element, clock) {
     },
     { threshold: 0.3 },
   );
-  watch.observe(element);
+  watch.observe(element.querySelector(".picture") ?? element);
   // whoever has taken hold of it needs no show
   element.addEventListener("pointerdown", () => watch.disconnect(), { once: true });
 }

@@ -46,6 +46,8 @@ export function makeModel(study, runs) {
     pointAt,
     scaleOf,
     factorText,
+    /** Length of the largest structure that can be played, m. */
+    largestSpan: runs.reduce((most, run) => Math.max(most, run.play.clips[0].span_m), 0),
     runsOf: (point) => runsOf.get(point) ?? [],
     word: (number) => words[number],
     pointText: (point) => placesOf(point).map((place, index) => factorText(factors[index], place)).join(", "),

@@ -1,5 +1,6 @@
 /** The run behind a cell: its numbers, and its playback where it was kept. */
 
+import { firstLook } from "./camera.js";
 import { readClip } from "./clip.js";
 import { makeClock } from "./clock.js";
 import { make } from "./elements.js";
@@ -20,8 +21,10 @@ export function makeRunPanel(model) {
   const place = make("div");
   const element = make("section", { className: "run", id: "run", "aria-label": "the run that is open" }, parts, place);
   const panel = { facts, element, point: null, playing: null, open, show };
+  // what a reader has turned and zoomed stays from cell to cell
+  const look = firstLook();
 
-  /** Show a point, and of its kept runs that of a transition, by its number, or the last, or why there is none. */
+  /** Show a point, and of its kept runs that of a transition, by its number, or the first, or why there is none. */
   function open(point, { play = false, transition = null } = {}) {
     panel.point = point;
     const runs = model.runsOf(point);
@@ -29,7 +32,7 @@ export function makeRunPanel(model) {
     status.textContent = `${capital(model.pointText(point))}: ${model.study.statuses[point]}.`;
     numbers.replaceChildren(make("caption", {}, "In the study\u2019s table"), make("tbody", {}, ...numberRows(model, point)));
     parts.replaceChildren(...(runs.length > 1 ? runs.map(partButton) : runs.map((run) => make("b", {}, capital(run.title)))));
-    if (runs.length) show((transition === null ? null : runs.find((run) => run.transition === transition)) ?? runs[runs.length - 1], { play });
+    if (runs.length) show((transition === null ? null : runs.find((run) => run.transition === transition)) ?? runs[0], { play });
     else {
       stop();
       place.replaceChildren(make("p", { className: "note" }, whyNotKept(model, point)));
@@ -56,7 +59,8 @@ export function makeRunPanel(model) {
     inside.innerHTML = run.numbers; // made by forficula, its texts escaped
     const details = make("details", {}, make("summary", {}, "States of this run"), inside);
     place.replaceChildren(make("p", {}, run.text), ...(run.advice ? [make("p", { className: "note" }, run.advice)] : []), elements.player, elements.plots, elements.readout, details, commands(run));
-    panel.playing = { run, ...mountRun(elements, run.play) };
+    look.scale = model.largestSpan / run.play.clips[0].span_m;
+    panel.playing = { run, ...mountRun(elements, run.play, look) };
     watchTables(place);
     if (play && !matchMedia("(prefers-reduced-motion: reduce)").matches) panel.playing.clock.play();
   }
@@ -65,10 +69,10 @@ export function makeRunPanel(model) {
 }
 
 /** Play a run in elements of the page; what it holds is read only now. */
-function mountRun(elements, data) {
+function mountRun(elements, data, look) {
   const clips = data.clips.map(readClip);
   const clock = makeClock(clips, data.spans);
-  const player = mountPlayer(elements.player, clips, clock, data);
+  const player = mountPlayer(elements.player, clips, clock, data, look);
   const plots = mountPlots(elements.plots, data.plots, clips, clock);
   mountReadout(elements.readout, clips[0], clock, data.energy);
   return {

@@ -73,6 +73,18 @@ def test_all_wings_are_seen_from_one_side_whoever_is_turned(opened):
     assert opened.page.locator("canvas").first.screenshot() != before
 
 
+def test_wings_are_drawn_to_one_scale_or_each_to_its_own_as_is_chosen(opened):
+    show(opened, "whole runs", 0.03)
+    eye = "(index) => { const { eye } = forficula.player.stage; eye.aim(index); return eye.camera.position.toArray(); }"
+    shared = [opened.page.evaluate(eye, index) for index in (0, 1)]
+    choice = opened.page.get_by_role("button", name="one scale: all wings as large as they are by each other")
+    choice.click()
+    own = [opened.page.evaluate(eye, index) for index in (0, 1)]
+    choice.click()
+    assert shared[0] == shared[1]
+    assert not np.allclose(own[0], own[1], rtol=0.02)
+
+
 def test_only_values_that_differ_are_listed(opened):
     rows = opened.page.locator("#design tbody th").all_inner_texts()
     assert rows == ["protocol.fold_torque", "design hash"]

@@ -21,6 +21,20 @@ from tests.show.page.conftest import until
 EXACT = 1e-6  # m
 FRAME = 1000 / 60  # ms
 
+WIDTHS = "(bands) => bands.map((band) => band.style.width)"
+# how far the drawn vertices reach from the middle of the picture, across and upwards, 1 at its edges, at many moments
+REACHES = """(towards) => { const { clock, player } = forficula; const { stage } = player; const { eye } = stage;
+eye.show({ towards });
+return Array.from({ length: 41 }, (_, step) => {
+  clock.seek(clock.momentAt(step / 40)); stage.pose(); stage.draw();
+  const reach = [0, 0]; const { vertices } = stage.views[0].shape; const point = eye.controls.target.clone();
+  for (let at = 0; at < vertices.length; at += 3) {
+    point.fromArray(vertices, at).project(eye.camera);
+    [point.x, point.y].forEach((place, axis) => { reach[axis] = Math.max(reach[axis], Math.abs(place)); });
+  }
+  return reach;
+}); }"""
+
 
 @pytest.fixture(scope="module")
 def report(short_run, short_outcome, tmp_path_factory):
@@ -158,15 +172,59 @@ def test_scrubbed_to_folded_the_wing_has_the_angles_that_the_summary_states(open
 def test_dragging_along_the_time_line_scrubs_to_the_same_place(opened, short_outcome):
     page = opened.page
     track = page.get_by_role("slider", name="time").bounding_box()
-    start, end = (page.evaluate(f"forficula.clock.span.{name}") for name in ("start", "end"))
-    share = (short_outcome.states["folded"].time - start) / (end - start)
+    folded = short_outcome.states["folded"].time
+    share = page.evaluate(f"forficula.clock.shareAt({folded})")
     page.mouse.move(track["x"] + 20, track["y"] + track["height"] / 2)
     page.mouse.down()
     page.mouse.move(track["x"] + 9 + share * (track["width"] - 18), track["y"] + track["height"] / 2, steps=4)
     page.mouse.up()
     opened.settle()
-    assert time(page) == pytest.approx(short_outcome.states["folded"].time, abs=2e-3 * (end - start))
+    assert page.evaluate("forficula.clock.shareAt(forficula.clock.time)") == pytest.approx(share, abs=2e-3)
     assert max(readout(page, "distal angle (deg)")) < -140
+
+
+def test_in_even_motion_the_time_line_is_stretched_where_the_wing_moves_in_real_time_it_is_not(opened, short_run):
+    page = opened.page
+    stage, whole = short_run.stages[1], short_run.time[-1] - short_run.time[0]
+    speed, bands = page.get_by_label("speed"), ".band"
+    widths = {}
+    for name in ("even motion", "real time"):
+        speed.select_option(name)
+        opened.settle()
+        widths[name] = [float(width.rstrip("%")) / 100 for width in page.eval_on_selector_all(bands, WIDTHS)]
+        left, right = (
+            page.evaluate(f"forficula.plots.charts[0].valToPos({each}, 'x')") for each in (stage.start, stage.end)
+        )
+        assert (right - left) / page.locator(".u-over").first.bounding_box()["width"] == pytest.approx(
+            widths[name][0], abs=1e-3
+        )
+    assert widths["real time"][0] == pytest.approx((stage.end - stage.start) / whole, abs=1e-6)
+    assert widths["even motion"][0] > 1.5 * widths["real time"][0]
+    speed.select_option("even motion")
+
+
+def test_from_every_side_the_wing_fills_the_picture_and_stays_in_it_all_through_the_run(opened):
+    for towards in ([0.37, -0.695, 0.616], [0, -0.0005, 1], [0.9, 0.3, -0.3]):
+        reaches = np.array(opened.page.evaluate(REACHES, towards))
+        assert reaches.max() < 1
+        # largest in the direction that limits it; while it snaps, what came just before and after has room, too
+        assert np.median(reaches.max(axis=1)) > 0.8
+        assert reaches.max(axis=1).min() > 0.5
+
+
+def test_followed_no_longer_the_wing_is_seen_from_one_place(opened):
+    page = opened.page
+    places = []
+    follow = page.get_by_role("button", name="follow: keep the picture filled as it moves")
+    for pressed in ("false", "true"):
+        follow.click()
+        assert follow.get_attribute("aria-pressed") == pressed
+        for state in "12":
+            page.keyboard.press(state)
+            opened.settle()
+            places.append(page.evaluate("forficula.player.stage.eye.camera.position.toArray()"))
+    assert places[0] == places[1]
+    assert not np.allclose(places[2], places[3], rtol=0.05)
 
 
 @pytest.mark.parametrize("plot", [0, 1, 2])
@@ -176,9 +234,8 @@ def test_a_click_in_a_plot_moves_the_wing_to_that_time(opened, short_run, plot):
     box = place.bounding_box()
     place.click(position={"x": 0.3 * box["width"], "y": box["height"] / 2})
     opened.settle()
-    span = page.evaluate("[forficula.clock.span.start, forficula.clock.span.end]")
-    pixel = (span[1] - span[0]) / box["width"]
-    assert time(page) == pytest.approx(span[0] + 0.3 * (span[1] - span[0]), abs=1.5 * pixel)
+    share = page.evaluate("forficula.clock.shareAt(forficula.clock.time)")
+    assert share == pytest.approx(0.3, abs=1.5 / box["width"])
     row = np.argmin(np.abs(short_run.time - time(page)))
     page.evaluate("(moment) => { forficula.clock.seek(moment); }", float(short_run.time[row]))
     opened.settle()
@@ -359,7 +416,7 @@ def test_the_work_for_a_frame_leaves_most_of_it_to_the_graphics_chip(opened):
     )
     assert np.median(times) < FRAME / 4
     drawn = page.evaluate("({ ...forficula.player.stage.statistics() })")
-    assert drawn["calls"] <= 10
+    assert drawn["calls"] <= 16
     assert drawn["triangles"] < 50_000
 
 

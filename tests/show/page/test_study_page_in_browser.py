@@ -12,10 +12,12 @@ from forficula.structure import drawn_points
 from forficula.study import load_study, run_study, table_csv
 from forficula.study.kept_runs import kept_runs, runs_to_keep
 from tests.show.page.appearance import check_look
+from tests.show.page.conftest import until
 from tests.show.study.test_maps import many_ends, planted, sampled
 
 FACTORS = '"tendon.stiffness" = ["10 N/cm", "60 N/cm"]\n"tendon.rest_length" = ["0 cm", "5 cm", "8 cm"]'
 SEARCH = '[search]\nfold_torques = "0..50 N cm step 25"\nunfold_torques = "50..100 N cm step 25"'
+LEAST = ("least_fold_torque", "least_unfold_torque")
 EXACT = 1e-6  # m, as floats of four bytes have it
 
 
@@ -141,6 +143,39 @@ def test_a_click_on_a_cell_plays_the_run_that_was_kept_of_it(opened, small, part
             drawn = np.array(vertices).reshape(-1, 3)
             tips = record.series["point_position"][np.searchsorted(record.time, moment)][drawn_points(record.structure)]
             assert np.linalg.norm(tips[:, None] - drawn[None], axis=2).min(axis=1).max() < EXACT
+
+
+def test_of_points_that_came_furthest_the_page_opens_the_run_that_folds_with_the_least_torque(one_page, small):
+    page = one_page.page
+    page.reload()
+    until(page, "window.forficula !== undefined")
+    # those that came furthest have the least number
+    ranks = page.evaluate("forficula.model.study.verdicts")
+    kept = {point for point, part in small.kept if part == "folding"}
+    furthest = [point for point in kept if ranks[point] == min(ranks[each] for each in kept)]
+    torques = [small.table[name].fillna(np.inf).values.ravel() for name in LEAST]
+    assert page.evaluate("forficula.panel.point") == min(furthest, key=lambda point: [each[point] for each in torques])
+    assert page.evaluate("forficula.panel.playing.run.part") == "folding"
+
+
+def test_what_a_reader_has_turned_and_zoomed_stays_from_cell_to_cell(opened, small):
+    page = opened.page
+    first, second = sorted({point for point, _ in small.kept})[:2]
+    cell(page, first).click()
+    page.locator(".stage canvas").focus()
+    for key in ("Shift+ArrowLeft", "+", "+"):
+        page.keyboard.press(key)
+    places = []
+    for point in (first, second):
+        cell(page, point).click()
+        page.evaluate("forficula.panel.playing.clock.seek(0)")
+        opened.settle()
+        places.append(page.evaluate("forficula.panel.playing.player.stage.eye.camera.position.toArray()"))
+    # the wings are alike but for their tendons, and flat
+    assert np.allclose(*places, rtol=0.02)
+    look = page.evaluate("forficula.panel.playing.player.stage.eye.look.closer")
+    assert look == pytest.approx(1.15**-2)
+    page.keyboard.press("0")
 
 
 def test_scrubbed_to_folded_a_kept_run_has_the_angles_of_its_outcome(opened, small):
@@ -282,6 +317,12 @@ def test_nothing_is_wider_than_the_window_of(watch, small, width, height):
     assert page.evaluate("document.documentElement.scrollWidth") <= width
     # on one column, a press leads to the numbers and the playback below the map
     assert -1 <= page.locator("#point").bounding_box()["y"] < height  # half a pixel is lost in rounding
+    # and the map stays above them
+    for part in ("#point", "#run .note, #run .player"):
+        page.locator(part).first.evaluate("each => each.scrollIntoView()")
+        grid = page.locator(".map-place").bounding_box()
+        assert grid["y"] == pytest.approx(0, abs=1)
+        assert 40 < grid["height"] < 0.4 * height
 
 
 def test_of_more_than_two_factors_two_are_chosen_and_the_others_fixed(watch, planted_page):

@@ -15,6 +15,7 @@ def clips(short_run, slow_run):
 def test_a_run_is_shown_whole_and_each_driven_stage_close_up(clips):
     whole, fold, unfold = run_spans(clips[0])
     assert (whole.start, whole.end) == (clips[0].time[0], clips[0].time[-1])
+    assert (whole.whole, fold.whole, unfold.whole) == (True, False, False)
     for span, end in zip((fold, unfold), (clips[0].stages[1], clips[0].stages[3]), strict=True):
         assert span.name == end.stage.name
         assert span.start < end.start < end.goal_time < span.end

@@ -194,6 +194,7 @@ def clip_data(clip: Clip) -> dict[str, Any]:
     mesh, (heading, names, places) = clip.mesh, _columns(clip)
     return {
         "name": clip.name,
+        "span_m": clip.structure.span,
         "time": packed(clip.time, "f8"),
         "points": packed(clip.points, "f4"),
         "pointCount": len(mesh.anchors),
