@@ -128,7 +128,7 @@ function options(plot, clips, clock, width) {
         gap: 3,
         labelSize: 18,
         labelGap: 0,
-labelFont: axis.font,
+        labelFont: axis.font,
         label: () => `${clock.span.label} (${timeUnit(clock.span).unit})${clock.stretched ? ", stretched" : ""}`,
         // those of a scale that is not linear would be left out where they are not 1, 2 or 5
         filter: (_, splits) => splits,
