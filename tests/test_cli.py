@@ -131,7 +131,7 @@ def test_a_landscape_leaves_its_files_and_names_their_folder_last(in_an_empty_fo
     assert output.out.splitlines()[-1] == "written to out/my-wing-landscape"
     folder = in_an_empty_folder / "out" / "my-wing-landscape"
     figures = [name for kind in ("levels", "tendon", "wing") for name in figure_files(kind)]
-    assert everything_in(folder) == sorted(["design.toml", "figures", "landscape.json", *figures])
+    assert everything_in(folder) == sorted(["design.toml", "figures", "landscape.json", "report.html", *figures])
     content = json.loads((folder / "landscape.json").read_text())
     assert content["simulation"]["status"] == "settled"
     # three independent hinges of 10 N/cm and no resting length (theory.md, section 1: about 6 J each)

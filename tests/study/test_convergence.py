@@ -255,7 +255,7 @@ def test_another_key_is_refused(reference):
         converge(reference, "tendon.stiffness", [1.0, 2.0])
 
 
-def test_the_command_leaves_a_table_its_numbers_and_two_figures(tmp_path, monkeypatch, capsys):
+def test_the_command_leaves_a_table_its_numbers_two_figures_and_a_page(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     main(["converge", "binder2025", "--timesteps", "0.4 0.2 ms"])
     printed = capsys.readouterr().out
@@ -268,6 +268,7 @@ def test_the_command_leaves_a_table_its_numbers_and_two_figures(tmp_path, monkey
         "figures",
         "angles.png",
         "times.png",
+        "report.html",
     }
     content = json.loads((folder / "convergence.json").read_text("utf-8"))
     assert content["design_hash"] == load_design("binder2025").hash
