@@ -7,13 +7,14 @@ from unittest import mock
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.image import imread
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.text import Text
 from matplotlib.transforms import Affine2D, Bbox
 
 from forficula.show.style import description
 
 _FINE = 3
-_BEYOND, _DOTS, _WHITE = 0.5, 144, 0.95  # inch, dots per inch, and what is as good as white
+_BEYOND, _DOTS, _WHITE = 0.5, 100, 0.95  # inch, dots per inch, and what is as good as white
 _ROUNDED = 1.0  # pt, that a layout in whole pixels may be off
 SMALLEST = 6.0  # pt, below which journals refuse
 # what is drawn on purpose over something else, or as one word
@@ -38,6 +39,7 @@ def check_words(figure, width):
             min(first.y1, second.y1) - max(first.y0, second.y0),
         )
         assert min(common) < 1.5, f"{one.get_text()!r} lies on {other.get_text()!r}"
+    figure.set_layout_engine("none")  # it has the places that were found for its words
     check_inside(figure)
     told = description(figure)
     assert told.endswith(".")
@@ -48,12 +50,11 @@ def check_words(figure, width):
 def check_inside(figure):
     """Check that nothing is drawn beyond the edges of a figure, where files and pages cut it off."""
     width, height = figure.get_size_inches()
-    figure.set_dpi(_DOTS)
-    canvas = FigureCanvasAgg(figure)
-    canvas.draw()
+    if isinstance(figure.get_layout_engine(), ConstrainedLayoutEngine):
+        figure.draw_without_rendering()
     outside = {"above": 0.0, "below": 0.0, "to the left": 0.0, "to the right": 0.0}
     for legend in figure.legends:
-        box = legend.get_window_extent(canvas.get_renderer()).transformed(Affine2D().scale(1 / _DOTS))
+        box = legend.get_window_extent().transformed(Affine2D().scale(1 / figure.dpi))
         sides = (box.y1 - height, -box.y0, -box.x0, box.x1 - width)
         outside = {edge: max(before, side) for (edge, before), side in zip(outside.items(), sides, strict=True)}
         # in a larger window they would stand at its edges
