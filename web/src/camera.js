@@ -5,7 +5,7 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { makeFraming } from "./framing.js";
 
 const FIELD = 28; // deg, upwards
-const ROOM = 1.09; // around what is framed, for bars that are thicker than their axes
+const ROOM = 1.05; // around what is framed
 const TURN = Math.PI / 24;
 const ZOOM = 1.15;
 

@@ -15,6 +15,11 @@ const SUPPORTS = 6;
  */
 export function makeFraming(clips, numbers, clock) {
   const places = new Map();
+  // what is drawn about the points: bars and joints
+  const radius = numbers.reduce(
+    (most, index) => clips[index].mesh.tubes.reduce((thickest, tube) => Math.max(thickest, tube.radius), most),
+    Math.max(...numbers.map((index) => (clips[index].mesh.joints.length ? clips[index].mesh.jointRadius : 0))),
+  );
   let last = null;
 
   /** All points at moments through the span that the clock shows, (moment, point, 3). */
@@ -35,7 +40,7 @@ export function makeFraming(clips, numbers, clock) {
   function prepare(axes, slopes) {
     const key = [...axes.flatMap((axis) => axis.toArray()), ...slopes].join();
     if (last?.key === key && last.span === clock.span) return last;
-    const rows = sampled().map((parts) => supports(parts, axes, slopes));
+    const rows = sampled().map((parts) => supports(parts, axes, slopes, radius));
     last = { key, span: clock.span, rows: evened(rows), whole: largest(rows) };
     return last;
   }
@@ -55,8 +60,10 @@ export function makeFraming(clips, numbers, clock) {
   };
 }
 
-function supports(parts, axes, slopes) {
+function supports(parts, axes, slopes, radius) {
   const found = new Float64Array(SUPPORTS).fill(-Infinity);
+  const around = slopes.map((slope) => radius * Math.hypot(1, slope));
+  const rounds = [around[0], around[0], around[1], around[1], 0, 0];
   const [right, upwards, towards] = axes.map((axis) => axis.toArray());
   const along = (axis, points, at) => axis[0] * points[at] + axis[1] * points[at + 1] + axis[2] * points[at + 2];
   for (const points of parts) {
@@ -67,7 +74,7 @@ function supports(parts, axes, slopes) {
       for (let index = 0; index < SUPPORTS; index++) if (each[index] > found[index]) found[index] = each[index];
     }
   }
-  return found;
+  return found.map((value, index) => value + rounds[index]);
 }
 
 function largest(rows) {

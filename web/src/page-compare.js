@@ -20,7 +20,7 @@ export function showComparison(data) {
 }
 
 /** Write on every structure its name, the look of its lines in the plots, and how it is now. */
-function nameCells(cells, clips, clock, energy) {
+export function nameCells(cells, clips, clock, energy) {
   const states = clips.map((clip, index) => {
     const state = make("span", { className: "state-now" });
     const name = make("b", {}, lineSample(lineLook(index)), clip.name);

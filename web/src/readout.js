@@ -6,7 +6,8 @@ import { fixed, short, timeText } from "./format.js";
 
 const SWINGS = { deg: 0.05 }; // from which on a swing is told, by unit
 
-export function mountReadout(element, clip, clock, energy) {
+/** index: number of the clip on its clock. */
+export function mountReadout(element, clip, clock, energy, index = 0) {
   const { heading, names } = clip.mesh.parts;
   const rows = clip.readings.map((reading) => ({
     name: reading.name,
@@ -37,7 +38,7 @@ export function mountReadout(element, clip, clock, energy) {
   element.replaceChildren(make("div", { className: "table" }, table));
   element.classList.add("readout");
   return clock.onChange(() => {
-    const moment = clock.clipTime(0);
+    const moment = clock.clipTime(index);
     const mark = clip.markAt(moment);
     const state = mark ? `, ${mark.name} (means)` : "";
     caption.textContent = `${heading ? `Every ${heading}` : "Everything"} at ${timeText(clock.time, clock.span)}${state}`;

@@ -4,6 +4,7 @@ import { firstLook } from "./camera.js";
 import { readClip } from "./clip.js";
 import { makeClock } from "./clock.js";
 import { make } from "./elements.js";
+import { nameCells } from "./page-compare.js";
 import { mountPlayer } from "./player.js";
 import { mountPlots } from "./plots.js";
 import { mountReadout } from "./readout.js";
@@ -21,6 +22,7 @@ export function makeRunPanel(model) {
   const place = make("div");
   const element = make("section", { className: "run", id: "run", "aria-label": "the run that is open" }, parts, place);
   const panel = { facts, element, point: null, playing: null, open, show };
+  let pinned = null;
   // what a reader has turned and zoomed stays from cell to cell
   const look = firstLook();
 
@@ -54,27 +56,48 @@ export function makeRunPanel(model) {
   function show(run, { play = false } = {}) {
     stop();
     for (const button of parts.querySelectorAll("button")) button.setAttribute("aria-pressed", String(button.dataset.part === run.part));
+    const beside = pinned && pinned !== run ? pinned : null;
     const elements = { player: make("div"), plots: make("div"), readout: make("div") };
     const inside = make("div", { className: "table" });
     inside.innerHTML = run.numbers; // made by forficula, its texts escaped
     const details = make("details", {}, make("summary", {}, "States of this run"), inside);
-    place.replaceChildren(make("p", {}, run.text), ...(run.advice ? [make("p", { className: "note" }, run.advice)] : []), elements.player, elements.plots, elements.readout, details, commands(run));
+    place.replaceChildren(make("p", {}, run.text), pin(run), ...(run.advice ? [make("p", { className: "note" }, run.advice)] : []), elements.player, ...(beside ? [make("p", { className: "note" }, `The plots and numbers below are those of point ${run.point + 1}.`)] : []), elements.plots, elements.readout, details, commands(run));
     look.scale = model.largestSpan / run.play.clips[0].span_m;
-    panel.playing = { run, ...mountRun(elements, run.play, look) };
+    panel.playing = { run, beside, ...mountRun(elements, run, beside, model, look) };
     watchTables(place);
     if (play && !matchMedia("(prefers-reduced-motion: reduce)").matches) panel.playing.clock.play();
+  }
+
+  /** A button that keeps a run in sight beside those that are opened after it. */
+  function pin(run) {
+    const label = () => (pinned ? `unpin point ${pinned.point + 1}` : "pin, to compare it with another");
+    const button = make("button", { type: "button", className: "pin" }, label());
+    button.setAttribute("aria-pressed", String(pinned !== null));
+    button.addEventListener("click", () => {
+      pinned = pinned ? null : run;
+      show(run);
+      place.querySelector(".pin").focus();
+    });
+    return button;
   }
 
   return panel;
 }
 
-/** Play a run in elements of the page; what it holds is read only now. */
-function mountRun(elements, data, look) {
-  const clips = data.clips.map(readClip);
-  const clock = makeClock(clips, data.spans);
-  const player = mountPlayer(elements.player, clips, clock, data, look);
-  const plots = mountPlots(elements.plots, data.plots, clips, clock);
-  mountReadout(elements.readout, clips[0], clock, data.energy);
+/** Play a run in elements of the page, beside another where one is pinned; what they hold is read only now. */
+function mountRun(elements, run, beside, model, look) {
+  const runs = beside ? [beside, run] : [run];
+  const clips = runs.map((each) => ({ ...readClip(each.play.clips[0]), ...(beside ? { name: nameOf(each, model) } : {}) }));
+  const clock = makeClock(clips, beside ? [sharedSpan(clips)] : run.play.spans);
+  const energy = runs.map((each) => each.play.energy).reduce((most, each) => (each.largest_J > most.largest_J ? each : most));
+  const text = beside ? `${capital(clips[0].name)} and ${clips[1].name}, side by side on one clock.` : run.play.text;
+  const player = mountPlayer(elements.player, clips, clock, { ...run.play, energy, text }, look);
+  if (beside && player.stage) nameCells(player.stage.cells, clips, clock, energy);
+  // the plots and the numbers are those of the run that was opened last
+  const last = clips.length - 1;
+  const ofLast = run.play.plots.map((plot) => ({ ...plot, lines: plot.lines.map((line) => ({ ...line, clip: last })) }));
+  const plots = mountPlots(elements.plots, ofLast, clips, clock);
+  mountReadout(elements.readout, clips[last], clock, energy, last);
   return {
     clips,
     clock,
@@ -85,6 +108,19 @@ function mountRun(elements, data, look) {
       plots.dispose();
     },
   };
+}
+
+function nameOf(run, model) {
+  const { factors } = model.study;
+  const values = model.placesOf(run.point).map((place, index) => `${factors[index].texts[place]} ${factors[index].unit}`.trim());
+  return `point ${run.point + 1}: ${values.join(", ")}`;
+}
+
+/** Whole runs, from the first drive of each. */
+function sharedSpan(clips) {
+  const origins = clips.map((clip) => clip.stages.find((stage) => stage.driven)?.start ?? clip.start);
+  const [start, end] = [Math.min(...clips.map((clip, index) => clip.start - origins[index])), Math.max(...clips.map((clip, index) => clip.end - origins[index]))];
+  return { name: "whole runs", label: "time since the first drive acts", start, end, origins, whole: true };
 }
 
 function numberRows(model, point) {

@@ -178,6 +178,35 @@ def test_what_a_reader_has_turned_and_zoomed_stays_from_cell_to_cell(opened, sma
     page.keyboard.press("0")
 
 
+def test_a_pinned_run_moves_beside_the_one_that_is_opened_after_it_each_from_its_first_drive(opened, small):
+    page = opened.page
+    first, second = sorted({point for point, part in small.kept if part == "folding"})[:2]
+    cell(page, first).click()
+    page.get_by_role("button", name="pin, to compare it with another").click()
+    cell(page, second).click()
+    page.evaluate("forficula.panel.playing.clock.seek(0.012)")
+    opened.settle()
+    for view, point in enumerate((first, second)):
+        record = small.kept[point, "folding"].record
+        moment = record.stages[1].start + 0.012
+        points = record.series["point_position"][:, drawn_points(record.structure)].reshape(len(record.time), -1)
+        expected = np.reshape([np.interp(moment, record.time, column) for column in points.T], (-1, 3))
+        vertices = page.evaluate(f"Array.from(forficula.panel.playing.player.stage.views[{view}].shape.vertices)")
+        away = np.linalg.norm(expected[:, None] - np.reshape(vertices, (-1, 3))[None], axis=2)
+        assert away.min(axis=1).max() < EXACT
+    assert [text.split(":")[0] for text in page.locator(".cell b").all_inner_texts()] == [
+        f"point {point + 1}" for point in (first, second)
+    ]
+    opened.show(360, 740)
+    lowest = max(each.bounding_box()["y"] + each.bounding_box()["height"] for each in page.locator(".cell").all())
+    stage = page.locator(".stage").bounding_box()
+    assert lowest <= stage["y"] + stage["height"] + 1
+    opened.show()
+    page.get_by_role("button", name=f"unpin point {first + 1}").click()
+    assert page.locator(".cell b").count() == 0
+    assert opened.messages == []
+
+
 def test_scrubbed_to_folded_a_kept_run_has_the_angles_of_its_outcome(opened, small):
     page = opened.page
     (point, part), kept = next(iter(small.kept.items()))
