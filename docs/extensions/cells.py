@@ -104,7 +104,8 @@ def sources_digest() -> str:
 def run_page(page: str, cells: Sequence[Cell], sources: str) -> list[Shown]:
     """What comes of a page's cells; what an earlier build found is kept where nothing has changed."""
     folder = folder_of(page)
-    every = json.dumps([sources, _all_wanted(), [asdict(cell) for cell in cells]])
+    costly = any("costly" in cell.options for cell in cells)
+    every = json.dumps([sources, costly and _all_wanted(), [asdict(cell) for cell in cells]])
     key = hashlib.sha256(every.encode()).hexdigest()
     kept = folder.with_suffix(".json")
     if kept.exists() and (found := json.loads(kept.read_text("utf-8")))["key"] == key:

@@ -32,6 +32,13 @@ def run_cells(app: Sphinx, page: str, source: list[str]) -> None:
         app.env.temp_data["shown"] = run_page(page, cells, sources_digest())
 
 
+def outdated(_: Sphinx, env: Any, __: set[str], ___: set[str], ____: set[str]) -> list[str]:
+    """All pages where the package has changed since they were read, or where more is to be run."""
+    now = f"{sources_digest()} {os.environ.get('FORFICULA_DOCS', '')}"
+    before, env.made_of = getattr(env, "made_of", now), now
+    return [] if before == now else sorted(env.found_docs)
+
+
 class CellDirective(SphinxDirective):
     """A command or some Python, and what came of it."""
 
@@ -188,6 +195,7 @@ def merge_pages(_: Sphinx, env: Any, __: set[str], other: Any) -> None:
 
 def setup(app: Sphinx) -> dict[str, object]:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    app.connect("env-get-outdated", outdated)
     app.connect("source-read", run_cells)
     app.connect("env-purge-doc", forget_page)
     app.connect("env-merge-info", merge_pages)
