@@ -175,7 +175,9 @@ def test_what_a_reader_has_turned_and_zoomed_stays_from_cell_to_cell(opened, sma
     assert np.allclose(*places, rtol=0.02)
     look = page.evaluate("forficula.panel.playing.player.stage.eye.look.closer")
     assert look == pytest.approx(1.15**-2)
+    page.locator(".stage canvas").focus()
     page.keyboard.press("0")
+    assert page.evaluate("forficula.panel.playing.player.stage.eye.look.closer") == 1
 
 
 def test_a_pinned_run_moves_beside_the_one_that_is_opened_after_it_each_from_its_first_drive(opened, small):
