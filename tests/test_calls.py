@@ -55,7 +55,17 @@ def test_values_are_replaced_by_text_with_a_unit_or_in_si(design):
     assert design.with_values({}) == design
 
 
-@pytest.mark.parametrize("call", [ff.run, ff.landscape, ff.pattern_facts, lambda given: ff.new_study(given, {})])
+@pytest.mark.parametrize(
+    "call",
+    [
+        ff.run,
+        ff.landscape,
+        ff.energy_landscape,
+        ff.structure_of,
+        ff.pattern_facts,
+        lambda given: ff.new_study(given, {}),
+    ],
+)
 def test_what_is_no_design_gets_a_sentence(call):
     with pytest.raises(ff.InputError, match="need a design, its name or the path of its file, got a int"):
         call(3)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from forficula.design import Design
+from forficula.design import AnyDesign
 from forficula.errors import InputError
 from forficula.material.characterisation import LENGTH, known_length
 from forficula.material.law.material_law import MaterialLaw, area_for, known_moduli
@@ -62,7 +62,7 @@ class TendonSizes:
 
 
 def size_tendons(
-    design: Design, law: MaterialLaw, stiffnesses: Sequence[float], *, length: float | None = None
+    design: AnyDesign, law: MaterialLaw, stiffnesses: Sequence[float], *, length: float | None = None
 ) -> tuple[TendonSizes, ...]:
     """Size tendons of a material by the stiffness that they need, A = k L / E.
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from forficula.design import Design, with_values
+from forficula.design import AnyDesign, Design, as_design, with_values
 from forficula.dynamics.drag import KINEMATICS, Drag, stacked_drag
 from forficula.dynamics.model import Model, compile_model
 from forficula.dynamics.node_modes import node_timestep
@@ -43,8 +43,9 @@ def with_timestep(design: Design) -> Design:
     return with_values(design, {"protocol.timestep": float(f"{np.floor(allowed / digit) * digit:.0e}")})
 
 
-def timestep_warnings(design: Design) -> list[str]:
+def timestep_warnings(design: AnyDesign) -> list[str]:
     """A sentence where the design's timestep is longer than its stiffest mode allows."""
+    design = as_design(design)
     chosen = design.protocol.timestep
     if chosen == "auto" or chosen <= (longest := stable_timestep(design)):
         return []

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from forficula.design import Design
+from forficula.design import AnyDesign, as_design
 from forficula.statics.landscape import EnergyLandscape, Rest, tree_landscape
 from forficula.statics.net.net_of import is_net, own_angles
 from forficula.statics.net_landscape import NetLandscape, Progress, net_landscape
@@ -14,7 +14,7 @@ from forficula.structure import Structure, structure_of
 _SAME = 1e-3  # rad; hinges that rest no farther apart do so at one place, to what tables show
 
 
-def energy_landscape(design: Design, points: int = 181, progress: Progress = lambda _: None) -> EnergyLandscape:
+def energy_landscape(design: AnyDesign, points: int = 181, progress: Progress = lambda _: None) -> EnergyLandscape:
     """Survey the statics of a design.
 
     What hangs on the one way in which rigid panels fold is left out where there is none; so are stable states, saddles
@@ -28,6 +28,7 @@ def energy_landscape(design: Design, points: int = 181, progress: Progress = lam
     Raises:
         InputError: it cannot be built, or a transition does not say where it leads.
     """
+    design = as_design(design)
     structure = structure_of(design)
     if not is_net(structure):
         return tree_landscape(design, structure, points)

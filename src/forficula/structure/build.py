@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from forficula.design import Design, FanDesign, SheetDesign
+from forficula.design import AnyDesign, Design, FanDesign, SheetDesign, as_design
 from forficula.errors import InputError
 from forficula.structure import fan_protocol, nodes, plates, sheet_protocol, veins
 from forficula.structure.structure import Structure
@@ -43,12 +43,13 @@ _WAYS: Mapping[type[Design], _Way] = {
 }
 
 
-def structure_of(design: Design) -> Structure:
-    """Build a design, in the units that its numbers are in.
+def structure_of(design: AnyDesign) -> Structure:
+    """Build a design, or that of a name or path, in the units that its numbers are in.
 
     Raises:
-        InputError: it cannot be built.
+        InputError: no such design, or it cannot be built.
     """
+    design = as_design(design)
     return _way(design).build(design)
 
 

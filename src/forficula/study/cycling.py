@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from forficula.design import Design, with_values
+from forficula.design import AnyDesign, Design, as_design, with_values
 from forficula.errors import InputError
 from forficula.material.law.law_cycle import change_at_cycle, drifts_of, law_at_cycle, stretched_before
 from forficula.material.law.material_law import MaterialLaw
@@ -124,7 +124,7 @@ def design_at_cycle(design: Design, cycle: int) -> Design:
     return with_values(design, {f"{key}.law": law for key, (law, _) in laws.items()})
 
 
-def run_cycles(design: Design, last: int, progress: Progress | None = None) -> Cycling:
+def run_cycles(design: AnyDesign, last: int, progress: Progress | None = None) -> Cycling:
     """Take a structure through its protocol with its tendons as they are at each of many cycles, side by side.
 
     Args:
@@ -135,6 +135,7 @@ def run_cycles(design: Design, last: int, progress: Progress | None = None) -> C
     Raises:
         InputError: the tendons do not change, the protocol drives no transition, or the last is not >= 1.
     """
+    design = as_design(design)
     check_cycles(design, last)
     if reason := why_unchanged(design):
         raise InputError(f"cycles: {reason}")

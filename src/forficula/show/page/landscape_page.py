@@ -9,6 +9,7 @@ from typing import Any
 from forficula.analysis import measure
 from forficula.dynamics import Record
 from forficula.show.landscape.landscape_table import landscape_table
+from forficula.show.page.design_rows import design_title
 from forficula.show.page.landscape_curves import curve_data, landscape_curves
 from forficula.show.page.playback import make_clip
 from forficula.show.page.results_page import figure_sections, results_page
@@ -45,7 +46,7 @@ def landscape_page(
         record: a run of its design, which plays there; one that diverged is named only.
         tendon: number of the one that stands for all; an inner one if not given.
     """
-    name, run = landscape.design.name, ""
+    name, run = design_title(landscape.design), ""
     drawn = record if record is not None and record.diverged_at is None else None
     curves = landscape_curves(landscape, drawn, tendon)
     data: dict[str, Any] | None = {"kind": "curves"} if curves else None

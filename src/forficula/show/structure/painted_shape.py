@@ -22,7 +22,7 @@ from forficula.structure import Structure, outer_ends
 Array = NDArray[np.float64]
 
 # of the regions of sheets and plates, in their order
-TINTS = ("#E3D2AC", "#93BBDA", "#B7CFA2", "#D6AEB9", "#BDB6DC", "#CFCFCF")
+TINTS = ("#E2CF9F", "#C5BCD9", "#B7CFA2", "#D6AEB9", "#9CC4DD", "#CFCFCF")
 BAR = "#3A3A3A"
 _BACK = "#AEBFCB"  # of a facet, the side from which valleys fold away
 _CREASE, _CASING = "#6E6E6E", "#FFFFFF"
