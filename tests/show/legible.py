@@ -14,8 +14,8 @@ from matplotlib.transforms import Affine2D, Bbox
 from forficula.show.style import description
 
 _FINE = 3
-_BEYOND, _DOTS, _WHITE = 0.5, 100, 0.95  # inch, dots per inch, and what is as good as white
-_ROUNDED = 1.0  # pt, that a layout in whole pixels may be off
+_BEYOND, _DOTS, _WHITE = 0.5, 72 * _FINE, 0.95  # inch, dots per inch as in `words`, and what is as good as white
+_ROUNDED = 2.0  # pt, as for words: a layout in whole pixels may be off
 SMALLEST = 6.0  # pt, below which journals refuse
 # what is drawn on purpose over something else, or as one word
 OVER = ("a", "b", "c")
