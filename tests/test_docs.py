@@ -17,6 +17,7 @@ from forficula.study.study_keys import study_key_facts
 DOCS = Path(__file__).parents[1] / "docs"
 PAGES = sorted(path for path in DOCS.rglob("*.md") if "_build" not in path.parts and "gallery" not in path.parts)
 PYTHON = DOCS / "reference" / "python.md"
+README = DOCS.parent / "README.md"
 # what follows one of these in a command is a key and a value
 SETTING = ("--set", "--over")
 
@@ -60,7 +61,7 @@ def test_every_public_name_is_described_once_and_nothing_else():
     assert sorted(described) == sorted(public)
 
 
-@each_page
+@pytest.mark.parametrize("page", [*PAGES, README], ids=lambda path: path.stem)
 def test_commands_have_the_names_and_options_that_there_are(page):
     for words in commands_of(page):
         assert words[0] == "forficula", words
@@ -107,6 +108,17 @@ def test_pages_link_to_pages_that_there_are_and_stand_in_the_menu(page):
     menu = (DOCS / "index.md").read_text("utf-8")
     name = page.relative_to(DOCS).with_suffix("").as_posix()
     assert name == "index" or re.search(rf"^(?:.*<)?{name}>?$", menu, re.M)
+
+
+def test_the_readme_runs_as_it_stands_and_links_to_what_there_is(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    text = README.read_text("utf-8")
+    (code,) = re.findall(r"^```python\n(.*?)^```", text, re.M | re.S)
+    exec(code, {})
+    assert capsys.readouterr().out.startswith("<Outcome of binder2025: ")
+    assert (tmp_path / "energy.pdf").is_file()
+    for target in re.findall(r"\]\((?!http)([^)#]+)", text):
+        assert (README.parent / target).exists(), target
 
 
 def test_a_cell_is_found_with_its_options_and_commands():
