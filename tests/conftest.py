@@ -160,3 +160,15 @@ def study_file(tmp_path, write_study_file):
         return write_study_file(tmp_path / name, factors, head, tail)
 
     return write
+
+
+@pytest.fixture
+def no_column_figures(monkeypatch):
+    """Leave figures as wide as a column empty, which take most of the time that a folder of results takes."""
+    from forficula.files import write_bytes
+    from forficula.show.style import COPIES, save_figure
+
+    def save_page(figure, path):
+        save_figure(figure, path) if path.parent.name != COPIES else write_bytes(path, b"")
+
+    monkeypatch.setattr("forficula.show.style.save_figure", save_page)

@@ -10,8 +10,7 @@ import pytest
 
 import forficula as ff
 from forficula.cli import main
-from forficula.files import write_bytes
-from forficula.show.style import COPIES, figure_files, save_figure
+from forficula.show.style import figure_files
 from tests.material.synthetic import cyclic_test, plain_text
 
 # the shortest run that leaves everything: 10 ms of settling
@@ -48,16 +47,8 @@ def forficula(*arguments):
 
 
 @pytest.fixture
-def call(capsys, monkeypatch):
-    """Call the command line, which must end with 0 or what is expected, and return what it wrote.
-
-    Figures as wide as a column stay empty, for they take most of the time; those of `forficula` do not.
-    """
-
-    def save_page(figure, path):
-        save_figure(figure, path) if path.parent.name != COPIES else write_bytes(path, b"")
-
-    monkeypatch.setattr("forficula.show.style.save_figure", save_page)
+def call(capsys, no_column_figures):  # noqa: ARG001
+    """Call the command line, which must end with 0 or what is expected, and return what it wrote."""
 
     def call(*arguments, expected=0):
         status = 0
@@ -538,7 +529,7 @@ def test_a_landscape_a_convergence_study_and_a_study_say_what_they_replace(in_an
         assert said in call(*arguments, "--out", "a").err
 
 
-@pytest.mark.parametrize("command", ["film", "figure", "run"])
+@pytest.mark.parametrize("command", ["film", "run"])
 def test_a_run_whose_replacing_was_killed_half_way_stands_whole_when_it_is_next_looked_at(
     in_an_empty_folder, call, command
 ):

@@ -26,7 +26,7 @@ def results(design, record, tmp_path_factory):
         "design": design,
         "record": record,
         "outcome": ff.measure(record),
-        "landscape": ff.landscape("bistable-clasp"),
+        "landscape": ff.landscape("letter-fold"),
         "convergence": ff.converge(design, timesteps="0.4 0.2 ms"),
         "study": study,
         "table": ff.run_study(study, out=tmp_path_factory.mktemp("study")),
@@ -69,7 +69,7 @@ def test_a_line_of_a_result_has_the_units_of_the_field(results):
     assert "closed at 1.519 s: creases 105.6, 105.6 deg; mouth 4.586 cm; tendons 0.9959 mJ" in outcome
     assert repr(results["record"]).endswith("rows over 3.264 s: settle, close, release closed, open, release open>")
     assert repr(results["study"]) == "<Study letters: 2 points of letter-fold over tendon.left.stiffness>"
-    assert repr(results["landscape"]).startswith("<EnergyLandscape of bistable-clasp: ")
+    assert repr(results["landscape"]).startswith("<EnergyLandscape of letter-fold: ")
     assert repr(results["material"]) == "<Characterisation of material: 1 specimen, linear spring>"
 
 

@@ -13,6 +13,8 @@ from forficula.show.run.cycling_figure import draw_cycling
 from forficula.structure import structure_of
 from forficula.study.cycling import CycleRun, Cycling, driven_transitions
 
+pytestmark = pytest.mark.usefixtures("no_column_figures")
+
 
 def run(cycle, **row):
     works = {"status": "folded and opened", "folded": True, "opened": True, "flat_energy_J": 0.5 / cycle}
