@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Annotated, Any, Self, cast
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self, cast
 
 from pydantic import Field, field_validator
 
@@ -28,6 +28,9 @@ _MOST_ROWS = 1e7
 
 class Design(Displayed, Part):
     """The thing to build and what is done to it; every number in SI and radians."""
+
+    # key of the stiffness that every design of its kind has
+    stiffness_key: ClassVar[str]
 
     name: Annotated[str, Field(min_length=1, description="what outputs call it")]
     source: Annotated[str, Field(description="where its values come from")]
@@ -69,6 +72,11 @@ class Design(Displayed, Part):
     @property
     def chosen(self) -> tuple[Choice, ...]:
         """The values that a rule chooses, for they are not given; there are such of sheets."""
+        return ()
+
+    @property
+    def idle(self) -> tuple[str, ...]:
+        """What is given and does nothing, a sentence each."""
         return ()
 
     def with_values(self, values: Mapping[str, object]) -> Self:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from typing import Annotated, Any
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 from pydantic import Discriminator, Field, Tag, field_validator, model_validator
@@ -101,6 +101,8 @@ class FanProtocol(Protocol):
 
 class FanDesign(Design):
     """A fan of bars with membranes between them, and what is done to it."""
+
+    stiffness_key: ClassVar[str] = "tendon.stiffness"
 
     pattern: FanPatternSection
     vein: VeinSection
@@ -279,6 +281,13 @@ class FanDesign(Design):
         if isinstance(self.tendon, TendonSection):
             return self.tendon
         return self.tendon[vein] if vein < len(self.tendon) else None
+
+    @property
+    def idle(self) -> tuple[str, ...]:
+        """What is given and does nothing, a sentence each."""
+        if self.contact is None or self.protocol.contact:
+            return ()
+        return ("contact.thickness and contact.friction do nothing, for nothing touches: need protocol.contact = true",)
 
     @property
     def driven_veins(self) -> tuple[int, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import Annotated, Any, Self
+from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Field, model_validator
 
@@ -19,6 +19,8 @@ from forficula.pattern import CreasePattern, central_facet, facet_tree
 
 class SheetDesign(Design):
     """A sheet that folds at its creases, and what is done to it."""
+
+    stiffness_key: ClassVar[str] = "crease.stiffness"
 
     source: Annotated[str, Field(description="where its values come from")] = ""
     pattern: Any

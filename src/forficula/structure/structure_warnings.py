@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from forficula.design import Design, FanDesign, design_pattern
+from forficula.design import Design, design_pattern
 from forficula.pattern import flat_folding_faults
 from forficula.quantities import reading_unit
 from forficula.structure.mass import mass_of
@@ -41,7 +41,7 @@ def structure_warnings(design: Design, structure: Structure) -> list[str]:
         *(f"the sheet does not fold flat: {fault.removesuffix('.')}" for fault in faults),
         *_overlapping_bars(structure),
         *_heavy_medium(structure),
-        *_idle_contact(design),
+        *design.idle,
         *_told(structure, groups, [_unmeasured_strain(built, tendons[0], strain) for tendons, strain in groups]),
         *_told(structure, groups, [_pushing_branches(tendons[0]) for tendons, _ in groups]),
         *_told(structure, groups, [_relaxing_branches(structure, tendons[0], folded) for tendons, _ in groups]),
@@ -102,13 +102,6 @@ def _heavy_medium(structure: Structure) -> list[str]:
         f"the medium that moves with the {whole} has {with_it / own:.2g} times its mass, and counts where it moves in"
         " its plane, too: it moves more slowly than it should"
     ]
-
-
-def _idle_contact(design: Design) -> list[str]:
-    """Of what is said of contact where there is none."""
-    if isinstance(design, FanDesign) and design.contact is not None and not design.protocol.contact:
-        return ["contact.thickness and contact.friction do nothing, for nothing touches: need protocol.contact = true"]
-    return []
 
 
 def _overlaps(one: Array, other: Array, apart: float) -> list[float]:

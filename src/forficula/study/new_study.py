@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from forficula.design import FanDesign, key_quantity, key_value, load_design
+from forficula.design import key_quantity, key_value, load_design
 from forficula.design.kinds import KINDS, OTHER_REFERENCE, REFERENCES
 from forficula.errors import InputError
 from forficula.files import check_new, write_text
@@ -69,7 +69,7 @@ def write_new_study(path: str | os.PathLike[str], kind: str = "earwig-fan") -> N
     check_new(path, ".toml")
     reference = REFERENCES.get(kind, OTHER_REFERENCE)
     design = load_design(reference)
-    key = "tendon.stiffness" if isinstance(design, FanDesign) else "crease.stiffness"
+    key = design.stiffness_key
     quantity, value = key_quantity(key, type(design)), key_value(design, key)
     assert quantity is not None
     low, own, high = (format_quantity(share * value, quantity.unit) for share in (0.5, 1.0, 2.0))
