@@ -244,7 +244,7 @@ def test_a_state_with_a_hinge_at_79_deg_is_not_called_flat_anywhere(bent, capsys
     record, outcome = bent
     assert np.degrees(outcome.states["flat"].readings["distal_angle"].mean).max() < -70
     assert outcome.state_names["flat"] == "not flat"
-    print_outcome("bent", outcome, record.structure)
+    print_outcome("bent", outcome)
     page, told = run_page(record, outcome), capsys.readouterr().out
     for text in (told, texts(run_drawings(record, outcome)["folding"](7.0))):
         assert text.count("flat") == text.count("not flat") > 0
@@ -260,7 +260,7 @@ def test_a_run_not_to_be_trusted_says_so_wherever_it_is_shown(doubtful, capsys):
     assert (plain["verdict"], plain["folded"], plain["opened"]) == ("untrusted", None, None)
     assert plain["fold"]["succeeded"] is False
     assert plain["residual"] > 0.005
-    print_outcome("doubtful", outcome, record.structure)
+    print_outcome("doubtful", outcome)
     told = capsys.readouterr().out
     assert said in told
     assert "Take a timestep of about 80 µs" in told.replace("\n", " ")
@@ -277,5 +277,5 @@ def test_a_run_that_diverged_says_so_on_its_figures(capsys):
     outcome = measure(record)
     for name, drawing in run_drawings(record, outcome).items():
         assert ("Diverged at t = " in drawing(7.0).get_suptitle()) == (name != "pattern")
-    print_outcome("wild", outcome, record.structure)
+    print_outcome("wild", outcome)
     assert "diverged at t = " in capsys.readouterr().out

@@ -143,11 +143,11 @@ def test_a_film_is_written(plates_runs, tmp_path):
 
 
 def test_the_table_has_a_row_for_every_hinge_distance_and_tendon(plates_runs):
-    record, outcome = plates_runs["whole"]
+    _, outcome = plates_runs["whole"]
     assert outcome.verdict is Verdict.REACHED
     console = Console(width=110)
     with console.capture() as capture:
-        console.print(outcome_table("plates", outcome, record.structure))
+        console.print(outcome_table("plates", outcome))
     told = [line.rstrip() for line in capture.get().splitlines()]
     # the first of each: states that do not fit go on beneath
     lines = {line.split("  ")[0].strip(): line for line in reversed(told)}
@@ -171,7 +171,7 @@ def test_a_table_of_states_that_is_too_wide_goes_on_beneath(plates_runs):
     )
     console = Console(width=110)
     with console.capture() as capture:
-        console.print(outcome_table("plates", missed, later))
+        console.print(outcome_table("plates", replace(missed, structure=later)))
     lines = [line.rstrip() for line in capture.get().splitlines()]
     assert any('after stage "close it slowly":' in line for line in lines)
     assert max(map(len, lines)) <= 100

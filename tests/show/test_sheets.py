@@ -138,7 +138,7 @@ def test_the_page_shows_facets_creases_by_their_sense_and_what_is_held():
 
 def test_the_terminal_tells_in_few_lines(capsys):
     record, outcome = sheet_run("miura with a tendon")
-    print_outcome("sheet", outcome, record.structure)
+    print_outcome("sheet", outcome)
     print_strength(record)
     printed = capsys.readouterr().out
     assert len(printed.splitlines()) < 70

@@ -89,7 +89,7 @@ def run(
     outcome = measure(record)
     write_run(record, outcome, folder)
     came_to(folder / "summary.json")
-    print_outcome(chosen.name, outcome, record.structure)
+    print_outcome(chosen.name, outcome)
     print_storage(record, outcome)
     print_strength(record)
     verdicts = [outcome.verdict, *_cycle(chosen, cycles, folder)]

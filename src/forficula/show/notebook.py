@@ -81,9 +81,9 @@ def _record(record: Record) -> Iterator[str]:
 
 @_parts.register
 def _outcome(outcome: Outcome) -> Iterator[str]:
-    yield paragraph(outcome_sentence(outcome.name, outcome, outcome.structure))
+    yield paragraph(outcome_sentence(outcome.name, outcome))
     yield paragraph(outcome.advice)
-    yield from outcome_tables(outcome, outcome.structure)
+    yield from outcome_tables(outcome)
 
 
 @_parts.register

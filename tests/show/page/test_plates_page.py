@@ -58,7 +58,7 @@ def test_names_keep_their_hyphens_where_numbers_have_minus_signs(plates_runs):
     closing = replace(first, wording=replace(first.wording, noun="re-closing"))
     turned = {name: replace(each, strength=-each.strength) for name, each in outcome.transitions.items()}
     renamed = replace(structure, tendons=tendons, transitions=(closing, *rest))
-    tables = "".join(outcome_tables(replace(outcome, transitions=turned), renamed))
+    tables = "".join(outcome_tables(replace(outcome, transitions=turned, structure=renamed)))
     assert f"{tendons[0].name}<" in tables
     assert "re-closing<" in tables
     assert re.search(r">−6 N cm<", tables)

@@ -22,7 +22,7 @@ def test_many_creases_have_few_lines_and_few_cells():
     assert "of 24 creases" in data["plots"][0]["text"]
     assert data["text"].startswith("A sheet of 16 facets, 56 bars, 24 creases, 16 facet bends and 1 tendon")
     json.dumps(data, allow_nan=False)
-    tables = "".join(outcome_tables(outcome, record.structure))
+    tables = "".join(outcome_tables(outcome))
     assert "all tendons, creases, facet bends and bars" in tables
     assert "work of the drives" in tables
 

@@ -17,12 +17,12 @@ from forficula.show.page.words import (
 
 
 @pytest.fixture
-def told(short_run, short_outcome):
+def told(short_outcome):
     """The sentence on a short run whose outcome is another one in part."""
 
     def tell(status=short_outcome.status, **changed):
         both = {name: {**getattr(short_outcome, name), **value} for name, value in changed.items()}
-        return outcome_sentence("wing", replace(short_outcome, status=status, **both), short_run.structure)
+        return outcome_sentence("wing", replace(short_outcome, status=status, **both))
 
     return tell
 
@@ -58,7 +58,7 @@ def test_remarks_tell_what_to_try_what_swings_and_what_the_balance_misses(short_
     (remark, *_) = outcome_remarks(unsound, outcome)
     assert remark.startswith("Not to be trusted: the energy balance misses ")
     assert "Take a timestep of about " in remark
-    sentence = outcome_sentence("wing", outcome, unsound.structure)
+    sentence = outcome_sentence("wing", outcome)
     assert sentence.startswith("wing: not to be trusted: the energy balance misses ")
 
 

@@ -128,7 +128,7 @@ def test_a_state_that_is_as_large_as_the_whole_is_not_enlarged(runs):
 def test_the_table_of_a_small_wing_reads_well(small):
     console = Console(width=110)
     with console.capture() as capture:
-        console.print(outcome_table("small", measure(small), small.structure))
+        console.print(outcome_table("small", measure(small)))
     header, times = (
         next(line for line in capture.get().splitlines() if line.startswith(word)) for word in ("vein", "time")
     )

@@ -88,9 +88,7 @@ def compare_page(runs: Sequence[ComparedRun]) -> str:
     """Runs as one page: structures side by side, their plots in one, their numbers in columns."""
     clips = [make_clip(run.record, run.outcome, name=run.label, budget=BUDGET // len(runs)) for run in runs]
     labels = [run.label for run in runs]
-    sentences = "".join(
-        f"<li>{escaped(outcome_sentence(run.label, run.outcome, run.record.structure))}</li>" for run in runs
-    )
+    sentences = "".join(f"<li>{escaped(outcome_sentence(run.label, run.outcome))}</li>" for run in runs)
     title = listed(labels)
     body = "".join(
         (

@@ -53,7 +53,7 @@ def landscape_page(
     if drawn is not None:
         outcome = measure(drawn)
         clip = make_clip(drawn, outcome)
-        run = f"The run beside it: {outcome_sentence(name, outcome, drawn.structure)}"
+        run = f"The run beside it: {outcome_sentence(name, outcome)}"
         data, curves = playback_data(clip), landscape_curves(landscape, drawn, tendon, clip.time)
     return results_page(
         "landscape",

@@ -24,8 +24,9 @@ from forficula.structure import Structure
 _NUMBERS = {1: "one", 2: "two", 3: "three"}
 
 
-def outcome_tables(outcome: Outcome, structure: Structure) -> list[str]:
+def outcome_tables(outcome: Outcome) -> list[str]:
     """States by hinge and tendon, transitions, and the energy balance, as HTML."""
+    structure = outcome.structure
     return [_states(outcome, structure), _transitions(outcome, structure), _balance(outcome, structure)]
 
 

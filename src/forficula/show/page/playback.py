@@ -17,7 +17,7 @@ from forficula.quantities import reading_unit
 from forficula.show.page.frames import kept_frames
 from forficula.show.page.shape_mesh import ShapeMesh, moving_points, shape_mesh
 from forficula.show.run.state_names import state_letters, table_name
-from forficula.show.run.time_figures import stored_energies
+from forficula.show.run.time_figures import largest_energies, stored_energies
 from forficula.show.structure.labels import (
     aligned,
     condensed,
@@ -100,6 +100,7 @@ class Clip:
         readings: what is measured, then what is driven beside it.
         tendon_energy: J, (time, tendon).
         stored_energy: of tendons, membrane and what else there is, by name, J, (time,).
+        largest_energy: of each of these over the whole run, J; the kinetic one may lie between two frames.
     """
 
     name: str
@@ -112,6 +113,7 @@ class Clip:
     readings: tuple[Readings, ...]
     tendon_energy: Array
     stored_energy: Mapping[str, Array]
+    largest_energy: Mapping[str, float]
 
 
 def make_clip(record: Record, outcome: Outcome, *, name: str = "", budget: int = BUDGET) -> Clip:
@@ -153,6 +155,7 @@ def make_clip(record: Record, outcome: Outcome, *, name: str = "", budget: int =
         readings=tuple(replace(each, values=each.values[rows]) for each in readings),
         tendon_energy=record.series["tendon_energy"][rows],
         stored_energy={_STORED.get(name, name): values[rows] for name, (values, _) in stored_energies(record).items()},
+        largest_energy={_STORED.get(name, name): value for name, value in largest_energies(record).items()},
     )
 
 

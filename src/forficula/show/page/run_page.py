@@ -37,7 +37,7 @@ def run_page(record: Record, outcome: Outcome) -> str:
     """A run as one page: the structure in 3-D, its plots, its numbers, its design and how to repeat it."""
     design, clip = record.design, make_clip(record, outcome)
     title = design_title(design)
-    sentence = paragraph(outcome_sentence(design.name, outcome, record.structure), "outcome")
+    sentence = paragraph(outcome_sentence(design.name, outcome), "outcome")
     places = "".join(f'<div id="{name}"></div>\n' for name in ("player", "plots", "readout"))
     body = f"<header><h1>{escaped(title)}</h1>{sentence}</header>\n<main>{places}{numbers(record, outcome)}</main>"
     return page_html(f"{title}: {outcome.status}", body, playback_data(clip))
@@ -57,7 +57,7 @@ def numbers(record: Record, outcome: Outcome, run_versions: Mapping[str, str] | 
     return "".join(
         (
             section("What to know", remarks(warnings) or paragraph("There is nothing to warn of.")),
-            section("Outcome", *outcome_tables(outcome, record.structure), strength_table(record), name="outcome"),
+            section("Outcome", *outcome_tables(outcome), strength_table(record), name="outcome"),
             section("What weighs how much", groups_table(record), name="groups"),
             section("Design", *design_tables(design), name="design"),
             section("Run it again", *_repeat(design, run_versions or versions()), name="repeat"),

@@ -143,10 +143,10 @@ def _run_data(run: KeptRun, budget: int) -> dict[str, Any]:
         "part": run.part,
         "transition": run.transition,
         "title": ", ".join(driven) or outcome.status,
-        "text": outcome_sentence(f"This {structure.appearance.whole}", outcome, structure),
+        "text": outcome_sentence(f"This {structure.appearance.whole}", outcome),
         "advice": outcome.advice,
         "folder": run.folder,
-        "numbers": "".join(outcome_tables(outcome, structure)),
+        "numbers": "".join(outcome_tables(outcome)),
         "play": playback_data(make_clip(run.record, outcome, budget=budget)),
     }
 

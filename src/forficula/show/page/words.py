@@ -18,8 +18,9 @@ from forficula.structure import Structure, drive_of, drive_unit, hinge_groups
 Array = NDArray[np.float64]
 
 
-def outcome_sentence(name: str, outcome: Outcome, structure: Structure) -> str:
+def outcome_sentence(name: str, outcome: Outcome) -> str:
     """What a structure did, how fast, with which torque and for how much work."""
+    structure = outcome.structure
     tried = [each for each in structure.transitions if outcome.transitions[each.name] is not None]
     if not tried or not outcome.verdict.tells:
         return f"{name}: {outcome.status}."
@@ -98,7 +99,7 @@ def reading_text(readings: Readings, in_states: Sequence[Array], clip: Clip) -> 
 def energy_text(clip: Clip) -> str:
     """The plot of a clip's energies in sentences: what the tendons hold in the states, and the largest of each line."""
     held = [f"{readable(float(mark.state.tendon_energy.sum()), 'J')} {mark.name}" for mark in clip.marks]
-    most = [f"{name} {readable(float(values.max()), 'J')}" for name, values in clip.stored_energy.items()]
+    most = [f"{name} {readable(value, 'J')}" for name, value in clip.largest_energy.items()]
     first = f"The tendons hold {', '.join(held)}. " if held and clip.structure.tendons else ""
     return f"{first}At most: {', '.join(most)}."
 

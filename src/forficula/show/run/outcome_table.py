@@ -30,8 +30,9 @@ from forficula.structure import Structure
 _WIDTH = 100  # letters, of the table of states
 
 
-def outcome_table(name: str, outcome: Outcome, structure: Structure) -> RenderableType:
+def outcome_table(name: str, outcome: Outcome) -> RenderableType:
     """Lay out states by hinge and tendon, transitions, and the energy balance."""
+    structure = outcome.structure
     verdict = Text(f"{name}: {outcome.status}", style="bold")
     parts: list[RenderableType] = [verdict]
     if outcome.advice:
@@ -44,9 +45,9 @@ def outcome_table(name: str, outcome: Outcome, structure: Structure) -> Renderab
     return Group(*parts)
 
 
-def print_outcome(name: str, outcome: Outcome, structure: Structure) -> None:
+def print_outcome(name: str, outcome: Outcome) -> None:
     """Print the outcome, as wide as it is."""
-    Console(width=110, highlight=False).print(outcome_table(name, outcome, structure))
+    Console(width=110, highlight=False).print(outcome_table(name, outcome))
 
 
 def print_storage(record: Record, outcome: Outcome) -> None:

@@ -191,6 +191,12 @@ def stored_energies(record: Record) -> dict[str, tuple[Array, str]]:
     return stored
 
 
+def largest_energies(record: Record) -> dict[str, float]:
+    """The largest of each of the energies over the rows, J; the kinetic one over every step, for it peaks between."""
+    most = {name: float(values.max()) for name, (values, _) in stored_energies(record).items()}
+    return most if record.kinetic_peak is None else most | {"kinetic": record.kinetic_peak[1]}
+
+
 def _accounts(record: Record) -> dict[str, tuple[Array, str]]:
     """The work done and where it went, J, (time,), and their colours."""
     series, structure = record.series, record.structure
@@ -335,10 +341,7 @@ def _tell_angles(record: Record, outcome: Outcome) -> str:
 
 def _tell_energies(record: Record) -> str:
     """What the energies come to, in words."""
-    most = {name: float(values.max()) for name, (values, _) in stored_energies(record).items()}
-    if record.kinetic_peak is not None:
-        most["kinetic"] = record.kinetic_peak[1]
-    largest = ", ".join(f"{name} {show_value(value, 'J')}" for name, value in most.items())
+    largest = ", ".join(f"{name} {show_value(value, 'J')}" for name, value in largest_energies(record).items())
     name, structure = record.design.name, record.structure
     work = f"; work of the {acting(structure)}: {show_value(float(record.work[-1]), 'J')}" if structure.motors else ""
     return f"Stored energies and work over the time of a run of {name}. Largest: {largest}{work}."
