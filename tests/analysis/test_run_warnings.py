@@ -9,7 +9,7 @@ import pytest
 from forficula.analysis import Verdict, measure, summary
 from forficula.analysis.run_warnings import highest_strain_rates, run_warnings
 from forficula.design import load_design, with_values
-from forficula.dynamics import Record
+from forficula.dynamics import Record, energy_balance
 from forficula.structure import structure_of
 from forficula.study.runs import run
 from tests.analysis.test_outcome import ENDS, planted
@@ -102,3 +102,16 @@ def test_a_wing_of_the_papers_tpu_folds_far_faster_than_the_papers_machine_pulle
     assert 1e3 * tested < rate < speed.max() * arms / wing.tendon.rest_length
     (said,) = [each for each in summary(record, measure(record), {})["warnings"] if "was measured" in each]
     assert said in run_warnings(record)
+
+
+def test_contacts_that_gave_energy_are_warned_of_though_the_account_closes():
+    stage = {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "4 ms"}
+    wing = load_design("binder2025", {"protocol.contact": True, "protocol.stages": [stage]})
+    record = run(wing)
+    assert not any("contacts gave" in warning for warning in run_warnings(record))
+    given = {name: record.series[name].copy() for name in ("contact_work", "kinetic_energy")}
+    for values in given.values():
+        values[-1] += 1.0  # J
+    gifted = replace(record, series={**record.series, **given})
+    assert energy_balance(gifted).missing == pytest.approx(energy_balance(record).missing, abs=1e-12)
+    assert any(warning.startswith("contacts gave 1 J, ") for warning in run_warnings(gifted))

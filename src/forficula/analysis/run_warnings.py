@@ -10,7 +10,7 @@ from forficula.analysis.crossing_facets import facets_that_cross
 from forficula.analysis.crossing_panels import panel_crossing
 from forficula.analysis.outcome import early_goal
 from forficula.analysis.strength import strain_peaks
-from forficula.dynamics import Record
+from forficula.dynamics import Record, energy_balance
 from forficula.quantities import show_value
 from forficula.structure import goal_of
 
@@ -27,6 +27,7 @@ def run_warnings(record: Record) -> list[str]:
         *_broken(record),
         *_crossing_facets(record),
         *_crossing_panels(record),
+        *_giving_contacts(record),
         *_fast_tendons(record),
     ]
 
@@ -74,6 +75,21 @@ def _crossing_panels(record: Record) -> list[str]:
     if record.structure.contact is None:
         return [f"{told}: nothing keeps them apart, which protocol.contact = true does"]
     return [f"{told}, more than contact should let through: with a shorter timestep it holds better"]
+
+
+def _giving_contacts(record: Record) -> list[str]:
+    """Of contacts that gave more energy than may be missing from an account, in which it is found as theirs."""
+    if "contact_work" not in record.series or record.diverged_at is not None:
+        return []
+    balance = energy_balance(record)
+    given = -(balance.contacts or 0.0)
+    if not given > record.design.protocol.residual_limit * balance.exchanged:
+        return []
+    share = f"{100 * given / balance.exchanged:.2g} % of what was exchanged" if balance.exchanged else "from nothing"
+    return [
+        f"contacts gave {show_value(given, 'J')}, {share}, where real ones only take: an error of how the engine models"
+        " them, which is in the account as theirs"
+    ]
 
 
 def _fast_tendons(record: Record) -> list[str]:
