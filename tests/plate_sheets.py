@@ -1,7 +1,13 @@
 """Designs of sheets with rigid facets, for tests."""
 
-from forficula.design import design_from_text
+import math
 
+from forficula.design import design_from_text, load_design, with_values
+
+LENGTH, WIDTH, THICK, DENSITY = 0.1, 0.06, 0.001, 1200.0
+MASS = DENSITY * LENGTH * WIDTH * THICK
+# of a box about the middle of an end face: m L^2 / 3 + m t^2 / 12
+INERTIA = MASS * (LENGTH**2 / 3 + THICK**2 / 12)
 _REST = """
 rest_speed = "0.01 deg/s"
 window = "0.1 s"
@@ -31,6 +37,42 @@ hold = "0 s"
 time_limit = "{stage["limit"]}"
 """
     return design_from_text(text)
+
+
+def stage(until="time", drive="none", limit=1.0, **more):
+    return {"name": f"{drive} {until}", "drive": drive, "until": until, "hold": 0.0, "time_limit": limit} | more
+
+
+def strip(panels=2, *, letters="V", stages=None, **values):
+    """Panels of 10 cm by 6 cm without damping, facet 0 held, nothing else."""
+    changes = {
+        "pattern.panels": panels,
+        "pattern.panel_lengths": [LENGTH],
+        "pattern.width": WIDTH,
+        "pattern.assignment": letters,
+        "facet.thickness": THICK,
+        "facet.density": DENSITY,
+        "crease.stiffness": 0.0,
+        "crease.damping": 0.0,
+        "crease.fold_limit": math.pi,
+        "crease.back_limit": math.pi,
+        "crease.start": 0.0,
+        "support": [],
+        "tendon": [],
+        "drive": [],
+        "measure": [],
+        "protocol.timestep": 1e-4,
+        "protocol.least_hold": 0.0,
+        "protocol.sample_interval": 1e-4,
+        "protocol.stages": [stage()] if stages is None else stages,
+    }
+    return with_values(load_design("letter-fold"), changes | values)
+
+
+def pushed(torque, stages, **values):
+    """One panel that a torque on its crease drives, N m."""
+    push = {"name": "push", "kind": "torque", "of": "creases", "value": f"{torque} N m"}
+    return strip(stages=stages, drive=[push], **values)
 
 
 def miura(size=4, fold="30 deg"):

@@ -19,42 +19,9 @@ from forficula.dynamics import (
     with_timestep,
 )
 from forficula.pattern import CreasePattern, folded_coordinates, write_fold
+from tests.plate_sheets import DENSITY, INERTIA, LENGTH, MASS, THICK, WIDTH, pushed, stage, strip
 
 LETTER = load_design("letter-fold")
-LENGTH, WIDTH, THICK, DENSITY = 0.1, 0.06, 0.001, 1200.0
-MASS = DENSITY * LENGTH * WIDTH * THICK
-# of a box about the middle of an end face: m L^2 / 3 + m t^2 / 12
-INERTIA = MASS * (LENGTH**2 / 3 + THICK**2 / 12)
-
-
-def stage(until="time", drive="none", limit=1.0, **more):
-    return {"name": f"{drive} {until}", "drive": drive, "until": until, "hold": 0.0, "time_limit": limit} | more
-
-
-def strip(panels=2, *, letters="V", stages=None, **values):
-    """Panels of 10 cm by 6 cm without damping, facet 0 held, nothing else."""
-    changes = {
-        "pattern.panels": panels,
-        "pattern.panel_lengths": [LENGTH],
-        "pattern.width": WIDTH,
-        "pattern.assignment": letters,
-        "facet.thickness": THICK,
-        "facet.density": DENSITY,
-        "crease.stiffness": 0.0,
-        "crease.damping": 0.0,
-        "crease.fold_limit": math.pi,
-        "crease.back_limit": math.pi,
-        "crease.start": 0.0,
-        "support": [],
-        "tendon": [],
-        "drive": [],
-        "measure": [],
-        "protocol.timestep": 1e-4,
-        "protocol.least_hold": 0.0,
-        "protocol.sample_interval": 1e-4,
-        "protocol.stages": [stage()] if stages is None else stages,
-    }
-    return with_values(LETTER, changes | values)
 
 
 def run(design, **options):
@@ -374,3 +341,15 @@ def test_the_drives_of_a_stage_rise_each_in_its_own_time():
     expected += np.where(record.time < rise, 0, slowly * (record.time - rise / 2)) / INERTIA
     # a step is of the first order
     assert speed[100:-5] == pytest.approx(expected[100:-5], rel=1e-2)
+
+
+def test_the_largest_kinetic_energy_is_the_work_up_to_a_stop_though_no_row_is_there():
+    """A panel without damping, from rest: torque times angle, all of which the stop takes between two rows."""
+    torque, stop = 0.01, math.pi / 2
+    values = {"crease.fold_limit": stop, "protocol.sample_interval": 20e-3}
+    record = run(pushed(torque, [stage("time", "push", 0.3)], **values))
+    at, most = record.kinetic_peak
+    assert most == pytest.approx(torque * stop, rel=5e-3)
+    # from rest under a constant torque
+    assert at == pytest.approx(math.sqrt(2 * INERTIA * stop / torque), rel=5e-3)
+    assert record.series["kinetic_energy"].max() < 0.9 * most

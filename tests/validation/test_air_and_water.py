@@ -19,43 +19,10 @@ from forficula.dynamics import compile_model, energy_balance, simulate, stable_t
 from forficula.dynamics.drag import KINEMATICS, stacked_drag
 from forficula.show.run.outcome_rows import balance_rows
 from forficula.structure import structure_of
-from tests.plate_sheets import miura, plates
+from tests.plate_sheets import INERTIA, LENGTH, MASS, WIDTH, miura, plates, pushed, stage
 
-LENGTH, WIDTH, THICK, DENSITY = 0.1, 0.06, 0.001, 1200.0
-MASS = DENSITY * LENGTH * WIDTH * THICK
-# of a box about the middle of an end face: m L^2 / 3 + m t^2 / 12
-INERTIA = MASS * (LENGTH**2 / 3 + THICK**2 / 12)
 AIR = {"medium.density": 1.2, "medium.viscosity": 1.8e-5}
 WATER = {"medium.density": 1000.0, "medium.viscosity": 1e-3}
-
-
-def stage(until, drive="none", limit=1.0):
-    return {"name": f"{drive} {until}", "drive": drive, "until": until, "hold": 0.0, "time_limit": limit}
-
-
-def flap(stages, torque=0.0, **values):
-    """A plate of 10 cm by 6 cm, hinged at its shorter side on one that is held; no springs, no dampers."""
-    changes = {
-        "pattern.panels": 2,
-        "pattern.panel_lengths": [LENGTH],
-        "pattern.width": WIDTH,
-        "facet.thickness": THICK,
-        "facet.density": DENSITY,
-        "crease.stiffness": 0.0,
-        "crease.damping": 0.0,
-        "crease.fold_limit": math.pi,
-        "crease.back_limit": math.pi,
-        "crease.start": 0.0,
-        "support": [],
-        "tendon": [],
-        "drive": [{"name": "push", "kind": "torque", "of": "creases", "value": f"{torque} N m"}],
-        "measure": [],
-        "protocol.timestep": 1e-4,
-        "protocol.least_hold": 0.0,
-        "protocol.sample_interval": 1e-4,
-        "protocol.stages": stages,
-    }
-    return with_values(load_design("letter-fold"), changes | values)
 
 
 def run(design):
@@ -71,7 +38,8 @@ def added_inertia(density):
 def test_a_pendulum_swings_slower_by_the_mass_that_moves_with_it(agree):
     """2 pi sqrt(I / (m g L / 2)) of a small swing: the medium adds to I, and nothing to the weight."""
     density, down = 12.0, -math.pi / 2
-    swing = flap(
+    swing = pushed(
+        0.0,
         [stage("time", limit=1.7)],
         **{"crease.start": down + 0.01, "protocol.gravity": 9.81, "medium.density": density},
         **{"protocol.timestep": 2e-4, "protocol.sample_interval": 2e-4},
@@ -89,7 +57,9 @@ def test_a_pendulum_swings_slower_by_the_mass_that_moves_with_it(agree):
 def test_what_moves_with_a_body_weighs_nothing():
     start = [stage("time", limit=1e-3)]
     weights = [
-        run(flap(start, **{"crease.start": 1.0, "protocol.gravity": 9.81}, **medium)).series["gravitational_energy"][0]
+        run(pushed(0.0, start, **{"crease.start": 1.0, "protocol.gravity": 9.81}, **medium)).series[
+            "gravitational_energy"
+        ][0]
         for medium in ({}, {"medium.density": 12.0})
     ]
     assert weights[0] == pytest.approx(MASS * 9.81 * LENGTH / 2 * math.sin(1.0), rel=1e-9)
@@ -101,7 +71,7 @@ def test_a_plate_under_a_torque_comes_to_the_speed_at_which_drag_takes_it_all(ag
     """w^2 = tau / c2 (1 - exp(-2 c2 angle / I)) from rest, with c2 = rho C_D / 2 times the integral of w r^3."""
     drag, inertia = density * WIDTH * LENGTH**4 / 4, INERTIA + added_inertia(density)
     torque = 40.0 * drag + 1e-3
-    record = run(flap([stage("creases > 170 deg", "push")], torque, **{"medium.density": density}))
+    record = run(pushed(torque, [stage("creases > 170 deg", "push")], **{"medium.density": density}))
     angle, energy = record.series["hinge_angle"][:, 0], record.series["kinetic_energy"]
     square = torque / drag * (1 - np.exp(-2 * drag * angle / inertia))
     agree(
@@ -124,7 +94,7 @@ def test_the_error_of_the_drag_is_of_first_order_in_the_timestep():
     errors = []
     for step in (8e-4, 4e-4, 2e-4):
         values = {"medium.density": 1000.0, "protocol.timestep": step}
-        record = run(flap([stage("time", "push", 0.08)], 0.1, **values))
+        record = run(pushed(0.1, [stage("time", "push", 0.08)], **values))
         angle, energy = record.series["hinge_angle"][-1, 0], record.series["kinetic_energy"][-1]
         errors.append(abs(energy - inertia / 2 * 0.1 / drag * (1 - math.exp(-2 * drag * angle / inertia))))
     orders = np.log2(np.array(errors[:-1]) / errors[1:])
@@ -136,7 +106,7 @@ def test_in_a_viscous_medium_without_mass_speeds_go_with_torques(agree, torque):
     """32 mu / (pi w) by area and speed: from rest w = tau / c1 (1 - exp(-c1 t / I))."""
     viscosity = 0.1
     damping = 32 * viscosity / math.pi * LENGTH**3 / 3
-    record = run(flap([stage("time", "push", 0.4)], torque, **{"medium.viscosity": viscosity}))
+    record = run(pushed(torque, [stage("time", "push", 0.4)], **{"medium.viscosity": viscosity}))
     slow = INERTIA / damping
     expected = torque / damping * (record.time - slow * (1 - np.exp(-record.time / slow)))
     angle = record.series["hinge_angle"][:, 0]
@@ -148,7 +118,7 @@ def test_auto_minds_how_fast_viscosity_stops_what_is_light():
     """A force that stays for five steps is stable while 5 h c1 / I < 2."""
     viscosity = 10.0
     rate = 32 * viscosity / math.pi * LENGTH**3 / 3 / INERTIA
-    design = flap([stage("time", "push", 0.02)], 1e-3, **{"medium.viscosity": viscosity})
+    design = pushed(1e-3, [stage("time", "push", 0.02)], **{"medium.viscosity": viscosity})
     allowed = stable_timestep(design)
     assert allowed < 2 / (5 * rate)
     ends = []

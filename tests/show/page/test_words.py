@@ -10,6 +10,7 @@ from forficula.show.page.words import (
     energy_text,
     outcome_remarks,
     outcome_sentence,
+    readable,
     reading_range,
     reading_text,
     structure_text,
@@ -77,6 +78,8 @@ def test_plots_are_told_by_the_values_in_the_states(short_run, short_outcome):
     assert text.count("°") >= 3
     assert [text.find(name) > 0 for name in ("flat", "folded", "opened")] == [True, True, True]
     assert "0 J folded" in energy_text(clip)
+    # which the record knows of every step, and the frames do not
+    assert f"kinetic {readable(short_run.kinetic_peak[1], 'J')}" in energy_text(clip)
 
 
 def test_a_structure_is_told_by_what_it_is_or_by_its_parts(short_run):
