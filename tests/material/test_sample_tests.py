@@ -33,3 +33,18 @@ def test_no_file_is_written_over(tmp_path, name, message):
     with pytest.raises(InputError, match=message):
         write_sample_tests(tmp_path / name)
     assert [file.name for file in tmp_path.iterdir()] == ["a-made-up-1.csv"]
+
+
+def test_where_one_cannot_be_written_none_is(tmp_path, monkeypatch):
+    written = []
+
+    def full(path, text):
+        if written:
+            raise OSError(28, "No space left on device")
+        written.append(path)
+        path.write_text(text, "utf-8")
+
+    monkeypatch.setattr("forficula.material.sample_tests.write_text", full)
+    with pytest.raises(InputError, match="No space left on device"):
+        write_sample_tests(tmp_path / "a.csv")
+    assert list(tmp_path.iterdir()) == []

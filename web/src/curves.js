@@ -7,7 +7,7 @@ import uPlot from "uplot";
 import { placeIn, unpack } from "./clip.js";
 import { lineSample, make } from "./elements.js";
 import { short } from "./format.js";
-import { HEIGHT, axisLook, figureOf, valueAxis } from "./plots.js";
+import { ALONG, HEIGHT, axisLook, figureOf, lineSeries, valueAxis } from "./plots.js";
 import { lineLook, onSchemeChange, styleColour } from "./scheme.js";
 
 const ANGLES = [0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 60, 90, 180];
@@ -144,21 +144,12 @@ function options({ data, lines, balls, marks, energyRange }, width, height) {
     },
     series: [
       {},
-      ...lines.map((_, index) => ({
-        stroke: () => lineLook(index).colour,
-        dash: lineLook(index).dash,
-        width: 1.8,
-        points: { show: false },
-        spanGaps: true,
-      })),
+      ...lineSeries(lines),
     ],
     axes: [
       {
         ...look,
-        size: 24,
-        gap: 3,
-        labelSize: 18,
-        labelGap: 0,
+        ...ALONG,
         labelFont: look.font,
         label: `${data.axis} (deg)`,
         values: values.values,

@@ -113,21 +113,12 @@ function options(plot, clips, clock, width) {
     scales: { x: { time: false, auto: false, distr: 100, fwd: clock.shareAt, bwd: clock.momentAt }, y: { range: (_, low, high) => yRange(plot, low, high) } },
     series: [
       {},
-      ...plot.lines.map((_, index) => ({
-        stroke: () => lineLook(index).colour,
-        dash: lineLook(index).dash,
-        width: 1.6,
-        points: { show: false },
-        spanGaps: true,
-      })),
+      ...lineSeries(plot.lines),
     ],
     axes: [
       {
         ...axis,
-        size: 24,
-        gap: 3,
-        labelSize: 18,
-        labelGap: 0,
+        ...ALONG,
         labelFont: axis.font,
         label: () => `${clock.span.label} (${timeUnit(clock.span).unit})${clock.stretched ? ", stretched" : ""}`,
         // those of a scale that is not linear would be left out where they are not 1, 2 or 5
@@ -164,6 +155,20 @@ function evenSplits(low, high, step) {
   const first = Math.ceil(low / step - 1e-9);
   return Array.from({ length: Math.floor(high / step + 1e-9) - first + 1 }, (_, index) => (first + index) * step);
 }
+
+/** How lines look, by their number. */
+export function lineSeries(lines) {
+  return lines.map((_, index) => ({
+    stroke: () => lineLook(index).colour,
+    dash: lineLook(index).dash,
+    width: 1.6,
+    points: { show: false },
+    spanGaps: true,
+  }));
+}
+
+/** Of the axis along a plot: where its name and numbers stand. */
+export const ALONG = { size: 24, gap: 3, labelSize: 18, labelGap: 0 };
 
 export function axisLook() {
   return {

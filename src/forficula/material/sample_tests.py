@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
-from forficula.files import write_text
+from forficula.files import replacing_all, write_text
 from forficula.material.tensile.tensile_test import TensileTest
 
 Array = NDArray[np.float64]
@@ -97,9 +97,14 @@ def write_sample_tests(path: Path) -> list[Path]:
     for file in files:
         if file.exists():
             raise InputError(f"{file}: is there already")
-    for number, file in enumerate(files, start=1):
-        test = rubber_test(number)
-        rows = np.column_stack([test.time, 1e3 * test.extension, test.force]).tolist()
-        lines = [_NOTE, "time [s],extension [mm],force [N]", *(",".join(f"{cell:.6g}" for cell in row) for row in rows)]
-        write_text(file, "\n".join([*lines, ""]))
+    with replacing_all(path.parent) as unfinished:
+        for number, file in enumerate(files, start=1):
+            write_text(unfinished / file.name, _exported(rubber_test(number)))
     return files
+
+
+def _exported(test: TensileTest) -> str:
+    """A test as a table with units in its names, under the note that it was not measured."""
+    rows = np.column_stack([test.time, 1e3 * test.extension, test.force]).tolist()
+    lines = [_NOTE, "time [s],extension [mm],force [N]", *(",".join(f"{cell:.6g}" for cell in row) for row in rows)]
+    return "\n".join([*lines, ""])
