@@ -162,6 +162,12 @@ def study_file(tmp_path, write_study_file):
     return write
 
 
+@pytest.fixture(scope="session")
+def letter_run() -> Record:
+    """The quickest named design, which closes and opens again."""
+    return ff.run(ff.load_design("letter-fold"))
+
+
 @pytest.fixture
 def no_column_figures(monkeypatch):
     """Leave figures as wide as a column empty, which take most of the time that a folder of results takes."""

@@ -13,13 +13,13 @@ from forficula.design import with_values
 
 
 @pytest.fixture(scope="module")
-def design():
-    return ff.load_design("letter-fold")
+def design(letter_run):
+    return letter_run.design
 
 
 @pytest.fixture(scope="module")
-def record(design):
-    return ff.run(design)
+def record(letter_run):
+    return letter_run
 
 
 def test_every_example_is_true(tmp_path, monkeypatch, design, record):

@@ -22,14 +22,13 @@ SHORT = {
 }
 
 
-def summary_of(design):
-    record = ff.run(design)
+def summary_of(record):
     return json.loads(json.dumps(summary(record, ff.measure(record), versions()), allow_nan=False))
 
 
 @pytest.fixture(scope="module")
-def letter():
-    return summary_of("letter-fold")
+def letter(letter_run):
+    return summary_of(letter_run)
 
 
 def valid(kind, data):
@@ -54,13 +53,13 @@ def test_the_summary_of_plates_is_valid(letter):
     ],
 )
 def test_the_summary_of_a_wing_is_valid(values):
-    valid("summary", summary_of(ff.load_design("binder2025", values)))
+    valid("summary", summary_of(ff.run(ff.load_design("binder2025", values))))
 
 
 def test_the_summary_of_a_sheet_of_bars_is_valid():
     stage = {"name": "fold", "drive": "fold", "until": "time", "hold": "0 s", "time_limit": "5 ms"}
     sheet = ff.load_design("miura-sheet")
-    valid("summary", summary_of(sheet.with_values({"protocol.stages": [stage]})))
+    valid("summary", summary_of(ff.run(sheet.with_values({"protocol.stages": [stage]}))))
 
 
 @pytest.mark.parametrize("name", ["letter-fold", "binder2025"])

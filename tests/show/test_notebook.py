@@ -10,13 +10,13 @@ from tests.material.synthetic import cyclic_test
 
 
 @pytest.fixture(scope="module")
-def design():
-    return ff.load_design("letter-fold")
+def design(letter_run):
+    return letter_run.design
 
 
 @pytest.fixture(scope="module")
-def record(design):
-    return ff.run(design)
+def record(letter_run):
+    return letter_run
 
 
 @pytest.fixture(scope="module")

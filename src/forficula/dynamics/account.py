@@ -89,31 +89,8 @@ class Account:
             travel = (velocity[:, :-1] + velocity[:, 1:]) / 2 * self._timestep[rows, None, None]
             if self._explicit:
                 travel = np.diff(np.concatenate([steps.position_before[:, None], steps.position], axis=1), axis=1)
-            damping = self._damping[rows, None]
             before_step = np.concatenate([self._set[rows, None], torques[:, :-1]], axis=1)
-            if steps.angles is None:
-                work = {
-                    motor_work_name(number): torques[:, :, number] * self._along(rows, travel, motor)
-                    for number, motor in enumerate(self._motors)
-                }
-                for number in np.flatnonzero(self._by_engine.any(axis=0)).tolist():
-                    work[motor_work_name(number)] += np.array(
-                        [
-                            engine_work(self._models[row], number, steps, place, travel[place])
-                            for place, row in enumerate(rows.tolist())
-                        ]
-                    )
-                of_creases = np.zeros(travel.shape[:2])
-            else:
-                each = [
-                    crease_works(self._models[row], steps, place, travel[place], torques[place], before_step[place])
-                    for place, row in enumerate(rows.tolist())
-                ]
-                work = {
-                    motor_work_name(number): np.array([motors[number] for motors, _ in each])
-                    for number in range(len(self._motors))
-                }
-                of_creases = np.array([damped for _, damped in each])
+            work, of_creases = self._driven(rows, steps, travel, torques, before_step)
             if "qfrc_applied" in steps.derived:
                 work["drag_work"] = np.sum(steps.derived["qfrc_applied"] * travel, axis=2)
             if self._explicit:
@@ -122,14 +99,7 @@ class Account:
                 done = sum((work[name] for name in (*outside, "drag_work") if name in work), np.zeros(travel.shape[:2]))
                 self._add_stops(work, done, rows, steps, taken)
             else:
-                # the engine takes hinge damping implicitly, at the velocity after the step
-                work["hinge_damping_work"] = np.sum(-damping * velocity[:, 1:] * travel, axis=2) + of_creases
-                work["elastic_damping_work"] = np.sum(
-                    (steps.derived["qfrc_damper"] + damping * velocity[:, :-1]) * travel, axis=2
-                )
-                work["stop_work"] = np.sum(steps.derived["qfrc_constraint"] * travel, axis=2)
-                if self._models[0].structure.contact is not None:
-                    self._add_contacts(work, rows, steps, travel)
+                self._add_taken(work, rows, steps, travel, of_creases)
             for place, row in enumerate(rows.tolist()):
                 self._add_branches(work, place, self._models[row], steps, travel)
             seconds = [float(self._models[row].design.protocol.timestep) for row in rows]
@@ -200,6 +170,48 @@ class Account:
             self._waited,
         ):
             done[row] = done[leader]
+
+    def _driven(
+        self, rows: Indices, steps: Steps, travel: Array, torques: Array, before_step: Array
+    ) -> tuple[dict[str, Array], Array]:
+        """The work of motors, and of creases' damping where these are followed, (row, step)."""
+        if steps.angles is None:
+            work = {
+                motor_work_name(number): torques[:, :, number] * self._along(rows, travel, motor)
+                for number, motor in enumerate(self._motors)
+            }
+            for number in np.flatnonzero(self._by_engine.any(axis=0)).tolist():
+                work[motor_work_name(number)] += np.array(
+                    [
+                        engine_work(self._models[row], number, steps, place, travel[place])
+                        for place, row in enumerate(rows.tolist())
+                    ]
+                )
+            of_creases = np.zeros(travel.shape[:2])
+        else:
+            each = [
+                crease_works(self._models[row], steps, place, travel[place], torques[place], before_step[place])
+                for place, row in enumerate(rows.tolist())
+            ]
+            work = {
+                motor_work_name(number): np.array([motors[number] for motors, _ in each])
+                for number in range(len(self._motors))
+            }
+            of_creases = np.array([damped for _, damped in each])
+        return work, of_creases
+
+    def _add_taken(self, work: dict[str, Array], rows: Indices, steps: Steps, travel: Array, of_creases: Array) -> None:
+        """Add what dampers, stops and contacts do in steps that the engine takes implicitly."""
+        velocity = np.concatenate([steps.velocity_before[:, None], steps.velocity], axis=1)
+        damping = self._damping[rows, None]
+        # the engine takes hinge damping implicitly, at the velocity after the step
+        work["hinge_damping_work"] = np.sum(-damping * velocity[:, 1:] * travel, axis=2) + of_creases
+        work["elastic_damping_work"] = np.sum(
+            (steps.derived["qfrc_damper"] + damping * velocity[:, :-1]) * travel, axis=2
+        )
+        work["stop_work"] = np.sum(steps.derived["qfrc_constraint"] * travel, axis=2)
+        if self._models[0].structure.contact is not None:
+            self._add_contacts(work, rows, steps, travel)
 
     def _along(self, rows: Indices, travel: Array, motor: Motor) -> Array:
         """Sum of the travel of the hinges of a motor in their own senses, (row, step)."""
