@@ -13,6 +13,7 @@ from forficula.design.design_file import (
 from forficula.design.fan import FanDesign, FanProtocol
 from forficula.design.keys import key_quantity, key_value, names_law, put
 from forficula.design.law import LawSection, tendon_material
+from forficula.design.make import MakeSection
 from forficula.design.medium import MediumSection
 from forficula.design.new_design import write_new_design
 from forficula.design.part import LENGTH, TORQUE
@@ -33,6 +34,7 @@ __all__ = [
     "FanProtocol",
     "Imperfection",
     "LawSection",
+    "MakeSection",
     "MediumSection",
     "Protocol",
     "SheetDesign",

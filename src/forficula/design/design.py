@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self, cast
 
 from pydantic import Field, field_validator
 
+from forficula.design.make import MakeSection
 from forficula.design.medium import MediumSection
 from forficula.design.part import SHORT_TIME, TIME, Part
 from forficula.design.protocol import Protocol
@@ -41,6 +42,9 @@ class Design(Displayed, Part):
         str | None, Field(description="the paper that its figures are set beside", examples=["binder2025"])
     ] = None
     medium: Annotated[MediumSection | None, Field(description="what it moves in; without it, empty space")] = None
+    make: Annotated[
+        MakeSection | None, Field(description="how its parts are made; without it, by the defaults of each key")
+    ] = None
     protocol: Protocol
 
     @field_validator("medium")
@@ -94,8 +98,8 @@ class Design(Displayed, Part):
         return self
 
     def hash_values(self) -> dict[str, Any]:
-        """The values but for what they are called and where they come from."""
-        return {key: value for key, value in super().hash_values().items() if key not in WORDS}
+        """The values but for what they are called, where they come from, and how parts are made: a run is the same."""
+        return {key: value for key, value in super().hash_values().items() if key not in (*WORDS, "make")}
 
 
 def check_duration(design: Design, parts: int, what: str) -> None:

@@ -1,0 +1,1 @@
+"""Solids and sheets to make, and what is checked of them."""
