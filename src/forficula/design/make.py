@@ -40,7 +40,7 @@ class MakeSection(Part):
     pin_diameter: float = _detail("of the pin, or of the axle", 2e-3, above=0)
     pin_material: Annotated[str, Field(description="of a pin that is not printed, by name")] = "steel"
     hinge_wall: float = _detail("of the knuckles around the pin", 1.6e-3, above=0)
-    hinge_width: float = _detail("of all knuckles of a hinge together, along its axis", 18e-3, above=0)
+    hinge_width: float = _detail("of all knuckles of a hinge together, along its axis", 10e-3, above=0)
     strap_material: Annotated[
         str | None, Field(description="of the straps, by name; without it, that of tendon.law, or else tpu-95a")
     ] = None
@@ -56,7 +56,10 @@ class MakeSection(Part):
             " bars, which stand off the hinge"
         ),
     ] = "as designed"
-    peg_diameter: float = _detail("of the pegs that straps are hung on", 4e-3, above=0)
+    peg_diameter: float = _detail("of the pegs that straps are hung on", 5e-3, above=0)
+    root_diameter: float = _detail("of the flexible rods that bars turn on at the hub", 4e-3, above=0)
+    root_length: float = _detail("of a rod between hub and bar", 10e-3, above=0)
+    root_material: Annotated[str, Field(description="of these rods, by name")] = "tpu-95a"
     kerf: float = _detail("width that the cutter takes away", 0.1e-3, at_least=0)
     margin: float = _detail("by which the sheet is cut wider than its pattern, all around", 0.0, at_least=0)
     window: float = _detail("gap between the sheet and what passes through it", 1e-3, at_least=0)
@@ -75,7 +78,7 @@ class MakeSection(Part):
         at_least=0,
     )
 
-    @field_validator("bar_material", "pin_material", "strap_material")
+    @field_validator("bar_material", "pin_material", "strap_material", "root_material")
     @classmethod
     def _is_a_material(cls, name: str | None) -> str | None:
         if name is not None and name not in named_laws():

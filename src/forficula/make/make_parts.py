@@ -1,0 +1,150 @@
+"""Design -> parts: what has to be made of it."""
+
+from __future__ import annotations
+
+from typing import Literal, get_args
+
+import numpy as np
+
+from forficula.design import AnyDesign, Design, MakeSection, as_design
+from forficula.errors import InputError
+from forficula.make.hub import Root, hub_solid, rod_solid, roots_of, with_sleeve
+from forficula.make.joint import bar_solid, pin_solid
+from forficula.make.joint_layout import Arm, JointLayout, joint_layouts
+from forficula.make.part import Part, PartSet
+from forficula.make.sheet import cut_sheet
+from forficula.make.stock import stock_of
+from forficula.make.strap_shape import StrapPlace, made_strap, strap_places
+from forficula.material.law.law_file import named_laws
+from forficula.names import one_of
+from forficula.structure import GROUND, Structure, structure_of
+from forficula.structure.parts import Array
+
+PartName = Literal["all", "sheet", "joint", "section"]
+
+
+def make_parts(design: AnyDesign, part: PartName = "all") -> PartSet:
+    """Make the parts of a design: its cut sheet, and bars, pins, straps, hub and roots as solids.
+
+    Args:
+        design: or its name or path.
+        part: "sheet"; "joint", the first joint alone; "section", all joints with the hub that they turn on; or "all",
+            the sheet and, of a structure of bars, the section.
+
+    Raises:
+        InputError: no such part, or one that the design has not.
+
+    >>> parts = ff.make_parts("binder2025-joint")
+    >>> [part.name for part in parts.parts]
+    ['proximal0', 'distal0', 'pin0', 'strap0']
+    """
+    if part not in get_args(PartName):
+        raise InputError(f"part: need {one_of(get_args(PartName), part)}")
+    design = as_design(design)
+    structure = structure_of(design)
+    joints: tuple[JointLayout, ...] = ()
+    if part in ("joint", "section") or (part == "all" and structure.bars):
+        joints = joint_layouts(design, structure)
+        joints = joints[:1] if part == "joint" else joints
+    return PartSet(
+        design=design,
+        structure=structure,
+        joints=joints,
+        roots=(roots := () if part == "joint" else roots_of(structure, joints)),
+        straps=(straps := strap_places(joints)),
+        parts=(*_bars(structure, joints, roots), *_pins(joints), *_straps(design, structure, straps), *_hub(roots)),
+        sheet=cut_sheet(design) if part in ("all", "sheet") else None,
+    )
+
+
+def _bars(structure: Structure, joints: tuple[JointLayout, ...], roots: tuple[Root, ...]) -> list[Part]:
+    """Every bar of a joint, with its half of each joint that it is part of, and the sleeve of its root."""
+    arms: dict[int, list[tuple[JointLayout, Arm]]] = {}
+    # what turns a bar comes before what it turns, so the chain of its arms goes outwards
+    for joint in joints:
+        arms.setdefault(joint.proximal.body, []).append((joint, joint.proximal))
+        arms.setdefault(joint.distal.body, []).append((joint, joint.distal))
+    rooted = {root.body: root for root in roots}
+    parts = []
+    for body, of in sorted(arms.items()):
+        joint, arm = of[0]
+        solid = bar_solid(of)
+        parts.append(
+            Part(
+                name=structure.bodies[body].name,
+                kind="bar",
+                stock=stock_of(joint.make.bar_material),
+                solid=with_sleeve(solid, rooted[body], arm.length) if body in rooted else solid,
+                body=body,
+                bed=_face_down(joint),
+            )
+        )
+    return parts
+
+
+def _pins(joints: tuple[JointLayout, ...]) -> list[Part]:
+    """The pins that are not printed with their knuckles."""
+    return [
+        Part(
+            name=f"pin_{joint.name}",
+            kind="pin",
+            stock=stock_of(joint.make.pin_material),
+            solid=pin_solid(joint),
+            body=joint.proximal.body,
+            printed=False,
+            bed=np.eye(3),
+        )
+        for joint in joints
+        if joint.make.hinge == "pin"
+    ]
+
+
+def _straps(design: Design, structure: Structure, places: tuple[StrapPlace, ...]) -> list[Part]:
+    """The straps of all tendons, as they are made: at their resting lengths."""
+    parts = []
+    for place in places:
+        tendon = structure.tendons[place.tendon]
+        along = place.ends[0, 1] - place.ends[0, 0]
+        along, up = along / np.linalg.norm(along), place.up
+        own = tendon.material if (design.make or MakeSection()).strap_material is None else None
+        parts.append(
+            Part(
+                name=tendon.name.replace("tendon", "strap"),
+                kind="strap",
+                stock=stock_of(own if own is not None and own.name not in named_laws() else place.strap.material),
+                solid=made_strap(place),
+                body=None,
+                count=place.strap.count,
+                # on its side: as wide as it is, so high it is printed
+                bed=np.vstack([along, up - along * (up @ along), np.cross(along, up)]),
+            )
+        )
+    return parts
+
+
+def _hub(roots: tuple[Root, ...]) -> list[Part]:
+    """The hub and its rods; none where nothing turns on a root."""
+    if not roots:
+        return []
+    make = roots[0].make
+    hub = Part(
+        name="hub", kind="hub", stock=stock_of(make.bar_material), solid=hub_solid(roots), body=GROUND, bed=np.eye(3)
+    )
+    rods = [
+        Part(
+            name=f"root{number}",
+            kind="root",
+            stock=stock_of(make.root_material),
+            solid=rod_solid(root),
+            body=None,
+            bed=np.eye(3),
+        )
+        for number, root in enumerate(roots)
+    ]
+    return [hub, *rods]
+
+
+def _face_down(joint: JointLayout) -> Array:
+    """The rotation that lays a bar on the flat of its overbend side, (3, 3)."""
+    turned: Array = np.diag([1.0, -1.0, -1.0]) @ joint.frame.T
+    return turned

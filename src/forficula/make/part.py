@@ -1,0 +1,86 @@
+"""A part to make, and all parts of a design."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from manifold3d import Manifold
+
+from forficula.design import Design
+from forficula.make.hub import Root
+from forficula.make.joint_layout import JointLayout
+from forficula.make.mesh import MILLIMETRES, solid_of
+from forficula.make.sheet import CutSheet
+from forficula.make.solids import Solid
+from forficula.make.stock import Stock
+from forficula.make.strap_shape import StrapPlace
+from forficula.structure import Structure
+from forficula.structure.parts import Array
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Part:
+    """A solid of one material.
+
+    Attributes:
+        name: of its own.
+        kind: what it is called with others of its kind: bar, pin, strap, hub, root.
+        stock: what it is made of.
+        solid: where it is as the structure is built flat, in the axes of the ground, m.
+        body: number of the body that it moves with; GROUND for one that does not move, None for one that bends.
+        count: how many of it there are, all in its place or beside it.
+        printed: whether it is, or comes ready from a shop.
+        bed: rotation after which it lies as it is printed, (3, 3).
+    """
+
+    name: str
+    kind: str
+    stock: Stock
+    solid: Solid
+    body: int | None
+    count: int = 1
+    printed: bool = True
+    bed: Array
+
+    @cached_property
+    def shape(self) -> Manifold:
+        """Its solid as a mesh, mm."""
+        return solid_of(self.solid)
+
+    @property
+    def volume(self) -> float:
+        """Of one of it, m^3."""
+        return float(self.shape.volume()) / MILLIMETRES**3
+
+    @property
+    def mass(self) -> float | None:
+        """Of one of it, kg; None where the density is not known."""
+        return None if self.stock.density is None else self.stock.density * self.volume
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PartSet:
+    """What is to be made of a design.
+
+    Attributes:
+        design: whose parts they are.
+        structure: that is built of them.
+        joints: where everything of each joint is.
+        roots: what bars turn on at the ground.
+        straps: where straps end.
+        parts: solids; empty where the sheet alone is made.
+        sheet: what is cut; None where only solids are made.
+    """
+
+    design: Design
+    structure: Structure
+    joints: tuple[JointLayout, ...]
+    roots: tuple[Root, ...]
+    straps: tuple[StrapPlace, ...]
+    parts: tuple[Part, ...]
+    sheet: CutSheet | None
+
+    def of_body(self, body: int) -> tuple[Part, ...]:
+        """The parts that move with a body."""
+        return tuple(part for part in self.parts if part.body == body)
