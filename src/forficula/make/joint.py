@@ -60,7 +60,7 @@ def peg_solids(layout: JointLayout, arm: Arm) -> list[Solid]:
         for side in (-1, 1)
     ]
     low, high = sorted((arm.height, layout.standoff))
-    if high - low > layout.bar_diameter / 2 - radius:
+    if high - low > max(0.0, layout.bar_diameter / 2 - radius):
         frame = np.column_stack([arm.along, np.cross(layout.frame[:, 2], arm.along), layout.frame[:, 2]])
         half = layout.bar_diameter / 2
         low = low if low == layout.standoff else low - radius

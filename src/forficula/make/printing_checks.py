@@ -54,6 +54,19 @@ def printing_checks(parts: PartSet) -> Iterator[Check]:
                 text="a strap must be wider than thick, or it bows sideways into the joint"
                 + ("" if strap.width > strap.thickness else ": take a thinner one (make.strap_thickness)"),
             )
+    for part in parts.parts:
+        pieces = len(part.shape.decompose())
+        yield Check(
+            name="in one piece",
+            part=part.name,
+            ok=pieces == 1,
+            value=float(pieces),
+            limit=1.0,
+            unit="",
+            text="all of it hangs together"
+            if pieces == 1
+            else f"it falls into {pieces} pieces: make it longer or wider",
+        )
     if parts.joints and parts.joints[0].make.process == "filament":
         yield from (_overhang(part) for part in parts.parts if part.printed)
 
