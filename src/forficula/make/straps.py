@@ -1,0 +1,96 @@
+"""The straps that tendons are made of: how wide they are for the stiffness that the design asks for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from forficula.design import Design, MakeSection
+from forficula.errors import InputError
+from forficula.make.density import density_of
+from forficula.material.law.law_file import load_law, named_laws
+from forficula.material.law.material_law import MaterialLaw, area_for
+from forficula.structure import Tendon
+
+# what straps are printed or cut from where a design names nothing
+USUAL_MATERIAL = "tpu-95a"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Strap:
+    """What a tendon is made as: one strap, or two alike that share its pull.
+
+    Attributes:
+        width: of one of them, m.
+        thickness: of one of them, m.
+        count: how many there are.
+        rest_length: between its pegs where it does not pull, m.
+        material: its name.
+        area: of all of them together, m^2.
+        density: of the material, kg/m^3; None where its sources give none.
+    """
+
+    width: float
+    thickness: float
+    count: int
+    rest_length: float
+    material: str
+    area: float
+    density: float | None
+
+    @property
+    def mass(self) -> float | None:
+        """Of all of them between their pegs, kg; None where the density is not known."""
+        return None if self.density is None else self.density * self.area * self.rest_length
+
+
+def strap_of(design: Design, tendon: Tendon) -> Strap:
+    """The strap of a tendon: as wide as gives its stiffness at small extension.
+
+    The area is A = k L / E1, with the tendon's stiffness k and resting length L (before any set) and the linear modulus
+    E1 of the strap's material: `make.strap_material`, or else that of the tendon's law, or else tpu-95a. With the
+    tendon's own law that is the design's own area. What is curved in one law and not in the other is not looked at.
+
+    Args:
+        design: in SI, with how its parts are made, or none of that for the defaults.
+        tendon: of its structure.
+
+    Raises:
+        InputError: a resting length of 0, a stiffness of 0, or a material of which no tendon can be made.
+
+    Example:
+        >>> from forficula.design import load_design
+        >>> from forficula.structure import structure_of
+        >>> wing = load_design("binder2025")
+        >>> strap = strap_of(wing, structure_of(wing).tendons[0])
+        >>> strap.material, strap.count, round(1e6 * strap.area, 2), round(1e3 * strap.width, 2)
+        ('tpu-95a', 2, 7.32, 3.66)
+    """
+    make = design.make or MakeSection()
+    law = _material(make, tendon)
+    try:
+        area = area_for(law, length=tendon.gauge_length, stiffness=tendon.law.stiffness[0])
+    except InputError as error:
+        raise InputError(f"{tendon.key or tendon.name}: cannot be made as a strap: {error}") from None
+    return Strap(
+        width=area / (make.straps * make.strap_thickness),
+        thickness=make.strap_thickness,
+        count=make.straps,
+        rest_length=tendon.gauge_length,
+        material=law.name or "the tendon's own law",
+        area=area,
+        density=_density(law),
+    )
+
+
+def _material(make: MakeSection, tendon: Tendon) -> MaterialLaw:
+    """What a tendon's straps are made of."""
+    if make.strap_material is not None:
+        return load_law(make.strap_material)
+    if tendon.material is not None:
+        return tendon.material
+    return load_law(USUAL_MATERIAL)
+
+
+def _density(law: MaterialLaw) -> float | None:
+    """Of the material, kg/m^3; a design keeps a material's law by its name, without what else its sources say."""
+    return density_of(load_law(law.name) if law.name in named_laws() and not law.facts else law)
