@@ -91,7 +91,7 @@ def _commented(design: Design, without: str) -> Iterator[str]:
                 yield f"{'# ' + _example(key, entry):<40}  # {entry.description}"
                 continue
             yield f"{_line(key, values[key]):<40}  # {entry.description}"
-        if isinstance(part, TendonSection):
+        if isinstance(part, TendonSection) and part.numbered_by:
             yield "# [[tendon]] with vein = 0 and what differs is the tendon of one vein; then a vein without has none."
         for key, entry in type(part).model_fields.items():
             if key == "stages":
