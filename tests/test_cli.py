@@ -188,6 +188,7 @@ def test_the_named_designs_are_listed_with_their_sources(call):
         "binder2025",
         "binder2025-built",
         "binder2025-coupled",
+        "binder2025-joint",
         "binder2025-stored",
         "binder2025-thick",
         "bistable-clasp",
