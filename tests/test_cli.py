@@ -188,6 +188,7 @@ def test_the_named_designs_are_listed_with_their_sources(call):
         "binder2025",
         "binder2025-built",
         "binder2025-coupled",
+        "binder2025-joint",
         "binder2025-stored",
         "binder2025-thick",
         "bistable-clasp",
@@ -248,7 +249,7 @@ def test_a_new_design_file_of_each_kind_describes_itself(call, refusal):
     call("pattern", "letter-fold", "--out", "sheet.fold")
     call("new", "sheet.toml", "--kind", "fold-file")
     assert "strip of 3 panels" in call("pattern", "sheet.toml").out
-    kinds = "earwig-fan, miura-ori, waterbomb, yoshimura, kresling, pleats, vertex, fold-file"
+    kinds = "earwig-fan, joint, miura-ori, waterbomb, yoshimura, kresling, pleats, vertex, fold-file"
     said = f'kind: need one of {kinds}, got "pleat"; did you mean "pleats"?'
     assert refusal("new", "other.toml", "--kind", "pleat") == said
 
