@@ -58,7 +58,9 @@ class MakeSection(Part):
     ] = "as designed"
     peg_diameter: float = _detail("of the pegs that straps are hung on", 4e-3, above=0)
     kerf: float = _detail("width that the cutter takes away", 0.1e-3, at_least=0)
-    margin: float = _detail("by which the sheet is cut wider than its pattern, all around", 0.0, at_least=0)
+    margin: float = _detail(
+        "by which the sheet is cut wider than its pattern, around its outside; creases run on in it", 0.0, at_least=0
+    )
     window: float = _detail("gap between the sheet and what passes through it", 1e-3, at_least=0)
     crease_style: Annotated[
         Literal["score", "perforation", "lattice"],

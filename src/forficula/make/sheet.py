@@ -215,10 +215,11 @@ def _round_holes(sheet: Region, solid: Region, holes: Sequence[Round]) -> tuple[
     """
     kept: list[Round] = []
     merged, large = [], 0
+    places, diameters = np.array([hole[0] for hole in holes]), np.array([hole[1] for hole in holes])
     for number, (place, diameter, kind) in enumerate(holes):
         region = region_of([disc(place, diameter)])
-        others = [hole for at, hole in enumerate(holes) if at != number]
-        apart = all(np.linalg.norm(place - other) > (diameter + its) / 2 for other, its, _ in others)
+        gaps = np.linalg.norm(places - place, axis=1) - (diameters + diameter) / 2
+        apart = bool((np.delete(gaps, number) > 0).all())
         inside, whole = (area_of(region ^ each) >= (1 - _ROUNDING) * area_of(region) for each in (sheet, solid))
         if apart and whole:
             kept.append((place, diameter, kind))
@@ -308,7 +309,7 @@ def _creases(drawn: _Drawn) -> tuple[list[CutLine], tuple[CreaseLine, ...], list
         if letter in _LAYERS and drawn.faces_at[frozenset(pattern.edges_vertices[edge].tolist())] > 1
     ]
     creases = crease_lines(drawn.points, pattern.edges_vertices, folds, _closed_cuts(drawn))
-    whole, kept = sides_of(drawn.all_cut), sides_of(grown(drawn.all_cut, -make.crease_bridge))
+    whole, kept = sides_of(drawn.all_cut), sides_of(grown(drawn.all_cut, -make.crease_bridge - make.kerf / 2))
     lines, short = [], []
     for edge, plain in creases.items():
         crease = replace(plain, beyond=(drawn.beyond(plain.tail), drawn.beyond(plain.head)))
