@@ -275,6 +275,29 @@ def test_no_slit_meets_another_one_or_a_hole_or_the_border(gaps, style, hole):
     assert not failed(sheet) & {"one piece", "slits"}
 
 
+def test_where_the_membrane_of_a_fan_begins_is_marked():
+    design, sheet = load_design("binder2025"), sheet_of("binder2025")
+    structure = structure_of(design)
+    places = dict(zip([point.name for point in structure.points], built_points(structure), strict=True))
+    hub, ring = places["hub1"][:2], places["ring1"][:2]
+    ends = np.concatenate([line.points for line in of_kind(sheet, "edge")])
+    assert {line.layer for line in of_kind(sheet, "edge")} == {"mark"}
+    assert np.linalg.norm(ends - (hub + 0.3 * (ring - hub)), axis=1).min() < 1e-7
+    assert sheet.notes[0].startswith("the membrane that is computed leaves 4.4")
+
+
+@pytest.mark.parametrize("style", ["perforation", "lattice"])
+def test_no_slit_runs_into_a_window_or_out_of_a_fan(style):
+    sheet = sheet_of("binder2025", ("crease_style", style), ("crease_bridge", "1.5 mm"))
+    sides = sides_of(region_of(sheet.outlines))
+    slits = [line.points for line in of_kind(sheet, "slit")]
+    assert min(distance_to(sides, tip) for points in slits for tip in points) >= 1.5e-3
+    # and in between there is sheet
+    middles = [points.mean(axis=0) for points in slits]
+    solid = region_of(sheet.outlines)
+    assert all(area_of(region_of([middle + 1e-4 * np.eye(3, 2)]) ^ solid) > 0 for middle in middles)
+
+
 def test_cuts_of_a_pattern_stay_closed_and_end_half_a_kerf_before_what_they_do_not_cut():
     sheet = strip("VCV", kerf="0.2 mm")
     (inner,) = of_kind(sheet, "cut")

@@ -49,7 +49,7 @@ def draw_cut_sheet(sheet: CutSheet, width: float = PAGE_WIDTH) -> Figure:
         _draw_sizes(axes, sheet)
         axes.autoscale_view()
         figure.suptitle(f"{sheet.name}: sheet to cut", fontsize=8)
-        fit_legend(figure, _handles(sheet), 4, loc="outside lower center")
+        fit_legend(figure, _handles(sheet), 5, loc="outside lower center")
         return describe(figure, _tell(sheet))
 
 
@@ -117,10 +117,13 @@ def _handles(sheet: CutSheet) -> list[Line2D | Patch]:
     handles: list[Line2D | Patch] = [Patch(fc=_PAPER, label="stays")]
     for layer in layer_texts(sheet):
         colour, style = _STYLES[layer]
-        if layer == "mark":
+        if layer == "mark" and sheet.labels:
             handles.append(Line2D([], [], color=colour, ls="none", label=names[layer]))
             continue
         folds = layer in ("mountain", "valley")
+        if layer == "mark":
+            handles.append(Line2D([], [], color=colour, lw=_LINE, label="end of the membrane"))
+            continue
         label = "scored" if layer == "score" else names[layer] + (f", {does}" if folds else "")
         dashes = style if sheet.style == "score" or layer == "score" else "-"
         handles.append(Line2D([], [], color=colour, ls=dashes, lw=_LINE, label=label))
