@@ -71,7 +71,7 @@ def cut_sheet(design: AnyDesign) -> CutSheet:
 
     Example:
         >>> sheet = cut_sheet("letter-fold")
-        >>> [round(1e3 * each) for each in sheet.size], sum(line.kind == "crease" for line in sheet.lines)
+        >>> [round(1e3 * each) for each in sheet.size], sum(line.kind == "window" for line in sheet.lines)
         ([297, 210], 2)
     """
     design = as_design(design)
