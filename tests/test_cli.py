@@ -804,7 +804,7 @@ def test_a_run_warns_of_tendons_far_faster_than_the_tests_of_their_material(in_a
 
 def test_the_named_materials_are_listed_with_their_sources(call):
     lines = call("materials").out.splitlines()
-    assert lines[::2] == ["petg", "resilin", "tpu-82a", "tpu-95a"]
+    assert lines[::2] == ["petg", "resilin", "steel", "tpu-82a", "tpu-95a"]
     assert all(line.strip() for line in lines[1::2])
 
 

@@ -257,7 +257,7 @@ OTHERS = (
     " four-plate-snap, kresling-cell, letter-fold, miura-sheet, waterbomb-base"
 )
 SECTIONS = (
-    "based_on, name, source, shows, reproduces, medium, pattern, vein, membrane, hinge, coupling, tendon,"
+    "based_on, name, source, shows, reproduces, medium, make, pattern, vein, membrane, hinge, coupling, tendon,"
     " guard, contact, protocol"
 )
 OF_TENDON = (

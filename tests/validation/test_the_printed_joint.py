@@ -23,7 +23,7 @@ BY = "the closed form"
 JOINT = ff.load_design("binder2025-joint")
 # N/m and m, as the paper measured and printed it
 STIFFNESS, REST_LENGTH = 400.0, 0.06
-P, D, HEIGHT = 0.0585, 0.0515, 0.003
+P, D, HEIGHT = 0.059, 0.051, 0.003
 # sectors are counted from the bar inwards up to the hinge, and outwards beyond it
 ALPHA, BETA = math.radians(180 - 87), math.radians(107)
 OVERBEND = math.radians(3)
