@@ -137,10 +137,10 @@ def _operated(operation: Any, shapes: Sequence[Any], tools: Sequence[Any]) -> An
     """What a boolean operation makes of shapes and what it takes to them, faces that go on united."""
     if not tools:
         return shapes[0]
-    from OCP.TopTools import TopTools_ListOfShape
+    from OCP.OCP.collections import List_TopoDS_Shape
 
     for shape, take in ((shapes, operation.SetArguments), (tools, operation.SetTools)):
-        every = TopTools_ListOfShape()
+        every = List_TopoDS_Shape()
         for each in shape:
             every.Append(each)
         take(every)
@@ -148,7 +148,20 @@ def _operated(operation: Any, shapes: Sequence[Any], tools: Sequence[Any]) -> An
     if not operation.IsDone():
         raise InputError("Open Cascade finds no result of a boolean operation")
     operation.SimplifyResult()
-    return operation.Shape()
+    return _alone(operation.Shape())
+
+
+def _alone(shape: Any) -> Any:
+    """What is alone in a compound, in its place."""
+    from OCP.TopAbs import TopAbs_ShapeEnum
+    from OCP.TopoDS import TopoDS_Iterator
+
+    found = TopoDS_Iterator(shape)
+    if shape.ShapeType() != TopAbs_ShapeEnum.TopAbs_COMPOUND or not found.More():
+        return shape
+    inside = found.Value()
+    found.Next()
+    return shape if found.More() else inside
 
 
 def _rod(rod: Rod) -> Any:
