@@ -14,7 +14,7 @@ from forficula.make.joint_layout import Arm, JointLayout, joint_layouts
 from forficula.make.part import Part, PartSet
 from forficula.make.sheet import cut_sheet
 from forficula.make.stock import stock_of
-from forficula.make.strap_shape import StrapPlace, made_strap, strap_places
+from forficula.make.strap_shape import StrapPlace, bows_beside, made_strap, strap_places
 from forficula.material.law.law_file import named_laws
 from forficula.names import one_of
 from forficula.structure import GROUND, Structure, structure_of
@@ -45,7 +45,7 @@ def make_parts(design: AnyDesign, part: PartName = "all") -> PartSet:
     joints: tuple[JointLayout, ...] = ()
     if part in ("joint", "section") or (part == "all" and structure.bars):
         joints = joint_layouts(design, structure)
-        joints = joints[:1] if part == "joint" else joints
+        joints = bows_beside(joints[:1] if part == "joint" else joints)
     return PartSet(
         design=design,
         structure=structure,
