@@ -9,7 +9,7 @@ from typing import Annotated
 
 from cyclopts import App, CycloptsError, Parameter
 
-from forficula.commands import designs, landscapes, materials, runs, schemas, studies
+from forficula.commands import designs, landscapes, materials, parts, runs, schemas, studies
 from forficula.errors import InputError
 from forficula.names import listed
 from forficula.quantities import as_written
@@ -25,6 +25,7 @@ app = App(
 _COMMANDS = (
     runs.run,
     designs.pattern,
+    parts.make,
     landscapes.landscape,
     studies.converge,
     runs.compare,
@@ -44,6 +45,7 @@ _COMMANDS = (
 # those that come to something that other programs would read
 _WITH_DATA = (
     runs.run,
+    parts.make,
     landscapes.landscape,
     studies.converge,
     studies.study,

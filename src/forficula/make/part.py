@@ -8,10 +8,10 @@ from functools import cached_property
 from manifold3d import Manifold
 
 from forficula.design import Design
+from forficula.make.cut_lines import CutSheet
 from forficula.make.hub import Root
 from forficula.make.joint_layout import JointLayout
 from forficula.make.mesh import MILLIMETRES, solid_of
-from forficula.make.sheet import CutSheet
 from forficula.make.solids import Solid
 from forficula.make.stock import Stock
 from forficula.make.strap_shape import StrapPlace

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import struct
+
 import numpy as np
 
 from forficula.make.mesh import Mesh
@@ -25,4 +27,4 @@ def stl_bytes(mesh: Mesh, name: str) -> bytes:
     triangles["normal"] = np.divide(normals, lengths, out=np.zeros_like(normals), where=lengths > 0)
     triangles["corners"] = corners
     header = f"forficula, mm: {name}".encode("ascii", "replace")[:_HEADER].ljust(_HEADER)
-    return header + np.uint32(len(triangles)).astype("<u4").tobytes() + triangles.tobytes()
+    return b"".join([header, struct.pack("<I", len(triangles)), triangles.tobytes()])

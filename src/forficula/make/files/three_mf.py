@@ -96,7 +96,11 @@ def _objects(items: Sequence[Item], materials: Sequence[str]) -> list[str]:
     lines = []
     for number, item in enumerate(items, 2):
         name, material = quoteattr(f"{item.name}, {item.material}"), materials.index(item.material)
-        lines += [f'<object id="{number}" type="model" name={name} pid="1" pindex="{material}">', "<mesh>", "<vertices>"]
+        lines += [
+            f'<object id="{number}" type="model" name={name} pid="1" pindex="{material}">',
+            "<mesh>",
+            "<vertices>",
+        ]
         lines += [f'<vertex x="{x:.7g}" y="{y:.7g}" z="{z:.7g}"/>' for x, y, z in item.mesh.points.tolist()]
         lines += ["</vertices>", "<triangles>"]
         lines += [f'<triangle v1="{a}" v2="{b}" v3="{c}"/>' for a, b, c in item.mesh.triangles.tolist()]
