@@ -29,11 +29,17 @@ def places_on_bed(sizes: Sequence[Sequence[float]], gap: float = GAP, bed: float
     """
     places = np.zeros((len(sizes), 2))
     wide = max([bed, *(float(size[0]) for size in sizes)])
-    x = y = deep = 0.0
+    # of every shelf: where it begins, and up to where it is taken
+    starts: list[float] = []
+    taken: list[float] = []
+    end = 0.0
     for number in sorted(range(len(sizes)), key=lambda each: (-sizes[each][1], -sizes[each][0], each)):
         length, width = sizes[number][:2]
-        if x > 0 and x + length > wide:
-            x, y, deep = 0.0, y + deep + gap, 0.0
-        places[number] = x, y
-        x, deep = x + length + gap, max(deep, width)
+        shelf = next((each for each, x in enumerate(taken) if x + length <= wide), len(taken))
+        if shelf == len(taken):
+            starts.append(end)
+            taken.append(0.0)
+            end += width + gap
+        places[number] = taken[shelf], starts[shelf]
+        taken[shelf] += length + gap
     return places

@@ -25,7 +25,7 @@ class BillRow:
         count: how many.
         material: by name; None where the design names none, as for a sheet.
         comes: how one comes by it.
-        size: of the least box around one of it as it lies, m; None where that is not known.
+        size: of the box around one of it as it lies, the longest rod in it along x, m; None where that is not known.
         volume: of one of it, m^3; None where that is not known.
         density: of the material, kg/m^3; None where its sources give none.
         density_source: who says so; "" where nobody does.

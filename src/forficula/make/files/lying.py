@@ -3,23 +3,24 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from manifold3d import Manifold
 from numpy.typing import NDArray
-from scipy.spatial import ConvexHull
 
 from forficula.make.mesh import MILLIMETRES, Mesh, mesh_of
 from forficula.make.part import Part
+from forficula.make.solids import Cut, Joined, Rod, Shared, Solid
 
 # mm: edges shorter than this are no edges, and coordinates have steps of it, which single precision keeps below 1.6 m
 _SHORTEST = 1e-3
 _DIGITS = 4
+_UPRIGHT = 1e-6  # m
 
 
 def lying_mesh(part: Part) -> Mesh:
-    """A part as it is printed: on its bed, its longest side along x, the least x, y and z all 0, mm.
+    """A part as it is printed: on its bed, its longest rod along x, the least x, y and z all 0, mm.
 
     Coordinates are rounded to 0.1 um and what is shorter than 1 um is no edge, so that corners which a file of single
     precision would make one are one already.
@@ -33,7 +34,7 @@ def lying_mesh(part: Part) -> Mesh:
 
 
 def lying_size(part: Part) -> NDArray[np.float64]:
-    """The sides of the least box around a part as it lies, m, (3,): length, width, height."""
+    """The sides of the box around a part as it lies, m, (3,): length, width, height."""
     low, high = np.split(np.array(_lying(part).bounding_box()), 2)
     return np.asarray(high - low) / MILLIMETRES
 
@@ -61,22 +62,20 @@ def file_names(names: Sequence[str]) -> list[str]:
 
 
 def _lying(part: Part) -> Manifold:
-    """A part turned as it lies, its longest side along x, mm."""
+    """A part turned as it lies, its longest rod along x, mm."""
     bedded = part.shape.transform(np.column_stack([part.bed, np.zeros(3)]))
-    return bedded.rotate([0.0, 0.0, -math.degrees(_longest_side(bedded))])
+    x, y = max((part.bed[:2] @ along for along in _rods(part.solid)), key=np.linalg.norm, default=np.array([1.0, 0.0]))
+    # upright ones, such as the eyes of a strap on its side, have no way to point
+    return bedded.rotate([0.0, 0.0, -math.degrees(math.atan2(y, x))]) if math.hypot(x, y) > _UPRIGHT else bedded
 
 
-def _longest_side(solid: Manifold) -> float:
-    """The angle to x of the longer side of the least rectangle around a solid, seen from above, rad.
-
-    One side of that lies on a side of the convex hull (Freeman and Shapira 1975).
-    """
-    flat = np.asarray(solid.to_mesh64().vert_properties)[:, :2]
-    corners = flat[ConvexHull(flat).vertices]
-    sides = np.roll(corners, -1, axis=0) - corners
-    angles = np.arctan2(sides[:, 1], sides[:, 0])
-    turned = np.stack([np.cos(angles), np.sin(angles)]), np.stack([-np.sin(angles), np.cos(angles)])
-    lengths, widths = (np.ptp(corners @ each, axis=0) for each in turned)
-    # of sides that are alike but for rounding, the first
-    best = int(np.argmin(np.round(lengths * widths, _DIGITS)))
-    return float(angles[best]) + (0.0 if lengths[best] >= widths[best] else math.pi / 2)
+def _rods(solid: Solid) -> Iterator[NDArray[np.float64]]:
+    """The rods that a solid is joined of, from end to end, m, (3,)."""
+    match solid:
+        case Rod():
+            yield solid.end - solid.start
+        case Joined() | Shared():
+            for each in solid.solids:
+                yield from _rods(each)
+        case Cut():
+            yield from _rods(solid.solid)

@@ -62,16 +62,17 @@ def _unknown(totals: Sequence[BillTotal]) -> list[Text]:
     return [Text(f"No source gives a density of {listed(names, 'and')}: masses are without it.")] if names else []
 
 
-def _checks(checks: Sequence[Check]) -> list[Text]:
+def _checks(checks: Sequence[Check]) -> list[RenderableType]:
     """How many checks hold, and a sentence each of those that fail or were not made."""
     failed = [check for check in checks if check.ok is False]
     missing = [check for check in checks if check.ok is None]
     held = len(checks) - len(failed) - len(missing)
     counts = f"{held} {'check holds' if held == 1 else 'checks hold'}, {len(failed)} "
     counts += f"{'fails' if len(failed) == 1 else 'fail'}" + (f", {len(missing)} not made" if missing else "")
-    lines = [Text(counts, style="bold")]
-    lines += [Text(f"  fails: {check.name}, {check.part}: {check.text}") for check in failed]
-    return [*lines, *(Text(f"  not made: {check.name}, {check.part}: {check.text}") for check in missing)]
+    table = Table(box=None, padding=(0, 2, 0, 0), show_header=False)
+    for check in (*failed, *missing):
+        table.add_row("fails" if check.ok is False else "not made", check.part, f"{check.name}: {check.text}")
+    return [Text(counts, style="bold"), *([table] if table.row_count else [])]
 
 
 def _grams(mass: float | None) -> str:
