@@ -10,11 +10,13 @@ from forficula.errors import InputError
 from forficula.make.check import Check
 from forficula.make.mesh_checks import mesh_checks
 from forficula.make.part import PartSet
+from forficula.make.printing_checks import printing_checks
 from forficula.make.range_checks import range_checks
+from forficula.make.strength_checks import strength_checks
 
 
 def check_parts(parts: PartSet, record: object = None) -> tuple[Check, ...]:
-    """Check parts: geometry at nominal size.
+    """Check parts: geometry at nominal size, and formulas with the strengths of data sheets.
 
     What is not checked: that they print, fatigue, creep, bonding.
 
@@ -28,9 +30,9 @@ def check_parts(parts: PartSet, record: object = None) -> tuple[Check, ...]:
     Raises:
         InputError: the record is none, or of a design with other values.
 
-    >>> parts = ff.make_parts("letter-fold", part="sheet")
-    >>> all(check.ok for check in ff.check_parts(parts))
-    True
+    >>> checks = ff.check_parts(ff.make_parts("binder2025-joint"))
+    >>> [check.name for check in checks if check.ok is False]
+    []
     """
     try:
         run = None if record is None else run_of(parts, record)
@@ -38,7 +40,8 @@ def check_parts(parts: PartSet, record: object = None) -> tuple[Check, ...]:
         raise InputError(f"record: {error}") from None
     sheet: tuple[Check, ...] = () if parts.sheet is None else parts.sheet.checks
     meshes = (check for part in parts.parts for check in mesh_checks(part))
-    return (*range_checks(parts), *meshes, *sheet, *_motion(parts, run))
+    own = (*range_checks(parts), *strength_checks(parts), *printing_checks(parts))
+    return (*own, *meshes, *sheet, *_motion(parts, run))
 
 
 def run_of(parts: PartSet, record: object) -> Record:

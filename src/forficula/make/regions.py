@@ -66,6 +66,13 @@ def grown(region: Region, distance: float) -> Region:
     return region.offset(MILLIMETRES * distance, JoinType.Miter, _SHARPEST).simplify(_STRAIGHT)
 
 
+def rounded(region: Region, distance: float) -> Region:
+    """A region grown by a distance, m, with round corners; eaten away by one if negative."""
+    if distance == 0:
+        return region
+    return region.offset(MILLIMETRES * distance, JoinType.Round, 2.0, _ROUND // 2).simplify(_STRAIGHT)
+
+
 def united(regions: Sequence[Region]) -> Region:
     """What regions cover together."""
     together = CrossSection()

@@ -80,7 +80,8 @@ def cut_sheet(design: AnyDesign) -> CutSheet:
     openings = [region_of([window.outline]) for window in windows]
     solid = sheet - united(openings)
     relief = _relief_holes(laid, make, solid)
-    rounds, solid = _round_holes(solid, [*[(place, make.peg_diameter, "window") for _, place in pegs], *relief])
+    holes: list[Round] = [(place, make.peg_diameter, "window") for _, place in pegs]
+    rounds, solid, large = _round_holes(sheet, solid, [*holes, *relief])
     drawn = _Drawn(laid=laid, make=make, solid=solid, rounds=rounds)
     lines, creases, notes = _creases(drawn)
     built = CutSheet(
@@ -96,7 +97,8 @@ def cut_sheet(design: AnyDesign) -> CutSheet:
         labels=_seam_labels(laid),
         notes=(*_seam_notes(laid), *notes),
     )
-    return replace(built, checks=sheet_checks(built, SheetParts(make=make, sheet=sheet, solid=solid, windows=windows)))
+    parts = SheetParts(make=make, sheet=sheet, solid=solid, windows=windows, large_holes=large)
+    return replace(built, checks=sheet_checks(built, parts))
 
 
 Round = tuple[Array, float, Kind]
@@ -206,22 +208,24 @@ def _relief_holes(laid: Unfolding, make: MakeSection, solid: Region) -> list[Rou
     return [(place, diameter, "relief") for place in places if not is_empty(solid ^ region_of([disc(place, diameter)]))]
 
 
-def _round_holes(solid: Region, holes: Sequence[Round]) -> tuple[list[Round], Region]:
-    """The holes that stay round, and what stays of the sheet where those that meet a window or another one do not."""
+def _round_holes(sheet: Region, solid: Region, holes: Sequence[Round]) -> tuple[list[Round], Region, int]:
+    """The holes that stay round, what stays of the sheet where others do not, and how many of these are too large.
+
+    A hole that meets a window becomes a part of it. One that meets another hole or the border is too large.
+    """
     kept: list[Round] = []
-    merged = []
+    merged, large = [], 0
     for number, (place, diameter, kind) in enumerate(holes):
         region = region_of([disc(place, diameter)])
-        apart = all(
-            np.linalg.norm(place - other) > (diameter + its) / 2
-            for at, (other, its, _) in enumerate(holes)
-            if at != number
-        )
-        if apart and area_of(region ^ solid) >= (1 - _ROUNDING) * area_of(region):
+        others = [hole for at, hole in enumerate(holes) if at != number]
+        apart = all(np.linalg.norm(place - other) > (diameter + its) / 2 for other, its, _ in others)
+        inside, whole = (area_of(region ^ each) >= (1 - _ROUNDING) * area_of(region) for each in (sheet, solid))
+        if apart and whole:
             kept.append((place, diameter, kind))
         else:
             merged.append(region)
-    return kept, solid - united(merged)
+            large += not (apart and inside)
+    return kept, solid - united(merged), large
 
 
 def _hole(place: Array, diameter: float, kind: Kind, kerf: float) -> CutHole:

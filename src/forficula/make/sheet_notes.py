@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from forficula.make.cut_lines import CutSheet, layer_texts
-from forficula.quantities import show_value
 
 
 def legend_lines(sheet: CutSheet) -> list[str]:
@@ -13,7 +12,7 @@ def legend_lines(sheet: CutSheet) -> list[str]:
     """
     wide, high = (f"{1e3 * length:.2f}" for length in sheet.size)
     kerf = (
-        f"lines make up for a cutter {show_value(sheet.kerf, 'm')} wide (kerf): switch off that of your program"
+        f"lines make up for a cutter {1e3 * sheet.kerf:g} mm wide (kerf): switch off that of your program"
         if sheet.kerf
         else "lines make up for no kerf: let your program do so"
     )

@@ -9,7 +9,7 @@ from manifold3d import CrossSection
 from numpy.typing import NDArray
 
 from forficula.design import Design, MakeSection
-from forficula.make.regions import MILLIMETRES, Region, distance_to, grown, loops_of, region_of, sides_of
+from forficula.make.regions import MILLIMETRES, Region, distance_to, loops_of, region_of, rounded, sides_of
 from forficula.make.straps import strap_of
 from forficula.make.unfolding import Unfolding, laid_place
 from forficula.pattern import CreasePattern
@@ -39,9 +39,9 @@ def sheet_windows(
     """What is cut out of a sheet for its tendons.
 
     Between bars, which lie on the sheet along creases, a strap goes from peg to peg and through the sheet's plane when
-    the hinge between them folds. Its window is the least convex area around the way along the bars and the straight way
-    between the pegs, as wide as the bar with its straps beside it, and around the hinges' knuckles, which stand in the
-    sheet, grown by `make.window`.
+    the hinge between them folds. Its window is the least convex area, which has no corner to tear from, around the way
+    along the bars and the straight way between the pegs, as wide as the bar with its straps beside it, and around the
+    hinges' knuckles, which stand in the sheet, grown by `make.window`.
 
     A sheet without bars is hung on its tendons itself. Each end has a hole of the diameter `make.peg_diameter` for a
     peg, a rivet or a knot; one at the sheet's edge is left to a clip. A tendon that lies in the flat sheet across
@@ -112,7 +112,7 @@ def _slot(design: Design, make: MakeSection, tendon: Tendon, start: Array, end: 
 
 
 def _window(tendon: Tendon, make: MakeSection, passing: Region) -> Window:
-    return Window(name=tendon.label or tendon.name, outline=loops_of(grown(passing, make.window))[0])
+    return Window(name=tendon.label or tendon.name, outline=loops_of(rounded(passing, make.window))[0])
 
 
 def _band(start: Array, end: Array, width: float, beyond: float) -> Array:
