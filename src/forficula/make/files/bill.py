@@ -9,7 +9,6 @@ from typing import Any, Literal
 from forficula.csv_text import csv_text
 from forficula.make.files.lying import lying_size
 from forficula.make.part import Part, PartSet
-from forficula.make.stock import Stock
 
 _MM, _CM3, _GRAMS = 1e3, 1e6, 1e3
 _DIGITS = 6
@@ -144,12 +143,8 @@ def _row(part: Part) -> BillRow:
         size=(length, width, height),
         volume=part.volume,
         density=part.stock.density,
-        density_source=_source(part.stock),
+        density_source=part.stock.density_source,
     )
-
-
-def _source(stock: Stock) -> str:
-    return "" if stock.density is None else stock.source
 
 
 def _plain(row: BillRow) -> dict[str, Any]:

@@ -45,7 +45,7 @@ def open_edges(mesh: Mesh) -> int:
     count = len(mesh.points)
     forwards, times = np.unique(sides[:, 0] * count + sides[:, 1], return_counts=True)
     backwards = np.unique(sides[:, 1] * count + sides[:, 0])
-    return int((times > 1).sum() + len(np.setxor1d(forwards, backwards)))
+    return int((times > 1).sum() + len(np.setdiff1d(forwards, backwards)))
 
 
 def file_names(names: Sequence[str]) -> list[str]:
