@@ -89,8 +89,8 @@ def _launch(
 def main(arguments: Sequence[str] | None = None) -> None:
     """Run the command line, and exit with what it came to.
 
-    0: done, and every goal met; 1: bad input; 2: done and to be trusted, but a goal missed; 3: a run diverged or is not
-    to be trusted; 130: stopped.
+    0: done, and every goal met; 1: bad input; 2: done and to be trusted, but a goal missed, or a check under --strict;
+    3: a run diverged or is not to be trusted; 130: stopped.
     """
     try:
         with plain_terminal():

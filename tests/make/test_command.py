@@ -69,7 +69,7 @@ def test_bad_input_ends_with_1_and_leaves_nothing(call, tmp_path, arguments, mes
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_run_of_another_design_is_refused(call, letter_run):
+def test_a_run_of_another_design_is_refused(letter_run):
     parts = ff.make_parts("letter-fold", "sheet")
     assert all(check.ok for check in ff.check_parts(parts, letter_run))
     other = ff.make_parts(ff.load_design("letter-fold").with_values({"protocol.window": "70 ms"}), "sheet")
