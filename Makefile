@@ -4,13 +4,17 @@ BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 INSTALLED_DOCS := $(VENV)/.installed-docs
 
-.PHONY: demo test check format page docs docs-all docs-links validation clean
+.PHONY: demo test test-step check format page docs docs-all docs-links validation clean
 
 demo: $(INSTALLED)  ## fold and open the reference wing; results in out/binder2025/
 	$(BIN)/forficula run binder2025 --out out/binder2025
 
 test: $(INSTALLED)  ## run all tests
 	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto  # the cores are taken: more threads would only wait for one another
+
+test-step: $(INSTALLED)  ## before a release: install Open Cascade, 380 MB, and hold all solids to it
+	$(BIN)/python -m pip install --quiet --editable ".[step]"
+	FORFICULA_STEP=demanded $(BIN)/python -m pytest -n 0 tests/make/test_step.py
 
 check: $(INSTALLED)  ## lint, types, layers
 	$(BIN)/ruff check
