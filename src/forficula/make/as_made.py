@@ -124,7 +124,8 @@ def _keys(parts: PartSet, made: Design) -> list[tuple[Group, str]]:
         ("offsets", "proximal_aside"),
         ("offsets", "distal_aside"),
         ("stiffness", "stiffness"),
-        ("stiffness", "area"),
+        # without a law its area is nothing but its volume
+        ("stiffness" if any(each.material for each in parts.structure.tendons) else "masses", "area"),
         ("masses", "density"),
     )
     own = structure_of(made).tendons

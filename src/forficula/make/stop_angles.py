@@ -24,7 +24,8 @@ _BEYOND = math.radians(12.0)
 def stop_angles(parts: PartSet, joint: JointLayout) -> tuple[float, float]:
     """The angles between which nothing of one half of a joint is in the other, rad: of the fold and of the overbend.
 
-    From the middle of the designed range outwards, to 1e-5 deg, but for what first touches and then parts again within 10 deg. Straps and what bends are no part of it.
+    From the middle of the designed range outwards, to 1e-5 deg; what touches and parts again within 10 deg may be
+    missed. Straps and what bends are no part of it.
 
     Args:
         parts: of which.
