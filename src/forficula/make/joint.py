@@ -32,12 +32,12 @@ def bar_solid(arms: list[tuple[JointLayout, Arm]]) -> Solid:
     solid: Solid = Rod(start=ends[0] + rise, end=ends[1] + rise, diameter=layout.bar_diameter)
     solid = Joined(solids=(solid, *(_lug(each) for each, _ in arms)))
     solid = Shared(solids=(solid, *(_wedge(each, own) for each, own in arms)))
-    solid = Cut(solid=solid, taken=(_above(layout), *(each for joint, own in arms for each in _room(joint, own))))
+    solid = Cut(solid=solid, taken=tuple(each for joint, own in arms for each in _room(joint, own)))
     solid = Joined(solids=(solid, *(each for joint, own in arms for each in _knuckles(joint, own))))
     solid = Cut(solid=solid, taken=tuple(_hole(joint, own) for joint, own in arms))
     axles = [pin_solid(joint) for joint, own in arms if own is joint.proximal and joint.make.hinge != "pin"]
     pegs = [each for joint, own in arms if own.peg and joint.strap for each in peg_solids(joint, own)]
-    return joined(solid, *axles, *pegs)
+    return Cut(solid=joined(solid, *axles, *pegs), taken=(above_bed(layout),))
 
 
 def pin_solid(layout: JointLayout) -> Rod:
@@ -60,7 +60,7 @@ def peg_solids(layout: JointLayout, arm: Arm) -> list[Solid]:
         for side in (-1, 1)
     ]
     low, high = sorted((arm.height, layout.standoff))
-    if high - low > layout.bar_diameter / 2 - radius:
+    if high - low > max(0.0, layout.bar_diameter / 2 - radius):
         frame = np.column_stack([arm.along, np.cross(layout.frame[:, 2], arm.along), layout.frame[:, 2]])
         half = layout.bar_diameter / 2
         low = low if low == layout.standoff else low - radius
@@ -102,7 +102,7 @@ def _lug(layout: JointLayout) -> Solid:
     return box((-corner[0], -corner[1], low), corner, layout.origin, layout.frame)
 
 
-def _above(layout: JointLayout) -> Solid:
+def above_bed(layout: JointLayout) -> Solid:
     """What is above the flat that lies on the printer's bed."""
     far = 4 * (layout.proximal.length + layout.distal.length)
     return box((-far, -far, layout.top), (far, far, layout.top + far), layout.origin, layout.frame)
