@@ -10,7 +10,7 @@ from forficula.errors import InputError
 from forficula.make.joint_layout import Arm, JointLayout
 from forficula.make.mass_properties import parts_properties
 from forficula.make.part import PartSet
-from forficula.make.stop_angles import stop_angles
+from forficula.make.free_range import free_range
 from forficula.make.straps import Strap
 from forficula.structure import Bar
 from forficula.structure.mass import end_inertia
@@ -107,7 +107,7 @@ def outer_joints(parts: PartSet) -> tuple[JointLayout, ...]:
 
 
 def _stops(parts: PartSet, joint: JointLayout) -> tuple[float, float]:
-    lower, upper = stop_angles(parts, joint)
+    lower, upper = free_range(parts, joint)
     if not (math.isfinite(lower) and math.isfinite(upper) and lower < upper):
         where = "wherever they are" if lower == upper else "nowhere up to 12 deg beyond a stop of the design"
         raise InputError(f"{joint.name}: its two halves begin to overlap {where}, so it has no stops as it is made")

@@ -21,7 +21,7 @@ _FINE = math.radians(1e-5)
 _BEYOND = math.radians(12.0)
 
 
-def stop_angles(parts: PartSet, joint: JointLayout) -> tuple[float, float]:
+def free_range(parts: PartSet, joint: JointLayout) -> tuple[float, float]:
     """The angles between which nothing of one half of a joint is in the other, rad: of the fold and of the overbend.
 
     From the middle of the designed range outwards, to 1e-5 deg; what touches and parts again within 10 deg may be
