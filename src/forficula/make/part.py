@@ -9,10 +9,10 @@ from manifold3d import Error, Manifold
 
 from forficula.design import Design
 from forficula.errors import InputError
+from forficula.make.cut_lines import CutSheet
 from forficula.make.hub import Root
 from forficula.make.joint_layout import JointLayout
 from forficula.make.mesh import MILLIMETRES, solid_of
-from forficula.make.sheet import CutSheet
 from forficula.make.solids import Solid
 from forficula.make.stock import Stock
 from forficula.make.strap_shape import StrapPlace

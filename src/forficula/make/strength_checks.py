@@ -24,6 +24,8 @@ from forficula.structure import Structure, built_frames
 SAFE = 2.0
 # rad, by which a drive may twist a bar: a sixth of the right angle that veins turn through; chosen
 _TWIST = math.radians(15.0)
+# cos of the largest angle between a hinge and a bar that it turns about itself
+_ITSELF = math.cos(math.radians(30.0))
 # of polymers, 0.35 to 0.4
 _POISSON = 0.4
 # of a material's strength in tension, that in shear (von Mises)
@@ -105,7 +107,7 @@ def _factor(name: str, joint: JointLayout, bears: float | None, load: float, tex
 
 def _column(joint: JointLayout, place: StrapPlace, stock: Stock, pull: float) -> Check:
     """Euler's load of the bars between the pegs, as one column whose ends turn freely, straight in the stop."""
-    length = float(np.linalg.norm(place.ends[0, 1] - place.ends[0, 0]))
+    length = float(np.linalg.norm(np.diff(place.ends.mean(axis=0), axis=0)))
     modulus, least = stock.youngs_modulus, bar_section(joint.bar_diameter).least
     bears = None if modulus is None else math.pi**2 * modulus * least / length**2
     shown = "" if bears is None else f"; they buckle at {bears:.0f} N (Euler)"
@@ -210,8 +212,9 @@ def _twists(parts: PartSet, joint: JointLayout, stock: Stock) -> Iterator[Check]
             for motor, share in zip(structure.motors, drive.shares, strict=True):
                 for number in motor.hinges:
                     hinge = structure.hinges[number]
-                    if hinge.body == arm.body:
-                        along += drive.strength * share * abs(float(frames[arm.body] @ hinge.axis @ arm.along))
+                    own = abs(float(frames[arm.body] @ hinge.axis @ arm.along))
+                    if hinge.body == arm.body and own > _ITSELF:
+                        along += drive.strength * share * own
             torque = max(torque, abs(along))
         if torque == 0 or stock.youngs_modulus is None:
             continue
