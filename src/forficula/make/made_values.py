@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from forficula.errors import InputError
+from forficula.make.free_range import free_range
 from forficula.make.joint_layout import Arm, JointLayout
 from forficula.make.mass_properties import parts_properties
 from forficula.make.part import PartSet
-from forficula.make.free_range import free_range
 from forficula.make.straps import Strap
 from forficula.structure import Bar
 from forficula.structure.mass import end_inertia

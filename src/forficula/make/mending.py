@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+import numpy as np
+
 from forficula.design import key_value
 from forficula.design.part import SMALL_LENGTH
 from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.make.make_parts import make_parts
 from forficula.make.part import PartSet
-from forficula.make.touching import Touch, touches
+from forficula.make.touching import Touch, state_rows, touches
 from forficula.quantities import show_quantity
 
 # from the hinge, of pegs that are moved nearer to it, m
@@ -26,12 +28,14 @@ class Mending:
         name: of what is tried.
         values: of the design, by key, as text.
         touches: who touches whom then; None of what cannot be made.
+        states: named states in which anything touches.
         why: it cannot be made; mostly empty.
     """
 
     name: str
     values: Mapping[str, str]
     touches: tuple[Touch, ...] | None
+    states: tuple[str, ...] = ()
     why: str = ""
 
     @property
@@ -65,7 +69,11 @@ def mendings(parts: PartSet, record: Record) -> tuple[Mending, ...]:
         except InputError as error:
             found.append(Mending(name=name, values=values, touches=None, why=str(error)))
         else:
-            found.append(Mending(name=name, values=values, touches=touches(other, record)))
+            states = tuple(
+                state for state, row in state_rows(record).items() if touches(other, record, np.array([row]), deepest=0)
+            )
+            met = touches(other, record, deepest=0)
+            found.append(Mending(name=name, values=values, touches=met, states=states))
     return tuple(found)
 
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -23,7 +22,7 @@ _ROWS = 80
 # what counts as touching, mm^3, and in m^3
 _TOUCHES = 1e-2
 TOUCHES = _TOUCHES / 1e9
-# rows, after two touch, in which it is measured by how much: those where their middles are nearest
+# rows, after two touch, in which it is measured by how much
 _DEEPEST = 4
 
 
@@ -53,7 +52,9 @@ class Touch:
     deepest: float
 
 
-def touches(parts: PartSet, record: Record, rows: NDArray[np.int64] | None = None) -> tuple[Touch, ...]:
+def touches(
+    parts: PartSet, record: Record, rows: NDArray[np.int64] | None = None, deepest: int = _DEEPEST
+) -> tuple[Touch, ...]:
     """Who touches whom in a recorded motion, the first ones first.
 
     All pairs of bodies that no joint hinges to one another, piece by piece, in at most 80 rows that are as far from one
@@ -65,15 +66,23 @@ def touches(parts: PartSet, record: Record, rows: NDArray[np.int64] | None = Non
         parts: of the design that ran, or others of it that differ in what does not move them.
         record: of a run that did not diverge.
         rows: of it to be looked at, rising; or as above.
+        deepest: in how many rows after two touch it is measured by how much: those where their middles are nearest.
     """
     poses = poses_of(record, telling_rows(record, _ROWS) if rows is None else rows)
     pieces, found = pieces_of(parts), []
     for one, other in combinations(pieces, 2):
         if _apart(parts, one.body, other.body):
-            volumes = _volumes(one, other, poses)
+            volumes = _volumes(one, other, poses, deepest)
             if volumes.max(initial=0.0) > _TOUCHES:
                 found.append(_touch(parts, record, (one, other), poses, volumes))
     return tuple(sorted(found, key=lambda touch: (touch.time, touch.bodies, touch.features)))
+
+
+def state_rows(record: Record) -> dict[str, int]:
+    """The last row of every stage that ends in a named state, by its name; the last of several."""
+    names = record.structure.stage_states
+    ends = {name: end.end for name, end in zip(names, record.stages, strict=False) if name}
+    return {name: int(np.searchsorted(record.time, time, side="right")) - 1 for name, time in ends.items()}
 
 
 def overlap(one: Piece, other: Piece, poses: Poses, row: int) -> float:
@@ -90,7 +99,7 @@ def _apart(parts: PartSet, one: int, other: int) -> bool:
     return one != other and {one, other} not in halves
 
 
-def _volumes(one: Piece, other: Piece, poses: Poses) -> Array:
+def _volumes(one: Piece, other: Piece, poses: Poses, deepest: int) -> Array:
     """What two pieces have in common, mm^3, (row,): up to where they first touch, and where they are nearest then.
 
     Nothing in other rows.
@@ -102,7 +111,7 @@ def _volumes(one: Piece, other: Piece, poses: Poses) -> Array:
         volumes[row] = overlap(one, other, poses, int(row))
         if volumes[row] > _TOUCHES:
             later = near[near > row]
-            for deep in later[np.argsort(apart[later], kind="stable")[:_DEEPEST]]:
+            for deep in later[np.argsort(apart[later], kind="stable")[:deepest]]:
                 volumes[deep] = overlap(one, other, poses, int(deep))
             break
     return volumes
