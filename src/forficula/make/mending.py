@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from forficula.design import key_value
 from forficula.design.part import SMALL_LENGTH
@@ -13,6 +14,7 @@ from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.make.make_parts import make_parts
 from forficula.make.part import PartSet
+from forficula.make.pieces import pieces_of
 from forficula.make.touching import Touch, state_rows, touches
 from forficula.quantities import show_quantity
 
@@ -69,12 +71,19 @@ def mendings(parts: PartSet, record: Record) -> tuple[Mending, ...]:
         except InputError as error:
             found.append(Mending(name=name, values=values, touches=None, why=str(error)))
         else:
-            states = tuple(
-                state for state, row in state_rows(record).items() if touches(other, record, np.array([row]), deepest=0)
-            )
-            met = touches(other, record, deepest=0)
-            found.append(Mending(name=name, values=values, touches=met, states=states))
+            found.append(_tried(other, record, name, values))
     return tuple(found)
+
+
+def _tried(parts: PartSet, record: Record, name: str, values: Mapping[str, str]) -> Mending:
+    """Parts in a recorded motion, and in the states that it comes to."""
+    pieces = pieces_of(parts)
+
+    def met(rows: NDArray[np.int64] | None) -> tuple[Touch, ...]:
+        return touches(parts, record, rows, deepest=0, pieces=pieces)
+
+    states = tuple(state for state, row in state_rows(record).items() if met(np.array([row])))
+    return Mending(name=name, values=values, touches=met(None), states=states)
 
 
 def _share(parts: PartSet, key: str, least: float = 0.0, share: float = 0.5) -> str:

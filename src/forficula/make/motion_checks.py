@@ -38,7 +38,7 @@ def motion_checks(parts: PartSet, record: Record, mend: bool = True) -> Iterator
         yield _not_looked_at(parts)
         return
     found = touches(parts, record)
-    yield from _touch_checks(parts, record, found)
+    yield from _touch_checks(parts, found)
     if found and mend:
         yield _mending_check(parts, mendings(parts, record))
     yield from _stop_checks(parts, record)
@@ -57,13 +57,14 @@ def _not_looked_at(parts: PartSet) -> Check:
     )
 
 
-def _touch_checks(parts: PartSet, record: Record, found: Sequence[Touch]) -> Iterator[Check]:
+def _touch_checks(parts: PartSet, found: Sequence[Touch]) -> Iterator[Check]:
     """Every pair of bodies that touch, the first ones first; or that none do."""
     by_pair: dict[tuple[str, str], list[Touch]] = {}
     for touch in found:
         by_pair.setdefault(touch.bodies, []).append(touch)
     for bodies, its in by_pair.items():
         first, most = its[0], max(its, key=lambda touch: touch.volume)
+        here, there = (f"{body} ({feature})" for body, feature in zip(bodies, first.features, strict=True))
         own = [f"{' and '.join(each.features)} at {_when(each)}" for each in its[1:4]]
         more = f"; then {'; '.join(own)}" if own else ""
         yield Check(
@@ -73,9 +74,9 @@ def _touch_checks(parts: PartSet, record: Record, found: Sequence[Touch]) -> Ite
             value=most.volume,
             limit=TOUCHES,
             unit="m^3",
-            text=f"{bodies[0]} ({first.features[0]}) and {bodies[1]} ({first.features[1]}) touch from {_when(first)} on,"
-            f" with {_angles(first)}, and come to have {most.volume * 1e9:.3g} mm^3 in common{more}. Two things cannot"
-            " be in one place: this motion cannot be made with these parts.",
+            text=f"{here} and {there} touch from {_when(first)} on, with {_angles(first)}, and come to have"
+            f" {most.volume * 1e9:.3g} mm^3 in common{more}. Two things cannot be in one place: this motion cannot be"
+            " made with these parts.",
         )
     if not by_pair:
         yield Check(
@@ -91,6 +92,7 @@ def _touch_checks(parts: PartSet, record: Record, found: Sequence[Touch]) -> Ite
 
 
 def _when(touch: Touch) -> str:
+    """A moment by its stage."""
     return f'{touch.after * 1e3:.1f} ms of stage "{touch.stage}"'
 
 

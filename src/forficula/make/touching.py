@@ -53,7 +53,12 @@ class Touch:
 
 
 def touches(
-    parts: PartSet, record: Record, rows: NDArray[np.int64] | None = None, deepest: int = _DEEPEST
+    parts: PartSet,
+    record: Record,
+    rows: NDArray[np.int64] | None = None,
+    *,
+    deepest: int = _DEEPEST,
+    pieces: Sequence[Piece] | None = None,
 ) -> tuple[Touch, ...]:
     """Who touches whom in a recorded motion, the first ones first.
 
@@ -67,10 +72,11 @@ def touches(
         record: of a run that did not diverge.
         rows: of it to be looked at, rising; or as above.
         deepest: in how many rows after two touch it is measured by how much: those where their middles are nearest.
+        pieces: of the parts, where they are cut already.
     """
     poses = poses_of(record, telling_rows(record, _ROWS) if rows is None else rows)
-    pieces, found = pieces_of(parts), []
-    for one, other in combinations(pieces, 2):
+    found = []
+    for one, other in combinations(pieces_of(parts) if pieces is None else pieces, 2):
         if _apart(parts, one.body, other.body):
             volumes = _volumes(one, other, poses, deepest)
             if volumes.max(initial=0.0) > _TOUCHES:
