@@ -1,0 +1,66 @@
+"""What tables tell of a part: its size and its mass."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import ConvexHull
+
+from forficula.make.mesh import MILLIMETRES, mesh_of
+from forficula.make.part import Part
+from forficula.quantities import show_value
+
+Array = NDArray[np.float64]
+
+
+def size_of(part: Part) -> tuple[float, float, float]:
+    """Length, width and height of a part as it lies where it is printed, m: the least box with upright sides.
+
+    >>> from forficula.make.make_parts import make_parts
+    >>> pin = next(part for part in make_parts("binder2025", "joint").parts if part.kind == "pin")
+    >>> [round(1e3 * each, 2) for each in size_of(pin)]
+    [10.0, 2.0, 2.0]
+    """
+    points = mesh_of(part.shape).points @ part.bed.T / MILLIMETRES
+    flat = points[:, :2]
+    corners = flat[ConvexHull(flat).vertices]
+    # the least rectangle around a polygon has a side along one of its own
+    sides = np.roll(corners, -1, axis=0) - corners
+    ways = sides / np.linalg.norm(sides, axis=1)[:, None]
+    along = np.ptp(corners @ ways.T, axis=0)
+    across = np.ptp(corners @ np.column_stack([-ways[:, 1], ways[:, 0]]).T, axis=0)
+    least = int(np.argmin(along * across))
+    short, long = sorted((float(along[least]), float(across[least])))
+    return long, short, float(np.ptp(points[:, 2]))
+
+
+def size_text(part: Part) -> str:
+    """The size of a part, mm, without the unit."""
+    return " × ".join(f"{MILLIMETRES * each:.1f}" for each in size_of(part))
+
+
+def mass_text(mass: float | None, digits: int = 3) -> str:
+    """A mass, kg, in g; of none that the sources of its material give no density for."""
+    return "not known" if mass is None else f"{1e3 * mass:#.{digits}g}".rstrip(".") + " g"
+
+
+def material_text(part: Part) -> str:
+    """What a part is made of."""
+    return part.stock.name or "no name"
+
+
+def total_mass(parts: tuple[Part, ...]) -> float | None:
+    """Of all parts, kg; None where the density of one is not known."""
+    masses = [part.count * part.mass for part in parts if part.mass is not None]
+    return sum(masses) if len(masses) == len(parts) else None
+
+
+def value_text(value: float, unit: str) -> str:
+    """A value of a check in the unit of the field; a length in mm, as parts are drawn."""
+    if not np.isfinite(value):
+        return "–"
+    if unit == "m":
+        return f"{MILLIMETRES * value:.4g} mm".replace("-", "−")
+    if unit == "kg":
+        return f"{1e3 * value:.4g} g"
+    return show_value(value, unit).strip().replace("-", "−")
