@@ -12,6 +12,9 @@ from forficula.quantities import show_value
 
 Array = NDArray[np.float64]
 
+# units that parts are told in, whatever their size, and their factors from SI
+_SHOWN = {"m": ("mm", 1e3), "m^2": ("mm²", 1e6), "m^3": ("mm³", 1e9), "kg": ("g", 1e3)}
+
 
 def size_of(part: Part) -> tuple[float, float, float]:
     """Length, width and height of a part as it lies where it is printed, m: the least box with upright sides.
@@ -59,8 +62,7 @@ def value_text(value: float, unit: str) -> str:
     """A value of a check in the unit of the field; a length in mm, as parts are drawn."""
     if not np.isfinite(value):
         return "–"
-    if unit == "m":
-        return f"{MILLIMETRES * value:.4g} mm".replace("-", "−")
-    if unit == "kg":
-        return f"{1e3 * value:.4g} g"
+    if unit in _SHOWN:
+        name, factor = _SHOWN[unit]
+        return f"{factor * value:.4g} {name}".replace("-", "−")
     return show_value(value, unit).strip().replace("-", "−")

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.make.joint_layout import JointLayout
-from forficula.make.mesh import MILLIMETRES, mesh_of
+from forficula.make.mesh import MILLIMETRES, Mesh, mesh_of
 from forficula.make.part import Part
 
 Array = NDArray[np.float64]
@@ -41,9 +41,7 @@ class PartMesh:
 def part_mesh(part: Part, joints: tuple[JointLayout, ...]) -> PartMesh:
     """The triangles of a part as it is built, with the stops of the joints that it is half of."""
     mesh = mesh_of(part.shape)
-    corners = mesh.points[mesh.triangles]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
+    corners, normals = mesh.points[mesh.triangles], _normals(mesh)
     stops = np.zeros(len(corners), dtype=bool)
     for joint in joints:
         if part.kind == "bar" and part.body in (joint.proximal.body, joint.distal.body):
@@ -53,8 +51,15 @@ def part_mesh(part: Part, joints: tuple[JointLayout, ...]) -> PartMesh:
         points=mesh.points / MILLIMETRES,
         triangles=mesh.triangles[order],
         stops=int(stops.sum()),
-        edges=_edges(mesh.triangles, normals),
+        edges=sharp_edges(mesh),
     )
+
+
+def _normals(mesh: Mesh) -> Array:
+    """Unit vectors out of the triangles, (triangle, 3)."""
+    corners = mesh.points[mesh.triangles]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    return np.asarray(normals / np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None])
 
 
 def _through_axis(corners: Array, normals: Array, joint: JointLayout) -> NDArray[np.bool_]:
@@ -64,8 +69,9 @@ def _through_axis(corners: Array, normals: Array, joint: JointLayout) -> NDArray
     return np.asarray(leans & (off < _OFF))
 
 
-def _edges(triangles: Indices, normals: Array) -> Indices:
-    """Sides of triangles that meet their neighbours at an angle."""
+def sharp_edges(mesh: Mesh) -> Indices:
+    """Sides of triangles that meet their neighbours at an angle, numbers of points, (edge, 2)."""
+    triangles, normals = mesh.triangles, _normals(mesh)
     sides = triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
     own = np.repeat(np.arange(len(triangles)), 3)
     ends = np.sort(sides, axis=1)

@@ -17,7 +17,7 @@ from forficula.structure import GROUND
 Array = NDArray[np.float64]
 
 # how far parts are moved apart at most, by the length of the arms that are moved, or by what they are
-_APART, _RAISED, _PULLED = 0.3, 0.3, 1.6
+_APART, _RAISED, _PULLED = 0.3, 0.45, 1.6
 
 
 @dataclass(frozen=True, kw_only=True)

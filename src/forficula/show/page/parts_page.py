@@ -99,11 +99,10 @@ def _sentence(parts: PartSet, checks: Sequence[Check]) -> str:
         told.append(f"Together {mass_text(mass)}." if mass is not None else "Of a material the density is not known.")
     failed, held = (sum(check.ok is each for check in checks) for each in (False, True))
     if checks:
-        told.append(
-            f"{failed} of {failed + held} checks fail{'s' * (failed == 1)}; see below."
-            if failed
-            else f"All {held} checks pass."
-        )
+        several = f"{failed} of {failed + held} checks fail{'s' * (failed == 1)}"
+        told.append(f"{several}; see below." if failed else f"All {held} checks pass.")
+        left = sum(check.ok is None for check in checks)
+        told += [f"{left} could not be carried out."] * (left > 0)
     else:
         told.append("Nothing is checked yet.")
     return " ".join(told)
@@ -124,10 +123,9 @@ def _bill(parts: PartSet) -> str:
     """Every part with what it is made of, in the order in which the script has them."""
     rows: list[list[str | Cell]] = [
         [
-            Cell(text=part.name, note=material_text(part) + ("" if part.printed else ", bought")),
+            Cell(text=part.name, note=f"{material_text(part)}{', bought' * (not part.printed)}, {size_text(part)} mm"),
             str(part.count),
             mass_text(part.mass),
-            size_text(part),
         ]
         for part in parts.parts
     ]
@@ -135,7 +133,7 @@ def _bill(parts: PartSet) -> str:
         return ""
     mass = total_mass(parts.parts)
     foot = paragraph(f"Mass of all: {mass_text(mass)}. Sizes are of parts as they lie on the printer.")
-    bill = table("What to print, and what to buy", ("part", "count", "mass of one", "size (mm)"), rows)
+    bill = table("What to print, and what to buy", ("part", "count", "mass of one"), rows)
     return section("Bill of materials", bill, foot, name="bill")
 
 
@@ -158,18 +156,16 @@ def _check_table(checks: Sequence[Check]) -> str:
     order = {False: 0, None: 1, True: 2}
     rows: list[list[str | Cell]] = [
         [
-            Cell(text=check.name, note=check.part),
+            Cell(text=f"{check.name}, {check.part}" if check.part else check.name, note=check.text),
             Cell(text=_WORDS[check.ok], marked=check.ok is False),
             value_text(check.value, check.unit),
             value_text(check.limit, check.unit),
-            check.text,
         ]
         for check in sorted(checks, key=lambda check: order[check.ok])
     ]
     if not rows:
         return paragraph("Nothing is checked yet.")
-    headings = ("check", "result", "found", "limit", "what it means")
-    return table("What fails comes first", headings, rows, numbers=False)
+    return table("What fails comes first", ("check", "result", "found", "limit"), rows, numbers=False)
 
 
 def _honest() -> list[str]:
