@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
@@ -45,6 +47,15 @@ def size_text(part: Part) -> str:
 def mass_text(mass: float | None, digits: int = 3) -> str:
     """A mass, kg, in g; of none that the sources of its material give no density for."""
     return "not known" if mass is None else f"{1e3 * mass:#.{digits}g}".rstrip(".") + " g"
+
+
+def masses_text(parts: Sequence[Part]) -> str:
+    """The mass of one of some parts, or from the least to the most; nothing where one is not known."""
+    masses = [part.mass for part in parts if part.mass is not None]
+    if len(masses) < len(parts) or not masses:
+        return ""
+    least, most = mass_text(min(masses)), mass_text(max(masses))
+    return most if least == most else f"{least.removesuffix(' g')} to {most}"
 
 
 def material_text(part: Part) -> str:

@@ -8,11 +8,12 @@ from collections.abc import Sequence
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.patheffects import Normal, Stroke
 from numpy.typing import NDArray
 
 from forficula.make.part import PartSet
 from forficula.show.make.painted_parts import PlacedPart, paint_parts, placed_parts
-from forficula.show.make.part_facts import mass_text, total_mass
+from forficula.show.make.part_facts import mass_text, masses_text, total_mass
 from forficula.show.make.part_looks import Look, part_looks
 from forficula.show.make.pose import angle_range
 from forficula.show.structure.painted_shape import PaintedShape, View, hang
@@ -24,6 +25,7 @@ Array = NDArray[np.float64]
 _TOWARDS = (0.3, -0.72, 0.62)
 _ROOM = 1.06  # of a picture, by what is in it
 _LINE = 0.16  # inch, of a line of words
+_BESIDE = 0.3  # of a picture's width, on which the scale is
 _BAR = 0.3  # of a picture's width: about as long is its scale
 
 
@@ -120,14 +122,16 @@ def _name(axes: Axes, taken: Sequence[PlacedPart], looks: Sequence[Look], view: 
         own = [each for each in taken if each.look == number]
         count = sum(each.part.count for each in own)
         text = f"{look.name}, {count}" if count > 1 else look.name
-        text += f"\n{mass_text(own[0].part.mass)}{' each' * (count > 1)}" if own[0].part.mass is not None else ""
+        masses = masses_text([each.part for each in own])
+        text += f"\n{masses}{' each' * (count > 1)}" if masses else ""
         named.append((text, _anchor(view.project(own[-1].mesh.points))))
     stops = next((each for each in taken if each.mesh.stops), None)
     if stops is not None:
         corners = stops.mesh.points[stops.mesh.triangles[: stops.mesh.stops]]
         named.append(("face of\na stop", _anchor(view.project(corners.reshape(-1, 3)))))
-    # those that are highest have their names above, as many as below
-    named.sort(key=lambda each: -each[1][1])
+    # those that are highest have their names above, as many as below; the scale is below on the left
+    left, right = axes.get_xlim()
+    named.sort(key=lambda each: (each[1][0] > left + _BESIDE * (right - left), -each[1][1]))
     above = (len(named) + 1) // 2
     for group, edge, side in ((named[:above], 1, 1), (named[above:], 0, -1)):
         _row(axes, sorted(group, key=lambda each: float(each[1][0])), edge, side, narrow)
@@ -138,7 +142,7 @@ def _row(axes: Axes, named: Sequence[tuple[str, Array]], edge: int, side: int, n
     left, right = axes.get_xlim()
     first, last = (left + (right - left) * share for share in ((0.14, 0.88) if narrow else (0.1, 0.92)))
     if side < 0:
-        first = left + (right - left) * (0.45 if narrow else 0.35)  # beside the scale
+        first = left + (right - left) * (0.48 if narrow else _BESIDE + 0.08)
     least = (last - first) / max(len(named) - 1, 1)
     at = np.clip([float(anchor[0]) for _, anchor in named], first, last)
     # from left to right and back, so that they are as far apart as there is room
@@ -148,7 +152,9 @@ def _row(axes: Axes, named: Sequence[tuple[str, Array]], edge: int, side: int, n
     at[-1:] = np.minimum(at[-1:], last)
     for place in range(len(at) - 2, -1, -1):
         at[place] = min(at[place], at[place + 1] - room)
+    halo = Stroke(linewidth=1.8, foreground="white")
     for (text, anchor), across in zip(named, at.tolist(), strict=True):
+        axes.plot(*anchor, marker="o", ms=2.2, color="black", mec="white", mew=0.5)
         axes.annotate(
             text,
             anchor,
@@ -157,7 +163,7 @@ def _row(axes: Axes, named: Sequence[tuple[str, Array]], edge: int, side: int, n
             va="bottom" if side > 0 else "top",
             fontsize=7,
             linespacing=1.05,
-            arrowprops={"arrowstyle": "-", "lw": 0.6, "shrinkA": 0, "shrinkB": 0},
+            arrowprops={"arrowstyle": "-", "lw": 0.6, "shrinkA": 0, "shrinkB": 0, "path_effects": [halo, Normal()]},
             annotation_clip=False,
         )
 

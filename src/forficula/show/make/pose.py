@@ -103,7 +103,7 @@ def _apart(parts: PartSet, part: Part, ways: Mapping[int, Array]) -> Array:
             return np.asarray(between + _RAISED * strap.strap.rest_length * strap.up)
         case "pin":
             joint = [each for each in parts.joints if each.make.hinge == "pin"][place]
-            return np.asarray(ways[joint.proximal.body] + _PULLED * joint.width * joint.frame[:, 1])
+            return np.asarray(ways[joint.proximal.body] - _PULLED * joint.width * joint.frame[:, 1])
         case "hub":
             return np.asarray(-6 * rod * back)
         case "root":
