@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-_KINDS = "What it folds: earwig-fan, miura-ori, waterbomb, yoshimura, kresling, pleats, vertex or fold-file."
+_KINDS = "What it folds: earwig-fan, joint, miura-ori, waterbomb, yoshimura, kresling, pleats, vertex or fold-file."
 
 
 def new(

@@ -11,6 +11,7 @@ from forficula.design.design_file import (
     with_values,
 )
 from forficula.design.fan import FanDesign, FanProtocol
+from forficula.design.joint import JointDesign, JointProtocol
 from forficula.design.keys import key_quantity, key_value, names_law, put
 from forficula.design.law import LawSection, tendon_material
 from forficula.design.make import MakeSection
@@ -33,6 +34,8 @@ __all__ = [
     "FanDesign",
     "FanProtocol",
     "Imperfection",
+    "JointDesign",
+    "JointProtocol",
     "LawSection",
     "MakeSection",
     "MediumSection",

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from forficula.design.design import Design
 from forficula.design.fan import FanDesign
+from forficula.design.joint import JointDesign
 from forficula.design.sheet import SheetDesign
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, earwig_pattern, folded_coordinates, folded_frames
@@ -22,6 +23,8 @@ def design_pattern(design: Design) -> CreasePattern:
     """
     if isinstance(design, FanDesign):
         return earwig_pattern(design.fan)
+    if isinstance(design, JointDesign):
+        return design.pattern.sheet
     if isinstance(design, SheetDesign):
         return design.sheet
     raise InputError(f"{design.name}: has no crease pattern")

@@ -30,8 +30,8 @@ _MOST_ROWS = 1e7
 class Design(Displayed, Part):
     """The thing to build and what is done to it; every number in SI and radians."""
 
-    # key of the stiffness that every design of its kind has
-    stiffness_key: ClassVar[str]
+    # key of a value that every design of its kind has, for a study to begin with
+    varied_key: ClassVar[str]
 
     name: Annotated[str, Field(min_length=1, description="what outputs call it")]
     source: Annotated[str, Field(description="where its values come from")]

@@ -17,12 +17,14 @@ from forficula.design.design import Design
 from forficula.design.fan import FanDesign
 from forficula.design.fan_sections import MOST_UNITS
 from forficula.design.file_design import file_tables
+from forficula.design.joint import JointDesign
+from forficula.design.joint_sections import JointTendon
 from forficula.design.kinds import KINDS, design_class, kind_of, reference_of
 from forficula.design.provenance import derived_source
 from forficula.design.rejection import File, origin, rejected
 from forficula.design.sheet_tables import with_sheet_read
 from forficula.design.tables import RejectedError, dotted_keys, laid_over, merged, nested, numbered
-from forficula.design.tendon_tables import entries_over, tendons_over, value_from_folder
+from forficula.design.tendon_tables import entries_over, tendon_over, tendons_over, value_from_folder
 from forficula.errors import InputError
 from forficula.files import as_path, read_toml, write_text
 from forficula.pattern import PATTERN_FILES
@@ -195,12 +197,18 @@ def _with_source(base: dict[str, Any], tables: dict[str, Any], given: Mapping[st
 def _over(
     tables: dict[str, Any], own: dict[str, Any], lay: Callable[[object, object], Any], *, si: bool
 ) -> dict[str, Any]:
-    """Lay tables over others; the tendons of a fan in their own way, its pattern tells how many."""
+    """Lay tables over others; tendons in their own way, those of a fan by its pattern, which tells how many."""
     tables = _without_other_pattern(tables, kind_of(own))
     both: dict[str, Any] = lay(tables, {key: value for key, value in own.items() if key != "tendon"})
     if "tendon" not in own:
         return both
-    if not issubclass(design_class(both), FanDesign):
+    model = design_class(both)
+    if issubclass(model, JointDesign):
+        given = own["tendon"]
+        if isinstance(given, dict):
+            given = tendon_over(tables.get("tendon"), given, "", si=si, model=JointTendon)
+        return {**both, "tendon": given}
+    if not issubclass(model, FanDesign):
         return {**both, "tendon": entries_over(tables.get("tendon"), own["tendon"], si=si)}
     pattern = both.get("pattern")
     units = pattern.get("units") if isinstance(pattern, dict) else None

@@ -19,18 +19,18 @@ from forficula.design.fan_sections import (
     MembraneSection,
     VeinSection,
 )
+from forficula.design.folding import check_angles, check_course
 from forficula.design.medium import check_medium
 from forficula.design.part import ANGLE, LENGTH, SMALL_LENGTH, TORQUE, quantity
-from forficula.design.protocol import Protocol, check_bounds, check_stages, check_states, stage_drives
+from forficula.design.protocol import Protocol, check_bounds
 from forficula.design.start import largest_start, start_stretch
-from forficula.design.tendon import TendonSection
+from forficula.design.tendon import TendonSection, check_on_bars
 from forficula.design.tendon_tables import entries_by_vein
 from forficula.errors import InputError
 from forficula.pattern import EarwigFan, ring_vertices, vein_gaps
-from forficula.quantities import Unit, as_written, format_quantity, show_quantity
+from forficula.quantities import Unit, format_quantity, show_quantity
 
 _MOST_VEINS = 1001
-DRIVES, GOALS, STATES = ("fold", "unfold"), ("folded", "opened"), ("flat", "folded", "opened")
 # the two forms of a design's tendons, as they stand in the places of errors
 ONE_FOR_ALL, BY_VEIN = "<one for all>", "<by vein>"
 
@@ -56,53 +56,15 @@ class FanProtocol(Protocol):
 
     @model_validator(mode="after")
     def _stages_in_order(self) -> FanProtocol:
-        check_stages(self, DRIVES, GOALS, dict.fromkeys(("ring", "turn", "lift", "sweep", "distal_angle"), ANGLE))
-        check_states(self, STATES)
-        drives = [stage_drives(stage) for stage in self.stages]
-        fold, unfold = ([number for number, each in enumerate(drives) if drive in each] for drive in DRIVES)
-        for number, each in enumerate(drives):
-            if len(each) > 1:
-                raise InputError(
-                    f"protocol.stages.{number}.drive: need one drive, for a wing is not folded and unfolded in one"
-                    f" stage, got {as_written(self.stages[number].drive)}"
-                )
-        for drive, driven in zip(DRIVES, (fold, unfold), strict=True):
-            if len(driven) > 1:
-                raise InputError(f'protocol.stages: need at most one stage with drive = "{drive}", got {len(driven)}')
-        written = [stage.drive for stage in self.stages]
-        if unfold and not (fold and fold[0] < unfold[0]):
-            raise InputError(
-                'protocol.stages: need a stage with drive = "fold" before the one with drive = "unfold",'
-                f" got {as_written(written)}"
-            )
-        if drives[0]:
-            raise InputError(
-                'protocol.stages: need a first stage with drive = "none", whose end is the flat state,'
-                f" got {as_written(written[0])}"
-            )
-        self._states_in_order([*fold, len(drives)][0], [*unfold, len(drives)][0])
+        bounded = dict.fromkeys(("ring", "turn", "lift", "sweep", "distal_angle"), ANGLE)
+        check_course(self, bounded, whole="a wing")
         return self
-
-    def _states_in_order(self, fold: int, unfold: int) -> None:
-        """Refuse a state where the wing is not in it, by the numbers of the stages that fold and unfold."""
-        places = (
-            'before the stage with drive = "fold"',
-            'from the stage with drive = "fold" to the one with drive = "unfold"',
-            'from the stage with drive = "unfold" on',
-        )
-        for number, stage in enumerate(self.stages):
-            reached = (number >= fold) + (number >= unfold)
-            state, where = STATES[reached], places[reached]
-            if stage.state not in (None, state):
-                raise InputError(
-                    f'protocol.stages.{number}.state: need "{state}" {where}, got {as_written(stage.state)}'
-                )
 
 
 class FanDesign(Design):
     """A fan of bars with membranes between them, and what is done to it."""
 
-    stiffness_key: ClassVar[str] = "tendon.stiffness"
+    varied_key: ClassVar[str] = "tendon.stiffness"
 
     pattern: FanPatternSection
     vein: VeinSection
@@ -195,19 +157,7 @@ class FanDesign(Design):
                     f"{key}: there is no vein {vein}: need one of 0 to {last}, with pattern.units ="
                     f" {self.pattern.units}"
                 )
-            for end, length in (("proximal", self.pattern.proximal_length), ("distal", self.pattern.distal_length)):
-                attachment, bar = getattr(tendon, f"{end}_attachment"), show_quantity(length, LENGTH)
-                if attachment > length:
-                    raise InputError(
-                        f"{key}.{end}_attachment: lies beyond the bar: need <= pattern.{end}_length,"
-                        f" {bar}, got {show_quantity(attachment, LENGTH)}"
-                    )
-                for way in ("offset", "aside"):
-                    if abs(value := getattr(tendon, f"{end}_{way}")) > length:
-                        raise InputError(
-                            f"{key}.{end}_{way}: need >= -{bar} and <= {bar}, pattern.{end}_length,"
-                            f" got {show_quantity(value, LENGTH)}"
-                        )
+            check_on_bars(key, tendon, self.pattern.proximal_length, self.pattern.distal_length)
 
     def _driven_veins_there(self) -> None:
         """Refuse motors on veins that are not there, and two on one."""
@@ -230,17 +180,13 @@ class FanDesign(Design):
     def _goals_within_stops(self) -> None:
         """Refuse a start or a goal that the stops of the distal hinges keep a wing from."""
         folds, bends, protocol = self.hinge.fold_limit, self.hinge.overbend, self.protocol
-        for key, angle, least, most, stop in (
-            ("initial_overbend", protocol.initial_overbend, -folds, bends, "overbend"),
-            ("folded_angle", protocol.folded_angle, 0.0, folds, "fold_limit"),
-            ("opened_angle", protocol.opened_angle, -folds, bends, "overbend"),
-        ):
-            if not least <= angle <= most:
-                above = f">= {show_quantity(least, ANGLE)} (-hinge.fold_limit) and " if least else ""
-                raise InputError(
-                    f"protocol.{key}: need {above}<= {show_quantity(most, ANGLE)} (hinge.{stop}),"
-                    f" got {show_quantity(angle, ANGLE)}"
-                )
+        check_angles(
+            initial_overbend=protocol.initial_overbend,
+            folded_angle=protocol.folded_angle,
+            opened_angle=protocol.opened_angle,
+            fold_limit=folds,
+            overbend=bends,
+        )
         shared = self.pattern.ring_folds
         stops = {"ring": (-folds / shared, bends / shared), "distal_angle": (-folds, bends)}
         stops["turn"] = (-self.hinge.turn_back, self.hinge.turn_limit)

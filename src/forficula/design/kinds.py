@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from forficula.design.design import Design
 from forficula.design.fan import FanDesign
+from forficula.design.joint import JointDesign
 from forficula.design.sheet_kinds import (
     FoldFileDesign,
     KreslingDesign,
@@ -20,6 +21,7 @@ from forficula.names import one_of
 
 KINDS: Mapping[str, type[Design]] = {
     "earwig-fan": FanDesign,
+    "joint": JointDesign,
     "miura-ori": MiuraDesign,
     "waterbomb": WaterbombDesign,
     "yoshimura": YoshimuraDesign,
@@ -31,6 +33,7 @@ KINDS: Mapping[str, type[Design]] = {
 # by kind, a named design to begin with
 REFERENCES: Mapping[str, str] = {
     "earwig-fan": "binder2025",
+    "joint": "binder2025-joint",
     "miura-ori": "miura-sheet",
     "waterbomb": "waterbomb-base",
     "kresling": "kresling-cell",

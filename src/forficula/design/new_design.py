@@ -14,6 +14,7 @@ from pydantic.fields import FieldInfo
 from forficula.design.design import Design
 from forficula.design.design_file import load_design
 from forficula.design.kinds import KINDS, OTHER_REFERENCE, REFERENCES
+from forficula.design.law import LawSection
 from forficula.design.part import Part, entry_part, field_quantity
 from forficula.design.tendon import TendonSection
 from forficula.errors import InputError
@@ -90,8 +91,10 @@ def _commented(design: Design, without: str) -> Iterator[str]:
             if key not in values:
                 yield f"{'# ' + _example(key, entry):<40}  # {entry.description}"
                 continue
-            yield f"{_line(key, values[key]):<40}  # {entry.description}"
-        if isinstance(part, TendonSection):
+            law = getattr(part, key)
+            value = law.name if isinstance(law, LawSection) else values[key]
+            yield f"{_line(key, value):<40}  # {entry.description}"
+        if isinstance(part, TendonSection) and part.numbered_by:
             yield "# [[tendon]] with vein = 0 and what differs is the tendon of one vein; then a vein without has none."
         for key, entry in type(part).model_fields.items():
             if key == "stages":

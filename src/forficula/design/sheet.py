@@ -20,7 +20,7 @@ from forficula.pattern import CreasePattern, central_facet, facet_tree
 class SheetDesign(Design):
     """A sheet that folds at its creases, and what is done to it."""
 
-    stiffness_key: ClassVar[str] = "crease.stiffness"
+    varied_key: ClassVar[str] = "crease.stiffness"
 
     source: Annotated[str, Field(description="where its values come from")] = ""
     pattern: Any

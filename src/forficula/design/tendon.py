@@ -124,6 +124,33 @@ class TendonSection(ElasticTendon):
         return self.density * (self.area or 0.0) * self.rest_length
 
 
+def check_on_bars(key: str, tendon: TendonSection, proximal_length: float, distal_length: float) -> None:
+    """Refuse a tendon that does not end on its bars, which are so long, m.
+
+    Args:
+        key: of the tendon, such as "tendon.1".
+        tendon: across a distal hinge.
+        proximal_length: of the bar up to the hinge.
+        distal_length: of that beyond it.
+
+    Raises:
+        InputError: which end, and what is allowed.
+    """
+    for end, length in (("proximal", proximal_length), ("distal", distal_length)):
+        attachment, bar = getattr(tendon, f"{end}_attachment"), show_quantity(length, LENGTH)
+        if attachment > length:
+            raise InputError(
+                f"{key}.{end}_attachment: lies beyond the bar: need <= pattern.{end}_length,"
+                f" {bar}, got {show_quantity(attachment, LENGTH)}"
+            )
+        for way in ("offset", "aside"):
+            if abs(value := getattr(tendon, f"{end}_{way}")) > length:
+                raise InputError(
+                    f"{key}.{end}_{way}: need >= -{bar} and <= {bar}, pattern.{end}_length,"
+                    f" got {show_quantity(value, LENGTH)}"
+                )
+
+
 def tendon_law(tendon: ElasticTendon) -> TendonLaw:
     """The law of a tendon, in its units, whatever they are; linear, with linear damping, where it names no material.
 

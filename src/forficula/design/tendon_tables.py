@@ -207,6 +207,9 @@ def _without_law(table: dict[str, Any], *, si: bool, model: type[ElasticTendon])
     for key, value in small_extension(tendon).items():
         reader = field_quantity(model.model_fields[key])
         rest[key] = value if si or reader is None else format_quantity(value, reader.unit)
+    if tendon.weighs:
+        # what it weighs goes by its volume
+        rest["area"] = table["area"]
     return rest
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from scipy.spatial import ConvexHull
 
 from forficula.design import MakeSection
+from forficula.make.joint import above_bed
 from forficula.make.joint_layout import Arm, JointLayout
 from forficula.make.solids import Cut, Joined, Prism, Rod, Solid
 from forficula.structure import GROUND, Structure
@@ -98,20 +99,21 @@ def rod_solid(root: Root) -> Rod:
     return Rod(start=root.at(start), end=root.at(end), diameter=root.make.root_diameter)
 
 
-def with_sleeve(bar: Solid, root: Root, length: float) -> Solid:
+def with_sleeve(bar: Solid, root: Root, joint: JointLayout) -> Solid:
     """A bar that begins at its root, with a sleeve around the rod that it is held by.
 
     Args:
         bar: from the joint that the root stands for.
         root: of it.
-        length: of the bar, m.
+        joint: whose proximal side the bar is.
     """
     deep = _DEEP * root.make.root_diameter
-    before = Rod(start=root.at(-length), end=root.at(root.begins), diameter=4 * root.sleeve)
+    before = Rod(start=root.at(-joint.proximal.length), end=root.at(root.begins), diameter=4 * root.sleeve)
     sleeve = Rod(
         start=root.at(root.begins), end=root.at(root.begins + deep + root.make.hinge_wall), diameter=root.sleeve
     )
-    return Cut(solid=Joined(solids=(Cut(solid=bar, taken=(before,)), sleeve)), taken=(rod_solid(root),))
+    begun = Joined(solids=(Cut(solid=bar, taken=(before,)), sleeve))
+    return Cut(solid=begun, taken=(rod_solid(root), above_bed(joint)))
 
 
 def _turns(structure: Structure, body: int) -> bool:

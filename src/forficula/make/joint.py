@@ -17,6 +17,8 @@ from forficula.structure.parts import Array
 
 # of a peg's diameter: the head that keeps straps on it
 PEG_HEAD = 1.3
+# a peg that is so near to the height of its bar is on it, m
+_LEVEL = 1e-6
 # what is taken away goes on so far beyond what it is taken from, m
 _BEYOND = 1e-3
 
@@ -32,7 +34,7 @@ def bar_solid(arms: list[tuple[JointLayout, Arm]]) -> Solid:
     solid: Solid = Rod(start=ends[0] + rise, end=ends[1] + rise, diameter=layout.bar_diameter)
     solid = Joined(solids=(solid, *(_lug(each) for each, _ in arms)))
     solid = Shared(solids=(solid, *(_wedge(each, own) for each, own in arms)))
-    solid = Cut(solid=solid, taken=(_above(layout), *(each for joint, own in arms for each in _room(joint, own))))
+    solid = Cut(solid=solid, taken=(above_bed(layout), *(each for joint, own in arms for each in _room(joint, own))))
     solid = Joined(solids=(solid, *(each for joint, own in arms for each in _knuckles(joint, own))))
     solid = Cut(solid=solid, taken=tuple(_hole(joint, own) for joint, own in arms))
     axles = [pin_solid(joint) for joint, own in arms if own is joint.proximal and joint.make.hinge != "pin"]
@@ -59,13 +61,15 @@ def peg_solids(layout: JointLayout, arm: Arm) -> list[Solid]:
         Rod(start=middle + side * inner * across, end=middle + side * outer * across, diameter=PEG_HEAD * 2 * radius)
         for side in (-1, 1)
     ]
-    low, high = sorted((arm.height, layout.standoff))
-    if high - low > layout.bar_diameter / 2 - radius:
-        frame = np.column_stack([arm.along, np.cross(layout.frame[:, 2], arm.along), layout.frame[:, 2]])
-        half = layout.bar_diameter / 2
-        low = low if low == layout.standoff else low - radius
-        high = high if high == layout.standoff else high + radius
-        solids.append(box((arm.peg - radius, -half, low), (arm.peg + radius, half, high), layout.origin, frame))
+    off = arm.height - layout.standoff
+    if abs(off) < _LEVEL:
+        # it lies on the bed with its bar, and folded, the other half's pegs are as near on the other side of the sheet
+        level = (above_bed(layout), _below(layout, make.clearance / 2))
+        return [Cut(solid=Joined(solids=tuple(solids)), taken=level)]
+    low, high = (arm.height - radius, layout.standoff) if off < 0 else (layout.standoff, arm.height + radius)
+    frame = np.column_stack([arm.along, np.cross(layout.frame[:, 2], arm.along), layout.frame[:, 2]])
+    half = layout.bar_diameter / 2
+    solids.append(box((arm.peg - radius, -half, low), (arm.peg + radius, half, high), layout.origin, frame))
     return solids
 
 
@@ -102,10 +106,16 @@ def _lug(layout: JointLayout) -> Solid:
     return box((-corner[0], -corner[1], low), corner, layout.origin, layout.frame)
 
 
-def _above(layout: JointLayout) -> Solid:
+def above_bed(layout: JointLayout) -> Solid:
     """What is above the flat that lies on the printer's bed."""
     far = 4 * (layout.proximal.length + layout.distal.length)
     return box((-far, -far, layout.top), (far, far, layout.top + far), layout.origin, layout.frame)
+
+
+def _below(layout: JointLayout, height: float) -> Solid:
+    """What is below a height over the hinge, m."""
+    far = 4 * (layout.proximal.length + layout.distal.length)
+    return box((-far, -far, height - far), (far, far, height), layout.origin, layout.frame)
 
 
 def _room(layout: JointLayout, arm: Arm) -> list[Solid]:

@@ -216,19 +216,17 @@ def _with_peg(layout: JointLayout, arm: Arm, pegs: Sequence[tuple[int, Array]]) 
 
 
 def _aside(layout: JointLayout, strap: Strap, ends: Sequence[Array]) -> float:
-    """How far aside of the bars two straps must be to pass the hinge and its lugs on either side, m.
+    """How far aside of the bars two straps must be to pass the hinge and its lugs on either side, flat, m.
 
     A strap goes straight from one peg to the other; what it is aside at an end counts by how near that is.
     """
     need = strap.width / 2 + layout.make.clearance
-    beside_hinge = layout.width / 2 + need
-    (start, end), x, y = (ends - layout.origin), layout.frame[:, 0], layout.frame[:, 1]
-    reach = float((end - start) @ x)
+    (start, end), x, y = (np.asarray(ends) - layout.origin), layout.frame[:, 0], layout.frame[:, 1]
+    ways = [layout.across(arm) for arm in (layout.proximal, layout.distal)]
+    # square to bars that lean a share of it is along the hinge
+    leaning = min(abs(float(way @ y)) for way in ways)
     aside = layout.bar_diameter / 2 + need
     for at in (-layout.lug, 0.0, layout.lug):
-        share = (at - float(start @ x)) / reach
-        middle = float((start + share * (end - start)) @ y)
-        # square to bars that lean a share of it is along the hinge
-        leaning = min(abs(float(layout.across(arm) @ y)) for arm in (layout.proximal, layout.distal))
-        aside = max(aside, (beside_hinge + abs(middle)) / leaning)
+        middle = start + (at - float(start @ x)) / float((end - start) @ x) * (end - start)
+        aside = max(aside, (layout.width / 2 + need + abs(float(middle @ y))) / leaning)
     return aside

@@ -14,7 +14,7 @@ from forficula.make.joint_layout import Arm, JointLayout, joint_layouts
 from forficula.make.part import Part, PartSet
 from forficula.make.sheet import cut_sheet
 from forficula.make.stock import stock_of
-from forficula.make.strap_shape import StrapPlace, made_strap, strap_places
+from forficula.make.strap_shape import StrapPlace, bows_beside, made_strap, strap_places
 from forficula.material.law.law_file import named_laws
 from forficula.names import one_of
 from forficula.structure import GROUND, Structure, structure_of
@@ -45,7 +45,7 @@ def make_parts(design: AnyDesign, part: PartName = "all") -> PartSet:
     joints: tuple[JointLayout, ...] = ()
     if part in ("joint", "section") or (part == "all" and structure.bars):
         joints = joint_layouts(design, structure)
-        joints = joints[:1] if part == "joint" else joints
+        joints = bows_beside(joints[:1] if part == "joint" else joints)
     return PartSet(
         design=design,
         structure=structure,
@@ -67,14 +67,14 @@ def _bars(structure: Structure, joints: tuple[JointLayout, ...], roots: tuple[Ro
     rooted = {root.body: root for root in roots}
     parts = []
     for body, of in sorted(arms.items()):
-        joint, arm = of[0]
+        joint, _ = of[0]
         solid = bar_solid(of)
         parts.append(
             Part(
                 name=structure.bodies[body].name,
                 kind="bar",
                 stock=stock_of(joint.make.bar_material),
-                solid=with_sleeve(solid, rooted[body], arm.length) if body in rooted else solid,
+                solid=with_sleeve(solid, rooted[body], joint) if body in rooted else solid,
                 body=body,
                 bed=_face_down(joint),
             )
@@ -137,7 +137,7 @@ def _hub(roots: tuple[Root, ...]) -> list[Part]:
             stock=stock_of(make.root_material),
             solid=rod_solid(root),
             body=None,
-            bed=np.eye(3),
+            bed=_upright(root.along),
         )
         for number, root in enumerate(roots)
     ]
@@ -147,4 +147,12 @@ def _hub(roots: tuple[Root, ...]) -> list[Part]:
 def _face_down(joint: JointLayout) -> Array:
     """The rotation that lays a bar on the flat of its overbend side, (3, 3)."""
     turned: Array = np.diag([1.0, -1.0, -1.0]) @ joint.frame.T
+    return turned
+
+
+def _upright(along: Array) -> Array:
+    """The rotation that stands what lies along a unit vector on its end, (3, 3)."""
+    across = np.cross(along, np.eye(3)[int(np.argmin(np.abs(along)))])
+    across /= np.linalg.norm(across)
+    turned: Array = np.vstack([across, np.cross(along, across), along])
     return turned

@@ -5,13 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
-from manifold3d import Manifold
+from manifold3d import Error, Manifold
 
 from forficula.design import Design
+from forficula.errors import InputError
+from forficula.make.cut_lines import CutSheet
 from forficula.make.hub import Root
 from forficula.make.joint_layout import JointLayout
 from forficula.make.mesh import MILLIMETRES, solid_of
-from forficula.make.sheet import CutSheet
 from forficula.make.solids import Solid
 from forficula.make.stock import Stock
 from forficula.make.strap_shape import StrapPlace
@@ -45,8 +46,17 @@ class Part:
 
     @cached_property
     def shape(self) -> Manifold:
-        """Its solid as a mesh, mm."""
-        return solid_of(self.solid)
+        """Its solid as a mesh, mm.
+
+        Raises:
+            InputError: nothing is left of it.
+        """
+        shape = solid_of(self.solid)
+        if shape.status() != Error.NoError or shape.is_empty():
+            raise InputError(
+                f"{self.name}: nothing is left of this part; bars are too short or too thin for what is on them"
+            )
+        return shape
 
     @property
     def volume(self) -> float:

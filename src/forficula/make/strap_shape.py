@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import itertools
+import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from forficula.make.elastica import elastica
+from forficula.make.joint import turned
 from forficula.make.joint_layout import Arm, JointLayout
-from forficula.make.solids import Cut, Joined, Prism, Rod, Solid, band
+from forficula.make.solids import Cut, Joined, Prism, Rod, Solid, band, box
 from forficula.make.straps import Strap
 from forficula.structure.parts import Array
 
@@ -17,6 +20,8 @@ from forficula.structure.parts import Array
 _NOWHERE = 1e-9
 # corners of a bow
 _CORNERS = 49
+# straps are moved aside at most so often, by as much as is missing and a little, m, at so many angles
+_TRIES, _STEP, _ANGLES = 40, 1e-4, 31
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -74,6 +79,49 @@ def strap_places(joints: Sequence[JointLayout]) -> tuple[StrapPlace, ...]:
     return tuple(places)
 
 
+def bows_beside(joints: tuple[JointLayout, ...]) -> tuple[JointLayout, ...]:
+    """Move pairs of straps aside until their bows pass both bars of a joint by the clearance, at all angles.
+
+    Bars of an oblique hinge lie across one another when they are folded, so that straps which are beside the one as it
+    is flat are over the other then. Of tendons across several joints the bows are left as they are.
+    """
+    of = [joint.tendon for joint in joints]
+    return tuple(
+        _beside(joint) if joint.strap is not None and joint.strap.count == 2 and of.count(joint.tendon) == 1 else joint
+        for joint in joints
+    )
+
+
+def _beside(joint: JointLayout) -> JointLayout:
+    """A joint whose straps are moved aside until their bows pass its bars."""
+    for _ in range(_TRIES):
+        (place,) = strap_places([joint])
+        missing = joint.bar_diameter / 2 + place.strap.width / 2 + joint.make.clearance - _nearest(joint, place)
+        if missing <= 0:
+            return joint
+        joint = replace(joint, aside=joint.aside + missing + _STEP)
+    return joint
+
+
+def _nearest(joint: JointLayout, place: StrapPlace) -> float:
+    """How near the middles of slack straps come to the axes of the bars, from the hinge to their ends, m."""
+    rise, nearest = joint.standoff * joint.frame[:, 2], math.inf
+    for angle in np.linspace(joint.lower, joint.upper, _ANGLES):
+        frame, by = turned(joint, float(angle))
+        bars = [(joint.origin + rise, joint.proximal), (frame @ (joint.origin + rise) + by, joint.distal)]
+        for start, end in place.ends:
+            there = frame @ end + by
+            if np.linalg.norm(there - start) >= place.strap.rest_length:
+                continue
+            for side in (1, -1):
+                line = strap_line(place, start, there, joint.frame[:, 1], side)
+                for (origin, arm), turn in zip(bars, (np.eye(3), frame), strict=True):
+                    off, way = line - origin, turn @ arm.along
+                    along = np.clip(off @ way, 0.0, arm.length)
+                    nearest = min(nearest, float(np.linalg.norm(off - along[:, None] * way, axis=1).min()))
+    return nearest
+
+
 def made_strap(place: StrapPlace) -> Solid:
     """A strap at its resting length, straight from its proximal peg towards the other, with an eye at either end."""
     start, end = place.ends[0]
@@ -81,23 +129,47 @@ def made_strap(place: StrapPlace) -> Solid:
     return _with_eyes(place, np.array([start, start + place.strap.rest_length * along]), place.up)
 
 
-def strap_between(place: StrapPlace, start: Array, end: Array, side: Array) -> Solid:
-    """A strap without its eyes between two places, m, bowed towards a side where it is longer than their distance.
+def strap_line(place: StrapPlace, start: Array, end: Array, axis: Array, side: int) -> Array:
+    """The middle of a strap between two places, m, (corner, 3): straight where it is taut, else bowed to a side.
 
-    It bends about its width and does not twist. Taut, it keeps its width and thickness: it is drawn too thick.
+    It bends about its width, which stays along the hinge, and goes evenly along that from one end to the other.
+
+    Args:
+        place: of the tendon's straps.
+        start: of its proximal eye, m, (3,).
+        end: of the other, m, (3,).
+        axis: unit vector along the hinge, (3,).
+        side: +1 or -1, of the two that it can bow to.
     """
-    chord = end - start
-    apart = float(np.linalg.norm(chord))
-    bow = side - chord * float(side @ chord) / max(apart, _NOWHERE) ** 2
-    bow /= max(float(np.linalg.norm(bow)), _NOWHERE)
-    along = chord / apart if apart > _NOWHERE else np.cross(bow, place.across[0])
-    line = elastica(place.strap.rest_length, apart, _CORNERS)
-    return Prism(
-        outline=band(line, place.strap.thickness),
-        origin=start,
-        frame=np.column_stack([along, bow, np.cross(along, bow)]),
-        height=place.strap.width,
-    )
+    along = float((end - start) @ axis)
+    chord = end - start - along * axis
+    apart, length = float(np.linalg.norm(chord)), place.strap.rest_length
+    ahead = chord / apart if apart > _NOWHERE else np.cross(axis, place.up)
+    bowed = math.sqrt(length**2 - along**2) if length > math.hypot(apart, along) else apart
+    flat = elastica(max(bowed, _NOWHERE), apart, _CORNERS)
+    shares = np.linspace(0.0, along, _CORNERS)
+    line: Array = start + flat @ np.array([ahead, side * np.cross(axis, ahead)]) + shares[:, None] * axis
+    return line
+
+
+def strap_along(place: StrapPlace, line: Array, axis: Array) -> Solid:
+    """A strap without its eyes along its middle, (corner, 3), as a chain of blocks as wide as it is along the hinge.
+
+    Taut, it keeps its width and thickness: it is drawn too thick.
+    """
+    blocks = []
+    for start, end in itertools.pairwise(line):
+        step = end - start - float((end - start) @ axis) * axis
+        length = float(np.linalg.norm(step))
+        ahead = step / length
+        frame = np.column_stack([ahead, np.cross(axis, ahead), axis])
+        half = place.strap.thickness / 2
+        wide = (place.strap.width + abs(float((end - start) @ axis))) / 2
+        middle = (start + end) / 2
+        # over the corners of a bend
+        reach = length / 2 + half / 4
+        blocks.append(box((-reach, -half, -wide), (reach, half, wide), middle, frame))
+    return Joined(solids=tuple(blocks))
 
 
 def _with_eyes(place: StrapPlace, ends: Array, up: Array) -> Solid:

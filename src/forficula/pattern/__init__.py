@@ -30,6 +30,7 @@ from forficula.pattern.flat_folding import (
 from forficula.pattern.fold_angles import built_fold_angles, kept_as_built
 from forficula.pattern.fold_file import fold_pattern, read_fold, read_folded_frames
 from forficula.pattern.fold_writer import write_fold
+from forficula.pattern.hinged_strip import strip_pattern
 from forficula.pattern.kinematics import (
     degree4_fold_angles,
     fan_fold_angles,
@@ -114,6 +115,7 @@ __all__ = [
     "ring_directions",
     "ring_vertices",
     "sectors_between",
+    "strip_pattern",
     "tips",
     "triangulated",
     "vein_gaps",

@@ -14,8 +14,8 @@ from forficula.files import write_text
 from forficula.pattern.crease_pattern import ASSIGNMENTS, CreasePattern, check_flat
 
 # colours as origami programs read them; the dashes (lengths in mm) tell the lines apart in grey
-_COLOURS = {"B": "#000000", "M": "#ff0000", "V": "#0000ff", "F": "#808080", "U": "#ff00ff", "C": "#00ff00"}
-_DASHES = {"M": "4 1 0.5 1", "V": "2 1", "F": "0.5 1", "U": "6 2", "C": "1 0.5"}
+COLOURS = {"B": "#000000", "M": "#ff0000", "V": "#0000ff", "F": "#808080", "U": "#ff00ff", "C": "#00ff00"}
+DASHES = {"M": "4 1 0.5 1", "V": "2 1", "F": "0.5 1", "U": "6 2", "C": "1 0.5"}
 _LINES = {
     "B": "black, solid",
     "M": "red, dash-dotted",
@@ -24,7 +24,7 @@ _LINES = {
     "U": "magenta, long-dashed",
     "C": "green, short-dashed",
 }
-_STROKE = 0.35  # mm
+STROKE = 0.35  # mm
 _MARGIN = 3.0  # mm
 _DOT, _ATTACHMENT, _BAR_HEIGHT = 1.2, "#e69f00", 6.0  # mm of a dot's radius, and of what is beneath a scale bar's top
 _MILLIMETRES = 1e3
@@ -65,7 +65,7 @@ def write_svg(
             "viewBox": f"0 0 {width:.6f} {height:.6f}",
         },
     )
-    ElementTree.SubElement(drawing, "title").text = _printable(pattern.title)
+    ElementTree.SubElement(drawing, "title").text = printable(pattern.title)
     ElementTree.SubElement(drawing, "desc").text = _legend(pattern)
     for edge, (tail, head) in enumerate(pattern.edges_vertices.tolist()):
         letter, fold_angle = pattern.edges_assignment[edge], float(pattern.edges_fold_angle[edge])
@@ -74,11 +74,11 @@ def write_svg(
             "y1": f"{page[tail, 1]:.6f}",
             "x2": f"{page[head, 0]:.6f}",
             "y2": f"{page[head, 1]:.6f}",
-            "stroke": _COLOURS[letter],
-            "stroke-width": f"{_STROKE:g}",
+            "stroke": COLOURS[letter],
+            "stroke-width": f"{STROKE:g}",
         }
-        if letter in _DASHES:
-            line["stroke-dasharray"] = _DASHES[letter]
+        if letter in DASHES:
+            line["stroke-dasharray"] = DASHES[letter]
         if letter in "MV" and math.isfinite(fold_angle):
             line["stroke-opacity"] = f"{min(abs(fold_angle) / math.pi, 1.0):.6g}"
         ElementTree.SubElement(drawing, "line", line)
@@ -87,7 +87,7 @@ def write_svg(
         dot = {"cx": f"{x:.6f}", "cy": f"{y:.6f}", "r": f"{_DOT:g}", "fill": _ATTACHMENT, "stroke": "none"}
         ElementTree.SubElement(ElementTree.SubElement(drawing, "circle", dot), "title").text = "end of a tendon"
     filled = {"fill": "#000000", "stroke": "none"}
-    thick = {"width": f"{bar:g}", "height": f"{2 * _STROKE:g}"}
+    thick = {"width": f"{bar:g}", "height": f"{2 * STROKE:g}"}
     ElementTree.SubElement(drawing, "rect", {"x": f"{_MARGIN:g}", "y": f"{foot:.6f}", **thick, **filled})
     below = {"x": f"{_MARGIN:g}", "y": f"{foot + _BAR_HEIGHT - 1.5:.6f}", "font-size": "3", "font-family": "sans-serif"}
     ElementTree.SubElement(drawing, "text", {**below, **filled}).text = f"{bar:g} mm"
@@ -103,7 +103,7 @@ def _bar_length(width: float) -> float:
     return float(next(steps for steps in (5, 2, 1) if steps * size <= most) * size)
 
 
-def _printable(text: str) -> str:
+def printable(text: str) -> str:
     """Leave out what XML cannot hold."""
     return "".join(character for character in text if character.isprintable())
 

@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from forficula.design import AnyDesign, Design, FanDesign, SheetDesign, as_design
+from forficula.design import AnyDesign, Design, FanDesign, JointDesign, SheetDesign, as_design
 from forficula.errors import InputError
-from forficula.structure import fan_protocol, nodes, plates, sheet_protocol, veins
+from forficula.structure import fan_protocol, joint, nodes, plates, sheet_protocol, veins
 from forficula.structure.structure import Structure
 
 
@@ -33,6 +33,12 @@ _WAYS: Mapping[type[Design], _Way] = {
         with_protocol=fan_protocol.with_protocol,
         drive_keys=fan_protocol.drive_keys,
         static_keys=fan_protocol.static_keys,
+    ),
+    JointDesign: _Way(
+        build=joint.joint_structure,
+        with_protocol=joint.with_protocol,
+        drive_keys=joint.drive_keys,
+        static_keys=joint.static_keys,
     ),
     SheetDesign: _Way(
         build=_sheet_structure,

@@ -9,32 +9,14 @@ import numpy as np
 from forficula.design import FanDesign
 from forficula.design.places import row_bars
 from forficula.structure.parts import Array, Panel, PointMass
-from forficula.structure.vein import Vein, attachments, panel_lines
+from forficula.structure.vein import Vein, panel_lines
+from forficula.structure.vein_parts import vein_masses
 
 
 def fan_masses(design: FanDesign, veins: Sequence[Vein]) -> tuple[PointMass, ...]:
-    """The masses that the bars of a fan carry, in the units of its design; none where all of them are 0.
-
-    Half of a tendon is at either end: the momentum of a straight line between two points that move, and a kinetic
-    energy that is larger by a twelfth of its mass times the square of the difference of their velocities.
-    """
-    masses: list[PointMass] = []
-    for index, vein in enumerate(veins):
-        tendon, hinge = design.tendon_on(index), design.vein.added_mass / 2
-        if hinge:
-            for fold in range(len(vein.axes)):
-                ends = ((fold, vein.end(fold)), (fold + 1, np.zeros(3)))
-                masses += [
-                    PointMass(body=vein.body(index, bar), place=place, mass=hinge, role="hinge") for bar, place in ends
-                ]
-        if tendon is not None and tendon.mass:
-            masses += [
-                PointMass(body=end.body, place=end.place, mass=tendon.mass / 2, role="tendon")
-                for end in attachments(tendon, index, vein)
-            ]
-    if design.membrane.density:
-        masses += _membrane(design, veins)
-    return tuple(masses)
+    """The masses that the bars of a fan carry, in the units of its design; none where all of them are 0."""
+    masses = vein_masses(design, veins)
+    return (*masses, *_membrane(design, veins)) if design.membrane.density else masses
 
 
 def _membrane(design: FanDesign, veins: Sequence[Vein]) -> Iterator[PointMass]:

@@ -8,35 +8,21 @@ from dataclasses import replace
 
 import numpy as np
 
-from forficula.design import FanDesign, TendonSection, tendon_law
+from forficula.design import FanDesign
 from forficula.design.places import row_bars
-from forficula.errors import InputError
 from forficula.pattern import CreasePattern, earwig_pattern, ring_directions, vein_roles
 from forficula.quantities import show_value
 from forficula.structure.appearance import Appearance
 from forficula.structure.couplings import vein_couplings
-from forficula.structure.crossing import bar_crossing, sine_between
 from forficula.structure.fan_fold import fan_fold
 from forficula.structure.fan_masses import fan_masses, fan_panels
 from forficula.structure.fan_protocol import with_protocol
-from forficula.structure.mass import end_inertia, turned_inertia
 from forficula.structure.medium import immersed
 from forficula.structure.panel_surface import fan_contact, overlapping_length, panel_surface
-from forficula.structure.parts import (
-    GROUND,
-    Array,
-    Bar,
-    Body,
-    Crossing,
-    Hinge,
-    LengthLimit,
-    Membrane,
-    MembraneLaw,
-    Point,
-    Tendon,
-)
+from forficula.structure.parts import Array, Hinge, LengthLimit, Membrane, MembraneLaw
 from forficula.structure.structure import Structure
-from forficula.structure.vein import Vein, attachments, panel_lines
+from forficula.structure.vein import Vein, panel_lines
+from forficula.structure.vein_parts import bare_veins
 
 _APPEARANCE = Appearance(
     whole="wing",
@@ -52,12 +38,8 @@ _NOT_RIGID = (
 )
 # a vein alone has next to no inertia about its own axis
 _STEADIER = "give the turning hinges the inertia of what drives them, hinge.armature"
-# what tells the ring folds of a vein from each other, from the hub outwards, in names
-_FOLDS = ("", "outer_")
 # the hinges of a vein in this order: sweep and lift aim it, turn is about its own axis
 _AIMS = (("sweep", (0.0, 0.0, 1.0)), ("lift", (0.0, 1.0, 0.0)), ("turn", (1.0, 0.0, 0.0)))
-# axis and bars of a hinge with both bars square to it
-_SQUARE = (np.array([0.0, 1.0, 0.0]), (np.array([1.0, 0.0, 0.0]), np.array([1.0, 0.0, 0.0])))
 
 
 def vein_structure(design: FanDesign) -> Structure:
@@ -119,113 +101,29 @@ def veins_on(pattern: CreasePattern, directions: Array) -> tuple[Vein, ...]:
 
 def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
     """Build on veins of any layout, neighbours joined by panels and guards, with the design's properties."""
-    bodies: list[Body] = []
-    points: list[Point] = []
-    bars: list[Bar] = []
-    hinges: list[Hinge] = []
-    tendons: list[Tendon] = []
-    masses, overlapping = fan_masses(design, veins), overlapping_length(design)
-    for index, vein in enumerate(veins):
-        choice, first = design.tendon_on(index), len(points)
-        bodies += _bodies(index, vein)
-        points += _points(index, vein, choice)
-        bars += _bars(design, index, vein, (first, len(points) - 1), overlapping)
-        hinges += _hinges(design, index, vein)
-        if choice is None:
-            continue
-        carried = turned_inertia(masses, hinges[-1].body, hinges[-1].axis)
-        crossing, ideal = _crossings(design, choice, vein, len(hinges) - 1, carried)
-        tendons.append(
-            Tendon(
-                name=f"tendon{index}",
-                role="tendon",
-                points=(first + vein.bars, first + vein.bars + 1),
-                law=tendon_law(choice),
-                longest=_longest(choice, vein),
-                crossing=crossing,
-                ideal=ideal,
-                gauge_length=choice.rest_length,
-                material=None if choice.law is None else choice.law.material,
-                key=f"tendon.{index}" if isinstance(design.tendon, tuple) else "tendon",
-                label=f"vein {index}",
-            )
-        )
-    built = Structure(
-        name=design.name,
-        bodies=tuple(bodies),
-        points=tuple(points),
-        bars=tuple(bars),
-        masses=masses,
-        hinges=tuple(hinges),
-        couplings=vein_couplings(design, hinges),
-        tendons=tuple(tendons),
-        limits=_guards(design, veins, [number for number, point in enumerate(points) if point.role == "tip"]),
+    bare = bare_veins(
+        design,
+        veins,
+        masses=fan_masses(design, veins),
+        labels=[f"vein {index}" for index in range(len(veins))],
+        aims=[_aims(design, index, vein) for index, vein in enumerate(veins)],
+        overlapping=overlapping_length(design),
+    )
+    built = replace(
+        bare,
+        couplings=vein_couplings(design, bare.hinges),
+        limits=_guards(design, veins, [number for number, point in enumerate(bare.points) if point.role == "tip"]),
         membranes=_panels(design, veins),
-        span=design.pattern.proximal_length + design.pattern.distal_length,
-        mass=_bar_mass(design),
         contact=fan_contact(design),
-        gravity=design.protocol.gravity,
         appearance=_APPEARANCE if design.hinge.armature else replace(_APPEARANCE, steadier=_STEADIER),
     )
     return with_protocol(immersed(built, design.medium, fan_panels(design, veins)), design)
 
 
-def _bodies(index: int, vein: Vein) -> list[Body]:
-    """The bars of a vein, each on the one before; all have the axes of the first."""
+def _aims(design: FanDesign, index: int, vein: Vein) -> list[Hinge]:
+    """The hinges of a vein's proximal bar, unless that is held."""
+    choice = design.hinge
     return [
-        Body(
-            name=f"{role}{index}",
-            role=role,
-            parent=vein.body(index, bar - 1) if bar else GROUND,
-            position=vein.end(bar - 1) if bar else vein.places[0],
-            frame=np.eye(3) if bar else vein.frame,
-        )
-        for bar, role in enumerate(vein_roles(len(vein.axes)))
-    ]
-
-
-def _points(index: int, vein: Vein, tendon: TendonSection | None) -> list[Point]:
-    """The ends of a vein's bars, from the hub outwards, and of its tendon, before the tip."""
-    last = vein.bars - 1
-    return [
-        Point(name=f"hub{index}", role="hub", body=vein.body(index, 0), place=np.zeros(3)),
-        *(
-            Point(name=f"{ring}ring{index}", role="ring", body=vein.body(index, fold + 1), place=np.zeros(3))
-            for fold, ring in enumerate(_FOLDS[: len(vein.axes)])
-        ),
-        *([] if tendon is None else attachments(tendon, index, vein)),
-        Point(name=f"tip{index}", role="tip", body=vein.body(index, last), place=vein.end(last)),
-    ]
-
-
-def _bars(design: FanDesign, index: int, vein: Vein, ends: tuple[int, int], overlapping: float) -> list[Bar]:
-    """The bars of a vein between points, given the numbers of the first and the last; nothing touches them up to there.
-
-    Args:
-        design: of the fan.
-        index: of the vein.
-        vein: where it lies.
-        ends: numbers of the points at the hub and at the tip.
-        overlapping: how far from the hub on the first one touches nothing, m.
-    """
-    hub, tip = ends
-    return [
-        Bar(
-            body=vein.body(index, bar),
-            end=vein.end(bar),
-            diameter=design.vein.diameter,
-            density=design.vein.density,
-            points=(hub + bar, hub + bar + 1 if bar < vein.bars - 1 else tip),
-            overlaps=overlapping if bar == 0 else 0.0,
-        )
-        for bar in range(vein.bars)
-    ]
-
-
-def _hinges(design: FanDesign, index: int, vein: Vein) -> list[Hinge]:
-    """The hinges of a vein: of its proximal bar, unless that is held, and at its ring folds, which share their way."""
-    choice, folds = design.hinge, len(vein.axes)
-    aims = [
         Hinge(
             name=f"{role}{index}",
             role=role,
@@ -241,72 +139,6 @@ def _hinges(design: FanDesign, index: int, vein: Vein) -> list[Hinge]:
         for role, axis in _AIMS
         if not vein.fixed_base
     ]
-    rings = [
-        Hinge(
-            name=f"{which}fold{index}",
-            role="ring",
-            body=vein.body(index, fold + 1),
-            axis=vein.axis(fold),
-            lower=-choice.fold_limit / folds,
-            upper=choice.overbend / folds,
-            start=design.protocol.initial_overbend / folds,
-            sense=vein.sense,
-            damping=choice.damping,
-            armature=choice.armature,
-            label=f"vein {index}" if folds == 1 else f"vein {index}, {which.strip('_') or 'inner'}",
-        )
-        for fold, which in enumerate(_FOLDS[:folds])
-    ]
-    return [*aims, *rings]
-
-
-def _longest(tendon: TendonSection, vein: Vein) -> float:
-    """Up to which a tendon is ever stretched: from its ends to the ring folds, and from one of these to the next."""
-    ways = math.hypot(tendon.proximal_attachment, tendon.proximal_offset, tendon.proximal_aside) + math.hypot(
-        tendon.distal_attachment, tendon.distal_offset, tendon.distal_aside
-    )
-    return ways + sum(float(np.linalg.norm(vein.end(bar))) for bar in range(1, vein.bars - 1))
-
-
-def _crossings(
-    design: FanDesign, tendon: TendonSection, vein: Vein, hinge: int, carried: float
-) -> tuple[Crossing | None, Crossing | None]:
-    """How a tendon lies across the ring fold of a vein, and the same with bars square to it; None across several.
-
-    What the distal bar carries has the inertia `carried` about the hinge.
-    """
-    if len(vein.axes) > 1:
-        return None, None
-    proximal, distal = (vein.places[bar + 1] - vein.places[bar] for bar in range(2))
-    bars = proximal / np.linalg.norm(proximal), distal / np.linalg.norm(distal)
-    own = _crossing(design, tendon, hinge, vein.axes[0], bars, carried)
-    return own, _crossing(design, tendon, hinge, *_SQUARE, carried)
-
-
-def _crossing(
-    design: FanDesign, tendon: TendonSection, hinge: int, axis: Array, bars: tuple[Array, Array], carried: float
-) -> Crossing:
-    """How a tendon lies across a distal hinge about an axis, between bars that point outwards in the flat sheet.
-
-    What the distal bar carries has the inertia `carried` about the axis.
-    """
-    distal = bars[1]
-    inertia = end_inertia(
-        diameter=design.vein.diameter,
-        density=design.vein.density,
-        length=design.pattern.distal_length,
-        along=float(distal @ axis),
-        across=sine_between(distal, axis),
-    )
-    return bar_crossing(
-        hinge=hinge,
-        axis=axis,
-        bars=bars,
-        attachments=(tendon.proximal_attachment, tendon.distal_attachment),
-        offsets=(tendon.proximal_offset, tendon.distal_offset),
-        asides=(tendon.proximal_aside, tendon.distal_aside),
-        inertia=inertia + design.hinge.armature + carried,
-    )
 
 
 def _panels(design: FanDesign, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
@@ -365,15 +197,3 @@ def _guards(design: FanDesign, veins: Sequence[Vein], tips: Sequence[int]) -> tu
         ends, most = (tips[index], tips[index + 1]), design.guard.stretch * apart
         limits.append(LengthLimit(name=f"guard{index}", points=ends, built_length=apart, most=most))
     return tuple(limits)
-
-
-def _bar_mass(design: FanDesign) -> float:
-    """Mass of a vein of the whole length, kg."""
-    span = design.pattern.proximal_length + design.pattern.distal_length
-    mass = design.vein.density * span * math.pi / 4 * design.vein.diameter**2
-    if not 0 < mass < math.inf:
-        raise InputError(
-            f"vein.diameter and vein.density: need a vein with a mass > 0 and finite, got {mass:g} kg, from"
-            f" {design.vein.diameter:g} m and {design.vein.density:g} kg/m^3"
-        )
-    return mass

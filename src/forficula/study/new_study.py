@@ -69,7 +69,7 @@ def write_new_study(path: str | os.PathLike[str], kind: str = "earwig-fan") -> N
     check_new(path, ".toml")
     reference = REFERENCES.get(kind, OTHER_REFERENCE)
     design = load_design(reference)
-    key = design.stiffness_key
+    key = design.varied_key
     quantity, value = key_quantity(key, type(design)), key_value(design, key)
     assert quantity is not None
     low, own, high = (format_quantity(share * value, quantity.unit) for share in (0.5, 1.0, 2.0))

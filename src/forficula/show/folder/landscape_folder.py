@@ -89,5 +89,6 @@ def landscape_kinds(landscape: EnergyLandscape) -> tuple[str, ...]:
         states = ("states", "modes") if net.states else ()
         return (*states, *["barriers"] * (len(net.states) > 1), *["courses"] * bool(net.courses))
     tendon = ("tendon",) if inner_tendon(structure) is not None else ()
-    levels = ("levels",) if folding_hinges(structure) else ()
+    # a single hinge has no levels between, and its own figure
+    levels = ("levels",) if len(folding_hinges(structure)) > bool(tendon) else ()
     return (*tendon, "rests" if structure.rigid_fold is None else "wing", *levels)

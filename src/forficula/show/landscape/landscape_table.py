@@ -80,7 +80,7 @@ def _verdict(landscape: EnergyLandscape) -> str:
         names = [state.name for state in stable_states(landscape)]
         told = f"stable along its fold: {', '.join(names)}" if names else "no stable state along its fold"
     stable = sum(fold.stable for fold in folds)
-    partly = f"; {stable} of {len(folds)} states with some hinges folded stay" if folds else ""
+    partly = f"; {stable} of {len(folds)} states with some hinges folded stay" if len(folds) > 2 else ""
     return f"{landscape.design.name}: {told}{partly}"
 
 
@@ -121,7 +121,8 @@ def _barriers(landscape: EnergyLandscape, shown: ShownHinge | None) -> Table:
     rows = [(f"{name}, {_way(hinge, overbend)}", hinge.barrier) for name, hinge in columns]
     fold = landscape.structure.rigid_fold
     start = (landscape.rests[0].name if fold is None else fold.start) or "at the start"
-    if len(landscape.hinge_barriers):
+    # that of a single hinge is its own
+    if len(landscape.hinge_barriers) > len(columns[:1]):
         rows.append((f"{whole}, {start} until its easiest hinge folds alone", landscape.easiest_barrier))
     if fold is not None:
         rows += [

@@ -97,6 +97,9 @@ def _number(axes: Axes, structure: Structure, factor: float, turn: Array) -> Non
             _label(axes, factor * points[list(flaps[:2])].mean(axis=0), name)
             continue
         bar = next((bar for bar in structure.bars if bar.body == structure.hinges[hinge].body), None)
+        if bar is not None and len(hinges) == 1:
+            # a single one needs no name to be told from others
+            continue
         if bar is not None:
             place = factor * points[bar.points[1], :2]
             outwards = place / max(float(np.linalg.norm(place)), 1e-300)

@@ -1,0 +1,83 @@
+"""A course that folds and opens what bends at distal hinges: its names, and what its stages and its angles must be."""
+
+from __future__ import annotations
+
+from forficula.design.part import ANGLE
+from forficula.design.protocol import Protocol, check_stages, check_states, stage_drives
+from forficula.errors import InputError
+from forficula.quantities import Unit, as_written, show_quantity
+
+DRIVES, GOALS, STATES = ("fold", "unfold"), ("folded", "opened"), ("flat", "folded", "opened")
+
+
+def check_course(protocol: Protocol, measures: dict[str, Unit], *, whole: str) -> None:
+    """Refuse stages that do not fold before they unfold, once each, after a first one that drives nothing.
+
+    Args:
+        protocol: with the stages.
+        measures: what a stage may bound, and in which unit.
+        whole: what sentences call what is folded, such as "a wing".
+
+    Raises:
+        InputError: which stage, and what is allowed.
+    """
+    check_stages(protocol, DRIVES, GOALS, measures)
+    check_states(protocol, STATES)
+    drives = [stage_drives(stage) for stage in protocol.stages]
+    fold, unfold = ([number for number, each in enumerate(drives) if drive in each] for drive in DRIVES)
+    for number, each in enumerate(drives):
+        if len(each) > 1:
+            raise InputError(
+                f"protocol.stages.{number}.drive: need one drive, for {whole} is not folded and unfolded in one"
+                f" stage, got {as_written(protocol.stages[number].drive)}"
+            )
+    for drive, driven in zip(DRIVES, (fold, unfold), strict=True):
+        if len(driven) > 1:
+            raise InputError(f'protocol.stages: need at most one stage with drive = "{drive}", got {len(driven)}')
+    written = [stage.drive for stage in protocol.stages]
+    if unfold and not (fold and fold[0] < unfold[0]):
+        raise InputError(
+            'protocol.stages: need a stage with drive = "fold" before the one with drive = "unfold",'
+            f" got {as_written(written)}"
+        )
+    if drives[0]:
+        raise InputError(
+            'protocol.stages: need a first stage with drive = "none", whose end is the flat state,'
+            f" got {as_written(written[0])}"
+        )
+    _check_states_in_order(protocol, [*fold, len(drives)][0], [*unfold, len(drives)][0])
+
+
+def _check_states_in_order(protocol: Protocol, fold: int, unfold: int) -> None:
+    """Refuse a state where nothing is in it, by the numbers of the stages that fold and unfold."""
+    places = (
+        'before the stage with drive = "fold"',
+        'from the stage with drive = "fold" to the one with drive = "unfold"',
+        'from the stage with drive = "unfold" on',
+    )
+    for number, stage in enumerate(protocol.stages):
+        reached = (number >= fold) + (number >= unfold)
+        state, where = STATES[reached], places[reached]
+        if stage.state not in (None, state):
+            raise InputError(f'protocol.stages.{number}.state: need "{state}" {where}, got {as_written(stage.state)}')
+
+
+def check_angles(
+    *, initial_overbend: float, folded_angle: float, opened_angle: float, fold_limit: float, overbend: float
+) -> None:
+    """Refuse a start or a goal, of the keys of a protocol, that the stops of distal hinges keep them from; all rad.
+
+    Raises:
+        InputError: which key of the protocol, and between what it may be.
+    """
+    for key, angle, least, most, stop in (
+        ("initial_overbend", initial_overbend, -fold_limit, overbend, "overbend"),
+        ("folded_angle", folded_angle, 0.0, fold_limit, "fold_limit"),
+        ("opened_angle", opened_angle, -fold_limit, overbend, "overbend"),
+    ):
+        if not least <= angle <= most:
+            above = f">= {show_quantity(least, ANGLE)} (-hinge.fold_limit) and " if least else ""
+            raise InputError(
+                f"protocol.{key}: need {above}<= {show_quantity(most, ANGLE)} (hinge.{stop}),"
+                f" got {show_quantity(angle, ANGLE)}"
+            )

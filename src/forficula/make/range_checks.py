@@ -1,0 +1,220 @@
+"""What is checked of joints over their range: overlap, gaps, where stops are, and that straps pass everything."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+from manifold3d import Manifold, OpType
+
+from forficula.make.check import Check
+from forficula.make.joint import bar_solid, turned
+from forficula.make.joint_layout import JointLayout
+from forficula.make.mesh import MILLIMETRES, placed, solid_of
+from forficula.make.part import PartSet
+from forficula.make.strap_shape import StrapPlace, strap_along, strap_line
+from forficula.structure.parts import Array
+
+# mm^3, of two solids that touch and no more
+_NOTHING = 1e-6
+# of parts that would be drawn to touch where they are round, mm^3: a polygon has corners
+_TOUCH = 1e-2
+_ANGLES, _GAPS, _STRAPS = 61, 13, 25
+# rad: to what stops are found, and to what they must agree
+_FOUND, STOP_AGREES = math.radians(1e-4), math.radians(0.01)
+# of round holes and rods that are polygons, m
+_GAP_AGREES = 5e-6
+# rad, beyond its nominal stop at which a joint is tried
+_BEYOND = math.radians(2.0)
+_LARGEST_RANGE = math.radians(200.0)
+
+
+def range_checks(parts: PartSet) -> Iterator[Check]:
+    """Check every joint of a set of parts through its range."""
+    for joint in parts.joints:
+        halves = [_body_shape(parts, arm.body) for arm in (joint.proximal, joint.distal)]
+        yield _overlap(joint, *halves)
+        yield _gap(joint, *halves)
+        yield from _stops(parts, joint)
+    for place in parts.straps:
+        yield from _strap_ways(parts, place)
+
+
+def stop_angles(parts: PartSet, joint: JointLayout) -> tuple[float, float]:
+    """Where the two halves of a joint meet, by their solids without pegs: at the fold limit and in overbend, rad.
+
+    By bisection on the volume that both take up. Where nothing meets within a range of 200 deg about the built shape,
+    that is handed back.
+    """
+    proximal, distal = (_bare_shape(parts, arm.body) for arm in (joint.proximal, joint.distal))
+
+    def meets(angle: float) -> bool:
+        return bool((proximal ^ placed(distal, *turned(joint, angle))).volume() > _NOTHING)
+
+    return _bisected(meets, joint.lower, -_BEYOND), _bisected(meets, joint.upper, _BEYOND)
+
+
+def _bisected(meets: Callable[[float], bool], nominal: float, beyond: float) -> float:
+    """The angle at which two solids begin to meet, about a nominal one, looked for further where it is not there."""
+    free, met = nominal - beyond, nominal + beyond
+    while meets(free) and abs(free) > abs(beyond) / 2 and free * nominal > 0:
+        free, met = free - beyond, free
+    while not meets(met):
+        free, met = met, met + beyond
+        if abs(met) > _LARGEST_RANGE:
+            return met
+    while abs(met - free) > _FOUND:
+        middle = (met + free) / 2
+        free, met = (free, middle) if meets(middle) else (middle, met)
+    return (met + free) / 2
+
+
+def _overlap(joint: JointLayout, proximal: Manifold, distal: Manifold) -> Check:
+    """Whether the two halves are ever in one place, pegs and all."""
+    angles = np.linspace(joint.lower, joint.upper, _ANGLES)
+    volumes = [(proximal ^ placed(distal, *turned(joint, angle))).volume() for angle in angles]
+    worst = int(np.argmax(volumes))
+    held = volumes[worst] <= _TOUCH
+    text = f"the two halves are never in one place, at {_ANGLES} angles"
+    if not held:
+        where = [math.degrees(angle) for angle, volume in zip(angles, volumes, strict=True) if volume > _TOUCH]
+        text = (
+            f"the two halves are in one place from {min(where):.0f} to {max(where):.0f} deg: move the pegs apart, by"
+            " unequal attachments of the tendon or a smaller make.peg_diameter"
+        )
+    return Check(
+        name="overlap over the range",
+        part=joint.name,
+        ok=held,
+        value=volumes[worst] / MILLIMETRES**3,
+        limit=_TOUCH / MILLIMETRES**3,
+        unit="m^3",
+        text=text,
+    )
+
+
+def _gap(joint: JointLayout, proximal: Manifold, distal: Manifold) -> Check:
+    """The least gap between the halves where their stop faces are apart by the clearance at least."""
+    clearance = joint.make.clearance
+    apart = clearance / (joint.knuckle_diameter / 2 + clearance)
+    angles = np.linspace(joint.lower + apart, joint.upper - apart, _GAPS)
+    search = 2 * clearance * MILLIMETRES
+    gaps = [proximal.min_gap(placed(distal, *turned(joint, angle)), search) / MILLIMETRES for angle in angles]
+    least = int(np.argmin(gaps))
+    held = gaps[least] >= clearance - _GAP_AGREES
+    return Check(
+        name="least gap",
+        part=joint.name,
+        ok=held,
+        value=gaps[least],
+        limit=clearance,
+        unit="m",
+        text=f"the two halves come as near as that at {math.degrees(angles[least]):.0f} deg, away from the stops"
+        + ("" if held else "; they must keep make.clearance apart: move pegs apart"),
+    )
+
+
+def _stops(parts: PartSet, joint: JointLayout) -> Iterator[Check]:
+    """Whether the solids meet where the stops are to be."""
+    for name, found, nominal in zip(
+        ("fold stop", "overbend stop"), stop_angles(parts, joint), (joint.lower, joint.upper), strict=True
+    ):
+        yield Check(
+            name=name,
+            part=joint.name,
+            ok=abs(found - nominal) <= STOP_AGREES,
+            value=found,
+            limit=nominal,
+            unit="rad",
+            text=f"the stop faces meet at {math.degrees(found):.4f} deg; the design has {math.degrees(nominal):g} deg",
+        )
+
+
+def _strap_ways(parts: PartSet, place: StrapPlace) -> Iterator[Check]:
+    """Whether the straps of a tendon pass everything at all angles: taut, and slack to either side."""
+    joints = [joint for joint in parts.joints if joint.tendon == place.tendon]
+    name = parts.structure.tendons[place.tendon].name
+    yield _strap_check(parts, place, joints, name, "taut", taut=True)
+    yield _strap_check(parts, place, joints, name, "slack", taut=False)
+
+
+def _strap_check(
+    parts: PartSet, place: StrapPlace, joints: Sequence[JointLayout], name: str, said: str, *, taut: bool
+) -> Check:
+    """Check the straps of a tendon where they are taut, or where they are slack, at angles of all of its joints."""
+    bodies = list(dict.fromkeys(arm.body for joint in joints for arm in (joint.proximal, joint.distal)))
+    shapes = [_bare_shape(parts, body) for body in bodies]
+    caught: list[tuple[float, float]] = []
+    tried, highest = 0, 0.0
+    for share in np.linspace(0.0, 1.0, _STRAPS):
+        angles = [joint.lower + share * (joint.upper - joint.lower) for joint in joints]
+        poses = _chain(joints, angles)
+        posed = [placed(shape, *pose) for shape, pose in zip(shapes, poses, strict=True)]
+        for start, end in place.ends:
+            here, there = (pose[0] @ at + pose[1] for at, pose in ((start, poses[0]), (end, poses[-1])))
+            if (float(np.linalg.norm(there - here)) >= place.strap.rest_length) != taut:
+                continue
+            axis = joints[0].frame[:, 1]
+            for side in (1,) if taut else (1, -1):
+                tried += 1
+                line = strap_line(place, here, there, axis, side)
+                highest = max(highest, _bows(line))
+                strap = solid_of(strap_along(place, line, axis))
+                volume = sum((strap ^ body).volume() for body in posed)
+                if volume > _TOUCH:
+                    caught.append((sum(angles), volume))
+    worst = max((volume for _, volume in caught), default=0.0)
+    if not tried:
+        text = f"the straps are never {said} within the range"
+    elif caught:
+        where = [math.degrees(angle) for angle, _ in caught]
+        text = (
+            f"{said}, a strap goes through the joint from {min(where):.0f} to {max(where):.0f} deg: it is caught there;"
+            " two straps beside the bars (make.straps = 2) pass them, clear of a narrower hinge (make.hinge_width)"
+        )
+    else:
+        text = f"{said}, the straps pass everything, at {tried} of their places"
+        text += "" if taut else f"; their bows stand up to {1e3 * highest:.0f} mm off the line between pegs"
+    return Check(
+        name=f"straps {said}",
+        part=name,
+        ok=not caught if tried else None,
+        value=worst / MILLIMETRES**3,
+        limit=_TOUCH / MILLIMETRES**3,
+        unit="m^3",
+        text=text,
+    )
+
+
+def _chain(joints: Sequence[JointLayout], angles: Sequence[float]) -> list[tuple[Array, Array]]:
+    """How the bodies of a chain of joints are placed, from the first one's proximal on, which does not move."""
+    poses: list[tuple[Array, Array]] = [(np.eye(3), np.zeros(3))]
+    for joint, angle in zip(joints, angles, strict=True):
+        frame, origin = poses[-1]
+        own, by = turned(joint, angle)
+        poses.append((frame @ own, frame @ by + origin))
+    return poses
+
+
+def _bows(line: Array) -> float:
+    """How far a line stands off the straight one between its ends, m."""
+    off, way = line - line[0], (line[-1] - line[0]) / np.linalg.norm(line[-1] - line[0])
+    return float(np.linalg.norm(off - (off @ way)[:, None] * way, axis=1).max())
+
+
+def _body_shape(parts: PartSet, body: int) -> Manifold:
+    """All that moves with a body but pins, which turn in what they are in, mm."""
+    return Manifold.batch_boolean([part.shape for part in parts.of_body(body) if part.kind != "pin"], OpType.Add)
+
+
+def _bare_shape(parts: PartSet, body: int) -> Manifold:
+    """A bar without its pegs, mm."""
+    arms = [
+        (replace(joint, strap=None), getattr(replace(joint, strap=None), side))
+        for joint in parts.joints
+        for side in ("proximal", "distal")
+        if getattr(joint, side).body == body
+    ]
+    return solid_of(bar_solid(arms))

@@ -1,0 +1,254 @@
+"""What is checked of a sheet before it is cut: strips, bridges, holes, windows, and that it stays in one piece."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.design import MakeSection
+from forficula.make.check import Check
+from forficula.make.cut_lines import CutLine, CutSheet
+from forficula.make.regions import (
+    Region,
+    disc,
+    distance_to,
+    is_empty,
+    loop_area,
+    loops_of,
+    pieces_of,
+    region_of,
+    rounded,
+    sides_of,
+    united,
+)
+from forficula.make.sheet_windows import LEAST_STRIP, Window
+from forficula.quantities import show_value
+
+Array = NDArray[np.float64]
+
+_PART = "sheet"
+# m: a cut without width parts nothing, so that it is given at least this
+_THINNEST = 1e-6
+_HALVINGS = 12
+# of the least strip: how far is looked for the narrowest one
+_FARTHEST = 8
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SheetParts:
+    """What a sheet was drawn from.
+
+    Attributes:
+        make: how it is made.
+        sheet: what its facets cover, with the margin.
+        solid: the same without windows.
+        windows: all of them.
+        large_holes: how many round holes run into another one or out of the sheet.
+    """
+
+    make: MakeSection
+    sheet: Region
+    solid: Region
+    windows: tuple[Window, ...]
+    large_holes: int
+
+
+def sheet_checks(sheet: CutSheet, parts: SheetParts) -> tuple[Check, ...]:
+    """Check a sheet, in this order: strips, windows, bridges, relief holes, kept holes, one piece.
+
+    Args:
+        sheet: as drawn.
+        parts: that it was drawn from.
+
+    Returns:
+        What there is nothing of, such as bridges in a sheet with scores, is not checked, and left out.
+    """
+    make, checks = parts.make, []
+    if parts.windows:
+        checks += [_strips(sheet, parts), _windows_apart(parts.windows)]
+    if make.crease_style != "score":
+        checks.append(_bridges(make))
+    if make.crease_style == "lattice":
+        checks.append(_rows(make))
+    if len(sheet.holes) > 1 or parts.large_holes:
+        checks.append(_holes_apart(sheet, parts.large_holes))
+    return (*checks, _kept_holes(sheet, parts), _one_piece(sheet, parts))
+
+
+def _strips(sheet: CutSheet, parts: SheetParts) -> Check:
+    """The narrowest strip between a window and a border, another window or a crease."""
+    facets = [region_of([sheet.pattern.vertices_coords[list(face), :2]]) for face in sheet.pattern.faces_vertices]
+    openings = united([region_of([window.outline]) for window in parts.windows])
+    regions = [(parts.sheet, parts.solid)]
+    regions += [(facet, facet - openings) for facet in facets if not is_empty(facet ^ openings)]
+    width = min(_narrowest(whole, left) for whole, left in regions)
+    ok, most = width >= LEAST_STRIP, _FARTHEST * LEAST_STRIP
+    found = f"at least {show_value(most, 'm')}" if width >= most else show_value(width, "m")
+    hint = "" if ok else "; make make.window smaller, or straps thicker and so narrower"
+    return Check(
+        name="strips",
+        part=_PART,
+        ok=ok,
+        value=width,
+        limit=LEAST_STRIP,
+        unit="m",
+        text=f"the narrowest strip that windows leave beside a border, a window or a crease is {found} wide, and needs"
+        f" {show_value(LEAST_STRIP, 'm')}{hint}",
+    )
+
+
+def _narrowest(whole: Region, left: Region) -> float:
+    """The least width at which eating a region away from its edges tears it, where it does not tear the whole alike.
+
+    m; as far as is looked for where it does not.
+    """
+    if _topology(left) == (0, 0):
+        return 0.0
+    most = _FARTHEST * LEAST_STRIP
+    low, high = 0.0, most
+
+    def torn(width: float) -> bool:
+        # what tears without a window, or is as narrow all over, is the pattern's own shape
+        eaten = _topology(rounded(left, -width / 2))
+        return eaten != _topology(left) and _topology(rounded(whole, -width / 2)) == _topology(whole)
+
+    widths = np.linspace(0, most, 2 * _FARTHEST + 1)[1:]
+    first = next((place for place, width in enumerate(widths) if torn(float(width))), None)
+    if first is None:
+        return most
+    low, high = float(widths[first - 1]) if first else 0.0, float(widths[first])
+    for _ in range(_HALVINGS):
+        middle = (low + high) / 2
+        low, high = (low, middle) if torn(middle) else (middle, high)
+    return low
+
+
+def _topology(region: Region) -> tuple[int, int]:
+    """How many pieces a region has, and how many holes."""
+    areas = [loop_area(loop) for loop in loops_of(region)]
+    return sum(area > 0 for area in areas), sum(area < 0 for area in areas)
+
+
+def _windows_apart(windows: Sequence[Window]) -> Check:
+    """The least gap between two windows."""
+    gaps = []
+    for one, other in combinations(windows, 2):
+        meet = not is_empty(region_of([one.outline]) ^ region_of([other.outline]))
+        gap = 0.0 if meet else min(_gap(one.outline, other.outline), _gap(other.outline, one.outline))
+        gaps.append((gap, f"{one.name} and {other.name}"))
+    gap, which = min(gaps, default=(np.inf, ""))
+    ok = gap > 0
+    if not gaps:
+        text = "there is one window, which meets no other"
+    else:
+        text = f"the windows of {which} " + (f"are {show_value(gap, 'm')} apart" if ok else "overlap")
+    return Check(name="windows", part=_PART, ok=ok, value=float(gap), limit=0.0, unit="m", text=text)
+
+
+def _gap(outline: Array, other: Array) -> float:
+    """From the corners of a polygon to the nearest side of another one, m."""
+    sides = sides_of(region_of([other]))
+    return min(distance_to(sides, corner) for corner in outline)
+
+
+def _bridges(make: MakeSection) -> Check:
+    """Bridges between cuts are as wide as the cutter, or burn away."""
+    ok = make.crease_bridge >= make.kerf
+    bridge, kerf = show_value(make.crease_bridge, "m"), show_value(make.kerf, "m")
+    hint = "" if ok else ", or they burn away; make make.crease_bridge larger"
+    return Check(
+        name="bridges",
+        part=_PART,
+        ok=ok,
+        value=make.crease_bridge,
+        limit=make.kerf,
+        unit="m",
+        text=f"bridges between cuts are {bridge} wide, and need the width of the cutter, {kerf}{hint}",
+    )
+
+
+def _rows(make: MakeSection) -> Check:
+    """Strips between the rows of a lattice, which twist."""
+    strip = make.lattice_pitch - make.kerf
+    ok = strip >= make.kerf
+    hint = "" if ok else ", or they burn away; make make.lattice_pitch larger"
+    return Check(
+        name="lattice strips",
+        part=_PART,
+        ok=ok,
+        value=strip,
+        limit=make.kerf,
+        unit="m",
+        text=f"strips between the rows of a lattice are {1e3 * strip:.4g} mm wide, and need the width of the cutter,"
+        f" {show_value(make.kerf, 'm')}{hint}",
+    )
+
+
+def _holes_apart(sheet: CutSheet, large: int) -> Check:
+    """Round holes run neither into one another nor out of the sheet."""
+    gaps = [
+        float(np.linalg.norm(one.place - other.place)) - (one.nominal + other.nominal) / 2
+        for one, other in combinations(sheet.holes, 2)
+    ]
+    gap = min(gaps, default=np.inf)
+    text = f"round holes are {show_value(gap, 'm')} apart or more" if gaps else ""
+    if large:
+        text = f"{large} round holes run into one another or out of the sheet; make make.relief_hole smaller"
+    return Check(
+        name="round holes",
+        part=_PART,
+        ok=large == 0,
+        value=0.0 if large else gap,
+        limit=0.0,
+        unit="m",
+        text=text,
+    )
+
+
+def _kept_holes(sheet: CutSheet, parts: SheetParts) -> Check:
+    """Whether holes are as many after the kerf as before: a hole narrower than the cutter has no way for it."""
+    nominal = len(sheet.outlines)
+    drawn = sum(line.closed for line in sheet.lines)
+    return Check(
+        name="holes and the cutter",
+        part=_PART,
+        ok=drawn == nominal,
+        value=float(drawn),
+        limit=float(nominal),
+        unit="",
+        text=f"of {nominal} outlines, holes and windows the cutter goes around {drawn}"
+        + ("" if drawn == nominal else f"; the others are narrower than it, {show_value(parts.make.kerf, 'm')}"),
+    )
+
+
+def _one_piece(sheet: CutSheet, parts: SheetParts) -> Check:
+    """In how many pieces the sheet comes off the cutter, slits and cuts and all."""
+    wide = max(sheet.kerf, _THINNEST)
+    slots = [_slot(line, wide) for line in sheet.lines if line.kind in ("slit", "cut")]
+    rounds = [disc(hole.place, hole.nominal) for hole in sheet.holes]
+    # all at once: one after another takes as long as there are slits, squared
+    gone = region_of([*slots, *rounds]) if slots or rounds else united([])
+    count = len(pieces_of(parts.solid - gone))
+    return Check(
+        name="one piece",
+        part=_PART,
+        ok=count == 1,
+        value=float(count),
+        limit=1.0,
+        unit="",
+        text="the sheet stays in one piece"
+        if count == 1
+        else f"the sheet falls into {count} pieces; see its cuts, windows and slits",
+    )
+
+
+def _slot(line: CutLine, wide: float) -> Array:
+    """What the cutter takes away along a line, counterclockwise, m, (4, 2)."""
+    start, end = line.points
+    along = (end - start) / np.linalg.norm(end - start) * wide / 2
+    across = np.array([-along[1], along[0]])
+    return np.array([start - along - across, end + along - across, end + along + across, start - along + across])

@@ -1,0 +1,211 @@
+"""A folded sheet laid flat, as it is cut: facet by facet, opened along creases where it does not lie flat in one."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import ConvexHull
+
+from forficula.errors import InputError
+from forficula.make.regions import distance_to
+from forficula.pattern import CreasePattern, central_facet, facet_tree
+from forficula.pattern.crease_pattern import is_unfolded
+from forficula.pattern.cut_open import cut_open
+from forficula.pattern.shared_edges import shared_edges
+
+Array = NDArray[np.float64]
+
+# share of the sheet's size: by which facets may be bent, and ends of a crease apart, as of what files round
+_ROUNDING = 1e-6
+_UPWARDS = np.array([0.0, 0.0, 1.0])
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Unfolding:
+    """A sheet in the plane z = 0, and how it came there.
+
+    Attributes:
+        pattern: flat, all faces counterclockwise; opened along cuts and seams, so that what is on both sides of one has
+            vertices and edges of its own.
+        edges: number, in the pattern as built, that each edge was, (edge,).
+        seams: numbers, as built, of the creases at which it had to be opened; a maker joins them again.
+        turns: rotation of each face from as built to flat, (face, 3, 3).
+        shifts: what is added then, m, (face, 3).
+    """
+
+    pattern: CreasePattern
+    edges: NDArray[np.int64]
+    seams: tuple[int, ...]
+    turns: Array
+    shifts: Array
+
+
+def unfolded(pattern: CreasePattern) -> Unfolding:
+    """Lay a sheet flat without stretching it.
+
+    Facets are laid down one after another beside the one that they hang on in a tree over creases, from the middle one
+    on. A crease that closes a loop holds where both of its facets meet again; elsewhere it becomes a seam: that of a
+    tower, or the gap of a cone.
+
+    Args:
+        pattern: flat or folded; a flat one stays as it is but for its height.
+
+    Raises:
+        InputError: a facet is not flat as built, or the facets do not hang together.
+    """
+    turns, shifts = _identity(pattern) if is_unfolded(pattern) else _laid(pattern)
+    seams = tuple(_seams(pattern, turns, shifts))
+    letters = ["C" if edge in seams else letter for edge, letter in enumerate(pattern.edges_assignment)]
+    opened = cut_open(dataclasses.replace(pattern, edges_assignment=tuple(letters)))
+    coords = pattern.vertices_coords[opened.vertices].copy()
+    for face in reversed(range(len(opened.pattern.faces_vertices))):
+        corners = list(opened.pattern.faces_vertices[face])
+        coords[corners] = pattern.vertices_coords[opened.vertices[corners]] @ turns[face].T + shifts[face]
+    coords[:, 2] = 0.0
+    number = {frozenset(pair): edge for edge, pair in enumerate(pattern.edges_vertices.tolist())}
+    ends = opened.vertices[opened.pattern.edges_vertices]
+    return Unfolding(
+        pattern=dataclasses.replace(opened.pattern, vertices_coords=coords),
+        edges=np.array([number[frozenset(pair)] for pair in ends.tolist()], dtype=np.int64),
+        seams=seams,
+        turns=turns,
+        shifts=shifts,
+    )
+
+
+def laid_place(pattern: CreasePattern, sheet: Unfolding, place: Array) -> tuple[int, Array] | None:
+    """Where a place of the sheet as built lies once it is flat.
+
+    Args:
+        pattern: as built.
+        sheet: the same, flat.
+        place: m, (3,).
+
+    Returns:
+        The lowest face that it is on, and the place, m, (2,); None where it is on none.
+    """
+    size = float(np.ptp(pattern.vertices_coords, axis=0).max())
+    for face, corners in enumerate(pattern.faces_vertices):
+        points = pattern.vertices_coords[list(corners)] @ sheet.turns[face].T + sheet.shifts[face]
+        flat = sheet.turns[face] @ place + sheet.shifts[face]
+        if abs(flat[2] - points[0, 2]) <= _ROUNDING * size and _is_in(points[:, :2], flat[:2], _ROUNDING * size):
+            return face, flat[:2]
+    return None
+
+
+def _is_in(corners: Array, place: Array, beside: float) -> bool:
+    """Whether a place lies in a polygon, or beside it by no more than a distance."""
+    start, side = corners, np.roll(corners, -1, axis=0) - corners
+    if distance_to(np.stack([start, start + side], axis=1), place) <= beside:
+        return True
+    above = start[:, 1] > place[1]
+    crossing = above != np.roll(above, -1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        x = start[:, 0] + (place[1] - start[:, 1]) * side[:, 0] / side[:, 1]
+    return bool(np.count_nonzero(crossing & (x > place[0])) % 2)
+
+
+def _identity(pattern: CreasePattern) -> tuple[Array, Array]:
+    """Turns and shifts of a sheet that lies flat already."""
+    count = len(pattern.faces_vertices)
+    lowered = -_UPWARDS * pattern.vertices_coords[0, 2]
+    return np.tile(np.eye(3), (count, 1, 1)), np.tile(lowered, (count, 1))
+
+
+def _laid(pattern: CreasePattern) -> tuple[Array, Array]:
+    """Turns and shifts that lay facets beside one another, each beside the one that it hangs on."""
+    normals = _normals(pattern)
+    turns, shifts = np.zeros((len(normals), 3, 3)), np.zeros((len(normals), 3))
+    for link in facet_tree(pattern, central_facet(pattern)):
+        face = link.facet
+        if link.closes:
+            continue
+        if link.parent is None:
+            turns[face] = _smallest_turn(normals[face])
+            shifts[face] = -turns[face] @ pattern.vertices_coords[pattern.faces_vertices[face][0]]
+            continue
+        tail, head = pattern.vertices_coords[[link.tail, link.head]]
+        along = (head - tail) / np.linalg.norm(head - tail)
+        there = turns[link.parent] @ along
+        own, laid = _axes(along, normals[face]), _axes(there, _UPWARDS)
+        turns[face] = laid @ own.T
+        shifts[face] = turns[link.parent] @ tail + shifts[link.parent] - turns[face] @ tail
+    return _straightened(pattern, turns, shifts)
+
+
+def _straightened(pattern: CreasePattern, turns: Array, shifts: Array) -> tuple[Array, Array]:
+    """Turn a laid sheet so that it takes the least rectangle, of the four ways most nearly as it was built."""
+    faces = [list(face) for face in pattern.faces_vertices]
+    laid = [
+        pattern.vertices_coords[face] @ turn.T + shift for face, turn, shift in zip(faces, turns, shifts, strict=True)
+    ]
+    flat, built = np.concatenate(laid)[:, :2], pattern.vertices_coords[np.concatenate(faces)][:, :2]
+    flat, built = flat - flat.mean(axis=0), built - built.mean(axis=0)
+    cross = (flat[:, 0] * built[:, 1] - flat[:, 1] * built[:, 0]).sum()
+    nearest = math.atan2(cross, (flat * built).sum())
+    # one side of the least rectangle lies along a side of the hull (Freeman and Shapira 1975)
+    corners = flat[ConvexHull(flat).vertices]
+    sides = np.roll(corners, -1, axis=0) - corners
+    angles = -np.arctan2(sides[:, 1], sides[:, 0])
+    turned = [corners @ _turn(angle)[:2, :2].T for angle in angles]
+    areas = np.array([np.prod(np.ptp(points, axis=0)) for points in turned])
+    ways = [
+        angle + quarter * math.pi / 2
+        for angle in angles[areas <= (1 + _ROUNDING) * areas.min()]
+        for quarter in range(4)
+    ]
+    best = min(ways, key=lambda angle: (round(abs(math.remainder(angle - nearest, 2 * math.pi)), 6), angle))
+    return np.asarray(_turn(best) @ turns), np.asarray(shifts @ _turn(best).T)
+
+
+def _turn(angle: float) -> Array:
+    """A rotation about z, (3, 3)."""
+    cosine, sine = math.cos(angle), math.sin(angle)
+    return np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])
+
+
+def _axes(along: Array, normal: Array) -> Array:
+    """Axes along a crease, beside it and out of the facet, in columns, (3, 3)."""
+    return np.column_stack([along, np.cross(normal, along), normal])
+
+
+def _normals(pattern: CreasePattern) -> Array:
+    """Unit vectors out of the facets, on the side from which they run counterclockwise, (face, 3)."""
+    size, normals = float(np.ptp(pattern.vertices_coords, axis=0).max()), []
+    for face, corners in enumerate(pattern.faces_vertices):
+        points = pattern.vertices_coords[list(corners)]
+        across = np.cross(points, np.roll(points, -1, axis=0)).sum(axis=0)
+        normal = across / np.linalg.norm(across)
+        bent = float(np.ptp(points @ normal))
+        if not bent <= _ROUNDING * size:
+            raise InputError(
+                f"faces_vertices[{face}]: need flat facets to lay the sheet flat, got one whose corners lie"
+                f" {1e3 * bent:.4g} mm off its plane; triangles are flat"
+            )
+        normals.append(normal)
+    return np.array(normals)
+
+
+def _smallest_turn(normal: Array) -> Array:
+    """The rotation about an axis across both that brings a direction to +z (Rodrigues 1840)."""
+    x, y, z = normal.tolist()
+    if z < -1 + 1e-12:
+        return np.diag([1.0, -1.0, -1.0])
+    across = np.array([[0.0, 0.0, -x], [0.0, 0.0, -y], [x, y, 0.0]])
+    return np.asarray(np.eye(3) + across + across @ across / (1 + z))
+
+
+def _seams(pattern: CreasePattern, turns: Array, shifts: Array) -> list[int]:
+    """Numbers of the edges whose two facets come to lie apart at an end."""
+    size = float(np.ptp(pattern.vertices_coords, axis=0).max())
+    seams = []
+    for edge, tail, head, left, right in shared_edges(pattern):
+        ends = pattern.vertices_coords[[tail, head]]
+        one, other = (ends @ turns[face].T + shifts[face] for face in (left, right))
+        if np.abs(one - other).max() > _ROUNDING * size:
+            seams.append(edge)
+    return seams

@@ -1,0 +1,77 @@
+"""A strip with one crease across it: the sheet along two bars that a hinge joins."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.pattern.crease_pattern import CreasePattern
+from forficula.pattern.dimensions import check_angle, check_lengths
+
+
+def strip_pattern(
+    proximal_length: float,
+    distal_length: float,
+    proximal_sector: float,
+    distal_sector: float,
+    width: float,
+    *,
+    valley: bool,
+) -> CreasePattern:
+    """Draw a strip along two bars with the crease of their hinge across it.
+
+    Both bars lie in the middle of the strip, the sides of which are parallel to them and the ends parallel to the
+    crease: two parallelograms, each halved by its bar. The crease goes along y through the origin, the proximal bar
+    comes from -x. Folded by 180 deg the bars are as far apart as their sectors differ.
+
+    Vertices: of the inner end, of the crease and of the outer end three each, with rising y. Edges, by role:
+    "proximal" and "distal" along the bars, which do not fold, "ring", the crease in two, "hub" and "outer" at the ends
+    and "side". Faces: the proximal ones, then the distal ones.
+
+    Args:
+        proximal_length: of the bar up to the crease, m.
+        distal_length: of the bar beyond it, m.
+        proximal_sector: between the bar and the half of the crease on +y, rad.
+        distal_sector: alike; 180 deg together where the bars are in line.
+        width: of the strip, along the crease, m.
+        valley: whether the crease is one, or else a mountain.
+
+    Returns:
+        The pattern, flat in z = 0, with the fold angles of the strip when folded flat.
+
+    Raises:
+        InputError: a length that is not > 0, or a sector that is not between 0 and 180 deg.
+    """
+    check_lengths({"proximal_length": proximal_length, "distal_length": distal_length, "width": width})
+    check_angle("proximal_sector", proximal_sector, 0, math.pi)
+    check_angle("distal_sector", distal_sector, 0, math.pi)
+    inner = -proximal_length * np.array([math.sin(proximal_sector), -math.cos(proximal_sector), 0.0])
+    outer = distal_length * np.array([math.sin(distal_sector), math.cos(distal_sector), 0.0])
+    across = np.array([[0.0, share * width, 0.0] for share in (-0.5, 0.0, 0.5)])
+    places = np.concatenate([inner + across, across, outer + across])
+    sense = 1 if valley else -1
+    edges: list[tuple[str, tuple[int, int], str]] = [
+        ("proximal", (1, 4), "F"),
+        ("distal", (4, 7), "F"),
+        *(("ring", ends, "V" if valley else "M") for ends in ((3, 4), (4, 5))),
+        *(("hub", ends, "B") for ends in ((0, 1), (1, 2))),
+        *(("outer", ends, "B") for ends in ((6, 7), (7, 8))),
+        *(("side", ends, "B") for ends in ((0, 3), (2, 5), (3, 6), (5, 8))),
+    ]
+    letters = tuple(letter for _, _, letter in edges)
+    return CreasePattern(
+        title="strip along two bars, a hinge between them",
+        vertices_coords=places,
+        edges_vertices=np.array([ends for _, ends, _ in edges]),
+        edges_assignment=letters,
+        edges_fold_angle=_fold_angles(letters, sense),
+        edges_role=tuple(role for role, _, _ in edges),
+        faces_vertices=((0, 3, 4, 1), (1, 4, 5, 2), (3, 6, 7, 4), (4, 7, 8, 5)),
+    )
+
+
+def _fold_angles(letters: tuple[str, ...], sense: int) -> NDArray[np.float64]:
+    """Of edges with these letters when folded flat, rad."""
+    return np.array([{"B": math.nan, "F": 0.0}.get(letter, sense * math.pi) for letter in letters])

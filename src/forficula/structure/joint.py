@@ -1,0 +1,106 @@
+"""Two bars with a hinge and a tendon between them, the proximal one held: the joint as a structure."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from forficula.design import JointDesign
+from forficula.quantities import show_value
+from forficula.structure.appearance import Appearance
+from forficula.structure.course import Drive, Motor
+from forficula.structure.fold_course import with_course, with_distal_angle
+from forficula.structure.goals import hinges_of
+from forficula.structure.structure import Structure
+from forficula.structure.vein import Vein
+from forficula.structure.vein_parts import bare_veins, vein_masses
+
+_LABEL = "hinge"
+# keys that matter to where a joint rests beside those of its tendon
+_STATIC_KEYS = (
+    "pattern",
+    "hinge",
+    "protocol.initial_overbend",
+    "protocol.folded_angle",
+    "protocol.opened_angle",
+    "protocol.gravity",
+)
+
+
+def joint_structure(design: JointDesign) -> Structure:
+    """Build the bars, the hinge and the tendon of a joint, in the units of its design.
+
+    The hinge lies along +y through the origin; as in a fan it folds to negative angles in its own sense.
+    """
+    veins = (joint_vein(design),)
+    bare = bare_veins(design, veins, masses=vein_masses(design, veins), labels=[_LABEL])
+    chosen = design.pattern
+    appearance = Appearance(
+        whole="joint",
+        crease="crease",
+        overbend="overbend",
+        text=(
+            f"A joint of two bars, {show_value(chosen.proximal_length, 'm')} up to its hinge, which is held, and"
+            f" {show_value(chosen.distal_length, 'm')} beyond it"
+        ),
+        sizes={"proximal length": chosen.proximal_length, "distal length": chosen.distal_length},
+        titles={"distal_angle": "hinge angle", "ring": "hinge angle"},
+        pattern=chosen.sheet,
+    )
+    # its own hinge is the only one that is asked for, not one with bars square to it
+    tendons = tuple(replace(tendon, ideal=None) for tendon in bare.tendons)
+    return with_protocol(replace(bare, tendons=tendons, appearance=appearance), design)
+
+
+def joint_vein(design: JointDesign) -> Vein:
+    """Where the bars of a joint lie in the flat sheet, and which way they fold."""
+    pattern = design.pattern.sheet
+    proximal, distal = (
+        pattern.vertices_coords[pattern.edges_vertices[pattern.edges_role.index(role)]]
+        for role in ("proximal", "distal")
+    )
+    return Vein(
+        places=(proximal[0], proximal[1], distal[1]),
+        axes=(np.array([0.0, 1.0, 0.0]),),
+        sense=1 if design.pattern.sense == "valley" else -1,
+        fixed_base=True,
+    )
+
+
+def with_protocol(structure: Structure, design: JointDesign) -> Structure:
+    """A joint with the drives, goals, states and transitions of a design's protocol."""
+    protocol = design.protocol
+    drives = tuple(
+        Drive(
+            name=name,
+            shares=(share,),
+            rise=protocol.rise,
+            key=f"protocol.{name}_torque",
+            strength=strength,
+            tries=tries,
+            large=large,
+            where="on the hinge",
+        )
+        for name, share, strength, tries, large in (
+            ("fold", -1.0, protocol.fold_torque, "0..20 N cm step 2", "50 N cm"),
+            ("unfold", 1.0, protocol.unfold_torque, "10..100 N cm step 10", ""),
+        )
+    )
+    structure = replace(
+        with_distal_angle(structure),
+        motors=(Motor(name="distal", hinges=hinges_of(structure, "ring")),),
+        drives=drives,
+    )
+    return with_course(structure, design, slow_unfold=None)
+
+
+def drive_keys(design: JointDesign) -> tuple[str, ...]:  # noqa: ARG001
+    """Keys of the values that say how strong the drives are."""
+    return ("protocol.fold_torque", "protocol.unfold_torque")
+
+
+def static_keys(design: JointDesign) -> tuple[str, ...]:
+    """Keys of what matters to where the joint rests, but for its tendon."""
+    # without gravity it rests where it rests, however heavy it is
+    return (*_STATIC_KEYS, "vein") if design.protocol.gravity else _STATIC_KEYS

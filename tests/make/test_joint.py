@@ -1,0 +1,161 @@
+"""A joint goes through its range and stops where the design says; what cannot be made is told."""
+
+import math
+
+import numpy as np
+import pytest
+
+from forficula.design import load_design
+from forficula.errors import InputError
+from forficula.make.check_parts import check_parts
+from forficula.make.joint import turned
+from forficula.make.joint_layout import joint_layouts
+from forficula.make.make_parts import make_parts
+from forficula.make.mesh import placed
+from forficula.make.range_checks import range_checks, stop_angles
+from forficula.make.strap_shape import strap_line
+from forficula.make.strength_checks import bar_section
+from forficula.structure import structure_of
+
+
+def held(parts, name):
+    return [check.ok for check in range_checks(parts) if check.name == name]
+
+
+def test_a_joint_goes_through_its_range_and_keeps_its_clearance(made_joint):
+    checks = list(range_checks(made_joint))
+    assert [check.ok for check in checks] == [True] * len(checks)
+
+
+@pytest.mark.parametrize(("overbend", "fold"), [(0.0, 180.0), (3.0, 180.0), (12.0, 150.0), (30.0, 90.0)])
+def test_stops_are_where_the_design_has_them(joint_of, overbend, fold):
+    parts = joint_of(**{"hinge.overbend": f"{overbend} deg", "hinge.fold_limit": f"{fold} deg",
+                        "protocol.initial_overbend": "0 deg", "protocol.folded_angle": "60 deg"})  # fmt: skip
+    assert np.degrees(stop_angles(parts, parts.joints[0])) == pytest.approx([-fold, overbend], abs=0.01)
+
+
+def test_a_stop_that_is_elsewhere_is_seen(made_joint):
+    from dataclasses import replace
+
+    joint = made_joint.joints[0]
+    off = replace(joint, upper=joint.upper + math.radians(0.5))
+    checks = {check.name: check.ok for check in range_checks(replace(made_joint, joints=(off,)))}
+    # its faces are where they are to be, but its parts are those of the other
+    assert checks["overlap over the range"] is False
+
+
+def test_mountain_and_valley_joints_are_mirror_images(made_section):
+    first, second = made_section.joints[:2]
+    assert first.frame[2, 2] == pytest.approx(-second.frame[2, 2])
+    volumes = [next(part for part in made_section.parts if part.body == joint.distal.body).volume
+               for joint in (first, second)]  # fmt: skip
+    assert volumes[0] == pytest.approx(volumes[1], rel=1e-6)
+
+
+def test_one_strap_between_the_bars_is_caught_as_the_papers_was(joint_of):
+    parts = joint_of(**{"make.straps": 1})
+    assert held(parts, "straps slack") == [False]
+    (told,) = (check.text for check in range_checks(parts) if check.name == "straps slack")
+    assert "make.straps = 2" in told
+
+
+def test_pegs_in_one_place_when_folded_are_seen(joint_of):
+    parts = joint_of(**{"tendon.proximal_attachment": "5.5 cm", "tendon.distal_attachment": "5.5 cm",
+                        "hinge.overbend": "3 deg", "make.anchors": "as designed"})  # fmt: skip
+    assert held(parts, "overlap over the range") == [False]
+
+
+def test_a_joint_in_one_piece_keeps_its_clearance_around_its_axle(joint_of):
+    parts = joint_of(**{"make.hinge": "print-in-place"})
+    assert held(parts, "least gap") == [True]
+    proximal, distal = parts.parts[:2]
+    assert [part.kind for part in parts.parts] == ["bar", "bar", "strap"]
+    middle = placed(distal.shape, *turned(parts.joints[0], -1.0))
+    assert proximal.shape.min_gap(middle, 2.0) == pytest.approx(0.4, abs=0.005)
+    assert len(proximal.shape.decompose()) == 1
+
+
+@pytest.mark.parametrize(
+    ("values", "failing"),
+    [
+        ({"make.peg_diameter": "2 mm"}, "bending of the pegs"),
+        ({"vein.diameter": "3 mm"}, "buckling of the bars"),
+        ({"make.pin_diameter": "0.3 mm", "make.pin_material": "petg"}, "shear of the pin"),
+        ({"make.hinge_wall": "0.05 mm"}, "knuckles tear"),
+        ({"make.hinge_wall": "0.5 mm"}, "thinnest wall"),
+        ({"make.strap_thickness": "4 mm"}, "strap bends on its flat side"),
+    ],
+)
+def test_what_is_too_weak_or_too_thin_fails(joint_of, values, failing):
+    failed = {check.name for check in check_parts(joint_of(**values)) if check.ok is False}
+    assert failing in failed
+
+
+def test_a_check_without_a_strength_is_not_made_and_says_why(joint_of):
+    (check,) = (
+        each for each in check_parts(joint_of(**{"make.strap_material": "tpu-82a"})) if each.name == "straps tear"
+    )
+    assert check.ok is None
+    assert "no source gives the strength" in check.text
+
+
+def test_the_hinges_width_must_have_room_for_its_knuckles(joint_of):
+    with pytest.raises(InputError, match=r"make.hinge_width: no room for three knuckles: need >= 2.4 mm"):
+        joint_of(**{"make.hinge_width": "2 mm"})
+
+
+def test_a_structure_without_bars_has_no_joint_and_says_what_to_do():
+    with pytest.raises(InputError, match=r"miura-sheet: no bar is hinged to another.*--part sheet"):
+        make_parts("miura-sheet", "joint")
+
+
+def test_another_part_is_refused():
+    with pytest.raises(InputError, match=r'part: need "all", "sheet", "joint" or "section".*joint'):
+        make_parts("binder2025", "joints")
+
+
+def test_pegs_as_designed_lie_where_the_tendon_of_the_model_ends():
+    design = load_design("binder2025").with_values({"tendon.proximal_offset": "2 mm"})
+    structure = structure_of(design)
+    from forficula.structure import built_points
+
+    places = built_points(structure)
+    for joint in joint_layouts(design, structure):
+        ends = [places[point] for point in structure.tendons[joint.tendon].points]
+        assert joint.peg_of(joint.proximal) == pytest.approx(ends[0], abs=1e-12)
+        assert joint.peg_of(joint.distal) == pytest.approx(ends[1], abs=1e-12)
+        assert joint.proximal.height == pytest.approx(2e-3)
+
+
+def test_a_slack_strap_keeps_its_length_and_its_ends_wherever_they_are(made_joint):
+    (place,), joint = made_joint.straps, made_joint.joints[0]
+    axis = joint.frame[:, 1]
+    for angle in np.radians([-180, -120, -90]):
+        frame, by = turned(joint, angle)
+        for start, end in place.ends:
+            line = strap_line(place, start, frame @ end + by, axis, 1)
+            assert line[-1] == pytest.approx(frame @ end + by, abs=1e-9)
+            length = np.linalg.norm(np.diff(line, axis=0), axis=1).sum()
+            assert length == pytest.approx(place.strap.rest_length, rel=2e-3)
+
+
+def test_the_section_of_a_bar_with_a_flat_has_the_moments_of_its_polygon():
+    # Green's theorem on a fine polygon
+    angles = np.linspace(math.pi / 4, 2 * math.pi - math.pi / 4, 20001)
+    x, y = 2.5e-3 * np.cos(angles), 2.5e-3 * np.sin(angles)
+    ahead = np.roll(x, -1), np.roll(y, -1)
+    cross = x * ahead[1] - ahead[0] * y
+    area = cross.sum() / 2
+    middle = np.array([((x + ahead[0]) * cross).sum(), ((y + ahead[1]) * cross).sum()]) / (6 * area)
+    along = ((x**2 + x * ahead[0] + ahead[0] ** 2) * cross).sum() / 12 - area * middle[0] ** 2
+    across = ((y**2 + y * ahead[1] + ahead[1] ** 2) * cross).sum() / 12 - area * middle[1] ** 2
+    found = bar_section(5e-3)
+    assert found.area == pytest.approx(area, rel=1e-6)
+    assert sorted([found.least, found.polar - found.least]) == pytest.approx(sorted([along, across]), rel=1e-6)
+
+
+def test_a_flat_takes_a_quarter_of_the_stiffness_of_a_bar():
+    # Euler: 2 GPa, 5 mm, 11 cm: 50 N; the flat takes 24 per cent of the least second moment
+    full = math.pi / 64 * 5e-3**4
+    assert math.pi**2 * 2e9 * full / 0.11**2 == pytest.approx(50, abs=0.5)
+    assert bar_section(5e-3).least / full == pytest.approx(0.74, abs=0.02)
