@@ -22,36 +22,34 @@ const STILL = new Matrix4();
 const poseOf = (poses, body) => (body < 0 ? STILL : poses[body]);
 
 /**
- * Center lines of straps with what they are wide along and thick along, at every point.
+ * Middles of straps: straight where they are taut, else bowed in planes square to the hinge, going evenly along it.
  * side: +1 to bow away from the hinge, -1 towards it; shift: how far they are moved from where they are.
  */
 export function strapLines(strap, poses, side, shift, bows) {
-  const away = bowSide(strap, poses).multiplyScalar(side);
-  return strap.ends.map((ends) => {
-    const [start, end] = ends.map((place, index) =>
+  const wide = new Vector3(...strap.axis).transformDirection(poseOf(poses, strap.bodies[0]));
+  const up = new Vector3(...strap.up).transformDirection(poseOf(poses, strap.bodies[0]));
+  return strap.ends.map((places) => {
+    const ends = places.map((place, index) =>
       new Vector3(...place).applyMatrix4(poseOf(poses, strap.bodies[index])).add(shift),
     );
-    const across = new Vector3(...strap.across[0]).transformDirection(poseOf(poses, strap.bodies[0]));
-    const chord = end.clone().sub(start);
+    const chord = ends[1].clone().sub(ends[0]);
+    const along = chord.dot(wide);
+    chord.addScaledVector(wide, -along);
     const apart = chord.length();
-    const along = apart > 1e-9 ? chord.divideScalar(apart) : new Vector3().crossVectors(away, across).normalize();
-    const bow = away.clone().addScaledVector(along, -away.dot(along)).normalize();
-    const wide = new Vector3().crossVectors(along, bow);
-    const flat = bowAt(bows, apart / strap.rest);
-    const points = flat.map(([x, y]) =>
-      start.clone().addScaledVector(along, x * strap.rest).addScaledVector(bow, y * strap.rest),
+    const ahead = apart > 1e-9 ? chord.divideScalar(apart) : new Vector3().crossVectors(wide, up);
+    const bow = new Vector3().crossVectors(wide, ahead).multiplyScalar(side);
+    const slack = strap.rest > Math.hypot(apart, along);
+    const length = slack ? Math.sqrt(strap.rest ** 2 - along ** 2) : apart;
+    const flat = bowAt(bows, length > 1e-9 ? apart / length : 1);
+    const points = flat.map(([x, y], index) =>
+      ends[0]
+        .clone()
+        .addScaledVector(ahead, x * length)
+        .addScaledVector(bow, y * length)
+        .addScaledVector(wide, (along * index) / (flat.length - 1)),
     );
-    return { points, wide, ends: [start, end] };
+    return { points, wide, ends };
   });
-}
-
-/** Away from the hinge, where the strap's ends are beside one another; else to the side of the overbend. */
-function bowSide(strap, poses) {
-  const middle = new Vector3(...strap.middle).applyMatrix4(poseOf(poses, strap.bodies[1]));
-  const ways = [0, 1].map((end) => middleOf(strap, end, poses).sub(middle).normalize());
-  const side = ways[0].add(ways[1]);
-  if (side.lengthSq() > 1e-6) return side.normalize();
-  return new Vector3(...strap.up).transformDirection(poseOf(poses, strap.bodies[0]));
 }
 
 /** The elastica of length 1 whose ends are so far apart, between two that the page has; straight beyond its length. */

@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 
 from forficula.make.mesh import MILLIMETRES, mesh_of, solid_of
 from forficula.make.part import Part, PartSet
-from forficula.make.solids import Cut, Joined, Rod, Solid
-from forficula.make.strap_shape import StrapPlace, strap_between
+from forficula.make.solids import Cut, Rod
+from forficula.make.strap_shape import StrapPlace, strap_line
 from forficula.show.make.part_looks import STOP_COLOUR, part_looks
 from forficula.show.make.part_mesh import PartMesh, part_mesh, sharp_edges
-from forficula.show.make.pose import STILL, Pose, apart, poses_at, strap_side
+from forficula.show.make.pose import STILL, Pose, apart, poses_at
 from forficula.show.structure.painted_shape import PaintedShape, View, ribbons
 
 Array = NDArray[np.float64]
@@ -91,26 +91,43 @@ def _moved(mesh: PartMesh, points: Array) -> PartMesh:
 
 
 def _strap_mesh(parts: PartSet, place: StrapPlace, poses: Mapping[int, Pose], way: Array) -> PartMesh:
-    """All straps of a tendon as they are bent, with their eyes."""
-    side = strap_side(parts, place, poses)
-    solids = []
+    """All straps of a tendon as they are bent, with their eyes; slack, they bow away from the hinge."""
+    joint = next(each for each in parts.joints if each.tendon == place.tendon)
+    axis = poses[joint.proximal.body].frame @ joint.frame[:, 1]
+    meshes = []
     for ends in place.ends:
         start, end = (poses[body].of(each) for body, each in zip(place.bodies, ends, strict=True))
-        ways = [poses[body].frame @ across for body, across in zip(place.bodies, place.across, strict=True)]
-        eyes = [
-            _disc(middle, across * place.strap.width, place.eye_diameter)
-            for middle, across in zip((start, end), ways, strict=True)
-        ]
-        holes = tuple(
-            _disc(middle, 2 * across * place.strap.width, place.peg_diameter)
-            for middle, across in zip((start, end), ways, strict=True)
-        )
-        solids.append(Cut(solid=Joined(solids=(strap_between(place, start, end, side), *eyes)), taken=holes))
-    mesh = mesh_of(solid_of(Joined(solids=tuple(solids))))
+        meshes.append(_band(place, strap_line(place, start, end, axis, 1), axis))
+        for body, across, middle in zip(place.bodies, place.across, (start, end), strict=True):
+            meshes.append(_eye(place, middle, poses[body].frame @ across))
+    first = np.cumsum([0, *(len(mesh.points) for mesh in meshes)])[:-1].tolist()
     return PartMesh(
-        points=mesh.points / MILLIMETRES + way, triangles=mesh.triangles, stops=0, edges=sharp_edges(mesh)
+        points=np.concatenate([mesh.points for mesh in meshes]) + way,
+        triangles=np.concatenate([mesh.triangles + at for mesh, at in zip(meshes, first, strict=True)]),
+        stops=0,
+        edges=np.concatenate([mesh.edges + at for mesh, at in zip(meshes, first, strict=True)]),
     )
 
 
-def _disc(middle: Array, along: Array, diameter: float) -> Solid:
-    return Rod(start=middle - along / 2, end=middle + along / 2, diameter=diameter)
+def _band(place: StrapPlace, line: Array, axis: Array) -> PartMesh:
+    """The sides of a strap along its middle, as wide as it is along an axis; its ends are in eyes."""
+    ahead = np.gradient(line, axis=0)
+    ahead -= (ahead @ axis)[:, None] * axis
+    up = np.cross(axis, ahead)
+    up *= place.strap.thickness / 2 / np.linalg.norm(up, axis=1)[:, None]
+    wide = place.strap.width / 2 * axis
+    points = np.stack([line - wide - up, line + wide - up, line + wide + up, line - wide + up], axis=1).reshape(-1, 3)
+    corner = 4 * np.arange(len(line) - 1)[:, None] + np.arange(4)
+    beside = 4 * np.arange(len(line) - 1)[:, None] + (np.arange(4) + 1) % 4
+    sides = [np.stack([corner, corner + 4, beside + 4], axis=-1), np.stack([corner, beside + 4, beside], axis=-1)]
+    edges = np.stack([corner, corner + 4], axis=-1).reshape(-1, 2)
+    return PartMesh(points=points, triangles=np.concatenate(sides).reshape(-1, 3), stops=0, edges=edges)
+
+
+def _eye(place: StrapPlace, middle: Array, across: Array) -> PartMesh:
+    """The ring of a strap around a peg."""
+    half = place.strap.width / 2 * across
+    hole = Rod(start=middle - 2 * half, end=middle + 2 * half, diameter=place.peg_diameter)
+    ring = Cut(solid=Rod(start=middle - half, end=middle + half, diameter=place.eye_diameter), taken=(hole,))
+    mesh = mesh_of(solid_of(ring))
+    return PartMesh(points=mesh.points / MILLIMETRES, triangles=mesh.triangles, stops=0, edges=sharp_edges(mesh))

@@ -125,16 +125,28 @@ def _name(axes: Axes, taken: Sequence[PlacedPart], looks: Sequence[Look], view: 
         masses = masses_text([each.part for each in own])
         text += f"\n{masses}{' each' * (count > 1)}" if masses else ""
         named.append((text, _anchor(view.project(own[-1].mesh.points))))
-    stops = next((each for each in taken if each.mesh.stops), None)
-    if stops is not None:
-        corners = stops.mesh.points[stops.mesh.triangles[: stops.mesh.stops]]
-        named.append(("face of\na stop", _anchor(view.project(corners.reshape(-1, 3)))))
+    stop = _best_stop(taken, view)
+    if stop is not None:
+        named.append(("face of\na stop", stop))
     # those that are highest have their names above, as many as below; the scale is below on the left
     left, right = axes.get_xlim()
     named.sort(key=lambda each: (each[1][0] > left + _BESIDE * (right - left), -each[1][1]))
     above = (len(named) + 1) // 2
     for group, edge, side in ((named[:above], 1, 1), (named[above:], 0, -1)):
         _row(axes, sorted(group, key=lambda each: float(each[1][0])), edge, side, narrow)
+
+
+def _best_stop(taken: Sequence[PlacedPart], view: View) -> Array | None:
+    """The middle on the picture of the face of a stop that is seen best; None where none is turned to the eye."""
+    best, most = None, 0.0
+    for each in taken:
+        corners = each.mesh.points[each.mesh.triangles[: each.mesh.stops]]
+        areas = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) @ view.towards
+        seen = np.maximum(areas, 0.0)
+        if seen.sum() > most:
+            middle = np.average(corners.mean(axis=1), axis=0, weights=seen)
+            best, most = view.project(middle), float(seen.sum())
+    return best
 
 
 def _row(axes: Axes, named: Sequence[tuple[str, Array]], edge: int, side: int, narrow: bool) -> None:

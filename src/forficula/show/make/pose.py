@@ -66,15 +66,6 @@ def within(joint: JointLayout, angle: float) -> float:
     return float(np.clip(angle, joint.lower, joint.upper))
 
 
-def strap_side(parts: PartSet, place: StrapPlace, poses: Mapping[int, Pose]) -> Array:
-    """The way away from the hinge that straps bow to when they are slack, (3,)."""
-    joint = next(each for each in parts.joints if each.tendon == place.tendon)
-    ends = [poses[body].of(end) for body, end in zip(place.bodies, place.ends.mean(axis=0), strict=True)]
-    middle = poses[joint.distal.body].of(joint.origin)
-    ways = [(end - middle) / np.linalg.norm(end - middle) for end in ends]
-    return np.asarray(ways[0] + ways[1])
-
-
 def apart(parts: PartSet) -> list[Array]:
     """How far every part is moved, as built, when all are taken apart, m, (3,) each.
 

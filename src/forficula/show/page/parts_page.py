@@ -9,7 +9,10 @@ from urllib.parse import quote
 from forficula.dynamics import Record
 from forficula.files import write_text
 from forficula.make.check import Check
+from forficula.make.cut_lines import CutSheet, layer_texts
+from forficula.make.mesh import MILLIMETRES
 from forficula.make.part import PartSet
+from forficula.make.sheet_svg import sheet_svg
 from forficula.show.make.part_facts import (
     mass_text,
     material_text,
@@ -43,7 +46,6 @@ def write_parts_page(
     path: Path,
     record: Record | None = None,
     *,
-    sheet: str = "",
     files: Sequence[str] = (),
 ) -> None:
     """Write parts as one HTML file that needs no network; the same parts give the same bytes.
@@ -53,13 +55,12 @@ def write_parts_page(
         checks: of them.
         path: of the file.
         record: of the same design, whose motion can be played.
-        sheet: what is cut, as SVG.
         files: names of files beside the page, to which it links.
 
     Raises:
         InputError: the record is of another design, or the file cannot be written.
     """
-    write_text(path, parts_page(parts, checks, record, sheet=sheet, files=files))
+    write_text(path, parts_page(parts, checks, record, files=files))
 
 
 def parts_page(
@@ -67,7 +68,6 @@ def parts_page(
     checks: Sequence[Check],
     record: Record | None = None,
     *,
-    sheet: str = "",
     files: Sequence[str] = (),
 ) -> str:
     """Parts as one page, as `write_parts_page` writes it; where only the sheet is made, nothing moves."""
@@ -77,7 +77,7 @@ def parts_page(
     beside = f"<aside>{_bill(parts)}{_links(files)}</aside>" if solid or files else ""
     below = "".join(
         (
-            section("The sheet", _drawn(sheet), name="sheet"),
+            section("The sheet", _drawn(parts.sheet), name="sheet"),
             section("Checks", _check_table(checks), name="checks"),
             section("What is checked, and what is not", *_honest(), name="honest"),
             section("Design", _every_value(parts), name="design"),
@@ -143,12 +143,15 @@ def _links(files: Sequence[str]) -> str:
     return section("Files", f'<ul class="files">{items}</ul>', name="files") if items else ""
 
 
-def _drawn(sheet: str) -> str:
-    """The drawing of the sheet, within the page."""
-    if not sheet:
+def _drawn(sheet: CutSheet | None) -> str:
+    """The drawing of the sheet, within the page, with what its lines mean."""
+    if sheet is None:
         return ""
-    # what stands before the element, such as <?xml ... ?>, has no place within a page
-    return f'<div class="sheet">{sheet[sheet.index("<svg") :]}</div>'
+    across, upwards = MILLIMETRES * sheet.size
+    size = f"The finished sheet is {across:.1f} mm × {upwards:.1f} mm."
+    legend = remarks([size, *(text for text in layer_texts(sheet).values()), *sheet.notes])
+    drawing = f'<div class="sheet" role="img" aria-label="{escaped(f"The lines of the cutter. {size}")}">'
+    return f"{drawing}{sheet_svg(sheet)}</div>{legend}"
 
 
 def _check_table(checks: Sequence[Check]) -> str:
