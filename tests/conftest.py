@@ -178,3 +178,11 @@ def no_column_figures(monkeypatch):
         save_figure(figure, path) if path.parent.name != COPIES else write_bytes(path, b"")
 
     monkeypatch.setattr("forficula.show.style.save_figure", save_page)
+
+
+@pytest.fixture
+def no_figures(monkeypatch):
+    """Compose figures, but leave their files empty: where the claim is about what else is written."""
+    from forficula.files import write_bytes
+
+    monkeypatch.setattr("forficula.show.style.save_figure", lambda _, path: write_bytes(path, b""))

@@ -198,9 +198,8 @@ def test_what_is_called_alike_stands_in_one_row():
     assert places == [[0, 1], [1, 2, 3]]
 
 
-def test_a_named_design_of_plates_leaves_what_every_run_does(tmp_path):
-    record = run(load_design("letter-fold"))
-    outcome = measure(record)
+def test_a_named_design_of_plates_leaves_what_every_run_does(letter_run, no_figures, tmp_path):  # noqa: ARG001
+    record, outcome = letter_run, measure(letter_run)
     write_run(record, outcome, tmp_path)
     assert outcome.verdict is Verdict.REACHED
     for name in ("pattern", "angles", "energy", "folding"):
