@@ -182,7 +182,15 @@ def no_column_figures(monkeypatch):
 
 @pytest.fixture
 def no_figures(monkeypatch):
-    """Compose figures, but leave their files empty: where the claim is about what else is written."""
+    """Compose the figures of folders of results once, and leave their files empty: where the claim is about words."""
     from forficula.files import write_bytes
+    from forficula.show.style import PAGE_WIDTH, description, figure_files
 
-    monkeypatch.setattr("forficula.show.style.save_figure", lambda _, path: write_bytes(path, b""))
+    def save_nothing(drawings, folder):
+        texts = {stem: description(draw(PAGE_WIDTH)) for stem, draw in drawings.items()}
+        for path in (folder / name for stem in texts for name in figure_files(stem)):
+            write_bytes(path, b"")
+        return texts
+
+    for kind in ("convergence", "cycling", "landscape", "material", "run", "static_map", "study"):
+        monkeypatch.setattr(f"forficula.show.folder.{kind}_folder.save_figures", save_nothing)

@@ -85,6 +85,11 @@ def pixels_with_margin(figure):
         put_back()
 
 
+def colours(pixels):
+    """How many a picture has, (row, column, 3 or 4) of bytes; one number a pixel, for rows are slow to sort."""
+    return np.unique(pixels.astype(np.uint32) @ (1 << 8 * np.arange(pixels.shape[-1], dtype=np.uint32))).size
+
+
 def words(figure):
     """Every text that is drawn, and its box in points from the lower left corner."""
     # finer than points: at one pixel a point letters are rounded to whole ones, and lines of them are longer
