@@ -15,7 +15,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -30,7 +30,6 @@ _BLOCK = re.compile(
     re.M | re.S,
 )
 _WRITTEN = re.compile(r"^```\{(?:picture|show|live)\} *(\S+)")
-# lines of one cell of Python share their names with those before on the page
 _END = "END_OF_WHAT_THE_PAGE_PRINTS"
 
 
@@ -50,7 +49,8 @@ def steps_of(page: str) -> list[Step]:
         line = page.count("\n", 0, block.start()) + 1
         text = block[0]
         if block["kind"] is None:
-            found += [Step(line=line, shell=command) for command in _lines(text)]
+            lines = text.replace("\\\n", " ").splitlines()
+            found += [Step(line=line + at, shell=each.strip()) for at, each in enumerate(lines) if each.strip()]
         elif block["kind"] == "python":
             found.append(Step(line=line, shell=_python(text.partition("\n")[2].removesuffix("```"))))
         elif written := _WRITTEN.match(text):
@@ -96,8 +96,8 @@ def script_of(page: str, steps: list[Step]) -> str:
     return "\n".join([*lines, ""])
 
 
-def walk(page: str) -> bool:
-    """Clone, and do what a page says; whether all of it could be done."""
+def walk(page: str, without: Sequence[str] = ()) -> bool:
+    """Clone, and do what a page says, but for commands that are left out; whether all of it could be done."""
     with tempfile.TemporaryDirectory(prefix="walk-") as place:
         clone = Path(place) / "forficula"
         subprocess.run(["git", "clone", "--quiet", str(ROOT), str(clone)], check=True)
@@ -106,7 +106,8 @@ def walk(page: str) -> bool:
         # a search path and a home are all that a shell starts with
         empty = {"PATH": os.environ.get("PATH", os.defpath), "HOME": place, "LANG": "C.UTF-8"}
         script = Path(place) / "walk.sh"
-        script.write_text(script_of(page, steps_of(text)), "utf-8")
+        steps = [step for step in steps_of(text) if step.shell.partition("#")[0].strip() not in without]
+        script.write_text(script_of(page, steps), "utf-8")
         done = subprocess.run(["bash", "--noprofile", "--norc", script], cwd=clone, env=empty, check=False)
         took = time.monotonic() - begun
     print(f"{page}: {'done' if done.returncode == 0 else 'not done'}, {took:.0f} s", flush=True)
@@ -117,13 +118,14 @@ def main() -> None:
     """Walk along all pages, or those that are named."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("pages", nargs="*", default=PAGES)
+    parser.add_argument("--without", action="append", default=[], help="a command as printed that is left out")
     parser.add_argument("--show", action="store_true", help="print the commands and run nothing")
     given = parser.parse_args()
     if given.show:
         for page in given.pages:
             print(script_of(page, steps_of((ROOT / page).read_text("utf-8"))))
         return
-    sys.exit(0 if all(walk(page) for page in given.pages) else 1)
+    sys.exit(0 if all(walk(page, given.without) for page in given.pages) else 1)
 
 
 if __name__ == "__main__":
