@@ -3,7 +3,7 @@
 import { make } from "./elements.js";
 import { squareSide } from "./floor.js";
 import { short } from "./format.js";
-import { ENERGY_GRADIENT, MOUNTAIN, VALLEY, regionTint } from "./scheme.js";
+import { ENERGY_COLOURS, MOUNTAIN, VALLEY, regionTint } from "./scheme.js";
 
 /** entries: {sample, text} of what is drawn; whole: what one is called, of several that are drawn; else null. */
 export function makeLegend(entries, energy, size, whole) {
@@ -26,7 +26,7 @@ function entry(sample, text) {
 }
 
 function energyEntry(text, energy) {
-  const bar = make("li", { className: "energy" }, `${text}: 0`, swatch("bar", { background: ENERGY_GRADIENT }));
+  const bar = make("li", { className: "energy" }, `${text}: 0`, swatch("bar", { background: ENERGY_COLOURS.gradient }));
   bar.append(`${short(energy.factor * energy.largest_J)} ${energy.unit}, thin where slack`);
   return bar;
 }

@@ -17,7 +17,7 @@ import {
   SphereGeometry,
 } from "three";
 import { TENDONS } from "./clip.js";
-import { MOUNTAIN, VALLEY, energyColour, regionTint, styleColour } from "./scheme.js";
+import { ENERGY_COLOURS, MOUNTAIN, VALLEY, regionTint, styleColour } from "./scheme.js";
 
 const OPACITY = 0.9;
 const SLACK = 0.4; // radius of a tendon that holds nothing, by that of one that does
@@ -63,7 +63,7 @@ export function makeShape(clip, largestEnergy) {
     const shares = energies.map((energy) => (largestEnergy > 0 ? energy / largestEnergy : 0));
     tendons.pose(vertices, (tendon) => SLACK + (1 - SLACK) * Math.min(1, Math.max(0, shares[tendon]) / TAUT));
     for (let tendon = 0; tendon < clip.tendons; tendon++) {
-      energyColour(shares[tendon], colour);
+      ENERGY_COLOURS.at(shares[tendon], colour);
       tendons.object.setColorAt(tendon, shade.setRGB(...colour, "srgb"));
     }
     if (clip.tendons) tendons.object.instanceColor.needsUpdate = true;
