@@ -22,13 +22,18 @@ export function makeLegend(entries, energy, size, whole) {
 function entry(sample, text) {
   const [kind, region] = sample.split(" ");
   const look = { mountain: { color: MOUNTAIN }, valley: { color: VALLEY }, region: { background: regionTint(region) } };
-  return make("li", {}, swatch(kind === "region" ? "panel" : kind, look[kind] ?? {}), text);
+  const className = kind === "region" ? "of-region" : "";
+  return make("li", { className }, swatch(kind === "region" ? "panel" : kind, look[kind] ?? {}), text);
 }
 
 function energyEntry(text, energy) {
-  const bar = make("li", { className: "energy" }, `${text}: 0`, swatch("bar", { background: ENERGY_COLOURS.gradient }));
-  bar.append(`${short(energy.factor * energy.largest_J)} ${energy.unit}, thin where slack`);
+  const bar = make("li", { className: "energy" }, `${text}: 0`, gradientSwatch(ENERGY_COLOURS));
+  bar.append(`${short(energy.factor * energy.largest_J)} ${energy.unit}, slack ones hang, with their resting length`);
   return bar;
+}
+
+export function gradientSwatch(colours) {
+  return swatch("bar", { background: colours.gradient });
 }
 
 function swatch(kind, style) {

@@ -15,7 +15,7 @@ from forficula.quantities import reading_unit
 from forficula.show.landscape.landscape_marks import hinge_measure
 from forficula.show.landscape.shown_hinge import shown_hinge
 from forficula.show.landscape.tendon_figure import WIDEST, tendon_curves
-from forficula.show.page.playback import packed
+from forficula.show.page.packing import packed
 from forficula.show.page.words import readable
 from forficula.show.run.time_figures import stored_energies
 from forficula.show.structure.labels import label_of, parts_of, title_of

@@ -1,0 +1,216 @@
+"""Where drives act on a structure that moves: what a page needs for their arrows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.design import stage_drives
+from forficula.dynamics import Record
+from forficula.quantities import reading_unit
+from forficula.show.page.packing import packed, packed_directions
+from forficula.statics.pose import Pose, pose, tree_of
+from forficula.structure import GROUND, Drive, Motor, Structure, built_points, drive_of, drive_unit, driven_motor
+
+Array = NDArray[np.float64]
+
+_WORDS = {"torque": "torque", "force": "force", "displacement": "displacement", "rest-angle": "turn of rest angles"}
+_ARC, _LEAST_ARC = 0.07, 0.025  # radius of an arrow about an axis, by length of the whole
+_BESIDE = 0.45  # that radius by the least distance between two of the axes, where that is less
+_MOST_COMPARED, _SAME = 200, 1e-6  # axes, and by length of the whole: those no further apart are one
+_LONGEST_WORDS = 60
+
+
+@dataclass(frozen=True, kw_only=True)
+class Turn:
+    """A hinge that a torque turns.
+
+    Attributes:
+        shares: times which the strength of each drive acts on it, (drive,).
+        ends: of a crease, numbers of the points that it goes from and to, in its own sense; None of a joint.
+        pivot: a place on the axis of a joint, m, (time, 3) or (1, 3) where that does not move.
+        axis: of a joint in its own sense, unit vectors, alike.
+        left: what speed leaves of the torque, (time,); None where it does not mind speeds.
+    """
+
+    shares: tuple[float, ...]
+    ends: tuple[int, int] | None
+    pivot: Array
+    axis: Array
+    left: Array | None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Push:
+    """A point at which a force acts.
+
+    Attributes:
+        shares: times which the strength of each drive acts on it, (drive,); nothing of a displacement.
+        point: number of it.
+        direction: unit vector, (3,).
+        force: of a displacement on all its points together, by its largest, (time,); None of a force.
+    """
+
+    shares: tuple[float, ...]
+    point: int
+    direction: Array
+    force: Array | None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Efforts:
+    """What drives do over the frames of a clip.
+
+    Attributes:
+        structure: on which they act.
+        drives: that the stages switch on.
+        stages: start, end, s, and numbers of the drives, of those that are driven.
+        turns: hinges.
+        pushes: points.
+        radius: of an arrow about an axis, m.
+    """
+
+    structure: Structure
+    drives: tuple[Drive, ...]
+    stages: tuple[tuple[float, float, tuple[int, ...]], ...]
+    turns: tuple[Turn, ...]
+    pushes: tuple[Push, ...]
+    radius: float
+
+
+def efforts_of(record: Record, rows: NDArray[np.int64]) -> Efforts:
+    """Find where drives act, at some rows of a record."""
+    structure = record.structure
+    names = list(dict.fromkeys(name for end in record.stages for name in stage_drives(end.stage)))
+    drives = tuple(drive_of(structure, name) for name in names)
+    turns: list[Turn] = []
+    pushes: list[Push] = []
+    joints = bool(structure.hinges) and all(hinge.flaps is None for hinge in structure.hinges)
+    at = pose(tree_of(structure), record.series["hinge_angle"][rows]) if joints else None
+    for number, motor in enumerate(structure.motors):
+        shares = [drive.shares[number] for drive in drives]
+        if not any(shares):
+            continue
+        if motor.kind == "torque":
+            turns += _turns(record, rows, motor, shares, at)
+        elif motor.kind in ("force", "displacement"):
+            pushes += _pushes(record, rows, number, shares)
+    return Efforts(
+        structure=structure,
+        drives=drives,
+        stages=tuple(
+            (end.start, end.end, tuple(names.index(name) for name in driving))
+            for end in record.stages
+            if (driving := stage_drives(end.stage))
+        ),
+        turns=tuple(turns),
+        pushes=tuple(pushes),
+        radius=_arc_radius(structure, turns),
+    )
+
+
+def efforts_data(efforts: Efforts, anchors: NDArray[np.int64]) -> dict[str, Any]:
+    """The same as data for JSON, of points by their places among those that move; arrows at others are left out."""
+    structure, places = efforts.structure, {number: place for place, number in enumerate(anchors.tolist())}
+    return {
+        "drives": [_drive_data(structure, drive) for drive in efforts.drives],
+        "stages": [{"start": start, "end": end, "drives": list(drives)} for start, end, drives in efforts.stages],
+        "radius": efforts.radius,
+        "turns": [
+            {
+                "shares": list(turn.shares),
+                "ends": None if turn.ends is None else [places[end] for end in turn.ends],
+                "pivot": packed(turn.pivot, "f4"),
+                "axis": packed_directions(turn.axis),
+                "left": None if turn.left is None else packed(turn.left, "f4"),
+            }
+            for turn in efforts.turns
+            if turn.ends is None or places.keys() >= set(turn.ends)
+        ],
+        "pushes": [
+            {
+                "shares": list(push.shares),
+                "point": places[push.point],
+                "direction": push.direction.tolist(),
+                "force": None if push.force is None else packed(push.force, "f4"),
+            }
+            for push in efforts.pushes
+            if push.point in places
+        ],
+    }
+
+
+def _drive_data(structure: Structure, drive: Drive) -> dict[str, Any]:
+    kind = driven_motor(structure, drive).kind
+    unit, factor = reading_unit(drive_unit(structure, drive), abs(drive.strength))
+    words = drive.where
+    if len(words) > _LONGEST_WORDS:
+        motors = [motor for motor, share in zip(structure.motors, drive.shares, strict=True) if share]
+        hinges, points = (sum(len(getattr(motor, name)) for motor in motors) for name in ("hinges", "points"))
+        words = f"on {hinges} hinges" if hinges else f"on {points} points"
+    return {
+        "text": f"{_WORDS[kind]} {words}".strip(),
+        "arrow": kind != "rest-angle",
+        "unit": unit,
+        "factor": factor,
+        "strength": drive.strength,
+        "rise": drive.rise,
+    }
+
+
+def _turns(record: Record, rows: NDArray[np.int64], motor: Motor, shares: list[float], at: Pose | None) -> list[Turn]:
+    """What a motor turns; a joint on what slides is left out, for angles alone do not tell where that is."""
+    turns, nothing = [], np.zeros((0, 3))
+    for hinge, gain in zip(motor.hinges, motor.gains or (1.0,) * len(motor.hinges), strict=True):
+        built, ends, pivot, axis = record.structure.hinges[hinge], None, nothing, nothing
+        if built.flaps is not None:
+            # what folds it up turns its left flap right-handed about the way from tail to head
+            ends = built.flaps[:2] if built.sense > 0 else (built.flaps[1], built.flaps[0])
+        elif at is not None and _is_anchored(record.structure, hinge):
+            pivot, axis = _once(at.pivots[:, :, hinge].T), _once(at.axes[:, :, hinge].T)
+        else:
+            continue
+        left = None
+        if np.isfinite(motor.no_load_speed):
+            speeds = np.gradient(record.series["hinge_angle"][:, hinge], record.time)
+            left = 1 - speeds[rows] / motor.no_load_speed
+        own = tuple(gain * share for share in shares)
+        turns.append(Turn(shares=own, ends=ends, pivot=pivot, axis=axis, left=left))
+    return turns
+
+
+def _pushes(record: Record, rows: NDArray[np.int64], number: int, shares: list[float]) -> list[Push]:
+    motor, force = record.structure.motors[number], None
+    assert motor.direction is not None
+    if motor.kind == "displacement":
+        forces = record.series["motor_force"][:, number]
+        force, shares = forces[rows] / (np.nanmax(np.abs(forces)) or 1.0), [0.0] * len(shares)
+    return [Push(shares=tuple(shares), point=point, direction=motor.direction, force=force) for point in motor.points]
+
+
+def _is_anchored(structure: Structure, hinge: int) -> bool:
+    """Whether angles alone tell where a joint is: what it hangs on does not slide."""
+    body = structure.hinges[hinge].body
+    while body != GROUND:
+        if structure.bodies[body].slides:
+            return False
+        body = structure.bodies[body].parent
+    return True
+
+
+def _once(values: Array) -> Array:
+    """One row of what does not change."""
+    return values[:1] if len(values) and np.allclose(values, values[:1], atol=1e-9) else values
+
+
+def _arc_radius(structure: Structure, turns: list[Turn]) -> float:
+    """Of arrows about axes, so that those beside each other do not meet in the built shape."""
+    span, points = structure.span, built_points(structure)
+    middles = [points[list(turn.ends)].mean(axis=0) if turn.ends else turn.pivot[0] for turn in turns[:_MOST_COMPARED]]
+    gaps = [float(np.linalg.norm(one - other)) for one, other in combinations(middles, 2)]
+    least = min((gap for gap in gaps if gap > _SAME * span), default=span)
+    return float(np.clip(_BESIDE * least, _LEAST_ARC * span, _ARC * span))
