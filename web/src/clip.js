@@ -70,8 +70,12 @@ export function readClip(data) {
     else mix(time, rests, into.length, moment, into);
   }
 
+  const efforts = data.efforts && readEfforts(data.efforts);
+
   return {
     name: data.name,
+    /** How far what is drawn about points may reach, m: rods of what is held fast, and arrows. */
+    reach: Math.max(data.base.radius, efforts?.pushes.length ? 0.12 * data.span_m : 0, ...(efforts?.turns ?? []).map((turn) => 0.7 * turn.radius)),
     mesh: data,
     marks: data.marks,
     stages: data.stages,
@@ -80,7 +84,7 @@ export function readClip(data) {
     time,
     start: time[0],
     end: time[time.length - 1],
-    efforts: data.efforts && readEfforts(data.efforts),
+    efforts,
     strained: data.built !== null,
     builtVertices: () => verticesOf(unpack(data.built, Float32Array), new Float32Array(3 * share.length)),
     restLengthsAt,

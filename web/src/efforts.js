@@ -10,7 +10,8 @@ const PIECES = 24; // of an arc
 const MOST_TURNED = (5 / 3) * Math.PI; // by the largest moment of a run
 const LONGEST = 0.22; // a straight arrow of the largest force, by length of the structure
 const THICKNESS = 0.11; // of an arrow, by the radius of its arc
-const HEAD = 0.5; // length of its head, alike
+const HEAD = 0.7; // length of its head, alike
+const THICK_HEAD = 3; // by the thickness
 const LEAST = 1e-6; // of the largest: below it nothing acts
 
 /** Arrays of a clip's drives, as they are asked for at a moment. */
@@ -53,10 +54,10 @@ export function effortTexts({ drives, strengthsAt }, moment, number) {
 
 /** Arrows of a clip's torques and forces; `pose` puts them where they act and makes them as long as these are large. */
 export function makeEfforts(clip) {
-  const { turns, pushes, radius, strengthsAt, summed, largestTurn, largestPush } = clip.efforts;
-  const thick = THICKNESS * radius;
-  const head = HEAD * radius;
-  const material = barMaterial(6 * thick);
+  const { turns, pushes, strengthsAt, summed, largestTurn, largestPush } = clip.efforts;
+  const radius = Math.max(0, ...turns.map((turn) => turn.radius));
+  const straight = 0.05 * clip.mesh.span_m; // as which a straight arrow is thick and has a head
+  const material = barMaterial(Math.max(radius, straight));
   const rods = new InstancedMesh(new CylinderGeometry(1, 1, 1, 10), material, turns.length * PIECES + pushes.length);
   const heads = new InstancedMesh(new ConeGeometry(1, 1, 16), material, turns.length + pushes.length);
   const group = new Group();
@@ -83,13 +84,14 @@ export function makeEfforts(clip) {
     const across = square(axis, turn);
     const aside = cross(axis, across);
     const turned = MOST_TURNED * Math.min(1.2, Math.abs(part)) * Math.sign(part);
-    const on = (angle) => pivot.map((each, at) => each + radius * (Math.cos(angle) * across[at] + Math.sin(angle) * aside[at]));
+    const on = (angle) => pivot.map((each, at) => each + turn.radius * (Math.cos(angle) * across[at] + Math.sin(angle) * aside[at]));
     for (let piece = 0; piece <= PIECES; piece++) write(piece, on(turned * (piece / PIECES - 0.5)));
     // the head goes on along the arc
     const behind = turned / 2;
     write(PIECES + 1, on(behind + Math.sign(part) * HEAD));
+    const thick = THICKNESS * turn.radius;
     for (let piece = 0; piece < PIECES; piece++) add(rods, piece, piece + 1, thick, rod++);
-    add(heads, PIECES, PIECES + 1, 2.6 * thick, tip++);
+    add(heads, PIECES, PIECES + 1, THICK_HEAD * thick, tip++);
   }
 
   function addPush(push, place, moment, strengths) {
@@ -101,9 +103,9 @@ export function makeEfforts(clip) {
     const at = (way) => push.direction.map((each, axis) => start[axis] + way * each);
     write(0, start);
     write(1, at(length));
-    write(2, at(length + Math.sign(part) * head));
-    add(rods, 0, 1, thick, rod++);
-    add(heads, 1, 2, 2.6 * thick, tip++);
+    write(2, at(length + Math.sign(part) * HEAD * straight));
+    add(rods, 0, 1, THICKNESS * straight, rod++);
+    add(heads, 1, 2, THICK_HEAD * THICKNESS * straight, tip++);
   }
 
   function pose(moment) {

@@ -14,6 +14,7 @@ export function makeLegend(entries, energy, size, whole) {
     "ul",
     { className: "legend" },
     ...entries.map(({ sample, text }) => (sample === "tendon" ? energyEntry(text, energy) : entry(sample, text))),
+    ...(entries.some(({ sample }) => sample === "tendon") ? [make("li", {}, "slack tendons hang, drawn with their resting length")] : []),
     make("li", {}, `squares of the grid: ${lengthText(squareSide(size))}`),
     ...ofSeveral.map((text) => make("li", {}, text)),
   );
@@ -28,7 +29,7 @@ function entry(sample, text) {
 
 function energyEntry(text, energy) {
   const bar = make("li", { className: "energy" }, `${text}: 0`, gradientSwatch(ENERGY_COLOURS));
-  bar.append(`${short(energy.factor * energy.largest_J)} ${energy.unit}, slack ones hang, with their resting length`);
+  bar.append(`${short(energy.factor * energy.largest_J)} ${energy.unit}`);
   return bar;
 }
 

@@ -42,6 +42,23 @@ export function mountPlayer(element, clips, clock, { energy, legend: entries, te
   return { stage, dispose };
 }
 
+/** Show structures that something else moves, without controls of a time; as of mountPlayer. */
+export function mountStill(element, clips, clock, { energy, legend: entries, text, whole }) {
+  const stage = makeStage(clips, clock, energy, text);
+  if (!stage) {
+    element.replaceChildren(make("p", { className: "note" }, noPicture(whole)));
+    return { stage };
+  }
+  const picture = make("div", { className: "picture" }, stage.element, viewButtons(stage.eye, null));
+  const legend = [makeLegend(entries, energy, stage.eye.size, null)];
+  if (clips.some((clip) => clip.strained)) legend.unshift(colourChoice(stage, legend[0]));
+  element.replaceChildren(picture, ...legend);
+  element.classList.add("player");
+  element.setAttribute("role", "region");
+  element.setAttribute("aria-label", `the ${whole} where the sliders are`);
+  return { stage };
+}
+
 /** Write into the picture of a single structure which state it is in, or what is done to it. */
 function nameState(cell, clip, clock) {
   const name = make("p", { className: "now", "aria-hidden": "true" });

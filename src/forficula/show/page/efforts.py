@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from itertools import combinations
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -19,9 +19,9 @@ from forficula.structure import GROUND, Drive, Motor, Structure, built_points, d
 Array = NDArray[np.float64]
 
 _WORDS = {"torque": "torque", "force": "force", "displacement": "displacement", "rest-angle": "turn of rest angles"}
-_ARC, _LEAST_ARC = 0.07, 0.025  # radius of an arrow about an axis, by length of the whole
+_ARC, _LEAST_ARC = 0.075, 0.04  # radius of an arrow about an axis, by length of the whole
 _BESIDE = 0.45  # that radius by the least distance between two of the axes, where that is less
-_MOST_COMPARED, _SAME = 200, 1e-6  # axes, and by length of the whole: those no further apart are one
+_SAME = 1e-6  # of the length of the whole: axes no further apart are one
 _LONGEST_WORDS = 60
 
 
@@ -35,6 +35,7 @@ class Turn:
         pivot: a place on the axis of a joint, m, (time, 3) or (1, 3) where that does not move.
         axis: of a joint in its own sense, unit vectors, alike.
         left: what speed leaves of the torque, (time,); None where it does not mind speeds.
+        radius: of its arrow, m.
     """
 
     shares: tuple[float, ...]
@@ -42,6 +43,7 @@ class Turn:
     pivot: Array
     axis: Array
     left: Array | None
+    radius: float = 0.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -71,7 +73,6 @@ class Efforts:
         stages: start, end, s, and numbers of the drives, of those that are driven.
         turns: hinges.
         pushes: points.
-        radius: of an arrow about an axis, m.
     """
 
     structure: Structure
@@ -79,7 +80,6 @@ class Efforts:
     stages: tuple[tuple[float, float, tuple[int, ...]], ...]
     turns: tuple[Turn, ...]
     pushes: tuple[Push, ...]
-    radius: float
 
 
 def efforts_of(record: Record, rows: NDArray[np.int64]) -> Efforts:
@@ -107,9 +107,8 @@ def efforts_of(record: Record, rows: NDArray[np.int64]) -> Efforts:
             for end in record.stages
             if (driving := stage_drives(end.stage))
         ),
-        turns=tuple(turns),
+        turns=_with_radii(structure, turns),
         pushes=tuple(pushes),
-        radius=_arc_radius(structure, turns),
     )
 
 
@@ -119,11 +118,11 @@ def efforts_data(efforts: Efforts, anchors: NDArray[np.int64]) -> dict[str, Any]
     return {
         "drives": [_drive_data(structure, drive) for drive in efforts.drives],
         "stages": [{"start": start, "end": end, "drives": list(drives)} for start, end, drives in efforts.stages],
-        "radius": efforts.radius,
         "turns": [
             {
                 "shares": list(turn.shares),
                 "ends": None if turn.ends is None else [places[end] for end in turn.ends],
+                "radius": turn.radius,
                 "pivot": packed(turn.pivot, "f4"),
                 "axis": packed_directions(turn.axis),
                 "left": None if turn.left is None else packed(turn.left, "f4"),
@@ -171,7 +170,8 @@ def _turns(record: Record, rows: NDArray[np.int64], motor: Motor, shares: list[f
             # what folds it up turns its left flap right-handed about the way from tail to head
             ends = built.flaps[:2] if built.sense > 0 else (built.flaps[1], built.flaps[0])
         elif at is not None and _is_anchored(record.structure, hinge):
-            pivot, axis = _once(at.pivots[:, :, hinge].T), _once(at.axes[:, :, hinge].T)
+            axis = _once(at.axes[:, :, hinge].T)
+            pivot = _once(at.pivots[:, :, hinge].T + _middle(record.structure, hinge) * at.axes[:, :, hinge].T)
         else:
             continue
         left = None
@@ -202,15 +202,26 @@ def _is_anchored(structure: Structure, hinge: int) -> bool:
     return True
 
 
+def _middle(structure: Structure, number: int) -> float:
+    """How far along a joint's axis from its body's origin the middle of the body's points on it is, m."""
+    hinge = structure.hinges[number]
+    places = np.array([point.place for point in structure.points if point.body == hinge.body]).reshape(-1, 3)
+    along = hinge.sense * (places @ hinge.axis)
+    beside = np.linalg.norm(places - np.outer(hinge.sense * along, hinge.axis), axis=1)
+    there = along[beside <= _SAME * structure.span]
+    return float(there.min() + there.max()) / 2 if len(there) else 0.0
+
+
 def _once(values: Array) -> Array:
     """One row of what does not change."""
     return values[:1] if len(values) and np.allclose(values, values[:1], atol=1e-9) else values
 
 
-def _arc_radius(structure: Structure, turns: list[Turn]) -> float:
-    """Of arrows about axes, so that those beside each other do not meet in the built shape."""
+def _with_radii(structure: Structure, turns: Sequence[Turn]) -> tuple[Turn, ...]:
+    """Turns with arrows so large that those beside each other hardly meet in the built shape."""
     span, points = structure.span, built_points(structure)
-    middles = [points[list(turn.ends)].mean(axis=0) if turn.ends else turn.pivot[0] for turn in turns[:_MOST_COMPARED]]
-    gaps = [float(np.linalg.norm(one - other)) for one, other in combinations(middles, 2)]
-    least = min((gap for gap in gaps if gap > _SAME * span), default=span)
-    return float(np.clip(_BESIDE * least, _LEAST_ARC * span, _ARC * span))
+    middles = np.array([points[list(turn.ends)].mean(axis=0) if turn.ends else turn.pivot[0] for turn in turns])
+    gaps = np.linalg.norm(middles[:, np.newaxis] - middles, axis=2) if len(turns) else np.zeros((0, 0))
+    least = np.where(gaps > _SAME * span, gaps, np.inf).min(axis=1, initial=np.inf)
+    radii = np.clip(_BESIDE * least, _LEAST_ARC * span, _ARC * span)
+    return tuple(replace(turn, radius=float(radius)) for turn, radius in zip(turns, radii, strict=True))

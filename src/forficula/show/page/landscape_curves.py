@@ -58,6 +58,7 @@ class Curve:
         balls: the run's own readings and energies over the frames of its clip; empty without a run.
         top: from where to where a barrier is seen close up, rad; None where that needs no close-up.
         text: what the plot shows, in sentences.
+        hinge: number of the one whose angle it is over; None of the mean of those that fold.
     """
 
     title: str
@@ -67,6 +68,7 @@ class Curve:
     balls: tuple[Course, ...]
     top: tuple[float, float] | None
     text: str
+    hinge: int | None = None
 
 
 def landscape_curves(
@@ -153,6 +155,7 @@ def _of_tendons(landscape: EnergyLandscape, record: Record | None, tendon: int |
         text=f"Energy over the {title} of one hinge, by statics.{barrier}"
         + " Every tendon has a ball, at its energy and its hinge's angle in the run; dots are its frames."
         * bool(balls),
+        hinge=shown.hinge,
     )
 
 
