@@ -128,7 +128,10 @@ export function makeEfforts(clip) {
     material.dispose();
   }
 
-  return { group, pose, paint, dispose };
+  /** How many arrows there are now. */
+  const count = () => tip;
+
+  return { group, pose, paint, count, dispose };
 }
 
 /** A row of a table, between two rows in proportion; of one row only that. */

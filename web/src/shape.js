@@ -113,7 +113,7 @@ export function makeShape(clip, largestEnergy) {
     shadow.children[0].material.dispose();
   }
 
-  return { group, shadow, pose, paint, sort: sheet.sort, vertices, strains, showStrain, dispose };
+  return { group, shadow, pose, paint, sort: sheet.sort, vertices, tendons: tendons.object, efforts, strains, showStrain, dispose };
 }
 
 /** What faces and bars throw straight down: all of it in one plane, each place of it darkened once. */

@@ -14,7 +14,7 @@ from forficula.dynamics import Record
 from forficula.quantities import reading_unit
 from forficula.show.page.packing import packed, packed_directions
 from forficula.statics.pose import Pose, pose, tree_of
-from forficula.structure import GROUND, Drive, Motor, Structure, built_points, drive_of, drive_unit, driven_motor
+from forficula.structure import GROUND, Drive, Hinge, Motor, Structure, built_points, drive_of, drive_unit, driven_motor
 
 Array = NDArray[np.float64]
 
@@ -143,6 +143,13 @@ def efforts_data(efforts: Efforts, anchors: NDArray[np.int64]) -> dict[str, Any]
     }
 
 
+def crease_ends(hinge: Hinge) -> tuple[int, int]:
+    """Points from which to which a crease goes, so that what folds it turns its left flap right-handed about that."""
+    assert hinge.flaps is not None
+    tail, head, *_ = hinge.flaps
+    return (tail, head) if hinge.sense > 0 else (head, tail)
+
+
 def _drive_data(structure: Structure, drive: Drive) -> dict[str, Any]:
     kind = driven_motor(structure, drive).kind
     unit, factor = reading_unit(drive_unit(structure, drive), abs(drive.strength))
@@ -167,8 +174,7 @@ def _turns(record: Record, rows: NDArray[np.int64], motor: Motor, shares: list[f
     for hinge, gain in zip(motor.hinges, motor.gains or (1.0,) * len(motor.hinges), strict=True):
         built, ends, pivot, axis = record.structure.hinges[hinge], None, nothing, nothing
         if built.flaps is not None:
-            # what folds it up turns its left flap right-handed about the way from tail to head
-            ends = built.flaps[:2] if built.sense > 0 else (built.flaps[1], built.flaps[0])
+            ends = crease_ends(built)
         elif at is not None and _is_anchored(record.structure, hinge):
             axis = _once(at.axes[:, :, hinge].T)
             pivot = _once(at.pivots[:, :, hinge].T + _middle(record.structure, hinge) * at.axes[:, :, hinge].T)
