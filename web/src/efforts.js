@@ -41,7 +41,7 @@ export function readEfforts(data) {
       const each = stages.map((stage) => Math.abs(summed(shares, drives.map(({ strength }, drive) => (stage.drives.includes(drive) ? strength : 0)))));
       return Math.max(most, ...each);
     }, 0);
-  return { ...data, turns, pushes, strengthsAt, summed, largestTurn: largest(turns), largestPush: largest(pushes) };
+  return { ...data, time: unpack(data.time, Float64Array), turns, pushes, strengthsAt, summed, largestTurn: largest(turns), largestPush: largest(pushes) };
 }
 
 /** What acts at a time, a text for every drive that does. */
@@ -54,7 +54,7 @@ export function effortTexts({ drives, strengthsAt }, moment, number) {
 
 /** Arrows of a clip's torques and forces; `pose` puts them where they act and makes them as long as these are large. */
 export function makeEfforts(clip) {
-  const { turns, pushes, strengthsAt, summed, largestTurn, largestPush } = clip.efforts;
+  const { time, turns, pushes, strengthsAt, summed, largestTurn, largestPush } = clip.efforts;
   const radius = Math.max(0, ...turns.map((turn) => turn.radius));
   const straight = 0.05 * clip.mesh.span_m; // as which a straight arrow is thick and has a head
   const material = barMaterial(Math.max(radius, straight));
@@ -76,7 +76,7 @@ export function makeEfforts(clip) {
   }
 
   function addTurn(turn, place, moment, strengths) {
-    const [frame, share] = placeIn(clip.time, moment);
+    const [frame, share] = placeIn(time, moment);
     const left = turn.left ? rowAt(turn.left, 1, frame, share)[0] : 1;
     const part = (left * summed(turn.shares, strengths)) / largestTurn;
     if (!(Math.abs(part) > LEAST)) return;
@@ -95,7 +95,7 @@ export function makeEfforts(clip) {
   }
 
   function addPush(push, place, moment, strengths) {
-    const [frame, share] = placeIn(clip.time, moment);
+    const [frame, share] = placeIn(time, moment);
     const part = push.force ? rowAt(push.force, 1, frame, share)[0] : summed(push.shares, strengths) / largestPush;
     if (!(Math.abs(part) > LEAST)) return;
     const length = LONGEST * clip.mesh.span_m * part;

@@ -22,6 +22,7 @@ _WORDS = {"torque": "torque", "force": "force", "displacement": "displacement", 
 _ARC, _LEAST_ARC = 0.075, 0.04  # radius of an arrow about an axis, by length of the whole
 _BESIDE = 0.45  # that radius by the least distance between two of the axes, where that is less
 _SAME = 1e-6  # of the length of the whole: axes no further apart are one
+_MOST_MOMENTS = 120  # of a stage
 _LONGEST_WORDS = 60
 
 
@@ -69,6 +70,7 @@ class Efforts:
 
     Attributes:
         structure: on which they act.
+        time: at which it is known where, s, (time,): while they do.
         drives: that the stages switch on.
         stages: start, end, s, and numbers of the drives, of those that are driven.
         turns: hinges.
@@ -76,6 +78,7 @@ class Efforts:
     """
 
     structure: Structure
+    time: Array
     drives: tuple[Drive, ...]
     stages: tuple[tuple[float, float, tuple[int, ...]], ...]
     turns: tuple[Turn, ...]
@@ -83,8 +86,8 @@ class Efforts:
 
 
 def efforts_of(record: Record, rows: NDArray[np.int64]) -> Efforts:
-    """Find where drives act, at some rows of a record."""
-    structure = record.structure
+    """Find where drives act, at some rows of a record of those that are shown."""
+    structure, rows = record.structure, _acting_rows(record, rows)
     names = list(dict.fromkeys(name for end in record.stages for name in stage_drives(end.stage)))
     drives = tuple(drive_of(structure, name) for name in names)
     turns: list[Turn] = []
@@ -101,6 +104,7 @@ def efforts_of(record: Record, rows: NDArray[np.int64]) -> Efforts:
             pushes += _pushes(record, rows, number, shares)
     return Efforts(
         structure=structure,
+        time=record.time[rows],
         drives=drives,
         stages=tuple(
             (end.start, end.end, tuple(names.index(name) for name in driving))
@@ -112,10 +116,24 @@ def efforts_of(record: Record, rows: NDArray[np.int64]) -> Efforts:
     )
 
 
+def _acting_rows(record: Record, rows: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Those of some rows in driven stages, not very many of each: shown rows lie close where it moves fast."""
+    found = []
+    for end in record.stages:
+        if stage_drives(end.stage):
+            within = rows[(record.time[rows] >= end.start) & (record.time[rows] <= end.end)]
+            found.append(
+                within[np.unique(np.linspace(0, max(len(within) - 1, 0), _MOST_MOMENTS).astype(int))[: len(within)]]
+            )
+    acting = np.unique(np.concatenate([*found, rows[:0]]))
+    return acting if len(acting) else rows[:1]
+
+
 def efforts_data(efforts: Efforts, anchors: NDArray[np.int64]) -> dict[str, Any]:
     """The same as data for JSON, of points by their places among those that move; arrows at others are left out."""
     structure, places = efforts.structure, {number: place for place, number in enumerate(anchors.tolist())}
     return {
+        "time": packed(efforts.time, "f8"),
         "drives": [_drive_data(structure, drive) for drive in efforts.drives],
         "stages": [{"start": start, "end": end, "drives": list(drives)} for start, end, drives in efforts.stages],
         "turns": [
