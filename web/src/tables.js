@@ -1,11 +1,25 @@
-/** Tables that are wider than the page scroll sideways: the keyboard must be able to do that, too. */
+/** Tables that are wider than their place scroll sideways: the keyboard must be able to do that, too, and hear of what. */
 
+let named = 0;
+
+/** Of tables that fit no one needs to know that they could scroll. */
 export function watchTables(root = document) {
   const watch = new ResizeObserver((entries) => {
     for (const { target } of entries) {
-      if (target.scrollWidth > target.clientWidth) target.tabIndex = 0;
-      else target.removeAttribute("tabindex");
+      if (target.scrollWidth > target.clientWidth) makeStop(target);
+      else for (const name of ["tabindex", "role", "aria-label", "aria-labelledby"]) target.removeAttribute(name);
     }
   });
   for (const table of root.querySelectorAll(".table")) watch.observe(table);
+}
+
+/** A stop of the tabulator with the name that the table has now and later. */
+function makeStop(place) {
+  const { caption } = place.querySelector("table");
+  place.tabIndex = 0;
+  place.setAttribute("role", "group");
+  place.removeAttribute("aria-label");
+  if (!caption?.textContent) return place.setAttribute("aria-label", "table");
+  caption.id ||= `caption-${++named}`;
+  return place.setAttribute("aria-labelledby", caption.id);
 }

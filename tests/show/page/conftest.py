@@ -10,6 +10,7 @@ import pytest
 from forficula.analysis import measure
 from forficula.design import load_design
 from forficula.study.runs import run
+from tests.show.page.page_kinds import write_pages
 
 # drawn by the processor: a machine that runs tests need not have a graphics chip; then put together by it, too, so that
 # a page is there in half the time
@@ -145,3 +146,10 @@ def watch_all(browser):
     """As `watch`, for a page that all tests of a module share."""
     with watching(browser) as watch:
         yield watch
+
+
+@pytest.fixture(scope="session")
+def pages(short_run, slow_run, surveyed, elastic_material, write_study_file, tmp_path_factory):
+    """A page of every kind, by its kind."""
+    folder = tmp_path_factory.mktemp("pages")
+    return write_pages(folder, short_run, slow_run, surveyed("reference"), elastic_material, write_study_file)
