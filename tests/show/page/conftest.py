@@ -101,9 +101,9 @@ class Watched:
         self.page.on("pageerror", lambda error: self.messages.append(str(error)))
         self.page.on("request", lambda request: self.requests.append(request.url))
         self.page.goto(path.as_uri())
-        until(self.page, "window.forficula !== undefined")
+        until(self.page, "window.forficula !== undefined || document.getElementById('data') === null")
         self.settle()
-        self.time_when_opened = self.page.evaluate("forficula.clock?.time")
+        self.time_when_opened = self.page.evaluate("window.forficula?.clock?.time")
 
     def show(self, width=DEFAULTS["viewport"]["width"], height=DEFAULTS["viewport"]["height"], scheme="light"):
         """Make the window this large, light or dark."""

@@ -126,16 +126,38 @@ class Firefox:
 
 @contextmanager
 def running(program, folder: Path, scheme="light"):
-    """Firefox without a window on the screen, with a profile of its own in a folder, light or dark."""
+    """Firefox with a profile of its own in a folder, light or dark."""
     own = PREFERENCES | {"layout.css.prefers-color-scheme.content-override": SCHEMES[scheme]}
     folder.mkdir()
     lines = [f'user_pref("{name}", {json.dumps(value)});' for name, value in own.items()]
     (folder / "user.js").write_text("\n".join(lines), "utf-8")
-    command = [program, "--headless", "--no-remote", "--profile", str(folder), "--remote-debugging-port", "0"]
-    with subprocess.Popen([*command, "about:blank"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as process:
-        try:
+    with _screen() as (options, environment):
+        command = [program, *options, "--no-remote", "--profile", str(folder), "--remote-debugging-port", "0"]
+        with _process([*command, "about:blank"], stderr=subprocess.PIPE, env=environment) as process:
             with connect(f"{_address(process)}/session", max_size=None, proxy=None) as socket:
                 yield Firefox(socket)
+
+
+@contextmanager
+def _screen():
+    """Options of Firefox and its environment for a screen that no one sees.
+
+    Without any screen Firefox on Linux has no WebGL, not even by the processor: where Xvfb is, it makes one.
+    """
+    if not shutil.which("Xvfb"):
+        yield ([] if "DISPLAY" in os.environ else ["--headless"]), None
+        return
+    command = ["Xvfb", "-displayfd", "1", "-screen", "0", "1600x1200x24", "-nolisten", "tcp"]
+    with _process(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
+        yield [], {**os.environ, "DISPLAY": f":{int(process.stdout.readline())}"}
+
+
+@contextmanager
+def _process(command, **streams):
+    """A program that ends with what needs it."""
+    with subprocess.Popen(command, **({"stdout": subprocess.DEVNULL} | streams)) as process:
+        try:
+            yield process
         finally:
             process.terminate()
             with suppress(subprocess.TimeoutExpired):
