@@ -4,13 +4,16 @@ BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 INSTALLED_DOCS := $(VENV)/.installed-docs
 
-.PHONY: demo test check format page docs docs-all docs-links validation clean
+.PHONY: demo test browsers check format page docs docs-all docs-links validation clean
 
 demo: $(INSTALLED)  ## fold and open the reference wing; results in out/binder2025/
 	$(BIN)/forficula run binder2025 --out out/binder2025
 
 test: $(INSTALLED)  ## run all tests
 	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto  # the cores are taken: more threads would only wait for one another
+
+browsers: $(INSTALLED)  ## every kind of page in a second browser, which must be there: Firefox; before a release
+	FORFICULA_NEED_FIREFOX=1 $(BIN)/python -m pytest tests/show/page/test_pages_in_firefox.py
 
 check: $(INSTALLED)  ## lint, types, layers
 	$(BIN)/ruff check

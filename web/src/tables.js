@@ -18,8 +18,10 @@ function makeStop(place) {
   const { caption } = place.querySelector("table");
   place.tabIndex = 0;
   place.setAttribute("role", "group");
-  place.removeAttribute("aria-label");
-  if (!caption?.textContent) return place.setAttribute("aria-label", "table");
+  if (!caption) {
+    const headings = [...place.querySelectorAll("thead th")].map((each) => each.textContent);
+    return place.setAttribute("aria-label", headings.join(", ") || "table");
+  }
   caption.id ||= `caption-${++named}`;
   return place.setAttribute("aria-labelledby", caption.id);
 }

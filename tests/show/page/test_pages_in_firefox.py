@@ -10,6 +10,7 @@ from tests.show.page.page_kinds import KINDS, MOVING
 
 WIDE, NARROW = (1280, 800), (390, 844)
 WHY = "pages are not tested in a second browser"
+INSTALL = "apt-get install firefox-esr xvfb libegl1 libgl1-mesa-dri"
 _WEBGL = "!!document.createElement('canvas').getContext('webgl2')"
 _DRAWN = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))"
 # pixels of each plot that are not empty
@@ -21,18 +22,17 @@ _INKS = """[...document.querySelectorAll('.chart canvas')].map((canvas) => {
 _CLOCK = "(window.forficula.clock ?? window.forficula.panel.playing.clock)"
 
 
-def without(what):
-    """Skip, or fail where a second browser must be there."""
-    if os.environ.get("FORFICULA_NEED_FIREFOX") == "1":
-        pytest.fail(f"{what}: {WHY}")
-    pytest.skip(f"{what}: {WHY}")
+# a minute that every run of the tests would take, for what changes seldom
+pytestmark = pytest.mark.skipif(
+    os.environ.get("FORFICULA_NEED_FIREFOX") != "1", reason=f"{WHY}: that is make browsers, before a release"
+)
 
 
 @pytest.fixture(scope="module", params=["light", "dark"])
 def firefox(request, tmp_path_factory):
     program = firefox_path()
     if not program:
-        without("Firefox is missing; install it, as with: apt-get install firefox-esr xvfb, or name it in FORFICULA_FIREFOX")
+        pytest.fail(f"Firefox is missing; install it, as with: {INSTALL}, or name it in FORFICULA_FIREFOX: {WHY}")
     with running(program, tmp_path_factory.mktemp("firefox") / "profile", request.param) as firefox:
         yield firefox
 
@@ -62,7 +62,7 @@ def test_plots_and_the_structure_are_drawn_and_play_moves_them(firefox, pages, k
         return
     if not firefox.evaluate(_WEBGL):
         assert "This browser has no WebGL" in firefox.evaluate("document.querySelector('.player').textContent")
-        without("Firefox has no WebGL here; install xvfb and libgl1-mesa-dri, by which the processor draws")
+        pytest.fail(f"Firefox has no WebGL here; by {INSTALL} the processor draws: {WHY}")
     before = np.asarray(firefox.picture(".stage"), dtype=int)
     assert len(np.unique(before.reshape(-1, 3), axis=0)) > 200
     firefox.click(".play")

@@ -51,7 +51,8 @@ def table(
     body = "".join(_row(cells) for cells in rows)
     titled = f"<caption>{escaped(caption)}</caption>" if caption else ""
     # the keyboard scrolls only what it can stop at; the script, where there is one, leaves stops only where it scrolls
-    place = f'<div class="table" tabindex="0" role="group" aria-label="{escaped(caption or "table")}">'
+    name = caption or ", ".join(filter(None, headings)) or "table"
+    place = f'<div class="table" tabindex="0" role="group" aria-label="{escaped(name)}">'
     return (
         f"{place}<table{kind}>{titled}"
         f"{f'<thead>{above}{head}</thead>' * bool(above or head)}<tbody>{body}</tbody></table></div>"
