@@ -1,4 +1,4 @@
-"""Firefox from the system, spoken to in WebDriver BiDi (https://w3c.github.io/webdriver-bidi/): needs no driver beside it."""
+"""Firefox from the system, spoken to in WebDriver BiDi (https://w3c.github.io/webdriver-bidi/), without a driver."""
 
 import base64
 import io
@@ -75,9 +75,7 @@ class Firefox:
 
     def press(self, *keys):
         """Press keys one after another, as a person does; a letter is itself, others have the names of `KEYS`."""
-        strokes = [
-            {"type": kind, "value": KEYS.get(key, key)} for key in keys for kind in ("keyDown", "keyUp")
-        ]
+        strokes = [{"type": kind, "value": KEYS.get(key, key)} for key in keys for kind in ("keyDown", "keyUp")]
         self._act({"type": "key", "id": "keyboard", "actions": strokes})
 
     def click(self, selector):
@@ -133,9 +131,11 @@ def running(program, folder: Path, scheme="light"):
     (folder / "user.js").write_text("\n".join(lines), "utf-8")
     with _screen() as (options, environment):
         command = [program, *options, "--no-remote", "--profile", str(folder), "--remote-debugging-port", "0"]
-        with _process([*command, "about:blank"], stderr=subprocess.PIPE, env=environment) as process:
-            with connect(f"{_address(process)}/session", max_size=None, proxy=None) as socket:
-                yield Firefox(socket)
+        with (
+            _process([*command, "about:blank"], stderr=subprocess.PIPE, env=environment) as process,
+            connect(f"{_address(process)}/session", max_size=None, proxy=None) as socket,
+        ):
+            yield Firefox(socket)
 
 
 @contextmanager

@@ -31,7 +31,9 @@ from tests.show.study.test_maps import many_ends, sampled
 MOVING = ("run", "compare", "landscape", "curves", "study", "drawn study")
 KINDS = (*MOVING, "converge", "material")
 _FOLDERS = ("convergence", "cycling", "landscape", "material", "static_map")
-_GRID = '"tendon.stiffness" = ["10 N/cm", "20 N/cm", "30 N/cm"]\n"tendon.rest_length" = ["0 cm", "3 cm", "6 cm", "9 cm"]'
+_GRID = (
+    '"tendon.stiffness" = ["10 N/cm", "20 N/cm", "30 N/cm"]\n"tendon.rest_length" = ["0 cm", "3 cm", "6 cm", "9 cm"]'
+)
 _DRAWN = (
     '"tendon.stiffness" = {distribution = "uniform", low = "10 N/cm", high = "30 N/cm"}\n'
     '"tendon.rest_length" = {distribution = "uniform", low = "0 cm", high = "9 cm"}'
@@ -53,7 +55,6 @@ def write_pages(folder, run, slow_run, landscape, material, write_study_file):
         material: characterised.
         write_study_file: the fixture of that name.
     """
-
 
     def grid(path):
         return load_study(write_study_file(path.with_name("grid.toml"), _GRID, _ASK))
@@ -128,9 +129,7 @@ def _cycling(design):
 
 def _compared(run, slow_run):
     named = {"quick": run, "slow": slow_run}
-    return compare_page(
-        [ComparedRun(label=label, record=each, outcome=measure(each)) for label, each in named.items()]
-    )
+    return compare_page([ComparedRun(label=label, record=each, outcome=measure(each)) for label, each in named.items()])
 
 
 def _landscape_with_map(landscape, run, study, path):
@@ -156,5 +155,5 @@ def _drawn_study(write_study_file, path):
 def _convergence(run, path):
     settling = with_values(run.design, {"protocol.stages": [_SETTLE]})
     study = converge(settling, TIMESTEP, [4e-4, 2e-4])
-    # wider than a phone
-    write_convergence(replace(study, statuses=tuple(f"{each}, as it should be" for each in study.statuses)), path.parent)
+    wide = tuple(f"{each}, which is wider than a phone" for each in study.statuses)
+    write_convergence(replace(study, statuses=wide), path.parent)

@@ -6,7 +6,8 @@ import pytest
 from axe_playwright_python.base import AXE_SCRIPT
 
 from tests.show.page.conftest import until, watching
-from tests.show.page.page_kinds import KINDS, MOVING
+from tests.show.page.keyboard import SEEN, try_controls, walk
+from tests.show.page.page_kinds import KINDS
 
 WIDE, NARROW = (1280, 600), (390, 844)
 TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
@@ -26,73 +27,34 @@ FAULTS = """(() => {
   main.querySelector("img").removeAttribute("alt");
   document.querySelector("p").style.color = "#565d66"; // that of a light page
   main.querySelector(".table").removeAttribute("tabindex"); })()"""
-CONTROLS = "button, a[href], select, input, summary, [tabindex='0']"
-SEEN = f"[...document.querySelectorAll(\"{CONTROLS}\")].filter((each) => each.checkVisibility())"
-# what has the keys: its place among all controls, whether that is seen, and whether nothing lies on it
-FOCUSED = f"""(() => {{
-  const at = document.activeElement, style = getComputedStyle(at.querySelector(":scope > circle") ?? at);
-  const box = at.getBoundingClientRect();
-  const middle = [(Math.max(box.left, 0) + Math.min(box.right, innerWidth)) / 2, (Math.max(box.top, 0) + Math.min(box.bottom, innerHeight)) / 2];
-  const there = document.elementFromPoint(...middle);
-  return {{ place: {SEEN}.indexOf(at), body: at === document.body,
-    ringed: (style.outlineStyle !== "none" && parseFloat(style.outlineWidth) >= 2) || parseFloat(style.strokeWidth) >= 3,
-    clear: there !== null && (at.contains(there) || there.contains(at)), what: at.outerHTML.slice(0, 120) }}; }})()"""
-
-# counts what a key changes: the document, what is chosen in it, and pictures that are drawn; what is said aloud comes later
-WATCH = f"""window.watched = (() => {{
-  let mutations = 0;
-  const spoken = ({{ target }}) => (target.closest ? target : target.parentElement)?.closest(".spoken");
-  new MutationObserver((all) => {{ mutations += all.filter((each) => !spoken(each)).length; }})
-    .observe(document, {{ subtree: true, childList: true, attributes: true, characterData: true }});
-  const settled = () => new Promise((done) => requestAnimationFrame(done));
-  const playing = () => window.forficula?.panel?.playing ?? window.forficula;
-  const controls = () => {SEEN}.filter((each) => !each.matches(".table"));
-  const nameOf = (each) => each.matches("[data-point]") ? "point" : each.matches(".play") ? "BUTTON play" : `${{each.tagName.toUpperCase()}} ${{
-    (each.getAttribute("aria-label") ?? each.labels?.[0]?.firstChild.textContent ?? each.textContent).trim().replace(/\\d[\\d.]*/g, "#")}}`;
-  const state = () => JSON.stringify([[...document.querySelectorAll("input, select, details")]
-    .map((each) => [each.value, each.checked, each.open]), playing()?.player?.stage?.statistics().frame]);
-  const keyOf = (each) => each.matches("canvas") ? "Shift+ArrowLeft" : each.matches("[type=checkbox]") ? " "
-    : each.matches("[type=range]") ? "ArrowRight" : !each.matches("select") ? "Enter"
-    : each.selectedIndex < each.options.length - 1 ? "ArrowDown" : "ArrowUp";
-  const find = (name) => controls().find((each) => nameOf(each) === name);
-  let before = null;
-  return {{
-    names: () => [...new Set(controls().map(nameOf))],
-    async choose(name) {{
-      playing()?.clock?.pause();
-      await settled();
-      if (!find(name)) {{
-        // another control has hidden it
-        for (const box of document.querySelectorAll("[type=checkbox]:not(:checked)")) box.click();
-        window.forficula?.open?.(0);
-        await settled();
-      }}
-      if (!find(name)) return null;
-      find(name).focus();
-      [before, mutations] = [state(), 0];
-      return keyOf(document.activeElement);
-    }},
-    async changed() {{
-      await settled();
-      return mutations > 0 || state() !== before;
-    }},
-  }}; }})()"""
-_PLAYER = {"BUTTON play", "INPUT time", "SELECT speed", "BUTTON turn left", "BUTTON nearer", "SUMMARY Keys"}
+# a player is the same on every page: all of it is tried on that of a run
+TRIED_ELSEWHERE = {"compare": ".transport, .keys", "landscape": ".player", "study": ".player"}
 LEAST_TRIED = {
-    "run": _PLAYER | {"BUTTON b folded", "SELECT show", "A Download design.toml", "BUTTON top: view from above"},
-    "compare": _PLAYER | {"BUTTON one scale: all wings as large as they are by each other"},
-    "curves": {"INPUT distal angle along the curve", "INPUT mean distal angle along the curve", "BUTTON barrier close up"},
-    "study": _PLAYER
-    | {"point", "BUTTON unpin point #", "BUTTON open point #", "BUTTON Download table.csv", "INPUT ", "SUMMARY Commands"},
+    "run": {
+        *("CANVAS", "BUTTON play", "INPUT time", "BUTTON b folded", "SELECT speed", "SELECT show", "BUTTON turn left"),
+        *("BUTTON top: view from above", "BUTTON nearer", "SUMMARY Keys", "A Download design.toml"),
+    },
+    "compare": {"BUTTON one scale: all wings as large as they are by each other", "BUTTON turn left"},
+    "landscape": {"BUTTON barrier close up", "BUTTON whole curve"},
+    "curves": {"INPUT distal angle along the curve", "INPUT mean distal angle along the curve"},
+    "study": {
+        *("point", "SELECT show", "BUTTON pin, to compare it with another", "BUTTON unpin point #", "SUMMARY Commands"),
+        *("INPUT", "BUTTON open point #", "BUTTON Download table.csv", "BUTTON outcome"),
+    },
     "drawn study": {"point", "BUTTON open point #", "SELECT show"},
 }
 
 
 @pytest.fixture(scope="module", params=KINDS)
-def opened(request, browser, pages):
-    """A page of each kind."""
+def kind(request):
+    return request.param
+
+
+@pytest.fixture(scope="module")
+def opened(browser, pages, kind):
+    """A page of each kind, one after another."""
     with watching(browser) as watch:
-        yield watch(pages[request.param], viewport=dict(zip(("width", "height"), WIDE, strict=True)))
+        yield watch(pages[kind], viewport=dict(zip(("width", "height"), WIDE, strict=True)))
 
 
 def asked(page, options):
@@ -119,26 +81,20 @@ def test_axe_finds_nothing_on_any_page_in_wide_and_narrow_light_and_dark_windows
     assert asked(opened.page, WIDTH)[0] == []
 
 
-def walk(opened, key):
-    """Press a key until all of the page is passed: what had the keys, one after another."""
-    page, stops = opened.page, []
-    page.evaluate("document.activeElement.blur(); getSelection().removeAllRanges(); scrollTo(0, 0)")
-    for _ in range(400):
-        page.keyboard.press(key)
-        stop = page.evaluate(FOCUSED)
-        if stop["body"] or stop in stops:
-            return stops
-        stops.append(stop)
-    raise AssertionError("it never ends")
-
-
 @pytest.mark.parametrize(("key", "window", "order"), [("Tab", WIDE, 1), ("Shift+Tab", NARROW, -1)])
-def test_every_control_of_any_page_is_reached_by_the_keyboard_in_its_order_and_is_seen_to_be(opened, key, window, order):
+def test_the_keyboard_reaches_every_control_in_its_order_and_shows_where_it_is(opened, key, window, order):
     opened.show(*window)
     stops = walk(opened, key)
     places = [stop["place"] for stop in stops if stop["place"] >= 0]
     assert places[::order] == list(range(opened.page.evaluate(f"{SEEN}.length")))
     assert [stop["what"] for stop in stops if not (stop["ringed"] and stop["clear"])] == []
+
+
+def test_every_control_does_something_when_its_key_is_pressed(opened, kind):
+    opened.show(*WIDE)
+    tried, idle = try_controls(opened.page, TRIED_ELSEWHERE.get(kind, ":not(*)"))
+    assert idle == []
+    assert LEAST_TRIED.get(kind, set()) <= tried
 
 
 def test_a_page_with_faults_fails(watch, pages):
@@ -151,16 +107,7 @@ def test_a_page_with_faults_fails(watch, pages):
     assert {rule for rule, *_ in asked(opened.page, CONTRAST)[0]} == {"color-contrast"}
     opened.show(*NARROW)
     assert {rule for rule, *_ in asked(opened.page, WIDTH)[0]} == {"scrollable-region-focusable"}
-    assert try_controls(opened.page)[1] == ["BUTTON "]
-
-
-# the page of a landscape with a run is that of the run, with curves, which are those of one without
-@pytest.mark.parametrize("kind", [kind for kind in MOVING if kind != "landscape"])
-def test_every_control_does_something_when_its_key_is_pressed(watch, pages, kind):
-    page = watch(pages[kind], viewport=dict(zip(("width", "height"), WIDE, strict=True))).page
-    tried, idle = try_controls(page)
-    assert idle == []
-    assert LEAST_TRIED[kind] <= tried
+    assert try_controls(opened.page)[1] == ["BUTTON"]
 
 
 def test_a_table_that_is_wider_than_a_phone_is_scrolled_by_the_keyboard_without_a_script(watch, pages):
@@ -171,26 +118,3 @@ def test_a_table_that_is_wider_than_a_phone_is_scrolled_by_the_keyboard_without_
     opened.page.keyboard.press("ArrowRight")
     until(opened.page, "document.querySelector('.table').scrollLeft > 0")
     assert table.get_attribute("aria-label").startswith("timestep, fold time")
-
-
-def try_controls(page):
-    """Press the key of every control that there is and that comes: names that were tried, and those that did nothing.
-
-    Of controls whose names differ by numbers only one is tried.
-    """
-    page.evaluate(WATCH)
-    seen, tried, idle = set(), set(), []
-    while left := [name for name in page.evaluate("watched.names()") if name not in seen]:
-        seen.add(left[0])
-        key = page.evaluate("(name) => watched.choose(name)", left[0])
-        if key is None:  # was there only beside what another one has closed
-            continue
-        tried.add(left[0])
-        if "download" in left[0].lower():
-            with page.expect_download():
-                page.keyboard.press(key)
-            continue
-        page.keyboard.press(key)
-        if not page.evaluate("watched.changed()"):
-            idle.append(left[0])
-    return tried, idle
