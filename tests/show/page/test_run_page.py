@@ -318,6 +318,19 @@ def test_dark_windows_get_light_text_on_dark_ground(opened):
     assert pixels(page).mean() < 120
 
 
+def test_where_a_browser_forces_its_own_colours_what_is_chosen_is_still_seen(opened):
+    page = opened.page
+    page.emulate_media(forced_colors="active")
+    widths = page.evaluate(
+        "['true', 'false'].map((pressed) => parseFloat(getComputedStyle("
+        "document.querySelector(`button[aria-pressed=${pressed}]`)).borderTopWidth))"
+    )
+    swatch = page.evaluate("getComputedStyle(document.querySelector('.swatch.panel')).backgroundColor")
+    page.emulate_media(forced_colors="none")
+    assert widths[0] > widths[1]
+    assert swatch == page.evaluate("getComputedStyle(document.querySelector('.swatch.panel')).backgroundColor")
+
+
 def test_the_wing_moves_by_itself_only_for_readers_who_have_not_asked_for_less_motion(watch, report, one_page):
     moving = watch(report, reduced_motion="no-preference", viewport={"width": 320, "height": 480}).page
     until(moving, "forficula.clock.time > 0")
