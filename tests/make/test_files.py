@@ -21,10 +21,9 @@ from forficula.make.check import Check
 from forficula.make.files.bed import BED, GAP, places_on_bed
 from forficula.make.files.bill import bill_json, bill_of
 from forficula.make.files.checks import checks_json
-from forficula.make.files.lying import file_names, lying_mesh, open_edges
+from forficula.make.files.lying import file_names, lying_mesh, open_edges, printed_pieces
 from forficula.make.mesh import Mesh
 from forficula.make.mesh_checks import mesh_checks
-from forficula.make.solids import Joined, Rod
 from forficula.show.folder.parts_folder import write_parts
 from tests.make.readers import (
     faults_of_stl,
@@ -214,17 +213,28 @@ def test_names_of_files_are_plain_and_differ():
     assert file_names(["strap0", "Strap0", "a/b", "a b", ""]) == ["strap0", "Strap0-2", "a_b", "a_b-2", "part"]
 
 
-def test_a_part_in_two_pieces_and_an_open_surface_are_found(joint, monkeypatch):
+def test_a_surface_that_is_open_is_found(joint, monkeypatch):
     strap = joint.parts[3]
-    assert [check.ok for check in mesh_checks(strap)] == [True, True]
     mesh = lying_mesh(strap)
     flipped = Mesh(points=mesh.points, triangles=np.vstack([mesh.triangles[:-1], mesh.triangles[-1:, ::-1]]))
     assert open_edges(mesh) == 0
     assert open_edges(flipped) > 0
     assert open_edges(Mesh(points=mesh.points, triangles=mesh.triangles[:-1])) == 3
+    alone = replace(joint, parts=(strap,), joints=())
+    assert [(check.name, check.ok) for check in mesh_checks(alone)] == [("closed surface", True)]
     monkeypatch.setattr("forficula.make.mesh_checks.lying_mesh", lambda _: flipped)
-    rods = [Rod(start=np.array([0, y, 0]), end=np.array([0.01, y, 0]), diameter=0.004) for y in (0.0, 0.02)]
-    apart = replace(strap, solid=Joined(solids=tuple(rods)))
-    pieces, surface = mesh_checks(apart)
-    assert (pieces.ok, pieces.value, surface.ok) == (False, 2, False)
-    assert "falls into 2 pieces" in pieces.text
+    assert [check.ok for check in mesh_checks(alone)] == [False]
+
+
+def test_halves_that_are_printed_in_place_are_one_piece_and_fuse_where_they_are_too_near(joint_of, printed_in_place):
+    content = contents(printed_in_place)["stl/proximal0_and_distal0.stl"]
+    assert trimesh.load(io.BytesIO(content), file_type="stl").body_count == 2
+    found = {}
+    for overbend in ("3 deg", "12 deg"):
+        made = joint_of(**{"make.hinge": "print-in-place", "make.straps": 1, "hinge.overbend": overbend})
+        assert [piece.name for piece in printed_pieces(made)] == ["proximal0 and distal0", "strap0"]
+        (found[overbend],) = (check for check in mesh_checks(made) if check.name == "apart as printed")
+    assert (found["3 deg"].ok, found["12 deg"].ok) == (False, True)
+    # faces from the clearance around the knuckles on, 3 deg apart
+    assert found["3 deg"].value == pytest.approx(3.4e-3 * np.sin(np.radians(3)), rel=0.05)
+    assert "they fuse" in found["3 deg"].text

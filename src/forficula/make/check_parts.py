@@ -39,9 +39,8 @@ def check_parts(parts: PartSet, record: object = None) -> tuple[Check, ...]:
     except InputError as error:
         raise InputError(f"record: {error}") from None
     sheet: tuple[Check, ...] = () if parts.sheet is None else parts.sheet.checks
-    meshes = (check for part in parts.parts for check in mesh_checks(part))
     own = (*range_checks(parts), *strength_checks(parts), *printing_checks(parts))
-    return (*own, *meshes, *sheet, *_motion(parts, run))
+    return (*own, *mesh_checks(parts), *sheet, *_motion(parts, run))
 
 
 def run_of(parts: PartSet, record: object) -> Record:

@@ -13,7 +13,7 @@ from forficula.files import replacing_all, write_bytes, write_text
 from forficula.make.check import Check
 from forficula.make.files.bill import bill_csv, bill_json, bill_of
 from forficula.make.files.checks import checks_json
-from forficula.make.files.lying import file_names, lying_mesh
+from forficula.make.files.lying import file_names, lying_mesh, printed_pieces
 from forficula.make.files.step import check_step, write_step
 from forficula.make.files.stl import stl_bytes
 from forficula.make.files.three_mf import Item, three_mf_bytes
@@ -66,16 +66,16 @@ def parts_json(parts: PartSet, checks: Sequence[Check]) -> dict[str, Any]:
 
 def _write_solids(parts: PartSet, folder: Path, step: bool, progress: Callable[[str], None]) -> None:
     """Write all printed parts as STL and in one 3MF file, and all solids as STEP where that is wanted."""
-    names, items = file_names([part.name for part in parts.parts]), []
-    for part, name in zip(parts.parts, names, strict=True):
-        if part.printed:
-            progress(f"writing {name}.stl")
-            mesh = lying_mesh(part)
-            items.append(Item(name=part.name, material=part.stock.name, mesh=mesh, count=part.count))
-            write_bytes(folder / "stl" / f"{name}.stl", stl_bytes(mesh, part.name))
+    pieces, items = printed_pieces(parts), []
+    for piece, name in zip(pieces, file_names([piece.name for piece in pieces]), strict=True):
+        progress(f"writing {name}.stl")
+        mesh = lying_mesh(*piece.parts)
+        items.append(Item(name=piece.name, material=piece.material, mesh=mesh, count=piece.count))
+        write_bytes(folder / "stl" / f"{name}.stl", stl_bytes(mesh, piece.name))
     if items:
         progress("writing parts.3mf")
         write_bytes(folder / "parts.3mf", three_mf_bytes(items, parts.design.name))
+    names = file_names([part.name for part in parts.parts])
     for part, name in zip(parts.parts, names, strict=True) if step else ():
         progress(f"writing {name}.step")
         (folder / "step").mkdir(exist_ok=True)
