@@ -12,6 +12,8 @@ from forficula.design import load_design
 from forficula.dynamics import versions
 from forficula.show.page import write_run_page
 from forficula.show.page.words import angle_range
+from forficula.show.structure.shape import shape_of
+from forficula.show.structure.surface import face_strains, surface_at
 from forficula.structure import drawn_points
 from forficula.study.runs import run
 from tests.show.page.appearance import check_look
@@ -228,6 +230,59 @@ def test_followed_no_longer_the_wing_is_seen_from_one_place(opened):
 
 
 @pytest.mark.parametrize("plot", [0, 1, 2])
+def seek(opened, moment):
+    opened.page.evaluate("(moment) => { forficula.clock.seekClip(0, moment); }", float(moment))
+    opened.settle()
+
+
+def test_arrows_stand_where_torques_act_while_they_act_and_the_legend_says_how_strong_these_are(opened, short_run):
+    arrows = "forficula.player.stage.views[0].shape.efforts.count()"
+    ends = {end.stage.name: end for end in short_run.stages}
+    for stage, share, count, said in (
+        ("settle", 0.5, 0, "no drive acts now"),
+        ("fold", 0.5, 3, "torque on every proximal joint: 50 N cm"),
+        ("release folded", 0.5, 0, "no drive acts now"),
+        ("unfold", 0.5, 6, "torque on every joint: 100 N cm"),
+    ):
+        seek(opened, ends[stage].start + share * (ends[stage].end - ends[stage].start))
+        assert opened.page.evaluate(arrows) == count
+        assert opened.page.locator(".legend .effort").inner_text() == said
+
+
+def test_a_tendon_that_is_slack_is_drawn_as_long_as_it_is_at_rest_and_a_taut_one_straight(opened, short_run):
+    lengths = """() => { const { instanceMatrix, count } = forficula.player.stage.views[0].shape.tendons;
+    const pieces = count / 3; return [0, 1, 2].map((tendon) => Array.from({ length: pieces }, (_, piece) =>
+      Math.hypot(...instanceMatrix.array.slice(16 * (tendon * pieces + piece) + 4, 16 * (tendon * pieces + piece) + 7)))
+      .reduce((sum, each) => sum + each)); }"""
+    rests = np.array([tendon.law.rest_length for tendon in short_run.structure.tendons])
+    for end in short_run.stages[1:3]:
+        seek(opened, end.start)
+        now = short_run.series["tendon_length"][np.argmin(np.abs(short_run.time - end.start))]
+        # chords of a parabola are shorter than it
+        assert opened.page.evaluate(lengths) == pytest.approx(np.maximum(now, rests), rel=5e-3)
+    assert now.max() < rests.min()  # the folded wing's are slack
+
+
+def test_the_sheet_takes_the_colours_of_its_strains_with_their_scale_and_its_own_again(opened, short_run):
+    shape = shape_of(short_run.structure)
+    end = next(end for end in short_run.stages if end.stage.name == "release folded")
+    seek(opened, end.start)
+    strained, own = (opened.page.get_by_role("button", name=name) for name in ("membrane strain", "panels"))
+    strained.click()
+    found = opened.page.evaluate(
+        "(() => { const { strains, vertices } = forficula.player.stage.views[0].shape;"
+        " return [...strains.at(vertices)]; })()"
+    )
+    # as the figure of strains has them, by face
+    expected = face_strains(shape, surface_at(short_run, shape, end.start))
+    assert max(found) == pytest.approx(expected.max(), rel=1e-2)
+    scale = opened.page.locator(".legend .energy:visible").last.inner_text()
+    assert re.fullmatch(r"membrane strain, Green’s: 0\s*[\d.]+ %", scale)
+    assert opened.page.locator(".legend .of-region:visible").count() == 0
+    own.click()
+    assert opened.page.locator(".legend .of-region:visible").count() == 2
+
+
 def test_a_click_in_a_plot_moves_the_wing_to_that_time(opened, short_run, plot):
     page = opened.page
     place = page.locator(".u-over").nth(plot)
