@@ -261,12 +261,14 @@ function slide(data, line, place, moved, poses) {
   const last = line.places.length - 1;
   const slider = make("input", { type: "range", min: "0", max: String(last), value: "0" });
   slider.setAttribute("aria-label", `${data.axis} along the curve`);
-  const said = make("output", {});
+  // who hears the page hears the slider
+  const said = make("output", { "aria-live": "off" });
   const move = () => {
     const at = Number(slider.value);
     moved(line.places[at], line.values[at]);
-    said.textContent = `${short(line.places[at])}\u00b0, ${short(line.values[at])} ${data.unit}`;
-    slider.setAttribute("aria-valuetext", said.textContent);
+    const [angle, energy] = [short(line.places[at]), `${short(line.values[at])} ${data.unit}`];
+    said.textContent = `${angle}\u00b0, ${energy}`;
+    slider.setAttribute("aria-valuetext", `${data.axis} ${angle} degrees, energy ${energy}`);
   };
   const angles = data.poses && poses ? unpack(data.poses, Float32Array) : null;
   let asked = false;
