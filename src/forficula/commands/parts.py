@@ -66,7 +66,7 @@ def make(
         progress("checking the parts")
         checks = check_parts(parts, run)
         tell_replaced(folder, "bill of parts")
-        write_parts(parts, checks, folder, step=step, progress=progress)
+        write_parts(parts, checks, folder, record=run, step=step, progress=progress)
     came_to(parts_json(parts, checks))
     print_parts(parts, checks)
     print(f"\nwritten to {folder}")

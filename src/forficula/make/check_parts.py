@@ -9,6 +9,7 @@ from forficula.dynamics import Record, as_record
 from forficula.errors import InputError
 from forficula.make.check import Check
 from forficula.make.mesh_checks import mesh_checks
+from forficula.make.motion_checks import motion_checks
 from forficula.make.part import PartSet
 from forficula.make.printing_checks import printing_checks
 from forficula.make.range_checks import range_checks
@@ -39,9 +40,8 @@ def check_parts(parts: PartSet, record: object = None) -> tuple[Check, ...]:
     except InputError as error:
         raise InputError(f"record: {error}") from None
     sheet: tuple[Check, ...] = () if parts.sheet is None else parts.sheet.checks
-    meshes = (check for part in parts.parts for check in mesh_checks(part))
     own = (*range_checks(parts), *strength_checks(parts), *printing_checks(parts))
-    return (*own, *meshes, *sheet, *_motion(parts, run))
+    return (*own, *mesh_checks(parts), *sheet, *_motion(parts, run))
 
 
 def run_of(parts: PartSet, record: object) -> Record:
@@ -59,15 +59,18 @@ def run_of(parts: PartSet, record: object) -> Record:
 
 
 def _motion(parts: PartSet, run: Record | None) -> Iterator[Check]:
-    """Say that the recorded motion is not looked at."""
-    if parts.joints:
-        without = "not looked at without a run of the design: give its folder, --record"
-        yield Check(
-            name="recorded motion",
-            part=parts.design.name,
-            ok=None,
-            value=math.nan,
-            limit=math.nan,
-            unit="",
-            text=without if run is None else "not looked at: this version checks hinges one by one only",
-        )
+    """What is checked of a run, or that there is none; of a sheet alone, nothing."""
+    if not parts.joints:
+        return
+    if run is not None:
+        yield from motion_checks(parts, run)
+        return
+    yield Check(
+        name="overlap in the recorded motion",
+        part=parts.design.name,
+        ok=None,
+        value=math.nan,
+        limit=math.nan,
+        unit="m^3",
+        text="not looked at without a run of the design: give its folder, --record",
+    )
