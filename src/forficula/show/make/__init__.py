@@ -1,0 +1,1 @@
+"""Parts to make, as figures and pages show them."""
