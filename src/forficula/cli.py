@@ -9,7 +9,7 @@ from typing import Annotated
 
 from cyclopts import App, CycloptsError, Parameter
 
-from forficula.commands import designs, landscapes, materials, runs, schemas, studies
+from forficula.commands import designs, landscapes, materials, parts, runs, schemas, studies
 from forficula.errors import InputError
 from forficula.names import listed
 from forficula.quantities import as_written
@@ -25,6 +25,7 @@ app = App(
 _COMMANDS = (
     runs.run,
     designs.pattern,
+    parts.make,
     landscapes.landscape,
     studies.converge,
     runs.compare,
@@ -44,6 +45,7 @@ _COMMANDS = (
 # those that come to something that other programs would read
 _WITH_DATA = (
     runs.run,
+    parts.make,
     landscapes.landscape,
     studies.converge,
     studies.study,
@@ -87,8 +89,8 @@ def _launch(
 def main(arguments: Sequence[str] | None = None) -> None:
     """Run the command line, and exit with what it came to.
 
-    0: done, and every goal met; 1: bad input; 2: done and to be trusted, but a goal missed; 3: a run diverged or is not
-    to be trusted; 130: stopped.
+    0: done, and every goal met; 1: bad input; 2: done and to be trusted, but a goal missed, or a check under --strict;
+    3: a run diverged or is not to be trusted; 130: stopped.
     """
     try:
         with plain_terminal():

@@ -28,7 +28,7 @@ from forficula.errors import InputError
 from forficula.pattern import earwig_pattern, pleat_pattern, write_fold
 
 LETTER = load_design("letter-fold")
-KINDS = '"earwig-fan", "miura-ori", "waterbomb", "yoshimura", "kresling", "pleats", "vertex" or "fold-file"'
+KINDS = '"earwig-fan", "joint", "miura-ori", "waterbomb", "yoshimura", "kresling", "pleats", "vertex" or "fold-file"'
 BASED = 'based_on = "letter-fold"\n'
 
 

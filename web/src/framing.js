@@ -14,7 +14,7 @@ const SUPPORTS = 6;
  * therefore all that a view needs to know of them.
  */
 export function makeFraming(clips, numbers, clock) {
-  const places = new Map();
+  const places = new WeakMap();
   // what is drawn about the points: bars and joints
   const radius = numbers.reduce(
     (most, index) => clips[index].mesh.tubes.reduce((thickest, tube) => Math.max(thickest, tube.radius), most),

@@ -55,8 +55,8 @@ export function listenToKeys(player, clips, clock, eye, firstView) {
     const at = document.activeElement;
     const mine = player.contains(at) || at === document.body || at === null;
     if (!mine || event.ctrlKey || event.metaKey || event.altKey) return;
-    // a button has its own use for space, a choice for nearly all keys
-    if (at instanceof HTMLSelectElement || (event.key === " " && /^(BUTTON|SUMMARY|A)$/.test(at?.tagName ?? "")))
+    // a button has its own use for space, a choice and a slider of its own for nearly all keys
+    if (at instanceof HTMLSelectElement || at?.dataset?.keys === "own" || (event.key === " " && /^(BUTTON|SUMMARY|A)$/.test(at?.tagName ?? "")))
       return;
     // where nothing is chosen, these scroll the page
     if (at === document.body && /^(Home|End|PageUp|PageDown)$/.test(event.key)) return;

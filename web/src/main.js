@@ -4,19 +4,32 @@ import "./page.css";
 import { make } from "./elements.js";
 import { showComparison } from "./page-compare.js";
 import { showCurves } from "./page-curves.js";
+import { showParts } from "./page-parts.js";
 import { showRun } from "./page-run.js";
 import { showStudy } from "./page-study.js";
 import { watchTables } from "./tables.js";
 
-const PAGES = { run: showRun, compare: showComparison, curves: showCurves, study: showStudy };
+const PAGES = { run: showRun, compare: showComparison, curves: showCurves, study: showStudy, parts: showParts };
 
 const data = JSON.parse(document.getElementById("data").textContent);
-// for those who want the numbers behind the picture, and for tests
-try {
-  window.forficula = PAGES[data.kind](data);
-} catch (error) {
+
+/** Tell that the page's script failed, and stop. */
+function fail(error) {
   const said = `What moves cannot be shown in this browser (${error.message}); the numbers below are all there.`;
   document.querySelector("main").prepend(make("p", { className: "note", role: "alert" }, said));
   throw error;
+}
+
+/** For those who want the numbers behind the picture, and for tests. */
+function keep(shown) {
+  window.forficula = shown;
+}
+
+try {
+  const shown = PAGES[data.kind](data);
+  if (shown instanceof Promise) shown.then(keep, fail);
+  else keep(shown);
+} catch (error) {
+  fail(error);
 }
 watchTables();

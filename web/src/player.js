@@ -4,6 +4,7 @@ import { VIEWS } from "./camera.js";
 import { make } from "./elements.js";
 import { keysHelp, listenToKeys } from "./keys.js";
 import { makeLegend } from "./legend.js";
+import { makeShape } from "./shape.js";
 import { makeStage } from "./stage.js";
 import { makeTransport, stageText } from "./transport.js";
 
@@ -15,7 +16,7 @@ import { makeTransport, stageText } from "./transport.js";
  * Returns {stage, dispose}; stage is null without WebGL.
  */
 export function mountPlayer(element, clips, clock, { energy, legend: entries, text, whole }, look) {
-  const stage = makeStage(clips, clock, energy, text, look);
+  const stage = makeStage(clips, clock, (clip) => makeShape(clip, energy.largest_J), text, look);
   const picture = stage
     ? make("div", { className: "picture" }, stage.element, viewButtons(stage.eye, clips.length > 1 || look ? whole : null))
     : make("p", { className: "note" }, noPicture(whole));
@@ -46,12 +47,12 @@ function nameState(cell, clip, clock) {
   });
 }
 
-function noPicture(whole) {
+export function noPicture(whole) {
   return `This browser has no WebGL, so the ${whole} cannot be drawn in 3-D. The plots and all numbers are here.`;
 }
 
 /** whole: what one of several structures is called, which are seen beside or after each other; null of a single one. */
-function viewButtons(eye, whole) {
+export function viewButtons(eye, whole) {
   const button = (text, label, action) => {
     const made = make("button", { type: "button", title: label, "aria-label": label }, text);
     made.addEventListener("click", action);

@@ -5,7 +5,6 @@ import { makeCamera } from "./camera.js";
 import { make } from "./elements.js";
 import { makeFloor } from "./floor.js";
 import { onSchemeChange, styleColour } from "./scheme.js";
-import { makeShape } from "./shape.js";
 
 const LONGEST = 4096; // pixels of the canvas in one direction, which all graphics chips have
 const NAME_ROOM = 3.2; // lines of letters at the top of a cell, where several structures have their names
@@ -19,9 +18,10 @@ const GRID_FROM_BELOW = 0.14;
 
 /**
  * A stage for clips, or null where the browser has no WebGL.
- * Its cells take the structures' names and what else a page writes on them; look: of a camera, to begin with.
+ * shapeOf: makes of a clip the shape that is seen; text: what is seen, in a sentence; look: of a camera, to begin with.
+ * Its cells take the structures' names and what else a page writes on them.
  */
-export function makeStage(clips, clock, energy, text, look) {
+export function makeStage(clips, clock, shapeOf, text, look) {
   const canvas = make("canvas", { tabIndex: 0, role: "img", "aria-label": `${text} ${HELP}` });
   const context = canvas.getContext("webgl2", { antialias: true, alpha: true, stencil: true });
   if (!context) return null;
@@ -36,7 +36,7 @@ export function makeStage(clips, clock, energy, text, look) {
   const renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true, stencil: true });
   renderer.setScissorTest(true);
   const eye = makeCamera(canvas, clips, clock, invalidate, look);
-  const views = clips.map((clip) => makeView(clip, energy, eye));
+  const views = clips.map((clip) => makeView(clip, shapeOf(clip), eye));
   let waiting = 0;
   let posed = false;
 
@@ -129,8 +129,7 @@ export function makeStage(clips, clock, energy, text, look) {
 const HELP = "Drag to turn it, pinch to zoom; keys are listed below.";
 
 /** A scene of its own for every structure, all seen by one camera. */
-function makeView(clip, energy, eye) {
-  const shape = makeShape(clip, energy.largest_J);
+function makeView(clip, shape, eye) {
   const floor = makeFloor(eye.size, eye.target);
   floor.position.z = lowest(clip) - 0.06 * eye.size;
   shape.shadow.position.z = floor.position.z + 1e-3 * eye.size;

@@ -35,6 +35,11 @@ def write_sheet_svg(sheet: CutSheet, path: str | os.PathLike[str]) -> None:
     Raises:
         InputError: the file cannot be written.
     """
+    write_text(Path(path), f'<?xml version="1.0" encoding="utf-8"?>\n{sheet_svg(sheet)}\n')
+
+
+def sheet_svg(sheet: CutSheet) -> str:
+    """The element of the drawing that `write_sheet_svg` writes, without what a file begins with."""
     low, high = MILLIMETRES * sheet.corners
     width, height = high - low + 2 * _MARGIN
     drawing = ElementTree.Element(
@@ -71,8 +76,7 @@ def write_sheet_svg(sheet: CutSheet, path: str | os.PathLike[str]) -> None:
         for label in sheet.labels if layer == "mark" else ():
             _write(group, label.text, page(label.place)[0], MILLIMETRES * label.height, COLOURS[letter])
     ElementTree.indent(drawing)
-    text = ElementTree.tostring(drawing, encoding="unicode")
-    write_text(Path(path), f'<?xml version="1.0" encoding="utf-8"?>\n{text}\n')
+    return ElementTree.tostring(drawing, encoding="unicode")
 
 
 def _draw(group: ElementTree.Element, line: CutLine, points: NDArray[np.float64], look: dict[str, str]) -> None:

@@ -156,7 +156,7 @@ def test_a_wrong_file_names_file_key_value_and_rule(tmp_path, text, message):
     ("name", "message"),
     [
         ("resiln", '"resiln" is neither a named material nor a .toml file; did you mean resilin?'),
-        ("steel", "the named materials are petg, resilin, tpu-82a, tpu-95a"),
+        ("brass", "the named materials are petg, resilin, steel, tpu-82a, tpu-95a"),
         ("absent.toml", "absent.toml: no such file"),
     ],
 )

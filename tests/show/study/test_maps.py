@@ -17,6 +17,7 @@ from forficula.show.study.maps import (
     map_drawings,
 )
 from forficula.show.style import PAGE_WIDTH
+from tests.show.legible import colours
 from tests.show.tables import transitions_of_reference
 
 COORDS = {
@@ -194,7 +195,7 @@ TABLES = {
 @pytest.mark.parametrize("name", TABLES)
 def test_every_table_can_be_drawn(name):
     for drawing in map_drawings(TABLES[name]()).values():
-        assert np.unique(draw(drawing(PAGE_WIDTH)).reshape(-1, 3), axis=0).shape[0] > 10  # not blank
+        assert colours(draw(drawing(PAGE_WIDTH))) > 10  # not blank
 
 
 def test_a_search_has_every_figure_and_plain_runs_those_without_torques():

@@ -125,12 +125,12 @@ def paint_shape(
     folds = fold_colours(surface.folds[~plain])
     parts = [
         _faces(surface, view, face_colours),
-        _ribbons(surface.lines[plain], view, _CREASE, _THIN * radius, _ON_FACE * radius),
-        _ribbons(surface.lines[~plain], view, folds, _FOLDED * radius, _ON_FACE * radius),
+        ribbons(surface.lines[plain], view, _CREASE, _THIN * radius, _ON_FACE * radius),
+        ribbons(surface.lines[~plain], view, folds, _FOLDED * radius, _ON_FACE * radius),
         _tubes(surface.bars, surface.radii, view),
         # the casing shows on both sides of what lies on it
-        _ribbons(surface.tendons, view, _CASING, _CASED * radius, _ON_BAR * radius),
-        _ribbons(surface.tendons, view, tendon_colours, _TENDON * radius, (_ON_BAR + _ON_FACE) * radius),
+        ribbons(surface.tendons, view, _CASING, _CASED * radius, _ON_BAR * radius),
+        ribbons(surface.tendons, view, tendon_colours, _TENDON * radius, (_ON_BAR + _ON_FACE) * radius),
         _squares(surface.held, view, _HELD * radius, _ON_BAR * radius),
     ]
     quads, colours = (np.concatenate(each) for each in zip(*parts, strict=True))
@@ -260,7 +260,7 @@ def _tubes(bars: Array, radii: Array, view: View) -> tuple[Array, Array]:
     return quads[seen], (_DULL + _LUSTRE * bright[seen, np.newaxis] ** 4) * to_rgb(BAR)
 
 
-def _ribbons(
+def ribbons(
     lines: Array, view: View, colours: str | Sequence[str] | ArrayLike, half: float, above: float
 ) -> tuple[Array, Array]:
     """Corners and colours of lines, as bands that face the eye.

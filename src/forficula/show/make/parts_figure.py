@@ -1,0 +1,201 @@
+"""Parts as they are made: at their stops and half way, and taken apart, with their names and a scale."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patheffects import Normal, Stroke
+from numpy.typing import NDArray
+
+from forficula.make.part import PartSet
+from forficula.show.make.painted_parts import PlacedPart, paint_parts, placed_parts
+from forficula.show.make.part_facts import mass_text, masses_text, total_mass
+from forficula.show.make.part_looks import Look, part_looks
+from forficula.show.make.pose import angle_range
+from forficula.show.structure.painted_shape import PaintedShape, View, hang
+from forficula.show.style import PAGE_WIDTH, describe, figure_style, is_narrow
+
+Array = NDArray[np.float64]
+
+# to the eye, in the axes of the first joint: along the arms, along its hinge, and up
+_TOWARDS = (0.3, -0.72, 0.62)
+_ROOM = 1.06  # of a picture, by what is in it
+_LINE = 0.16  # inch, of a line of words
+_BESIDE = 0.3  # of a picture's width, on which the scale is
+_BAR = 0.3  # of a picture's width: about as long is its scale
+
+
+def draw_parts(parts: PartSet, width: float = PAGE_WIDTH) -> Figure:
+    """Draw the parts of a joint at both its stops and half way, and taken apart; of several joints as built, and apart.
+
+    Args:
+        parts: with a joint or more.
+        width: of the figure, inch.
+    """
+    low, high = angle_range(parts)
+    view, (looks, _) = _view(parts), part_looks(parts)
+    middle = (low + high) / 2
+    stops = [("stop of the overbend", high), ("half way", middle), ("stop of the fold", low)]
+    posed = stops if len(parts.joints) == 1 else [("as built", 0.0)]
+    colours = [look.colour for look in looks]
+    pictures = [paint_parts(placed_parts(parts, angle), colours, view) for _, angle in posed]
+    taken = placed_parts(parts, 0.0, 1.0)
+    with figure_style():
+        narrow = is_narrow(width)
+        columns = 1 if narrow else len(posed)
+        figure, panels, below = _panels(width, pictures, paint_parts(taken, colours, view), columns)
+        for axes, (title, angle) in zip(panels, posed, strict=True):
+            axes.set_title(f"{title}, {_degrees(angle)}" if len(posed) > 1 else title, pad=3)
+        _scale(panels[0])
+        below.set_title("taken apart", pad=3 + 72 * 1.6 * _LINE)
+        _scale(below)
+        _name(below, taken, looks, view, narrow)
+        return describe(figure, _text(parts, posed))
+
+
+def _view(parts: PartSet) -> View:
+    """From where parts are seen: beside the arms of the first joint, from above."""
+    frame = parts.joints[0].frame
+    towards = frame @ np.array(_TOWARDS)
+    towards /= np.linalg.norm(towards)
+    right = np.cross(frame[:, 2], towards)
+    right /= np.linalg.norm(right)
+    return View(right=right, up=np.cross(towards, right), towards=towards)
+
+
+def _panels(
+    width: float, pictures: Sequence[PaintedShape], apart: PaintedShape, columns: int
+) -> tuple[Figure, list[Axes], Axes]:
+    """A figure with pictures at one scale above one of what is taken apart, each as high as it needs."""
+    each = width / columns
+    sizes = [np.ptp(picture.corners, axis=0) * _ROOM for picture in pictures]
+    scale = max(size[0] for size in sizes) / each  # m an inch, of all of them
+    rows = [sizes[start : start + columns] for start in range(0, len(sizes), columns)]
+    heights = [max(size[1] for size in row) / scale for row in rows]
+    size = np.ptp(apart.corners, axis=0) * _ROOM
+    last = size[1] / (size[0] / width)
+    titled = [height + 1.4 * _LINE for height in heights]
+    # names above and below what is taken apart, and its own title
+    total = sum(titled) + last + 6.4 * _LINE
+    figure = Figure(figsize=(width, total))
+    top, axes = total, []
+    for number, (picture, own) in enumerate(zip(pictures, sizes, strict=True)):
+        row, column = divmod(number, columns)
+        bottom = top - sum(titled[: row + 1])
+        box = (column / columns, bottom / total, 1 / columns, heights[row] / total)
+        panel = figure.add_axes(box)
+        half = np.array([each, heights[row]]) * scale / 2
+        hang(panel, picture, _around(picture, half), each)
+        axes.append(panel)
+    below = figure.add_axes((0, 2.2 * _LINE / total, 1, last / total))
+    hang(below, apart, _around(apart, size / 2), width)
+    return figure, axes, below
+
+
+def _around(picture: PaintedShape, half: Array) -> Array:
+    """The window in whose middle a picture is, m, (2, 2)."""
+    middle = picture.corners.mean(axis=0)
+    return np.array([middle - half, middle + half])
+
+
+def _scale(axes: Axes) -> None:
+    """A bar of a stated length in the lower left corner of a picture."""
+    (left, right), (bottom, _) = axes.get_xlim(), axes.get_ylim()
+    most = _BAR * (right - left)
+    power = 10.0 ** math.floor(math.log10(most))
+    length = power * max(step for step in (1, 2, 5) if step * power <= most)
+    start = left + 0.03 * (right - left)
+    axes.plot([start, start + length], [bottom, bottom], color="black", lw=1.5, solid_capstyle="butt", clip_on=False)
+    axes.annotate(
+        f"{1e3 * length:g} mm", (start + length / 2, bottom), (0, 2), textcoords="offset points", ha="center", va="bottom"
+    )
+
+
+def _name(axes: Axes, taken: Sequence[PlacedPart], looks: Sequence[Look], view: View, narrow: bool) -> None:
+    """The names of parts above and below their picture, each with a line to one of them."""
+    named = []
+    for number, look in enumerate(looks):
+        own = [each for each in taken if each.look == number]
+        count = sum(each.part.count for each in own)
+        text = f"{look.name}, {count}" if count > 1 else look.name
+        masses = masses_text([each.part for each in own])
+        text += f"\n{masses}{' each' * (count > 1)}" if masses else ""
+        named.append((text, _anchor(view.project(own[-1].mesh.points))))
+    stop = _best_stop(taken, view)
+    if stop is not None:
+        named.append(("face of\na stop", stop))
+    # those that are highest have their names above, as many as below; the scale is below on the left
+    left, right = axes.get_xlim()
+    named.sort(key=lambda each: (each[1][0] > left + _BESIDE * (right - left), -each[1][1]))
+    above = (len(named) + 1) // 2
+    for group, edge, side in ((named[:above], 1, 1), (named[above:], 0, -1)):
+        _row(axes, sorted(group, key=lambda each: float(each[1][0])), edge, side, narrow)
+
+
+def _best_stop(taken: Sequence[PlacedPart], view: View) -> Array | None:
+    """The middle on the picture of the face of a stop that is seen best; None where none is turned to the eye."""
+    best, most = None, 0.0
+    for each in taken:
+        corners = each.mesh.points[each.mesh.triangles[: each.mesh.stops]]
+        areas = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) @ view.towards
+        seen = np.maximum(areas, 0.0)
+        if seen.sum() > most:
+            middle = np.average(corners.mean(axis=1), axis=0, weights=seen)
+            best, most = view.project(middle), float(seen.sum())
+    return best
+
+
+def _row(axes: Axes, named: Sequence[tuple[str, Array]], edge: int, side: int, narrow: bool) -> None:
+    """A row of names along the upper or the lower edge of a picture, each near what it names."""
+    left, right = axes.get_xlim()
+    first, last = (left + (right - left) * share for share in ((0.14, 0.88) if narrow else (0.1, 0.92)))
+    if side < 0:
+        first = left + (right - left) * (0.48 if narrow else _BESIDE + 0.08)
+    least = (last - first) / max(len(named) - 1, 1)
+    at = np.clip([float(anchor[0]) for _, anchor in named], first, last)
+    # from left to right and back, so that they are as far apart as there is room
+    room = min(least, 0.16 * (right - left) * (2 if narrow else 1))
+    for place in range(1, len(at)):
+        at[place] = max(at[place], at[place - 1] + room)
+    at[-1:] = np.minimum(at[-1:], last)
+    for place in range(len(at) - 2, -1, -1):
+        at[place] = min(at[place], at[place + 1] - room)
+    halo = Stroke(linewidth=1.8, foreground="white")
+    for (text, anchor), across in zip(named, at.tolist(), strict=True):
+        axes.plot(*anchor, marker="o", ms=2.2, color="black", mec="white", mew=0.5)
+        axes.annotate(
+            text,
+            anchor,
+            (across, axes.get_ylim()[edge]),
+            ha="center",
+            va="bottom" if side > 0 else "top",
+            fontsize=7,
+            linespacing=1.05,
+            arrowprops={"arrowstyle": "-", "lw": 0.6, "shrinkA": 0, "shrinkB": 0, "path_effects": [halo, Normal()]},
+            annotation_clip=False,
+        )
+
+
+def _anchor(places: Array) -> Array:
+    """The place of some that is nearest to their middle."""
+    middle = (places.min(axis=0) + places.max(axis=0)) / 2
+    return np.asarray(places[np.argmin(np.linalg.norm(places - middle, axis=1))])
+
+
+def _degrees(angle: float) -> str:
+    return f"{math.degrees(angle):.4g}°".replace("-", "−")
+
+
+def _text(parts: PartSet, posed: Sequence[tuple[str, float]]) -> str:
+    """What the figure shows, for those who do not see it."""
+    looks, own = part_looks(parts)
+    counts = [sum(part.count for part, each in zip(parts.parts, own, strict=True) if each == n) for n in range(len(looks))]
+    told = ", ".join(f"{count} × {look.name}" for look, count in zip(looks, counts, strict=True))
+    mass = total_mass(parts.parts)
+    weigh = f", together {mass_text(mass)}" if mass is not None else ""
+    places = "; ".join(f"{name}, {_degrees(angle)}" for name, angle in posed)
+    return f"Parts of {parts.design.name}. {told}{weigh}. The joints at: {places}; and all of them taken apart."

@@ -1,0 +1,102 @@
+"""Where parts are when their joints are turned, and when they are taken apart."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.make.joint import turned
+from forficula.make.joint_layout import JointLayout
+from forficula.make.part import Part, PartSet
+from forficula.make.strap_shape import StrapPlace
+from forficula.structure import GROUND
+
+Array = NDArray[np.float64]
+
+# how far parts are moved apart at most, by the length of the arms that are moved, or by what they are
+_APART, _RAISED, _PULLED = 0.3, 0.45, 1.6
+
+
+@dataclass(frozen=True, kw_only=True)
+class Pose:
+    """A rotation, and then a way: from where a body is built to where it is.
+
+    Attributes:
+        frame: (3, 3).
+        origin: m, (3,).
+    """
+
+    frame: Array
+    origin: Array
+
+    def of(self, places: Array) -> Array:
+        """Where places of the body come to, m, (..., 3)."""
+        return np.asarray(places @ self.frame.T + self.origin)
+
+
+STILL = Pose(frame=np.eye(3), origin=np.zeros(3))
+
+
+def angle_range(parts: PartSet) -> tuple[float, float]:
+    """From the stop of the fold that is furthest to the furthest stop of an overbend, rad."""
+    return min(joint.lower for joint in parts.joints), max(joint.upper for joint in parts.joints)
+
+
+def poses_at(parts: PartSet, angle: float) -> Mapping[int, Pose]:
+    """Every body with all joints at an angle in their own senses, rad, each no further than its own stops.
+
+    A joint alone turns its distal half; bars that turn against the ground stay as they are built.
+    """
+    by_body = {joint.distal.body: joint for joint in parts.joints}
+    poses = {GROUND: STILL}
+    for number, body in enumerate(parts.structure.bodies):
+        pose = poses[body.parent]
+        if number in by_body:
+            frame, origin = turned(by_body[number], within(by_body[number], angle))
+            pose = Pose(frame=pose.frame @ frame, origin=pose.of(origin))
+        poses[number] = pose
+    return poses
+
+
+def within(joint: JointLayout, angle: float) -> float:
+    """An angle, rad, or the stop that it is beyond."""
+    return float(np.clip(angle, joint.lower, joint.upper))
+
+
+def apart(parts: PartSet) -> list[Array]:
+    """How far every part is moved, as built, when all are taken apart, m, (3,) each.
+
+    A distal half is moved away from its hinge with what hangs on it, a pin out of its knuckles, straps up from the
+    bars, the hub back from its rods.
+    """
+    ways = {GROUND: np.zeros(3)}
+    by_body = {joint.distal.body: joint for joint in parts.joints}
+    for number, body in enumerate(parts.structure.bodies):
+        ways[number] = ways[body.parent]
+        if number in by_body:
+            joint = by_body[number]
+            ways[number] = ways[number] + _APART * joint.distal.length * joint.distal.along
+    return [_apart(parts, part, ways) for part in parts.parts]
+
+
+def _apart(parts: PartSet, part: Part, ways: Mapping[int, Array]) -> Array:
+    same = [each for each in parts.parts if each.kind == part.kind]
+    place = same.index(part)
+    back = np.mean([root.along for root in parts.roots], axis=0) if parts.roots else np.zeros(3)
+    rod = parts.roots[0].make.root_length if parts.roots else 0.0
+    match part.kind:
+        case "strap":
+            strap = parts.straps[place]
+            between = (ways[strap.bodies[0]] + ways[strap.bodies[1]]) / 2
+            return np.asarray(between + _RAISED * strap.strap.rest_length * strap.up)
+        case "pin":
+            joint = [each for each in parts.joints if each.make.hinge == "pin"][place]
+            return np.asarray(ways[joint.proximal.body] - _PULLED * joint.width * joint.frame[:, 1])
+        case "hub":
+            return np.asarray(-6 * rod * back)
+        case "root":
+            return np.asarray(-3 * rod * back)
+    return np.asarray(ways[GROUND if part.body is None else part.body])

@@ -1,0 +1,250 @@
+/** The page of parts to make: solids whose joints turn, that come apart, and that tell what they are. */
+
+import { Vector2 } from "three";
+import { readArrays } from "./arrays.js";
+import { VIEWS } from "./camera.js";
+import { makeClock } from "./clock.js";
+import { make } from "./elements.js";
+import { short } from "./format.js";
+import { squareSide } from "./floor.js";
+import { keysHelp, listenToKeys } from "./keys.js";
+import { makeApart, makeChoice, makeHinge, makeKinds } from "./parts-controls.js";
+import { readModel, readMotion } from "./parts-model.js";
+import "./parts.css";
+import { makePartsShape } from "./parts-shape.js";
+import { noPicture, viewButtons } from "./player.js";
+import { makeStage } from "./stage.js";
+import { makeTransport } from "./transport.js";
+
+const SPEED = 0.25; // of the whole range, in a second
+const FRAMES = 60;
+const STILL = 4; // pixels that a finger may move while it presses
+
+export async function showParts(data) {
+  const take = await readArrays(data.arrays);
+  const model = readModel(data, take);
+  const state = { apart: 0, side: 1, hidden: new Set(), chosen: null };
+  const sources = [togetherSource(model, state), ...(data.motion ? [runSource(model, state, readMotion(data.motion, take))] : [])];
+  const shown = makeSwitch(sources);
+  const element = document.getElementById("player");
+  const player = mount(element, data, model, state, shown);
+  const chooser = makeChooser(model, data, state, player);
+  player.onPress((place) => chooser.choose(player.at(place)));
+  return { model, state, clock: sources[0].clock, run: sources[1]?.clock ?? null, ...player, choose: chooser.choose };
+}
+
+/** All joints at one angle: the clip's time goes from the stop of the overbend, 0, to that of the fold, 1. */
+function togetherSource(model, state) {
+  const angleOf = (moment) => model.highest + moment * (model.lowest - model.highest);
+  const momentOf = (angle) => (angle - model.highest) / (model.lowest - model.highest || 1);
+  const time = Float64Array.from({ length: FRAMES + 1 }, (_, frame) => frame / FRAMES);
+  const anglesAt = (moment) => model.anglesTogether(angleOf(moment));
+  const clip = clipOf(model, state, { time, anglesAt, marks: [], stages: [] });
+  const clock = makeClock([clip], [{ name: "", label: "", start: 0, end: 1, origins: [0], whole: false }]);
+  clock.setSpeed(SPEED);
+  const control = makeHinge(model, clock, angleOf, momentOf);
+  return { name: "all joints alike", clip, clock, anglesAt, control };
+}
+
+/** The motion of a recorded run. */
+function runSource(model, state, motion) {
+  const clip = clipOf(model, state, motion);
+  const clock = makeClock([clip], motion.spans);
+  return { name: "as in the simulated run", clip, clock, anglesAt: motion.anglesAt, control: makeTransport([clip], clock) };
+}
+
+/** What a clock and a camera need to know of parts that move. */
+function clipOf(model, state, { time, anglesAt, marks, stages }) {
+  const seen = () => {
+    const left = model.parts.filter((part) => !state.hidden.has(part.look));
+    return left.length ? left : model.parts;
+  };
+  return {
+    name: "",
+    time,
+    start: time[0],
+    end: time[time.length - 1],
+    marks,
+    stages,
+    readings: [],
+    mesh: { tubes: [], joints: [], jointRadius: 0 },
+    pointsAt: (moment) => model.outline(seen(), model.turn(anglesAt(moment)), state),
+    stageAt: (moment) => stages.findLast((stage) => stage.start <= moment) ?? stages[0],
+    markAt: (moment) => marks.find((mark) => Math.abs(mark.time - moment) < 1e-9),
+  };
+}
+
+/** One of several sources, as one clip and one clock that a stage can have. */
+function makeSwitch(sources) {
+  let now = sources[0];
+  let span = { of: null };
+  const listeners = new Set();
+  for (const source of sources)
+    source.clock.onChange(() => {
+      if (source === now) for (const listener of listeners) listener();
+    });
+  const redraw = () => now.clock.redraw();
+  const clock = {
+    get time() {
+      return now.clock.time;
+    },
+    get playing() {
+      return now.clock.playing;
+    },
+    // another one whenever a view of it has to be found anew
+    get span() {
+      if (span.of !== now.clock.span) span = { ...now.clock.span, of: now.clock.span };
+      return span;
+    },
+    clipTime: (index, moment) => now.clock.clipTime(index, moment),
+    timeAt: (way) => now.clock.timeAt(way),
+    wayAt: (moment) => now.clock.wayAt(moment),
+    onChange(listener) {
+      listeners.add(listener);
+      redraw();
+      return () => listeners.delete(listener);
+    },
+    seek: (moment) => now.clock.seek(moment),
+    seekClip: (index, moment) => now.clock.seekClip(index, moment),
+    step: (steps) => now.clock.step(steps),
+    play: () => now.clock.play(),
+    pause: () => now.clock.pause(),
+  };
+  const clip = { ...sources[0].clip, pointsAt: (moment) => now.clip.pointsAt(moment) };
+  return {
+    clip,
+    clock,
+    sources,
+    get now() {
+      return now;
+    },
+    anglesAt: (moment) => now.anglesAt(moment),
+    take(index) {
+      now.clock.pause();
+      now = sources[index];
+      span = { of: null };
+      redraw();
+    },
+    /** What is seen has changed, though no time has passed. */
+    changed() {
+      span = { of: null };
+      redraw();
+    },
+  };
+}
+
+function mount(element, data, model, state, shown) {
+  const { clip, clock, sources } = shown;
+  let shape = null;
+  const stage = makeStage([clip], clock, () => (shape = makePartsShape(model, state, shown.anglesAt, data.stopColour)), data.text);
+  const whole = "parts";
+  const picture = stage
+    ? make("div", { className: "picture" }, stage.element, viewButtons(stage.eye, null))
+    : make("p", { className: "note" }, noPicture(whole));
+  const info = make("p", { className: "chosen", role: "status" }, "Press a part, or its name in the table, to see what it is.");
+  const control = make("div", {}, sources[0].control);
+  const counts = model.looks.map((_, index) => model.parts.filter((part) => part.look === index).reduce((sum, part) => sum + part.count, 0));
+  const change = (what) => {
+    Object.assign(state, what);
+    shown.changed();
+  };
+  const hide = (look, on) => {
+    if (on) state.hidden.delete(look);
+    else state.hidden.add(look);
+    shown.changed();
+  };
+  const choices = [
+    ...(sources.length > 1
+      ? [makeChoice("motion", sources.map((source) => source.name), (index) => {
+          shown.take(index);
+          control.replaceChildren(shown.now.control);
+        })]
+      : []),
+    makeApart((apart) => change({ apart })),
+    ...(model.straps.length
+      ? [makeChoice("slack straps bow", ["away from the hinge", "towards the hinge"], (index) => change({ side: index ? -1 : 1 }))]
+      : []),
+  ];
+  const legend = make(
+    "ul",
+    { className: "legend" },
+    ...(model.parts.some((part) => part.stops) ? [swatchEntry(data.stopColour, "face of a stop")] : []),
+    ...(model.straps.length ? [make("li", {}, make("span", { className: "swatch taut", "aria-hidden": "true" }), "on the slider: where straps are taut")] : []),
+    ...(stage ? [make("li", {}, `squares of the grid: ${short(1e3 * squareSide(stage.eye.size))} mm`)] : []),
+  );
+  element.replaceChildren(
+    picture,
+    info,
+    control,
+    make("div", { className: "choices" }, ...choices),
+    makeKinds(model.looks, counts, hide),
+    legend,
+    keysHelp([clip], stage !== null, whole),
+  );
+  element.classList.add("player");
+  element.setAttribute("role", "region");
+  element.setAttribute("aria-label", "the parts moving");
+  listenToKeys(element, [clip], clock, stage?.eye, VIEWS[0]);
+  const pressed = [];
+  if (stage) listenToPresses(stage.canvas, (place) => pressed.forEach((listener) => listener(place)));
+  return {
+    stage,
+    shape,
+    info,
+    repaint: () => {
+      shape?.paint();
+      clock.seek(clock.time);
+    },
+    at: (place) => shape.at(place, stage.eye.camera),
+    onPress: (listener) => pressed.push(listener),
+  };
+}
+
+function swatchEntry(colour, text) {
+  const swatch = make("span", { className: "swatch panel", "aria-hidden": "true" });
+  swatch.style.background = colour;
+  return make("li", {}, swatch, text);
+}
+
+/** Presses that turn nothing: where on the canvas, -1 to 1 each way. */
+function listenToPresses(canvas, press) {
+  let from = null;
+  canvas.addEventListener("pointerdown", (event) => {
+    from = event.isPrimary ? [event.clientX, event.clientY] : null;
+  });
+  canvas.addEventListener("pointerup", (event) => {
+    if (from === null || Math.hypot(event.clientX - from[0], event.clientY - from[1]) > STILL) return;
+    const box = canvas.getBoundingClientRect();
+    const [x, y] = [(event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height];
+    press(new Vector2(2 * x - 1, 1 - 2 * y));
+  });
+}
+
+/** Choose a part by its number, null for none: it glows, its row is marked, and what it is is told. */
+function makeChooser(model, data, state, player) {
+  const first = player.info.textContent;
+  const rows = Array.from(document.querySelectorAll("#bill tbody tr"));
+  const buttons = rows.map((row, index) => {
+    const [name] = row.querySelector("th").childNodes;
+    const button = make("button", { type: "button", className: "name", "aria-pressed": "false" }, name.textContent);
+    name.replaceWith(button);
+    button.addEventListener("click", () => choose(state.chosen === index ? null : index));
+    return button;
+  });
+
+  function choose(index) {
+    state.chosen = index;
+    for (const [place, button] of buttons.entries()) button.setAttribute("aria-pressed", String(place === index));
+    player.info.textContent = index === null ? first : told(index);
+    player.repaint();
+  }
+
+  function told(index) {
+    const part = model.parts[index];
+    const [material, mass, size] = part.facts;
+    const many = part.count > 1 ? `${part.count} alike, each ` : "";
+    return `${part.name}: ${model.looks[part.look].name} of ${material}, ${many}${mass}, ${size}`;
+  }
+
+  return { choose };
+}

@@ -1,0 +1,179 @@
+/** What a reader does to parts: turn the joints, take them apart, hide some, choose one. */
+
+import { icon, make } from "./elements.js";
+import { fixed } from "./format.js";
+
+const PLAY = "M7 4.5v15l12-7.5z";
+const PAUSE = "M7 5h3.5v14H7zM13.5 5H17v14h-3.5z";
+const DEGREES = 180 / Math.PI;
+const STEP = 1; // deg, of an arrow key
+const FURTHER = 10;
+const SAMPLES = 720; // of the range of angles, to find where straps go slack
+
+/** The slider of the joints' angle, with its stops, a button that plays it, and what straps do there. */
+export function makeHinge(model, clock, angleOf, momentOf) {
+  const [low, high] = [model.lowest, model.highest].map((angle) => angle * DEGREES);
+  const play = make("button", { type: "button", className: "play" });
+  const slider = make("input", { type: "range", min: low, max: high, step: "any", "aria-label": "hinge angle" });
+  slider.dataset.keys = "own";
+  const bands = make("div", { className: "bands", "aria-hidden": "true" });
+  const ticks = make("div", { className: "ticks", "aria-hidden": "true" });
+  const readout = make("p", { className: "time" });
+  const taut = tautRanges(model);
+  const place = (angle) => `${(100 * (angle - low)) / (high - low)}%`;
+  for (const [from, to] of taut) {
+    const band = make("span", { className: "band" });
+    Object.assign(band.style, { left: place(from), width: `${(100 * (to - from)) / (high - low)}%` });
+    bands.append(band);
+  }
+  const named = marksOf(model, low, high, taut);
+  for (const { angle, stop } of named) {
+    const tick = make("span", { className: stop ? "tick stop" : "tick" });
+    tick.style.left = place(angle);
+    ticks.append(tick);
+  }
+  const go = (angle) => {
+    clock.pause();
+    clock.seek(momentOf(Math.min(high, Math.max(low, angle)) / DEGREES));
+  };
+  const buttons = named.map(({ angle, name }) => {
+    const button = make("button", { type: "button" }, make("b", {}, degrees(angle)), ` ${name}`);
+    button.addEventListener("click", () => go(angle));
+    return button;
+  });
+  slider.addEventListener("input", () => go(Number(slider.value)));
+  slider.addEventListener("keydown", (event) => {
+    const steps = {
+      ArrowLeft: -STEP,
+      ArrowDown: -STEP,
+      ArrowRight: STEP,
+      ArrowUp: STEP,
+      PageDown: -FURTHER,
+      PageUp: FURTHER,
+      Home: -Infinity,
+      End: Infinity,
+    };
+    if (event.key === " ") clock.playing ? clock.pause() : clock.play();
+    else if (event.key in steps && !event.shiftKey) {
+      const now = angleOf(clock.time) * DEGREES;
+      // from wherever it is to whole degrees
+      const next = Math.abs(steps[event.key]) === STEP ? Math.round(now + steps[event.key]) : now + steps[event.key];
+      go(next);
+    } else return;
+    event.preventDefault();
+  });
+  play.addEventListener("click", () => (clock.playing ? clock.pause() : clock.play()));
+  let wasPlaying = null;
+  clock.onChange(() => {
+    const angle = angleOf(clock.time) * DEGREES;
+    slider.value = angle;
+    readout.textContent = `${degrees(angle, 1)}${strapText(model, angle)}`;
+    slider.setAttribute("aria-valuetext", `${fixed(angle, 1)} degrees${strapText(model, angle)}`);
+    for (const [index, each] of named.entries())
+      buttons[index].setAttribute("aria-pressed", String(Math.abs(each.angle - angle) < 0.005));
+    if (clock.playing !== wasPlaying) {
+      play.replaceChildren(icon(clock.playing ? PAUSE : PLAY));
+      play.setAttribute("aria-label", clock.playing ? "pause" : "play: fold from stop to stop");
+      wasPlaying = clock.playing;
+    }
+  });
+  return make(
+    "div",
+    { className: "transport" },
+    make("div", { className: "line" }, play, make("div", { className: "track" }, bands, slider, ticks)),
+    make("div", { className: "choices" }, readout, make("div", { className: "states" }, ...buttons)),
+  );
+}
+
+const degrees = (angle, digits = null) =>
+  `${digits === null ? fixed(angle, Number.isInteger(Number(angle.toFixed(3))) ? 0 : 1) : fixed(angle, digits)}\u00b0`;
+
+/** Angles that have a name: the stops, flat, and where straps go slack. */
+function marksOf(model, low, high, taut) {
+  const stops = (key) => [...new Set(model.joints.map((joint) => Number((joint[key] * DEGREES).toFixed(6))))];
+  const found = [
+    ...stops("lower").map((angle) => ({ angle, name: "stop of the fold", stop: true })),
+    ...taut.flatMap(([from, to]) => [from, to].map((angle) => ({ angle, name: "straps go slack" }))),
+    ...(low < 0 && high > 0 ? [{ angle: 0, name: "flat" }] : []),
+    ...stops("upper").map((angle) => ({ angle, name: high > 0 ? "stop of the overbend" : "stop, flat", stop: true })),
+  ];
+  const ends = (angle) => Math.abs(angle - low) < 1e-6 || Math.abs(angle - high) < 1e-6;
+  return found
+    .filter((mark) => mark.stop || mark.name === "flat" || !ends(mark.angle))
+    .sort((one, other) => one.angle - other.angle);
+}
+
+/** Ranges of angles, deg, in which a strap of any joint is taut. */
+function tautRanges(model) {
+  const slackAt = (angle) => strapsAt(model, angle).every((state) => state.slack);
+  const [low, high] = [model.lowest * DEGREES, model.highest * DEGREES];
+  const edge = (from, to) => {
+    const before = slackAt(from);
+    for (let step = 0; step < 40; step++) {
+      const middle = (from + to) / 2;
+      if (slackAt(middle) === before) from = middle;
+      else to = middle;
+    }
+    return to;
+  };
+  const ranges = [];
+  if (!model.straps.length) return ranges;
+  let start = slackAt(low) ? null : low;
+  for (let step = 1; step <= SAMPLES; step++) {
+    const [from, to] = [step - 1, step].map((each) => low + ((high - low) * each) / SAMPLES);
+    if (slackAt(from) === slackAt(to)) continue;
+    if (start === null) start = edge(from, to);
+    else {
+      ranges.push([start, edge(from, to)]);
+      start = null;
+    }
+  }
+  if (start !== null) ranges.push([start, high]);
+  return ranges;
+}
+
+function strapsAt(model, angle) {
+  const poses = model.turn(model.anglesTogether(angle / DEGREES));
+  return model.straps.map((strap) => ({ ...model.strapState(strap, poses), rest: strap.rest }));
+}
+
+function strapText(model, angle) {
+  const states = strapsAt(model, angle);
+  if (!states.length) return "";
+  const longest = Math.max(...states.map((state) => state.longer));
+  if (longest < 0) return `, straps slack by ${fixed(-1e3 * longest, 1)} mm`;
+  const most = Math.max(...states.map((state) => state.longer / state.rest));
+  return `, straps stretched by ${fixed(1e3 * longest, 1)} mm (${fixed(100 * most, 1)} %)`;
+}
+
+/** A slider from together to apart. */
+export function makeApart(change) {
+  const slider = make("input", { type: "range", min: 0, max: 100, step: 1, value: 0 });
+  slider.dataset.keys = "own";
+  slider.addEventListener("input", () => change(Number(slider.value) / 100));
+  slider.setAttribute("aria-valuetext", "together");
+  slider.addEventListener("input", () => {
+    slider.setAttribute("aria-valuetext", slider.value === "0" ? "together" : `${slider.value} % apart`);
+  });
+  return make("label", { className: "slide" }, "take apart ", slider);
+}
+
+/** A box for each kind of part, with its colour: whether it is shown. */
+export function makeKinds(looks, counts, change) {
+  const boxes = looks.map((look, index) => {
+    const box = make("input", { type: "checkbox", checked: true });
+    box.dataset.keys = "own";
+    box.addEventListener("change", () => change(index, box.checked));
+    const swatch = make("span", { className: "swatch panel", "aria-hidden": "true" });
+    swatch.style.background = look.colour;
+    return make("label", {}, box, swatch, `${look.name}${counts[index] > 1 ? `, ${counts[index]}` : ""}`);
+  });
+  return make("fieldset", { className: "kinds" }, make("legend", {}, "show"), ...boxes);
+}
+
+/** A choice between a few, by their texts. */
+export function makeChoice(name, texts, change) {
+  const select = make("select", {}, ...texts.map((text, index) => make("option", { value: String(index) }, text)));
+  select.addEventListener("change", () => change(Number(select.value)));
+  return make("label", {}, `${name} `, select);
+}
