@@ -9,6 +9,7 @@ from forficula.dynamics import Record, as_record
 from forficula.errors import InputError
 from forficula.make.check import Check
 from forficula.make.mesh_checks import mesh_checks
+from forficula.make.motion_checks import motion_checks
 from forficula.make.part import PartSet
 from forficula.make.printing_checks import printing_checks
 from forficula.make.range_checks import range_checks
@@ -59,9 +60,10 @@ def run_of(parts: PartSet, record: object) -> Record:
 
 
 def _motion(parts: PartSet, run: Record | None) -> Iterator[Check]:
-    """Say that the recorded motion is not looked at."""
-    if parts.joints:
-        without = "not looked at without a run of the design: give its folder, --record"
+    """Check the parts in a recorded motion, or say that they are not."""
+    if parts.joints and run is not None:
+        yield from motion_checks(parts, run)
+    elif parts.joints:
         yield Check(
             name="recorded motion",
             part=parts.design.name,
@@ -69,5 +71,5 @@ def _motion(parts: PartSet, run: Record | None) -> Iterator[Check]:
             value=math.nan,
             limit=math.nan,
             unit="",
-            text=without if run is None else "not looked at: this version checks hinges one by one only",
+            text="not looked at without a run of the design: give its folder, --record",
         )

@@ -10,6 +10,7 @@ from typing import Any
 
 from forficula.design import save_design
 from forficula.files import replacing_all, write_bytes, write_text
+from forficula.make.as_made import AS_MADE
 from forficula.make.check import Check
 from forficula.make.files.bill import bill_csv, bill_json, bill_of
 from forficula.make.files.checks import checks_json
@@ -20,11 +21,14 @@ from forficula.make.files.three_mf import Item, three_mf_bytes
 from forficula.make.part import PartSet
 from forficula.make.sheet_dxf import write_sheet_dxf
 from forficula.make.sheet_svg import write_sheet_svg
+from forficula.show.make.made_table import made_json
+from forficula.study.made_comparison import MadeComparison
 
 BILL_FILE = "bill.json"
+AS_MADE_FILE = "as-made.json"
 # in which a bill may list files of parts, which go when other parts are made there
 _FOLDERS = ("stl", "step")
-_WHOLE = ("parts.3mf", "sheet.dxf", "sheet.svg")
+_WHOLE = ("parts.3mf", "sheet.dxf", "sheet.svg", AS_MADE, AS_MADE_FILE)
 
 
 def write_parts(
@@ -33,6 +37,7 @@ def write_parts(
     folder: Path,
     *,
     step: bool = False,
+    compared: MadeComparison | None = None,
     progress: Callable[[str], None] = lambda _: None,
 ) -> None:
     """Write design, bill, checks, and the files that printers and cutters take; all of them, or none.
@@ -42,6 +47,7 @@ def write_parts(
         checks: of them.
         folder: made where it is missing; what earlier parts left there is replaced, or removed where these have none.
         step: whether solids are written as STEP, too.
+        compared: the design and what the parts make of it, to be written, too.
         progress: is told what is written.
 
     Raises:
@@ -55,6 +61,10 @@ def write_parts(
             write_sheet_dxf(parts.sheet, unfinished / "sheet.dxf")
             write_sheet_svg(parts.sheet, unfinished / "sheet.svg")
         save_design(parts.design, unfinished / "design.toml")
+        if compared is not None:
+            save_design(compared.made, unfinished / AS_MADE)
+            told = json.dumps(made_json(compared), indent=2, ensure_ascii=False, allow_nan=False)
+            write_text(unfinished / AS_MADE_FILE, told + "\n")
         _write_lists(parts, checks, unfinished)
 
 

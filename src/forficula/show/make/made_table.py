@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from collections.abc import Iterator
 from typing import Any
 
@@ -10,6 +11,16 @@ from forficula.quantities import show_value
 from forficula.show.landscape.landscape_marks import show_angle
 from forficula.statics import HingeLandscape
 from forficula.study.made_comparison import HingePair, MadeComparison, Trial
+
+
+def print_made(compared: MadeComparison | str | None) -> None:
+    """Print a comparison, or why there is none; nothing where there is nothing to compare."""
+    if compared is None:
+        return
+    lines = [compared] if isinstance(compared, str) else made_lines(compared)
+    print("\nas its parts are made")
+    for line in lines:
+        print(textwrap.fill(line, 110, initial_indent="  ", subsequent_indent="    "))
 
 
 def made_lines(compared: MadeComparison) -> Iterator[str]:

@@ -111,7 +111,12 @@ def _scale(axes: Axes) -> None:
     start = left + 0.03 * (right - left)
     axes.plot([start, start + length], [bottom, bottom], color="black", lw=1.5, solid_capstyle="butt", clip_on=False)
     axes.annotate(
-        f"{1e3 * length:g} mm", (start + length / 2, bottom), (0, 2), textcoords="offset points", ha="center", va="bottom"
+        f"{1e3 * length:g} mm",
+        (start + length / 2, bottom),
+        (0, 2),
+        textcoords="offset points",
+        ha="center",
+        va="bottom",
     )
 
 
@@ -193,7 +198,9 @@ def _degrees(angle: float) -> str:
 def _text(parts: PartSet, posed: Sequence[tuple[str, float]]) -> str:
     """What the figure shows, for those who do not see it."""
     looks, own = part_looks(parts)
-    counts = [sum(part.count for part, each in zip(parts.parts, own, strict=True) if each == n) for n in range(len(looks))]
+    counts = [
+        sum(part.count for part, each in zip(parts.parts, own, strict=True) if each == n) for n in range(len(looks))
+    ]
     told = ", ".join(f"{count} × {look.name}" for look, count in zip(looks, counts, strict=True))
     mass = total_mass(parts.parts)
     weigh = f", together {mass_text(mass)}" if mass is not None else ""

@@ -115,7 +115,9 @@ def _moving_note(parts: PartSet, record: Record | None) -> str:
     told += "slack straps are drawn as elasticas between pegs that turn freely, taut ones with their own thickness."
     told = told[:1].upper() + told[1:]
     if record is not None:
-        told += " The simulated run moves bars without thickness: where solids would touch, they pass through one another."
+        told += (
+            " The simulated run moves bars without thickness: where solids would touch, they pass through one another."
+        )
     return paragraph(told, "note")
 
 
