@@ -56,7 +56,7 @@ def test_the_comparison_is_told_drawn_and_written_down(compared):
     energy = draw_made(compared).axes[0]
     labels = [line.get_label() for line in energy.lines]
     assert any(label.startswith("as made: barrier") for label in labels)
-    with pytest.raises(InputError, match="hinge: need one of fold0, fold1, fold2"):
+    with pytest.raises(InputError, match='hinge: need "fold0", "fold1" or "fold2", got "fold9"'):
         draw_made(compared, hinge="fold9")
 
 
