@@ -17,7 +17,7 @@ from forficula.show.make.part_facts import mass_text, masses_text, total_mass
 from forficula.show.make.part_looks import Look, part_looks
 from forficula.show.make.pose import angle_range
 from forficula.show.structure.painted_shape import PaintedShape, View, hang
-from forficula.show.style import PAGE_WIDTH, describe, figure_style, is_narrow
+from forficula.show.style import PAGE_WIDTH, Drawing, describe, figure_style, is_narrow
 
 Array = NDArray[np.float64]
 
@@ -27,6 +27,11 @@ _ROOM = 1.06  # of a picture, by what is in it
 _LINE = 0.16  # inch, of a line of words
 _BESIDE = 0.3  # of a picture's width, on which the scale is
 _BAR = 0.3  # of a picture's width: about as long is its scale
+
+
+def parts_drawings(parts: PartSet) -> dict[str, Drawing]:
+    """What draws parts with a joint, by the stem of its file."""
+    return {"parts": lambda width: draw_parts(parts, width)}
 
 
 def draw_parts(parts: PartSet, width: float = PAGE_WIDTH) -> Figure:
@@ -83,7 +88,7 @@ def _panels(
     total = sum(titled) + last + 6.4 * _LINE
     figure = Figure(figsize=(width, total))
     top, axes = total, []
-    for number, (picture, own) in enumerate(zip(pictures, sizes, strict=True)):
+    for number, picture in enumerate(pictures):
         row, column = divmod(number, columns)
         bottom = top - sum(titled[: row + 1])
         box = (column / columns, bottom / total, 1 / columns, heights[row] / total)
@@ -111,7 +116,12 @@ def _scale(axes: Axes) -> None:
     start = left + 0.03 * (right - left)
     axes.plot([start, start + length], [bottom, bottom], color="black", lw=1.5, solid_capstyle="butt", clip_on=False)
     axes.annotate(
-        f"{1e3 * length:g} mm", (start + length / 2, bottom), (0, 2), textcoords="offset points", ha="center", va="bottom"
+        f"{1e3 * length:g} mm",
+        (start + length / 2, bottom),
+        (0, 2),
+        textcoords="offset points",
+        ha="center",
+        va="bottom",
     )
 
 
@@ -169,7 +179,7 @@ def _row(axes: Axes, named: Sequence[tuple[str, Array]], edge: int, side: int, n
         axes.plot(*anchor, marker="o", ms=2.2, color="black", mec="white", mew=0.5)
         axes.annotate(
             text,
-            anchor,
+            tuple(anchor),
             (across, axes.get_ylim()[edge]),
             ha="center",
             va="bottom" if side > 0 else "top",
@@ -193,7 +203,9 @@ def _degrees(angle: float) -> str:
 def _text(parts: PartSet, posed: Sequence[tuple[str, float]]) -> str:
     """What the figure shows, for those who do not see it."""
     looks, own = part_looks(parts)
-    counts = [sum(part.count for part, each in zip(parts.parts, own, strict=True) if each == n) for n in range(len(looks))]
+    counts = [
+        sum(part.count for part, each in zip(parts.parts, own, strict=True) if each == n) for n in range(len(looks))
+    ]
     told = ", ".join(f"{count} × {look.name}" for look, count in zip(looks, counts, strict=True))
     mass = total_mass(parts.parts)
     weigh = f", together {mass_text(mass)}" if mass is not None else ""
