@@ -4,13 +4,23 @@ BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 INSTALLED_DOCS := $(VENV)/.installed-docs
 
-.PHONY: demo test check format page docs docs-all docs-links validation clean
+.PHONY: install demo test test-step browsers check format page docs docs-all docs-links validation walk clean
+
+install: $(INSTALLED_DOCS)  ## all that the targets below need, at once
 
 demo: $(INSTALLED)  ## fold and open the reference wing; results in out/binder2025/
 	$(BIN)/forficula run binder2025 --out out/binder2025
 
-test: $(INSTALLED)  ## run all tests
-	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto  # the cores are taken: more threads would only wait for one another
+test: $(INSTALLED)  ## run all tests; the next make docs tells of those of validation
+	mkdir -p docs/_build
+	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto --junitxml=docs/_build/validation.xml  # a thread a core
+
+test-step: $(INSTALLED)  ## before a release: install Open Cascade, 380 MB, and hold all solids to it
+	$(BIN)/python -m pip install --quiet --editable ".[step]"
+	FORFICULA_STEP=demanded $(BIN)/python -m pytest -n 0 tests/make/test_step.py
+
+browsers: $(INSTALLED)  ## every kind of page in a second browser, which must be there: Firefox; before a release
+	FORFICULA_NEED_FIREFOX=1 $(BIN)/python -m pytest tests/show/page/test_pages_in_firefox.py
 
 check: $(INSTALLED)  ## lint, types, layers
 	$(BIN)/ruff check
@@ -29,13 +39,18 @@ docs: $(INSTALLED_DOCS)  ## build the documentation into docs/_build/html; it ru
 	$(BIN)/python -m sphinx -W --keep-going -q -j 2 -d docs/_build/doctrees docs docs/_build/html
 	$(BIN)/python docs/check_pages.py docs/_build/html
 
-docs-all: validation  ## the same with what takes minutes: all validation tests, and the study beside the paper
+docs-all:  ## the same with what takes minutes: the study beside the paper
 	FORFICULA_DOCS=all $(MAKE) docs
 
 docs-links: $(INSTALLED_DOCS)  ## ask the network whether what the documentation links to is there
-	$(BIN)/python -m sphinx -q -b linkcheck -d docs/_build/doctrees docs docs/_build/links
+	mkdir -p docs/_build
+	-$(BIN)/python -m sphinx -q -b linkcheck -d docs/_build/doctrees docs docs/_build/links >docs/_build/links.log 2>&1
+	$(BIN)/python docs/check_links.py docs/_build/links/output.json
 
-validation: $(INSTALLED_DOCS)  ## run all validation tests; the next make docs tells of all of them
+walk:  ## do what README and tutorial say, word for word, in a clean clone with an empty environment
+	$(PYTHON) docs/walk.py
+
+validation: $(INSTALLED)  ## run the validation tests; the next make docs tells of them
 	mkdir -p docs/_build
 	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto tests/validation --junitxml=docs/_build/validation.xml
 
@@ -48,6 +63,9 @@ $(INSTALLED): pyproject.toml
 	$(BIN)/python -m pip install --quiet --editable . --group dev
 	touch $@
 
-$(INSTALLED_DOCS): $(INSTALLED)
-	$(BIN)/python -m pip install --quiet --group docs
-	touch $@
+# one call: pip looks for what fits together once, and installs it once
+$(INSTALLED_DOCS): pyproject.toml
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --upgrade "pip>=25.1"
+	$(BIN)/python -m pip install --quiet --editable . --group dev --group docs
+	touch $(INSTALLED) $@

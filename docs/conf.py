@@ -22,6 +22,7 @@ extensions = [
     "sphinx_gallery.gen_gallery",
     "executed",
     "formulas",
+    "measured",
     "reference",
     "validation",
 ]

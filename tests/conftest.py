@@ -178,3 +178,19 @@ def no_column_figures(monkeypatch):
         save_figure(figure, path) if path.parent.name != COPIES else write_bytes(path, b"")
 
     monkeypatch.setattr("forficula.show.style.save_figure", save_page)
+
+
+@pytest.fixture
+def no_figures(monkeypatch):
+    """Compose the figures of folders of results once, and leave their files empty: where the claim is about words."""
+    from forficula.files import write_bytes
+    from forficula.show.style import PAGE_WIDTH, description, figure_files
+
+    def save_nothing(drawings, folder):
+        texts = {stem: description(draw(PAGE_WIDTH)) for stem, draw in drawings.items()}
+        for path in (folder / name for stem in texts for name in figure_files(stem)):
+            write_bytes(path, b"")
+        return texts
+
+    for kind in ("convergence", "cycling", "landscape", "material", "run", "static_map", "study"):
+        monkeypatch.setattr(f"forficula.show.folder.{kind}_folder.save_figures", save_nothing)

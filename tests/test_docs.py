@@ -35,6 +35,7 @@ def loaded(name):
 
 
 cells = loaded("extensions/cells")
+measurements = loaded("extensions/measurements")
 check_pages = loaded("check_pages")
 
 
@@ -119,6 +120,20 @@ def test_the_readme_runs_as_it_stands_and_links_to_what_there_is(tmp_path, monke
     assert (tmp_path / "energy.pdf").is_file()
     for target in re.findall(r"\]\((?!http)([^)#]+)", text):
         assert (README.parent / target).exists(), target
+
+
+def test_every_number_in_a_table_of_the_findings_is_computed_or_measured_with_this_version():
+    page = (DOCS / "model" / "findings.md").read_text("utf-8")
+    rows = [line for line in measurements.not_measured(page).splitlines() if line.startswith("|")]
+    for row in rows:  # what the page computes
+        assert not re.search(r"\d", re.sub(r"\{(number|key)\}`[^`]*`", "", row)), row
+    blocks = measurements.measured_in(page)
+    assert sum(line.startswith("|") for each in blocks for line in each.text.splitlines()) > 20
+    for each in blocks:
+        assert each.version == ff.__version__, f"{each.command}: measure again, or say why its numbers stay"
+        program, command, name, *_ = each.command.split()
+        assert program == "forficula"
+        assert name in {"run": ff.named_designs(), "study": ff.named_studies()}[command]
 
 
 def test_a_cell_is_found_with_its_options_and_commands():

@@ -26,6 +26,11 @@ from .dynamics import load_record as load_record
 from .dynamics import save_record as save_record
 from .dynamics import timestep_warnings as timestep_warnings
 from .errors import InputError as InputError
+from .make.check import Check as Check
+from .make.check_parts import check_parts as check_parts
+from .make.make_parts import make_parts as make_parts
+from .make.part import Part as Part
+from .make.part import PartSet as PartSet
 from .material import TensileTest as TensileTest
 from .material import find_cycles as find_cycles
 from .material import moduli_by_strain as moduli_by_strain

@@ -262,10 +262,10 @@ def compare(folders: Iterable[AnyPath], path: AnyPath) -> None:
 
 
 def save(result: object, folder: AnyPath) -> None:
-    """Write a record, a landscape, a convergence study or a material to a folder, as its command does.
+    """Write a record, a landscape, a convergence study, a material or parts to a folder, as its command does.
 
     Args:
-        result: of `run`, `landscape`, `converge` or `characterise`.
+        result: of `run`, `landscape`, `converge`, `characterise` or `make_parts`, which are checked without a record.
         folder: made where it is missing; what an earlier result of the kind left there is replaced.
 
     Raises:
@@ -277,11 +277,14 @@ def save(result: object, folder: AnyPath) -> None:
     """
     from forficula.analysis import measure
     from forficula.dynamics import Record
+    from forficula.make.check_parts import check_parts
+    from forficula.make.part import PartSet
     from forficula.material.characterisation import Characterisation
     from forficula.show import write_run
     from forficula.show.folder.convergence_folder import write_convergence
     from forficula.show.folder.landscape_folder import write_landscape
     from forficula.show.folder.material_folder import write_material
+    from forficula.show.folder.parts_folder import write_parts
     from forficula.statics import EnergyLandscape
     from forficula.study.convergence import Convergence
 
@@ -297,7 +300,9 @@ def save(result: object, folder: AnyPath) -> None:
             write_convergence(result, folder)
         case Characterisation():
             write_material(result, folder)
+        case PartSet():
+            write_parts(result, check_parts(result), folder)
         case _:
             raise InputError(
-                f"need a record, a landscape, a convergence study or a material, got a {type(result).__name__}"
+                f"need a record, a landscape, a convergence study, a material or parts, got a {type(result).__name__}"
             )

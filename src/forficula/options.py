@@ -206,6 +206,7 @@ _RESULTS = {
     "landscape": ("landscape.json", "design", None),
     "convergence study": ("convergence.json", "design", "verdict"),
     "material": ("material.json", "material", None),
+    "bill of parts": ("bill.json", "design", None),
 }
 
 
@@ -214,7 +215,7 @@ def tell_replaced(folder: Path, what: str) -> None:
 
     Args:
         folder: where it will write.
-        what: "run", "landscape", "convergence study" or "material".
+        what: "run", "landscape", "convergence study", "material" or "bill of parts".
     """
     from forficula.quantities import as_written
 

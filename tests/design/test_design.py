@@ -276,8 +276,8 @@ def test_a_protocol_may_end_early(stages):
 def test_a_misspelt_choice_is_answered_with_the_choices():
     assert refusal(pattern__tangent="up") == 'pattern.tangent: need "left" or "right", got "up"'
     assert refusal(pattern__kind="bat") == (
-        'pattern.kind: need "earwig-fan", "miura-ori", "waterbomb", "yoshimura", "kresling", "pleats", "vertex" or'
-        ' "fold-file", got "bat"'
+        'pattern.kind: need "earwig-fan", "joint", "miura-ori", "waterbomb", "yoshimura", "kresling", "pleats",'
+        ' "vertex" or "fold-file", got "bat"'
     )
     message = 'protocol.stages.0.drive: need "none", "fold" or "unfold", got "pull"'
     assert refusal(**{"protocol.stages.0.drive": "pull"}) == message

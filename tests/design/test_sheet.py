@@ -28,7 +28,7 @@ from forficula.errors import InputError
 from forficula.pattern import earwig_pattern, pleat_pattern, write_fold
 
 LETTER = load_design("letter-fold")
-KINDS = '"earwig-fan", "miura-ori", "waterbomb", "yoshimura", "kresling", "pleats", "vertex" or "fold-file"'
+KINDS = '"earwig-fan", "joint", "miura-ori", "waterbomb", "yoshimura", "kresling", "pleats", "vertex" or "fold-file"'
 BASED = 'based_on = "letter-fold"\n'
 
 
@@ -153,8 +153,11 @@ def test_every_key_that_a_file_has_is_known():
             f'pattern.kind: need {KINDS}, got "plaets"; did you',
         ),
         ("[pattern]\nkind = 3", f"pattern.kind: need {KINDS}, got 3"),
-        ('[creases]\nstart = "1 deg"', "creases: unknown key; did you mean crease?"),
-        ('[crease]\nstifness = "1 N m/rad/m"', "crease.stifness: unknown key; did you mean crease.stiffness?"),
+        ('[creases]\nstart = "1 deg"', 'creases: unknown key, got {start = "1 deg"}; did you mean crease?'),
+        (
+            '[crease]\nstifness = "1 N m/rad/m"',
+            'crease.stifness: unknown key, got "1 N m/rad/m"; did you mean crease.stiffness?',
+        ),
         ('[crease]\nstart = "9 deg"\nfold_limit = "5 deg"', "crease.start: need >= -3 deg (-crease.back_limit) and"),
         ('[[crease.group]]\nof = "mountains"', 'crease.group.0.of: need "creases", "valleys", "crease" or one such as'),
         ('[[crease.group]]\nof = "crease 5"', 'crease.group.0.of: need "crease 0" or "crease 1", got "crease 5"'),
@@ -222,7 +225,7 @@ AFTER_TENDON = "need one of 0 (left) or 1 (right) after tendon"
         ("tendon.5.stiffness", f"{AFTER_TENDON}, such as tendon.left.stiffness"),
         ("tendon.law", f'{AFTER_TENDON}, got "law"'),
         ("drive.clos.value", "need one of 0 (close) or 1 (open) after drive; did you mean drive.close.value?"),
-        ("drive.close.valeu", "unknown key; did you mean drive.close.value?"),
+        ("drive.close.valeu", 'unknown key, got "1"; did you mean drive.close.value?'),
         ("drive.close.value", 'the unit is missing; write it such as "50 N cm", got "1"'),
         ("support.1.of", "need 0 after support, such as support.0.of"),
     ],
@@ -400,7 +403,7 @@ def test_facets_around_a_loop_that_do_not_meet_at_the_start_are_refused(tmp_path
             'path = "no.fold"',
             "pattern.path: {folder}/no.fold: need a file that can be read, got No such file or directory",
         ),
-        ('file = "sheet.fold"', "pattern.file: unknown key; did you mean pattern.path?"),
+        ('file = "sheet.fold"', 'pattern.file: unknown key, got "sheet.fold"; did you mean pattern.path?'),
         ("", 'pattern.path: is missing; name a FOLD file, as in path = "sheet.fold"'),
         ('vertices_x = ["1 cm"]', "pattern.vertices_y: need 1 entries, as pattern.vertices_x has, got 0"),
         (

@@ -40,7 +40,7 @@ def test_a_reader_of_its_own_finds_millimetres_the_right_size_and_no_error(name,
     outlines = list(space.query('POLYLINE[layer=="CUT"]'))
     assert all(outline.is_closed for outline in outlines)
     corners = extent([[point.x, point.y] for outline in outlines for point in outline.points()])
-    assert corners[1] - corners[0] == pytest.approx(1e3 * (sheet.size + sheet.kerf), abs=0.35 * 1e3 * sheet.kerf)
+    assert corners[1] - corners[0] == pytest.approx(1e3 * (sheet.size + sheet.kerf), abs=1e3 * sheet.kerf)
     assert extent([drawing.header["$EXTMIN"][:2], drawing.header["$EXTMAX"][:2]]) == pytest.approx(corners, abs=1e-6)
     layers = {entity.dxf.layer for entity in space}
     assert layers - {"NOTE"} == {line.layer.upper() for line in sheet.lines} | ({"MARK"} if sheet.labels else set())

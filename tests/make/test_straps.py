@@ -4,7 +4,7 @@ import pytest
 
 from forficula.design import load_design
 from forficula.errors import InputError
-from forficula.make.density import density_of
+from forficula.make.stock import stock_of
 from forficula.make.straps import strap_of
 from forficula.material import Fact, load_law
 from forficula.structure import structure_of
@@ -47,9 +47,9 @@ def test_what_no_strap_can_be_made_for_is_refused(values, said):
 
 
 def test_density_is_that_of_the_facts_and_the_middle_of_a_range():
-    assert density_of(load_law("petg")) == pytest.approx(1270)
-    assert density_of(load_law("steel")) == pytest.approx(7900)
-    assert density_of(load_law("tpu-95a")) is None
+    assert stock_of("petg").density == pytest.approx(1270)
+    assert stock_of("steel").density == pytest.approx(7900)
+    assert stock_of("resilin").density is None
     wrong = dataclasses.replace(load_law("petg"), facts=(Fact(what="density", value="heavy", source=""),))
-    with pytest.raises(InputError, match="petg: facts, density: need a number and a unit"):
-        density_of(wrong)
+    with pytest.raises(InputError, match="petg: facts: density: need a number and a unit"):
+        stock_of(wrong)

@@ -1,12 +1,11 @@
 """Whether the words of a figure can be read: large enough, inside it, and not on one another."""
 
-import io
 import itertools
 from unittest import mock
 
 import numpy as np
+from matplotlib._tight_bbox import adjust_bbox
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.image import imread
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.text import Text
 from matplotlib.transforms import Affine2D, Bbox
@@ -59,18 +58,36 @@ def check_inside(figure):
         outside = {edge: max(before, side) for (edge, before), side in zip(outside.items(), sides, strict=True)}
         # in a larger window they would stand at its edges
         legend.set_visible(False)
-    pixels = io.BytesIO()
     figure.set_layout_engine("none")
-    window = Bbox([[-_BEYOND, -_BEYOND], [width + _BEYOND, height + _BEYOND]])
-    figure.savefig(pixels, format="png", dpi=_DOTS, bbox_inches=window)
-    pixels.seek(0)
-    drawn = (imread(pixels) < _WHITE).any(axis=2)
+    drawn = (pixels_with_margin(figure) < 255 * _WHITE).any(axis=2)
     rows, columns = (np.flatnonzero(drawn.any(axis=axis)) for axis in (1, 0))
     first, last = np.array([rows[0], columns[0]]) / _DOTS, np.array([rows[-1] + 1, columns[-1] + 1]) / _DOTS
     sides = (_BEYOND - first[0], last[0] - _BEYOND - height, _BEYOND - first[1], last[1] - _BEYOND - width)
     for (edge, of_legend), side in zip(outside.items(), sides, strict=True):
         out = 72 * max(of_legend, side)
         assert out < _ROUNDED, f"something sticks out {edge} by {out:.1f} pt"
+
+
+def pixels_with_margin(figure):
+    """Red, green and blue, (row, column, 3), of a figure and of what is drawn within `_BEYOND` of its edges.
+
+    As `savefig` with `bbox_inches` draws it, which draws everything twice and packs it as a file.
+    """
+    width, height = figure.get_size_inches()
+    figure.set_dpi(_DOTS)
+    canvas = FigureCanvasAgg(figure)
+    window = Bbox([[-_BEYOND, -_BEYOND], [width + _BEYOND, height + _BEYOND]])
+    put_back = adjust_bbox(figure, window, canvas.get_renderer())
+    try:
+        canvas.draw()
+        return np.array(canvas.buffer_rgba())[..., :3]
+    finally:
+        put_back()
+
+
+def colours(pixels):
+    """How many a picture has, (row, column, 3 or 4) of bytes; one number a pixel, for rows are slow to sort."""
+    return np.unique(pixels.astype(np.uint32) @ (1 << 8 * np.arange(pixels.shape[-1], dtype=np.uint32))).size
 
 
 def words(figure):
@@ -86,7 +103,7 @@ def words(figure):
         return draw(text, renderer, *others)
 
     with mock.patch.object(Text, "draw", note):
-        canvas.draw()
+        figure.draw_without_rendering()  # words are asked for their places only
     shrink = Affine2D().scale(1 / _FINE)
     boxes = [Text.get_window_extent(text, canvas.get_renderer()) for text in dict.fromkeys(seen)]
     return [(text, box.transformed(shrink)) for text, box in zip(dict.fromkeys(seen), boxes, strict=True)]

@@ -2,36 +2,61 @@
 
 import json
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
 
+# what the test that is running has compared, by what is compared and with what: the worst of each
+_TOLD: dict[tuple[Any, ...], dict[str, Any]] = {}
+
 
 def pytest_collection_modifyitems(items):
     for item in items:
-        if "agree" in getattr(item, "fixturenames", ()):
+        if {"agree", "holds"} & set(getattr(item, "fixturenames", ())):
             item.add_marker(pytest.mark.compares)
 
 
-@pytest.fixture
-def agree(record_property) -> Callable[..., None]:
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_call(item):
+    _TOLD.clear()
+    try:
+        return (yield)
+    finally:
+        item.user_properties += [("agreement", json.dumps(each)) for each in _TOLD.values()]
+
+
+def _tell(key: tuple[Any, ...], strain: float, told: dict[str, Any]) -> None:
+    """Keep what was compared, where it is nearer to its bound than what was compared under the same words before."""
+    before = _TOLD.get(key)
+    count = told["count"] + (0 if before is None else before["count"])
+    if before is None or not strain <= before["strain"]:
+        _TOLD[key] = told | {"strain": strain}
+    _TOLD[key]["count"] = count
+
+
+@pytest.fixture(scope="session")  # it keeps nothing: properties and fixtures of modules may ask for it
+def agree() -> Callable[..., None]:
     """Hold our value to another one, and record both for the page of validation.
 
-    Called with what is compared, ours, theirs, `by` whom theirs is, its `unit`, and `rel` or `abs` as of
-    `pytest.approx`. Of arrays the worst element is told; `over` a name and values of an axis both are drawn there.
+    Called with what is compared, ours, theirs, `by` whom theirs is, its `unit`, and what may be between them: the
+    larger of a share `rel` of theirs, and `abs`; nothing if neither is given. Of arrays, and of all that a test
+    compares under the same words, the worst is told; `over` a name and values of an axis both are drawn there.
     """
 
     def compare(what, ours, theirs, *, by, unit="", rel=None, abs=None, over=None):
         first, second = np.broadcast_arrays(np.asarray(ours, dtype=float), np.asarray(theirs, dtype=float))
-        allowed = np.maximum(0.0 if rel is None else rel * np.abs(second), abs or 0.0)
+        limits = np.maximum(0.0 if rel is None else rel * np.abs(second), 0.0 if abs is None else abs)
+        allowed = np.broadcast_to(limits, first.shape)
         off = np.abs(first - second)
         # where nothing is allowed, anything is the worst
-        worst = int(np.argmax(np.where(allowed > 0, off / np.where(allowed > 0, allowed, 1), np.where(off, np.inf, 0))))
+        shares = np.where(allowed > 0, off / np.where(allowed > 0, allowed, 1), np.where(off == 0, 0, np.inf))
+        worst = int(np.argmax(np.where(np.isnan(shares), np.inf, shares)))
         told = {
             "what": what,
             "ours": first.flat[worst],
             "theirs": second.flat[worst],
-            "allowed": np.broadcast_to(allowed, first.shape).flat[worst],
+            "allowed": allowed.flat[worst],
             "count": first.size,
             "unit": unit,
             "by": by,
@@ -39,9 +64,36 @@ def agree(record_property) -> Callable[..., None]:
         if over is not None:
             name, axis = over
             some = np.unique(np.linspace(0, len(axis) - 1, 200).astype(int))
-            told |= {"over": [name, np.asarray(axis)[some].tolist()]}
+            told |= {"over": [name, np.asarray(axis, dtype=float)[some].tolist()]}
             told |= {"ours_all": first[some].tolist(), "theirs_all": second[some].tolist()}
-        record_property("agreement", json.dumps(told))
-        assert first == pytest.approx(second, rel=rel, abs=abs)
+        _tell(("agree", what, by, unit), float(shares.flat[worst]), told)
+        assert np.all(off <= allowed), (
+            f"{what}: {told['ours']} beside {told['theirs']}, {by}; allowed {told['allowed']}"
+        )
 
     return compare
+
+
+@pytest.fixture(scope="session")
+def holds() -> Callable[..., None]:
+    """Hold a value to a bound, and record both for the page of validation.
+
+    Called with what is bounded, its value, the bounds `above` and `below` which it lies, one or both, its `unit`, and
+    `by` what the bound is. Of arrays, and of all that a test bounds under the same words, the nearest is told.
+    """
+
+    def hold(what, value, *, above=None, below=None, unit="", by=""):
+        assert not (above is None and below is None), "needs a bound"
+        values = np.asarray(value, dtype=float).ravel()
+        beyond = np.full(values.shape, -np.inf)
+        if above is not None:
+            beyond = np.maximum(beyond, above - values)
+        if below is not None:
+            beyond = np.maximum(beyond, values - below)
+        worst = int(np.argmax(np.where(np.isnan(beyond), np.inf, beyond)))
+        told = {"what": what, "ours": values[worst], "above": above, "below": below}
+        told |= {"count": values.size, "unit": unit, "by": by}
+        _tell(("hold", what, by, unit, above, below), float(beyond[worst]), told)
+        assert np.all(beyond < 0), f"{what}: {values[worst]}, needs > {above} and < {below}"
+
+    return hold

@@ -39,16 +39,22 @@ def by_hand(design):
     return numbers, (outcome.status, outcome.verdict, bool(outcome.holds["folded"]), bool(outcome.holds["opened"]))
 
 
-def assert_study_is_separate_runs(path, out, **options):
+def assert_study_is_separate_runs(agree, path, out, **options):
     study = load_study(path)
     table = run_study(study, out, **options)
     (factor,) = study.factors
+    ours, theirs = [], []
     for number, value in enumerate(factor.values):
         numbers, verdict = by_hand(with_values(study.base, {factor.key: value}))
         row = table.isel({factor.dimension: number})
         assert tuple(row[name].item() for name in ("status", "verdict", "folded", "opened")) == verdict
         for name, expected in numbers.items():
             assert bits(row[name].item()) == bits(expected), (name, value)
+            if expected is not None and name.endswith("time"):
+                ours.append(row[name].item())
+                theirs.append(expected)
+    if ours:
+        agree("times of a study", ours, theirs, unit="s", by="separate runs, to the last bit")
 
 
 @pytest.mark.parametrize(
@@ -70,8 +76,8 @@ def assert_study_is_separate_runs(path, out, **options):
         '"protocol.gravity" = ["0 m/s^2", "9.81 m/s^2"]',
     ],
 )
-def test_a_study_over_a_factor_is_separate_runs(tmp_path, study_file, factor):
-    assert_study_is_separate_runs(study_file(factor), tmp_path / "out")
+def test_a_study_over_a_factor_is_separate_runs(agree, tmp_path, study_file, factor):
+    assert_study_is_separate_runs(agree, study_file(factor), tmp_path / "out")
 
 
 @settings(max_examples=8, deadline=None)
@@ -84,11 +90,11 @@ def test_a_study_over_a_factor_is_separate_runs(tmp_path, study_file, factor):
     st.integers(1, 3),
 )
 def test_a_study_is_separate_runs_whatever_the_values_the_threads_and_the_batch(
-    write_study_file, factor, shares, threads, batch
+    agree, write_study_file, factor, shares, threads, batch
 ):
     key, low, high = factor
     unit = {"tendon.rest_length": "m", "pattern.hub_radius": "m", "hinge.damping": "N m s/rad"}[key]
     values = ", ".join(f'"{low + share * (high - low)!r} {unit}"' for share in shares)
     with tempfile.TemporaryDirectory() as folder:
         path = write_study_file(Path(folder) / "small.toml", f'"{key}" = [{values}]')
-        assert_study_is_separate_runs(path, Path(folder) / "out", threads=threads, batch=batch)
+        assert_study_is_separate_runs(agree, path, Path(folder) / "out", threads=threads, batch=batch)

@@ -35,7 +35,7 @@ def added_inertia(density):
     return math.pi / 4 * density * WIDTH**2 * LENGTH**3 / 3
 
 
-def test_a_pendulum_swings_slower_by_the_mass_that_moves_with_it(agree):
+def test_a_pendulum_swings_slower_by_the_mass_that_moves_with_it(agree, holds):
     """2 pi sqrt(I / (m g L / 2)) of a small swing: the medium adds to I, and nothing to the weight."""
     density, down = 12.0, -math.pi / 2
     swing = pushed(
@@ -51,10 +51,10 @@ def test_a_pendulum_swings_slower_by_the_mass_that_moves_with_it(agree):
     expected = 2 * math.pi * math.sqrt((INERTIA + added_inertia(density)) / (MASS * 9.81 * LENGTH / 2))
     assert len(at) > 1
     agree("period of a plate in a medium", np.diff(at).mean(), expected, unit="s", by="Lamb's added mass", rel=1e-4)
-    assert energy_balance(record).residual < 0.005
+    holds("energy that is missing", energy_balance(record).residual, below=0.005, by="conservation of energy")
 
 
-def test_what_moves_with_a_body_weighs_nothing():
+def test_what_moves_with_a_body_weighs_nothing(agree):
     start = [stage("time", limit=1e-3)]
     weights = [
         run(pushed(0.0, start, **{"crease.start": 1.0, "protocol.gravity": 9.81}, **medium)).series[
@@ -62,12 +62,13 @@ def test_what_moves_with_a_body_weighs_nothing():
         ][0]
         for medium in ({}, {"medium.density": 12.0})
     ]
-    assert weights[0] == pytest.approx(MASS * 9.81 * LENGTH / 2 * math.sin(1.0), rel=1e-9)
-    assert weights[1] == pytest.approx(weights[0], rel=1e-12)
+    known = MASS * 9.81 * LENGTH / 2 * math.sin(1.0)
+    agree("weight's energy of a plate", 1e3 * weights[0], 1e3 * known, unit="mJ", by="m g h", rel=1e-9)
+    agree("the same in a medium", 1e3 * weights[1], 1e3 * weights[0], unit="mJ", by="in empty space", rel=1e-12)
 
 
 @pytest.mark.parametrize("density", [1.2, 1000.0])
-def test_a_plate_under_a_torque_comes_to_the_speed_at_which_drag_takes_it_all(agree, density):
+def test_a_plate_under_a_torque_comes_to_the_speed_at_which_drag_takes_it_all(agree, holds, density):
     """w^2 = tau / c2 (1 - exp(-2 c2 angle / I)) from rest, with c2 = rho C_D / 2 times the integral of w r^3."""
     drag, inertia = density * WIDTH * LENGTH**4 / 4, INERTIA + added_inertia(density)
     torque = 40.0 * drag + 1e-3
@@ -85,11 +86,12 @@ def test_a_plate_under_a_torque_comes_to_the_speed_at_which_drag_takes_it_all(ag
         over=("angle (deg)", np.degrees(angle)),
     )
     balance = energy_balance(record)
-    assert balance.residual < 0.005
-    assert balance.drag == pytest.approx(torque * angle[-1] - inertia / 2 * square[-1], rel=0.02)
+    holds("energy that is missing", balance.residual, below=0.005, by="conservation of energy")
+    left = torque * angle[-1] - inertia / 2 * square[-1]
+    agree(f"work of drag at {density:g} kg/m³", balance.drag, left, unit="J", by="τ φ - I ω² / 2", rel=0.02)
 
 
-def test_the_error_of_the_drag_is_of_first_order_in_the_timestep():
+def test_the_error_of_the_drag_is_of_first_order_in_the_timestep(agree):
     drag, inertia = 1000.0 * WIDTH * LENGTH**4 / 4, INERTIA + added_inertia(1000.0)
     errors = []
     for step in (8e-4, 4e-4, 2e-4):
@@ -98,7 +100,7 @@ def test_the_error_of_the_drag_is_of_first_order_in_the_timestep():
         angle, energy = record.series["hinge_angle"][-1, 0], record.series["kinetic_energy"][-1]
         errors.append(abs(energy - inertia / 2 * 0.1 / drag * (1 - math.exp(-2 * drag * angle / inertia))))
     orders = np.log2(np.array(errors[:-1]) / errors[1:])
-    assert orders == pytest.approx(1.0, abs=0.25)
+    agree("order of the error in the timestep", orders, 1.0, by="Euler's method", abs=0.25)
 
 
 @pytest.mark.parametrize("torque", [1e-3, 2e-3])
@@ -114,20 +116,20 @@ def test_in_a_viscous_medium_without_mass_speeds_go_with_torques(agree, torque):
     agree(what, angle, expected, unit="rad", by="Stokes flow about a disc", rel=0.01, abs=2e-3)
 
 
-def test_auto_minds_how_fast_viscosity_stops_what_is_light():
+def test_auto_minds_how_fast_viscosity_stops_what_is_light(agree, holds):
     """A force that stays for five steps is stable while 5 h c1 / I < 2."""
     viscosity = 10.0
     rate = 32 * viscosity / math.pi * LENGTH**3 / 3 / INERTIA
     design = pushed(1e-3, [stage("time", "push", 0.02)], **{"medium.viscosity": viscosity})
     allowed = stable_timestep(design)
-    assert allowed < 2 / (5 * rate)
+    holds("timestep that is chosen", 1e6 * allowed, below=1e6 * 2 / (5 * rate), unit="µs", by="2 I / (5 c)")
     ends = []
     for step in (allowed, 10 * 2 / (5 * rate)):
         record = run(with_values(design, {"protocol.timestep": step}))
         ends.append(abs(record.series["hinge_angle"][-1, 0]))
     expected = 1e-3 / (rate * INERTIA) * 0.02
-    assert ends[0] == pytest.approx(expected, rel=0.05)
-    assert ends[1] > 2 * expected
+    agree("angle after 20 ms", ends[0], expected, unit="rad", by="τ t / c", rel=0.05)
+    holds("the same at ten times the longest step", ends[1] / expected, above=2)
 
 
 def moving(name, seed, **values):
@@ -184,16 +186,17 @@ def taken(model, data):
     seed=st.integers(0, 10_000),
     viscosity=st.sampled_from([1.8e-5, 10.0]),
 )
-def test_the_power_of_the_forces_is_the_integral_over_the_panels_however_they_move(name, seed, viscosity):
+def test_the_power_of_the_forces_is_the_integral_over_the_panels_however_they_move(agree, name, seed, viscosity):
     model, data = moving(name, seed, **{"medium.viscosity": viscosity})
     drag = stacked_drag([model.drag])
     kinematics = {field: getattr(data, field)[None] for field in KINEMATICS}
     power = float(drag.forces(np.array([0]), kinematics, data.qvel[None])[0] @ data.qvel)
     # of a hundred parts, and of six points where a panel moves both ways
-    assert power == pytest.approx(-taken(model, data), rel=0.02)
+    known = taken(model, data)
+    agree("power that drag takes by its integral", -power / known, 1.0, by="panels in a hundred parts", rel=0.02)
 
 
-def test_nothing_resists_a_sheet_that_moves_in_its_plane():
+def test_nothing_resists_a_sheet_that_moves_in_its_plane(holds):
     flat = {"pattern.fold": "0 deg", "crease.rest_angle": "flat", "support": []}
     model = compile_model(with_values(load_design("miura-sheet"), {**WATER, **flat}))
     data = mujoco.MjData(model.engine)
@@ -203,7 +206,10 @@ def test_nothing_resists_a_sheet_that_moves_in_its_plane():
         speed = np.zeros((1, model.engine.nv))
         speed[0, axis::3] = 1.0
         force = stacked_drag([model.drag]).forces(np.array([0]), kinematics, speed)
-        assert np.abs(force).max() > 0 if resists else np.abs(force).max() < 1e-12
+        if resists:
+            assert np.abs(force).max() > 0
+        else:
+            holds("force in the plane of a sheet", np.abs(force).max(), below=1e-12)
 
 
 def folding(**values):
@@ -214,14 +220,14 @@ def folding(**values):
     return with_values(base, {"protocol.stages": [each.model_dump(exclude_none=True) for each in stages], **values})
 
 
-def test_the_wing_folds_later_in_air_and_its_account_says_what_the_air_took():
+def test_the_wing_folds_later_in_air_and_its_account_says_what_the_air_took(holds):
     records = {name: run(folding(**medium)) for name, medium in (("none", {}), ("air", AIR))}
     times = {name: measure(record).transitions["fold"].time for name, record in records.items()}
-    assert 1.03 < times["air"] / times["none"] < 1.1
+    holds("time to fold in air by that without", times["air"] / times["none"], above=1.03, below=1.1)
     balance = energy_balance(records["air"])
-    assert balance.residual < 0.005
+    holds("energy that is missing", balance.residual, below=0.005, by="conservation of energy")
     # of 0.05 J: rho times the cube of the normal speed, measured of the wing in empty space
-    assert 0.03 < balance.drag < 0.08
+    holds("work of the drag", balance.drag, above=0.03, below=0.08, unit="J", by="ρ v³ of the wing in empty space")
     told = {name: summary(record, measure(record), {})["energy_balance"] for name, record in records.items()}
     assert told["air"]["drag_J"] == pytest.approx(balance.drag)
     assert "drag_J" not in told["none"]
@@ -240,7 +246,7 @@ def test_wings_in_two_media_side_by_side_are_as_each_alone():
         assert np.array_equal(record.series["drag_work"], alone.series["drag_work"])
 
 
-def test_plates_in_loops_and_nodes_account_for_drag_too():
+def test_plates_in_loops_and_nodes_account_for_drag_too(holds):
     small = {"pattern.columns": 2, "pattern.rows": 2, "measure": [], "support": [{"of": "facet 0"}]}
     push = {"name": "fold", "kind": "torque", "of": "creases", "value": "0.5 N cm"}
     for kind in ("rigid", "bars"):
@@ -248,10 +254,10 @@ def test_plates_in_loops_and_nodes_account_for_drag_too():
         record = run(with_values(load_design("miura-sheet"), {**AIR, **small, **values}))
         balance = energy_balance(record)
         assert balance.drag > 1e-3 * balance.exchanged
-        assert balance.residual < 0.005
+        holds("energy that is missing", balance.residual, below=0.005, by="conservation of energy")
 
 
-def test_the_medium_weighs_nothing_in_the_work_of_stops_of_plates_in_a_loop():
+def test_the_medium_weighs_nothing_in_the_work_of_stops_of_plates_in_a_loop(holds):
     """Where a stop jumps, its work is what else is missing: the medium's weight would be in it."""
     drive = '[[drive]]\nname = "fold"\nkind = "torque"\nof = "creases"\nvalue = "2e-3 N cm"\nrise = "20 ms"'
     crease = 'stiffness = "1e-3 N m/rad/m"\ndamping = "1e-5 N m s/rad/m"\nfold_limit = "45 deg"'
@@ -259,7 +265,7 @@ def test_the_medium_weighs_nothing_in_the_work_of_stops_of_plates_in_a_loop():
     sheet = plates(miura(2, "30 deg"), crease=crease, more=drive, stages=stages, step="0.1 ms", gravity=9.81)
     balance = energy_balance(run(with_values(sheet, {"medium.density": 12.0})))
     assert balance.stops > 0.1 * balance.work > 0
-    assert balance.residual < 2e-6
+    holds("energy that is missing", balance.residual, below=2e-6, by="conservation of energy")
 
 
 @pytest.mark.parametrize("name", ["binder2025", "miura-sheet", "letter-fold"])

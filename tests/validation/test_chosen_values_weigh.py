@@ -35,7 +35,9 @@ def test_the_armature_is_twenty_times_a_veins_own_inertia_about_its_axis(referen
 
 
 @pytest.mark.parametrize(("stiffness", "rest_length"), [("10 N/cm", "9 cm"), ("10 N/cm", "4 cm"), ("60 N/cm", "8 cm")])
-def test_the_armature_carries_more_than_half_of_the_kinetic_energy_at_its_peak(reference, stiffness, rest_length):
+def test_the_armature_carries_more_than_half_of_the_kinetic_energy_at_its_peak(
+    holds, reference, stiffness, rest_length
+):
     record = folding(reference, tendon__stiffness=stiffness, tendon__rest_length=rest_length)
     step, armature = record.design.protocol.timestep, record.design.hinge.armature
     speeds = np.diff(record.series["hinge_angle"], axis=0) / step
@@ -44,16 +46,18 @@ def test_the_armature_carries_more_than_half_of_the_kinetic_energy_at_its_peak(r
     kinetic = record.series["kinetic_energy"][1:]
     peak = start + int(np.argmax(kinetic[start:]))
     assert record.stages[1].goal_time is not None
-    assert 0.55 <= carried[peak] / kinetic[peak] <= 0.81
+    holds("share of the armature at the peak", carried[peak] / kinetic[peak], above=0.55, below=0.81)
 
 
 @pytest.mark.parametrize("stiffness", ["10 N/cm", "30 N/cm", "60 N/cm"])
-def test_the_work_of_a_constant_torque_hardly_knows_the_tendon(reference, stiffness):
+def test_the_work_of_a_constant_torque_hardly_knows_the_tendon(holds, reference, stiffness):
     outcome = ff.measure(ff.run(with_values(reference, {"tendon.stiffness": stiffness})))
     veins = reference.fan.vein_count
-    for transition, degrees in ((outcome.transitions["fold"], (85, 91)), (outcome.transitions["unfold"], (250, 276))):
+    for name, least, most in (("fold", 85, 91), ("unfold", 250, 276)):
         # a vein turns by 90 deg; a distal hinge bends by 183 deg and the vein turns back by 95
-        assert degrees[0] <= math.degrees(transition.work / veins / transition.strength) <= degrees[1]
+        transition = outcome.transitions[name]
+        turned = math.degrees(transition.work / veins / transition.strength)
+        holds(f"work by torque of a vein, {name}", turned, above=least, below=most, unit="deg")
 
 
 def test_stops_take_two_fifths_of_the_work_of_folding_and_half_of_that_of_opening(reference_run, agree):

@@ -8,7 +8,6 @@ doi 10.1016/S0024-3795(01)00608-5), here as a product of matrices.
 from dataclasses import replace
 
 import numpy as np
-import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -48,34 +47,35 @@ def folded(sectors, signs, target):
 
 @settings(deadline=None, max_examples=10)
 @given(st.floats(50, 80), st.floats(95, 130), st.floats(20, 150))
-def test_flat_foldable_vertices_keep_the_tan_half_angle_relations(first, second, target):
+def test_flat_foldable_vertices_keep_the_tan_half_angle_relations(agree, first, second, target):
     alpha, beta = np.deg2rad((first, second))
     angles = folded((alpha, beta, np.pi - alpha, np.pi - beta), (1, 1, 1, -1), np.deg2rad(target))
-    assert angles[0] == pytest.approx(np.deg2rad(target), abs=np.deg2rad(0.1))
+    agree("fold angle that is driven", np.rad2deg(angles[0]), target, unit="deg", by="its goal", abs=0.1)
     # opposite creases turn alike, one pair with the same sign, the other with opposite ones
     alike = 0 if angles[0] * angles[2] > 0 else 1
-    assert angles[alike] == pytest.approx(angles[alike + 2], abs=np.deg2rad(1e-3))
-    assert angles[1 - alike] == pytest.approx(-angles[3 - alike], abs=np.deg2rad(1e-3))
+    ours, theirs = np.rad2deg([(angles[alike], angles[alike + 2]), (angles[1 - alike], -angles[3 - alike])]).T
+    agree("fold angles of a crease", ours, theirs, unit="deg", by="the opposite crease", abs=1e-3)
     half = np.tan(angles / 2)
     ratio = abs(half[1] / half[0])
     sums, differences = (alpha + beta) / 2, (alpha - beta) / 2
     known = np.abs([np.cos(sums) / np.cos(differences), np.sin(differences) / np.sin(sums)])
     known = np.concatenate((known, 1 / known))
     nearest = known[np.argmin(np.abs(known - ratio))]
-    assert 2 * np.arctan(nearest * abs(half[0])) == pytest.approx(abs(angles[1]), abs=np.deg2rad(1e-3))
+    neighbour = np.rad2deg(2 * np.arctan(nearest * abs(half[0])))
+    agree("its neighbour's", np.rad2deg(abs(angles[1])), neighbour, unit="deg", by="tan half angles", abs=1e-3)
 
 
 @settings(deadline=None, max_examples=10)
 @given(st.floats(50, 85), st.floats(90, 110), st.floats(70, 100), st.floats(10, 80))
-def test_any_vertex_closes(first, second, third, target):
+def test_any_vertex_closes(agree, first, second, third, target):
     sectors = np.deg2rad((first, second, third, 360 - first - second - third))
     angles = folded(sectors, (1, 1, 1, -1), np.deg2rad(target))
-    assert angles[0] == pytest.approx(np.deg2rad(target), abs=np.deg2rad(0.1))
+    agree("fold angle that is driven", np.rad2deg(angles[0]), target, unit="deg", by="its goal", abs=0.1)
     around = np.eye(3)
     for angle, sector in zip(angles, sectors, strict=True):
         # across a valley the next panel turns about the crease, against the sense of the walk
         around = around @ turn(0, angle) @ turn(2, sector)
-    np.testing.assert_allclose(around, np.eye(3), atol=np.deg2rad(2e-3))
+    agree("rotation around a vertex", around, np.eye(3), by="identity", abs=np.deg2rad(2e-3))
 
 
 def turn(axis, angle):

@@ -21,24 +21,25 @@ def creases_of(pattern):
 
 
 @pytest.mark.parametrize(("size", "flat"), [(4, 6), (8, 14)])
-def test_miura_sheets_have_as_many_mechanisms_as_were_measured(size, flat):
+def test_miura_sheets_have_as_many_mechanisms_as_were_measured(agree, size, flat):
     """A trial apart from this code found 6 and 14 in the flat sheet of 4 x 4 and 8 x 8 panels, 1 in a folded one."""
     facts = pattern_facts(sheet(size, size))
-    assert facts.freedoms.rigid.mechanisms == flat
-    assert facts.freedoms.folded.mechanisms == 1
+    found = (facts.freedoms.rigid.mechanisms, facts.freedoms.folded.mechanisms)
+    agree(f"mechanisms of {size} x {size} panels, flat and folded", found, (flat, 1), by="another code")
     assert rigidity(sheet(size, size, 0.5)).mechanisms == 1
 
 
 @pytest.mark.parametrize(("columns", "rows"), [(2, 2), (3, 5), (7, 4)])
-def test_each_vertex_of_a_flat_sheet_takes_two_freedoms_and_leaves_one_stress(columns, rows):
+def test_each_vertex_of_a_flat_sheet_takes_two_freedoms_and_leaves_one_stress(agree, columns, rows):
     """Fold rates as vectors along creases add up to 0 in the plane: two equations of three, Belcastro, Hull 2002."""
     found, inside = rigidity(sheet(columns, rows)), (columns - 1) * (rows - 1)
-    assert found.mechanisms == creases_of(sheet(columns, rows)) - 2 * inside
-    assert found.self_stress == inside
+    known = (creases_of(sheet(columns, rows)) - 2 * inside, inside)
+    what = f"mechanisms and self-stresses of {columns} x {rows} flat panels"
+    agree(what, (found.mechanisms, found.self_stress), known, by="Belcastro and Hull 2002")
 
 
 @pytest.mark.parametrize(("columns", "rows"), [(2, 3), (5, 4)])
-def test_a_folded_sheet_is_as_free_as_the_walks_around_its_vertices(columns, rows):
+def test_a_folded_sheet_is_as_free_as_the_walks_around_its_vertices(agree, columns, rows):
     """Mechanisms are creases less the rank of all walks' slopes, self-stress three a vertex less it, Tachi 2009."""
     pattern = sheet(columns, rows)
     angles = folded_as_assigned(pattern)
@@ -48,12 +49,15 @@ def test_a_folded_sheet_is_as_free_as_the_walks_around_its_vertices(columns, row
         slope[3 * number : 3 * number + 3, each.edges] = vertex_walk(each.sectors, angles[each.edges])[1].T
     rank = np.linalg.matrix_rank(slope, tol=1e-9)
     found = pattern_facts(pattern).freedoms.folded
-    assert found.mechanisms == creases_of(pattern) - rank
-    assert found.self_stress == 3 * len(around) - rank
+    known = (creases_of(pattern) - rank, 3 * len(around) - rank)
+    what = f"mechanisms and self-stresses of {columns} x {rows} folded panels"
+    agree(what, (found.mechanisms, found.self_stress), known, by="walks around vertices, Tachi 2009")
 
 
 @pytest.mark.parametrize(("columns", "rows"), [(2, 2), (4, 4), (5, 3)])
-def test_a_folded_sheet_that_bends_has_three_freedoms_fewer_than_sides_of_its_border(columns, rows):
+def test_a_folded_sheet_that_bends_has_three_freedoms_fewer_than_sides_of_its_border(agree, columns, rows):
     """A triangulated disc has 3 V - 6 - E = B - 3 by Euler's formula, B sides of its border."""
     found = rigidity(sheet(columns, rows, 0.6), bending=True)
-    assert (found.mechanisms, found.self_stress) == (2 * (columns + rows) - 3, 0)
+    known = (2 * (columns + rows) - 3, 0)
+    what = f"mechanisms and self-stresses of {columns} x {rows} panels that bend"
+    agree(what, (found.mechanisms, found.self_stress), known, by="Euler's formula")

@@ -66,7 +66,7 @@ def test_it_has_the_two_states_without_stress(truss_and_states, agree):
     low = np.sqrt(HEIGHT**2 + 2 * RADIUS**2 * (np.cos(other) - np.cos(TWIST)))
     heights = sorted(state.shape.positions[APEX, 2] - RADIUS for state in found.states)
     agree("heights of both states", heights, [low, HEIGHT], unit="m", by="bars of equal length", abs=1e-9)
-    assert [state.energy for state in found.states] == pytest.approx([0, 0], abs=1e-18)
+    agree("their energies", [state.energy for state in found.states], 0, unit="J", by="no stress", abs=1e-18)
 
 
 def test_its_barrier_is_that_of_the_closed_form(truss_and_states, agree):
@@ -78,7 +78,8 @@ def test_its_barrier_is_that_of_the_closed_form(truss_and_states, agree):
         lambda height: -twisted(height)[1], bounds=(0.72, 1.29), method="bounded", options={"xatol": 1e-9}
     )
     agree("barrier between them", saddle.rest.energy, -top.fun, unit="J", by="the closed form's top", rel=2 / RIGID)
-    assert saddle.rest.shape.positions[APEX, 2] - RADIUS == pytest.approx(top.x, abs=1e-4)
+    height = saddle.rest.shape.positions[APEX, 2] - RADIUS
+    agree("height there", height, top.x, unit="m", by="the closed form's top", abs=1e-4)
 
 
 def test_a_force_leads_along_the_closed_form_and_peaks_with_it(agree):

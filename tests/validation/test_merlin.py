@@ -187,8 +187,10 @@ def test_loads_at_which_it_snaps_are_those_of_merlin(request, agree, followed, l
         f"limit loads of {name}", [limit.factor for limit in limits], loads, unit="N", by="MERLIN", rel=LIMITS_OF_MERLIN
     )
     for limit, (moved, _), of_release in zip(limits, linear, release, strict=True):
-        assert followed.moved(limit) == pytest.approx(moved, rel=1e-3)  # the path is flat there
-        assert limit.factor == pytest.approx(of_release, rel=LIMITS_OF_MERLIN + LAW * strain)
+        # the path is flat there
+        agree(f"displacement there, {name}", followed.moved(limit), moved, unit="m", by="MERLIN", rel=1e-3)
+        by, allowed = "MERLIN's own bars, as far as they are linear", LIMITS_OF_MERLIN + LAW * strain
+        agree(f"limit loads of {name}", limit.factor, of_release, unit="N", by=by, rel=allowed)
 
 
 @pytest.mark.parametrize(
@@ -198,23 +200,25 @@ def test_loads_at_which_it_snaps_are_those_of_merlin(request, agree, followed, l
         ("popped", [(1.325522, 2.185162), (1.907859, 1.489020)]),
     ],
 )
-def test_rests_without_a_load_are_those_of_the_release_as_far_as_its_bars_are_linear(request, followed, rests):
-    followed = request.getfixturevalue(followed)
+def test_rests_without_a_load_are_those_of_the_release_as_far_as_its_bars_are_linear(request, agree, followed, rests):
+    name, followed = WORDS[followed], request.getfixturevalue(followed)
     for moved, energy in rests:
         point = followed.nearest(moved, 0.0)
-        assert followed.moved(point) == pytest.approx(moved, rel=LAW * 0.0127)
-        assert point.energy == pytest.approx(energy, rel=LAW * 0.0127)
+        by, allowed = "MERLIN's own bars, as far as they are linear", LAW * 0.0127
+        agree(f"displacement of {name} at rest", followed.moved(point), moved, unit="m", by=by, rel=allowed)
+        agree("its energy", point.energy, energy, unit="J", by=by, rel=allowed)
 
 
-def test_the_popped_sheet_stays_where_it_is(popped):
+def test_the_popped_sheet_stays_where_it_is(agree, popped):
     """The second state of the release's example; it holds."""
     rest = minimum(popped.net, popped.nearest(1.907859, 0.0).shape)
     assert rest.stable
-    assert popped.net.nodes[60, 2] - rest.shape.positions[60, 2] == pytest.approx(1.907859, rel=1e-3)
-    assert rest.energy == pytest.approx(1.489020, rel=1e-3)
+    moved = popped.net.nodes[60, 2] - rest.shape.positions[60, 2]
+    agree("displacement of its middle", moved, 1.907859, unit="m", by="MERLIN", rel=1e-3)
+    agree("its energy", rest.energy, 1.489020, unit="J", by="MERLIN", rel=1e-3)
 
 
-def test_a_tower_of_five_layers_bears_what_merlin_says_until_it_snaps():
+def test_a_tower_of_five_layers_bears_what_merlin_says_until_it_snaps(agree):
     """The release's own number of layers.
 
     Beyond, there is no one path to compare: several layers may snap, and increments of MERLIN that are as long as the
@@ -227,11 +231,12 @@ def test_a_tower_of_five_layers_bears_what_merlin_says_until_it_snaps():
         (0.47824383, 0.35592684, 0.90358869),
     ]:
         point = tower.nearest(moved, factor)
-        assert tower.moved(point) == pytest.approx(moved, abs=1e-6)
-        assert point.energy == pytest.approx(energy, rel=1e-6)
+        agree("displacement of the tower", tower.moved(point), moved, unit="m", by="MERLIN", abs=1e-6)
+        agree("its energy", point.energy, energy, unit="J", by="MERLIN", rel=1e-6)
     limit = next(event.point for event in tower.path.events if event.kind == "limit")
-    assert limit.factor == pytest.approx(0.3578908, rel=LIMITS_OF_MERLIN)
-    assert limit.factor == pytest.approx(0.3581151, rel=LIMITS_OF_MERLIN + LAW * 0.0063)
+    agree("its limit load", limit.factor, 0.3578908, unit="N", by="MERLIN", rel=LIMITS_OF_MERLIN)
+    by, allowed = "MERLIN's own bars, as far as they are linear", LIMITS_OF_MERLIN + LAW * 0.0063
+    agree("its limit load", limit.factor, 0.3581151, unit="N", by=by, rel=allowed)
 
 
 def closed_form(moved):
@@ -259,12 +264,13 @@ def closed_form(moved):
     return slope / 11, energy(low)
 
 
-def test_a_sheet_of_stiffer_facets_comes_nearer_to_one_of_rigid_facets_as_its_compliance_falls(folded):
+def test_a_sheet_of_stiffer_facets_comes_nearer_to_one_of_rigid_facets_as_its_compliance_falls(agree, holds, folded):
     """What is left between the release's example and rigid folding is the give of its bars and facets, and no more."""
     left = []
     for followed in (folded, folded_sheet(stiffer=10.0)):
         points = followed.path.points[4::8]
         ways = [(point.factor, point.energy, *closed_form(followed.moved(point))) for point in points]
         left.append([(factor / load - 1, stored / energy - 1) for factor, stored, load, energy in ways])
-    assert np.abs(left[0]).max() < 4e-4
-    np.testing.assert_allclose(np.array(left[0]) / 10, left[1], atol=2e-6)
+    known = "rigid facets, Schenk and Guest 2013"
+    holds("load and energy, apart from the closed form", np.abs(left[0]).max(), below=4e-4, by=known)
+    agree("a tenth of that", np.array(left[0]) / 10, left[1], by="facets ten times as stiff", abs=2e-6)

@@ -19,31 +19,33 @@ from tests.statics.net.nets import miura, sheet
 
 
 @pytest.mark.parametrize(("size", "fold", "expected"), [(4, 0.0, 6), (4, 0.6, 1), (8, 0.0, 14), (8, 0.6, 1)])
-def test_a_flat_sheet_has_many_mechanisms_and_a_folded_one_has_one(size, fold, expected):
+def test_a_flat_sheet_has_many_mechanisms_and_a_folded_one_has_one(agree, size, fold, expected):
     net, diagonals = sheet(*miura(size, size, fold=fold))
     found = rigidity(net, built_shape(net), diagonals)
-    assert found.degrees_of_freedom == expected
+    what = f"mechanisms of {size} x {size} facets, {'folded' if fold else 'flat'}"
+    agree(what, found.degrees_of_freedom, expected, by="Schenk and Guest 2011")
     assert found.rigid_motions == 6
     # the count of Calladine (1978): columns less rows
     rows = len(net.springs.points) + np.count_nonzero(diagonals)
     assert found.degrees_of_freedom + 6 - found.self_stresses == 3 * len(net.nodes) - rows
     matrix_moves = found.mechanisms.reshape(expected, -1)
-    np.testing.assert_allclose(matrix_moves @ matrix_moves.T, np.eye(expected), atol=1e-9)
+    agree("products of mechanisms", matrix_moves @ matrix_moves.T, np.eye(expected), by="a unit matrix", abs=1e-9)
 
 
-def test_the_single_mechanism_is_the_folding_of_the_sheet():
+def test_the_single_mechanism_is_the_folding_of_the_sheet(agree):
     net, diagonals = sheet(*miura(4, 4, fold=0.6))
     mechanism = rigidity(net, built_shape(net), diagonals).mechanisms[0].ravel()
     folding = (miura(4, 4, fold=0.6 + 1e-5)[0] - miura(4, 4, fold=0.6 - 1e-5)[0]).ravel()
     # up to a motion of the whole
     whole = rigid_motions(net.nodes).reshape(folding.size, -1)
     folding -= whole @ (whole.T @ folding)
-    assert abs(folding @ mechanism) == pytest.approx(np.linalg.norm(folding), rel=1e-8)
+    share = abs(folding @ mechanism) / np.linalg.norm(folding)
+    agree("cosine between mechanism and folding", share, 1, by="the closed form", rel=1e-8)
 
 
 @settings(deadline=None, max_examples=6)
 @given(st.floats(0.3, 1.2), st.floats(0.9, 1.3), st.floats(0.5, 2.0))
-def test_one_driven_crease_folds_the_whole_sheet_as_in_closed_form(fold, acute, ratio):
+def test_one_driven_crease_folds_the_whole_sheet_as_in_closed_form(agree, fold, acute, ratio):
     start, facets = miura(4, 4, fold=0.5, acute=acute, other=ratio)
     end = miura(4, 4, fold=fold, acute=acute, other=ratio)[0]
     net, diagonals = sheet(start, facets, axial=1e6)
@@ -54,6 +56,8 @@ def test_one_driven_crease_folds_the_whole_sheet_as_in_closed_form(fold, acute, 
     law = replace(net.creases.law, stiffness=stiffness, rest_angle=np.where(diagonals, 0.0, goal))
     rest = minimum(replace(net, creases=replace(net.creases, law=law)), built_shape(net))
     assert rest.stable
-    np.testing.assert_allclose(rest.shape.angles, goal, atol=np.deg2rad(1e-3))
+    ours, theirs = np.rad2deg(rest.shape.angles), np.rad2deg(goal)
+    agree("fold angles", ours, theirs, unit="deg", by="Schenk and Guest 2013", abs=1e-3)
     span = np.linalg.norm(rest.shape.positions[0] - rest.shape.positions[-1])
-    assert span == pytest.approx(np.linalg.norm(end[0] - end[-1]), rel=1e-6)
+    known = np.linalg.norm(end[0] - end[-1])
+    agree("from corner to corner", span, known, unit="m", by="Schenk and Guest 2013", rel=1e-6)

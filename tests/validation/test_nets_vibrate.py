@@ -29,19 +29,21 @@ def test_a_tight_string_of_masses_has_lagranges_frequencies(agree, count):
     assert not modes.rigid.any()
 
 
-def test_a_free_tetrahedron_has_six_motions_of_the_whole_and_the_frequencies_of_a_molecule():
+def test_a_free_tetrahedron_has_six_motions_of_the_whole_and_the_frequencies_of_a_molecule(agree):
     # four equal masses, central forces: 4, 2 and 1 k / m, of one, three and two modes (Herzberg 1945, II.4)
     nodes = np.array([(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)])
     net = truss(nodes, list(combinations(range(4), 2)), stiffness=3.0, masses=np.full(4, 0.5))
     modes = natural_modes(net, built_shape(net), 12)
-    np.testing.assert_allclose((2 * np.pi * modes.frequencies[6:]) ** 2, np.array([1, 1, 2, 2, 2, 4]) * 6.0, rtol=1e-9)
+    squares = (2 * np.pi * modes.frequencies[6:]) ** 2 / 6.0
+    agree("squared frequencies by k / m", squares, [1, 1, 2, 2, 2, 4], by="Herzberg 1945", rel=1e-9)
     assert list(modes.rigid) == [True] * 6 + [False] * 6
-    np.testing.assert_allclose(modes.frequencies[:6], 0, atol=1e-6)
+    agree("frequencies of the whole", modes.frequencies[:6], 0, unit="Hz", by="free motion", abs=1e-6)
 
 
-def test_a_pendulum_swings_as_its_length_says():
+def test_a_pendulum_swings_as_its_length_says(agree):
     net = truss([[0, 0, 0], [0.3, 0, -0.4]], [[0, 1]], stiffness=1e7, held=[0], gravity=9.81)
     hanging = minimum(net, built_shape(net))
     modes = natural_modes(net, hanging.shape)
-    np.testing.assert_allclose(2 * np.pi * modes.frequencies[:2], np.sqrt(9.81 / 0.5), rtol=1e-5)
-    assert hanging.shape.positions[1] == pytest.approx((0, 0, -0.5), abs=1e-5)
+    found = 2 * np.pi * modes.frequencies[:2]
+    agree("frequencies of a pendulum", found, np.sqrt(9.81 / 0.5), unit="rad/s", by="√(g / L)", rel=1e-5)
+    agree("where it hangs", hanging.shape.positions[1], (0, 0, -0.5), unit="m", by="straight down", abs=1e-5)

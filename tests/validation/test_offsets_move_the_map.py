@@ -22,14 +22,17 @@ def hinge(reference, offsets):
     return ideal_hinges(structure_of(with_values(reference, offsets)))[0]
 
 
-def test_one_end_at_twice_the_height_is_as_both_ends_to_first_order(reference):
+def test_one_end_at_twice_the_height_is_as_both_ends_to_first_order(agree, reference):
     one, both = hinge(reference, ONE_END), hinge(reference, BOTH_ENDS)
     # of second order: (6.2 mm / 55 mm)^2 = 0.013
-    assert math.degrees(one.top) == pytest.approx(math.degrees(-2 * 3.1 / 55), rel=0.013)
-    assert one.top == pytest.approx(both.top, rel=0.013)
-    assert top_barrier(one) == pytest.approx(top_barrier(both), rel=0.02)
-    assert holding_torque(one) == pytest.approx(holding_torque(both), rel=0.02)
-    assert top_barrier(both) == pytest.approx(10 * top_barrier(hinge(reference, {})), rel=0.02)
+    top, known = math.degrees(one.top), math.degrees(-2 * 3.1 / 55)
+    agree("crest of a hinge, one end at 6.2 mm", top, known, unit="deg", by="-(h / a)", rel=0.013)
+    ends = "both ends at 3.1 mm"
+    agree("crest of a hinge, one end at 6.2 mm", top, math.degrees(both.top), unit="deg", by=ends, rel=0.013)
+    agree("its barrier", 1e3 * top_barrier(one), 1e3 * top_barrier(both), unit="mJ", by=ends, rel=0.02)
+    agree("its holding torque", 100 * holding_torque(one), 100 * holding_torque(both), unit="N cm", by=ends, rel=0.02)
+    flush = 10 * top_barrier(hinge(reference, {}))
+    agree("barrier, both ends at 3.1 mm", 1e3 * top_barrier(both), 1e3 * flush, unit="mJ", by="ten times", rel=0.02)
 
 
 @pytest.mark.parametrize("offsets", [ONE_END, BOTH_ENDS])

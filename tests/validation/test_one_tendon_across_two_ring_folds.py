@@ -10,7 +10,6 @@ Simulation and statics each lay out such tendons by themselves.
 import math
 
 import numpy as np
-import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -50,7 +49,7 @@ angles = st.lists(st.floats(-math.pi / 2, math.radians(3)), min_size=6, max_size
 
 @settings(max_examples=10)
 @given(angles, st.sampled_from(["left", "right"]), st.floats(0, 0.03), st.floats(0.01, 0.09), st.floats(0.01, 0.09))
-def test_the_statics_store_what_the_closed_form_says(drawn, tangent, hub, proximal, distal):
+def test_the_statics_store_what_the_closed_form_says(agree, drawn, tangent, hub, proximal, distal):
     design = with_values(
         THICK,
         {
@@ -65,17 +64,20 @@ def test_the_statics_store_what_the_closed_form_says(drawn, tangent, hub, proxim
     position = np.zeros((1, wings.size))
     position[:, list(hinges_of(wings.structure, "ring"))] = drawn
     inner, outer = np.array(drawn).reshape(-1, 2).T
-    assert line_energy(wings.lines, position)[0] == pytest.approx(energies(design, inner, outer), rel=1e-9, abs=1e-12)
+    found, known = line_energy(wings.lines, position)[0], energies(design, inner, outer)
+    agree("energy of the tendons", found, known, unit="J", by="a chain of three bars", rel=1e-9, abs=1e-12)
 
 
-def test_the_simulation_moves_by_the_closed_form_and_stores_what_it_says():
+def test_the_simulation_moves_by_the_closed_form_and_stores_what_it_says(agree):
     fold = {"name": "fold", "drive": "fold", "until": "time", "hold": 0.0, "time_limit": 1.0}
     flat = {"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.05}
     run = ff.run(with_values(THICK, {"protocol.stages": [flat, fold], "protocol.timestep": 2e-4}))
     rings = run.angles("ring").reshape(len(run.time), -1, 2)
     assert rings.min() < -math.radians(89)
     inner, outer = np.moveaxis(rings, -1, 0)
-    # m
-    np.testing.assert_allclose(run.series["tendon_length"], lengths(THICK, inner, outer), rtol=1e-9)
-    total = run.series["tendon_energy"].sum(axis=1)
-    np.testing.assert_allclose(total, energies(THICK, inner, outer), rtol=1e-7, atol=1e-9)
+    by = "a chain of three bars"
+    found, known = 100 * run.series["tendon_length"], 100 * lengths(THICK, inner, outer)
+    agree("length of the tendons", found, known, unit="cm", by=by, rel=1e-9)
+    total, stored = run.series["tendon_energy"].sum(axis=1), energies(THICK, inner, outer)
+    time = ("time (s)", run.time)
+    agree("energy of the tendons", total, stored, unit="J", by=by, rel=1e-7, abs=1e-9, over=time)

@@ -68,7 +68,7 @@ def uniform_fields(pattern):
 
 
 @pytest.mark.parametrize(("acute", "fold"), [(60, 30), (70, 90), (45, 60), (80, 150)])
-def test_a_miura_sheet_bends_to_a_saddle_by_the_ratio_in_which_it_widens_and_lengthens(acute, fold):
+def test_a_miura_sheet_bends_to_a_saddle_by_the_ratio_in_which_it_widens_and_lengthens(agree, acute, fold):
     """Poisson's ratio of bending is that of stretching with the other sign; with flat facets it does not bend.
 
     Wei, Guo, Dudte, Liang and Mahadevan 2013 (doi 10.1103/PhysRevLett.110.215501); the saddle of Schenk and Guest
@@ -90,14 +90,16 @@ def test_a_miura_sheet_bends_to_a_saddle_by_the_ratio_in_which_it_widens_and_len
     ratio = (np.cos(angle / 2) * np.tan(gamma)) ** 2
     flat = ways(bends(built))
     assert len(flat) == 1
-    np.testing.assert_allclose(flat[0] / flat[0, 3], [0, 0, 0, 1, ratio, 0], atol=1e-7)
+    stretch = flat[0] / flat[0, 3]
+    agree("curvatures and strains of flat facets", stretch, [0, 0, 0, 1, ratio, 0], by="Wei et al. 2013", abs=1e-7)
     bent = ways(np.zeros_like(bends(built)))
     assert len(bent) == 3
     assert np.linalg.matrix_rank(bent[:, :3] / np.abs(bent[:, :3]).max(), tol=1e-6) == 2  # a saddle and a twist
-    np.testing.assert_allclose(bent[:, 1], -ratio * bent[:, 0], atol=1e-7 * np.abs(bent[:, :2]).max())
+    across, along = bent[:, :2].T / np.abs(bent[:, :2]).max()
+    agree("curvature along, of bent facets", along, -ratio * across, by="Wei et al. 2013", abs=1e-7)
 
 
-def test_a_waterbomb_base_rests_up_and_down_where_its_symmetric_energy_is_least():
+def test_a_waterbomb_base_rests_up_and_down_where_its_symmetric_energy_is_least(agree):
     """One stable state with the centre up and one with it down (Hanna, Lund, Lang, Magleby and Howell 2014).
 
     With rigid facets and all diagonals folded alike their angle fixes that of the midlines, on either side of flat
@@ -128,12 +130,13 @@ def test_a_waterbomb_base_rests_up_and_down_where_its_symmetric_energy_is_least(
     found = find_stable_states(net, [start, down], tries=2)
     energies = sorted(state.energy for state in found.states)
     assert len(energies) >= 2
-    assert energies[0] == pytest.approx(0, abs=1e-9 * least.fun)
-    assert energies[1] == pytest.approx(least.fun, rel=1e-3)
+    by = "Hanna et al. 2014, eight linear springs"
+    agree("energy with its centre up, by that down", energies[0] / least.fun, 0, by="as built", abs=1e-9)
+    agree("energy with its centre down", 1e3 * energies[1], 1e3 * least.fun, unit="mJ", by=by, rel=1e-3)
 
 
 @pytest.mark.parametrize(("sides", "height", "twist"), [(6, 1.5, 30), (8, 2.0, 40), (5, 1.4, 25)])
-def test_a_kresling_tower_has_its_other_state_where_the_closed_form_puts_it(agree, sides, height, twist):
+def test_a_kresling_tower_has_its_other_state_where_the_closed_form_puts_it(agree, holds, sides, height, twist):
     """Both twists add up to 180 deg - 360 deg / sides where the creases keep their lengths.
 
     Cai, Deng, Zhou, Feng and Tu 2015 (doi 10.1115/1.4030158); Yasuda, Tachi, Lee and Yang 2017
@@ -146,7 +149,14 @@ def test_a_kresling_tower_has_its_other_state_where_the_closed_form_puts_it(agre
     built = structure_of(sheet_design(pattern, values))
     net = net_of(built)
     other = kresling_other_state(sides, radius, height * radius, np.deg2rad(twist))
-    assert other.twist == pytest.approx(np.pi - 2 * np.pi / sides - np.deg2rad(twist))
+    agree(
+        "the other twist",
+        np.rad2deg(other.twist),
+        180 - 360 / sides - twist,
+        unit="deg",
+        by="Cai et al. 2015",
+        rel=1e-6,
+    )
     placed = kresling_pattern(sides, 1, radius, other.height, other.twist)
     there = shape_at(net, placed.vertices_coords)
     found = find_stable_states(net, [built_shape(net), there], tries=4)
@@ -157,8 +167,8 @@ def test_a_kresling_tower_has_its_other_state_where_the_closed_form_puts_it(agre
         f"heights of a Kresling tower of {sides} sides", found_heights, known, unit="cm", by="Cai et al. 2015", rel=1e-6
     )
     scale = net.springs.stiffness.max() * radius**2
-    assert max(rests[0][1], rests[-1][1]) < 1e-12 * scale
+    holds("energy by bars' stiffness and radius²", max(rests[0][1], rests[-1][1]) / scale, below=1e-12, by="no stress")
     lengths = kresling_lengths(sides, radius, other.height, other.twist)
-    assert lengths.mountain == pytest.approx(
-        kresling_lengths(sides, radius, height * radius, np.deg2rad(twist)).mountain
-    )
+    built_lengths = kresling_lengths(sides, radius, height * radius, np.deg2rad(twist))
+    ours, theirs = 100 * lengths.mountain, 100 * built_lengths.mountain
+    agree("mountain creases there", ours, theirs, unit="cm", by="as built", rel=1e-6)

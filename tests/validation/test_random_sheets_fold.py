@@ -12,7 +12,6 @@ from dataclasses import replace
 from functools import partial
 
 import numpy as np
-import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 from scipy.optimize import minimize_scalar
@@ -65,7 +64,7 @@ def driven(sheets, of, limit, stiff):
     return simulate([compile_model(with_values(design, {"protocol.timestep": timestep})) for design in designs])
 
 
-def assert_rests_as(record, pattern, folded, fold):
+def assert_rests_as(agree, record, pattern, folded, fold):
     """By statics and by dynamics, at the least energy of a closed form: fold angles (edge,) by one angle."""
     angles, edges = fold_angles(record)
     ends = pattern.vertices_coords[pattern.edges_vertices[edges]]
@@ -79,16 +78,19 @@ def assert_rests_as(record, pattern, folded, fold):
     least = minimize_scalar(energy, bounds=(0.01, abs(fold)), method="bounded", options={"xatol": 1e-10})
     rest = rest_of(record)
     assert rest.stable
-    assert rest.energy == pytest.approx(least.fun, rel=1e-3)
-    assert stored_energy(record)[-1] == pytest.approx(rest.energy, rel=1e-3)
-    known = folded(least.x)[edges]
-    np.testing.assert_allclose(rest.shape.angles[: len(edges)], known, atol=np.deg2rad(0.1))
-    np.testing.assert_allclose(angles[-1], known, atol=np.deg2rad(0.5))
+    by = "least of the closed form"
+    agree("energy at rest by statics", 1e6 * rest.energy, 1e6 * least.fun, unit="µJ", by=by, rel=1e-3)
+    stored = stored_energy(record)[-1]
+    agree("energy at rest by dynamics", 1e6 * stored, 1e6 * rest.energy, unit="µJ", by="statics", rel=1e-3)
+    known = np.rad2deg(folded(least.x)[edges])
+    by_statics = np.rad2deg(rest.shape.angles[: len(edges)])
+    agree("fold angles at rest by statics", by_statics, known, unit="deg", by=by, abs=0.1)
+    agree("fold angles at rest by dynamics", np.rad2deg(angles[-1]), known, unit="deg", by=by, abs=0.5)
 
 
 @settings(max_examples=1, phases=GENERATE)
 @given(st.lists(st.tuples(st.floats(45, 80), st.floats(95, 130), st.floats(0.8, 2.5)), min_size=3, max_size=3))
-def test_vertices_that_fold_flat_move_along_their_closed_form_and_rest_there(drawn):
+def test_vertices_that_fold_flat_move_along_their_closed_form_and_rest_there(agree, drawn):
     corners = [np.deg2rad((first, second, 180 - first, 180 - second)) for first, second, _ in drawn]
     patterns = [vertex_pattern(sectors.tolist(), 0.02, "VVVM", 0.2) for sectors in corners]
     folds = [fold for *_, fold in drawn]
@@ -100,10 +102,11 @@ def test_vertices_that_fold_flat_move_along_their_closed_form_and_rest_there(dra
         ways = degree4_closure(sectors, angles[:, 0]).swapaxes(1, 2)
         # of the two ways that in which it was built
         way = int(np.argmin(np.abs(ways[:, 0] - angles[0]).max(axis=1)))
-        np.testing.assert_allclose(angles, ways[way], atol=np.deg2rad(0.05))
+        ours, theirs = np.rad2deg(angles), np.rad2deg(ways[way])
+        agree("fold angles on the way", ours, theirs, unit="deg", by="Huffman 1976", abs=0.05)
         around, _ = vertex_walk(np.broadcast_to(sectors, angles.shape), angles)
-        np.testing.assert_allclose(around, np.broadcast_to(np.eye(3), around.shape), atol=np.deg2rad(0.05))
-        assert_rests_as(record, pattern, partial(vertex_angles, sectors, way, len(pattern.edges_vertices)), fold)
+        agree("rotation around a vertex", around, np.eye(3), by="identity", abs=np.deg2rad(0.05))
+        assert_rests_as(agree, record, pattern, partial(vertex_angles, sectors, way, len(pattern.edges_vertices)), fold)
 
 
 def vertex_angles(sectors, way, edges, angle):
@@ -148,16 +151,17 @@ SHEETS = st.tuples(
 
 @settings(max_examples=1, phases=GENERATE)
 @given(st.lists(SHEETS, min_size=2, max_size=2))
-def test_sheets_of_quadrilaterals_that_differ_leave_the_flat_state_along_their_closed_form(drawn):
+def test_sheets_of_quadrilaterals_that_differ_leave_the_flat_state_along_their_closed_form(agree, holds, drawn):
     patterns = [quadrilaterals(widths, heights, np.deg2rad(acute)) for widths, heights, acute, _ in drawn]
     for pattern in patterns:
-        assert max(map(abs, kawasaki_residuals(pattern))) < 1e-9
+        residual = max(map(abs, kawasaki_residuals(pattern)))
+        holds("residual of Kawasaki's condition", residual, below=1e-9, unit="rad", by="Kawasaki 1989")
     folds = [fold for *_, fold in drawn]
     records = driven(zip(patterns, folds, strict=True), "role:zigzag", 0.2, 3e4)
     for (_, _, acute, fold), pattern, record in zip(drawn, patterns, records, strict=True):
         folded = partial(sheet_angles, pattern, np.deg2rad(acute))
         folded_coordinates(pattern, folded(1.0))  # refuses angles for which it tears
-        assert_rests_as(record, pattern, folded, fold)
+        assert_rests_as(agree, record, pattern, folded, fold)
 
 
 def sheet_angles(flat, lines, angle):

@@ -34,22 +34,22 @@ def folds(record):
 
 @settings(deadline=None, max_examples=4)
 @given(st.floats(45, 70), st.floats(85, 105))
-def test_a_flat_foldable_vertex_moves_along_its_half_angle_tangents(one, two):
+def test_a_flat_foldable_vertex_moves_along_its_half_angle_tangents(agree, one, two):
     crease = f'{SPRINGS}\nback_limit = "180 deg"'
     pattern = vertex([one, two, 180 - one, 180 - two], "VVVM", fold="25 deg")
     record = swing(pattern, crease=crease, stages=[{"name": "a", "limit": "0.1 s"}])
     angles = np.abs(folds(record))
     assert np.ptp(angles, axis=0).max() > math.radians(10)
-    close = {"atol": math.radians(0.05), "rtol": 0}
-    np.testing.assert_allclose(angles[:, 0], angles[:, 2], **close)
-    np.testing.assert_allclose(angles[:, 1], angles[:, 3], **close)
+    degrees, close = np.degrees(angles), {"unit": "deg", "abs": 0.05}
+    agree("fold angles of a crease", degrees[:, :2], degrees[:, 2:], by="the opposite crease", **close)
     sine, cosine = math.sin(math.radians(one - two) / 2), math.cos(math.radians(one - two) / 2)
     # either way to fold has its own constant ratio
     ratios = [abs(sine / math.sin(math.radians(one + two) / 2)), abs(math.cos(math.radians(one + two) / 2) / cosine)]
     ratios += [1 / each for each in ratios]
     started = math.tan(angles[0, 0] / 2) / math.tan(angles[0, 1] / 2)
     ratio = min(ratios, key=lambda each: abs(each - started))
-    np.testing.assert_allclose(angles[:, 0], 2 * np.arctan(ratio * np.tan(angles[:, 1] / 2)), **close)
+    known = np.degrees(2 * np.arctan(ratio * np.tan(angles[:, 1] / 2)))
+    agree("fold angles of its neighbour", degrees[:, 0], known, by="tan half angles", **close)
 
 
 @pytest.fixture(scope="module")
@@ -57,7 +57,7 @@ def sheet():
     return swing(miura(4), step="0.1 ms", stages=[{"name": "swing", "limit": "0.4 s"}])
 
 
-def test_a_miura_sheet_folds_as_a_whole_by_one_angle(sheet):
+def test_a_miura_sheet_folds_as_a_whole_by_one_angle(agree, sheet):
     pattern = sheet.design.sheet
     roles = np.array(pattern.edges_role)[[int(hinge.name.removeprefix("crease")) for hinge in sheet.structure.hinges]]
     angles = sheet.series["hinge_angle"]
@@ -65,65 +65,71 @@ def test_a_miura_sheet_folds_as_a_whole_by_one_angle(sheet):
     if np.ptp(zigzag[0]) > 1e-9 or zigzag[0, 0] < straight[0, 0]:
         zigzag, straight = straight, zigzag
     assert np.ptp(zigzag[:, 0]) > math.radians(40)
-    close = {"atol": math.radians(0.05), "rtol": 0}
-    np.testing.assert_allclose(zigzag, np.repeat(zigzag[:, :1], zigzag.shape[1], axis=1), **close)
+    close = {"unit": "deg", "abs": 0.05}
+    agree("zigzag creases", np.degrees(zigzag), np.degrees(zigzag[:, :1]), by="one of them", **close)
     # tan(straight / 2) = cos(acute angle) tan(zigzag / 2)
     expected = 2 * np.arctan(math.cos(math.radians(60)) * np.tan(zigzag[:, :1] / 2))
-    np.testing.assert_allclose(straight, np.repeat(expected, straight.shape[1], axis=1), **close)
+    by = "Schenk and Guest 2013"
+    agree("straight creases", np.degrees(straight), np.degrees(expected), by=by, **close)
+    first, known, time = np.degrees(straight[:, 0]), np.degrees(expected[:, 0]), ("time (s)", sheet.time)
+    agree("fold angle of a straight crease", first, known, by=by, over=time, **close)
 
 
-def test_its_loops_stay_closed_to_a_hundred_thousandth_of_an_edge(sheet):
+def test_its_loops_stay_closed_to_a_hundred_thousandth_of_an_edge(agree, holds, sheet):
     gap = sheet.series["closure_gap"]
-    assert 0 < gap[-1] < 1e-5 * 0.02
+    holds("gap by an edge", gap[-1] / 0.02, above=0, below=1e-5, by="closed loops")
     assert (np.diff(gap) >= 0).all()
     # where the corners of neighbouring facets are says the same
     names = [point.name for point in sheet.structure.points]
     places = sheet.series["point_position"]
     pairs = [pair for closure in sheet.structure.closures for pair in closure.points]
     apart = [np.linalg.norm(places[:, one] - places[:, other], axis=1).max() for one, other in pairs]
-    assert max(apart) == pytest.approx(gap[-1], rel=0.5)
+    agree("gap", 1e9 * max(apart), 1e9 * gap[-1], unit="nm", by="from places of corners", rel=0.5)
     assert len(names) == len(set(names))
 
 
-def test_its_energy_stays_and_closing_its_loops_takes_none(sheet):
+def test_its_energy_stays_and_closing_its_loops_takes_none(agree, holds, sheet):
     energy = sheet.series["hinge_energy"].sum(axis=1) + sheet.series["kinetic_energy"]
     assert sheet.series["kinetic_energy"].max() > 0.5 * energy[0]
-    np.testing.assert_allclose(energy, energy[0], rtol=1e-4)
+    agree("energy", 1e3 * energy, 1e3 * energy[0], unit="mJ", by="at the start", rel=1e-4)
     balance = energy_balance(sheet)
     assert balance.closures is not None
-    assert abs(balance.closures) < 1e-4 * balance.exchanged
-    assert balance.residual < 1e-4
+    share = abs(balance.closures) / balance.exchanged
+    holds("work of closing by what is exchanged", share, below=1e-4, by="constraints do no work")
+    holds("energy that is missing", balance.residual, below=1e-4, by="conservation of energy")
 
 
-def test_gaps_and_what_they_take_fall_with_the_square_of_the_timestep():
+def test_gaps_and_what_they_take_fall_with_the_square_of_the_timestep(holds):
     gaps, lost = [], []
     for step in ("1 ms", "0.5 ms", "0.25 ms"):
         record = swing(miura(2), step=step, stages=[{"name": "swing", "limit": "0.1 s"}])
         gaps.append(float(record.series["closure_gap"][-1]))
         lost.append(energy_balance(record).residual)
     orders = np.log2(np.array(gaps[:-1]) / gaps[1:])
-    assert (orders > 1.6).all()
-    assert lost[2] < lost[0] / 4
+    holds("order of the gap in the timestep", orders, above=1.6, by="second order")
+    holds("energy that is missing by that at four times the timestep", lost[2] / lost[0], below=1 / 4)
 
 
-def test_a_driven_sheet_with_dampers_that_meets_its_stops_accounts_for_its_energy():
+def test_a_driven_sheet_with_dampers_that_meets_its_stops_accounts_for_its_energy(agree, holds):
     drive = '[[drive]]\nname = "fold"\nkind = "torque"\nof = "creases"\nvalue = "2e-3 N cm"\nrise = "20 ms"'
     crease = 'stiffness = "1e-3 N m/rad/m"\ndamping = "1e-5 N m s/rad/m"\nfold_limit = "80 deg"'
     stages = [{"name": "fold", "drive": "fold", "limit": "0.3 s"}]
     record = swing(miura(2), crease=crease, more=drive, stages=stages, step="0.1 ms")
-    assert record.series["hinge_angle"].max() == pytest.approx(math.radians(80), abs=math.radians(1))
+    most = np.degrees(record.series["hinge_angle"].max())
+    agree("largest fold angle", most, 80, unit="deg", by="its stop", abs=1)
     balance = energy_balance(record)
     assert balance.stops > 0.01 * balance.work
     assert balance.hinge_damping > 0.01 * balance.work
-    assert balance.residual < 5e-3
+    holds("energy that is missing", balance.residual, below=5e-3, by="conservation of energy")
 
 
-def test_a_plate_and_its_copies_share_its_mass():
+def test_a_plate_and_its_copies_share_its_mass(agree):
     structure = structure_of(plates(miura(3)))
     alone = structure_of(plates(miura(3), crease='extension = "1e4 N/m^2"'))
     assert len(structure.closures) == 4
     total = sum(mass_of(structure, body)[0] for body in range(len(structure.bodies)))
-    assert total == pytest.approx(sum(mass_of(alone, body)[0] for body in range(len(alone.bodies))), rel=1e-12)
+    known = sum(mass_of(alone, body)[0] for body in range(len(alone.bodies)))
+    agree("mass of a sheet in loops", 1e3 * total, 1e3 * known, unit="g", by="without copies", rel=1e-12)
     original, copy = structure.closures[0].bodies
     (mass, _, inertia), (other, _, same) = mass_of(structure, original), mass_of(structure, copy)
     assert mass == other

@@ -55,15 +55,19 @@ def scaled_by_hand(design, size):
     return with_values(design, {**values, "protocol.stages": stages})
 
 
-def assert_moves_alike(small, large, size):
+def assert_moves_alike(agree, holds, small, large, size):
     assert small.data.sizes["time"] == large.data.sizes["time"]
     # rounding of the times
-    assert small.data["time"].values == pytest.approx(size * large.data["time"].values, rel=1e-12)
+    ours, theirs = small.data["time"].values / size, large.data["time"].values
+    agree("times by the size", ours, theirs, unit="s", by="the reference", rel=1e-12)
     # rounding, 1e-16, grown by the snaps in between, which pull neighbouring motions apart: 1e-9 was the most seen
-    assert np.abs(small.series["hinge_angle"] - large.series["hinge_angle"]).max() < 1e-6
+    ours, theirs = small.series["hinge_angle"], large.series["hinge_angle"]
+    agree("angles of hinges", ours, theirs, unit="rad", by="the reference", abs=1e-6)
     for name in ("tendon_energy", "membrane_energy", "kinetic_energy", "motor_work"):
         series = large.data[name].values
-        assert np.abs(small.data[name].values / size**3 - series).max() < 1e-6 * np.abs(series).max()
+        ours, theirs = small.data[name].values / size**3, series
+        apart = np.abs(ours - theirs).max() / np.abs(series).max()
+        holds("energies by the cube of the size, apart by the largest", apart, below=1e-6, by="the reference")
 
 
 @pytest.fixture(scope="module")
@@ -72,20 +76,20 @@ def earwig(reference):
     return ff.run(scaled_by_hand(reference, 0.01 / 0.22))
 
 
-def test_a_wing_of_a_tenth_of_the_size_moves_alike(reference, reference_run):
+def test_a_wing_of_a_tenth_of_the_size_moves_alike(agree, holds, reference, reference_run):
     small = ff.run(scaled_by_hand(reference, 0.1))
     assert ff.measure(small).status == ff.measure(reference_run).status == "folded and opened"
-    assert_moves_alike(small, reference_run, 0.1)
+    assert_moves_alike(agree, holds, small, reference_run, 0.1)
 
 
 @pytest.mark.parametrize("size", [1 / 3, 0.7, 3.0])
-def test_a_wing_whose_size_is_no_power_of_ten_moves_alike(reference, reference_run, size):
+def test_a_wing_whose_size_is_no_power_of_ten_moves_alike(agree, holds, reference, reference_run, size):
     # its lengths are other numbers in the model's units, so nothing may be fixed there
-    assert_moves_alike(ff.run(scaled_by_hand(reference, size)), reference_run, size)
+    assert_moves_alike(agree, holds, ff.run(scaled_by_hand(reference, size)), reference_run, size)
 
 
-def test_an_earwig_sized_wing_moves_alike(earwig, reference_run):
-    assert_moves_alike(earwig, reference_run, 0.01 / 0.22)
+def test_an_earwig_sized_wing_moves_alike(agree, holds, earwig, reference_run):
+    assert_moves_alike(agree, holds, earwig, reference_run, 0.01 / 0.22)
 
 
 def test_an_earwig_sized_wing_folds_with_micro_to_millijoules(earwig):
@@ -127,7 +131,7 @@ def test_the_tips_are_as_fast_at_any_size(earwig, reference_run, agree):
     assert math.log10(fastest(reference_run)) == pytest.approx(1, abs=1)  # metres a second
 
 
-def test_a_wing_whose_parts_touch_moves_alike_at_any_size(reference):
+def test_a_wing_whose_parts_touch_moves_alike_at_any_size(agree, reference):
     touching = with_values(reference, {"protocol.contact": True})
     small = scale_design(touching, 0.5)  # other decades of the model's units
     records = [ff.run(design) for design in (touching, small)]
@@ -135,4 +139,5 @@ def test_a_wing_whose_parts_touch_moves_alike_at_any_size(reference):
     fold = records[0].stages[1].end
     rows = int(np.sum(records[0].time <= fold))
     # every contact multiplies what rounding makes different
-    np.testing.assert_allclose(angles[1][:rows], angles[0][:rows], atol=1e-5)
+    ours, theirs = angles[1][:rows], angles[0][:rows]
+    agree("angles of a wing of half the size that touches", ours, theirs, unit="rad", by="the whole size", abs=1e-5)

@@ -108,39 +108,47 @@ def pushed(reference):
     ]
 
 
-def test_the_flat_wing_is_pressed_on_its_stops_alike(wings, flat, pushed):
+def test_the_flat_wing_is_pressed_on_its_stops_alike(agree, holds, wings, flat, pushed):
     off = []
     for run in pushed:
         row = end_of(run, 0)
         off.append(np.abs(rings(wings, angles(run, row) - flat)).max())
         energy = run.series["tendon_energy"][row].sum()
         # the stops give by 0.01 deg, against a moment of 0.03 N m of each tendon
-        assert energy == pytest.approx(energies(wings, flat)[0], abs=3 * 0.03 * off[-1])
-    assert off[0] < math.radians(0.01)
-    assert off[0] / off[1] == pytest.approx(4, rel=0.1)
+        agree(
+            "energy of the flat wing's tendons",
+            energy,
+            energies(wings, flat)[0],
+            unit="J",
+            by="statics",
+            abs=3 * 0.03 * off[-1],
+        )
+    holds("how far stops give", math.degrees(off[0]), below=0.01, unit="deg", by="rigid stops of the statics")
+    agree("that by the same at half the timestep", off[0] / off[1], 4, by="its square", rel=0.1)
 
 
-def test_the_pushed_wing_rests_at_the_same_angles_with_the_same_energies(wings, flat, pushed):
+def test_the_pushed_wing_rests_at_the_same_angles_with_the_same_energies(agree, holds, wings, flat, pushed):
     static = rest(wings, flat, driven(wings, "fold", 0.0035))
     tendons, membrane = energies(wings, static.position)
     off = []
     for run in pushed:
         assert run.series["kinetic_energy"][-1] < 1e-9
         off.append(np.abs(angles(run, -1) - static.position).max())
-        assert run.series["tendon_energy"][-1].sum() == pytest.approx(tendons, rel=1e-4)
-        assert run.series["membrane_energy"][-1] == pytest.approx(membrane, rel=1e-3)
+        agree("energy of its tendons", run.series["tendon_energy"][-1].sum(), tendons, unit="J", by="statics", rel=1e-4)
+        found = 1e3 * run.series["membrane_energy"][-1]
+        agree("energy of its membrane", found, 1e3 * membrane, unit="mJ", by="statics", rel=1e-3)
     assert math.degrees(np.ptp(static.position)) > 90
     # the softest way of the wing enlarges what the stops give by ten times
-    assert off[0] < math.radians(0.1)
+    holds("angles of the pushed wing, apart", math.degrees(off[0]), below=0.1, unit="deg", by="statics")
     # besides, the wing still creeps
-    assert off[1] < off[0] / 2
+    holds("that at half the timestep, by it", off[1] / off[0], below=1 / 2)
 
 
-def test_the_least_fold_torque_is_that_of_a_damped_wing(reference, wings, flat):
+def test_the_least_fold_torque_is_that_of_a_damped_wing(agree, reference, wings, flat):
     least = least_slow_torque(wings, flat, wings.structure.transitions[0], 0.5).torque[0]
     at_once = least_at_once(wings, flat, "fold", "folded", 0.5)
     # 1 % each
-    assert at_once == pytest.approx(least, rel=0.02)
+    agree("least torque that comes at once", 100 * at_once, 100 * least, unit="N cm", by="slowly", rel=0.02)
     for share, folds in ((0.97, False), (1.03, True)):
         run = damped(reference, [stage("fold", "fold", "folded", 25.0)], 0.005, fold_torque=share * least)
         assert (run.stages[1].goal_time is not None) == folds
@@ -148,7 +156,7 @@ def test_the_least_fold_torque_is_that_of_a_damped_wing(reference, wings, flat):
 
 
 def test_the_least_torque_that_opens_is_that_of_a_damped_wing_and_below_it_the_wing_stays_partly_folded(
-    reference, wings
+    agree, reference, wings
 ):
     fold = stage("fold", "fold", "folded", 60.0)
     opening = [fold, stage("unfold", "unfold", "time", 8.0), stage("release", "none", "time", 15.0)]
@@ -167,24 +175,29 @@ def test_the_least_torque_that_opens_is_that_of_a_damped_wing_and_below_it_the_w
     static = rest(wings, folded, driven(wings, "unfold", 0.97 * least))
     assert ((rings(wings, under_torque) < 0) == (rings(wings, static.position) < 0)).all()
     assert (rings(wings, static.position) < 0).sum() == 1
-    assert energies(wings, under_torque)[0] == pytest.approx(energies(wings, static.position)[0], rel=0.01)
+    by = "statics"
+    ours, theirs = energies(wings, under_torque)[0], energies(wings, static.position)[0]
+    agree("energy of its tendons under the torque", ours, theirs, unit="J", by=by, rel=0.01)
 
     released = rest(wings, static.position)
     tendons, membrane = energies(wings, released.position)
     assert released.rests.all()
     # hinges on their stops and one folded; what no force holds, a slack tendon's wing, creeps on
-    assert below.series["tendon_energy"][-1].sum() == pytest.approx(tendons, rel=1e-4)
-    assert below.series["membrane_energy"][-1] == pytest.approx(membrane, rel=0.01)
+    found = below.series["tendon_energy"][-1].sum()
+    agree("energy of its tendons, released", found, tendons, unit="J", by=by, rel=1e-4)
+    found = 1e3 * below.series["membrane_energy"][-1]
+    agree("energy of its membrane, released", found, 1e3 * membrane, unit="mJ", by=by, rel=0.01)
 
 
 @pytest.mark.parametrize("stiffness", ["rigid", 0.1])
-def test_the_least_torque_of_one_motor_on_tied_veins_is_that_of_a_damped_wing(stiffness):
+def test_the_least_torque_of_one_motor_on_tied_veins_is_that_of_a_damped_wing(agree, stiffness):
     """The motor turns one vein, and what ties the veins takes the others along."""
     coupled = with_values(load_design("binder2025-coupled"), {"coupling.stiffness": stiffness})
     wings = ensemble_of([with_values(coupled, {"protocol.folded_angle": FOLDED})])
     flat = start_state(wings).position
     least = least_slow_torque(wings, flat, wings.structure.transitions[0], 0.5).torque[0]
-    assert least_at_once(wings, flat, "fold", "folded", 0.5) == pytest.approx(least, rel=0.02)
+    found = 100 * least_at_once(wings, flat, "fold", "folded", 0.5)
+    agree("least torque that comes at once", found, 100 * least, unit="N cm", by="slowly", rel=0.02)
     for share, folds in ((0.97, False), (1.03, True)):
         run = damped(coupled, [stage("fold", "fold", "folded", 40.0)], 0.005, fold_torque=share * least)
         assert (run.stages[1].goal_time is not None) == folds
@@ -192,10 +205,11 @@ def test_the_least_torque_of_one_motor_on_tied_veins_is_that_of_a_damped_wing(st
         if not folds:
             static = rest(wings, flat, driven(wings, "fold", share * least))
             # the engine's stops give, and the wing creeps on
-            assert angles(run, -1) == pytest.approx(static.position, abs=math.radians(1))
+            ours, theirs = np.degrees(angles(run, -1)), np.degrees(static.position)
+            agree("angles below it", ours, theirs, unit="deg", by="statics", abs=1)
 
 
-def test_slowly_growing_torque_folds_two_ring_folds_as_the_statics_say():
+def test_slowly_growing_torque_folds_two_ring_folds_as_the_statics_say(agree):
     """Where it comes at once it folds with less, for the pleats close before the membrane settles."""
     thick = with_values(load_design("binder2025-thick"), {"protocol.contact": False, "protocol.rise": 15.0})
     wings = ensemble_of([with_values(thick, {"protocol.folded_angle": FOLDED})])
@@ -212,6 +226,9 @@ def test_slowly_growing_torque_folds_two_ring_folds_as_the_statics_say():
     held = angles(below, -1)
     assert np.ptp(rings(wings, held)) > math.radians(80)
     static = rest(wings, held, driven(wings, "fold", 0.97 * least)).position
-    assert static == pytest.approx(held, abs=math.radians(0.2))
-    assert line_energy(wings.lines, static)[0] == pytest.approx(below.series["tendon_energy"][-1].sum(), rel=2e-3)
-    assert sheet_energy(wings.sheet, static)[0] == pytest.approx(below.series["membrane_energy"][-1], rel=0.02)
+    by = "simulation"
+    agree("angles where it rests", np.degrees(static), np.degrees(held), unit="deg", by=by, abs=0.2)
+    found, known = line_energy(wings.lines, static)[0], below.series["tendon_energy"][-1].sum()
+    agree("energy of its tendons", found, known, unit="J", by=by, rel=2e-3)
+    found, known = 1e3 * sheet_energy(wings.sheet, static)[0], 1e3 * below.series["membrane_energy"][-1]
+    agree("energy of its membrane", found, known, unit="mJ", by=by, rel=0.02)

@@ -41,22 +41,25 @@ def others(reference):
     return [with_values(reference, each) for each in values]
 
 
-def test_the_image_in_the_plane_of_the_wing_moves_alike(reference, reference_run):
+def test_the_image_in_the_plane_of_the_wing_moves_alike(agree, reference, reference_run):
     image = simulate([mirrored(reference)])[0]
     assert image.data.sizes == reference_run.data.sizes
     signs = {"ring": 1, "turn": 1, "sweep": 1, "lift": -1}  # angles in the hinges' own senses
     for role, sign in signs.items():
         # rounding, 1e-16, grown by the snaps: 3e-13 was seen
-        assert np.abs(image.angles(role) - sign * reference_run.angles(role)).max() < 1e-9
+        ours, theirs = image.angles(role), sign * reference_run.angles(role)
+        agree("angles of hinges", ours, theirs, unit="rad", by="the image in its plane", abs=1e-9)
     places = image.series["point_position"] * [1, 1, -1]
-    assert places == pytest.approx(reference_run.series["point_position"], abs=1e-9)
+    known = reference_run.series["point_position"]
+    agree("places of points", places, known, unit="m", by="the image in its plane", abs=1e-9)
 
 
-def test_gravity_tells_up_from_down(reference):
+def test_gravity_tells_up_from_down(holds, reference):
     heavy = with_values(reference, {"protocol.gravity": 9.81})
     up, down = (simulate([wing])[0].angles("ring") for wing in (compile_model(heavy), mirrored(heavy)))
     rows = min(len(up), len(down))
-    assert np.abs(up[:rows] - down[:rows]).max() > np.radians(1)
+    apart = np.degrees(np.abs(up[:rows] - down[:rows]).max())
+    holds("angles under gravity, apart from those of the image", apart, above=1, unit="deg")
 
 
 def test_the_other_tangent_is_another_mechanism(reference, reference_outcome):

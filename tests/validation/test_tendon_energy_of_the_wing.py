@@ -8,7 +8,6 @@ the ring crease (Rodrigues 1840). Numbers: Binder et al. 2025, doi 10.3390/biomi
 import math
 
 import numpy as np
-import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -68,19 +67,19 @@ def test_length_and_energy_are_those_of_the_angles_all_along_the_reference(refer
     agree("energy of the tendons", data["tendon_energy"].values, energy, unit="J", by="k (L - l₀)² / 2", abs=1e-12)
 
 
-def test_flat_opened_and_folded_hold_the_energy_of_their_angles(reference_run, reference_outcome):
+def test_flat_opened_and_folded_hold_the_energy_of_their_angles(agree, reference_run, reference_outcome):
     for state in reference_outcome.states.values():
         # a state is a mean over its window, and a mean of energies is not the energy of a mean: second order in a swing
         # of up to 0.1 deg
         energy = tendon_energy(reference_run.design, state.readings["distal_angle"].mean)
-        assert state.tendon_energy == pytest.approx(energy, abs=1e-6)
+        agree("energy of tendons in a state", state.tendon_energy, energy, unit="J", by="that of the angles", abs=1e-6)
     assert reference_outcome.states["flat"].tendon_energy.min() > 0.1
     assert reference_outcome.states["folded"].tendon_energy.max() == 0
 
 
 @settings(max_examples=6, deadline=None)
 @given(hub=st.floats(0, 0.04), sector=st.floats(15, 30), before=st.floats(0.02, 0.12), beyond=st.floats(0.02, 0.1))
-def test_the_length_follows_the_geometry_in_other_fans(reference, hub, sector, before, beyond):
+def test_the_length_follows_the_geometry_in_other_fans(agree, reference, hub, sector, before, beyond):
     geometry = {
         "pattern.hub_radius": hub,
         "pattern.sector_angle": math.radians(sector),
@@ -95,7 +94,8 @@ def test_the_length_follows_the_geometry_in_other_fans(reference, hub, sector, b
     assert record.diverged_at is None
     # rounding
     lengths = tendon_length(record.design, record.angles("ring"))
-    assert record.data["tendon_length"].values == pytest.approx(lengths, abs=1e-12)
+    found = 100 * record.data["tendon_length"].values
+    agree("length of tendons", found, 100 * lengths, unit="cm", by="Rodrigues", abs=1e-10)
 
 
 def test_open_tendons_are_about_11_cm_long(reference_outcome, agree):
@@ -104,9 +104,9 @@ def test_open_tendons_are_about_11_cm_long(reference_outcome, agree):
     agree("length of the flat wing's tendons", 100 * length, 11, unit="cm", by="the paper, about", abs=0.5)
 
 
-def test_the_stiff_and_short_tendon_holds_more_than_35_joules(reference):
+def test_the_stiff_and_short_tendon_holds_more_than_35_joules(holds, reference):
     flat = settled(reference, {"tendon.stiffness": 6000.0, "tendon.rest_length": 0.0})
-    assert flat.tendon_energy.min() > 35
+    holds("energy of a tendon, 60 N/cm, resting length 0", flat.tendon_energy, above=35, unit="J", by="the paper")
 
 
 def test_the_softest_tendon_without_resting_length_holds_about_6_joules(reference, agree):
@@ -117,8 +117,8 @@ def test_the_softest_tendon_without_resting_length_holds_about_6_joules(referenc
     )
 
 
-def test_with_equal_attachments_a_folded_tendon_without_resting_length_holds_little(reference):
+def test_with_equal_attachments_a_folded_tendon_without_resting_length_holds_little(holds, reference):
     flat, folded = tendon_energy(with_values(reference, {"tendon.rest_length": 0.0}), [0.0, -math.pi])
     # the crease is not square to the vein: the ends pass each other at a distance, by twice the crease's slant,
     # (2 sin(theta / 2))^2 of the square of the length where epsilon is small
-    assert folded < 0.04 * flat
+    holds("energy folded by that when flat", folded / flat, below=0.04, by="the crease's slant")

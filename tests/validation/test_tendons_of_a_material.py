@@ -63,7 +63,8 @@ def test_a_branch_that_is_held_relaxes_with_its_time(one_hinge, agree, times):
         faded = pull[1] * np.exp(-timestep * np.arange(steps - 1) / time)
         agree(f"pull of a branch of {time} s that is held", pull[1:], faded, unit="N", by="Maxwell 1867", rel=1e-11)
         # it takes up k x, less what relaxed during the one step: half of the step's share of its time
-        assert pull[1] == pytest.approx(2e6 * BY_LENGTH * 0.02 * (1 - timestep / time / 2), rel=1e-5)
+        taken = 2e6 * BY_LENGTH * 0.02 * (1 - timestep / time / 2)
+        agree("pull that it takes up", pull[1], taken, unit="N", by="k x", rel=1e-5)
 
 
 @pytest.mark.parametrize("times", [(0.02,), (0.005, 0.2)])
@@ -90,14 +91,17 @@ def test_in_a_sinusoidal_test_branches_lose_what_their_loss_modulus_says(one_hin
         # and the account of the losses says the same
         force = wing.units.energy / wing.units.length
         lost = branch_losses(wing, -pulls[last] / force).sum(axis=0)[0, number]
-        assert wing.units.energy * lost == pytest.approx(loss, rel=1e-5)
+        agree(
+            "its loss in the account", 1e6 * wing.units.energy * lost, 1e6 * loss, unit="µJ", by="π E'' x₀²", rel=1e-5
+        )
         # in phase with the stretch it stores: k (w tau)^2 / (1 + (w tau)^2)
         stored = 2 / steps * np.sum(pulls[last][:-1, number] * np.sin(rate * moments[last][:-1]))
-        assert stored / amplitude == pytest.approx(stiffness * turn**2 / (1 + turn**2), rel=1e-4)
+        known = stiffness * turn**2 / (1 + turn**2)
+        agree("its stiffness in phase", stored / amplitude, known, unit="N/m", by="E'", rel=1e-4)
 
 
 @pytest.mark.parametrize("viscosity", [20.0, 200.0])
-def test_a_kelvin_voigt_tendon_damps_a_free_hinge_by_its_decrement(one_hinge, viscosity):
+def test_a_kelvin_voigt_tendon_damps_a_free_hinge_by_its_decrement(agree, one_hinge, viscosity):
     """The bar swings about the angle where its weight, which gravity pulls upwards, balances the tendon."""
     gravity, timestep = 9.81, 1e-5
     values = of(
@@ -129,8 +133,10 @@ def test_a_kelvin_voigt_tendon_damps_a_free_hinge_by_its_decrement(one_hinge, vi
     assert len(peaks) == 5
     decrement = np.log(away[peaks[0]] / away[peaks[4]]) / 4
     # small swings: the lever's share of the second order is (0.5 deg)^2 / 8
-    assert decrement == pytest.approx(2 * math.pi * ratio / math.sqrt(1 - ratio**2), rel=2e-3)
-    assert (time[peaks[4]] - time[peaks[0]]) / 4 == pytest.approx(period, rel=1e-3)
+    known = 2 * math.pi * ratio / math.sqrt(1 - ratio**2)
+    agree(f"decrement at {viscosity:g} Pa s", decrement, known, by="2π ζ / √(1 - ζ²)", rel=2e-3)
+    found = (time[peaks[4]] - time[peaks[0]]) / 4
+    agree(f"period at {viscosity:g} Pa s", 1e3 * found, 1e3 * period, unit="ms", by="damped oscillator", rel=1e-3)
 
 
 def polynomial(first, second, third, extension):
@@ -151,7 +157,7 @@ def spring(moduli):
 
 @settings(max_examples=30, deadline=None)
 @given(st.sampled_from(LAWS), st.floats(0, math.pi))
-def test_the_engine_gives_a_polynomial_tendon_its_moment(one_hinge, moduli, angle):
+def test_the_engine_gives_a_polynomial_tendon_its_moment(agree, one_hinge, moduli, angle):
     wing = one_hinge(LENGTH, values=of(as_law(moduli))).wing
     data = mujoco.MjData(wing.engine)
     data.qpos[0] = -angle
@@ -159,12 +165,15 @@ def test_the_engine_gives_a_polynomial_tendon_its_moment(one_hinge, moduli, angl
     length = 2 * ARM * math.cos(angle / 2)
     expected = polynomial(*spring(moduli), max(length - LENGTH, 0)) * ARM * math.sin(angle / 2)
     # rounding
-    assert -data.qfrc_passive[0] * wing.units.energy == pytest.approx(expected, abs=1e-13)
+    found = -data.qfrc_passive[0] * wing.units.energy
+    agree("moment of a tendon", found, expected, unit="N m", by="its polynomial", abs=1e-13)
 
 
 @pytest.mark.parametrize("moduli", LAWS)
 @pytest.mark.parametrize("viscosity", [None, (300.0, 0.0, 0.0), (0.0, 20.0, 0.3)])
-def test_a_hinge_with_a_tendon_of_any_law_moves_as_an_integrator_of_fifth_order_says(one_hinge, moduli, viscosity):
+def test_a_hinge_with_a_tendon_of_any_law_moves_as_an_integrator_of_fifth_order_says(
+    agree, one_hinge, moduli, viscosity
+):
     names = ("linear_viscosity", "quadratic_viscosity", "cubic_viscosity")
     law = as_law(moduli) | dict(zip(names, viscosity or (), strict=False))
     hinge = one_hinge(LENGTH, values=of(law), start=math.radians(20), duration=0.02, timestep=1e-5)
@@ -184,12 +193,14 @@ def test_a_hinge_with_a_tendon_of_any_law_moves_as_an_integrator_of_fifth_order_
     assert exact[-1] > math.radians(40)
     assert exact[-1] < math.pi
     # semi-implicit Euler from rest: half a step ahead, 5e-6 s at up to some 100 rad/s
-    assert np.abs(angles - exact).max() < 1e-3
+    over = ("time (ms)", 1e3 * time) if moduli == LAWS[1] and viscosity == (0.0, 20.0, 0.3) else None
+    agree("angle of the hinge", angles, exact, unit="rad", by="Dormand and Prince 1980", abs=1e-3, over=over)
     # and the recorded energy is the integral of the force
     extension = np.maximum(2 * ARM * np.cos(angles / 2) - LENGTH, 0)
     first, second, third = spring(moduli)
     energy = first * extension**2 / 2 + second * extension**3 / 3 + third * extension**4 / 4
-    assert record.data["tendon_energy"].values[:, 0] == pytest.approx(energy, abs=1e-13)
+    found = record.data["tendon_energy"].values[:, 0]
+    agree("energy of the tendon", found, energy, unit="J", by="integral of its force", abs=1e-13)
 
 
 # of second order, which the engine has exactly, and cubic ones, as a fit finds them, which it has in pieces
@@ -212,7 +223,9 @@ LETTING_GO = [
     st.floats(-3, 3),
     st.floats(-3, 3),
 )
-def test_spring_damper_and_branches_together_pull_or_let_go(one_hinge, spec, angle, speed, first_act, second_act):
+def test_spring_damper_and_branches_together_pull_or_let_go(
+    agree, one_hinge, spec, angle, speed, first_act, second_act
+):
     """The pull is the sum where that is > 0, and else nothing: at any length, rate and past of the branches."""
     moduli, miss = spec
     branches = [{"modulus": 2e6, "time": 0.02}, {"modulus": 1e6, "time": 0.5}]
@@ -232,31 +245,32 @@ def test_spring_damper_and_branches_together_pull_or_let_go(one_hinge, spec, ang
     # where the spring sets in it is rounded over a millionth of the resting length; in pieces it is off by a share of
     # its largest force
     largest = polynomial(*spring(moduli), np.linspace(0, 2 * ARM - LENGTH)).max()
-    assert moment * -units.energy == pytest.approx(max(pull, 0) * lever, abs=max(1e-7, miss * largest * lever))
+    found, known = moment * -units.energy, max(pull, 0) * lever
+    agree("moment of a tendon", found, known, unit="N m", by="sum of its parts", abs=max(1e-7, miss * largest * lever))
 
 
 @pytest.mark.parametrize("moduli", [(4.8e6, 0.0, 0.0), (4.8e6, -8.7e6, 8.9e6)])
-def test_what_branches_would_push_is_accounted_for(reference, moduli):
+def test_what_branches_would_push_is_accounted_for(holds, reference, moduli):
     """A stiff branch goes slack when the wing folds; the account closes by the work that it was spared."""
     values = WING | {"tendon.law": as_law(moduli, linear_viscosity=50.0, branches=BRANCHES)}
     record = ff.run(with_values(reference, values | {"protocol.timestep": 1e-4}))
     balance = ff.measure(record).energy_balance
     assert -balance.letting_go > 0.02 * balance.work
-    assert balance.residual < 5e-3
+    holds("energy that is missing", balance.residual, below=5e-3, by="conservation of energy")
     assert abs(balance.missing) < 0.2 * abs(balance.letting_go)
 
 
-def test_a_tendon_that_was_pulled_beyond_its_yield_keeps_a_set(one_hinge):
+def test_a_tendon_that_was_pulled_beyond_its_yield_keeps_a_set(agree, one_hinge):
     law = {"linear_modulus": 1e6, "quadratic_modulus": 5e5, "yield_strain": 0.2}
     out = np.linspace(0.05, 0.1, 500)
     _, _, rests = pulled(one_hinge, law, np.concatenate([out, out[::-1]]), 1e-4)
     # nothing up to 20 %, then all that is beyond; on the way back it stays
     expected = np.maximum.accumulate(np.maximum(LENGTH, np.concatenate([out, out[::-1]]) - 0.2 * LENGTH))
-    assert rests == pytest.approx(expected, abs=1e-9)
+    agree("resting length", 100 * rests, 100 * expected, unit="cm", by="ideal plasticity", abs=1e-7)
     assert rests[-1] == pytest.approx(0.1 - 0.012, abs=1e-9)
 
 
-def test_yielding_takes_the_yield_force_times_the_set(one_hinge):
+def test_yielding_takes_the_yield_force_times_the_set(agree, one_hinge):
     """A bar falls from 60 deg to straight and stretches its tendon beyond its yield."""
     law = {"linear_modulus": 5e4, "cubic_modulus": 5e4, "yield_strain": 0.3}
     fall = {"protocol.gravity": 200.0, "hinge.damping": 1e-3, "protocol.sample_interval": 1e-3}
@@ -267,10 +281,12 @@ def test_yielding_takes_the_yield_force_times_the_set(one_hinge):
     assert np.degrees(angles[-1]) == pytest.approx(-3, abs=0.1)
     longest = np.maximum.accumulate(data["tendon_length"].values[:, 0])
     # put where it is stretched too far, it has yielded; the longest may lie between two rows
-    assert rest == pytest.approx(np.maximum(LENGTH, longest - 0.3 * LENGTH), abs=1e-6)
+    known = np.maximum(LENGTH, longest - 0.3 * LENGTH)
+    agree("resting length", 100 * rest, 100 * known, unit="cm", by="ideal plasticity", abs=1e-4)
     extension = 0.3 * LENGTH
     force = polynomial(5e4 * BY_LENGTH, 0, 5e4 * AREA / LENGTH**3, extension)
-    assert -data["yield_work"].values == pytest.approx(force * (rest - rest[0]), rel=1e-9, abs=1e-15)
+    taken, known = -1e3 * data["yield_work"].values, 1e3 * force * (rest - rest[0])
+    agree("work of yielding", taken, known, unit="mJ", by="force times set", rel=1e-9, abs=1e-12)
     assert rest[-1] - rest[0] > 0.2 * LENGTH
     balance = ff.measure(record).energy_balance
     assert balance.yielding == pytest.approx(force * (rest[-1] - rest[0]), rel=1e-9)
@@ -319,13 +335,14 @@ def test_the_balance_of_a_whole_run_with_branches_closes_as_in_a_linear_run(refe
     assert branched.residual < 5e-3
 
 
-def test_a_linear_law_is_the_same_stiffness_and_damping_given_directly(reference):
+def test_a_linear_law_is_the_same_stiffness_and_damping_given_directly(agree, reference):
     law = with_law(reference, {"linear_modulus": 4.8e6, "linear_viscosity": 480.0})
     # k = 4.8 MPa 18.75 mm2 / 9 cm = 10 N/cm, c = 480 Pa s 18.75 mm2 / 9 cm = 0.1 N s/m
     direct = with_values(reference, {"tendon.stiffness": 1000.0, "tendon.damping": 0.1, "tendon.rest_length": 0.09})
     for tendon in structure_of(law).tendons:
-        assert tendon.law.stiffness == pytest.approx((1000.0, 0.0, 0.0), rel=1e-15)
-        assert tendon.law.damping == pytest.approx((0.1, 0.0, 0.0), rel=1e-15)
+        agree("stiffness", tendon.law.stiffness[0], 1000.0, unit="N/m", by="E A / L", rel=1e-15)
+        agree("damping", tendon.law.damping[0], 0.1, unit="N s/m", by="η A / L", rel=1e-15)
+        assert (*tendon.law.stiffness[1:], *tendon.law.damping[1:]) == (0, 0, 0, 0)
     models = [compile_model(design).engine for design in (law, direct)]
     for name in ("tendon_stiffness", "tendon_damping", "tendon_lengthspring"):
         assert getattr(models[0], name) == pytest.approx(getattr(models[1], name), rel=1e-15)
@@ -337,7 +354,7 @@ def test_a_linear_law_is_the_same_stiffness_and_damping_given_directly(reference
 
 
 @pytest.mark.parametrize("size", [0.1, 1 / 3])
-def test_a_scaled_wing_with_a_law_moves_alike(reference, size):
+def test_a_scaled_wing_with_a_law_moves_alike(agree, holds, reference, size):
     law = as_law((4.8e6, -1e6, 1e6), linear_viscosity=200.0, quadratic_viscosity=2.0, branches=BRANCHES[:1])
     large = with_law(reference, law | {"yield_strain": 0.15, "residual_strain": 0.02})
     small = scale_design(large, size)
@@ -348,7 +365,7 @@ def test_a_scaled_wing_with_a_law_moves_alike(reference, size):
     assert small.tendon.law.branches[0].time == pytest.approx(0.02 * size, rel=1e-12)
     assert small.tendon.area == pytest.approx(18.75e-6 * size**2, rel=1e-12)
     records = [ff.run(design) for design in (large, small)]
-    assert records[1].time == pytest.approx(size * records[0].time, rel=1e-12)
+    agree("times by the size", records[1].time / size, records[0].time, unit="s", by="the whole size", rel=1e-12)
     for name, power in {
         "hinge_angle": 0,
         "tendon_rest_length": 1,
@@ -358,4 +375,5 @@ def test_a_scaled_wing_with_a_law_moves_alike(reference, size):
         series = records[0].series[name]
         assert np.abs(series).max() > 0
         # rounding, grown by the snaps
-        assert np.abs(records[1].series[name] / size**power - series).max() < 1e-6 * np.abs(series).max(), name
+        apart = np.abs(records[1].series[name] / size**power - series).max() / np.abs(series).max()
+        holds(f"{name.replace('_', ' ')}, apart by its largest", apart, below=1e-6, by="dimensional analysis")

@@ -55,28 +55,28 @@ def small(name, **values):
     ],
     ids=["creases", "tendon", "locking", "membrane", "rigid", "places between vertices"],
 )
-def test_a_small_miura_sheet_rests_at_one_place_by_both_routes(values):
+def test_a_small_miura_sheet_rests_at_one_place_by_both_routes(holds, values):
     support = [{"of": "facet 0"}]
     sizes = {"pattern.columns": 2, "pattern.rows": 2, "pattern.fold": 0.7}
     statics, dynamics = both(small("miura-sheet", **{"support": support}, **sizes, **values))
-    assert apart(statics, dynamics) < 1e-3 * EDGE
+    holds("distances by an edge, apart", apart(statics, dynamics) / EDGE, below=1e-3, by="statics beside dynamics")
 
 
-def test_plates_whose_creases_open_rest_at_one_place_by_both_routes():
+def test_plates_whose_creases_open_rest_at_one_place_by_both_routes(holds):
     """Four plates that lack 10 deg of a flat sheet, let go where their creases want to be flat."""
     statics, dynamics = both(small("four-plate-snap", **{"crease.rest_angle": 0.2}))
-    assert apart(statics, dynamics) < 1e-3 * 0.02
+    holds("distances by an edge, apart", apart(statics, dynamics) / 0.02, below=1e-3, by="statics beside dynamics")
 
 
-def test_a_vertex_with_a_band_rests_at_one_place_by_both_routes():
+def test_a_vertex_with_a_band_rests_at_one_place_by_both_routes(holds):
     statics, dynamics = both(small("bistable-clasp"))
-    assert apart(statics, dynamics) < 1e-3 * 0.04
+    holds("distances by an edge, apart", apart(statics, dynamics) / 0.04, below=1e-3, by="statics beside dynamics")
     # it has moved: the band pulls the corners together
     built = load_design("bistable-clasp").sheet.vertices_coords
     assert apart(statics, built) > 0.01
 
 
-def test_a_pyramid_snaps_under_a_slow_force_where_its_path_has_its_limit():
+def test_a_pyramid_snaps_under_a_slow_force_where_its_path_has_its_limit(agree):
     """von Mises' truss of four bars: a vertex whose sectors add up to 320 deg, held at its rim and pushed at its apex.
 
     The force grows over hundreds of swings; it is taken to snap where it is level with its rim.
@@ -110,4 +110,4 @@ def test_a_pyramid_snaps_under_a_slow_force_where_its_path_has_its_limit():
     height = record.series["point_position"][:, 0, 2]
     rim = record.series["point_position"][0, 1, 2]
     snapped = record.time[np.argmax(height < rim)]
-    assert most * snapped == pytest.approx(limit.factor, rel=0.02)
+    agree("force at which it snaps", most * snapped, limit.factor, unit="N", by="limit of statics", rel=0.02)

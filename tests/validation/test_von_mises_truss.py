@@ -44,27 +44,30 @@ def limit(height):
 
 @settings(deadline=None, max_examples=8)
 @given(st.floats(0.05, 1.5))
-def test_a_force_leads_along_the_closed_form_through_both_limits(height):
+def test_a_force_leads_along_the_closed_form_through_both_limits(agree, height):
     net = von_mises(height)
     path = load_path(net, built_shape(net), point_forces(net, APEX, DOWN), step=height / 10, increments=26)
     z = np.array([point.shape.positions[1, 2] for point in path.points])
     factors = np.array([point.factor for point in path.points])
-    np.testing.assert_allclose(factors, force(height, z), atol=1e-9 * limit(height))
+    by = "von Mises 1923"
+    most = limit(height)
+    agree("force by the largest", factors / most, force(height, z) / most, by=by, abs=1e-9)
     assert z[-1] < -height
     assert [event.kind for event in path.events] == ["limit", "limit"]
     for event, sign in zip(path.events, (1, -1), strict=True):
-        assert event.point.factor == pytest.approx(sign * limit(height), rel=1e-9)
+        agree("limit load", event.point.factor, sign * limit(height), unit="N", by=by, rel=1e-9)
     inside = np.abs(z) < np.sqrt((np.hypot(HALF, height) * HALF**2) ** (2 / 3) - HALF**2)
     assert [point.index for point in path.points] == list(inside.astype(int))
 
 
 @pytest.mark.parametrize("height", [0.003, 0.01, 0.02, 0.05])
 @pytest.mark.parametrize("step", [0.02, 0.08])
-def test_a_shallow_truss_collapses_at_its_limit_whose_snap_an_increment_would_step_over(height, step):
+def test_a_shallow_truss_collapses_at_its_limit_whose_snap_an_increment_would_step_over(agree, height, step):
     net = von_mises(height)
     path = load_path(net, built_shape(net), point_forces(net, APEX, DOWN), step=step, increments=20, events=1)
     assert [event.kind for event in path.events] == ["limit"]
-    assert path.events[0].point.factor == pytest.approx(limit(height), rel=1e-6)
+    found, known = path.events[0].point.factor, limit(height)
+    agree("limit load", found, known, unit="N", by="von Mises 1923", rel=1e-6)
 
 
 def test_a_displacement_leads_through_without_a_limit(agree):
@@ -86,7 +89,7 @@ def test_a_displacement_leads_through_without_a_limit(agree):
     )
 
 
-def test_a_soft_spring_in_series_snaps_back_under_displacement():
+def test_a_soft_spring_in_series_snaps_back_under_displacement(agree):
     height, soft = 0.3, 30.0
     nodes = [[-HALF, 0, 0], [0, 0, height], [HALF, 0, 0], [0, 0, 2.0]]
     net = truss(nodes, [[0, 1], [1, 2], [1, 3]], stiffness=[STIFFNESS, STIFFNESS, soft], held=[0, 2, 3, (1, 0), (1, 1)])
@@ -101,15 +104,16 @@ def test_a_soft_spring_in_series_snaps_back_under_displacement():
         return (driven(z + 1e-6) - driven(z - 1e-6)) / 2e-6
 
     z = np.array([point.shape.positions[1, 2] for point in path.points])
-    np.testing.assert_allclose([point.factor for point in path.points], driven(z), atol=1e-9)
+    ways, by = [point.factor for point in path.points], "von Mises 1923 and a spring"
+    agree("displacement", ways, driven(z), unit="m", by=by, abs=1e-9)
     turns = [brentq(slope, 0.0, height), brentq(slope, -height, 0.0)]
     assert driven(turns[1]) < driven(turns[0])  # it does snap back
     assert [event.kind for event in path.events] == ["limit", "limit"]
     for event, turn in zip(path.events, turns, strict=True):
-        assert event.point.factor == pytest.approx(driven(turn), rel=1e-8)
+        agree("displacement at which it turns", event.point.factor, driven(turn), unit="m", by=by, rel=1e-8)
 
 
-def test_a_tendon_that_goes_slack_turns_the_path_at_a_corner():
+def test_a_tendon_that_goes_slack_turns_the_path_at_a_corner(agree):
     # it pulls the apex down as far as 0.1 m, and keeps it from snapping until then
     slack, pull = 0.1, 400.0
     nodes = [[-HALF, 0, 0], [0, 0, 0.3], [HALF, 0, 0], [0, 0, -1]]
@@ -121,13 +125,14 @@ def test_a_tendon_that_goes_slack_turns_the_path_at_a_corner():
     assert path.ended == "count"
     z = np.array([point.shape.positions[1, 2] for point in path.points])
     known = force(0.3, z) - pull * np.maximum(z - slack, 0)
-    np.testing.assert_allclose([point.factor for point in path.points], known, atol=1e-8)
+    found, by = [point.factor for point in path.points], "von Mises 1923 and a tendon"
+    agree("force", found, known, unit="N", by=by, abs=1e-8)
     assert z[-1] < -0.3
     assert [event.kind for event in path.events] == ["limit", "limit"]
-    assert path.events[0].point.factor == pytest.approx(force(0.3, slack), rel=1e-3)
+    agree("force at the corner", path.events[0].point.factor, force(0.3, slack), unit="N", by=by, rel=1e-3)
 
 
-def test_a_tall_truss_leaves_sideways_first():
+def test_a_tall_truss_leaves_sideways_first(agree):
     # the sideways stiffness 1 - L0 z^2 / L^3 falls to 0 above the limit where L0 > 3 sqrt(3) / 2 of the half span
     height = 2.6
     net = von_mises(height)
@@ -136,7 +141,8 @@ def test_a_tall_truss_leaves_sideways_first():
     path = load_path(net, built_shape(net), point_forces(net, APEX, DOWN), events=1, increments=200)
     event = path.events[0]
     assert event.kind == "bifurcation"
-    assert event.point.factor == pytest.approx(force(height, z), rel=1e-5)
+    by = "1 - L₀ z² / L³ = 0"
+    agree("force at which it leaves", event.point.factor, force(height, z), unit="N", by=by, rel=1e-5)
     np.testing.assert_allclose(event.mode[1], (1, 0, 0), atol=1e-6)
 
     for sense in (1, -1):
@@ -160,7 +166,8 @@ def test_a_tall_truss_leaves_sideways_first():
 def test_two_states_lie_on_either_side_of_the_saddle_of_straight_bars(agree):
     net = von_mises(0.3)
     found = find_stable_states(net, [built_shape(net)], tries=10)
-    assert sorted(state.shape.positions[1, 2] for state in found.states) == pytest.approx([-0.3, 0.3])
+    heights = sorted(state.shape.positions[1, 2] for state in found.states)
+    agree("heights of both states", heights, [-0.3, 0.3], unit="m", by="bars of equal length", rel=1e-6)
     saddle = find_saddle(net, *found.states)
     assert saddle is not None
     assert saddle.joins
@@ -168,34 +175,36 @@ def test_two_states_lie_on_either_side_of_the_saddle_of_straight_bars(agree):
     agree("barrier of a truss of two bars", saddle.barriers, barrier, unit="J", by="straight bars", rel=1e-9)
 
 
-def test_it_collapses_at_the_limit_under_a_force_or_an_acceleration():
+def test_it_collapses_at_the_limit_under_a_force_or_an_acceleration(agree):
     net = replace(von_mises(0.3), masses=np.array([1.0, 0.2, 1.0]))
     rest = minimum(net, built_shape(net))
     pushed = collapse(net, rest, point_forces(net, APEX, DOWN))
     shaken = collapse(net, rest, acceleration(net, np.array([0.0, 0.0, 1.0])))
     assert pushed.kind == shaken.kind == "limit"
-    assert pushed.factor == pytest.approx(limit(0.3), rel=1e-9)
-    assert shaken.factor == pytest.approx(limit(0.3) / 0.2, rel=1e-9)
+    agree("force", pushed.factor, limit(0.3), unit="N", by="von Mises 1923", rel=1e-9)
+    agree("acceleration", shaken.factor, limit(0.3) / 0.2, unit="m/s²", by="that by the mass", rel=1e-9)
     assert collapse(net, rest, point_forces(net, APEX, DOWN), most=limit(0.3) / 2).kind == "none"
 
 
-def test_from_the_limit_it_snaps_to_where_the_inverted_truss_bears_the_same_force():
+def test_from_the_limit_it_snaps_to_where_the_inverted_truss_bears_the_same_force(agree):
     net = von_mises(0.3)
     state = minimum(net, built_shape(net))
     lost = collapse(net, state, point_forces(net, APEX, DOWN))
     there = snapped(net, lost)
     assert there.stable
     z = brentq(lambda z: force(0.3, z) - 1.001 * limit(0.3), -1.0, -0.3)
-    assert there.shape.positions[1] == pytest.approx((0, 0, z), abs=1e-8)
+    agree("where it snaps to", there.shape.positions[1], (0, 0, z), unit="m", by="von Mises 1923", abs=1e-8)
     assert minimum(net, there.shape).shape.positions[1, 2] == pytest.approx(-0.3)
     held = collapse(net, state, point_forces(net, APEX, DOWN), most=1.0)
     with pytest.raises(InputError, match="lost: need a state that collapses"):
         snapped(net, held)
 
 
-def test_its_apex_vibrates_as_its_stiffness_says():
+def test_its_apex_vibrates_as_its_stiffness_says(agree):
     net = von_mises(0.3)
     modes = natural_modes(net, built_shape(net))
     squares = 2 * STIFFNESS * np.array([0.3**2, HALF**2]) / (0.3**2 + HALF**2)
-    np.testing.assert_allclose((2 * np.pi * modes.frequencies) ** 2, squares, rtol=1e-9)
+    found = 2 * np.pi * modes.frequencies
+    # of a square twice the share of what is squared
+    agree("frequencies", found, np.sqrt(squares), unit="rad/s", by="√(k / m)", rel=0.5e-9)
     assert not modes.rigid.any()

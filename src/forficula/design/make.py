@@ -61,7 +61,9 @@ class MakeSection(Part):
     root_length: float = _detail("of a rod between hub and bar", 10e-3, above=0)
     root_material: Annotated[str, Field(description="of these rods, by name")] = "tpu-95a"
     kerf: float = _detail("width that the cutter takes away", 0.1e-3, at_least=0)
-    margin: float = _detail("by which the sheet is cut wider than its pattern, all around", 0.0, at_least=0)
+    margin: float = _detail(
+        "by which the sheet is cut wider than its pattern, around its outside; creases run on in it", 0.0, at_least=0
+    )
     window: float = _detail("gap between the sheet and what passes through it", 1e-3, at_least=0)
     crease_style: Annotated[
         Literal["score", "perforation", "lattice"],

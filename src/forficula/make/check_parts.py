@@ -2,20 +2,72 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
+
+from forficula.dynamics import Record, as_record
+from forficula.errors import InputError
 from forficula.make.check import Check
+from forficula.make.mesh_checks import mesh_checks
 from forficula.make.part import PartSet
 from forficula.make.printing_checks import printing_checks
 from forficula.make.range_checks import range_checks
 from forficula.make.strength_checks import strength_checks
 
 
-def check_parts(parts: PartSet) -> tuple[Check, ...]:
+def check_parts(parts: PartSet, record: object = None) -> tuple[Check, ...]:
     """Check parts: geometry at nominal size, and formulas with the strengths of data sheets.
 
     What is not checked: that they print, fatigue, creep, bonding.
+
+    Args:
+        parts: to check.
+        record: of a run of the design, or its folder, to see who touches whom in it.
+
+    Returns:
+        One that fails says what to do about it; one that could not be made says why.
+
+    Raises:
+        InputError: the record is none, or of a design with other values.
 
     >>> checks = ff.check_parts(ff.make_parts("binder2025-joint"))
     >>> [check.name for check in checks if check.ok is False]
     []
     """
-    return (*range_checks(parts), *strength_checks(parts), *printing_checks(parts))
+    try:
+        run = None if record is None else run_of(parts, record)
+    except InputError as error:
+        raise InputError(f"record: {error}") from None
+    sheet: tuple[Check, ...] = () if parts.sheet is None else parts.sheet.checks
+    meshes = (check for part in parts.parts for check in mesh_checks(part))
+    own = (*range_checks(parts), *strength_checks(parts), *printing_checks(parts))
+    return (*own, *meshes, *sheet, *_motion(parts, run))
+
+
+def run_of(parts: PartSet, record: object) -> Record:
+    """A run of the design whose parts are made, from its record or its folder.
+
+    Raises:
+        InputError: it is none, or one of a design with other values; how parts are made is not of a run.
+    """
+    run = as_record(record)
+    if run.design.hash != parts.design.hash:
+        raise InputError(
+            f"need a run of {parts.design.name} with the same values, got one of {run.design.name} with others"
+        )
+    return run
+
+
+def _motion(parts: PartSet, run: Record | None) -> Iterator[Check]:
+    """Say that the recorded motion is not looked at."""
+    if parts.joints:
+        without = "not looked at without a run of the design: give its folder, --record"
+        yield Check(
+            name="recorded motion",
+            part=parts.design.name,
+            ok=None,
+            value=math.nan,
+            limit=math.nan,
+            unit="",
+            text=without if run is None else "not looked at: this version checks hinges one by one only",
+        )

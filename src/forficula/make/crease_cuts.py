@@ -52,9 +52,9 @@ def crease_cuts(crease: CreaseLine, make: MakeSection, sides: Array) -> list[Arr
 
     A perforation is a row of whole cuts with bridges between them, in the middle of what there is of the crease, so
     that both ends stay bridged. A lattice has rows of them, every second row shifted by half a cut and half a bridge
-    (lamina emergent torsion: Jacobsen, Chen, Howell and Magleby 2009, doi 10.1016/j.mechmachtheory.2009.08.003), the
-    last cuts shortened. Cuts keep half a bridge away from the bisector to the next crease at either end, so that those
-    of neighbouring creases leave a bridge between them and never cross.
+    (lamina emergent torsion: Jacobsen, Chen, Howell and Magleby 2009, Mechanism and Machine Theory 44, 2098), the last
+    cuts shortened. Cuts keep half a bridge, and half a kerf, away from the bisector to the next crease at either
+    end, so that those of neighbouring creases leave a bridge between them and never cross.
 
     Args:
         crease: where it lies.
@@ -68,7 +68,7 @@ def crease_cuts(crease: CreaseLine, make: MakeSection, sides: Array) -> list[Arr
     cuts: list[Array] = []
     for row, offset in enumerate(row_offsets(make)):
         start = crease.tail + offset * across
-        least, most = _between_bisectors(crease, offset, make.crease_bridge / 2)
+        least, most = _between_bisectors(crease, offset, (make.crease_bridge + make.kerf) / 2)
         for low, high in spans_within(sides, start, crease.along, least, most):
             if high <= 0 or low >= crease.length:
                 continue

@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 Layer = Literal["cut", "score", "mountain", "valley", "mark"]
 # in the order in which files list them
 LAYERS: tuple[Layer, ...] = ("cut", "score", "mountain", "valley", "mark")
-Kind = Literal["border", "window", "hole", "relief", "cut", "slit", "crease"]
+Kind = Literal["border", "window", "hole", "relief", "cut", "slit", "crease", "edge"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -27,7 +27,7 @@ class CutLine:
     Attributes:
         layer: that tells how it is made.
         kind: what it is of: the border, a window, a hole of the pattern, a relief hole, a cut of the pattern, a slit of
-            a crease, or a crease that is scored.
+            a crease, a crease that is scored, or the edge of the model's membrane within the sheet.
         points: m, (point, 2); of a closed one the first is not repeated.
         closed: whether it goes back to its first point.
         edge: number of the pattern's edge that it is of, as built; -1 of others.
@@ -121,6 +121,7 @@ def layer_texts(sheet: CutSheet) -> dict[Layer, str]:
     """What is done with the lines of each layer that a sheet has, a sentence each."""
     scored = sheet.style == "score"
     face, back = (", from the face", ", from the back if you can turn the sheet over") if scored else ("", "")
+    marks = "numbers of seams, where two edges of one number are joined" if sheet.labels else "where the membrane ends"
     does = {
         "score": "score half through",
         "perforation": "cut through, as dashes",
@@ -131,7 +132,7 @@ def layer_texts(sheet: CutSheet) -> dict[Layer, str]:
         "score": "score half through, from the face: creases that fold either way, or too short for dashes",
         "mountain": f"mountain creases, which rise towards you: {does}{face}",
         "valley": f"valley creases, which fall away from you: {does}{back}",
-        "mark": "engrave or leave out: numbers of seams, where two edges of one number are joined",
+        "mark": f"engrave or leave out: {marks}",
     }
     used = {line.layer for line in sheet.lines} | ({"mark"} if sheet.labels else set())
     return {layer: texts[layer] for layer in LAYERS if layer in used}

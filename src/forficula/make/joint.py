@@ -36,7 +36,9 @@ def bar_solid(arms: list[tuple[JointLayout, Arm]]) -> Solid:
     solid = Shared(solids=(solid, *(_wedge(each, own) for each, own in arms)))
     solid = Cut(solid=solid, taken=(above_bed(layout), *(each for joint, own in arms for each in _room(joint, own))))
     solid = Joined(solids=(solid, *(each for joint, own in arms for each in _knuckles(joint, own))))
-    solid = Cut(solid=solid, taken=tuple(_hole(joint, own) for joint, own in arms))
+    # an axle grows out of the proximal knuckles: in a hole as wide as itself it would only touch them
+    holes = [_hole(joint, own) for joint, own in arms if own is joint.distal or joint.make.hinge == "pin"]
+    solid = Cut(solid=solid, taken=tuple(holes)) if holes else solid
     axles = [pin_solid(joint) for joint, own in arms if own is joint.proximal and joint.make.hinge != "pin"]
     pegs = [each for joint, own in arms if own.peg and joint.strap for each in peg_solids(joint, own)]
     return joined(solid, *axles, *pegs)

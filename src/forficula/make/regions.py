@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
-from manifold3d import CrossSection, FillRule, JoinType
+from manifold3d import CrossSection, FillRule, JoinType, OpType
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
@@ -75,10 +75,7 @@ def rounded(region: Region, distance: float) -> Region:
 
 def united(regions: Sequence[Region]) -> Region:
     """What regions cover together."""
-    together = CrossSection()
-    for region in regions:
-        together = together + region
-    return together
+    return CrossSection.batch_boolean(list(regions), OpType.Add) if regions else CrossSection()
 
 
 def is_empty(region: Region) -> bool:

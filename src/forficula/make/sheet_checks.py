@@ -14,6 +14,7 @@ from forficula.make.check import Check
 from forficula.make.cut_lines import CutLine, CutSheet
 from forficula.make.regions import (
     Region,
+    area_of,
     disc,
     distance_to,
     is_empty,
@@ -34,6 +35,9 @@ _PART = "sheet"
 # m: a cut without width parts nothing, so that it is given at least this
 _THINNEST = 1e-6
 _HALVINGS = 12
+# share of a bridge by which slits of two creases are apart at least, such that boxes around those that are a whole one
+# apart do not meet with their corners; and m^2 of rounding in that
+_NEAR, _SHARED = 0.4, 1e-10
 # of the least strip: how far is looked for the narrowest one
 _FARTHEST = 8
 
@@ -58,7 +62,7 @@ class SheetParts:
 
 
 def sheet_checks(sheet: CutSheet, parts: SheetParts) -> tuple[Check, ...]:
-    """Check a sheet, in this order: strips, windows, bridges, relief holes, kept holes, one piece.
+    """Check a sheet, in this order: strips, windows, bridges, slits, rows, round holes, kept holes, one piece.
 
     Args:
         sheet: as drawn.
@@ -71,7 +75,7 @@ def sheet_checks(sheet: CutSheet, parts: SheetParts) -> tuple[Check, ...]:
     if parts.windows:
         checks += [_strips(sheet, parts), _windows_apart(parts.windows)]
     if make.crease_style != "score":
-        checks.append(_bridges(make))
+        checks += [_bridges(make), _slits_apart(sheet, make)]
     if make.crease_style == "lattice":
         checks.append(_rows(make))
     if len(sheet.holes) > 1 or parts.large_holes:
@@ -168,6 +172,29 @@ def _bridges(make: MakeSection) -> Check:
         limit=make.kerf,
         unit="m",
         text=f"bridges between cuts are {bridge} wide, and need the width of the cutter, {kerf}{hint}",
+    )
+
+
+def _slits_apart(sheet: CutSheet, make: MakeSection) -> Check:
+    """Slits of different creases keep apart; those of creases that meet do by how they are drawn."""
+    slots: dict[int, list[Array]] = {}
+    for line in sheet.lines:
+        if line.kind == "slit":
+            slots.setdefault(line.edge, []).append(_slot(line, sheet.kerf + _NEAR * make.crease_bridge))
+    around = [region_of(loops) for loops in slots.values()]
+    shared = sum(map(area_of, around)) - area_of(united(around))
+    ok = shared <= _SHARED
+    return Check(
+        name="slits",
+        part=_PART,
+        ok=ok,
+        value=shared,
+        limit=_SHARED,
+        unit="m^2",
+        text="slits of different creases leave bridges between them"
+        if ok
+        else "slits of different creases cross or nearly do: their creases are too near for make.lattice_rows at"
+        " make.lattice_pitch",
     )
 
 

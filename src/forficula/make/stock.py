@@ -24,6 +24,7 @@ class Stock:
         strength: the least, in the plane of printed layers, Pa; None where they give none.
         strength_across: the least across printed layers, or that in their plane where nothing tells the two apart, Pa.
         source: of these numbers.
+        density_source: of the density; "" without one.
     """
 
     name: str
@@ -32,6 +33,7 @@ class Stock:
     strength: float | None
     strength_across: float | None
     source: str
+    density_source: str
 
 
 def stock_of(material: str | MaterialLaw) -> Stock:
@@ -55,6 +57,7 @@ def stock_of(material: str | MaterialLaw) -> Stock:
         strength=None if strength is None else strength[0],
         strength_across=None if across is None else across[0],
         source="; ".join(facts) or law.source,
+        density_source=next((fact.source for fact in law.facts if fact.what == "density"), ""),
     )
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from forficula.design import Design, MakeSection
 from forficula.errors import InputError
-from forficula.make.density import density_of
+from forficula.make.stock import stock_of
 from forficula.material.law.law_file import load_law, named_laws
 from forficula.material.law.material_law import MaterialLaw, area_for
 from forficula.structure import Tendon
@@ -93,4 +93,4 @@ def _material(make: MakeSection, tendon: Tendon) -> MaterialLaw:
 
 def _density(law: MaterialLaw) -> float | None:
     """Of the material, kg/m^3; a design keeps a material's law by its name, without what else its sources say."""
-    return density_of(load_law(law.name) if law.name in named_laws() and not law.facts else law)
+    return stock_of(law.name if law.name in named_laws() and not law.facts else law).density

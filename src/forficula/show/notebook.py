@@ -44,6 +44,7 @@ if TYPE_CHECKING:
 # no colours of our own: what a notebook has by day and by night
 _STYLE = (
     "<style>.forficula table{border-collapse:collapse;margin:.5em 0}.forficula caption{text-align:left;font-weight:600}"
+    ".forficula .table{overflow-x:auto}"
     ".forficula th,.forficula td{padding:.15em .8em .15em 0;text-align:left;vertical-align:top}"
     ".forficula .numbers td{text-align:right}.forficula img{max-width:min(100%,46em);background:#fff}"
     ".forficula small{display:block;opacity:.7}.forficula p{margin:.4em 0;max-width:46em}</style>"

@@ -18,6 +18,7 @@ from rich.table import Column
 from forficula.terminal import is_quiet
 
 _PATIENCE = 3  # s
+_LONG = 1  # s
 
 
 def _console() -> Console:
@@ -72,6 +73,29 @@ def waiting(what: str) -> Iterator[Callable[[], None]]:
     timer.start()
     try:
         yield timer.cancel
+    finally:
+        timer.cancel()
+
+
+@contextmanager
+def steps_progress() -> Iterator[Callable[[str], None]]:
+    """Say what is done: a line that changes on a terminal, a line for what takes longer than a second elsewhere."""
+    console = _console()
+    if console.is_terminal:
+        with console.status("") as status:
+            yield lambda step: status.update(escape(step))
+        return
+    timer = Timer(_LONG, lambda: None)
+
+    def begin(step: str) -> None:
+        nonlocal timer
+        timer.cancel()
+        timer = Timer(_LONG, lambda: console.print(f"{step} ...", markup=False, soft_wrap=True))
+        timer.daemon = True
+        timer.start()
+
+    try:
+        yield begin
     finally:
         timer.cancel()
 

@@ -19,6 +19,7 @@ from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_at
 from forficula.show.style import STRAIN_COLOURS
 from forficula.study.runs import run
+from tests.show.legible import colours
 from tests.show.plates import plates_run
 
 SIZE, RATE = (320, 180), 4
@@ -122,7 +123,7 @@ def test_every_run_can_be_filmed_whatever_the_wing_did(values):
     cuts = film_cuts(record, measure(record))
     frame = FilmFrame(record, cuts, SIZE)
     for time in (0.0, 1e3):
-        assert len(np.unique(frame.draw(*moment(cuts, time)).reshape(-1, 3), axis=0)) > 10  # not blank
+        assert colours(frame.draw(*moment(cuts, time))) > 10  # not blank
 
 
 @pytest.mark.parametrize("size", [(240, 240), (1282, 722), (854, 480)])

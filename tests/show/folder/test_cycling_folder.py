@@ -13,7 +13,7 @@ from forficula.show.run.cycling_figure import draw_cycling
 from forficula.structure import structure_of
 from forficula.study.cycling import CycleRun, Cycling, driven_transitions
 
-pytestmark = pytest.mark.usefixtures("no_column_figures")
+pytestmark = pytest.mark.usefixtures("no_figures")
 
 
 def run(cycle, **row):

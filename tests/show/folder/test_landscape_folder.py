@@ -10,7 +10,7 @@ from forficula.errors import InputError
 from forficula.show.folder.landscape_folder import write_landscape
 from forficula.study.runs import run
 
-pytestmark = pytest.mark.usefixtures("no_column_figures")
+pytestmark = pytest.mark.usefixtures("no_figures")
 
 FILES = ["design.toml", "figures", "landscape.json", "levels.png", "report.html", "tendon.png", "wing.png"]
 

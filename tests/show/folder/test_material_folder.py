@@ -10,7 +10,7 @@ from forficula.material.material_summary import law_rows
 from forficula.show.folder.material_folder import write_material
 from forficula.show.page.html import escaped
 
-pytestmark = pytest.mark.usefixtures("no_column_figures")
+pytestmark = pytest.mark.usefixtures("no_figures")
 
 FILES = [
     *("cycles.png", "drift.png", "figures", "fit.png", "material.json", "modulus.png", "report.html"),

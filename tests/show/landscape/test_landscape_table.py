@@ -1,7 +1,9 @@
 import pytest
 from rich.console import Console
 
+from forficula.calls import landscape as energy_landscape
 from forficula.design import load_design
+from forficula.show.folder.landscape_folder import landscape_kinds
 from forficula.show.landscape.landscape_table import landscape_table
 from forficula.statics import landscape_summary
 from forficula.study.runs import run
@@ -115,3 +117,12 @@ def test_plates_are_told_by_where_they_rest_and_by_what_closes_and_opens_them(su
     assert "The simulated structure: closed and opened." in text
     for word in ("wing", "vein", "membrane", "pleats", "overbend"):
         assert word not in text
+
+
+def test_a_single_hinge_is_told_once_and_has_no_levels_between():
+    landscape = energy_landscape("binder2025-joint")
+    assert landscape_kinds(landscape) == ("tendon", "rests")
+    text = printed(landscape)
+    assert "binder2025-joint: rests stably: flat, folded, opened (as flat)\n" in text
+    assert line(text, "hinge of the joint, overbend to").split()[-2:] == ["7.02", "mJ"]
+    assert "easiest hinge" not in text

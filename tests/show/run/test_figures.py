@@ -12,6 +12,7 @@ from forficula.show import draw_angles, draw_energies, draw_folding, draw_patter
 from forficula.show.style import description
 from forficula.structure import measure_of, structure_of
 from forficula.study.runs import run
+from tests.show.legible import colours
 
 STAGE = {"hold": "0 s", "drive": "none", "until": "time"}
 ONLY_SETTLED = [STAGE | {"name": "settle", "time_limit": "20 ms"}]
@@ -36,7 +37,7 @@ def test_every_run_can_be_drawn_whatever_the_wing_did(runs, name):
     record = runs[name]
     outcome = measure(record)
     for figure in (draw_angles(record, outcome), draw_energies(record), draw_folding(record, outcome)):
-        assert np.unique(pixels(figure).reshape(-1, 3), axis=0).shape[0] > 10  # not blank
+        assert colours(pixels(figure)) > 10  # not blank
 
 
 def test_a_sheet_that_blows_up_is_drawn_as_far_as_it_is_one():
@@ -48,7 +49,7 @@ def test_a_sheet_that_blows_up_is_drawn_as_far_as_it_is_one():
     span = np.ptp(record.series["point_position"], axis=1).max(axis=1)
     assert not np.nanmax(np.where(np.isfinite(span), span, np.inf)) < 100 * record.structure.span
     figure = draw_folding(record, measure(record))
-    assert np.unique(pixels(figure).reshape(-1, 3), axis=0).shape[0] > 10
+    assert colours(pixels(figure)) > 10
     assert max(figure.axes[0].get_xlim()) < 10 * record.structure.span
 
 

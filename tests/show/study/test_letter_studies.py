@@ -14,6 +14,9 @@ from forficula.show.study.study_table import print_study
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, description
 from forficula.study import load_study, run_study
 
+# every figure is drawn by `check`
+pytestmark = pytest.mark.usefixtures("no_figures")
+
 STIFFNESS = '"crease.stiffness" = ["1e-2 N m/rad/m", "0.2 N m/rad/m"]'
 DRIVE = '"drive.close.value" = ["1 N cm", "6 N cm"]'
 TENDON = '"tendon.left.stiffness" = ["0.2 N/cm", "1 N/cm"]'

@@ -1,0 +1,55 @@
+"""Numbers that the build does not compute: what found them, with which version, and whether that is this one.
+
+    :::{measured} forficula study binder2025-choices
+    :version: 0.1.0
+    :took: 5 min on two cores
+
+    | ... |
+    :::
+
+shows what it holds, and below it the command, the version and the time. Where the documentation is of another version
+it says that the numbers were not measured again. A test refuses a table of findings that is in no such block, and one
+of another version: a release measures them again.
+"""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from docutils import nodes
+from docutils.parsers.rst import directives
+from sphinx.application import Sphinx
+from sphinx.util.docutils import SphinxDirective
+from sphinx.util.typing import OptionSpec
+
+
+class MeasuredDirective(SphinxDirective):
+    """What was measured, with the command that did."""
+
+    has_content = True
+    required_arguments = 1
+    final_argument_whitespace = True
+    option_spec: ClassVar[OptionSpec] = {
+        "version": directives.unchanged_required,
+        "took": directives.unchanged,
+        "with": directives.unchanged,
+    }
+
+    def run(self) -> list[nodes.Node]:
+        if "version" not in self.options:
+            raise self.error("measured: needs :version:, with which these numbers were found")
+        block = nodes.container("", classes=["measured"])
+        self.state.nested_parse(self.content, self.content_offset, block)
+        told = nodes.paragraph("", "", nodes.Text("Measured by "), nodes.literal("", self.arguments[0]))
+        told += nodes.Text("".join(f", {self.options[name]}" for name in ("with", "took") if name in self.options))
+        version = self.options["version"]
+        again = "" if version == self.config.release else f"; not measured again with {self.config.release}"
+        told += nodes.Text(f", with forficula {version}{again}.")
+        told["classes"] = ["by"]
+        block += told
+        return [block]
+
+
+def setup(app: Sphinx) -> dict[str, object]:
+    app.add_directive("measured", MeasuredDirective)
+    return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

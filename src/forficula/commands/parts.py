@@ -1,0 +1,73 @@
+"""The command that turns a design into parts."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+from cyclopts import Parameter
+
+from forficula.options import (
+    DesignName,
+    OutIfGiven,
+    Settings,
+    check_folder,
+    read_option,
+    read_quantity,
+    read_settings,
+    tell_replaced,
+)
+from forficula.terminal import came_to
+
+
+def make(
+    design: DesignName,
+    /,
+    *,
+    part: Annotated[
+        Literal["all", "sheet", "joint", "section"],
+        Parameter(help="The sheet, the first joint alone, all joints with what they turn on, or all there is."),
+    ] = "all",
+    settings: Settings = None,
+    unit: Annotated[
+        str | None, Parameter(help='Length of one unit of a FOLD file or a drawing that names none, as in "1 cm".')
+    ] = None,
+    out: Annotated[
+        OutIfGiven, Parameter(help="Folder for the files; out/<name of the design>-parts if not given.")
+    ] = None,
+    record: Annotated[
+        Path | None, Parameter(help="Folder of a run of this design, to see who touches whom in it.")
+    ] = None,
+    step: Annotated[
+        bool, Parameter(help='Write solids as STEP, too; needs pip install "forficula[step]".', negative=())
+    ] = False,
+    strict: Annotated[bool, Parameter(help="End with status 2 where a check fails.", negative=())] = False,
+) -> int:
+    """Turn a design into parts to print, to buy and to cut, and check them: STL, 3MF, STEP, DXF, SVG, a bill."""
+    from forficula.design import load_design
+    from forficula.design.part import LENGTH
+    from forficula.make.check_parts import check_parts, run_of
+    from forficula.make.files.step import check_step
+    from forficula.make.make_parts import make_parts
+    from forficula.show.folder.parts_folder import parts_json, write_parts
+    from forficula.show.make.parts_table import print_parts
+    from forficula.show.progress import steps_progress
+
+    length = None if unit is None else read_quantity("--unit", unit, LENGTH)
+    chosen = load_design(design, read_settings(settings), unit=length)
+    folder = out or Path("out") / f"{chosen.name}-parts"
+    check_folder(folder)
+    if step:
+        read_option("--step", check_step)
+    with steps_progress() as progress:
+        progress("building the parts")
+        parts = make_parts(chosen, part=part)
+        run = None if record is None else read_option("--record", lambda: run_of(parts, record))
+        progress("checking the parts")
+        checks = check_parts(parts, run)
+        tell_replaced(folder, "bill of parts")
+        write_parts(parts, checks, folder, step=step, progress=progress)
+    came_to(parts_json(parts, checks))
+    print_parts(parts, checks)
+    print(f"\nwritten to {folder}")
+    return 2 if strict and any(check.ok is False for check in checks) else 0

@@ -1,0 +1,1 @@
+"""Files that printers, slicers, drawing programs and shops read."""

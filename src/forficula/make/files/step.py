@@ -1,0 +1,215 @@
+"""Parts as STEP, by Open Cascade: a second kernel, with true cylinders, that evaluates the same tree of solids."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from forficula.errors import InputError
+from forficula.make.mesh import MILLIMETRES
+from forficula.make.part import Part
+from forficula.make.solids import Cut, Joined, Prism, Rod, Shared, Solid
+from forficula.structure.parts import Array
+
+_MISSING = 'need Open Cascade: pip install "forficula[step]"'
+# the same part is the same bytes, whenever it is written
+_TIME = "1980-01-01T00:00:00"
+_GRAMS_PER_CM3 = 1e-3
+
+
+def check_step() -> None:
+    """Say what to install where STEP files cannot be written.
+
+    Raises:
+        InputError: Open Cascade is not there.
+    """
+    try:
+        import OCP.STEPCAFControl  # noqa: F401
+    except ImportError:
+        raise InputError(_MISSING) from None
+
+
+def write_step(part: Part, path: Path) -> None:
+    """Write a part where it is in the structure built flat, in the axes of the ground, in mm.
+
+    The file has its name, its material and, where that is known, its density.
+
+    Args:
+        part: to write.
+        path: of the file, which is not written whole or not at all: the caller sees to that.
+
+    Raises:
+        InputError: Open Cascade is not there, or cannot write the file.
+    """
+    check_step()
+    from OCP.APIHeaderSection import APIHeaderSection_MakeHeader
+    from OCP.IFSelect import IFSelect_ReturnStatus
+    from OCP.STEPCAFControl import STEPCAFControl_Writer
+    from OCP.STEPControl import STEPControl_StepModelType
+    from OCP.TCollection import TCollection_HAsciiString as Text
+
+    with _silent():
+        writer = STEPCAFControl_Writer()
+        writer.SetNameMode(True)
+        writer.SetMaterialMode(True)
+        writer.Transfer(_document(part), STEPControl_StepModelType.STEPControl_AsIs)
+        header = APIHeaderSection_MakeHeader(writer.ChangeWriter().Model())
+        header.SetName(Text(part.name))
+        header.SetTimeStamp(Text(_TIME))
+        header.SetAuthorValue(1, Text(""))
+        header.SetOrganizationValue(1, Text(""))
+        header.SetOriginatingSystem(Text("forficula"))
+        if writer.Write(str(path)) != IFSelect_ReturnStatus.IFSelect_RetDone:
+            raise InputError(f"{path}: cannot be written as STEP")
+
+
+def shape_of(solid: Solid) -> Any:
+    """Evaluate a tree of solids by Open Cascade, mm; circles are circles.
+
+    Raises:
+        InputError: Open Cascade is not there, or finds no result.
+    """
+    check_step()
+    from OCP.BRepAlgoAPI import BRepAlgoAPI_Common, BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
+
+    match solid:
+        case Rod():
+            return _rod(solid)
+        case Prism():
+            return _prism(solid)
+        case Joined():
+            return _combined(BRepAlgoAPI_Fuse(), solid.solids[:1], solid.solids[1:])
+        case Shared():
+            # of several tools it would take what any of them shares
+            shape = shape_of(solid.solids[0])
+            for each in solid.solids[1:]:
+                shape = _operated(BRepAlgoAPI_Common(), [shape], [shape_of(each)])
+            return shape
+        case Cut():
+            return _combined(BRepAlgoAPI_Cut(), [solid.solid], solid.taken)
+
+
+def shape_volume(shape: Any) -> float:
+    """The volume of an evaluated solid, m^3."""
+    from OCP.BRepGProp import BRepGProp
+    from OCP.GProp import GProp_GProps
+
+    found = GProp_GProps()
+    BRepGProp.VolumeProperties_s(shape, found)
+    return float(found.Mass()) / MILLIMETRES**3
+
+
+def shape_gap(one: Any, other: Any) -> float:
+    """The least distance between two evaluated solids, m; 0 where they touch."""
+    from OCP.BRepExtrema import BRepExtrema_DistShapeShape
+
+    return float(BRepExtrema_DistShapeShape(one, other).Value()) / MILLIMETRES
+
+
+def _document(part: Part) -> Any:
+    """A document that holds a part, with its name, material and density."""
+    from OCP.TCollection import TCollection_ExtendedString as Name
+    from OCP.TCollection import TCollection_HAsciiString as Text
+    from OCP.TDataStd import TDataStd_Name
+    from OCP.TDocStd import TDocStd_Document
+    from OCP.XCAFDoc import XCAFDoc_DocumentTool
+
+    document = TDocStd_Document(Name("part"))
+    label = XCAFDoc_DocumentTool.ShapeTool_s(document.Main()).AddShape(shape_of(part.solid), False)
+    TDataStd_Name.Set_s(label, Name(part.name))
+    if part.stock.density is not None:
+        material, density = Text(part.stock.name), part.stock.density * _GRAMS_PER_CM3
+        XCAFDoc_DocumentTool.MaterialTool_s(document.Main()).SetMaterial(
+            label, material, material, density, Text("density"), Text("g/cm3")
+        )
+    return document
+
+
+def _combined(operation: Any, solids: Sequence[Solid], tools: Sequence[Solid]) -> Any:
+    return _operated(operation, [shape_of(each) for each in solids], [shape_of(each) for each in tools])
+
+
+def _operated(operation: Any, shapes: Sequence[Any], tools: Sequence[Any]) -> Any:
+    """What a boolean operation makes of shapes and what it takes to them, faces that go on united."""
+    if not tools:
+        return shapes[0]
+    from OCP.OCP.collections import List_TopoDS_Shape
+
+    for shape, take in ((shapes, operation.SetArguments), (tools, operation.SetTools)):
+        every = List_TopoDS_Shape()
+        for each in shape:
+            every.Append(each)
+        take(every)
+    operation.Build()
+    if not operation.IsDone():
+        raise InputError("Open Cascade finds no result of a boolean operation")
+    operation.SimplifyResult()
+    return _alone(operation.Shape())
+
+
+def _alone(shape: Any) -> Any:
+    """What is alone in a compound, in its place."""
+    from OCP.TopAbs import TopAbs_ShapeEnum
+    from OCP.TopoDS import TopoDS_Iterator
+
+    found = TopoDS_Iterator(shape)
+    if shape.ShapeType() != TopAbs_ShapeEnum.TopAbs_COMPOUND or not found.More():
+        return shape
+    inside = found.Value()
+    found.Next()
+    return shape if found.More() else inside
+
+
+def _rod(rod: Rod) -> Any:
+    from OCP.BRepPrimAPI import BRepPrimAPI_MakeCylinder
+    from OCP.gp import gp_Ax2
+
+    length = float(np.linalg.norm(rod.end - rod.start))
+    axes = gp_Ax2(_point(rod.start), _direction((rod.end - rod.start) / length))
+    return BRepPrimAPI_MakeCylinder(axes, rod.diameter / 2 * MILLIMETRES, length * MILLIMETRES).Shape()
+
+
+def _prism(prism: Prism) -> Any:
+    from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeFace, BRepBuilderAPI_MakePolygon
+    from OCP.BRepPrimAPI import BRepPrimAPI_MakePrism
+    from OCP.gp import gp_Vec
+
+    normal = prism.frame[:, 2] * prism.height
+    polygon = BRepBuilderAPI_MakePolygon()
+    for corner in prism.outline @ prism.frame[:, :2].T + prism.origin - normal / 2:
+        polygon.Add(_point(corner))
+    polygon.Close()
+    face = BRepBuilderAPI_MakeFace(polygon.Wire()).Face()
+    return BRepPrimAPI_MakePrism(face, gp_Vec(*(normal * MILLIMETRES).tolist())).Shape()
+
+
+def _point(place: Array) -> Any:
+    from OCP.gp import gp_Pnt
+
+    return gp_Pnt(*(place * MILLIMETRES).tolist())
+
+
+def _direction(along: Array) -> Any:
+    from OCP.gp import gp_Dir
+
+    return gp_Dir(*along.tolist())
+
+
+@contextmanager
+def _silent() -> Iterator[None]:
+    """Keep Open Cascade from telling on standard output what it writes."""
+    from OCP.Message import Message
+
+    messenger = Message.DefaultMessenger_s()
+    printers = list(messenger.Printers())
+    for printer in printers:
+        messenger.RemovePrinter(printer)
+    try:
+        yield
+    finally:
+        for printer in printers:
+            messenger.AddPrinter(printer)

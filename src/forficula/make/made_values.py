@@ -1,0 +1,184 @@
+"""What parts really have of what a design says: measured on their solids, by what groups of values it is."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from forficula.errors import InputError
+from forficula.make.free_range import free_range
+from forficula.make.joint_layout import Arm, JointLayout
+from forficula.make.mass_properties import parts_properties
+from forficula.make.part import PartSet
+from forficula.make.straps import Strap
+from forficula.structure import Bar
+from forficula.structure.mass import end_inertia
+
+
+@dataclass(frozen=True, kw_only=True)
+class MadeTendon:
+    """What a tendon is as its straps are made.
+
+    Attributes:
+        number: of the tendon.
+        attachments: distances of the pegs from the hinge along the bars, proximal first, m.
+        offsets: of the pegs out of the plane of the sheet, towards the overbend side, m.
+        area: of all straps together as they are printed, m^2.
+        by_area: that by the area that the design's stiffness asks for: what the stiffness is multiplied by.
+        mass: of all straps, eyes and all, kg; None where the density is not known.
+        rest_length: between the pegs, m.
+    """
+
+    number: int
+    attachments: tuple[float, float]
+    offsets: tuple[float, float]
+    area: float
+    by_area: float
+    mass: float | None
+    rest_length: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class MadeBars:
+    """A uniform bar, and a mass at the hinge, that turn about it as the outer halves of the joints do.
+
+    Attributes:
+        density: of the bar, by the inertia of a half about its hinge, kg/m^3; the mean of all halves.
+        hinge_mass: twice what is then at the end of the bar so that the half has its mass, kg; the mean, and 0 where
+            the bar alone is heavier.
+        spread: between the largest and the smallest density of single halves, by the mean.
+        missing: by how much the mass of a bar with its hinge mass is short of that of the half, kg; < 0 where the bar
+            alone is heavier.
+    """
+
+    density: float
+    hinge_mass: float
+    spread: float
+    missing: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class MadeValues:
+    """What is measured on parts.
+
+    Attributes:
+        stops: of every joint, where its halves begin to overlap, rad, fold and overbend, in the hinge's own sense.
+        tendons: that have straps.
+        bars: of the halves that turn and carry no others.
+    """
+
+    stops: tuple[tuple[float, float], ...]
+    tendons: tuple[MadeTendon, ...]
+    bars: MadeBars
+
+
+def made_values(parts: PartSet) -> MadeValues:
+    """Measure stops, pegs, straps, masses and inertias on the solids of parts.
+
+    Raises:
+        InputError: parts without joints, a material without a density, or a joint that nothing stops, or whose halves
+            overlap wherever they are.
+    """
+    if not parts.joints:
+        raise InputError(f"{parts.design.name}: no joint is made of it, so nothing is to be measured on one")
+    return MadeValues(
+        stops=tuple(_stops(parts, joint) for joint in parts.joints),
+        tendons=tuple(_tendon(parts, number) for number in tendons_of(parts)),
+        bars=_bars(parts),
+    )
+
+
+def tendons_of(parts: PartSet) -> tuple[int, ...]:
+    """Numbers of the tendons that straps are made for."""
+    return tuple(place.tendon for place in parts.straps)
+
+
+def printed_width(joint: JointLayout, strap: Strap) -> float:
+    """How wide a strap comes out, m: it is printed standing on its edge, so a filament gives whole layers of it."""
+    layer = joint.make.layer
+    return strap.width if joint.make.process == "powder" else layer * max(1, round(strap.width / layer))
+
+
+def outer_joints(parts: PartSet) -> tuple[JointLayout, ...]:
+    """The joints whose distal half carries no other."""
+    carrying = {joint.proximal.body for joint in parts.joints}
+    return tuple(joint for joint in parts.joints if joint.distal.body not in carrying)
+
+
+def _stops(parts: PartSet, joint: JointLayout) -> tuple[float, float]:
+    lower, upper = free_range(parts, joint)
+    if not (math.isfinite(lower) and math.isfinite(upper) and lower < upper):
+        where = "wherever they are" if lower == upper else "nowhere up to 12 deg beyond a stop of the design"
+        raise InputError(f"{joint.name}: its two halves begin to overlap {where}, so it has no stops as it is made")
+    return lower, upper
+
+
+def _tendon(parts: PartSet, number: int) -> MadeTendon:
+    """What a tendon is as its straps are made, from the joints that it crosses."""
+    pegs: list[tuple[JointLayout, Arm]] = [
+        (joint, arm)
+        for joint in parts.joints
+        if joint.tendon == number
+        for arm in (joint.proximal, joint.distal)
+        if arm.peg
+    ]
+    (joint, inner), (_, outer) = pegs[0], pegs[-1]
+    strap = joint.strap
+    assert strap is not None  # of a tendon that straps are made for
+    share = printed_width(joint, strap) / strap.width
+    name = parts.structure.tendons[number].name.replace("tendon", "strap")
+    part = next(each for each in parts.parts if each.kind == "strap" and each.name == name)
+    return MadeTendon(
+        number=number,
+        attachments=(_rounded(inner.peg), _rounded(outer.peg)),
+        offsets=(_rounded(inner.height), _rounded(outer.height)),
+        area=_rounded(share * strap.area),
+        by_area=_rounded(share),
+        mass=None if part.mass is None else _rounded(share * part.count * part.mass),
+        rest_length=_rounded(strap.rest_length),
+    )
+
+
+def _bars(parts: PartSet) -> MadeBars:
+    """The uniform bar that the outer halves are like."""
+    bars = {bar.body: bar for bar in parts.structure.bars}
+    densities, at_hinge = [], []
+    for joint in outer_joints(parts):
+        bar = bars[joint.distal.body]
+        solid = parts_properties(parts.of_body(bar.body))
+        density = solid.about(joint.frame[:, 1], joint.origin) / unit_inertia(joint, bar)
+        densities.append(density)
+        at_hinge.append(solid.mass - density * _volume(bar))
+    density, missing = _mean(densities), _mean(at_hinge)
+    return MadeBars(
+        density=density,
+        hinge_mass=2 * max(0.0, missing),
+        spread=(max(densities) - min(densities)) / density,
+        missing=min(0.0, missing),
+    )
+
+
+def unit_inertia(joint: JointLayout, bar: Bar) -> float:
+    """Inertia of the uniform bar of a joint's outer half about its hinge, by its density, m^5."""
+    along = float(joint.distal.along @ joint.frame[:, 1])
+    return end_inertia(
+        diameter=bar.diameter,
+        density=1.0,
+        length=joint.distal.length,
+        along=along,
+        across=math.sqrt(1 - along**2),
+    )
+
+
+def _volume(bar: Bar) -> float:
+    return math.pi / 4 * bar.diameter**2 * float(sum(bar.end**2) ** 0.5)
+
+
+def _rounded(value: float) -> float:
+    """Without what the places of bars in space leave of rounding, so that joints that are alike say the same."""
+    return float(f"{value:.9g}") + 0.0
+
+
+def _mean(values: Sequence[float]) -> float:
+    return sum(values) / len(values)

@@ -1,0 +1,87 @@
+"""Parts to make as text that a person understands: what they are, what they come to, and what their checks say."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rich.console import Console, Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from forficula.make.check import Check
+from forficula.make.files.bill import BillRow, BillTotal, bill_of, bill_totals
+from forficula.make.part import PartSet
+from forficula.names import listed
+
+_NONE = "not known"
+
+
+def print_parts(parts: PartSet, checks: Sequence[Check]) -> None:
+    """Print the parts of a design and what was checked of them."""
+    Console(width=110, highlight=False).print(parts_table(parts, checks))
+
+
+def parts_table(parts: PartSet, checks: Sequence[Check]) -> RenderableType:
+    """Lay out the bill, what it comes to by material, and the checks; those that hold are counted only."""
+    rows = bill_of(parts)
+    told: list[RenderableType] = [Text(_heading(parts, rows), style="bold"), Text(), _bill(rows)]
+    totals = bill_totals(rows)
+    if totals:
+        told += [Text(), _totals(totals), *_unknown(totals)]
+    return Group(*told, Text(), *_checks(checks))
+
+
+def _heading(parts: PartSet, rows: Sequence[BillRow]) -> str:
+    counts = {way: sum(row.count for row in rows if row.comes == way) for way in ("printed", "bought", "cut")}
+    pieces = sum(counts.values())
+    ways = listed([f"{count} {way}" for way, count in counts.items() if count], "and")
+    return f"{parts.design.name}: {pieces} {'piece' if pieces == 1 else 'pieces'}, {ways}"
+
+
+def _bill(rows: Sequence[BillRow]) -> Table:
+    table = _plain("part", "pieces", "material", "comes", "mm", "g each")
+    for row in rows:
+        size = " x ".join(f"{1e3 * side:.1f}" for side in row.size if side is not None)
+        table.add_row(row.part, str(row.count), row.material or "", row.comes, size, _grams(row.mass))
+    return table
+
+
+def _totals(totals: Sequence[BillTotal]) -> Table:
+    table = _plain("material", "pieces", "cm³", "g", "g/cm³", "density by")
+    for each in totals:
+        density = _NONE if each.density is None else f"{1e-3 * each.density:.4g}"
+        volume = f"{1e6 * each.volume:.3g}"
+        table.add_row(each.material, str(each.count), volume, _grams(each.mass), density, each.density_source)
+    table.columns[-1].justify = "left"
+    return table
+
+
+def _unknown(totals: Sequence[BillTotal]) -> list[Text]:
+    """Whose masses are missing."""
+    names = [each.material for each in totals if each.density is None]
+    return [Text(f"No source gives a density of {listed(names, 'and')}: masses are without it.")] if names else []
+
+
+def _checks(checks: Sequence[Check]) -> list[RenderableType]:
+    """How many checks hold, and a sentence each of those that fail or were not made."""
+    failed = [check for check in checks if check.ok is False]
+    missing = [check for check in checks if check.ok is None]
+    held = len(checks) - len(failed) - len(missing)
+    counts = f"{held} {'check holds' if held == 1 else 'checks hold'}, {len(failed)} "
+    counts += f"{'fails' if len(failed) == 1 else 'fail'}" + (f", {len(missing)} not made" if missing else "")
+    table = Table(box=None, padding=(0, 2, 0, 0), show_header=False)
+    for check in (*failed, *missing):
+        table.add_row("fails" if check.ok is False else "not made", check.part, f"{check.name}: {check.text}")
+    return [Text(counts, style="bold"), *([table] if table.row_count else [])]
+
+
+def _grams(mass: float | None) -> str:
+    return _NONE if mass is None else f"{1e3 * mass:.3g}"
+
+
+def _plain(*headings: str) -> Table:
+    """A table without lines; its first column is text."""
+    table = Table(box=None, padding=(0, 2, 0, 0))
+    for number, heading in enumerate(headings):
+        table.add_column(heading, justify="left" if number == 0 or heading in ("material", "comes") else "right")
+    return table

@@ -1,0 +1,140 @@
+"""A sheet as it is cut: what stays, what the cutter goes along, and how large it is."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Circle, Patch, PathPatch
+from matplotlib.path import Path
+from numpy.typing import NDArray
+
+from forficula.make.cut_lines import CutSheet, Layer, layer_texts
+from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, PURPLE, VERMILION, describe, figure_style, fit_legend
+
+Array = NDArray[np.float64]
+
+_MILLIMETRES = 1e3
+_STYLES: dict[Layer, tuple[str, str]] = {
+    "cut": (BLACK, "-"),
+    "score": (PURPLE, ":"),
+    "mountain": (VERMILION, "-."),
+    "valley": (BLUE, "--"),
+    "mark": ("0.4", "-"),
+}
+_PAPER = "#efe9dc"
+_TALLEST = 1.2  # height of the sheet by the width of the figure
+_ROOM = 1.15  # inch over and under the sheet
+_BESIDE = 0.6  # inch left of it
+_THIN, _MANY = 0.5, 300  # width of lines in points, from so many slits on
+_CUT, _LINE = 0.9, 1.1  # points
+_APART = 0.045  # of dimensions from the sheet, by its size
+
+
+def draw_cut_sheet(sheet: CutSheet, width: float = PAGE_WIDTH) -> Figure:
+    """Draw a cut sheet with its layers, its size and a scale bar, at most `width` wide, inch."""
+    size = _MILLIMETRES * sheet.size
+    scale = min((width - _BESIDE) / size[0], _TALLEST * width / size[1])
+    with figure_style():
+        figure = Figure(figsize=(width, scale * size[1] + _ROOM), layout="constrained")
+        axes = figure.subplots()
+        axes.set_aspect("equal")
+        axes.set_axis_off()
+        _fill(axes, sheet)
+        _draw_lines(axes, sheet)
+        _draw_sizes(axes, sheet)
+        axes.autoscale_view()
+        figure.suptitle(f"{sheet.name}: sheet to cut", fontsize=8)
+        fit_legend(figure, _handles(sheet), 5, loc="outside lower center")
+        return describe(figure, _tell(sheet))
+
+
+def _fill(axes: Axes, sheet: CutSheet) -> None:
+    """What stays, in its nominal size."""
+    loops = [_MILLIMETRES * np.vstack([outline, outline[:1]]) for outline in sheet.outlines]
+    codes = [[Path.MOVETO, *[Path.LINETO] * (len(loop) - 2), Path.CLOSEPOLY] for loop in loops]
+    whole = Path(np.concatenate(loops), np.concatenate(codes))
+    axes.add_patch(PathPatch(whole, fc=_PAPER, ec="none"))
+    for hole in sheet.holes:
+        axes.add_patch(Circle(tuple(_MILLIMETRES * hole.place), _MILLIMETRES * hole.nominal / 2, fc="white", ec="none"))
+
+
+def _draw_lines(axes: Axes, sheet: CutSheet) -> None:
+    """The ways of the cutter in the colours of their layers; slits are solid, for they are cut."""
+    thin = sum(line.kind == "slit" for line in sheet.lines) > _MANY
+    for line in sheet.lines:
+        colour, style = _STYLES[line.layer]
+        points = _MILLIMETRES * (np.vstack([line.points, line.points[:1]]) if line.closed else line.points)
+        dashes = style if line.kind == "crease" else "-"
+        width = _CUT if line.layer == "cut" else _THIN if thin else _LINE
+        axes.plot(*points.T, dashes, color=colour, lw=width, solid_capstyle="butt")
+    for hole in sheet.holes:
+        radius = _MILLIMETRES * hole.diameter / 2
+        axes.add_patch(Circle(tuple(_MILLIMETRES * hole.place), radius, fc="none", ec=BLACK, lw=_CUT))
+    for label in sheet.labels:
+        place = _MILLIMETRES * label.place
+        axes.text(place[0], place[1], label.text, color=_STYLES["mark"][0], fontsize=6, ha="center", va="center")
+
+
+def _draw_sizes(axes: Axes, sheet: CutSheet) -> None:
+    """Arrows along the sheet's width and height, and a scale bar below them."""
+    points = _MILLIMETRES * np.concatenate(sheet.outlines)
+    (left, low), (right, high) = points.min(axis=0), points.max(axis=0)
+    apart = _APART * max(right - left, high - low)
+    arrow = {"arrowstyle": "<|-|>", "lw": 0.6, "color": "0.3", "shrinkA": 0, "shrinkB": 0, "mutation_scale": 7}
+    below, beside = low - apart, left - apart
+    for start, end in (((left, below), (right, below)), ((beside, low), (beside, high))):
+        axes.annotate("", start, end, arrowprops=arrow)
+        axes.plot(*np.array([start, end]).T, color="none")
+    text: dict[str, Any] = {"fontsize": 7, "color": "0.2", "bbox": {"fc": "white", "ec": "none", "pad": 1.0}}
+    axes.text((left + right) / 2, below, f"{right - left:.1f} mm", ha="center", va="center", **text)
+    axes.text(beside, (low + high) / 2, f"{high - low:.1f} mm", ha="center", va="center", rotation=90, **text)
+    bar = _bar_length((right - left) / 4)
+    foot = below - 1.5 * apart
+    axes.plot([left, left + bar], [foot, foot], color=BLACK, lw=2, solid_capstyle="butt")
+    axes.text(left + bar + apart / 2, foot, f"{bar:g} mm", fontsize=7, va="center")
+
+
+def _bar_length(most: float) -> float:
+    """A round length of at most so many millimetres."""
+    size = 10.0 ** math.floor(math.log10(max(most, 1e-6)))
+    return float(next(steps for steps in (5, 2, 1) if steps * size <= most) * size)
+
+
+def _handles(sheet: CutSheet) -> list[Line2D | Patch]:
+    """What the lines mean."""
+    names: dict[Layer, str] = {
+        "cut": "cut through",
+        "mountain": "mountain",
+        "valley": "valley",
+        "mark": "1, 2, …: join what has one number",
+    }
+    does = {"score": "scored", "perforation": "cut as dashes", "lattice": "cut as slits"}[sheet.style]
+    handles: list[Line2D | Patch] = [Patch(fc=_PAPER, label="stays")]
+    for layer in layer_texts(sheet):
+        colour, style = _STYLES[layer]
+        if layer == "mark" and sheet.labels:
+            handles.append(Line2D([], [], color=colour, ls="none", label=names[layer]))
+            continue
+        folds = layer in ("mountain", "valley")
+        if layer == "mark":
+            handles.append(Line2D([], [], color=colour, lw=_LINE, label="end of the membrane"))
+            continue
+        label = "scored" if layer == "score" else names[layer] + (f", {does}" if folds else "")
+        dashes = style if sheet.style == "score" or layer == "score" else "-"
+        handles.append(Line2D([], [], color=colour, ls=dashes, lw=_LINE, label=label))
+    return handles
+
+
+def _tell(sheet: CutSheet) -> str:
+    wide, high = _MILLIMETRES * sheet.size
+    kerf = f"its lines make up for a kerf of {_MILLIMETRES * sheet.kerf:g} mm" if sheet.kerf else "without a kerf"
+    failed = "".join(f" {check.text[:1].upper()}{check.text[1:]}." for check in sheet.checks if check.ok is False)
+    return (
+        f"Sheet to cut of {sheet.name}. {wide:.1f} mm wide and {high:.1f} mm high, {kerf}, creases as"
+        f" {sheet.style}.{failed}"
+    )

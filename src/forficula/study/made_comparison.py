@@ -1,0 +1,225 @@
+"""A design beside what its parts make of it: barriers, holding torques, what runs come to, and what did it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass
+
+from forficula.analysis import Outcome, measure
+from forficula.design import Design
+from forficula.errors import InputError
+from forficula.make.as_made import GROUPS, Change, Group, as_made, changes
+from forficula.make.made_values import MadeValues, made_values
+from forficula.make.part import PartSet
+from forficula.make.unkept import Unkept, unkept
+from forficula.names import listed
+from forficula.statics import HingeLandscape, hinge_landscape, tendon_hinges
+from forficula.structure import crossing_tendons, structure_of
+from forficula.study.runs import run_each
+
+
+@dataclass(frozen=True, kw_only=True)
+class HingePair:
+    """A hinge that one tendon lies across, as designed and as made.
+
+    Attributes:
+        name: of the hinge.
+        designed: over its range.
+        made: alike.
+    """
+
+    name: str
+    designed: HingeLandscape
+    made: HingeLandscape
+
+
+@dataclass(frozen=True, kw_only=True)
+class Trial:
+    """A run with the values of some groups as made, and all others as designed.
+
+    Attributes:
+        groups: as made.
+        outcome: what it came to; None of what cannot be built.
+        why: it cannot be built; mostly empty.
+    """
+
+    groups: tuple[Group, ...]
+    outcome: Outcome | None
+    why: str = ""
+
+    @property
+    def status(self) -> str:
+        """What it came to, in a few words."""
+        return f"cannot be built: {self.why}" if self.outcome is None else self.outcome.status
+
+    def holds(self, state: str) -> bool | None:
+        """Whether a state was reached and held; None where the run tells nothing of it."""
+        return None if self.outcome is None else self.outcome.holds.get(state)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Blame:
+    """Which of what was made otherwise keeps the design from a state that it reaches as designed.
+
+    Attributes:
+        state: such as "folded".
+        alone: groups each of which is enough to keep it from there, with all others as designed.
+        mends: groups each of which is enough to let it get there again, put back as designed with all others as made.
+        text: a sentence.
+    """
+
+    state: str
+    alone: tuple[Group, ...]
+    mends: tuple[Group, ...]
+    text: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class MadeComparison:
+    """A design beside what its parts make of it.
+
+    Attributes:
+        designed: the design.
+        made: as it is made.
+        changes: its values that are other ones.
+        unkept: what it cannot have of the parts.
+        hinges: that one tendon lies across each.
+        trials: runs: of the design, of it as made, and where the two differ with each group put back, and each alone;
+            empty where nothing was to be run.
+        blame: for each state that the design reaches and the design as made does not.
+    """
+
+    designed: Design
+    made: Design
+    changes: tuple[Change, ...]
+    unkept: tuple[Unkept, ...]
+    hinges: tuple[HingePair, ...]
+    trials: tuple[Trial, ...] = ()
+    blame: tuple[Blame, ...] = ()
+
+    @property
+    def as_designed(self) -> Trial | None:
+        """The run of the design; None where nothing was run."""
+        return self.trials[0] if self.trials else None
+
+    @property
+    def as_made(self) -> Trial | None:
+        """The run of the design as made; None where nothing was run."""
+        return self.trials[1] if self.trials else None
+
+    @property
+    def groups(self) -> tuple[Group, ...]:
+        """Of what is otherwise."""
+        return tuple(group for group in GROUPS if any(each.group == group for each in self.changes))
+
+
+def made_comparison(
+    parts: PartSet, simulate: bool = False, steps: Callable[[str], None] = lambda _: None
+) -> MadeComparison:
+    """Set a design beside what its parts make of it.
+
+    Args:
+        parts: with joints.
+        simulate: whether to run both; where the design as made misses a state that the design reaches, also with each
+            group of values put back, and with each alone.
+        steps: is told what is done.
+
+    Raises:
+        InputError: as of `as_made`.
+
+    Example:
+        >>> from forficula.make.make_parts import make_parts
+        >>> compared = made_comparison(make_parts("binder2025", "joint"))
+        >>> compared.groups
+        ('stops', 'stiffness', 'masses')
+    """
+    steps("measure parts")
+    values = made_values(parts)
+    made = as_made(parts, values=values)
+    compared = MadeComparison(
+        designed=parts.design,
+        made=made,
+        changes=changes(parts, made),
+        unkept=unkept(parts, made),
+        hinges=_hinges(parts.design, made),
+    )
+    if not simulate:
+        return compared
+    steps("run it as designed and as made")
+    trials = _trials(parts, values, [(), compared.groups])
+    lost = [state for state, held in _holds(trials[0]) if held and trials[1].holds(state) is False]
+    groups = compared.groups
+    if lost and len(groups) > 1:
+        steps("run it with each change put back, and each alone")
+        without = [tuple(each for each in groups if each != group) for group in groups]
+        alone = [(group,) for group in groups]
+        tried = dict.fromkeys(each for each in (*without, *alone))
+        trials += _trials(parts, values, list(tried))
+    return MadeComparison(
+        designed=compared.designed,
+        made=compared.made,
+        changes=compared.changes,
+        unkept=compared.unkept,
+        hinges=compared.hinges,
+        trials=tuple(trials),
+        blame=tuple(_blame(state, groups, trials) for state in lost),
+    )
+
+
+def _hinges(designed: Design, made: Design) -> tuple[HingePair, ...]:
+    """The hinges that one tendon lies across each, over their ranges."""
+    before, after = structure_of(designed), structure_of(made)
+    crossings = [before.tendons[tendon].crossing for tendon in crossing_tendons(before)]
+    names = [before.hinges[crossing.hinge].name for crossing in crossings if crossing is not None]
+    pairs = zip(names, tendon_hinges(before), tendon_hinges(after), strict=True)
+    return tuple(
+        HingePair(name=name, designed=hinge_landscape(here), made=hinge_landscape(there)) for name, here, there in pairs
+    )
+
+
+def _trials(parts: PartSet, values: MadeValues, chosen: Sequence[Collection[Group]]) -> list[Trial]:
+    """Run the design with some groups as made, one run for each choice."""
+    built: dict[int, Design] = {}
+    trials = {}
+    for number, groups in enumerate(chosen):
+        try:
+            built[number] = as_made(parts, groups, values) if groups else parts.design
+        except InputError as error:
+            trials[number] = Trial(groups=tuple(groups), outcome=None, why=str(error))
+    order = list(built)
+    for place, record in run_each([built[number] for number in order], sparse=True):
+        groups = tuple(chosen[order[place]])
+        if isinstance(record, InputError):
+            trials[order[place]] = Trial(groups=groups, outcome=None, why=str(record))
+        else:
+            trials[order[place]] = Trial(groups=groups, outcome=measure(record))
+    return [trials[number] for number in range(len(chosen))]
+
+
+def _holds(trial: Trial) -> list[tuple[str, bool | None]]:
+    return [] if trial.outcome is None else list(trial.outcome.holds.items())
+
+
+def _blame(state: str, groups: tuple[Group, ...], trials: Sequence[Trial]) -> Blame:
+    """Which groups keep the design from a state."""
+    by_groups = {trial.groups: trial.holds(state) for trial in trials}
+    alone = tuple(group for group in groups if by_groups.get((group,)) is False)
+    mends = tuple(group for group in groups if by_groups.get(tuple(each for each in groups if each != group)) is True)
+    return Blame(state=state, alone=alone, mends=mends, text=_sentence(state, groups, alone, mends))
+
+
+def _sentence(state: str, groups: tuple[Group, ...], alone: tuple[Group, ...], mends: tuple[Group, ...]) -> str:
+    """Which groups keep the design from a state, in words."""
+    missed = f'as made it does not come to "{state}", as designed it does'
+    if len(groups) == 1:
+        return f"{missed}: the {groups[0]} alone differ."
+    told = []
+    if alone:
+        told.append(f"the {listed(alone)} {'each are' if len(alone) > 1 else 'are'} enough for that alone")
+    else:
+        told.append("no change is enough for that alone")
+    if mends:
+        told.append(f"with the {' or with the '.join(mends)} put back as designed it does")
+    else:
+        told.append("putting back any one of them is not enough")
+    return f"{missed}: {', and '.join(told)}."

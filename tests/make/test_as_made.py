@@ -1,0 +1,101 @@
+"""What is made flows back: the design as made has the pegs, stops, masses and inertias that are measured on solids."""
+
+import math
+
+import numpy as np
+import pytest
+
+from forficula.design import load_design
+from forficula.errors import InputError
+from forficula.make.as_made import as_made, changes, write_as_made
+from forficula.make.free_range import free_range
+from forficula.make.joint import turned
+from forficula.make.made_values import made_values
+from forficula.make.make_parts import make_parts
+from forficula.make.unkept import unkept
+from forficula.statics import tendon_hinges
+from forficula.structure import structure_of
+
+
+@pytest.fixture(scope="module")
+def made(made_joint):
+    return as_made(made_joint)
+
+
+def test_the_closed_form_of_the_design_as_made_is_the_distance_of_the_pegs(made_joint, made):
+    joint, hinge = made_joint.joints[0], tendon_hinges(structure_of(made))[0]
+    inner, outer = joint.peg_of(joint.proximal), joint.peg_of(joint.distal)
+    for angle in np.linspace(joint.lower, joint.upper, 50):
+        frame, origin = turned(joint, float(angle))
+        apart = float(np.linalg.norm(frame @ outer + origin - inner))
+        assert float(hinge.length(angle)) == pytest.approx(apart, abs=1e-12)
+
+
+def test_stops_are_measured_where_they_are_built(made_joint):
+    measured = np.degrees(free_range(made_joint, made_joint.joints[0]))
+    assert measured == pytest.approx([-180.0, 3.0], abs=0.01)
+
+
+def test_pegs_that_meet_stop_a_joint_before_its_stop():
+    parts = make_parts("binder2025", "joint")
+    lower, _ = free_range(parts, parts.joints[0])
+    assert -math.pi + math.radians(1) < lower < -math.radians(150)
+    made = as_made(parts)
+    assert made.hinge.fold_limit == pytest.approx(-lower, abs=math.radians(0.005))
+    assert [each.key for each in changes(parts, made) if each.group == "stops"] == ["hinge.fold_limit"]
+
+
+def test_parts_of_the_design_as_made_are_as_it_says(made):
+    parts = make_parts(made, "joint")
+    # straps of whole layers have shorter pegs, which weigh less
+    assert {each.group for each in changes(parts, as_made(parts))} <= {"masses"}
+
+
+def test_parts_that_are_as_modelled_change_masses_alone(joint_of):
+    # straps of whole layers, pegs at the designed offsets
+    values = {"tendon.stiffness": "9.84 N/cm", "tendon.proximal_offset": "3 mm", "tendon.distal_offset": "3 mm"}
+    parts = joint_of(**values)
+    changed = changes(parts, as_made(parts))
+    assert {each.group for each in changed} == {"masses"}
+    assert {each.key for each in changed} >= {"vein.density", "vein.added_mass", "tendon.density"}
+
+
+def test_outer_halves_have_their_mass_and_inertia_about_the_hinge(made_joint, made):
+    rows = {(each.part, each.name): each for each in unkept(made_joint, made)}
+    for name in ("mass", "inertia about its hinge"):
+        row = rows["distal0", name]
+        assert row.modelled == pytest.approx(row.real, rel=1e-5)
+    row = rows["distal0", "first moment along the bar"]
+    assert row.modelled != pytest.approx(row.real, rel=0.02)
+
+
+def test_straps_weigh_what_they_weigh(made_joint, made):
+    straps = [part for part in made_joint.parts if part.kind == "strap"]
+    printed = made_values(made_joint).tendons[0].by_area
+    assert made.tendon.mass == pytest.approx(printed * sum(part.count * part.mass for part in straps), rel=1e-5)
+
+
+def test_some_groups_alone_are_taken_from_the_parts(made_joint):
+    design = as_made(made_joint, ("offsets",))
+    assert {each.group for each in changes(made_joint, design)} == {"offsets"}
+    assert design.tendon.proximal_offset == pytest.approx(made_joint.joints[0].standoff)
+
+
+def test_the_file_gives_the_same_design(made_joint, made, tmp_path):
+    path = write_as_made(made_joint, tmp_path)
+    assert path.name == "as-made.toml"
+    assert load_design(path) == made
+    assert made.name == "binder2025-as-made"
+    assert made.source.startswith("binder2025 as its parts are made: ")
+
+
+def test_what_stops_before_it_is_folded_is_no_design(joint_of):
+    parts = joint_of(**{"protocol.folded_angle": "179 deg", "make.anchors": "as designed",
+                        "tendon.proximal_attachment": "5.5 cm", "tendon.distal_attachment": "5.5 cm"})  # fmt: skip
+    with pytest.raises(InputError, match=r"as made, it is no design that can be run: .*folded_angle"):
+        as_made(parts)
+
+
+def test_a_sheet_alone_has_nothing_to_measure():
+    with pytest.raises(InputError, match="no joint is made of it"):
+        as_made(make_parts("letter-fold", "sheet"))

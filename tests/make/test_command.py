@@ -1,0 +1,86 @@
+"""`forficula make`, as a user calls it."""
+
+import json
+
+import pytest
+
+import forficula as ff
+from forficula.cli import main
+
+# bridges that burn away
+NARROW = ("--set", "make.crease_style=perforation", "--set", "make.crease_bridge=0.05 mm")
+
+
+@pytest.fixture
+def call(capsys, tmp_path, monkeypatch):
+    """Call the command line, which must end with a status, and return what it wrote."""
+    monkeypatch.chdir(tmp_path)
+
+    def call(*arguments, expected=0):
+        status = 0
+        try:
+            main(("make", "letter-fold", *arguments))
+        except SystemExit as ended:
+            status = ended.code or 0
+        assert status == expected
+        return capsys.readouterr()
+
+    return call
+
+
+def test_a_folder_and_a_table_are_written(call, tmp_path):
+    told = call()
+    assert told.out.startswith("letter-fold: 1 piece, 1 cut\n")
+    assert "checks hold, 0 fail" in told.out
+    assert told.out.endswith("written to out/letter-fold-parts\n")
+    folder = tmp_path / "out" / "letter-fold-parts"
+    files = {"bill.csv", "bill.json", "checks.json", "design.toml", "sheet.dxf", "sheet.svg"}
+    assert {path.name for path in folder.iterdir()} >= files
+    assert ff.load_design(folder / "design.toml").hash == ff.load_design("letter-fold").hash
+
+
+def test_a_check_that_fails_is_told_and_ends_with_2_where_that_is_wanted(call):
+    told = call(*NARROW)
+    assert "fails" in told.out
+    assert "they burn away" in " ".join(told.out.split())
+    assert call(*NARROW, "--strict", expected=2).out == told.out
+    call("--strict")
+
+
+def test_what_came_of_it_is_data(call):
+    told = json.loads(call("--part", "sheet", "--json").out)
+    assert (told["design"], [row["part"] for row in told["parts"]]) == ("letter-fold", ["sheet"])
+    assert {check["ok"] for check in told["checks"]} == {True}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("--part", "shet"), "shet"),
+        (("--part", "joint"), "--part sheet"),
+        (("--record", "nowhere"), "--record: nowhere"),
+        (("--set", "make.kerff=1 mm"), "did you mean make.kerf"),
+    ],
+)
+def test_bad_input_ends_with_1_and_leaves_nothing(call, tmp_path, arguments, message):
+    told = call(*arguments, expected=1)
+    assert told.err.startswith("forficula: ")
+    assert message in told.err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_run_of_another_design_is_refused(letter_run):
+    parts = ff.make_parts("letter-fold", "sheet")
+    assert all(check.ok for check in ff.check_parts(parts, letter_run))
+    other = ff.make_parts(ff.load_design("letter-fold").with_values({"protocol.window": "70 ms"}), "sheet")
+    with pytest.raises(ff.InputError, match="record: need a run of letter-fold with the same values"):
+        ff.check_parts(other, letter_run)
+    with pytest.raises(ff.InputError, match="record: need the record of a run, or its folder, got a int"):
+        ff.check_parts(parts, 3)
+
+
+def test_parts_are_saved_by_one_call(call, tmp_path):
+    call()
+    ff.save(ff.make_parts("letter-fold", "sheet"), tmp_path / "there")
+    for file in (tmp_path / "out" / "letter-fold-parts").iterdir():
+        assert (tmp_path / "there" / file.name).read_bytes() == file.read_bytes()

@@ -1,0 +1,230 @@
+"""Files of parts, as readers that are not ours take them."""
+
+import csv
+import io
+import json
+import os
+import subprocess
+import sys
+from dataclasses import replace
+from itertools import combinations
+
+import lib3mf
+import numpy as np
+import pytest
+import trimesh
+from hypothesis import given
+from hypothesis import strategies as st
+
+import forficula as ff
+from forficula.make.check import Check
+from forficula.make.files.bed import BED, GAP, places_on_bed
+from forficula.make.files.bill import bill_json, bill_of
+from forficula.make.files.checks import checks_json
+from forficula.make.files.lying import file_names, lying_mesh, open_edges
+from forficula.make.mesh import Mesh
+from forficula.make.mesh_checks import mesh_checks
+from forficula.make.solids import Joined, Rod
+from forficula.show.folder.parts_folder import write_parts
+from tests.make.readers import (
+    faults_of_stl,
+    faults_of_three_mf,
+    meshes_of,
+    pieces_of,
+    read_three_mf,
+    with_a_flipped_triangle,
+)
+
+CHECK = Check(name="stop", part="fold0", ok=True, value=np.pi, limit=float("nan"), unit="rad", text="it holds")
+# of what is rounded to 0.1 um
+ROUNDED = 1e-4
+# writes the joint where it is told to
+WRITE = """\
+import sys
+from pathlib import Path
+from forficula.make.make_parts import make_parts
+from forficula.show.folder.parts_folder import write_parts
+write_parts(make_parts("binder2025-joint"), (), Path(sys.argv[1]))
+"""
+
+
+@pytest.fixture(scope="module")
+def joint():
+    return ff.make_parts("binder2025-joint")
+
+
+@pytest.fixture(scope="module")
+def folder(joint, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("parts")
+    write_parts(joint, (), folder)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def section(made_section, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("section")
+    write_parts(made_section, (), folder)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def printed_in_place(joint_of, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("in-place")
+    write_parts(joint_of(**{"make.hinge": "print-in-place", "make.straps": 1}), (), folder)
+    return folder
+
+
+def contents(folder):
+    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*.*")}
+
+
+@pytest.mark.parametrize("made", ["folder", "section", "printed_in_place"])
+def test_every_mesh_of_every_file_is_closed_and_oriented(made, request):
+    files = contents(request.getfixturevalue(made))
+    assert faults_of_three_mf(files["parts.3mf"]) == []
+    stl = {name: faults_of_stl(content) for name, content in files.items() if name.endswith(".stl")}
+    assert len(stl) >= 2
+    assert {name: faults for name, faults in stl.items() if faults} == {}
+
+
+def test_a_flipped_triangle_is_found_in_either_file(folder):
+    files = contents(folder)
+    assert faults_of_three_mf(with_a_flipped_triangle(files["parts.3mf"])) == [
+        "proximal0, petg is not manifold and oriented"
+    ]
+    assert "is not of one winding" in faults_of_stl(with_a_flipped_triangle(files["stl/distal0.stl"]))
+
+
+def test_objects_are_named_by_part_and_material_and_have_it_in_mm(joint, folder):
+    model, _ = read_three_mf(contents(folder)["parts.3mf"])
+    assert model.GetUnit() == lib3mf.ModelUnit.MilliMeter
+    assert [mesh.GetName() for mesh in meshes_of(model)] == ["proximal0, petg", "distal0, petg", "strap0, tpu-82a"]
+    materials = []
+    for mesh in meshes_of(model):
+        resource, property_id, has = mesh.GetObjectLevelProperty()
+        assert has
+        materials.append(model.GetBaseMaterialGroupByID(resource).GetName(property_id))
+    assert materials == ["petg", "petg", "tpu-82a"]
+    # the pin is bought
+    assert [part.name for part in joint.parts if not part.printed] == ["pin_fold0"]
+
+
+def test_pieces_lie_on_the_bed_beside_one_another(joint, folder):
+    model, _ = read_three_mf(contents(folder)["parts.3mf"])
+    pieces = list(pieces_of(model))
+    assert [name for name, _ in pieces].count("strap0, tpu-82a") == 2
+    volumes = {part.name: part.volume * 1e9 for part in joint.parts}
+    for name, triangles in pieces:
+        assert triangles.min(axis=(0, 1))[2] == 0
+        volume = np.einsum("ti,ti->", triangles[:, 0], np.cross(triangles[:, 1], triangles[:, 2])) / 6
+        assert volume == pytest.approx(volumes[name.partition(",")[0]], rel=ROUNDED)
+    boxes = [(each.min(axis=(0, 1))[:2], each.max(axis=(0, 1))[:2]) for _, each in pieces]
+    for (low, high), (least, most) in combinations(boxes, 2):
+        assert (low >= most + GAP - 1e-3).any() or (least >= high + GAP - 1e-3).any()
+
+
+def test_a_bar_lies_on_the_flat_that_is_cut_for_that(joint, folder):
+    by_name = {part.name: part for part in joint.parts}
+    for name in ("proximal0", "distal0"):
+        mesh = trimesh.load(io.BytesIO(contents(folder)[f"stl/{name}.stl"]), file_type="stl")
+        assert mesh.volume == pytest.approx(by_name[name].volume * 1e9, rel=ROUNDED)
+        assert mesh.bounds[0] == pytest.approx(0, abs=1e-6)
+        bottom = mesh.triangles[:, :, 2].max(axis=1) == 0
+        # along x, as wide as a flat 45 deg up a bar of 5.5 mm
+        flat = 5.5 * np.sqrt(0.5)
+        assert mesh.area_faces[bottom].sum() > 0.9 * flat * 100
+        assert np.ptp(mesh.triangles[bottom].reshape(-1, 3), axis=0)[0] > 100
+
+
+@given(st.lists(st.tuples(st.floats(1, 300), st.floats(1, 100)), max_size=12))
+def test_boxes_on_a_bed_keep_apart_and_stay_on_it(sizes):
+    places = places_on_bed(sizes)
+    corners = [(place, place + np.array(size)) for place, size in zip(places, sizes, strict=True)]
+    for (low, high), (least, most) in combinations(corners, 2):
+        assert (low >= most + GAP - 1e-9).any() or (least >= high + GAP - 1e-9).any()
+    assert all((low >= 0).all() and high[0] <= max(BED, *(size[0] for size in sizes)) for low, high in corners)
+
+
+def test_the_same_design_is_the_same_bytes_in_another_process(folder, tmp_path):
+    environment = os.environ | {"PYTHONHASHSEED": "7"}
+    subprocess.run([sys.executable, "-c", WRITE, str(tmp_path / "again")], check=True, env=environment)
+    assert contents(tmp_path / "again") == contents(folder)
+
+
+def test_a_bill_tells_masses_by_densities_that_have_sources(joint, folder):
+    bill = json.loads((folder / "bill.json").read_text())
+    rows = {row["part"]: row for row in bill["parts"]}
+    assert {name: row["comes"] for name, row in rows.items()} == {
+        **{"proximal0": "printed", "distal0": "printed", "pin_fold0": "bought", "strap0": "printed", "sheet": "cut"}
+    }
+    assert rows["strap0"]["count"] == 2
+    # a pin of 2 mm in a hinge 10 mm wide, steel
+    assert rows["pin_fold0"]["size_mm"] == pytest.approx([10, 2, 2], abs=0.01)
+    assert rows["pin_fold0"]["mass_g"] == pytest.approx(7.9 * np.pi / 4 * 0.2**2, rel=1e-5)
+    petg = next(each for each in bill["totals"] if each["material"] == "petg")
+    assert petg["mass_g"] == pytest.approx(sum(1270e3 * part.volume for part in joint.parts[:2]), rel=1e-5)
+    assert petg["density_source"] == "data sheets"
+    assert bill["files"] == sorted(name for name in contents(folder) if name != "bill.json")
+    table = list(csv.DictReader(io.StringIO((folder / "bill.csv").read_text())))
+    assert [row["part"] for row in table] == list(rows)
+    assert float(table[0]["mass_g"]) == rows["proximal0"]["mass_g"]
+    # what its design names no material for
+    assert (table[-1]["part"], table[-1]["material"], table[-1]["mass_g"]) == ("sheet", "", "")
+
+
+def test_a_mass_without_a_density_is_not_known(joint):
+    bare = tuple(replace(part, stock=replace(part.stock, density=None)) for part in joint.parts[1:2])
+    bill = bill_json(bill_of(replace(joint, parts=(joint.parts[0], *bare), sheet=None)))
+    assert [row["mass_g"] is None for row in bill["parts"]] == [False, True]
+    assert [total["mass_g"] for total in bill["totals"]] == [None]
+
+
+def test_checks_have_their_unit_behind_their_keys():
+    assert checks_json([CHECK]) == [
+        {"name": "stop", "part": "fold0", "ok": True, "value_deg": 180.0, "limit_deg": None, "text": "it holds"}
+    ]
+    assert list(checks_json([replace(CHECK, unit="N m")])[0])[3:5] == ["value_N_m", "limit_N_m"]
+
+
+def test_earlier_parts_go_and_what_is_not_ours_stays(joint, tmp_path):
+    write_parts(joint, (), tmp_path)
+    (tmp_path / "stl" / "mine.stl").write_text("mine")
+    write_parts(replace(joint, parts=joint.parts[2:], sheet=None), (CHECK,), tmp_path)
+    left = {"bill.csv", "bill.json", "checks.json", "design.toml", "parts.3mf", "stl/mine.stl", "stl/strap0.stl"}
+    assert set(contents(tmp_path)) == left
+    assert json.loads((tmp_path / "checks.json").read_text())[0]["text"] == "it holds"
+
+
+def test_a_folder_is_written_whole_or_not_at_all(joint, tmp_path):
+    (tmp_path / "parts.3mf").mkdir()
+    with pytest.raises(ff.InputError, match=r"parts\.3mf: need a file or nothing there, got a folder"):
+        write_parts(joint, (), tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == ["parts.3mf"]
+
+
+def test_a_bill_that_someone_else_wrote_removes_nothing_elsewhere(joint, tmp_path):
+    (tmp_path / "kept.stl").write_text("kept")
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "parts" / "bill.json").write_text('{"files": ["../kept.stl", "stl/..", 3, "/etc", "design.toml"]}')
+    write_parts(replace(joint, parts=()), (), tmp_path / "parts")
+    assert (tmp_path / "kept.stl").read_text() == "kept"
+
+
+def test_names_of_files_are_plain_and_differ():
+    assert file_names(["strap0", "Strap0", "a/b", "a b", ""]) == ["strap0", "Strap0-2", "a_b", "a_b-2", "part"]
+
+
+def test_a_part_in_two_pieces_and_an_open_surface_are_found(joint, monkeypatch):
+    strap = joint.parts[3]
+    assert [check.ok for check in mesh_checks(strap)] == [True, True]
+    mesh = lying_mesh(strap)
+    flipped = Mesh(points=mesh.points, triangles=np.vstack([mesh.triangles[:-1], mesh.triangles[-1:, ::-1]]))
+    assert open_edges(mesh) == 0
+    assert open_edges(flipped) > 0
+    assert open_edges(Mesh(points=mesh.points, triangles=mesh.triangles[:-1])) == 3
+    monkeypatch.setattr("forficula.make.mesh_checks.lying_mesh", lambda _: flipped)
+    rods = [Rod(start=np.array([0, y, 0]), end=np.array([0.01, y, 0]), diameter=0.004) for y in (0.0, 0.02)]
+    apart = replace(strap, solid=Joined(solids=tuple(rods)))
+    pieces, surface = mesh_checks(apart)
+    assert (pieces.ok, pieces.value, surface.ok) == (False, 2, False)
+    assert "falls into 2 pieces" in pieces.text

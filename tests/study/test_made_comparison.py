@@ -1,0 +1,48 @@
+"""What the parts make of a design, and which of their changes keeps it from folding."""
+
+import pytest
+
+from forficula.design import load_design
+from forficula.make.make_parts import make_parts
+from forficula.study.made_comparison import made_comparison
+
+
+@pytest.fixture(scope="module")
+def compared():
+    # folds as designed; with pegs on the bars, 3 mm off the hinges, its barrier is ten times as high
+    values = {"tendon.rest_length": "5 cm", "make.anchors": "on the bars"}
+    return made_comparison(make_parts(load_design("binder2025").with_values(values), "joint"), simulate=True)
+
+
+def test_offsets_make_the_barrier_higher(compared):
+    (pair, *_) = compared.hinges
+    assert pair.name == "fold0"
+    assert pair.made.barrier > 5 * pair.designed.barrier
+    assert pair.made.holding_torque > 2 * pair.designed.holding_torque
+
+
+def test_what_no_longer_folds_is_blamed_on_the_offsets(compared):
+    assert compared.as_designed.holds("folded")
+    assert compared.as_made.holds("folded") is False
+    (blame, *_) = compared.blame
+    assert (blame.state, blame.alone, blame.mends) == ("folded", ("offsets",), ("offsets",))
+    assert blame.text == (
+        'as made it does not come to "folded", as designed it does: the offsets are enough for that alone, and with the'
+        " offsets put back as designed it does."
+    )
+
+
+def test_every_change_is_tried_alone_and_put_back(compared):
+    groups = compared.groups
+    assert set(groups) == {"offsets", "stiffness", "masses"}
+    tried = {trial.groups for trial in compared.trials}
+    assert tried == {(), groups, *((group,) for group in groups), *(
+        tuple(each for each in groups if each != group) for group in groups
+    )}  # fmt: skip
+
+
+def test_nothing_is_run_where_nobody_asks_for_it():
+    compared = made_comparison(make_parts("binder2025-joint"))
+    assert (compared.trials, compared.blame) == ((), ())
+    assert compared.as_made is None
+    assert compared.made.name == "binder2025-joint-as-made"
