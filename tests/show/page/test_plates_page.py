@@ -45,7 +45,7 @@ def test_the_page_tells_what_happened(plates_runs):
     assert "stayed closed when released, opened again in 40 ms with 20 N cm on a crease" in page
     assert "<caption>Closing and opening</caption>" in page
     samples = [entry["sample"] for entry in legend_data([make_clip(record, outcome)])]
-    assert samples == ["edge", "region 0", "region 1", "tendon"]
+    assert samples == ["edge", "region 0", "region 1", "base", "tendon"]
     patterned = [entry["text"] for entry in legend_data([make_clip(*plates_runs["with a pattern"])])]
     assert patterned[:2] == ["mountain (dash-dotted crease)", "valley (dashed crease)"]
 
