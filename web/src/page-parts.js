@@ -67,6 +67,7 @@ function clipOf(model, state, { time, anglesAt, marks, stages }) {
     marks,
     stages,
     readings: [],
+    reach: 0,
     mesh: { tubes: [], joints: [], jointRadius: 0 },
     pointsAt: (moment) => model.outline(seen(), model.turn(anglesAt(moment)), state),
     stageAt: (moment) => stages.findLast((stage) => stage.start <= moment) ?? stages[0],
