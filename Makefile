@@ -4,7 +4,7 @@ BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 INSTALLED_DOCS := $(VENV)/.installed-docs
 
-.PHONY: install demo test test-step check format page docs docs-all docs-links validation walk clean
+.PHONY: install demo test test-step browsers check format page docs docs-all docs-links validation walk clean
 
 install: $(INSTALLED_DOCS)  ## all that the targets below need, at once
 
@@ -18,6 +18,9 @@ test: $(INSTALLED)  ## run all tests; the next make docs tells of those of valid
 test-step: $(INSTALLED)  ## before a release: install Open Cascade, 380 MB, and hold all solids to it
 	$(BIN)/python -m pip install --quiet --editable ".[step]"
 	FORFICULA_STEP=demanded $(BIN)/python -m pytest -n 0 tests/make/test_step.py
+
+browsers: $(INSTALLED)  ## every kind of page in a second browser, which must be there: Firefox; before a release
+	FORFICULA_NEED_FIREFOX=1 $(BIN)/python -m pytest tests/show/page/test_pages_in_firefox.py
 
 check: $(INSTALLED)  ## lint, types, layers
 	$(BIN)/ruff check

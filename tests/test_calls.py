@@ -104,7 +104,7 @@ def test_a_study_is_built_without_a_file(design):
     asked = ff.new_study(design, {"tendon.left.stiffness": "0.4..0.5 N/cm step 0.1"}, name="mine", source="own")
     assert (asked.name, asked.source, len(asked.points)) == ("mine", "own", 2)
     assert asked.base == design
-    with pytest.raises(ff.InputError, match="askk: unknown key; did you mean ask"):
+    with pytest.raises(ff.InputError, match='askk: unknown key, got "run"; did you mean ask'):
         ff.new_study(design, {"tendon.left.stiffness": ["0.4 N/cm"]}, askk="run")
 
 

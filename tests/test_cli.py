@@ -375,7 +375,7 @@ def test_settings_are_values_as_in_a_file_or_bare_text(in_an_empty_folder, call)
         (["run", "latin.toml"], "latin.toml: not UTF-8 text from byte 11 on; save it as UTF-8"),
         (
             ["run", "binder2025", "--set", "tendon.stifness=10 N/cm"],
-            "tendon.stifness: unknown key; did you mean tendon.stiffness?",
+            'tendon.stifness: unknown key, got "10 N/cm"; did you mean tendon.stiffness?',
         ),
         (
             ["run", "binder2025", "--set", "tendon.stiffness"],

@@ -371,3 +371,34 @@ def test_a_new_folder_that_could_not_be_filled_is_not_left_behind(tmp_path):
     with pytest.raises(RuntimeError):
         write()
     assert everything_in(tmp_path) == []
+
+
+@pytest.fixture
+def full_disk():
+    """A disk on which no file gets longer than 1 KB."""
+    resource = pytest.importorskip("resource")
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1024, limits[1]))
+    yield
+    resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+
+
+def fill_by(write, folder):
+    with replacing_all(folder) as unfinished:
+        (unfinished / "figures").mkdir()
+        write(unfinished / "a.txt", "short")
+        write(unfinished / "figures" / "b.svg", "x" * 2000)
+
+
+@pytest.mark.usefixtures("full_disk")
+def test_a_full_disk_is_told_of_the_file_that_was_to_be_written_and_leaves_nothing(tmp_path):
+    with pytest.raises(InputError) as caught:
+        write_text(tmp_path / "page.html", "x" * 2000)
+    assert str(caught.value) == f"{tmp_path / 'page.html'}: cannot be written: {os.strerror(errno.EFBIG)}"
+    for write in (write_text, lambda path, text: path.write_text(text)):
+        with pytest.raises(InputError) as caught:
+            fill_by(write, tmp_path / "run")
+        # what Python writes by itself does not say where
+        place = tmp_path / "run" / "figures" / "b.svg" if write is write_text else tmp_path / "run"
+        assert str(caught.value) == f"{place}: cannot be written: {os.strerror(errno.EFBIG)}"
+    assert everything_in(tmp_path) == []

@@ -1,10 +1,12 @@
 import re
+from contextlib import redirect_stdout, suppress
+from io import StringIO
 
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from forficula.cli import main
+from forficula.cli import app, main
 from forficula.errors import InputError
 from forficula.options import read_settings, read_shard, read_size
 
@@ -75,3 +77,28 @@ def test_bytes_that_are_no_text_are_refused():
 
 def test_keys_that_are_set_once_are_values():
     assert read_settings(["a.b=1", "c = 2 cm"]) == {"a.b": 1, "c": "2 cm"}
+
+
+def offered(command):
+    """The options that the help of a command shows."""
+    with redirect_stdout(StringIO()) as told:
+        main([command, "--help"])
+    return re.findall(r"^│ [* ]*(--[a-z-]+)", told.getvalue(), re.M)
+
+
+@pytest.mark.parametrize("command", [name for name in app if not name.startswith("-")])
+def test_an_option_that_help_shows_is_accepted_and_no_other(command, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    options = offered(command)
+    assert "--quiet" in options
+    for option in options:
+        # of no design, file or folder at all: what is refused then, if anything, is not the option
+        with suppress(SystemExit):
+            main([command, "nowhere", option])
+        said = capsys.readouterr().err
+        assert not re.search(rf"unknown option|{option}: need (?!KEY)[a-z]+, ", said, re.I), (option, said)
+    if "--json" not in options:
+        with pytest.raises(SystemExit):
+            main([command, "nowhere", "--json"])
+        # the option, or what the command needs before that
+        assert re.match("forficula: (--json: need run, |Command .* requires)", capsys.readouterr().err)

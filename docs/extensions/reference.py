@@ -28,7 +28,7 @@ _DESIGN_PAGE = "reference/design-file"
 _STUDY_PAGE = "reference/study-file"
 _HEADINGS = ("key", "may be", "if left out", "meaning")
 _WIDTHS = (24, 22, 14, 40)
-_EVERYWHERE = ("* `--json`", "* `--quiet`")
+_EVERYWHERE = "* `--quiet`"
 _NUMBER = re.compile(r"\.0\.")
 
 
@@ -130,7 +130,7 @@ class CommandsDirective(SphinxDirective):
             title, _, body = text.partition("\n")
             if title.startswith("forficula --"):
                 continue
-            # those of every command stand above
+            # that of every command stands above
             lines = [line for line in body.splitlines() if not line.startswith(_EVERYWHERE)]
             section = nodes.section(ids=[nodes.make_id(title)], names=[title.lower()])
             section += nodes.title("", "", nodes.literal("", title))

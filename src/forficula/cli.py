@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import wraps
+from inspect import Parameter as Argument
+from inspect import signature
 from time import monotonic
-from typing import Annotated
+from typing import Annotated, Any
 
 from cyclopts import App, CycloptsError, Parameter
 
@@ -56,8 +59,27 @@ _WITH_DATA = (
     studies.studies,
     designs.keys,
 )
+_AsJson = Annotated[
+    bool, Parameter(name="--json", help="Write what came of it as JSON, and nothing else there.", negative=())
+]
+
+
+def _offering_json(command: Callable[..., int | None]) -> Callable[..., int | None]:
+    """A command that has --json among its options, for whoever launches it: what it comes to is the same."""
+
+    @wraps(command)
+    def offered(*arguments: Any, as_json: bool = False, **options: Any) -> int | None:  # noqa: ARG001
+        return command(*arguments, **options)
+
+    own = signature(command)
+    option = Argument("as_json", Argument.KEYWORD_ONLY, default=False, annotation=_AsJson)
+    offered.__signature__ = own.replace(parameters=[*own.parameters.values(), option])  # type: ignore[attr-defined]
+    offered.__annotations__ = {**command.__annotations__, "as_json": _AsJson}
+    return offered
+
+
 for each in _COMMANDS:
-    app.command(each)
+    app.command(_offering_json(each) if each in _WITH_DATA else each)
 app.register_install_completion_command(
     name="--install-completion", add_to_startup=False, help="Let the shell complete commands and options."
 )
@@ -69,13 +91,13 @@ _LONG = 1.0
 @app.meta.default
 def _launch(
     *tokens: Annotated[str, Parameter(show=False, allow_leading_hyphen=True)],
-    as_json: Annotated[
-        bool, Parameter(name="--json", help="Write what came of it as JSON, and nothing else there.", negative=())
-    ] = False,
+    # before a command, which alone knows whether it has it
+    as_json: Annotated[_AsJson, Parameter(show=False)] = False,
     quiet: Annotated[bool, Parameter(help="Write warnings and errors only.", negative=())] = False,
 ) -> int | None:
     command, bound, _ = app.parse_args(tokens, exit_on_error=False, print_error=False)
-    if as_json and command not in _WITH_DATA:
+    as_json = as_json or bound.arguments.get("as_json", False)
+    if as_json and command.__name__ not in [each.__name__ for each in _WITH_DATA]:
         names = listed([each.__name__ for each in _WITH_DATA], "or")
         raise InputError(f"--json: need {names}, got {as_written(' '.join(tokens[:1]))}")
     start = monotonic()

@@ -29,6 +29,14 @@ _MARK = re.compile(r"(\.forficula-[0-9a-f]{12})(\.lock|-.*)")
 _TURN = ".forficula.lock"
 
 
+class _UnwrittenError(InputError):
+    """A file that cannot be written, and why."""
+
+    def __init__(self, path: Path, reason: str) -> None:
+        super().__init__(f"{path}: cannot be written: {reason}")
+        self.path, self.reason = path, reason
+
+
 def as_path(path: object, what: str) -> Path:
     """Take a path.
 
@@ -57,9 +65,10 @@ def replacing(path: Path) -> Iterator[Path]:
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except FileExistsError:
-        raise InputError(f"{path}: cannot be written: {path.parent} is a file, not a folder") from None
+        raise _UnwrittenError(path, f"{path.parent} is a file, not a folder") from None
     except OSError as error:
-        raise InputError(f"{path}: cannot be written: {error.strerror}") from None
+        raise _UnwrittenError(path, str(error.strerror)) from None
+    temporary = path
     try:
         with _writing(path.parent) as mark:
             # writers go by the ending
@@ -71,8 +80,8 @@ def replacing(path: Path) -> Iterator[Path]:
             finally:
                 temporary.unlink(missing_ok=True)
     except OSError as error:
-        # HDF5 gives its reason as text only
-        raise InputError(f"{path}: cannot be written: {error.strerror or error}") from None
+        # HDF5 gives its reason as text only, with the name that it was given
+        raise _UnwrittenError(path, error.strerror or str(error).replace(str(temporary), str(path))) from None
 
 
 @contextmanager
@@ -86,26 +95,36 @@ def replacing_all(folder: Path, remove: Collection[str] = ()) -> Iterator[Path]:
     Raises:
         InputError: the folder or a file in it cannot be written; what was there stands as it stood.
     """
-    missing = not folder.exists()
+    missing, new = not folder.exists(), folder
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with _writing(folder) as mark:
             work = mark.with_name(f"{mark.name}-work")
+            new = work / "new"
             try:
-                (work / "new").mkdir(parents=True)
-                yield work / "new"
+                new.mkdir(parents=True)
+                yield new
                 with held(folder / _TURN):
                     _clear(folder)
                     _exchange(folder, work, remove)
             finally:
                 if not (work / "undo").exists():
                     shutil.rmtree(work, ignore_errors=True)
+    # what is full or refuses is told of the files as they would be called
+    except _UnwrittenError as error:
+        raise _UnwrittenError(_in_place(error.path, new, folder) or error.path, error.reason) from None
     except OSError as error:
-        raise InputError(f"{folder}: cannot be written: {error.strerror}") from None
+        place = _in_place(Path(error.filename or folder), new, folder) or folder
+        raise _UnwrittenError(place, str(error.strerror or error)) from None
     finally:
         if missing:
             with suppress(OSError):  # it holds files
                 folder.rmdir()
+
+
+def _in_place(path: Path, new: Path, folder: Path) -> Path | None:
+    """Where a file among the new ones of a folder would come to lie; None of what is none of them."""
+    return folder / path.relative_to(new) if path.is_relative_to(new) else None
 
 
 def clear_leftovers(folder: Path) -> None:

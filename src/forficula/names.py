@@ -30,6 +30,17 @@ def listed(words: Iterable[str], last: str = "and") -> str:
     return f"{', '.join(most)} {last} {end}" if most else end
 
 
+def unknown_key(key: str, value: object, hint: str) -> str:
+    """What errors say of a key that is none: it, the value that it was given, and what is allowed or near.
+
+    Example:
+        >>> unknown_key("tendon.stifness", "20 N/cm", "did you mean tendon.stiffness?")
+        'tendon.stifness: unknown key, got "20 N/cm"; did you mean tendon.stiffness?'
+    """
+    got = "" if value is None else f", got {as_written(value)}"  # of a key alone there is none
+    return f"{key}: unknown key{got}; {hint}"
+
+
 def one_of(names: Iterable[str], got: object, others: Iterable[str] = (), near_to: Iterable[str] = ()) -> str:
     """What is allowed, names in quotes before what else is, and which of the names, or of some more, is near."""
     names = list(names)

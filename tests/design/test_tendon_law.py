@@ -223,7 +223,7 @@ def test_a_material_may_be_written_by_hand():
         ),
         (
             TPU | {"tendon.law.linear_modolus": "1 MPa"},
-            "tendon.law.linear_modolus: unknown key; did you mean tendon.law.linear_modulus?",
+            'tendon.law.linear_modolus: unknown key, got "1 MPa"; did you mean tendon.law.linear_modulus?',
         ),
         (
             TPU | {"tendon.law.linear_modulus": "1 N"},
@@ -232,7 +232,7 @@ def test_a_material_may_be_written_by_hand():
         (TPU | {"tendon.law.yield_strain": "0 %"}, "tendon.law.yield_strain: need > 0, got 0 %"),
         (
             TPU | {"tendon.law.viscosity.linear": "1 MPa s"},
-            "tendon.law.viscosity: unknown key; did you mean tendon.law.linear_viscosity or"
+            'tendon.law.viscosity: unknown key, got {linear = "1 MPa s"}; did you mean tendon.law.linear_viscosity or'
             " tendon.law.quadratic_viscosity or tendon.law.cubic_viscosity?",
         ),
         (

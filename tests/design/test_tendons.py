@@ -215,11 +215,11 @@ def test_a_new_design_file_says_how_a_tendon_of_one_vein_is_given(tmp_path):
         ("tendon = [1]", "tendon: need tables, each under [[tendon]], got 1"),
         (
             "[tendon]\nvein = 1",
-            "tendon.vein: unknown key; a tendon of one vein stands under [[tendon]], where it names its vein",
+            "tendon.vein: unknown key, got 1; a tendon of one vein stands under [[tendon]], where it names its vein",
         ),
         (
             '[[tendon]]\nvein = 2\nstifness = "1 N/cm"',
-            "tendon.2.stifness: unknown key; did you mean tendon.2.stiffness?",
+            'tendon.2.stifness: unknown key, got "1 N/cm"; did you mean tendon.2.stiffness?',
         ),
         ('[[tendon]]\nvein = 2\nstiffness = "-1 N/cm"', "tendon.2.stiffness: need >= 0, got -1 N/cm"),
         (
@@ -261,11 +261,17 @@ def test_what_an_entry_needs_is_asked_for(wing):
             "tendon.1: vein 1 has no tendon, those with one are 0, 2; give it a [[tendon]] first",
         ),
         ({"tendon.2": "1 N/cm"}, 'tendon.2: need a table under [tendon.2], got "1 N/cm"'),
-        ({"tendon.2.vein": 1}, "tendon.2.vein: unknown key; a tendon of one vein stands under [[tendon]], where it"),
+        (
+            {"tendon.2.vein": 1},
+            "tendon.2.vein: unknown key, got 1; a tendon of one vein stands under [[tendon]], where it",
+        ),
         ({"tendon.stiffness": "-1 N/cm"}, "tendon.0.stiffness: need >= 0, got -1 N/cm"),
         ({"tendon.2.stiffness": "-1 N/cm"}, "tendon.2.stiffness: need >= 0, got -1 N/cm"),
-        ({"tendon.2.stiffness.x": "1"}, "tendon.2.stiffness.x: unknown key; did you mean tendon.2.stiffness?"),
-        ({"tendon.rest_lengt.x": "1"}, "tendon.0.rest_lengt: unknown key; did you mean tendon.0.rest_length?"),
+        ({"tendon.2.stiffness.x": "1"}, 'tendon.2.stiffness.x: unknown key, got "1"; did you mean tendon.2.stiffness?'),
+        (
+            {"tendon.rest_lengt.x": "1"},
+            'tendon.0.rest_lengt: unknown key, got {x = "1"}; did you mean tendon.0.rest_length?',
+        ),
     ],
 )
 def test_a_setting_of_tendons_that_are_not_there_is_answered_with_those_that_are(wing, settings, message):

@@ -21,10 +21,10 @@ from forficula.make.check import Check
 from forficula.make.files.bed import BED, GAP, places_on_bed
 from forficula.make.files.bill import bill_json, bill_of
 from forficula.make.files.checks import checks_json
-from forficula.make.files.lying import file_names, lying_mesh, open_edges
+from forficula.make.files.lying import file_names, lying_mesh, open_edges, printed_pieces
+from forficula.make.files.printing import print_files
 from forficula.make.mesh import Mesh
 from forficula.make.mesh_checks import mesh_checks
-from forficula.make.solids import Joined, Rod
 from forficula.show.folder.parts_folder import write_parts
 from tests.make.readers import (
     faults_of_stl,
@@ -61,26 +61,21 @@ def folder(joint, tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def section(made_section, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("section")
-    write_parts(made_section, (), folder)
-    return folder
+def in_place(joint_of):
+    return joint_of(**{"make.hinge": "print-in-place", "make.straps": 1})
 
 
-@pytest.fixture(scope="module")
-def printed_in_place(joint_of, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("in-place")
-    write_parts(joint_of(**{"make.hinge": "print-in-place", "make.straps": 1}), (), folder)
-    return folder
+def sheet_alone(parts):
+    return replace(parts, parts=(), joints=(), straps=())
 
 
 def contents(folder):
     return {path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*.*")}
 
 
-@pytest.mark.parametrize("made", ["folder", "section", "printed_in_place"])
+@pytest.mark.parametrize("made", ["joint", "made_section", "in_place"])
 def test_every_mesh_of_every_file_is_closed_and_oriented(made, request):
-    files = contents(request.getfixturevalue(made))
+    files = print_files(request.getfixturevalue(made))
     assert faults_of_three_mf(files["parts.3mf"]) == []
     stl = {name: faults_of_stl(content) for name, content in files.items() if name.endswith(".stl")}
     assert len(stl) >= 2
@@ -189,24 +184,24 @@ def test_checks_have_their_unit_behind_their_keys():
 def test_earlier_parts_go_and_what_is_not_ours_stays(joint, tmp_path):
     write_parts(joint, (), tmp_path)
     (tmp_path / "stl" / "mine.stl").write_text("mine")
-    write_parts(replace(joint, parts=joint.parts[2:], sheet=None), (CHECK,), tmp_path)
-    left = {"bill.csv", "bill.json", "checks.json", "design.toml", "parts.3mf", "stl/mine.stl", "stl/strap0.stl"}
-    assert set(contents(tmp_path)) == left
+    write_parts(sheet_alone(joint), (CHECK,), tmp_path)
+    lists = {"bill.csv", "bill.json", "checks.json", "design.toml", "parts.html"}
+    assert set(contents(tmp_path)) == {*lists, "sheet.dxf", "sheet.svg", "stl/mine.stl"}
     assert json.loads((tmp_path / "checks.json").read_text())[0]["text"] == "it holds"
 
 
 def test_a_folder_is_written_whole_or_not_at_all(joint, tmp_path):
-    (tmp_path / "parts.3mf").mkdir()
-    with pytest.raises(ff.InputError, match=r"parts\.3mf: need a file or nothing there, got a folder"):
-        write_parts(joint, (), tmp_path)
-    assert [path.name for path in tmp_path.iterdir()] == ["parts.3mf"]
+    (tmp_path / "sheet.dxf").mkdir()
+    with pytest.raises(ff.InputError, match=r"sheet\.dxf: need a file or nothing there, got a folder"):
+        write_parts(sheet_alone(joint), (), tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == ["sheet.dxf"]
 
 
 def test_a_bill_that_someone_else_wrote_removes_nothing_elsewhere(joint, tmp_path):
     (tmp_path / "kept.stl").write_text("kept")
     (tmp_path / "parts").mkdir()
     (tmp_path / "parts" / "bill.json").write_text('{"files": ["../kept.stl", "stl/..", 3, "/etc", "design.toml"]}')
-    write_parts(replace(joint, parts=()), (), tmp_path / "parts")
+    write_parts(sheet_alone(joint), (), tmp_path / "parts")
     assert (tmp_path / "kept.stl").read_text() == "kept"
 
 
@@ -214,17 +209,28 @@ def test_names_of_files_are_plain_and_differ():
     assert file_names(["strap0", "Strap0", "a/b", "a b", ""]) == ["strap0", "Strap0-2", "a_b", "a_b-2", "part"]
 
 
-def test_a_part_in_two_pieces_and_an_open_surface_are_found(joint, monkeypatch):
+def test_a_surface_that_is_open_is_found(joint, monkeypatch):
     strap = joint.parts[3]
-    assert [check.ok for check in mesh_checks(strap)] == [True, True]
     mesh = lying_mesh(strap)
     flipped = Mesh(points=mesh.points, triangles=np.vstack([mesh.triangles[:-1], mesh.triangles[-1:, ::-1]]))
     assert open_edges(mesh) == 0
     assert open_edges(flipped) > 0
     assert open_edges(Mesh(points=mesh.points, triangles=mesh.triangles[:-1])) == 3
+    alone = replace(joint, parts=(strap,), joints=())
+    assert [(check.name, check.ok) for check in mesh_checks(alone)] == [("closed surface", True)]
     monkeypatch.setattr("forficula.make.mesh_checks.lying_mesh", lambda _: flipped)
-    rods = [Rod(start=np.array([0, y, 0]), end=np.array([0.01, y, 0]), diameter=0.004) for y in (0.0, 0.02)]
-    apart = replace(strap, solid=Joined(solids=tuple(rods)))
-    pieces, surface = mesh_checks(apart)
-    assert (pieces.ok, pieces.value, surface.ok) == (False, 2, False)
-    assert "falls into 2 pieces" in pieces.text
+    assert [check.ok for check in mesh_checks(alone)] == [False]
+
+
+def test_halves_that_are_printed_in_place_are_one_piece_and_fuse_where_they_are_too_near(joint_of, in_place):
+    content = print_files(in_place)["stl/proximal0_and_distal0.stl"]
+    assert trimesh.load(io.BytesIO(content), file_type="stl").body_count == 2
+    found = {}
+    for overbend in ("3 deg", "12 deg"):
+        made = joint_of(**{"make.hinge": "print-in-place", "make.straps": 1, "hinge.overbend": overbend})
+        assert [piece.name for piece in printed_pieces(made)] == ["proximal0 and distal0", "strap0"]
+        (found[overbend],) = (check for check in mesh_checks(made) if check.name == "apart as printed")
+    assert (found["3 deg"].ok, found["12 deg"].ok) == (False, True)
+    # faces from the clearance around the knuckles on, 3 deg apart
+    assert found["3 deg"].value == pytest.approx(3.4e-3 * np.sin(np.radians(3)), rel=0.05)
+    assert "they fuse" in found["3 deg"].text

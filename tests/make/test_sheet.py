@@ -10,9 +10,10 @@ from hypothesis import strategies as st
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.make.cut_lines import layer_texts
+from forficula.make.joint_layout import joint_layouts
 from forficula.make.regions import area_of, distance_to, loop_area, region_of, sides_of
 from forficula.make.sheet import cut_sheet
-from forficula.make.straps import strap_of
+from forficula.make.strap_shape import bows_beside, strap_places
 from forficula.pattern import CreasePattern, vertex_pattern, write_fold, yoshimura_tube
 from forficula.structure import built_points, structure_of
 from tests.sheets import sheet_design, stage
@@ -102,9 +103,13 @@ def test_the_cutters_way_less_the_kerf_has_the_area_of_the_facets(name, kerf):
     assert failed(sheet) == set()
 
 
-def test_a_fan_without_tendons_is_all_of_its_panels():
+def test_a_fan_without_tendons_is_all_of_its_panels_but_for_the_knuckles_of_its_hinges():
     sheet = cut_sheet(load_design("binder2025").with_values({"tendon": []}))
-    assert sum(map(loop_area, sheet.outlines)) == pytest.approx(facets_area(sheet.pattern), rel=1e-7)
+    lost = facets_area(sheet.pattern) - sum(map(loop_area, sheet.outlines))
+    # 10 mm of knuckles of 5.6 mm, 0.4 mm clear and 1 mm of window around them, with round corners; of the outer veins
+    # the half that is on the sheet
+    window = 12e-3 * 8.4e-3 - (4 - math.pi) * 1e-3**2
+    assert lost == pytest.approx(2 * window, rel=2e-3)
 
 
 def test_a_hole_of_a_file_stays_as_large_as_it_is_drawn_and_a_margin_is_around_the_sheet_only(tmp_path):
@@ -121,20 +126,19 @@ def test_a_hole_of_a_file_stays_as_large_as_it_is_drawn_and_a_margin_is_around_t
     assert lengths == pytest.approx([25e-3 * math.sqrt(2)] * 4)
 
 
-def test_straps_bars_and_knuckles_have_their_gap_in_the_windows_of_a_fan():
+def test_taut_straps_have_their_gap_in_the_windows_of_a_fan():
     design = load_design("binder2025").with_values({"make.window": "2 mm"})
     sheet, structure = cut_sheet(design), structure_of(design)
-    sides, points = sides_of(region_of(sheet.outlines)), built_points(structure)
-    for tendon in structure.tendons:
-        start, end = (points[number, :2] for number in tendon.points)
-        along = (end - start) / np.linalg.norm(end - start)
-        across = np.array([-along[1], along[0]])
-        half = 2.5e-3 + 0.4e-3 + strap_of(design, tendon).width
-        places = [start + s * (end - start) + side * half * across for s in np.linspace(0, 1, 9) for side in (-1, 1)]
-        assert all(
-            area_of(region_of([place + 1e-6 * np.eye(3, 2)]) ^ region_of(sheet.outlines)) == 0 for place in places
-        )
-        assert min(distance_to(sides, place) for place in places) >= 2e-3 - 1e-6
+    sides = sides_of(region_of(sheet.outlines))
+    for place in strap_places(bows_beside(joint_layouts(design, structure))):
+        for start, end in place.ends[:, :, :2]:
+            along = (end - start) / np.linalg.norm(end - start)
+            aside = place.strap.width / 2 * np.array([-along[1], along[0]])
+            edges = [start + s * (end - start) + side * aside for s in np.linspace(0, 1, 9) for side in (-1, 1)]
+            assert all(
+                area_of(region_of([edge + 1e-6 * np.eye(3, 2)]) ^ region_of(sheet.outlines)) == 0 for edge in edges
+            )
+            assert min(distance_to(sides, edge) for edge in edges) >= 2e-3 - 1e-6
 
 
 def test_a_tendon_across_a_crease_of_a_sheet_has_a_hole_at_each_end_and_a_slot_between():
@@ -147,7 +151,7 @@ def test_a_tendon_across_a_crease_of_a_sheet_has_a_hole_at_each_end_and_a_slot_b
             assert min(np.linalg.norm(hole.place - end) for hole in sheet.holes) < 1e-12
         # the slot ends a peg's diameter, of the sheet between the two, before the hole
         for peg, other in (ends, ends[::-1]):
-            gap = distance_to(sides_of(windows), peg) - 2e-3
+            gap = distance_to(sides_of(windows), peg) - 2.5e-3
             assert gap == pytest.approx(5e-3 + 0.05e-3, abs=1e-5)  # the cutter's way is half a kerf within
             assert area_of(windows ^ region_of([(peg + other) / 2 + 1e-4 * np.eye(3, 2)])) > 0
     assert failed(sheet) == set()
@@ -335,6 +339,7 @@ def test_what_cannot_be_made_fails_its_check():
 
 
 def test_a_strip_between_windows_is_as_wide_as_they_are_apart():
-    checks = {check.name: check for check in cut_sheet("binder2025-stored").checks}
+    wide = load_design("binder2025-joint").with_values({"pattern.width": "12 cm"})
+    checks = {check.name: check for check in cut_sheet(wide).checks}
     assert checks["windows"].ok
-    assert checks["strips"].value == pytest.approx(checks["windows"].value, abs=5e-6)
+    assert checks["strips"].value == pytest.approx(checks["windows"].value, rel=2e-3)

@@ -106,7 +106,7 @@ def test_what_is_in_one_place_as_built_is_told(parts, made_section):
     # straps of the design's own length, on pegs far out: those of neighbours meet
     (check,) = built_checks(made_section)
     assert check.ok is False
-    assert "proximal0 and proximal1" in check.text
+    assert "proximal0 and proximal2 (0.37" in check.text
 
 
 def test_a_run_that_diverged_is_not_looked_at(parts):

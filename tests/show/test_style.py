@@ -15,6 +15,9 @@ from forficula.show.style import (
     COLUMN_WIDTH,
     ENERGY_COLOURS,
     PAGE_WIDTH,
+    QUANTITY_COLOURS,
+    STRAIN_COLOURS,
+    colours_of,
     describe,
     figure_files,
     figure_style,
@@ -23,6 +26,7 @@ from forficula.show.style import (
 )
 from tests.show.legible import colours
 
+PLACE = Path(__file__).parents[2]
 TEXT = "Energy & moment <of> a hinge. At most 2 J."
 
 
@@ -100,8 +104,20 @@ def test_every_figure_is_left_for_the_screen_at_page_width_and_for_papers_at_col
     assert 'width="252pt"' in (tmp_path / "figures" / "energy.svg").read_text("utf-8")
 
 
-def test_film_and_page_show_the_energy_of_a_tendon_in_the_same_colours():
-    scheme = (Path(__file__).parents[2] / "web" / "src" / "scheme.js").read_text("utf-8")
-    of_page = re.findall(r"#[0-9a-f]{6}", scheme[scheme.index("const ENERGY = ") :].partition(";")[0])
-    of_film = ENERGY_COLOURS(np.linspace(0, 1, len(of_page)))[:, :3]
-    assert of_film == pytest.approx(np.array([to_rgb(colour) for colour in of_page]), abs=0.01)
+@pytest.mark.parametrize(
+    ("name", "colours"), [("ENERGY", ENERGY_COLOURS), ("QUANTITY", QUANTITY_COLOURS), ("STRAIN", STRAIN_COLOURS)]
+)
+def test_figures_films_and_pages_show_a_quantity_in_the_same_colours(name, colours):
+    scheme = (PLACE / "web" / "src" / "scheme.js").read_text("utf-8")
+    of_page = re.findall(r"#[0-9a-f]{6}", scheme[scheme.index(f"const {name} = ") :].partition(";")[0])
+    of_figures = colours(np.linspace(0, 1, len(of_page)))[:, :3]
+    assert of_figures == pytest.approx(np.array([to_rgb(colour) for colour in of_page]), abs=0.01)
+
+
+def test_the_colours_of_quantities_are_chosen_in_one_place():
+    """Another module that takes a map of colours by its name could draw an energy in any."""
+    chosen = re.compile(r"colormaps|get_cmap|cmap=\s*[\"']|[\"'](viridis|cividis|plasma|inferno|magma)[\"']")
+    found = {path.name for path in (PLACE / "src").rglob("*.py") if chosen.search(path.read_text("utf-8"))}
+    assert found == {"style.py"}
+    assert colours_of("J") is ENERGY_COLOURS
+    assert colours_of("N m") is colours_of("s") is QUANTITY_COLOURS

@@ -210,7 +210,7 @@ def test_a_base_whose_value_is_a_word_is_told_from_the_numbers_beside_it(tmp_pat
         ("", TENDONS, 'grid: needs vary = "one-at-a-time"; otherwise all factors are a grid, under [factors]'),
         (ALONE, "[grid]", 'grid: need a table with at least one, such as "tendon.stiffness" = '),
         (ALONE, f"[grid]\n{DAMPING}", "grid.hinge.damping: is under [factors], too; need it in one of them"),
-        (ALONE, '[grid]\n"tendon.stifness" = ["1 N/cm"]', "tendon.stifness: unknown key; did you mean"),
+        (ALONE, '[grid]\n"tendon.stifness" = ["1 N/cm"]', 'tendon.stifness: unknown key, got ["1 N/cm"]; did you mean'),
         (
             ALONE,
             '[grid]\n"tendon.stiffness" = {distribution = "uniform", low = "1 N/cm", high = "2 N/cm"}',

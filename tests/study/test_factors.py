@@ -97,7 +97,7 @@ def test_a_list_is_taken_as_it_is_written():
     [("tendon.stifness", "tendon.stiffness"), ("tendons.rest_length", "tendon.rest_length"), ("vein.diametre", "vein")],
 )
 def test_an_unknown_key_is_answered_with_the_nearest(key, nearest):
-    with pytest.raises(InputError, match=rf"^{key}: unknown key; .*{nearest}"):
+    with pytest.raises(InputError, match=rf"^{key}: unknown key, got .*; .*{nearest}"):
         read_factor(key, ["1 cm"], FanDesign)
 
 
@@ -116,11 +116,11 @@ def test_laws_are_a_factor_by_their_names():
         ("tendon", "holds several values; name one of them: tendon.stiffness, tendon.rest_length, "),
         ("protocol.stages", "holds several values; name one of them: protocol.stages.0.name, "),
         ("protocol.stages.3", "holds several values; name one of them: protocol.stages.3.name, "),
-        ("protocol.stages.0.hodl", r"unknown key; did you mean protocol.stages.0.hold\?"),
+        ("protocol.stages.0.hodl", r'unknown key, got \["1 s"\]; did you mean protocol.stages.0.hold\?'),
         ("protocol.stages.time_limit", "need the number of an entry of protocol.stages"),
-        ("tendon.stiffness.x", r"unknown key; did you mean tendon.stiffness\?"),
+        ("tendon.stiffness.x", r'unknown key, got \["1 s"\]; did you mean tendon.stiffness\?'),
         ("based_on", "is no value of a design; name the design to start from"),
-        ("", "unknown key; allowed here: "),
+        ("", r'unknown key, got \["1 s"\]; allowed here: '),
     ],
 )
 def test_what_cannot_be_a_factor_says_so_and_what_can(key, message):

@@ -163,7 +163,7 @@ def test_the_run_that_a_row_comes_from_is_kept(study_file, tmp_path):
         ),
         (
             'key = "tendon.stiffness"\nvalues = ["1 N/cm"]\nfold_torques = []',
-            "search.fold_torques: unknown key; allowed here: key, values, state, refinements",
+            "search.fold_torques: unknown key, got []; allowed here: key, values, state, refinements",
         ),
         (
             'key = "tendon.stiffness"\nvalues = ["1 N/cm"]\nrefinements = 21',

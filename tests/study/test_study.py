@@ -137,8 +137,11 @@ def test_sampled_studies_have_as_many_points_as_were_asked_and_the_same_for_the_
         (f'design = "none.toml"\n[factors]\n{LISTED}', ""),
         ('design = "binder2025"', "factors: need a table with at least one"),
         ('design = "binder2025"\nfactors = 3', "factors: need a table with at least one"),
-        (f'design = "binder2025"\nfactor = 3\n[factors]\n{LISTED}', "factor: unknown key; did you mean factors?"),
-        (f'design = "binder2025"\nzzz = 3\n[factors]\n{LISTED}', "zzz: unknown key; allowed here: name"),
+        (
+            f'design = "binder2025"\nfactor = 3\n[factors]\n{LISTED}',
+            "factor: unknown key, got 3; did you mean factors?",
+        ),
+        (f'design = "binder2025"\nzzz = 3\n[factors]\n{LISTED}', "zzz: unknown key, got 3; allowed here: name"),
         (f'design = "binder2025"\nsettings = 3\n[factors]\n{LISTED}', "settings: need a table, got 3"),
         (
             f'design = "binder2025"\n[factors]\n{LISTED}\n[settings]\ntendon.stifness = "1 N/m"',
@@ -197,7 +200,7 @@ def test_a_study_that_is_none_is_refused_with_its_file_and_what_is_wrong(tmp_pat
         ("[sampling]\ncount = 1_000_000_000_000", "sampling.count: need at most 1000000, got 1000000000000"),
         ("[sampling]\ncount = 3\nseed = -1", "sampling.seed: need a whole number >= 0, got -1"),
         ('[sampling]\ncount = 3\nmethod = "grid"', 'sampling.method: need "random" or "sobol"'),
-        ("[sampling]\ncounts = 3", "sampling.counts: unknown key; did you mean sampling.count?"),
+        ("[sampling]\ncounts = 3", "sampling.counts: unknown key, got 3; did you mean sampling.count?"),
     ],
 )
 def test_sampling_needs_a_count_and_a_seed(study_file, sampling, message):
@@ -238,7 +241,7 @@ def test_whole_numbers_and_words_are_not_drawn(study_file):
         ('unfold_torques = ["20 N"]', 'search.unfold_torques: "N" is not a unit of the right kind'),
         ("refinements = -1", "search.refinements: need a whole number from 0 to 20"),
         ("refinements = true", "search.refinements: need a whole number from 0 to 20"),
-        ("torques = 1", "search.torques: unknown key; did you mean search.fold_torques?"),
+        ("torques = 1", "search.torques: unknown key, got 1; did you mean search.fold_torques?"),
     ],
 )
 def test_a_search_over_torques_that_do_not_rise_is_refused(study_file, search, message):

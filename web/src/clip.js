@@ -3,6 +3,8 @@
  * Lengths are in m, times in s, readings in the unit that stands with them, energies in J.
  */
 
+import { readEfforts } from "./efforts.js";
+
 /** Name of the energies of the tendons among what a clip tells. */
 export const TENDONS = "tendon energy";
 
@@ -33,7 +35,10 @@ export function readClip(data) {
 
   /** Write the vertices, which lie between the points, at a time. */
   function verticesAt(moment, into = new Float32Array(3 * share.length)) {
-    const place = pointsAt(moment);
+    return verticesOf(pointsAt(moment), into);
+  }
+
+  function verticesOf(place, into) {
     for (let vertex = 0; vertex < share.length; vertex++) {
       const first = 3 * between[2 * vertex];
       const second = 3 * between[2 * vertex + 1];
@@ -57,8 +62,20 @@ export function readClip(data) {
     return Float32Array.from(time, (_, frame) => values[frame * width + part]);
   }
 
+  const rests = unpack(data.restLength_m, Float32Array);
+
+  /** Lengths below which tendons are slack, m, at a time. */
+  function restLengthsAt(moment, into) {
+    if (rests.length === into.length) into.set(rests);
+    else mix(time, rests, into.length, moment, into);
+  }
+
+  const efforts = data.efforts && readEfforts(data.efforts);
+
   return {
     name: data.name,
+    /** How far what is drawn about points may reach, m: rods of what is held fast, and arrows. */
+    reach: Math.max(data.base.radius, efforts?.pushes.length ? 0.12 * data.span_m : 0, ...(efforts?.turns ?? []).map((turn) => 0.4 * turn.radius)),
     mesh: data,
     marks: data.marks,
     stages: data.stages,
@@ -67,6 +84,10 @@ export function readClip(data) {
     time,
     start: time[0],
     end: time[time.length - 1],
+    efforts,
+    strained: data.built !== null,
+    builtVertices: () => verticesOf(unpack(data.built, Float32Array), new Float32Array(3 * share.length)),
+    restLengthsAt,
     pointsAt,
     verticesAt,
     valuesAt,

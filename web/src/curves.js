@@ -13,16 +13,16 @@ import { lineLook, onSchemeChange, styleColour } from "./scheme.js";
 const ANGLES = [0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 60, 90, 180];
 const TALLER = 1.35;
 
-/** Put curves into an element; clips and clock are those of the page's run, or none. */
-export function mountCurves(element, curves, clips = [], clock = null) {
-  const made = curves.map((curve) => makeCurve(curve, clips[0], clock));
+/** Put curves into an element; clips and clock are those of the page's run, or none; poses: a clock of what sliders move. */
+export function mountCurves(element, curves, clips = [], clock = null, poses = null) {
+  const made = curves.map((curve) => makeCurve(curve, clips[0], clock, poses));
   element.replaceChildren(...made.map((each) => each.element));
   element.classList.add("plots");
   for (const each of made) each.start();
   return made;
 }
 
-function makeCurve(data, clip, clock) {
+function makeCurve(data, clip, clock, poses) {
   const [lines, balls, marks] = [data.lines, data.balls, data.marks].map((courses) => courses.map(readCourse));
   const { element, key, place } = figureOf(data);
   const dots = (balls.length ? balls : [lines[0]]).map((ball) =>
@@ -93,7 +93,7 @@ function makeCurve(data, clip, clock) {
       slide(data, lines[0], place, (angle, energy) => {
         now[0] = [angle, energy];
         placeBalls();
-      });
+      }, poses);
     }
     show(whole);
   }
@@ -253,19 +253,52 @@ function seekByPointer(chart, balls, clip, clock) {
   });
 }
 
-/** A slider that moves the ball along a line, from where the line begins, and says where it is. */
-function slide(data, line, place, moved) {
+/**
+ * A slider that moves the ball along a line, from where the line begins, and says where it is; with poses it also moves
+ * the structure, and goes along where another curve's slider does so.
+ */
+function slide(data, line, place, moved, poses) {
   const last = line.places.length - 1;
   const slider = make("input", { type: "range", min: "0", max: String(last), value: "0" });
   slider.setAttribute("aria-label", `${data.axis} along the curve`);
-  const said = make("output", {});
+  // who hears the page hears the slider
+  const said = make("output", { "aria-live": "off" });
   const move = () => {
     const at = Number(slider.value);
     moved(line.places[at], line.values[at]);
-    said.textContent = `${short(line.places[at])}\u00b0, ${short(line.values[at])} ${data.unit}`;
-    slider.setAttribute("aria-valuetext", said.textContent);
+    const [angle, energy] = [short(line.places[at]), `${short(line.values[at])} ${data.unit}`];
+    said.textContent = `${angle}\u00b0, ${energy}`;
+    slider.setAttribute("aria-valuetext", `${data.axis} ${angle} degrees, energy ${energy}`);
   };
-  slider.addEventListener("input", move);
-  place.after(make("div", { className: "slide" }, slider, said));
+  const angles = data.poses && poses ? unpack(data.poses, Float32Array) : null;
+  let asked = false;
+  slider.addEventListener("input", () => {
+    move();
+    asked = true;
+    if (angles) poses.seek(poseAt(angles, line.places[Number(slider.value)]));
+  });
+  if (angles)
+    poses.onChange(() => {
+      if (!asked) {
+        slider.value = String(nearest(line.places, between(angles, Math.floor(poses.time), poses.time % 1)));
+        move();
+      }
+      asked = false;
+    });
+  const words = data.drawn ? [make("p", { className: "note" }, data.drawn)] : [];
+  place.after(make("div", { className: "slide" }, slider, said), ...words);
   move();
+}
+
+/** The pose of an angle, between two in proportion; angles rise or fall from pose to pose. */
+function poseAt(angles, angle) {
+  const sign = angles[angles.length - 1] >= angles[0] ? 1 : -1;
+  const after = angles.findIndex((each) => sign * each >= sign * angle);
+  if (after <= 0) return after === 0 ? 0 : angles.length - 1;
+  const step = angles[after] - angles[after - 1];
+  return after - 1 + (step ? (angle - angles[after - 1]) / step : 0);
+}
+
+function nearest(places, angle) {
+  return places.reduce((best, each, at) => (Math.abs(each - angle) < Math.abs(places[best] - angle) ? at : best), 0);
 }

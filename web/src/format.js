@@ -1,5 +1,9 @@
 /** Numbers and times as text, with a minus sign that is one. */
 
+export function capital(text) {
+  return `${text[0]?.toUpperCase() ?? ""}${text.slice(1)}`;
+}
+
 export function fixed(value, digits) {
   const text = value.toFixed(digits);
   return (Number(text) === 0 ? (0).toFixed(digits) : text).replace("-", "\u2212");

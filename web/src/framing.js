@@ -17,7 +17,7 @@ export function makeFraming(clips, numbers, clock) {
   const places = new WeakMap();
   // what is drawn about the points: bars and joints
   const radius = numbers.reduce(
-    (most, index) => clips[index].mesh.tubes.reduce((thickest, tube) => Math.max(thickest, tube.radius), most),
+    (most, index) => clips[index].mesh.tubes.reduce((thickest, tube) => Math.max(thickest, tube.radius), Math.max(most, clips[index].reach)),
     Math.max(...numbers.map((index) => (clips[index].mesh.joints.length ? clips[index].mesh.jointRadius : 0))),
   );
   let last = null;

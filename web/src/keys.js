@@ -1,4 +1,7 @@
-/** The keyboard: in the player, and where nothing else on the page has the keys. */
+/**
+ * The keyboard: in the player, and where nothing else on the page has the keys. Single letters and numbers act in the
+ * player only: a voice that is written down would press them anywhere (WCAG 2.1.4).
+ */
 
 import { make } from "./elements.js";
 
@@ -23,6 +26,7 @@ export function keysHelp(clips, picture, whole) {
     { className: "keys" },
     make("summary", {}, "Keys"),
     make("table", {}, make("tbody", {}, ...rows)),
+    make("p", {}, "Space and arrows act wherever nothing else on the page has the keys, the others in the player."),
   );
 }
 
@@ -35,13 +39,14 @@ export function listenToKeys(player, clips, clock, eye, firstView) {
     seek();
   }
 
-  function act(event) {
+  function act(event, inside) {
     const { key } = event;
     if (event.shiftKey && key in turns) eye?.turn(...turns[key]);
     else if (key in steps) go(() => clock.step(steps[key]));
     else if (key === " ") clock.playing ? clock.pause() : clock.play();
     else if (key === "Home") go(() => clock.seek(clock.span.start));
     else if (key === "End") go(() => clock.seek(clock.span.end));
+    else if (!inside) return false;
     else if (clips.length === 1 && clips[0].marks[Number(key) - 1])
       go(() => clock.seekClip(0, clips[0].marks[Number(key) - 1].time));
     else if (key === "+" || key === "=") eye?.zoom(1);
@@ -53,14 +58,14 @@ export function listenToKeys(player, clips, clock, eye, firstView) {
 
   function listen(event) {
     const at = document.activeElement;
-    const mine = player.contains(at) || at === document.body || at === null;
-    if (!mine || event.ctrlKey || event.metaKey || event.altKey) return;
+    const inside = player.contains(at);
+    if (!(inside || at === document.body || at === null) || event.ctrlKey || event.metaKey || event.altKey) return;
     // a button has its own use for space, a choice and a slider of its own for nearly all keys
     if (at instanceof HTMLSelectElement || at?.dataset?.keys === "own" || (event.key === " " && /^(BUTTON|SUMMARY|A)$/.test(at?.tagName ?? "")))
       return;
     // where nothing is chosen, these scroll the page
     if (at === document.body && /^(Home|End|PageUp|PageDown)$/.test(event.key)) return;
-    if (act(event)) event.preventDefault();
+    if (act(event, inside)) event.preventDefault();
   }
 
   document.addEventListener("keydown", listen);

@@ -3,7 +3,7 @@
 import { make } from "./elements.js";
 import { squareSide } from "./floor.js";
 import { short } from "./format.js";
-import { ENERGY_GRADIENT, MOUNTAIN, VALLEY, regionTint } from "./scheme.js";
+import { ENERGY_COLOURS, MOUNTAIN, VALLEY, regionTint } from "./scheme.js";
 
 /** entries: {sample, text} of what is drawn; whole: what one is called, of several that are drawn; else null. */
 export function makeLegend(entries, energy, size, whole) {
@@ -14,6 +14,7 @@ export function makeLegend(entries, energy, size, whole) {
     "ul",
     { className: "legend" },
     ...entries.map(({ sample, text }) => (sample === "tendon" ? energyEntry(text, energy) : entry(sample, text))),
+    ...(entries.some(({ sample }) => sample === "tendon") ? [make("li", {}, "slack tendons hang, drawn with their resting length")] : []),
     make("li", {}, `squares of the grid: ${lengthText(squareSide(size))}`),
     ...ofSeveral.map((text) => make("li", {}, text)),
   );
@@ -22,13 +23,18 @@ export function makeLegend(entries, energy, size, whole) {
 function entry(sample, text) {
   const [kind, region] = sample.split(" ");
   const look = { mountain: { color: MOUNTAIN }, valley: { color: VALLEY }, region: { background: regionTint(region) } };
-  return make("li", {}, swatch(kind === "region" ? "panel" : kind, look[kind] ?? {}), text);
+  const className = kind === "region" ? "of-region" : "";
+  return make("li", { className }, swatch(kind === "region" ? "panel" : kind, look[kind] ?? {}), text);
 }
 
 function energyEntry(text, energy) {
-  const bar = make("li", { className: "energy" }, `${text}: 0`, swatch("bar", { background: ENERGY_GRADIENT }));
-  bar.append(`${short(energy.factor * energy.largest_J)} ${energy.unit}, thin where slack`);
+  const bar = make("li", { className: "energy" }, `${text}: 0`, gradientSwatch(ENERGY_COLOURS));
+  bar.append(`${short(energy.factor * energy.largest_J)} ${energy.unit}`);
   return bar;
+}
+
+export function gradientSwatch(colours) {
+  return swatch("bar", { background: colours.gradient });
 }
 
 function swatch(kind, style) {

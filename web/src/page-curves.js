@@ -1,7 +1,15 @@
-/** The page of curves without a run: balls that a slider moves. */
+/** The page of curves without a run: a slider moves a ball on each, and the structure to what it is like there. */
 
+import { readClip } from "./clip.js";
 import { mountCurves } from "./curves.js";
+import { mountStill } from "./player.js";
+import { makePoseClock } from "./pose-clock.js";
 
 export function showCurves(data) {
-  return { curves: mountCurves(document.getElementById("curves"), data.curves) };
+  const place = document.getElementById("curves");
+  if (!data.clips) return { curves: mountCurves(place, data.curves) };
+  const clips = data.clips.map(readClip);
+  const clock = makePoseClock(clips[0]);
+  const player = mountStill(document.getElementById("player"), clips, clock, data);
+  return { clips, clock, player, curves: mountCurves(place, data.curves, [], null, clock) };
 }

@@ -1,9 +1,12 @@
 /** Structures in 3-D with the controls of their clock, in an element of any page. */
 
 import { VIEWS } from "./camera.js";
+import { effortTexts } from "./efforts.js";
 import { make } from "./elements.js";
+import { short } from "./format.js";
 import { keysHelp, listenToKeys } from "./keys.js";
-import { makeLegend } from "./legend.js";
+import { gradientSwatch, makeLegend } from "./legend.js";
+import { STRAIN_COLOURS } from "./scheme.js";
 import { makeShape } from "./shape.js";
 import { makeStage } from "./stage.js";
 import { makeTransport, stageText } from "./transport.js";
@@ -22,6 +25,10 @@ export function mountPlayer(element, clips, clock, { energy, legend: entries, te
     : make("p", { className: "note" }, noPicture(whole));
   if (stage && clips.length === 1) nameState(stage.cells[0], clips[0], clock);
   const legend = stage ? [makeLegend(entries, energy, stage.eye.size, clips.length > 1 ? whole : null)] : [];
+  if (stage && clips.some((clip) => clip.strained)) legend.unshift(colourChoice(stage, legend[0]));
+  if (stage && clips.length === 1 && clips[0].efforts?.drives.length) tellEfforts(legend.at(-1), clips[0], clock);
+  if (stage && clips.length > 1 && clips.some((clip) => clip.efforts?.drives.some((drive) => drive.arrow)))
+    legend.at(-1).append(make("li", { className: "effort" }, arrowSample(), "torque or force of a drive, while it acts"));
   element.replaceChildren(picture, makeTransport(clips, clock), ...legend, keysHelp(clips, stage !== null, whole));
   element.classList.add("player");
   element.setAttribute("role", "region");
@@ -38,6 +45,23 @@ export function mountPlayer(element, clips, clock, { energy, legend: entries, te
   return { stage, dispose };
 }
 
+/** Show structures that something else moves, without controls of a time; as of mountPlayer. */
+export function mountStill(element, clips, clock, { energy, legend: entries, text, whole }) {
+  const stage = makeStage(clips, clock, energy, text);
+  if (!stage) {
+    element.replaceChildren(make("p", { className: "note" }, noPicture(whole)));
+    return { stage };
+  }
+  const picture = make("div", { className: "picture" }, stage.element, viewButtons(stage.eye, null));
+  const legend = [makeLegend(entries, energy, stage.eye.size, null)];
+  if (clips.some((clip) => clip.strained)) legend.unshift(colourChoice(stage, legend[0]));
+  element.replaceChildren(picture, ...legend);
+  element.classList.add("player");
+  element.setAttribute("role", "region");
+  element.setAttribute("aria-label", `the ${whole} where the sliders are`);
+  return { stage };
+}
+
 /** Write into the picture of a single structure which state it is in, or what is done to it. */
 function nameState(cell, clip, clock) {
   const name = make("p", { className: "now", "aria-hidden": "true" });
@@ -45,6 +69,39 @@ function nameState(cell, clip, clock) {
   clock.onChange(() => {
     name.textContent = stageText(clip, clock.clipTime(0));
   });
+}
+
+function arrowSample() {
+  return make("span", { className: "swatch arrow", "aria-hidden": "true" });
+}
+
+/** Name in the legend what acts now, with how strong it is. */
+function tellEfforts(legend, clip, clock) {
+  const arrow = clip.efforts.drives.some((drive) => drive.arrow);
+  const said = make("span");
+  legend.append(make("li", { className: "effort" }, ...(arrow ? [arrowSample()] : []), said));
+  clock.onChange(() => {
+    said.textContent = effortTexts(clip.efforts, clock.clipTime(0), short).join("; ") || "no drive acts now";
+  });
+}
+
+/** What the sheet's colours are: its regions, or how far it is stretched, with the scale of that in the legend. */
+function colourChoice(stage, legend) {
+  const names = ["panels", "membrane strain"];
+  const bar = make("li", { className: "energy", hidden: true });
+  legend.append(bar);
+  const buttons = names.map((name, strained) => {
+    const button = make("button", { type: "button", "aria-pressed": String(!strained) }, name);
+    button.addEventListener("click", () => {
+      const largest = stage.showStrain(Boolean(strained));
+      bar.replaceChildren("membrane strain, Green\u2019s: 0", gradientSwatch(STRAIN_COLOURS), `${short(100 * largest)} %`);
+      bar.hidden = !strained;
+      for (const entry of legend.querySelectorAll(".of-region")) entry.hidden = Boolean(strained);
+      for (const each of buttons) each.setAttribute("aria-pressed", String(each === button));
+    });
+    return button;
+  });
+  return make("div", { className: "colours", role: "group", "aria-label": "colour of the sheet" }, "colour:", make("span", {}, ...buttons));
 }
 
 export function noPicture(whole) {

@@ -3,27 +3,63 @@
 import uPlot from "uplot";
 import { unpack } from "./clip.js";
 import { lineSample, make } from "./elements.js";
-import { short, timeUnit } from "./format.js";
+import { capital, short, timeUnit } from "./format.js";
 import { lineLook, onSchemeChange, styleColour } from "./scheme.js";
 
 export const HEIGHT = 210;
 const STRETCHED_SPACE = 64; // pixels between times of a stretched time line
 const DEGREES = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 90, 180, 360, ...powers(3, 20)];
 
-/** Put plots into an element, all over the span that the clock shows. */
+/**
+ * Put plots into an element, all over the span that the clock shows.
+ *
+ * A plot of one clip has its stages and states. Plots of one `sharing` have one range of values, so that they can be
+ * compared; `owner` is whose each is, where several clips have plots of their own.
+ */
 export function mountPlots(element, plots, clips, clock) {
-  const made = plots.map((plot) => makePlot(plot, clips, clock));
+  const lines = plots.map((plot) => linesOf(plot, clips));
+  const made = plots.map((plot, index) => {
+    const alike = plot.sharing ? lines.filter((_, each) => plots[each].sharing === plot.sharing).flat() : null;
+    return makePlot(plot, lines[index].map((line) => line.values), alike, clips, clock);
+  });
   element.replaceChildren(...made.map((plot) => plot.element));
   element.classList.add("plots");
   for (const plot of made) plot.start();
   return { charts: made.map((plot) => plot.chart), dispose: () => made.forEach((plot) => plot.dispose()) };
 }
 
-function makePlot(plot, clips, clock) {
-  const values = plot.lines.map((line) =>
-    line.readings ? clips[line.clip].line(line.readings, line.part) : unpack(line.values, Float32Array),
-  );
-  const { element, key, place } = figureOf(plot);
+/** What each line of a plot reads at every frame of its clip. */
+function linesOf(plot, clips) {
+  return plot.lines.map((line) => ({
+    clip: line.clip,
+    values: line.readings ? clips[line.clip].line(line.readings, line.part) : unpack(line.values, Float32Array),
+  }));
+}
+
+/** The least and the largest that several lines read within a span, zero included; what is no number is left out. */
+function endsWithin(lines, clips, span) {
+  const ends = [0, 0];
+  for (const { clip, values } of lines) {
+    const moments = clips[clip].time;
+    for (let frame = 0; frame < moments.length; frame++) {
+      const moment = moments[frame] - span.origins[clip];
+      if (moment < span.start || moment > span.end) continue;
+      if (values[frame] < ends[0]) ends[0] = values[frame];
+      if (values[frame] > ends[1]) ends[1] = values[frame];
+    }
+  }
+  return ends;
+}
+
+/** The number of the clip that all lines of a plot are of; null of several. */
+function clipOf(plot) {
+  const [first, ...others] = plot.lines.map((line) => line.clip);
+  return others.every((each) => each === first) ? (first ?? null) : null;
+}
+
+/** alike: lines of all plots that have one range of values with this one; null where it has its own. */
+function makePlot(plot, values, alike, clips, clock) {
+  const { element, key, place } = figureOf(plot, plot.owner);
   const cursor = make("div", { className: "cursor" });
   let chart = null;
   let span = null;
@@ -52,7 +88,7 @@ function makePlot(plot, clips, clock) {
   function start() {
     span = clock.span;
     stretched = clock.stretched;
-    chart = new uPlot(options(plot, clips, clock, place.clientWidth), tables(plot, values, clips, span), place);
+    chart = new uPlot(options(plot, alike, clips, clock, place.clientWidth), tables(plot, values, clips, span), place);
     chart.setScale("x", { min: span.start, max: span.end });
     chart.over.append(cursor);
     seekByPointer(chart, clock);
@@ -82,11 +118,13 @@ function makePlot(plot, clips, clock) {
   };
 }
 
-/** The figure of a plot, with an empty key and the place of its chart. */
-export function figureOf(plot) {
-  const place = make("div", { className: "chart", role: "img", "aria-label": plot.text });
+/** The figure of a plot, with an empty key and the place of its chart; owner: whose it is, where that must be told. */
+export function figureOf(plot, owner = null) {
+  const text = owner ? `${capital(owner)}. ${plot.text}` : plot.text;
+  const place = make("div", { className: "chart", role: "img", "aria-label": text });
   const key = make("ul", { className: "key" });
-  const heading = make("h2", {}, `${plot.title[0].toUpperCase()}${plot.title.slice(1)} (${plot.unit})`);
+  const heading = make("h2", {}, `${capital(plot.title)} (${plot.unit})`);
+  if (owner) heading.append(make("small", {}, owner));
   return { element: make("figure", {}, heading, key, place, make("figcaption", {}, plot.text)), key, place };
 }
 
@@ -96,21 +134,22 @@ function tables(plot, values, clips, span) {
     Float64Array.from(clips[line.clip].time, (moment) => moment - span.origins[line.clip]),
     values[index],
   ]);
-  if (plot.lines.every((line) => line.clip === plot.lines[0].clip)) {
+  if (clipOf(plot) !== null) {
     return [byLine[0]?.[0] ?? [], ...byLine.map((table) => table[1])];
   }
   return uPlot.join(byLine);
 }
 
-function options(plot, clips, clock, width) {
+function options(plot, alike, clips, clock, width) {
   const axis = axisLook();
+  const range = (_, low, high) => yRange(plot, ...(alike ? endsWithin(alike, clips, clock.span) : [low, high]));
   return {
     width,
     height: HEIGHT,
     legend: { show: false },
     cursor: { show: false },
     padding: [8, 10, 0, 0],
-    scales: { x: { time: false, auto: false, distr: 100, fwd: clock.shareAt, bwd: clock.momentAt }, y: { range: (_, low, high) => yRange(plot, low, high) } },
+    scales: { x: { time: false, auto: false, distr: 100, fwd: clock.shareAt, bwd: clock.momentAt }, y: { range } },
     series: [
       {},
       ...lineSeries(plot.lines),
@@ -131,8 +170,8 @@ function options(plot, clips, clock, width) {
       valueAxis(plot),
     ],
     hooks: {
-      drawClear: [(chart) => drawStages(chart, clips, clock.span)],
-      draw: [(chart) => drawMarks(chart, clips, clock.span)],
+      drawClear: [(chart) => drawStages(chart, clips, clipOf(plot), clock.span)],
+      draw: [(chart) => drawMarks(chart, clips, clipOf(plot), clock.span)],
     },
   };
 }
@@ -202,31 +241,31 @@ function tickText(value) {
   return text.length > 7 ? short(value) : text.replace("-", "\u2212");
 }
 
-/** Grey bands where torques act. */
-function drawStages(chart, clips, span) {
-  if (clips.length > 1) return;
+/** Grey bands where torques act on the plot's one clip. */
+function drawStages(chart, clips, own, span) {
+  if (own === null) return;
   const { ctx, bbox } = chart;
   ctx.save();
   ctx.fillStyle = styleColour("--band");
-  for (const stage of clips[0].stages.filter((each) => each.driven)) {
-    const [left, right] = [stage.start, stage.end].map((moment) => chart.valToPos(moment - span.origins[0], "x", true));
+  for (const stage of clips[own].stages.filter((each) => each.driven)) {
+    const [left, right] = [stage.start, stage.end].map((moment) => chart.valToPos(moment - span.origins[own], "x", true));
     const from = Math.max(left, bbox.left);
     ctx.fillRect(from, bbox.top, Math.max(0, Math.min(right, bbox.left + bbox.width) - from), bbox.height);
   }
   ctx.restore();
 }
 
-/** Letters a, b and c where the states are. */
-function drawMarks(chart, clips, span) {
-  if (clips.length > 1) return;
+/** Letters a, b and c where the states of the plot's one clip are. */
+function drawMarks(chart, clips, own, span) {
+  if (own === null) return;
   const { ctx, bbox } = chart;
   const ratio = devicePixelRatio;
   ctx.save();
   ctx.strokeStyle = styleColour("--muted");
   ctx.font = `bold ${12 * ratio}px system-ui, sans-serif`;
   ctx.setLineDash([2 * ratio, 3 * ratio]);
-  for (const mark of clips[0].marks) {
-    const x = chart.valToPos(mark.time - span.origins[0], "x", true);
+  for (const mark of clips[own].marks) {
+    const x = chart.valToPos(mark.time - span.origins[own], "x", true);
     if (x < bbox.left - 1 || x > bbox.left + bbox.width + 1) continue;
     ctx.beginPath();
     ctx.moveTo(x, bbox.top);

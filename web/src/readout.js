@@ -2,12 +2,12 @@
 
 import { TENDONS } from "./clip.js";
 import { make } from "./elements.js";
-import { fixed, short, timeText } from "./format.js";
+import { capital, fixed, short, timeText } from "./format.js";
 
 const SWINGS = { deg: 0.05 }; // from which on a swing is told, by unit
 
-/** index: number of the clip on its clock. */
-export function mountReadout(element, clip, clock, energy, index = 0) {
+/** index: number of the clip on its clock; named: whether it says which one it is, beside another. */
+export function mountReadout(element, clip, clock, energy, index = 0, named = false) {
   const { heading, names } = clip.mesh.parts;
   const rows = clip.readings.map((reading) => ({
     name: reading.name,
@@ -30,7 +30,7 @@ export function mountReadout(element, clip, clock, energy, index = 0) {
   const head = make(
     "tr",
     {},
-    make("th", { scope: "col" }, heading),
+    heading ? make("th", { scope: "col" }, heading) : make("td"),
     ...names.map((name) => make("th", { scope: "col" }, name)),
   );
   const body = rows.map((row, index) => make("tr", {}, make("th", { scope: "row" }, row.title), ...cells[index]));
@@ -41,7 +41,9 @@ export function mountReadout(element, clip, clock, energy, index = 0) {
     const moment = clock.clipTime(index);
     const mark = clip.markAt(moment);
     const state = mark ? `, ${mark.name} (means)` : "";
-    caption.textContent = `${heading ? `Every ${heading}` : "Everything"} at ${timeText(clock.time, clock.span)}${state}`;
+    const whose = named ? `${clip.name}: ` : "";
+    const what = heading ? `every ${heading}` : "everything";
+    caption.textContent = `${capital(`${whose}${what}`)} at ${timeText(clock.time, clock.span)}${state}`;
     for (const [index, row] of rows.entries()) {
       const texts = (mark && row.ofState(mark)) || Array.from(clip.valuesAt(row.name, moment), row.text);
       for (const [place, part] of row.parts.entries()) cells[index][part].textContent = texts[place];

@@ -10,22 +10,32 @@ export function regionTint(region) {
   return TINTS[region % TINTS.length];
 }
 
-// viridis (Smith and van der Walt 2015), without its darkest end, which a dark page would swallow
+// Every energy is in the first, every other quantity of a map in the second, as in figures and films (show/style.py):
+// viridis (Smith and van der Walt 2015) without its darkest end, which a dark page would swallow
 const ENERGY = ["#453781", "#39568c", "#2d708e", "#20908d", "#29af7f", "#73d055", "#b8de29", "#fde725"];
-const ENERGY_NUMBERS = ENERGY.map((colour) => [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16) / 255));
+// cividis (Nunez, Anderton and Renslow 2018)
+const QUANTITY = ["#00224e", "#083370", "#35456c", "#4f576c", "#666970", "#7d7c78", "#948e77", "#aea371", "#c8b866", "#e5cf52", "#fee838"];
+// yellow to red (Brewer 2002), from pale on, so that what a strain hides is told from it
+const STRAIN = ["#ffffcc", "#ffeda0", "#fed976", "#feb24c", "#fd8c3c", "#fc4d2a", "#e2191c", "#bb0026", "#800026"];
 
-export const ENERGY_GRADIENT = `linear-gradient(to right, ${ENERGY.join(", ")})`;
-
-/** The colour of an energy as a share of the largest, sRGB 0 to 1. */
-export function energyColour(share, into = [0, 0, 0]) {
-  const place = Math.min(1, Math.max(0, share)) * (ENERGY.length - 1);
-  const step = Math.min(ENERGY.length - 2, Math.floor(place));
-  for (let part = 0; part < 3; part++) {
-    const from = ENERGY_NUMBERS[step][part];
-    into[part] = from + (place - step) * (ENERGY_NUMBERS[step + 1][part] - from);
+/** Colours by a share of the largest value, 0 to 1: `at` gives sRGB 0 to 1, `gradient` is of a style. */
+function palette(stops) {
+  const numbers = stops.map((colour) => [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16) / 255));
+  function at(share, into = [0, 0, 0]) {
+    const place = Math.min(1, Math.max(0, share)) * (stops.length - 1);
+    const step = Math.min(stops.length - 2, Math.floor(place));
+    for (let part = 0; part < 3; part++) {
+      const from = numbers[step][part];
+      into[part] = from + (place - step) * (numbers[step + 1][part] - from);
+    }
+    return into;
   }
-  return into;
+  return { at, gradient: `linear-gradient(to right, ${stops.join(", ")})` };
 }
+
+export const ENERGY_COLOURS = palette(ENERGY);
+export const QUANTITY_COLOURS = palette(QUANTITY);
+export const STRAIN_COLOURS = palette(STRAIN);
 
 /** A colour of the page's style, such as "--ink". */
 export function styleColour(name) {

@@ -16,13 +16,18 @@ import {
   ReplaceStencilOp,
   SphereGeometry,
 } from "three";
+import { barMaterial, placeTube } from "./bars.js";
 import { TENDONS } from "./clip.js";
-import { MOUNTAIN, VALLEY, energyColour, regionTint, styleColour } from "./scheme.js";
+import { makeEfforts } from "./efforts.js";
+import { ENERGY_COLOURS, MOUNTAIN, STRAIN_COLOURS, VALLEY, regionTint, styleColour } from "./scheme.js";
+import { sag } from "./slack.js";
+import { makeStrains } from "./strain.js";
 
 const OPACITY = 0.9;
 const SLACK = 0.4; // radius of a tendon that holds nothing, by that of one that does
 const TAUT = 0.02; // share of the largest energy from which on a tendon is as thick as any
 const LINES = ["crease", "rim", "edge"];
+const PIECES = 12; // of a tendon, which is bent where it is slack
 
 /** The structure of a clip; `pose` moves it, `sort` prepares it for a camera. */
 export function makeShape(clip, largestEnergy) {
@@ -42,14 +47,15 @@ export function makeShape(clip, largestEnergy) {
     8,
     0.4 * thickest,
   );
-  const tendons = makeTubes(
-    mesh.tubes.filter((tube) => tube.kind === "tendon"),
-    12,
-    2.4 * thickest,
-  );
+  const tendons = makeTendons(clip, 2.4 * thickest);
+  const base = makeBase(mesh.base);
+  const efforts = clip.efforts ? makeEfforts(clip) : null;
+  const strains = clip.strained ? makeStrains(clip) : null;
+  let largestStrain = 0; // of the colours; 0: faces have those of their regions
   const joints = makeJoints(mesh);
   const group = new Group();
-  group.add(plates.object, bars.object, joints.object, lines.object, tendons.object, sheet.object);
+  group.add(base.object, plates.object, bars.object, joints.object, lines.object, tendons.object, sheet.object);
+  if (efforts) group.add(efforts.group);
   const shadow = makeShadow(sheet.object, plates.object, bars.object);
   const colour = [0, 0, 0];
   const shade = new Color();
@@ -61,30 +67,53 @@ export function makeShape(clip, largestEnergy) {
     for (const part of [bars, lines, joints]) part.pose(vertices);
     clip.valuesAt(TENDONS, moment, energies);
     const shares = energies.map((energy) => (largestEnergy > 0 ? energy / largestEnergy : 0));
-    tendons.pose(vertices, (tendon) => SLACK + (1 - SLACK) * Math.min(1, Math.max(0, shares[tendon]) / TAUT));
+    tendons.pose(vertices, moment, (tendon) => SLACK + (1 - SLACK) * Math.min(1, Math.max(0, shares[tendon]) / TAUT));
     for (let tendon = 0; tendon < clip.tendons; tendon++) {
-      energyColour(shares[tendon], colour);
-      tendons.object.setColorAt(tendon, shade.setRGB(...colour, "srgb"));
+      ENERGY_COLOURS.at(shares[tendon], colour);
+      tendons.colour(tendon, shade.setRGB(...colour, "srgb"));
     }
     if (clip.tendons) tendons.object.instanceColor.needsUpdate = true;
+    efforts?.pose(moment);
+    if (largestStrain) colourStrains();
+  }
+
+  function colourStrains() {
+    const found = strains.at(vertices);
+    const into = [0, 0, 0];
+    for (const faces of [sheet, plates])
+      faces.colour((triangle) => shade.setRGB(...STRAIN_COLOURS.at(found[triangle] / largestStrain, into), "srgb"));
+  }
+
+  /** Give faces the colours of their strains up to so large a one, or, with 0, those of their regions. */
+  function showStrain(largest) {
+    largestStrain = strains ? largest : 0;
+    for (const faces of [sheet, plates]) {
+      faces.flat(largestStrain > 0);
+      if (!largestStrain) faces.colour((triangle) => shade.set(regionTint(mesh.regions[triangle])));
+    }
+    if (largestStrain) colourStrains();
   }
 
   /** Take the colours that depend on whether the page is light or dark. */
   function paint() {
-    for (const part of [bars, lines, joints]) part.paint();
+    for (const part of [bars, lines, joints, base]) part.paint();
+    efforts?.paint();
     shadow.children[0].material.color.set(styleColour("--shadow"));
   }
 
   function dispose() {
     for (const part of [bars, lines, tendons, joints]) part.object.dispose();
-    for (const part of [sheet, plates, bars, lines, tendons, joints]) {
+    for (const faces of [sheet, plates]) faces.dispose();
+    efforts?.dispose();
+    base.dispose();
+    for (const part of [bars, lines, tendons, joints]) {
       part.object.geometry.dispose();
       part.object.material.dispose();
     }
     shadow.children[0].material.dispose();
   }
 
-  return { group, shadow, pose, paint, sort: sheet.sort, vertices, dispose };
+  return { group, shadow, pose, paint, sort: sheet.sort, vertices, tendons: tendons.object, efforts, strains, showStrain, dispose };
 }
 
 /** What faces and bars throw straight down: all of it in one plane, each place of it darkened once. */
@@ -118,14 +147,12 @@ function makeFaces(mesh, solid) {
   const corners = chosen.flatMap((triangle) => mesh.triangles.slice(3 * triangle, 3 * triangle + 3));
   const count = chosen.length;
   const positions = new BufferAttribute(new Float32Array(3 * corners.length), 3).setUsage(DynamicDrawUsage);
-  const colours = new Float32Array(3 * corners.length);
-  for (let corner = 0; corner < corners.length; corner++)
-    new Color(regionTint(mesh.regions[chosen[Math.floor(corner / 3)]])).toArray(colours, 3 * corner);
+  const colours = new BufferAttribute(new Float32Array(3 * corners.length), 3).setUsage(DynamicDrawUsage);
   const order = new BufferAttribute(new Uint32Array(corners.length), 1).setUsage(DynamicDrawUsage);
   for (let corner = 0; corner < corners.length; corner++) order.array[corner] = corner;
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", positions);
-  geometry.setAttribute("color", new BufferAttribute(colours, 3));
+  geometry.setAttribute("color", colours);
   geometry.setIndex(order);
   const material = new MeshLambertMaterial({
     vertexColors: true,
@@ -142,9 +169,32 @@ function makeFaces(mesh, solid) {
       "#include <color_fragment>\nif (!gl_FrontFacing) diffuseColor.rgb *= 0.84;",
     );
   };
+  // of colours that are read from a scale: the light does not change them
+  const unlit = new MeshBasicMaterial({ vertexColors: true, side: DoubleSide });
   const object = new Mesh(geometry, material);
   object.frustumCulled = false;
   object.renderOrder = solid ? 0 : 1;
+  const shade = new Color();
+  colour((triangle) => shade.set(regionTint(mesh.regions[triangle])));
+
+  /** Colour the faces by what tells a colour of a triangle by its number in the mesh. */
+  function colour(shadeOf) {
+    for (const [at, triangle] of chosen.entries()) {
+      const found = shadeOf(triangle);
+      for (let corner = 0; corner < 3; corner++) found.toArray(colours.array, 9 * at + 3 * corner);
+    }
+    colours.needsUpdate = true;
+  }
+
+  const flat = (wanted) => {
+    object.material = wanted ? unlit : material;
+  };
+
+  function dispose() {
+    geometry.dispose();
+    material.dispose();
+    unlit.dispose();
+  }
 
   function pose(vertices) {
     for (let corner = 0; corner < corners.length; corner++) {
@@ -174,7 +224,7 @@ function makeFaces(mesh, solid) {
     order.needsUpdate = true;
   }
 
-  return { object, pose, sort };
+  return { object, pose, sort, colour, flat, dispose };
 }
 
 function makeTubes(tubes, sides, nearer) {
@@ -199,6 +249,79 @@ function makeTubes(tubes, sides, nearer) {
   return { object, pose, paint };
 }
 
+/** Tendons in pieces: straight where they are taut, hanging with their resting length where they are slack. */
+function makeTendons(clip, nearer) {
+  const tubes = clip.mesh.tubes.filter((tube) => tube.kind === "tendon");
+  const object = new InstancedMesh(new CylinderGeometry(1, 1, 1, 12), barMaterial(nearer), tubes.length * PIECES);
+  object.frustumCulled = false;
+  const rests = new Float32Array(tubes.length);
+  const places = new Float32Array(3 * (PIECES + 1));
+
+  function pose(vertices, moment, thickness) {
+    clip.restLengthsAt(moment, rests);
+    const matrix = object.instanceMatrix.array;
+    for (const [tendon, { ends, radius }] of tubes.entries()) {
+      bend(vertices, 3 * ends[0], 3 * ends[1], rests[tendon], places);
+      for (let piece = 0; piece < PIECES; piece++)
+        placeTube(places, 3 * piece, 3 * piece + 3, thickness(tendon) * radius, matrix, 16 * (tendon * PIECES + piece));
+    }
+    object.instanceMatrix.needsUpdate = true;
+  }
+
+  function colour(tendon, shade) {
+    for (let piece = 0; piece < PIECES; piece++) object.setColorAt(tendon * PIECES + piece, shade);
+  }
+
+  return { object, pose, colour };
+}
+
+/** Write places along a tendon; what hangs does so square to the way between its ends, downwards. */
+function bend(vertices, first, second, rest, places) {
+  const way = [0, 1, 2].map((axis) => vertices[second + axis] - vertices[first + axis]);
+  const span = Math.hypot(...way);
+  const depth = sag(span, rest);
+  // of what stands upright any side will do
+  const side = Math.abs(way[2]) > 0.999 * span ? [1, 0, 0] : [0, 0, -1];
+  const along = side.reduce((sum, part, axis) => sum + part * way[axis], 0) / (span * span || 1);
+  const down = side.map((part, axis) => part - along * way[axis]);
+  const size = Math.hypot(...down) || 1;
+  for (let place = 0; place <= PIECES; place++) {
+    const share = place / PIECES;
+    const low = (4 * depth * share * (1 - share)) / size;
+    for (let axis = 0; axis < 3; axis++) places[3 * place + axis] = vertices[first + axis] + share * way[axis] + low * down[axis];
+  }
+}
+
+/** Rods along what is held fast, round at their ends. */
+function makeBase({ rods, radius }) {
+  const ends = new Float32Array(rods.flat(2));
+  const material = barMaterial(0);
+  const bars = new InstancedMesh(new CylinderGeometry(1, 1, 1, 16), material, rods.length);
+  const knobs = new InstancedMesh(new SphereGeometry(1, 16, 12), material, 2 * rods.length);
+  const object = new Group();
+  for (const part of [bars, knobs]) {
+    part.frustumCulled = false;
+    object.add(part);
+  }
+  for (let rod = 0; rod < rods.length; rod++)
+    placeTube(ends, 6 * rod, 6 * rod + 3, radius, bars.instanceMatrix.array, 16 * rod);
+  for (let end = 0; end < 2 * rods.length; end++) {
+    const matrix = knobs.instanceMatrix.array;
+    for (let axis = 0; axis < 3; axis++) [matrix[16 * end + 5 * axis], matrix[16 * end + 12 + axis]] = [radius, ends[3 * end + axis]];
+    matrix[16 * end + 15] = 1;
+  }
+
+  function dispose() {
+    for (const part of [bars, knobs]) {
+      part.dispose();
+      part.geometry.dispose();
+    }
+    material.dispose();
+  }
+
+  return { object, paint: () => material.color.set(styleColour("--base")), dispose };
+}
+
 function makeJoints(mesh) {
   const object = new InstancedMesh(new SphereGeometry(1, 16, 12), barMaterial(0), mesh.joints.length);
   object.frustumCulled = false;
@@ -218,50 +341,4 @@ function makeJoints(mesh) {
   }
 
   return { object, pose, paint };
-}
-
-/** A material of things that are drawn where they are, but in front of what is less than so much nearer, m. */
-function barMaterial(nearer) {
-  const material = new MeshLambertMaterial();
-  if (nearer === 0) return material;
-  material.onBeforeCompile = (shader) => {
-    shader.vertexShader = shader.vertexShader.replace(
-      "#include <project_vertex>",
-      `#include <project_vertex>
-      vec4 pulled = vec4(mvPosition.xyz - normalize(mvPosition.xyz) * ${nearer.toExponential()}, 1.0);
-      vec4 there = projectionMatrix * pulled;
-      gl_Position.z = there.z / there.w * gl_Position.w;`,
-    );
-  };
-  material.customProgramCacheKey = () => `nearer ${nearer}`;
-  return material;
-}
-
-/** Write the matrix that takes a bar of radius and length 1 along y to one between two vertices. */
-function placeTube(vertices, first, second, radius, matrix, at) {
-  let x = vertices[second] - vertices[first];
-  let y = vertices[second + 1] - vertices[first + 1];
-  let z = vertices[second + 2] - vertices[first + 2];
-  const length = Math.hypot(x, y, z) || 1e-12;
-  x /= length;
-  y /= length;
-  z /= length;
-  // any direction across will do: the bar is round
-  const flat = Math.abs(z) < 0.9;
-  let [acrossX, acrossY, acrossZ] = flat ? [y, -x, 0] : [0, z, -y];
-  const size = Math.hypot(acrossX, acrossY, acrossZ);
-  acrossX /= size;
-  acrossY /= size;
-  acrossZ /= size;
-  matrix[at] = radius * acrossX;
-  matrix[at + 1] = radius * acrossY;
-  matrix[at + 2] = radius * acrossZ;
-  matrix[at + 4] = length * x;
-  matrix[at + 5] = length * y;
-  matrix[at + 6] = length * z;
-  matrix[at + 8] = radius * (acrossY * z - acrossZ * y);
-  matrix[at + 9] = radius * (acrossZ * x - acrossX * z);
-  matrix[at + 10] = radius * (acrossX * y - acrossY * x);
-  for (let axis = 0; axis < 3; axis++) matrix[at + 12 + axis] = (vertices[first + axis] + vertices[second + axis]) / 2;
-  matrix[at + 15] = 1;
 }

@@ -123,7 +123,15 @@ export function makeStage(clips, clock, shapeOf, text, look) {
     element.remove();
   }
 
-  return { element, canvas, cells, eye, pose, draw, views, statistics: () => renderer.info.render, dispose };
+  /** Colour sheets by their largest strains, all up to one, or as their regions are; what it returns is that one. */
+  function showStrain(wanted) {
+    const largest = wanted ? views.reduce((most, { shape }) => Math.max(most, shape.strains?.largest() ?? 0), 0) : 0;
+    for (const { shape } of views) shape.showStrain(largest || (wanted ? Number.MIN_VALUE : 0));
+    invalidate();
+    return largest;
+  }
+
+  return { element, canvas, cells, eye, pose, draw, views, showStrain, statistics: () => renderer.info.render, dispose };
 }
 
 const HELP = "Drag to turn it, pinch to zoom; keys are listed below.";

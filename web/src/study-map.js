@@ -1,7 +1,7 @@
 /** A study's map: one quantity over two factors as a grid of cells that can be opened. */
 
 import { make } from "./elements.js";
-import { GRADIENT, patternOf } from "./heat.js";
+import { coloursOf, patternOf } from "./heat.js";
 import { makeScatter } from "./study-scatter.js";
 
 const MOST_CELLS = 20_000;
@@ -175,7 +175,7 @@ function legendParts(model, quantity, points) {
   const scale = model.scaleOf(quantity);
   if (scale) {
     const bar = make("span", { className: "bar", "aria-hidden": "true" });
-    bar.style.background = GRADIENT;
+    bar.style.background = coloursOf(quantity).gradient;
     parts.push(make("p", { className: "scale" }, `${quantity.title} (${quantity.unit})`, make("span", {}, scale.text(scale.low)), bar, make("span", {}, scale.text(scale.high))));
   }
   const reasons = [...countReasons(quantity, points)].map(([number, count]) => {

@@ -3,7 +3,7 @@
  * known of each. Numbers are in the units that stand beside them.
  */
 
-import { cividis } from "./heat.js";
+import { cellColour, coloursOf } from "./heat.js";
 
 /** Quantities of one group that share a scale, so that their maps can be compared. */
 const ONE_SCALE = ["energy", "time by torque"];
@@ -34,7 +34,7 @@ export function makeModel(study, runs) {
     const [low, high] = [values.reduce((a, b) => Math.min(a, b)), values.reduce((a, b) => Math.max(a, b))];
     const share = (value) => (high > low ? (value - low) / (high - low) : 0.5);
     const digits = decimals((quantity.values ?? []).filter((value) => value !== null));
-    return { low, high, colour: (value) => cividis(share(value)), text: (value) => numberText(Number(value.toFixed(digits))) };
+    return { low, high, colour: (value) => cellColour(coloursOf(quantity), share(value)), text: (value) => numberText(Number(value.toFixed(digits))) };
   }
 
   const factorText = (factor, place) => `${factor.name} ${factor.texts[place]}${factor.unit ? ` ${factor.unit}` : ""}`;

@@ -4,6 +4,7 @@ import { firstLook } from "./camera.js";
 import { readClip } from "./clip.js";
 import { makeClock } from "./clock.js";
 import { make } from "./elements.js";
+import { capital } from "./format.js";
 import { nameCells } from "./page-compare.js";
 import { mountPlayer } from "./player.js";
 import { mountPlots } from "./plots.js";
@@ -57,11 +58,11 @@ export function makeRunPanel(model) {
     stop();
     for (const button of parts.querySelectorAll("button")) button.setAttribute("aria-pressed", String(button.dataset.part === run.part));
     const beside = pinned && pinned !== run ? pinned : null;
-    const elements = { player: make("div"), plots: make("div"), readout: make("div") };
-    const inside = make("div", { className: "table" });
-    inside.innerHTML = run.numbers; // made by forficula, its texts escaped
-    const details = make("details", {}, make("summary", {}, "States of this run"), inside);
-    place.replaceChildren(make("p", {}, run.text), pin(run), ...(run.advice ? [make("p", { className: "note" }, run.advice)] : []), elements.player, ...(beside ? [make("p", { className: "note" }, `The plots and numbers below are those of point ${run.point + 1}.`)] : []), elements.plots, elements.readout, details, commands(run));
+    const runs = beside ? [beside, run] : [run];
+    const elements = { player: make("div"), plots: make("div"), readouts: runs.map(() => make("div")) };
+    const [states, repeats] = [statesOf, commandsOf].map((made) => runs.map((each, index) => made(each, calledOf(runs)[index])));
+    const advice = run.advice ? [make("p", { className: "note" }, run.advice)] : [];
+    place.replaceChildren(make("p", {}, run.text), pin(run), ...advice, elements.player, elements.plots, ...elements.readouts, ...states, ...repeats);
     look.scale = model.largestSpan / run.play.clips[0].span_m;
     panel.playing = { run, beside, ...mountRun(elements, run, beside, model, look) };
     watchTables(place);
@@ -72,7 +73,6 @@ export function makeRunPanel(model) {
   function pin(run) {
     const label = () => (pinned ? `unpin point ${pinned.point + 1}` : "pin, to compare it with another");
     const button = make("button", { type: "button", className: "pin" }, label());
-    button.setAttribute("aria-pressed", String(pinned !== null));
     button.addEventListener("click", () => {
       pinned = pinned ? null : run;
       show(run);
@@ -87,17 +87,16 @@ export function makeRunPanel(model) {
 /** Play a run in elements of the page, beside another where one is pinned; what they hold is read only now. */
 function mountRun(elements, run, beside, model, look) {
   const runs = beside ? [beside, run] : [run];
-  const clips = runs.map((each) => ({ ...readClip(each.play.clips[0]), ...(beside ? { name: nameOf(each, model) } : {}) }));
+  const names = runs.map((each, index) => nameOf(each, calledOf(runs)[index], model));
+  const clips = runs.map((each, index) => ({ ...readClip(each.play.clips[0]), ...(beside ? { name: names[index] } : {}) }));
   const clock = makeClock(clips, beside ? [sharedSpan(clips)] : run.play.spans);
   const energy = runs.map((each) => each.play.energy).reduce((most, each) => (each.largest_J > most.largest_J ? each : most));
   const text = beside ? `${capital(clips[0].name)} and ${clips[1].name}, side by side on one clock.` : run.play.text;
   const player = mountPlayer(elements.player, clips, clock, { ...run.play, energy, text }, look);
   if (beside && player.stage) nameCells(player.stage.cells, clips, clock, energy);
-  // the plots and the numbers are those of the run that was opened last
-  const last = clips.length - 1;
-  const ofLast = run.play.plots.map((plot) => ({ ...plot, lines: plot.lines.map((line) => ({ ...line, clip: last })) }));
-  const plots = mountPlots(elements.plots, ofLast, clips, clock);
-  mountReadout(elements.readout, clips[last], clock, energy, last);
+  const plots = mountPlots(elements.plots, beside ? pairedPlots(runs, clips) : run.play.plots, clips, clock);
+  elements.plots.classList.toggle("paired", beside !== null);
+  for (const [index, clip] of clips.entries()) mountReadout(elements.readouts[index], clip, clock, energy, index, beside !== null);
   return {
     clips,
     clock,
@@ -110,10 +109,31 @@ function mountRun(elements, run, beside, model, look) {
   };
 }
 
-function nameOf(run, model) {
+/** The plots of every run, those that show the same beside one another and, in one unit, over one range of values. */
+function pairedPlots(runs, clips) {
+  const own = runs.map(({ play }, clip) =>
+    play.plots.map((plot) => ({
+      ...plot,
+      owner: clips[clip].name,
+      sharing: `${plot.title} ${plot.unit}`,
+      lines: plot.lines.map((line) => ({ ...line, clip })),
+    })),
+  );
+  const titles = [...new Set(own.flat().map((plot) => plot.title))];
+  return titles.flatMap((title) => own.flat().filter((plot) => plot.title === title));
+}
+
+/** What tells runs that are seen together from one another: their points, or what was done; empty for one alone. */
+function calledOf(runs) {
+  if (runs.length === 1) return [""];
+  const alike = new Set(runs.map((run) => run.point)).size < runs.length;
+  return runs.map((run) => `point ${run.point + 1}${alike ? `, ${run.title}` : ""}`);
+}
+
+function nameOf(run, called, model) {
   const { factors } = model.study;
   const values = model.placesOf(run.point).map((place, index) => `${factors[index].texts[place]} ${factors[index].unit}`.trim());
-  return `point ${run.point + 1}: ${values.join(", ")}`;
+  return `${called}: ${values.join(", ")}`;
 }
 
 /** Whole runs, from the first drive of each. */
@@ -133,11 +153,13 @@ function whyNotKept(model, point) {
   return "This run was not kept, so it cannot be played here. The study keeps the runs of as many points as --keep says.";
 }
 
-function commands(run) {
-  const lines = [`forficula run ${run.folder}/design.toml`, `forficula film ${run.folder} --out film.mp4`];
-  return make("details", {}, make("summary", {}, "Commands"), make("p", { className: "note" }, "In the study\u2019s folder, these run it again, and film it:"), make("pre", {}, make("code", {}, lines.join("\n"))));
+function statesOf(run, called) {
+  const inside = make("div");
+  inside.innerHTML = run.numbers; // made by forficula, its texts escaped
+  return make("details", {}, make("summary", {}, `States of ${called || "this run"}`), inside);
 }
 
-function capital(text) {
-  return `${text[0]?.toUpperCase() ?? ""}${text.slice(1)}`;
+function commandsOf(run, called) {
+  const lines = [`forficula run ${run.folder}/design.toml`, `forficula film ${run.folder} --out film.mp4`];
+  return make("details", {}, make("summary", {}, called ? `Commands for ${called}` : "Commands"), make("p", { className: "note" }, "In the study\u2019s folder, these run it again, and film it:"), make("pre", {}, make("code", {}, lines.join("\n"))));
 }

@@ -73,7 +73,7 @@ def make(
         compared = comparison_or_why(parts, simulate, progress) if parts.joints else None
         tell_replaced(folder, "bill of parts")
         made = compared if isinstance(compared, MadeComparison) else None
-        write_parts(parts, checks, folder, step=step, compared=made, progress=progress)
+        write_parts(parts, checks, folder, record=run, step=step, compared=made, progress=progress)
     came_to(parts_json(parts, checks))
     print_parts(parts, checks)
     print_made(compared)

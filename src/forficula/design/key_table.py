@@ -15,7 +15,7 @@ from forficula.design.fan import FanDesign
 from forficula.design.keys import fields_of, hint, holds_parts
 from forficula.design.part import Quantity, field_quantity, is_list
 from forficula.errors import InputError
-from forficula.names import listed, one_of
+from forficula.names import listed, one_of, unknown_key
 from forficula.quantities import show_quantity
 
 
@@ -51,7 +51,7 @@ def key_facts(within: str = "", model: type[Design] = FanDesign) -> list[KeyFact
     try:
         return facts_within(within, facts)
     except InputError:
-        raise InputError(f"{within}: unknown key; {hint(within.split('.'), model)}") from None
+        raise InputError(unknown_key(within, None, hint(within.split("."), model))) from None
 
 
 def facts_within(within: str, facts: Sequence[KeyFact]) -> list[KeyFact]:

@@ -15,6 +15,7 @@ from forficula.design.law import LawSection
 from forficula.design.part import Part, Quantity, field_quantity
 from forficula.design.tables import entry_index
 from forficula.errors import InputError
+from forficula.names import unknown_key
 from forficula.quantities import as_written
 
 _PartOf = TypeVar("_PartOf", bound=Part)
@@ -29,13 +30,14 @@ _OF_LAW_FILES = {
 }
 
 
-def key_quantity(key: str, model: type[Design] = FanDesign) -> Quantity | None:
+def key_quantity(key: str, model: type[Design] = FanDesign, given: object = None) -> Quantity | None:
     """How a value of a design is read, or None where it has no unit; a law counts as one value, its name.
 
     Args:
         key: dotted; a number picks an entry of a list, as in "protocol.stages.1.hold", or the name of an entry, whether
             or not a design has it. "tendon.stiffness" is of all tendons, "tendon.1.stiffness" of that on vein 1.
         model: class of the design.
+        given: the value that it was given, for errors, where there is one.
 
     Raises:
         InputError: there is no such key, or it holds several values.
@@ -54,13 +56,13 @@ def key_quantity(key: str, model: type[Design] = FanDesign) -> Quantity | None:
         elif section is not None:
             field = section.model_fields.get(part)
             if field is None:
-                raise InputError(f"{key}: unknown key; {hint(parts, model)}")
+                raise InputError(unknown_key(key, given, hint(parts, model)))
             place, quantity = field.annotation, field_quantity(field)
         elif entries is not None:
             of = ".".join(parts[:depth])
             raise InputError(f"{key}: need the number of an entry of {of}, from 0 on, got {as_written(part)}")
         else:
-            raise InputError(f"{key}: unknown key; did you mean {'.'.join(parts[:depth])}?")
+            raise InputError(unknown_key(key, given, f"did you mean {'.'.join(parts[:depth])}?"))
     if any(get_origin(form) is tuple for form in _forms(place)):
         quantity = None
     if LawSection in _forms(place):

@@ -12,6 +12,7 @@ from forficula.design.fan import BY_VEIN, ONE_FOR_ALL, FanDesign
 from forficula.design.keys import hint, is_key, known_keys, needed_keys, siblings
 from forficula.design.kinds import reference_of
 from forficula.design.tables import RejectedError, written_key
+from forficula.names import unknown_key
 from forficula.quantities import as_written
 
 # a file's name and the tables that stand in it
@@ -29,7 +30,7 @@ def rejected(error: ValidationError, model: type[Design]) -> RejectedError:
     if kind == "value_error":
         return _of_a_check(place, str(bounds["error"]), model)
     if kind == "extra_forbidden":
-        return RejectedError(place, f"{key}: unknown key; {hint(place, model)}")
+        return RejectedError(place, unknown_key(key, value, hint(place, model)))
     if kind == "missing":
         return RejectedError(place[:-1], f"{key}: is missing; {_remedy(place, model)}")
     return RejectedError(place, f"{key}: need {_rule(place, kind, value, bounds, model)}, got {as_written(value)}")

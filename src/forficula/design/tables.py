@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from forficula.errors import InputError
-from forficula.names import listed
+from forficula.names import listed, unknown_key
 from forficula.quantities import as_written
 
 
@@ -48,7 +48,7 @@ def nested(settings: Mapping[str, object]) -> dict[str, Any]:
             if not isinstance(inside, dict):
                 # a law that is named takes values, too
                 if section != "law":
-                    raise _nothing_inside(key.split("."), depth)
+                    raise _nothing_inside(key.split("."), depth, value)
                 inside = table[section] = {"based_on": inside}
             table = inside
         else:
@@ -69,7 +69,7 @@ def laid_over(below: object, own: object, place: tuple[str, ...] = ()) -> Any:
     if not isinstance(below, list):
         if not own:
             return own
-        raise _nothing_inside([*place, *_first_leaf(own)], len(place))
+        raise _nothing_inside([*place, *_first_leaf(own)], len(place), _first_value(own))
     entries = list(below)
     for text, value in own.items():
         try:
@@ -151,6 +151,10 @@ def _first_leaf(tables: object) -> list[str]:
     return [str(key), *_first_leaf(value)]
 
 
-def _nothing_inside(place: Sequence[str], depth: int) -> RejectedError:
-    shown = written_key(place[:depth])
-    return RejectedError(place, f"{written_key(place)}: unknown key; did you mean {shown}?")
+def _first_value(tables: object) -> object:
+    """The value at `_first_leaf`."""
+    return _first_value(next(iter(tables.values()))) if isinstance(tables, dict) and tables else tables
+
+
+def _nothing_inside(place: Sequence[str], depth: int, value: object) -> RejectedError:
+    return RejectedError(place, unknown_key(written_key(place), value, f"did you mean {written_key(place[:depth])}?"))

@@ -16,6 +16,7 @@ from forficula.design.tables import RejectedError, entry_index, laid_over, writt
 from forficula.design.tendon import ElasticTendon, TendonSection, small_extension
 from forficula.errors import InputError
 from forficula.material.law.material_law import MaterialLaw
+from forficula.names import unknown_key
 from forficula.quantities import as_written, format_quantity
 
 # in place of a law's name: no law
@@ -160,8 +161,8 @@ def tendon_over(
     table = dict(below) if isinstance(below, dict) else {}
     own = dict(own)
     if "vein" in own and model is TendonSection:
-        rule = "unknown key; a tendon of one vein stands under [[tendon]], where it names its vein"
-        raise RejectedError((*place, "vein"), f"{written_key((*place, 'vein'))}: {rule}")
+        rule = "a tendon of one vein stands under [[tendon]], where it names its vein"
+        raise RejectedError((*place, "vein"), unknown_key(written_key((*place, "vein")), own["vein"], rule))
     if own.get("law") == NO_LAW:
         table = _without_law(table, si=si, model=model)
         del own["law"]

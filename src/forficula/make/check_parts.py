@@ -40,9 +40,8 @@ def check_parts(parts: PartSet, record: object = None) -> tuple[Check, ...]:
     except InputError as error:
         raise InputError(f"record: {error}") from None
     sheet: tuple[Check, ...] = () if parts.sheet is None else parts.sheet.checks
-    meshes = (check for part in parts.parts for check in mesh_checks(part))
     own = (*range_checks(parts), *strength_checks(parts), *printing_checks(parts), *built_checks(parts))
-    return (*own, *meshes, *sheet, *_motion(parts, run))
+    return (*own, *mesh_checks(parts), *sheet, *_motion(parts, run))
 
 
 def run_of(parts: PartSet, record: object) -> Record:
@@ -60,16 +59,18 @@ def run_of(parts: PartSet, record: object) -> Record:
 
 
 def _motion(parts: PartSet, run: Record | None) -> Iterator[Check]:
-    """Check the parts in a recorded motion, or say that they are not."""
-    if parts.joints and run is not None:
+    """What is checked of a run, or that there is none; of a sheet alone, nothing."""
+    if not parts.joints:
+        return
+    if run is not None:
         yield from motion_checks(parts, run)
-    elif parts.joints:
-        yield Check(
-            name="recorded motion",
-            part=parts.design.name,
-            ok=None,
-            value=math.nan,
-            limit=math.nan,
-            unit="",
-            text="not looked at without a run of the design: give its folder, --record",
-        )
+        return
+    yield Check(
+        name="overlap in the recorded motion",
+        part=parts.design.name,
+        ok=None,
+        value=math.nan,
+        limit=math.nan,
+        unit="m^3",
+        text="not looked at without a run of the design: give its folder, --record",
+    )

@@ -1,34 +1,56 @@
-"""What is checked of the mesh of a part, which its files have."""
+"""What is checked of parts as files have them: closed, and apart where hinges are printed in place."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from forficula.make.check import Check
-from forficula.make.files.lying import lying_mesh, open_edges
-from forficula.make.part import Part
+from forficula.make.files.lying import Piece, lying_mesh, open_edges, printed_pieces
+from forficula.make.joint_layout import JointLayout
+from forficula.make.mesh import MILLIMETRES
+from forficula.make.part import PartSet
+from forficula.quantities import show_value
+
+# of the clearance: what corners of circles stand out takes of it
+_ROUND = 0.998
 
 
-def mesh_checks(part: Part) -> Iterator[Check]:
-    """Whether a part is one piece, with a surface that is closed."""
-    pieces, gaps = len(part.shape.decompose()), open_edges(lying_mesh(part))
-    fall = f"{part.name} falls into {pieces} pieces; look for a length of [make] that is too small for its neighbours"
-    yield Check(
-        name="one piece",
-        part=part.name,
-        ok=pieces == 1,
-        value=pieces,
-        limit=1,
-        unit="",
-        text=f"{part.name} is one piece" if pieces == 1 else fall,
-    )
-    torn = f"the surface of {part.name} is open at {gaps} edges, which slicers mend as they like; report it"
-    yield Check(
+def mesh_checks(parts: PartSet) -> Iterator[Check]:
+    """Check the printed pieces of a set."""
+    for piece in printed_pieces(parts):
+        yield _closed(piece)
+    for joint in parts.joints:
+        if joint.make.hinge == "print-in-place":
+            yield _apart(parts, joint)
+
+
+def _closed(piece: Piece) -> Check:
+    """Whether the surface of a piece is closed, so that slicers know what is inside."""
+    gaps = open_edges(lying_mesh(*piece.parts))
+    return Check(
         name="closed surface",
-        part=part.name,
+        part=piece.name,
         ok=gaps == 0,
-        value=gaps,
-        limit=0,
+        value=float(gaps),
+        limit=0.0,
         unit="",
-        text=torn if gaps else f"the surface of {part.name} is closed",
+        text=f"it is open at {gaps} edges, which slicers mend as they like; report it" if gaps else "it is closed",
+    )
+
+
+def _apart(parts: PartSet, joint: JointLayout) -> Check:
+    """Whether the halves of a joint that is printed in one stay two, flat as they are printed."""
+    proximal, distal = (parts.of_body(arm.body)[0].shape for arm in (joint.proximal, joint.distal))
+    clearance = joint.make.clearance
+    gap = float(proximal.min_gap(distal, 2 * clearance * MILLIMETRES)) / MILLIMETRES
+    told = f"flat, as it is printed, its two halves are {show_value(gap, 'm')} apart"
+    mend = "there they fuse: take a larger overbend, or a pin (make.hinge)"
+    return Check(
+        name="apart as printed",
+        part=joint.name,
+        ok=gap >= clearance * _ROUND,
+        value=gap,
+        limit=clearance,
+        unit="m",
+        text=told if gap >= clearance * _ROUND else f"{told}, less than make.clearance, and {mend}",
     )

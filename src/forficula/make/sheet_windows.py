@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from manifold3d import CrossSection
 from numpy.typing import NDArray
 
 from forficula.design import Design, MakeSection
-from forficula.make.regions import MILLIMETRES, Region, distance_to, loops_of, region_of, rounded, sides_of
+from forficula.make.joint_layout import joint_layouts
+from forficula.make.regions import Region, distance_to, loops_of, region_of, rounded, sides_of
+from forficula.make.strap_shape import bows_beside, strap_places
 from forficula.make.straps import strap_of
 from forficula.make.unfolding import Unfolding, laid_place
 from forficula.pattern import CreasePattern
-from forficula.structure import Structure, Tendon, built_hinges, built_points, hinges_between
+from forficula.structure import Structure, Tendon, built_points
 
 Array = NDArray[np.float64]
 
@@ -38,10 +40,9 @@ def sheet_windows(
 ) -> tuple[tuple[Window, ...], list[tuple[str, Array]]]:
     """What is cut out of a sheet for its tendons.
 
-    Between bars, which lie on the sheet along creases, a strap goes from peg to peg and through the sheet's plane when
-    the hinge between them folds. Its window is the least convex area, which has no corner to tear from, around the way
-    along the bars and the straight way between the pegs, as wide as the bar with its straps beside it, and around the
-    hinges' knuckles, which stand in the sheet, grown by `make.window`.
+    Between bars, which lie on the sheet along creases, a taut strap goes from peg to peg and through the sheet's plane
+    when the hinge between them folds: its window is as wide as it is, from eye to eye, where the joint has it. Another
+    is around the knuckles of each hinge, which stand in the sheet. All are grown by `make.window`, with round corners.
 
     A sheet without bars is hung on its tendons itself. Each end has a hole of the diameter `make.peg_diameter` for a
     peg, a rivet or a knot; one at the sheet's edge is left to a clip. A tendon that lies in the flat sheet across
@@ -63,7 +64,7 @@ def sheet_windows(
     """
     make = design.make or MakeSection()
     if structure.bars:
-        return tuple(_bar_window(design, make, structure, tendon) for tendon in structure.tendons), []
+        return tuple(_joint_windows(design, make, structure)), []
     windows, holes = [], []
     points = built_points(structure)
     for tendon in structure.tendons:
@@ -78,25 +79,19 @@ def sheet_windows(
     return tuple(windows), holes
 
 
-def _bar_window(design: Design, make: MakeSection, structure: Structure, tendon: Tendon) -> Window:
-    """The window of a tendon between bars."""
-    strap, points = strap_of(design, tendon), built_points(structure)
-    origins, axes = built_hinges(structure)
-    start, end = (points[point, :2] for point in tendon.points)
-    between = hinges_between(structure, *(structure.points[point].body for point in tendon.points))
-    places = sorted((origins[hinge, :2] for hinge in between), key=lambda place: float(np.linalg.norm(place - start)))
-    bodies = {structure.points[point].body for point in tendon.points}
-    diameter = max(bar.diameter for bar in structure.bars if bar.body in bodies)
-    beside = 2 * (make.clearance + strap.width) if strap.count == 2 else max(0.0, strap.width - diameter)
-    width = diameter + beside
-    around_peg = make.peg_diameter / 2 + strap.thickness
-    corners = [_band(start, end, width, around_peg)]
-    corners += [_band(one, other, width, 0.0) for one, other in zip([start, *places], [*places, end], strict=True)]
-    across = make.pin_diameter + 2 * (make.hinge_wall + make.clearance)
-    for hinge in between:
-        along = axes[hinge, :2] / np.linalg.norm(axes[hinge, :2]) * make.hinge_width / 2
-        corners.append(_band(origins[hinge, :2] - along, origins[hinge, :2] + along, across, 0.0))
-    return _window(tendon, make, CrossSection.hull_points(MILLIMETRES * np.concatenate(corners)))
+def _joint_windows(design: Design, make: MakeSection, structure: Structure) -> Iterator[Window]:
+    """The windows of straps and hinges between bars."""
+    joints = bows_beside(joint_layouts(design, structure))
+    for place in strap_places(joints):
+        tendon = structure.tendons[place.tendon]
+        for start, end in place.ends[:, :, :2]:
+            yield _window(tendon, make, region_of([_band(start, end, place.strap.width, place.eye_diameter / 2)]))
+    for joint in joints:
+        half = joint.width / 2 * joint.frame[:2, 1]
+        middle, across = joint.origin[:2], joint.knuckle_diameter + 2 * make.clearance
+        knuckles = region_of([_band(middle - half, middle + half, across, 0.0)])
+        label = structure.hinges[joint.hinge].label or joint.name
+        yield Window(name=f"hinge of {label}", outline=loops_of(rounded(knuckles, make.window))[0])
 
 
 def _slot(design: Design, make: MakeSection, tendon: Tendon, start: Array, end: Array) -> Window | None:

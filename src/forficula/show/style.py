@@ -16,7 +16,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.backends.backend_pdf import FigureCanvasPdf
 from matplotlib.backends.backend_svg import FigureCanvasSVG
-from matplotlib.colors import LinearSegmentedColormap
+from matplotlib.colors import Colormap, LinearSegmentedColormap
 from matplotlib.figure import Figure
 from matplotlib.legend import Legend
 
@@ -42,11 +42,15 @@ BLACK, ORANGE, SKY, GREEN, BLUE, VERMILION, PURPLE = (
     "#D55E00",
     "#CC79A7",
 )
-# of a tendon's energy, as on the page: viridis (Smith and van der Walt 2015) without its darkest end, which dark bars
-# would swallow
+# The colours of quantities, each of which means the same in figures, maps, films and pages (web/src/scheme.js has the
+# first two): lightness rises with the value, so that grey print and every kind of colour vision keep the order.
+# Of every energy, stored or put in: viridis (Smith and van der Walt 2015) without its darkest end, which dark bars
+# would swallow.
 ENERGY_COLOURS = LinearSegmentedColormap.from_list(
     "energy", ["#453781", "#39568c", "#2d708e", "#20908d", "#29af7f", "#73d055", "#b8de29", "#fde725"]
 )
+# of every other quantity that a map shows, and of many lines in their order: cividis (Nunez, Anderton and Renslow 2018)
+QUANTITY_COLOURS = colormaps["cividis"]
 # of strains of a sheet, from as it was built on: from pale on, so that what it hides is told from it
 STRAIN_COLOURS = colormaps["YlOrRd"]
 LINE_STYLES = ("-", "--", "-.", ":")
@@ -77,6 +81,11 @@ def figure_style() -> Iterator[None]:
         }
     ):
         yield
+
+
+def colours_of(unit: str) -> Colormap:
+    """The colours of a quantity by its SI unit."""
+    return ENERGY_COLOURS if unit == "J" else QUANTITY_COLOURS
 
 
 def is_narrow(width: float) -> bool:

@@ -34,6 +34,7 @@ class FoldPath:
     Attributes:
         pleat_angle: rising, rad, (place,).
         ring_angle: fold angle of the ring creases, of its sign, rad, (place,).
+        angles: of all hinges, in their own senses, rad, (place, hinge).
         tendon_energy: of all tendons, springs and weights, J, (place,).
         sheet_energy: of membranes and length limits, J, (place,).
         moment: about the pleats, -d energy / d pleat angle, N m, (place,).
@@ -48,6 +49,7 @@ class FoldPath:
 
     pleat_angle: Array
     ring_angle: Array
+    angles: Array
     tendon_energy: Array
     sheet_energy: Array
     moment: Array
@@ -126,6 +128,7 @@ def fold_path(structures: Ensemble, points: int = 181) -> FoldPath:
     return FoldPath(
         pleat_angle=pleat,
         ring_angle=ring,
+        angles=found.position,
         tendon_energy=found.energy - sheet,
         sheet_energy=sheet,
         moment=-slope,

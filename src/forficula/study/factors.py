@@ -94,7 +94,7 @@ def read_factor(key: str, given: object, model: type[Design]) -> Factor:
     Raises:
         InputError: an unknown key, or values that are not allowed.
     """
-    quantity = key_quantity(key, model)
+    quantity = key_quantity(key, model, given)
     if isinstance(given, list):
         if not given:
             raise InputError(f"{key}: need at least one value, got an empty list")

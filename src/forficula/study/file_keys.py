@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from forficula.errors import InputError
+from forficula.names import unknown_key
 
 
 def check_keys(table: Mapping[str, object], keys: tuple[str, ...], prefix: str) -> None:
@@ -24,7 +25,7 @@ def check_keys(table: Mapping[str, object], keys: tuple[str, ...], prefix: str) 
         if key not in keys:
             near = difflib.get_close_matches(key, keys, n=1)
             hint = f"did you mean {prefix}{near[0]}?" if near else f"allowed here: {', '.join(keys)}"
-            raise InputError(f"{prefix}{key}: unknown key; {hint}")
+            raise InputError(unknown_key(f"{prefix}{key}", table[key], hint))
 
 
 def dotted_values(table: Mapping[str, Any], header: str, prefix: str = "") -> dict[str, Any]:

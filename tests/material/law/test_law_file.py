@@ -101,7 +101,7 @@ def test_petg_is_no_tendon():
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ('[modulus]\nlinaer = "1 MPa"', "modulus.linaer: unknown key; did you mean linear?"),
+        ('[modulus]\nlinaer = "1 MPa"', 'modulus.linaer: unknown key, got "1 MPa"; did you mean linear?'),
         ('[drift.stiffness]\nkind = "none"', "drift.stiffness.seen: is missing; needed here: kind, seen"),
         ('[drift.stiffness]\nkind = "logarithm"\nseen = [1, 5]', "drift.stiffness.rate: is missing"),
         (
@@ -113,8 +113,11 @@ def test_petg_is_no_tendon():
             '[drift.stiffness]\nkind = "none"\nseen = 5',
             r"drift.stiffness.seen: need two numbers such as \[2, 5\], got 5",
         ),
-        ('[drift.modulus]\nkind = "none"\nseen = [1, 5]', "drift.modulus: unknown key; allowed here: stiffness"),
-        ('[moduls]\nlinear = "1 MPa"', "moduls: unknown key; did you mean modulus?"),
+        (
+            '[drift.modulus]\nkind = "none"\nseen = [1, 5]',
+            'drift.modulus: unknown key, got {kind = "none", seen = \\[1, 5\\]}; allowed here: stiffness',
+        ),
+        ('[moduls]\nlinear = "1 MPa"', 'moduls: unknown key, got {linear = "1 MPa"}; did you mean modulus?'),
         ("[modulus]\nlinear = 4.8", 'modulus.linear: the unit is missing; write it as text such as "4.8 MPa", got 4.8'),
         ('[modulus]\nlinear = "4.8 N"', "modulus.linear: .*not a unit of the right kind"),
         ('[modulus]\nlinear = "-1 MPa"', "modulus.linear: need a finite number >= 0, got -1e"),
@@ -130,7 +133,7 @@ def test_petg_is_no_tendon():
         ),
         ('highest_strain_rate = "1 mm/s"', "highest_strain_rate: .*not a unit of the right kind"),
         ('highest_strain_rate = "0 1/s"', "highest_strain_rate: need a finite rate > 0, got 0"),
-        ('lowest_rate = "1 1/s"', "lowest_rate: unknown key; did you mean lowest_strain_rate"),
+        ('lowest_rate = "1 1/s"', 'lowest_rate: unknown key, got "1 1/s"; did you mean lowest_strain_rate'),
         ('[softening]\nr = 0.5\nm = "1 kJ/m^3"', "softening.r: need a finite number >= 1, got 0.5"),
         ('[softening]\nr = "2"\nm = "1 kJ/m^3"', 'softening.r: need a number without quotes, got "2"'),
         (

@@ -10,6 +10,7 @@ import pytest
 from forficula.analysis import measure
 from forficula.design import load_design
 from forficula.study.runs import run
+from tests.show.page.page_kinds import write_pages
 
 # drawn by the processor: a machine that runs tests need not have a graphics chip; then put together by it, too, so that
 # a page is there in half the time
@@ -100,9 +101,9 @@ class Watched:
         self.page.on("pageerror", lambda error: self.messages.append(str(error)))
         self.page.on("request", lambda request: self.requests.append(request.url))
         self.page.goto(path.as_uri())
-        until(self.page, "window.forficula !== undefined")
+        until(self.page, "window.forficula !== undefined || document.getElementById('data') === null")
         self.settle()
-        self.time_when_opened = self.page.evaluate("forficula.clock?.time")
+        self.time_when_opened = self.page.evaluate("window.forficula?.clock?.time")
 
     def show(self, width=DEFAULTS["viewport"]["width"], height=DEFAULTS["viewport"]["height"], scheme="light"):
         """Make the window this large, light or dark."""
@@ -145,3 +146,10 @@ def watch_all(browser):
     """As `watch`, for a page that all tests of a module share."""
     with watching(browser) as watch:
         yield watch
+
+
+@pytest.fixture(scope="session")
+def pages(short_run, slow_run, surveyed, elastic_material, write_study_file, tmp_path_factory):
+    """A page of every kind, by its kind."""
+    folder = tmp_path_factory.mktemp("pages")
+    return write_pages(folder, short_run, slow_run, surveyed("reference"), elastic_material, write_study_file)

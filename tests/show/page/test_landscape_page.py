@@ -6,13 +6,26 @@ import numpy as np
 import pytest
 
 from forficula.design import load_design
+from forficula.show.landscape.shown_hinge import shown_hinge
 from forficula.show.page.landscape_curves import curve_data, landscape_curves
 from forficula.show.page.landscape_page import landscape_page
+from forficula.show.page.landscape_poses import poses_of
 from forficula.statics import energy_landscape
+from forficula.statics.pose import carried_points, places_of, pose, tree_of
 from forficula.statics.potential import ensemble, stored_energy
 from forficula.study.runs import run
 from tests.show.page.conftest import until
 from tests.show.page.test_page import HOSTILE, data_of
+
+
+def posed_points(structure, angles):
+    """Where the structure's points are at angles of its hinges, m, (point, 3), and its pose."""
+    tree = tree_of(structure)
+    at = pose(tree, angles[np.newaxis])
+    carried = carried_points(
+        tree, [point.body for point in structure.points], np.array([point.place for point in structure.points])
+    )
+    return places_of(carried, at)[:, 0].T, at
 
 
 def on_line(course, line):
@@ -189,3 +202,36 @@ def test_without_a_run_the_keyboard_moves_the_ball_along_the_curve(watch, pages,
     assert drawn == pytest.approx(wanted, abs=0.1)
     assert opened.messages == []
     assert len(opened.requests) == 1
+
+
+def test_without_a_run_a_slider_moves_the_structure_along_its_rigid_fold_and_the_other_slider(watch, pages, surveyed):
+    opened = watch(pages / "still.html")
+    page, landscape = opened.page, surveyed("reference")
+    path, structure = landscape.fold_path, landscape.structure
+    slider = page.get_by_role("slider", name="mean distal angle along the curve")
+    slider.focus()
+    for key, place in (("End", -1), ("Home", 0)):
+        page.keyboard.press(key)
+        until(page, f"forficula.clock.time === {place % len(path.pleat_angle)}")
+        opened.settle()
+        vertices = page.evaluate("Array.from(forficula.player.stage.views[0].shape.vertices)")
+        points, _ = posed_points(structure, path.angles[place])
+        # every drawn end of a bar is where the kinematics has it
+        ends = np.array([points[point] for bar in structure.bars for point in bar.points])
+        away = np.linalg.norm(ends[:, None] - np.reshape(vertices, (-1, 3)), axis=2).min(axis=1)
+        assert away.max() < 1e-6
+        told = [text.split("°")[0].replace("−", "-") for text in page.locator(".slide output").all_inner_texts()]
+        assert [float(each) for each in told] == pytest.approx(2 * [-np.degrees(path.ring_angle[place])], abs=0.3)
+
+
+def test_a_hinge_that_turns_alone_moves_its_plate_and_what_ties_hinges_says_why_nothing_is_drawn(surveyed, tmp_path):
+    plates = surveyed("plates")
+    data = data_of(landscape_page(plates, tmp_path, {}))
+    assert data["curves"][0]["drawn"] == "This hinge turns alone; the others are as at the start."
+    shown = shown_hinge(plates)
+    poses = poses_of(plates, shown)
+    assert np.ptp(poses.angles, axis=0) == pytest.approx(
+        [np.ptp(shown.own.angle) if hinge == shown.hinge else 0 for hinge in range(len(plates.structure.hinges))]
+    )
+    tied = replace(plates, structure=replace(plates.structure, couplings=(None,)))
+    assert poses_of(tied, shown) is None

@@ -72,6 +72,43 @@ def test_a_table_names_its_columns_and_rows_and_marks_what_it_should():
     assert '<th scope="colgroup" colspan="1">flat</th>' in made
     assert '<tr class="changed"><th scope="row">0</th><td><mark>3.0</mark></td></tr>' in made
     assert "<thead>" not in table("Plain", ("", ""), [["a", "b"]])
+    # what the keyboard can stop at has a name, and no caption is empty
+    named = table("", ("time", "angle"), [["1 s", "2 deg"]])
+    assert 'tabindex="0" role="group" aria-label="time, angle"' in named
+    assert "<caption>" not in named
+
+
+# what stands on what: letters by 4.5 : 1, lines, rings and bars by 3 : 1 (WCAG 2.2, 1.4.3 and 1.4.11)
+LETTERS = {
+    "ink": ("page", "raised", "picture-top", "picture-foot", "band", "mark"),
+    "muted": ("page", "raised", "picture-top", "picture-foot"),
+    "accent": ("page",),
+    "on-accent": ("accent",),
+}
+MARKS = {
+    "accent": ("page", "raised", "picture-top", "picture-foot"),
+    "bar": ("page", "picture-top", "picture-foot"),
+    **{f"line-{number}": ("page", "band") for number in range(7)},
+}
+
+
+def luminance(colour):
+    """Relative luminance of sRGB as WCAG has it."""
+    parts = [int(colour[at : at + 2], 16) / 255 for at in (1, 3, 5)]
+    linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
+    return sum(share * part for share, part in zip((0.2126, 0.7152, 0.0722), linear, strict=True))
+
+
+@pytest.mark.skipif(not WEB.is_dir(), reason="the sources of the style are not there")
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_colours_stand_out_from_what_they_stand_on_by_day_and_by_night(scheme):
+    light, dark = re.findall(r":root \{(.*?)\}", (WEB / "src" / "page.css").read_text("utf-8"), re.S)
+    colours = dict(re.findall(r"--([\w-]+): (#\w{6});", light + dark * (scheme == "dark")))
+    for pairs, least in ((LETTERS, 4.5), (MARKS, 3.0)):
+        for above, grounds in pairs.items():
+            for ground in grounds:
+                low, high = sorted(luminance(colours[each]) for each in (above, ground))
+                assert (high + 0.05) / (low + 0.05) >= least, (above, ground)
 
 
 def test_a_section_without_content_is_left_out():

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.collections import PolyCollection, QuadMesh
+from matplotlib.collections import PathCollection, PolyCollection, QuadMesh
 
 from forficula.errors import InputError
 from forficula.show.study.maps import (
@@ -16,7 +16,7 @@ from forficula.show.study.maps import (
     draw_work_maps,
     map_drawings,
 )
-from forficula.show.style import PAGE_WIDTH
+from forficula.show.style import ENERGY_COLOURS, PAGE_WIDTH
 from tests.show.legible import colours
 from tests.show.tables import transitions_of_reference
 
@@ -392,6 +392,18 @@ def test_the_three_states_share_one_scale():
     scales = [mesh.norm for axes in panels(figure).values() for mesh in axes.collections if isinstance(mesh, QuadMesh)]
     assert len(scales) == 3
     assert len({(norm.vmin, norm.vmax) for norm in scales}) == 1
+
+
+@pytest.mark.parametrize("table", [planted(TWO), sampled(many_ends())], ids=["grid", "samples"])
+def test_energies_have_the_colours_that_all_energies_have_and_nothing_else_has(table):
+    for draw in (draw_energy_maps, draw_work_maps, draw_torque_maps):
+        drawn = [
+            item.cmap
+            for axes in panels(draw(table)).values()
+            for item in axes.collections
+            if isinstance(item, QuadMesh | PathCollection) and item.get_array() is not None
+        ]
+        assert {each is ENERGY_COLOURS for each in drawn} == {draw is not draw_torque_maps}
 
 
 def test_fold_times_have_a_panel_a_value_of_the_first_factor():

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 import numpy as np
-from manifold3d import Manifold
+from manifold3d import Manifold, OpType
 from numpy.typing import NDArray
 
 from forficula.make.mesh import MILLIMETRES, Mesh, mesh_of
-from forficula.make.part import Part
+from forficula.make.part import Part, PartSet
 from forficula.make.solids import Cut, Joined, Rod, Shared, Solid
+from forficula.names import listed
 
 # mm: edges shorter than this are no edges, and coordinates have steps of it, which single precision keeps below 1.6 m
 _SHORTEST = 1e-3
@@ -19,13 +21,50 @@ _DIGITS = 4
 _UPRIGHT = 1e-6  # m
 
 
-def lying_mesh(part: Part) -> Mesh:
-    """A part as it is printed: on its bed, its longest rod along x, the least x, y and z all 0, mm.
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Piece:
+    """What is printed as one: a part, or parts that hang together by hinges which are printed in place.
+
+    Attributes:
+        parts: as built flat, of one material.
+        count: how many of it.
+    """
+
+    parts: tuple[Part, ...]
+    count: int
+
+    @property
+    def name(self) -> str:
+        """Of it: those of its parts."""
+        return listed([part.name for part in self.parts], "and")
+
+    @property
+    def material(self) -> str:
+        """That it is printed of, by name."""
+        return self.parts[0].stock.name
+
+
+def printed_pieces(parts: PartSet) -> tuple[Piece, ...]:
+    """What is printed, in the order of the parts; what cannot be put together afterwards is one piece, built flat."""
+    first: dict[int, int] = {}
+    for joint in parts.joints:
+        if joint.make.hinge == "print-in-place":
+            first[joint.distal.body] = first.get(joint.proximal.body, joint.proximal.body)
+    together: dict[object, list[Part]] = {}
+    for part in parts.parts:
+        if part.printed:
+            body = part.body if part.kind == "bar" else None
+            together.setdefault(part.name if body is None else first.get(body, body), []).append(part)
+    return tuple(Piece(parts=tuple(each), count=each[0].count) for each in together.values())
+
+
+def lying_mesh(*parts: Part) -> Mesh:
+    """Parts as they are printed as one: on the bed of the first, its longest rod along x, least x, y and z 0, mm.
 
     Coordinates are rounded to 0.1 um and what is shorter than 1 um is no edge, so that corners which a file of single
     precision would make one are one already.
     """
-    mesh = mesh_of(_lying(part).simplify(_SHORTEST))
+    mesh = mesh_of(_lying(*parts).simplify(_SHORTEST))
     points = np.round(mesh.points - mesh.points.min(axis=0), _DIGITS) + 0.0
     points, places = np.unique(points, axis=0, return_inverse=True)
     triangles = np.sort(places.reshape(-1)[mesh.triangles], axis=1)
@@ -61,9 +100,10 @@ def file_names(names: Sequence[str]) -> list[str]:
     return taken
 
 
-def _lying(part: Part) -> Manifold:
-    """A part turned as it lies, its longest rod along x, mm."""
-    bedded = part.shape.transform(np.column_stack([part.bed, np.zeros(3)]))
+def _lying(part: Part, *others: Part) -> Manifold:
+    """Parts turned as the first lies, its longest rod along x, mm."""
+    shape = Manifold.batch_boolean([part.shape, *(each.shape for each in others)], OpType.Add) if others else part.shape
+    bedded = shape.transform(np.column_stack([part.bed, np.zeros(3)]))
     x, y = max((part.bed[:2] @ along for along in _rods(part.solid)), key=np.linalg.norm, default=np.array([1.0, 0.0]))
     # upright ones, such as the eyes of a strap on its side, have no way to point
     return bedded.rotate([0.0, 0.0, -math.degrees(math.atan2(y, x))]) if math.hypot(x, y) > _UPRIGHT else bedded

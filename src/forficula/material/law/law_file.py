@@ -19,6 +19,7 @@ from forficula.material.law.law_cycle import drifts_of
 from forficula.material.law.law_keys import TERMS, law_unit, nearest, number
 from forficula.material.law.material_law import Bounds, Fact, MaterialLaw, MaxwellBranch, Unknown
 from forficula.material.law.softening import OgdenRoxburgh, Triple
+from forficula.names import unknown_key
 from forficula.quantities import as_written, format_quantity, parse_quantity
 
 _NUMBERS = ("yield_strain", "residual_strain", "largest_strain", "lowest_strain_rate", "highest_strain_rate")
@@ -155,9 +156,8 @@ def _only(section: str, table: Mapping[str, object], allowed: tuple[str, ...]) -
     """Refuse keys that are none."""
     for key in table:
         if key not in allowed:
-            hint = nearest(key, list(allowed))
             shown = key if key.replace("_", "").replace("-", "").isalnum() else as_written(key)
-            raise InputError(f"{section}{shown}: unknown key; {hint}")
+            raise InputError(unknown_key(f"{section}{shown}", table[key], nearest(key, list(allowed))))
 
 
 def _table(key: str, value: object, allowed: tuple[str, ...], needed: tuple[str, ...] = ()) -> dict[str, Any]:

@@ -88,7 +88,7 @@ def write_film(
     pictures = _pictures(FilmFrame(record, cuts, size, strain=strain), cuts, rate, progress)
     with replacing(path) as temporary:
         if path.suffix == ".mp4":
-            _write_mp4(pictures, temporary, size, rate, _title(record))
+            _write_mp4(pictures, temporary, path, size, rate, _title(record))
         else:
             _write_gif(pictures, temporary, rate)
 
@@ -131,8 +131,13 @@ def _ffmpeg() -> str:
     return str(imageio_ffmpeg.get_ffmpeg_exe())
 
 
-def _write_mp4(pictures: Iterable[Picture], path: Path, size: tuple[int, int], rate: int, title: str) -> None:
-    """Pass the pictures to ffmpeg: H.264 in 4:2:0, which all players know, ready to play while it loads."""
+def _write_mp4(
+    pictures: Iterable[Picture], path: Path, called: Path, size: tuple[int, int], rate: int, title: str
+) -> None:
+    """Pass the pictures to ffmpeg: H.264 in 4:2:0, which all players know, ready to play while it loads.
+
+    What goes wrong is told of the name by which the film will be called.
+    """
     command = [_ffmpeg(), "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24"]
     command += ["-s", f"{size[0]}x{size[1]}", "-r", str(rate), "-i", "-", "-metadata", f"title={title}"]
     command += ["-c:v", "libx264", "-crf", "18", "-preset", "fast", "-pix_fmt", "yuv420p", "-movflags", "+faststart"]
@@ -146,8 +151,10 @@ def _write_mp4(pictures: Iterable[Picture], path: Path, size: tuple[int, int], r
                 raise
         if encoder.returncode:
             said.seek(0)
-            reason = " ".join(said.read().decode(errors="replace").split())
-            raise InputError(f"ffmpeg could not write the film: {reason or f'it ended with {encoder.returncode}'}")
+            reason = " ".join(said.read().decode(errors="replace").replace(str(path), str(called)).split())
+            raise InputError(
+                f"{called}: ffmpeg could not write the film: {reason or f'it ended with {encoder.returncode}'}"
+            )
 
 
 def _feed(pipe: IO[bytes], pictures: Iterable[Picture]) -> None:

@@ -9,26 +9,29 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from forficula.design import save_design
+from forficula.dynamics import Record
 from forficula.files import replacing_all, write_bytes, write_text
 from forficula.make.as_made import AS_MADE
 from forficula.make.check import Check
 from forficula.make.files.bill import bill_csv, bill_json, bill_of
 from forficula.make.files.checks import checks_json
-from forficula.make.files.lying import file_names, lying_mesh
+from forficula.make.files.lying import file_names
+from forficula.make.files.printing import print_files
 from forficula.make.files.step import check_step, write_step
-from forficula.make.files.stl import stl_bytes
-from forficula.make.files.three_mf import Item, three_mf_bytes
 from forficula.make.part import PartSet
 from forficula.make.sheet_dxf import write_sheet_dxf
 from forficula.make.sheet_svg import write_sheet_svg
 from forficula.show.make.made_table import made_json
+from forficula.show.make.parts_figure import draw_parts
+from forficula.show.page.parts_page import write_parts_page
+from forficula.show.style import figure_files, save_figures
 from forficula.study.made_comparison import MadeComparison
 
 BILL_FILE = "bill.json"
 AS_MADE_FILE = "as-made.json"
 # in which a bill may list files of parts, which go when other parts are made there
 _FOLDERS = ("stl", "step")
-_WHOLE = ("parts.3mf", "sheet.dxf", "sheet.svg", AS_MADE, AS_MADE_FILE)
+_WHOLE = ("parts.3mf", "sheet.dxf", "sheet.svg", AS_MADE, AS_MADE_FILE, *figure_files("parts"))
 
 
 def write_parts(
@@ -36,36 +39,48 @@ def write_parts(
     checks: Sequence[Check],
     folder: Path,
     *,
+    record: Record | None = None,
     step: bool = False,
     compared: MadeComparison | None = None,
     progress: Callable[[str], None] = lambda _: None,
 ) -> None:
-    """Write design, bill, checks, and the files that printers and cutters take; all of them, or none.
+    """Write design, bill, checks, page, and the files that printers and cutters take; all of them, or none.
 
     Args:
         parts: to make.
         checks: of them.
         folder: made where it is missing; what earlier parts left there is replaced, or removed where these have none.
+        record: of a run of their design, whose motion the page plays.
         step: whether solids are written as STEP, too.
         compared: the design and what the parts make of it, to be written, too.
         progress: is told what is written.
 
     Raises:
-        InputError: the folder cannot be written, or STEP is wanted and Open Cascade not there.
+        InputError: the folder cannot be written, the record is of another design, or STEP is wanted and Open Cascade
+            not there.
     """
     if step:
         check_step()
     with replacing_all(folder, remove=_earlier(folder)) as unfinished:
-        _write_solids(parts, unfinished, step, progress)
+        for name, content in print_files(parts, progress).items():
+            write_bytes(unfinished / name, content)
+        if step:
+            _write_step(parts, unfinished, progress)
         if parts.sheet is not None:
             write_sheet_dxf(parts.sheet, unfinished / "sheet.dxf")
             write_sheet_svg(parts.sheet, unfinished / "sheet.svg")
         save_design(parts.design, unfinished / "design.toml")
+        if parts.joints:
+            progress("drawing the parts")
+            save_figures({"parts": lambda width: draw_parts(parts, width)}, unfinished)
         if compared is not None:
             save_design(compared.made, unfinished / AS_MADE)
             told = json.dumps(made_json(compared), indent=2, ensure_ascii=False, allow_nan=False)
             write_text(unfinished / AS_MADE_FILE, told + "\n")
         _write_lists(parts, checks, unfinished)
+        progress("writing parts.html")
+        files = [name for name in _files(unfinished) if not name.startswith("figures/")]
+        write_parts_page(parts, checks, unfinished / "parts.html", record, files=files)
 
 
 def parts_json(parts: PartSet, checks: Sequence[Check]) -> dict[str, Any]:
@@ -74,21 +89,11 @@ def parts_json(parts: PartSet, checks: Sequence[Check]) -> dict[str, Any]:
     return {"design": parts.design.name, "design_hash": parts.design.hash, **bill, "checks": checks_json(checks)}
 
 
-def _write_solids(parts: PartSet, folder: Path, step: bool, progress: Callable[[str], None]) -> None:
-    """Write all printed parts as STL and in one 3MF file, and all solids as STEP where that is wanted."""
-    names, items = file_names([part.name for part in parts.parts]), []
-    for part, name in zip(parts.parts, names, strict=True):
-        if part.printed:
-            progress(f"writing {name}.stl")
-            mesh = lying_mesh(part)
-            items.append(Item(name=part.name, material=part.stock.name, mesh=mesh, count=part.count))
-            write_bytes(folder / "stl" / f"{name}.stl", stl_bytes(mesh, part.name))
-    if items:
-        progress("writing parts.3mf")
-        write_bytes(folder / "parts.3mf", three_mf_bytes(items, parts.design.name))
-    for part, name in zip(parts.parts, names, strict=True) if step else ():
+def _write_step(parts: PartSet, folder: Path, progress: Callable[[str], None]) -> None:
+    """Write all solids as STEP, printed or not."""
+    (folder / "step").mkdir()
+    for part, name in zip(parts.parts, file_names([part.name for part in parts.parts]), strict=True):
         progress(f"writing {name}.step")
-        (folder / "step").mkdir(exist_ok=True)
         write_step(part, folder / "step" / f"{name}.step")
 
 
@@ -99,9 +104,13 @@ def _write_lists(parts: PartSet, checks: Sequence[Check], folder: Path) -> None:
     told = json.dumps(plain.pop("checks"), indent=2, ensure_ascii=False, allow_nan=False)
     write_text(folder / "checks.json", told + "\n")
     write_text(folder / "bill.csv", bill_csv(bill_of(parts)))
-    plain["files"] = sorted(file.relative_to(folder).as_posix() for file in folder.rglob("*.*") if file.is_file())
+    plain["files"] = sorted([*_files(folder), "parts.html"])
     plain["versions"] = {name: metadata.version(name) for name in ("forficula", "manifold3d")}
     write_text(folder / BILL_FILE, json.dumps(plain, indent=2, ensure_ascii=False, allow_nan=False) + "\n")
+
+
+def _files(folder: Path) -> list[str]:
+    return sorted(file.relative_to(folder).as_posix() for file in folder.rglob("*.*") if file.is_file())
 
 
 def _earlier(folder: Path) -> list[str]:

@@ -70,8 +70,12 @@ def _checks(checks: Sequence[Check]) -> list[RenderableType]:
     counts = f"{held} {'check holds' if held == 1 else 'checks hold'}, {len(failed)} "
     counts += f"{'fails' if len(failed) == 1 else 'fail'}" + (f", {len(missing)} not made" if missing else "")
     table = Table(box=None, padding=(0, 2, 0, 0), show_header=False)
+    # what is the same of several parts is said once
+    alike: dict[tuple[bool | None, str, str], list[str]] = {}
     for check in (*failed, *missing):
-        table.add_row("fails" if check.ok is False else "not made", check.part, f"{check.name}: {check.text}")
+        alike.setdefault((check.ok, check.name, check.text), []).append(check.part)
+    for (ok, name, text), of in alike.items():
+        table.add_row("fails" if ok is False else "not made", "\n".join(of), f"{name}: {text}")
     return [Text(counts, style="bold"), *([table] if table.row_count else [])]
 
 

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from forficula.make.joint import turned
 from forficula.make.joint_layout import JointLayout
 from forficula.make.part import Part, PartSet
-from forficula.make.strap_shape import StrapPlace
 from forficula.structure import GROUND
 
 Array = NDArray[np.float64]

@@ -180,6 +180,7 @@ def _progress(clips: Sequence[Clip]) -> Plot | None:
         unit, factor = reading_unit("m", max(float(np.abs(each.least).max()) for each in watched))
     titles, dones = {each.title for each in watched}, {each.done for each in watched}
     title = titles.pop() if len(titles) == 1 else "what is furthest from its goal"
+    told = title if title.startswith("what") else f"the {title}"
     reached = ", ".join(
         f"{clip.name} {reading_range(np.array([factor * each.best]), unit)}"
         for clip, each in zip(clips, watched, strict=True)
@@ -192,7 +193,7 @@ def _progress(clips: Sequence[Clip]) -> Plot | None:
             Line(name=clip.name, clip=index, values=factor * each.least)
             for index, (clip, each) in enumerate(zip(clips, watched, strict=True))
         ),
-        text=f"The {title} in every {whole_of(clips)}; {furthest}: {reached}.",
+        text=f"{told[0].upper()}{told[1:]} in every {whole_of(clips)}; {furthest}: {reached}.",
     )
 
 

@@ -49,8 +49,12 @@ def table(
     head = "".join(_heading(heading, "col") for heading in headings)
     above, head = f'<tr class="groups">{above}</tr>' * bool(groups), f"<tr>{head}</tr>" * any(headings)
     body = "".join(_row(cells) for cells in rows)
+    titled = f"<caption>{escaped(caption)}</caption>" if caption else ""
+    # the keyboard scrolls only what it can stop at; the script, where there is one, leaves stops only where it scrolls
+    name = caption or ", ".join(filter(None, headings)) or "table"
+    place = f'<div class="table" tabindex="0" role="group" aria-label="{escaped(name)}">'
     return (
-        f'<div class="table"><table{kind}><caption>{escaped(caption)}</caption>'
+        f"{place}<table{kind}>{titled}"
         f"{f'<thead>{above}{head}</thead>' * bool(above or head)}<tbody>{body}</tbody></table></div>"
     )
 

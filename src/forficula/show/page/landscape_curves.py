@@ -15,7 +15,7 @@ from forficula.quantities import reading_unit
 from forficula.show.landscape.landscape_marks import hinge_measure
 from forficula.show.landscape.shown_hinge import shown_hinge
 from forficula.show.landscape.tendon_figure import WIDEST, tendon_curves
-from forficula.show.page.playback import packed
+from forficula.show.page.packing import packed
 from forficula.show.page.words import readable
 from forficula.show.run.time_figures import stored_energies
 from forficula.show.structure.labels import label_of, parts_of, title_of
@@ -58,6 +58,7 @@ class Curve:
         balls: the run's own readings and energies over the frames of its clip; empty without a run.
         top: from where to where a barrier is seen close up, rad; None where that needs no close-up.
         text: what the plot shows, in sentences.
+        hinge: number of the one whose angle it is over; None of the mean of those that fold.
     """
 
     title: str
@@ -67,6 +68,7 @@ class Curve:
     balls: tuple[Course, ...]
     top: tuple[float, float] | None
     text: str
+    hinge: int | None = None
 
 
 def landscape_curves(
@@ -153,6 +155,7 @@ def _of_tendons(landscape: EnergyLandscape, record: Record | None, tendon: int |
         text=f"Energy over the {title} of one hinge, by statics.{barrier}"
         + " Every tendon has a ball, at its energy and its hinge's angle in the run; dots are its frames."
         * bool(balls),
+        hinge=shown.hinge,
     )
 
 

@@ -6,16 +6,21 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from forficula.analysis import measure
 from forficula.dynamics import Record
 from forficula.show.landscape.landscape_table import landscape_table
+from forficula.show.landscape.shown_hinge import shown_hinge
 from forficula.show.page.design_rows import design_title
-from forficula.show.page.landscape_curves import curve_data, landscape_curves
-from forficula.show.page.playback import make_clip
+from forficula.show.page.landscape_curves import Curve, curve_data, landscape_curves
+from forficula.show.page.landscape_poses import NO_POSE, Poses, pose_clip, poses_of
+from forficula.show.page.packing import packed
+from forficula.show.page.playback import clip_data, energy_scale, legend_data, make_clip, whole_of
 from forficula.show.page.results_page import figure_sections, results_page
 from forficula.show.page.rich_html import laid_out
 from forficula.show.page.run_page import playback_data
-from forficula.show.page.words import outcome_sentence
+from forficula.show.page.words import outcome_sentence, structure_text
 from forficula.statics import EnergyLandscape
 
 _HEADINGS = {
@@ -49,17 +54,50 @@ def landscape_page(
     name, run = design_title(landscape.design), ""
     drawn = record if record is not None and record.diverged_at is None else None
     curves = landscape_curves(landscape, drawn, tendon)
-    data: dict[str, Any] | None = {"kind": "curves"} if curves else None
+    data: dict[str, Any] | None = None
+    drawn_curves: list[dict[str, Any]] = []
+    if curves and drawn is None:
+        poses = poses_of(landscape, shown_hinge(landscape, tendon))
+        data = {"kind": "curves", **({} if poses is None else _still_data(poses))}
+        drawn_curves = [curve_data(each) | _pose_data(each, landscape, poses) for each in curves]
     if drawn is not None:
         outcome = measure(drawn)
         clip = make_clip(drawn, outcome)
         run = f"The run beside it: {outcome_sentence(name, outcome)}"
-        data, curves = playback_data(clip), landscape_curves(landscape, drawn, tendon, clip.time)
+        data = playback_data(clip)
+        drawn_curves = [curve_data(each) for each in landscape_curves(landscape, drawn, tendon, clip.time)]
     return results_page(
         "landscape",
         name,
         laid_out(landscape_table(landscape, record, tendon)),
         figure_sections(folder, _HEADINGS, texts),
         run=run,
-        data=None if data is None else data | {"curves": [curve_data(each) for each in curves]},
+        data=None if data is None else data | {"curves": drawn_curves},
     )
+
+
+def _still_data(poses: Poses) -> dict[str, Any]:
+    """What the page's script draws of a structure that a slider moves."""
+    clip = pose_clip(poses, poses.structure.name)
+    return {
+        "whole": whole_of([clip]),
+        "clips": [clip_data(clip)],
+        "energy": energy_scale([clip]),
+        "legend": legend_data([clip]),
+        "text": structure_text(poses.structure),
+    }
+
+
+def _pose_data(curve: Curve, landscape: EnergyLandscape, poses: Poses | None) -> dict[str, Any]:
+    """At which angle of a curve each pose is, rising, deg, and words on how they were found, or why there are none."""
+    if poses is None:
+        return {"poses": None, "drawn": NO_POSE}
+    if curve.hinge is not None:
+        angle = poses.angles[:, curve.hinge]
+        if np.ptp(angle) == 0:  # it does not fold with the others
+            return {"poses": None, "drawn": NO_POSE}
+    else:
+        path = landscape.fold_path
+        assert path is not None  # the curve is of it
+        angle = -path.ring_angle if np.any(path.ring_angle) else path.pleat_angle
+    return {"poses": packed(np.degrees(angle), "f4"), "drawn": poses.why}

@@ -53,7 +53,7 @@ def page_html(title: str, body: str, data: dict[str, Any] | None) -> str:
 <style>{style}</style>
 </head>
 <body>
-{"" if data is None else f'<noscript><p class="note">{_NO_SCRIPT}</p></noscript>'}
+{"" if data is None else f'<noscript><aside class="note">{_NO_SCRIPT}</aside></noscript>'}
 {body}
 {"" if data is None else _scripted(data, script)}</body>
 </html>

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-import base64
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from forficula.analysis import Outcome, State
 from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
 from forficula.quantities import reading_unit
+from forficula.show.page.efforts import Efforts, efforts_data, efforts_of
 from forficula.show.page.frames import kept_frames
+from forficula.show.page.packing import packed
 from forficula.show.page.shape_mesh import ShapeMesh, moving_points, shape_mesh
 from forficula.show.run.state_names import state_letters, table_name
 from forficula.show.run.time_figures import largest_energies, stored_energies
@@ -101,6 +102,8 @@ class Clip:
         tendon_energy: J, (time, tendon).
         stored_energy: of tendons, membrane and what else there is, by name, J, (time,).
         largest_energy: of each of these over the whole run, J; the kinetic one may lie between two frames.
+        rest_length: of the tendons, m, (time, tendon), or (1, tendon) where none yields.
+        efforts: what drives do.
     """
 
     name: str
@@ -114,6 +117,8 @@ class Clip:
     tendon_energy: Array
     stored_energy: Mapping[str, Array]
     largest_energy: Mapping[str, float]
+    rest_length: Array
+    efforts: Efforts | None = None
 
 
 def make_clip(record: Record, outcome: Outcome, *, name: str = "", budget: int = BUDGET) -> Clip:
@@ -156,7 +161,16 @@ def make_clip(record: Record, outcome: Outcome, *, name: str = "", budget: int =
         tendon_energy=record.series["tendon_energy"][rows],
         stored_energy={_STORED.get(name, name): values[rows] for name, (values, _) in stored_energies(record).items()},
         largest_energy={_STORED.get(name, name): value for name, value in largest_energies(record).items()},
+        rest_length=_rest_lengths(record, rows),
+        efforts=efforts_of(record, rows),
     )
+
+
+def _rest_lengths(record: Record, rows: NDArray[np.int64]) -> Array:
+    """Lengths below which tendons are slack, m, (time, tendon), or (1, tendon) where none yields."""
+    if (grown := record.series.get("tendon_rest_length")) is not None:
+        return grown[rows]
+    return np.array([[tendon.law.rest_length for tendon in record.structure.tendons]])
 
 
 def state_marks(structure: Structure, outcome: Outcome) -> tuple[Mark, ...]:
@@ -209,6 +223,11 @@ def clip_data(clip: Clip) -> dict[str, Any]:
         "tubes": [
             {"kind": tube.kind, "crease": tube.crease, "ends": tube.ends, "radius": tube.radius} for tube in mesh.tubes
         ],
+        "built": packed(mesh.built, "f4") if clip.structure.membranes else None,
+        "faces": mesh.faces.tolist() if clip.structure.membranes else None,
+        "base": {"rods": mesh.base.tolist(), "radius": mesh.base_radius},
+        "efforts": None if clip.efforts is None else efforts_data(clip.efforts, mesh.anchors),
+        "restLength_m": packed(clip.rest_length, "f4"),
         "joints": mesh.joints.tolist(),
         "jointRadius": mesh.joint_radius,
         "marks": [_mark_data(clip, mark) for mark in clip.marks],
@@ -307,9 +326,11 @@ def legend_data(clips: Sequence[Clip]) -> list[dict[str, str]]:
             told.setdefault(f"region {region}", name)
         if len(clip.mesh.joints):
             told.setdefault("joint", "held vertex" if clip.mesh.held else "hinge")
+        if len(clip.mesh.base):
+            told.setdefault("base", "held fast")
         if clip.structure.tendons:
             told.setdefault("tendon", "tendon, energy stored")
-    order = ("mountain", "valley", "border", "edge", "region", "joint", "tendon")
+    order = ("mountain", "valley", "border", "edge", "region", "joint", "base", "tendon")
     return [
         {"sample": sample, "text": text}
         for sample, text in sorted(told.items(), key=lambda item: order.index(item[0].partition(" ")[0]))
@@ -327,8 +348,3 @@ def energy_scale(clips: Sequence[Clip]) -> dict[str, Any]:
     largest = max(float(clip.tendon_energy.max(initial=0.0)) for clip in clips)
     unit, factor = reading_unit("J", largest)
     return {"unit": unit, "factor": factor, "largest_J": largest}
-
-
-def packed(values: ArrayLike, kind: str) -> str:
-    """Pack numbers as little-endian floats of four ("f4") or eight ("f8") bytes, row by row, in base64."""
-    return base64.b64encode(np.ascontiguousarray(values, dtype=f"<{kind}").tobytes()).decode("ascii")

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.quantities import reading_unit
-from forficula.show.page.playback import Clip, mark_readings, packed
+from forficula.show.page.packing import packed
+from forficula.show.page.playback import Clip, mark_readings
 from forficula.show.page.words import reading_text
 from forficula.show.structure.labels import parts_of
 

@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.dynamics import Record
+from forficula.show.structure.fixed_rods import fixed_rods
 from forficula.show.structure.shape import DrawnLine, Shape, shape_of
-from forficula.structure import Structure
+from forficula.structure import Structure, built_points
 
 Array = NDArray[np.float64]
 
@@ -22,6 +23,7 @@ _FINEST = 20  # dashes' lengths to a crease
 # dashes of a crease and the gaps after them, in lengths of a dash: dash-dotted mountains, dashed valleys
 _STROKES = {"M": ((2.4, 0.6), (0.5, 0.6)), "V": ((1.2, 0.9),), "B": ((1e9, 0.0),)}
 _DIGITS = 6  # of a share
+_BASE = 0.8  # radius of a rod along what is held fast, by diameter of the thickest bar
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,6 +59,10 @@ class ShapeMesh:
         joints: vertices of the hinges at the ends of bars, and of what is held, (joint,).
         held: whether some are held.
         joint_radius: m.
+        built: points of `anchors` in the built shape, m, (point, 3).
+        faces: number of the face that each triangle is part of, (triangle,).
+        base: ends of rods along what is held fast, m, (rod, end, axis).
+        base_radius: of these, m.
     """
 
     anchors: NDArray[np.int64]
@@ -70,6 +76,10 @@ class ShapeMesh:
     joints: NDArray[np.int64]
     held: bool
     joint_radius: float
+    built: Array
+    faces: NDArray[np.int64]
+    base: Array
+    base_radius: float
 
 
 def shape_mesh(structure: Structure) -> ShapeMesh:
@@ -77,8 +87,8 @@ def shape_mesh(structure: Structure) -> ShapeMesh:
     shape = shape_of(structure)
     between, share = shape.between.tolist(), shape.share.tolist()
     pieces = [
-        ((face[0], one, other), region)
-        for face, region in zip(shape.faces, shape.face_region.tolist(), strict=True)
+        ((face[0], one, other), region, number)
+        for number, (face, region) in enumerate(zip(shape.faces, shape.face_region.tolist(), strict=True))
         for one, other in pairwise(face[1:])
     ]
     tubes = [Tube(kind="bar", crease=bar.crease, ends=bar.ends, radius=bar.radius) for bar in shape.bars]
@@ -94,15 +104,24 @@ def shape_mesh(structure: Structure) -> ShapeMesh:
         anchors=shape.anchors,
         between=np.array(between, dtype=np.int64).reshape(-1, 2),
         share=np.array(share),
-        triangles=np.array([piece for piece, _ in pieces], dtype=np.int64).reshape(-1, 3),
-        regions=np.array([region for _, region in pieces], dtype=np.int64),
+        triangles=np.array([piece for piece, _, _ in pieces], dtype=np.int64).reshape(-1, 3),
+        regions=np.array([region for _, region, _ in pieces], dtype=np.int64),
         names=shape.regions,
         solid=shape.solid,
         tubes=tuple(tubes),
         joints=np.concatenate([shape.joints, shape.held]),
         held=len(shape.held) > 0,
         joint_radius=_JOINT * shape.thickness,
+        built=_built(structure)[shape.anchors],
+        faces=np.array([number for _, _, number in pieces], dtype=np.int64),
+        base=fixed_rods(structure),
+        base_radius=max(_BASE * shape.thickness, _THINNEST * shape.span),
     )
+
+
+def _built(structure: Structure) -> Array:
+    """Points, then nodes of membranes, in the built shape, m, (point, 3)."""
+    return np.concatenate([built_points(structure), *(membrane.built for membrane in structure.membranes)])
 
 
 def moving_points(record: Record, mesh: ShapeMesh) -> Array:

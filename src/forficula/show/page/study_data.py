@@ -203,6 +203,7 @@ def _quantity(table: Dataset, drawn: _Drawn, words: _Words) -> dict[str, Any]:
         "title": drawn.title,
         "group": drawn.group,
         "unit": unit,
+        "energy": table[drawn.name].attrs["units"] == "J",
         "values": values,
         "reasons": _reasons(values, missing_reasons(table, drawn.name).values.ravel(), words),
         "transition": drawn.transition,

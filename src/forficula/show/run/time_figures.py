@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -38,6 +37,7 @@ from forficula.show.style import (
     ORANGE,
     PAGE_WIDTH,
     PURPLE,
+    QUANTITY_COLOURS,
     SKY,
     VERMILION,
     describe,
@@ -466,5 +466,5 @@ def _mark_states(axes: Axes, record: Record, outcome: Outcome, measures: tuple[M
 def _look(line: int, count: int) -> dict[str, Any]:
     """Colour and style of one of so many lines."""
     if count > _MOST_ENTRIES:
-        return {"color": mpl.colormaps["viridis"](0.9 * line / (count - 1)), "lw": 0.8}
+        return {"color": QUANTITY_COLOURS(0.9 * line / (count - 1)), "lw": 0.8}
     return {"color": _COLOURS[line % len(_COLOURS)], "ls": LINE_STYLES[line % len(LINE_STYLES)]}

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
@@ -17,6 +16,7 @@ from forficula.show.style import (
     BLUE,
     LINE_STYLES,
     PAGE_WIDTH,
+    QUANTITY_COLOURS,
     VERMILION,
     describe,
     figure_style,
@@ -167,7 +167,7 @@ def _positions(convergence: Convergence) -> Array:
 def _plot_angles(axes: Axes, convergence: Convergence, starts: Array, scale: float) -> None:
     """A line for every value, the first one wide and light, the last one thin and dark, so that none is hidden."""
     count = len(convergence.values)
-    shades = colormaps["viridis"](np.linspace(0.9, 0, count))
+    shades = QUANTITY_COLOURS(np.linspace(0.9, 0, count))
     for index in range(count):
         axes.plot(
             scale * (convergence.times[index] - starts[index]),

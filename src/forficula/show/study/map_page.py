@@ -9,12 +9,11 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-import matplotlib
 import numpy as np
 from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
-from matplotlib.colors import ListedColormap, Normalize
+from matplotlib.colors import Colormap, ListedColormap, Normalize
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from matplotlib.layout_engine import ConstrainedLayoutEngine
@@ -26,7 +25,18 @@ from numpy.typing import NDArray
 from forficula.show.study.factor_text import display_values, factor_label, number_text, plain_name
 from forficula.show.study.map_panel import Panel, View
 from forficula.show.study.map_text import maps_text
-from forficula.show.style import BLUE, ORANGE, PAGE_WIDTH, PURPLE, SKY, describe, figure_style, fit_legend, is_narrow
+from forficula.show.style import (
+    BLUE,
+    ORANGE,
+    PAGE_WIDTH,
+    PURPLE,
+    SKY,
+    colours_of,
+    describe,
+    figure_style,
+    fit_legend,
+    is_narrow,
+)
 from forficula.study.map_comparison import (
     BOTH,
     BOTH_LESS,
@@ -43,8 +53,6 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-# lightness rises with the value, so that grey print and every kind of colour vision keep the order
-_COLOURS = matplotlib.colormaps["cividis"]
 # beyond this many values a factor's cells are too small for numbers, and its ticks are thinned out
 _MOST_NUMBERS = 12
 _NUMBER, _CELL_FILLED = 6.0, 0.86  # pt of a number in a cell, and the share of a cell that it may be as wide as
@@ -120,6 +128,7 @@ class _Scale:
     unit: str
     factor: float
     norm: Normalize
+    colours: Colormap
     empty: bool
 
 
@@ -227,11 +236,17 @@ def _scale(panels: Sequence[Panel]) -> _Scale:
     unit, factor = next((pair for pair in units if largest * pair[1] >= 0.999), units[-1] if largest else units[0])
     if low == high:
         low, high = low - 0.1 * largest - (not largest), high + 0.1 * largest + (not largest)
-    return _Scale(unit=unit, factor=factor, norm=Normalize(low * factor, high * factor), empty=empty)
+    return _Scale(
+        unit=unit,
+        factor=factor,
+        norm=Normalize(low * factor, high * factor),
+        colours=colours_of(panels[0].unit),
+        empty=empty,
+    )
 
 
 def _colour_bar(figure: Figure, axes: list[Axes], label: str, scale: _Scale) -> None:
-    mappable = ScalarMappable(scale.norm, _COLOURS)
+    mappable = ScalarMappable(scale.norm, scale.colours)
     # beneath two narrow columns, which need all of the width
     beneath = is_narrow(figure.get_figwidth()) and len(axes) > 3
     bar = figure.colorbar(
@@ -290,7 +305,7 @@ def _draw_cells(axes: Axes, view: View, panel: Panel, scale: _Scale) -> None:
     edges = [np.arange(count + 1) - 0.5 for count in reversed(values.shape)]
     if np.isfinite(values).any():
         shown = np.ma.masked_invalid(values)
-        axes.pcolormesh(*edges, shown, cmap=_COLOURS, norm=scale.norm, edgecolors="white", linewidth=0.4)
+        axes.pcolormesh(*edges, shown, cmap=scale.colours, norm=scale.norm, edgecolors="white", linewidth=0.4)
     for word, where in _missing(view, panel).items():
         look = look_of(view.table, word)
         axes.pcolor(
@@ -333,7 +348,7 @@ def _write_numbers(figure: Figure, view: View, drawn: Sequence[tuple[Axes, Panel
         return
     for (axes, scale, values), each in zip(cells, texts, strict=True):
         for (row, column), text in each.items():
-            red, green, blue, _ = _COLOURS(scale.norm(values[row, column]))
+            red, green, blue, _ = scale.colours(scale.norm(values[row, column]))
             ink = "black" if 0.299 * red + 0.587 * green + 0.114 * blue > 0.5 else "white"
             axes.text(column, row, text, ha="center", va="center", fontsize=_NUMBER, color=ink)
 
@@ -359,9 +374,8 @@ def _draw_points(axes: Axes, view: View, panel: Panel, scale: _Scale) -> None:
         upwards = _positions(axes, view, "y")
         found = np.isfinite(values)
         if found.any():
-            axes.scatter(
-                across[found], upwards[found], c=values[found], cmap=_COLOURS, norm=scale.norm, s=16, ec=_INK, lw=0.3
-            )
+            there = across[found], upwards[found]
+            axes.scatter(*there, c=values[found], cmap=scale.colours, norm=scale.norm, s=16, ec=_INK, lw=0.3)
         foot = axes.transData
     else:
         upwards = np.full(len(values), 0.05 if panel.unit else 0.5)

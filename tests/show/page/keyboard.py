@@ -1,0 +1,105 @@
+"""A page as a keyboard has it: what is reached, what is seen to have the keys, and what comes of them."""
+
+CONTROLS = "button, a[href], select, input, summary, [tabindex='0']"
+SEEN = f'[...document.querySelectorAll("{CONTROLS}")].filter((each) => each.checkVisibility())'
+# what has the keys: its place among all controls, whether that is seen, and whether nothing lies on it
+_FOCUSED = f"""(() => {{
+  const at = document.activeElement, box = at.getBoundingClientRect();
+  const style = getComputedStyle(at.querySelector(":scope > circle") ?? at);
+  const middle = (low, high, end) => (Math.max(low, 0) + Math.min(high, end)) / 2;
+  const there = document.elementFromPoint(
+    middle(box.left, box.right, innerWidth), middle(box.top, box.bottom, innerHeight));
+  const ring = style.outlineStyle === "none" ? 0 : parseFloat(style.outlineWidth);
+  return {{ place: {SEEN}.indexOf(at), body: at === document.body, what: at.outerHTML.slice(0, 120),
+    ringed: ring >= 2 || parseFloat(style.strokeWidth) >= 3,
+    clear: there !== null && (at.contains(there) || there.contains(at)) }}; }})()"""
+
+# counts what a key changes: the document, what is chosen in it, and pictures that are drawn; what is said comes later
+_WATCH = f"""(elsewhere) => window.watched = (() => {{
+  let mutations = 0;
+  let before = null;
+  const spoken = ({{ target }}) => (target.closest ? target : target.parentElement)?.closest(".spoken");
+  new MutationObserver((all) => {{ mutations += all.filter((each) => !spoken(each)).length; }})
+    .observe(document, {{ subtree: true, childList: true, attributes: true, characterData: true }});
+  const settled = () => new Promise((done) => requestAnimationFrame(done));
+  const playing = () => window.forficula?.panel?.playing ?? window.forficula;
+  const controls = () => {SEEN}.filter((each) => !each.matches(".table") && !each.closest(elsewhere));
+  const textOf = (each) =>
+    each.getAttribute("aria-label") ?? each.labels?.[0]?.firstChild.textContent ?? each.textContent;
+  function nameOf(each) {{
+    if (each.matches("[data-point]")) return "point";
+    if (each.matches(".play")) return "BUTTON play"; // while it plays, pause
+    const name = each.matches("canvas") ? "" : textOf(each).trim().replace(/\\d[\\d.]*/g, "#");
+    return `${{each.tagName.toUpperCase()}} ${{name}}`.trim();
+  }}
+  const state = () => JSON.stringify([playing()?.player?.stage?.statistics().frame,
+    ...[...document.querySelectorAll("input, select, details")].map((each) => [each.value, each.checked, each.open])]);
+  function keyOf(each) {{
+    if (each.matches("canvas")) return "Shift+ArrowLeft";
+    if (each.matches("[type=checkbox]")) return " ";
+    if (each.matches("[type=range]")) return "ArrowRight";
+    if (!each.matches("select")) return "Enter";
+    return each.selectedIndex < each.options.length - 1 ? "ArrowDown" : "ArrowUp";
+  }}
+  const find = (name) => controls().find((each) => nameOf(each) === name);
+  return {{
+    names: () => [...new Set(controls().map(nameOf))],
+    async choose(name) {{
+      playing()?.clock?.pause();
+      await settled();
+      if (!find(name)) {{
+        // another control has hidden it
+        for (const box of document.querySelectorAll("[type=checkbox]:not(:checked)")) box.click();
+        window.forficula?.open?.(0);
+        await settled();
+      }}
+      if (!find(name)) return null;
+      find(name).focus();
+      [before, mutations] = [state(), 0];
+      return keyOf(document.activeElement);
+    }},
+    async changed() {{
+      await settled();
+      return mutations > 0 || state() !== before;
+    }},
+  }}; }})()"""
+
+
+def walk(opened, key):
+    """Press a key until all of the page is passed: what had the keys, one after another."""
+    page, stops = opened.page, []
+    page.evaluate("document.activeElement.blur(); getSelection().removeAllRanges(); scrollTo(0, 0)")
+    for _ in range(400):
+        page.keyboard.press(key)
+        stop = page.evaluate(_FOCUSED)
+        if stop["body"] or stop in stops:
+            return stops
+        stops.append(stop)
+    raise AssertionError("it never ends")
+
+
+def try_controls(page, elsewhere=":not(*)"):
+    """Press the key of every control that there is and that comes: names that were tried, and those that did nothing.
+
+    Of controls whose names differ by numbers only one is tried.
+
+    Args:
+        page: of Playwright.
+        elsewhere: selector of what is left out, with all in it.
+    """
+    page.evaluate(_WATCH, elsewhere)
+    seen, tried, idle = set(), set(), []
+    while left := [name for name in page.evaluate("watched.names()") if name not in seen]:
+        seen.add(left[0])
+        key = page.evaluate("(name) => watched.choose(name)", left[0])
+        if key is None:  # was there only beside what another one has closed
+            continue
+        tried.add(left[0])
+        if "download" in left[0].lower():
+            with page.expect_download():
+                page.keyboard.press(key)
+            continue
+        page.keyboard.press(key)
+        if not page.evaluate("watched.changed()"):
+            idle.append(left[0])
+    return tried, idle

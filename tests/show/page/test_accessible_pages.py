@@ -1,0 +1,120 @@
+"""What holds of every kind of page for readers who see, press or hear it otherwise: WCAG 2.2, levels A and AA."""
+
+import json
+
+import pytest
+from axe_playwright_python.base import AXE_SCRIPT
+
+from tests.show.page.conftest import until, watching
+from tests.show.page.keyboard import SEEN, try_controls, walk
+from tests.show.page.page_kinds import KINDS
+
+WIDE, NARROW = (1280, 600), (390, 844)
+TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
+# What depends on the scheme is contrast, what depends on the width is what scrolls and how large a target is: with all
+# rules in a wide light window, contrast in a dark one, and these two on a phone, every rule is asked wherever its
+# answer can be another one. A wide window has all columns of the tables in sight, without which contrast is not told.
+ALL = {"runOnly": {"type": "tag", "values": TAGS}, "rules": {"target-size": {"enabled": True}}}
+CONTRAST = {"runOnly": {"type": "rule", "values": ["color-contrast"]}}
+WIDTH = {"runOnly": {"type": "rule", "values": ["scrollable-region-focusable", "target-size"]}}
+# Colours that axe does not tell: signs that are no letters, and letters on a picture, a pattern or a band. The style's
+# colours are held to their contrasts in test_page.py, and maps write their signs on plain ground.
+UNTOLD = ".stage, .what, .grid, .tick, .views, .scatter, .ball, .map-legend, .map-place, .filter"
+
+FAULTS = """(() => {
+  const main = document.querySelector("main");
+  main.insertAdjacentHTML("beforeend", "<button></button>");
+  main.querySelector("img").removeAttribute("alt");
+  document.querySelector("p").style.color = "#565d66"; // that of a light page
+  main.querySelector(".table").removeAttribute("tabindex"); })()"""
+# a player is the same on every page: all of it is tried on that of a run
+TRIED_ELSEWHERE = {"compare": ".transport, .keys", "landscape": ".player", "study": ".player"}
+LEAST_TRIED = {
+    "run": {
+        *("CANVAS", "BUTTON play", "INPUT time", "BUTTON b folded", "SELECT speed", "SELECT show", "BUTTON turn left"),
+        *("BUTTON top: view from above", "BUTTON nearer", "SUMMARY Keys", "A Download design.toml"),
+    },
+    "compare": {"BUTTON one scale: all wings as large as they are by each other", "BUTTON turn left"},
+    "landscape": {"BUTTON barrier close up", "BUTTON whole curve"},
+    "curves": {"INPUT distal angle along the curve", "INPUT mean distal angle along the curve"},
+    "study": {
+        *("point", "SELECT show", "BUTTON pin, to compare it with another", "BUTTON unpin point #", "SUMMARY Commands"),
+        *("INPUT", "BUTTON open point #", "BUTTON Download table.csv", "BUTTON outcome"),
+    },
+    "drawn study": {"point", "BUTTON open point #", "SELECT show"},
+}
+
+
+@pytest.fixture(scope="module", params=KINDS)
+def kind(request):
+    return request.param
+
+
+@pytest.fixture(scope="module")
+def opened(browser, pages, kind):
+    """A page of each kind, one after another."""
+    with watching(browser) as watch:
+        yield watch(pages[kind], viewport=dict(zip(("width", "height"), WIDE, strict=True)))
+
+
+def asked(page, options):
+    """What axe-core finds wrong on a page, and what it cannot tell: rules with the elements of which it says so."""
+    if not page.evaluate("window.axe !== undefined"):
+        page.evaluate(AXE_SCRIPT)
+    kinds = ("violations", "incomplete")
+    found = page.evaluate(f"axe.run({json.dumps(options | {'resultTypes': kinds})})")
+    return tuple(
+        [(each["id"], node["target"][-1], node["html"][:100]) for each in found[kind] for node in each["nodes"]]
+        for kind in kinds
+    )
+
+
+def test_axe_finds_nothing_on_any_page_in_wide_and_narrow_light_and_dark_windows(opened):
+    opened.show(*WIDE)
+    wrong, untold = asked(opened.page, ALL)
+    assert wrong == []
+    beyond = f"(targets) => targets.filter((each) => !document.querySelector(each).closest({json.dumps(UNTOLD)}))"
+    assert opened.page.evaluate(beyond, [target for _, target, _ in untold]) == []
+    opened.show(*WIDE, scheme="dark")
+    assert asked(opened.page, CONTRAST)[0] == []
+    opened.show(*NARROW)
+    assert asked(opened.page, WIDTH)[0] == []
+
+
+@pytest.mark.parametrize(("key", "window", "order"), [("Tab", WIDE, 1), ("Shift+Tab", NARROW, -1)])
+def test_the_keyboard_reaches_every_control_in_its_order_and_shows_where_it_is(opened, key, window, order):
+    opened.show(*window)
+    stops = walk(opened, key)
+    places = [stop["place"] for stop in stops if stop["place"] >= 0]
+    assert places[::order] == list(range(opened.page.evaluate(f"{SEEN}.length")))
+    assert [stop["what"] for stop in stops if not (stop["ringed"] and stop["clear"])] == []
+
+
+def test_every_control_does_something_when_its_key_is_pressed(opened, kind):
+    opened.show(*WIDE)
+    tried, idle = try_controls(opened.page, TRIED_ELSEWHERE.get(kind, ":not(*)"))
+    assert idle == []
+    assert LEAST_TRIED.get(kind, set()) <= tried
+
+
+def test_a_page_with_faults_fails(watch, pages):
+    """A control: each fault is found in the window and the scheme in which it can be."""
+    opened = watch(pages["converge"])
+    opened.page.evaluate(FAULTS)
+    opened.show(*WIDE)
+    assert {rule for rule, *_ in asked(opened.page, ALL)[0]} == {"button-name", "image-alt"}
+    opened.show(*WIDE, scheme="dark")
+    assert {rule for rule, *_ in asked(opened.page, CONTRAST)[0]} == {"color-contrast"}
+    opened.show(*NARROW)
+    assert {rule for rule, *_ in asked(opened.page, WIDTH)[0]} == {"scrollable-region-focusable"}
+    assert try_controls(opened.page)[1] == ["BUTTON"]
+
+
+def test_a_table_that_is_wider_than_a_phone_is_scrolled_by_the_keyboard_without_a_script(watch, pages):
+    opened = watch(pages["converge"])
+    opened.show(*NARROW)
+    table = opened.page.locator(".table").first
+    table.focus()
+    opened.page.keyboard.press("ArrowRight")
+    until(opened.page, "document.querySelector('.table').scrollLeft > 0")
+    assert table.get_attribute("aria-label").startswith("timestep, fold time")

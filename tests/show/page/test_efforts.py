@@ -1,0 +1,59 @@
+"""Where arrows of drives stand, and rods of what is held fast: of any structure, by what it is built of."""
+
+import numpy as np
+import pytest
+
+from forficula.design import load_design
+from forficula.show.page.efforts import crease_ends, efforts_data, efforts_of
+from forficula.show.page.shape_mesh import shape_mesh
+from forficula.show.structure.fixed_rods import fixed_rods
+from forficula.structure import built_points, structure_of
+from forficula.structure.flaps import flap_angles
+
+
+def test_an_arrow_is_about_the_axis_about_which_the_hinge_turns_wherever_it_is(short_run):
+    rows = np.arange(len(short_run.time))
+    efforts = efforts_of(short_run, rows)
+    assert [drive.name for drive in efforts.drives] == ["fold", "unfold"]
+    ends = {end.stage.name: (end.start, end.end) for end in short_run.stages}
+    assert efforts.stages == ((*ends["fold"], (0,)), (*ends["unfold"], (1,)))
+    structure, points = short_run.structure, short_run.series["point_position"]
+    # the rigid outer part of a vein keeps its angle to the axis about which it turns, wherever it is
+    distal = [turn for turn in efforts.turns if turn.shares == (0.0, 1.0)]
+    motor = next(motor for motor in structure.motors if motor.name == "distal")
+    for turn, hinge in zip(distal, motor.hinges, strict=True):
+        bar = next(bar for bar in structure.bars if bar.body == structure.hinges[hinge].body)
+        root, tip = (points[np.isin(short_run.time, efforts.time)][:, point] for point in bar.points)
+        assert turn.pivot == pytest.approx(root, abs=1e-9)
+        assert np.ptp(np.sum(turn.axis * (tip - root), axis=1)) < 1e-9
+        assert np.ptp(tip - root, axis=0).max() > 0.1
+
+
+def test_a_page_has_drives_in_the_units_of_its_other_numbers(letter_run):
+    rows = np.array([0, 1])
+    data = efforts_data(efforts_of(letter_run, rows), shape_mesh(letter_run.structure).anchors)
+    (close, _) = data["drives"]
+    assert (close["text"], close["unit"], close["factor"]) == ("torque on the creases", "N cm", 100.0)
+    assert len(data["turns"]) == 2
+
+
+def test_a_right_handed_turn_of_the_left_flap_about_a_creases_arrow_folds_it_in_its_own_sense():
+    structure = structure_of(load_design("bistable-clasp"))
+    points, turned = built_points(structure), 1e-3
+    for hinge in structure.hinges:
+        tail, head = points[list(crease_ends(hinge))]
+        corners = points[list(hinge.flaps)]
+        axis = (head - tail) / np.linalg.norm(head - tail)
+        moved = corners.copy()
+        moved[2] += turned * np.cross(axis, corners[2] - tail)
+        angles = [hinge.sense * float(flap_angles(each)) for each in (corners, moved)]
+        assert angles[1] - angles[0] == pytest.approx(turned, rel=1e-2)
+
+
+@pytest.mark.parametrize(("name", "rods"), [("binder2025", 2), ("letter-fold", 4), ("kresling-cell", 0)])
+def test_rods_lie_along_what_is_held_fast(name, rods):
+    structure = structure_of(load_design(name))
+    found = fixed_rods(structure)
+    assert found.shape == (rods, 2, 3)
+    away = np.linalg.norm(found.reshape(-1, 1, 3) - built_points(structure), axis=2).min(axis=1, initial=np.inf)
+    assert np.all(away < 1e-9)

@@ -1,0 +1,89 @@
+"""Every kind of page in a second browser, with the network cut: `make browsers`, before a release."""
+
+import os
+
+import numpy as np
+import pytest
+
+from tests.show.page.firefox import firefox_path, running
+from tests.show.page.page_kinds import KINDS, MOVING
+
+WIDE, NARROW = (1280, 800), (390, 844)
+WHY = "pages are not tested in a second browser"
+INSTALL = "apt-get install firefox-esr xvfb libegl1 libgl1-mesa-dri"
+_WEBGL = "!!document.createElement('canvas').getContext('webgl2')"
+_DRAWN = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))"
+# pixels of each plot that are not empty
+_INKS = """[...document.querySelectorAll('.chart canvas')].map((canvas) => {
+  const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+  let ink = 0;
+  for (let at = 3; at < data.length; at += 4) ink += data[at] > 0;
+  return ink; })"""
+_CLOCK = "(window.forficula.clock ?? window.forficula.panel.playing.clock)"
+
+
+# a minute that every run of the tests would take, for what changes seldom
+pytestmark = pytest.mark.skipif(
+    os.environ.get("FORFICULA_NEED_FIREFOX") != "1", reason=f"{WHY}: that is make browsers, before a release"
+)
+
+
+@pytest.fixture(scope="module", params=["light", "dark"])
+def firefox(request, tmp_path_factory):
+    program = firefox_path()
+    if not program:
+        pytest.fail(f"Firefox is missing; install it, as with: {INSTALL}, or name it in FORFICULA_FIREFOX: {WHY}")
+    with running(program, tmp_path_factory.mktemp("firefox") / "profile", request.param) as firefox:
+        yield firefox
+
+
+def asked(firefox):
+    """Addresses that a page asked for, but for what is written in them."""
+    return [url for url in firefox.requests if not url.startswith(("file:", "data:", "blob:"))]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_page_opens_without_a_request_or_a_word_on_the_console_and_fits_its_window(firefox, pages, kind):
+    for width, height in (WIDE, NARROW):
+        firefox.open(pages[kind], width, height)
+        assert firefox.evaluate("document.querySelector('#data') === null || window.forficula !== undefined")
+        firefox.evaluate(_DRAWN)
+        assert firefox.evaluate("document.documentElement.scrollWidth") <= width
+        assert (firefox.messages, asked(firefox)) == ([], [])
+
+
+@pytest.mark.parametrize("kind", MOVING)
+def test_plots_and_the_structure_are_drawn_and_play_moves_them(firefox, pages, kind):
+    firefox.open(pages[kind], *WIDE)
+    firefox.evaluate(_DRAWN)
+    assert all(ink > 1000 for ink in firefox.evaluate(_INKS))
+    assert firefox.evaluate("document.querySelectorAll('.chart canvas').length") >= {"drawn study": 0}.get(kind, 1)
+    if kind in ("curves", "drawn study"):  # have no run
+        return
+    if not firefox.evaluate(_WEBGL):
+        assert "This browser has no WebGL" in firefox.evaluate("document.querySelector('.player').textContent")
+        pytest.fail(f"Firefox has no WebGL here; by {INSTALL} the processor draws: {WHY}")
+    before = np.asarray(firefox.picture(".stage"), dtype=int)
+    assert len(np.unique(before.reshape(-1, 3), axis=0)) > 200
+    firefox.click(".play")
+    firefox.until(f"{_CLOCK}.time > {_CLOCK}.span.start + 0.1 * ({_CLOCK}.span.end - {_CLOCK}.span.start)")
+    firefox.click(".play")
+    firefox.evaluate(_DRAWN)
+    assert not firefox.evaluate(f"{_CLOCK}.playing")
+    moved = np.abs(np.asarray(firefox.picture(".stage"), dtype=int) - before).max(axis=2) > 16
+    assert moved.mean() > 0.01
+    assert (firefox.messages, asked(firefox)) == ([], [])
+
+
+def test_what_a_page_should_not_do_is_heard(firefox, tmp_path):
+    """A control: were the console or the network not listened to, the other tests could not fail."""
+    (tmp_path / "bad.html").write_text(
+        "<!doctype html><title>bad</title><script>console.error('said'); fetch('http://example.invalid/')"
+        ".catch(() => { window.cut = true; }); setTimeout(() => nothing.at.all);</script>",
+        "utf-8",
+    )
+    firefox.open(tmp_path / "bad.html", *WIDE)
+    firefox.until("window.cut === true")
+    assert asked(firefox) == ["http://example.invalid/"]
+    assert [text for text in firefox.messages if "said" in text]
+    assert [text for text in firefox.messages if "nothing is not defined" in text]

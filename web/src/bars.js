@@ -1,0 +1,49 @@
+/** Round bars between two places, many of a kind drawn at once. */
+
+import { MeshLambertMaterial } from "three";
+
+/** A material of things that are drawn where they are, but in front of what is less than so much nearer, m. */
+export function barMaterial(nearer) {
+  const material = new MeshLambertMaterial();
+  if (nearer === 0) return material;
+  material.onBeforeCompile = (shader) => {
+    shader.vertexShader = shader.vertexShader.replace(
+      "#include <project_vertex>",
+      `#include <project_vertex>
+      vec4 pulled = vec4(mvPosition.xyz - normalize(mvPosition.xyz) * ${nearer.toExponential()}, 1.0);
+      vec4 there = projectionMatrix * pulled;
+      gl_Position.z = there.z / there.w * gl_Position.w;`,
+    );
+  };
+  material.customProgramCacheKey = () => `nearer ${nearer}`;
+  return material;
+}
+
+/** Write the matrix that takes a bar of radius and length 1 along y to one between two vertices. */
+export function placeTube(vertices, first, second, radius, matrix, at) {
+  let x = vertices[second] - vertices[first];
+  let y = vertices[second + 1] - vertices[first + 1];
+  let z = vertices[second + 2] - vertices[first + 2];
+  const length = Math.hypot(x, y, z) || 1e-12;
+  x /= length;
+  y /= length;
+  z /= length;
+  // any direction across will do: the bar is round
+  const flat = Math.abs(z) < 0.9;
+  let [acrossX, acrossY, acrossZ] = flat ? [y, -x, 0] : [0, z, -y];
+  const size = Math.hypot(acrossX, acrossY, acrossZ);
+  acrossX /= size;
+  acrossY /= size;
+  acrossZ /= size;
+  matrix[at] = radius * acrossX;
+  matrix[at + 1] = radius * acrossY;
+  matrix[at + 2] = radius * acrossZ;
+  matrix[at + 4] = length * x;
+  matrix[at + 5] = length * y;
+  matrix[at + 6] = length * z;
+  matrix[at + 8] = radius * (acrossY * z - acrossZ * y);
+  matrix[at + 9] = radius * (acrossZ * x - acrossX * z);
+  matrix[at + 10] = radius * (acrossX * y - acrossY * x);
+  for (let axis = 0; axis < 3; axis++) matrix[at + 12 + axis] = (vertices[first + axis] + vertices[second + axis]) / 2;
+  matrix[at + 15] = 1;
+}

@@ -1,0 +1,57 @@
+/**
+ * The largest principal strain of a sheet's faces, Green's: (l - 1) / 2 with l the larger eigenvalue of the metric of a
+ * triangle's sides by that of these as built. As in figures and films, a face has that of its triangle which is
+ * stretched further.
+ */
+
+const FLAT = 1e-9; // of a triangle's squared size: what has no area has no strain
+
+/** Strains of a clip's triangles at what its vertices are. */
+export function makeStrains(clip) {
+  const { triangles, faces } = clip.mesh;
+  const built = clip.builtVertices();
+  const metrics = Array.from({ length: faces.length }, (_, triangle) => metric(built, triangles, triangle));
+  const ofFace = new Float32Array(faces.reduce((most, face) => Math.max(most, face), 0) + 1);
+  const found = new Float32Array(faces.length);
+
+  /** Write the strain of every triangle's face. */
+  function at(vertices) {
+    ofFace.fill(-Infinity);
+    for (let triangle = 0; triangle < faces.length; triangle++) {
+      const [e, f, g] = metrics[triangle];
+      const area = e * g - f * f;
+      if (area <= FLAT * (e + g) ** 2) continue;
+      const [now1, now2, now3] = metric(vertices, triangles, triangle);
+      const half = (g * now1 - 2 * f * now2 + e * now3) / (2 * area);
+      const product = (now1 * now3 - now2 * now2) / area;
+      const strain = (half + Math.sqrt(Math.max(half * half - product, 0)) - 1) / 2;
+      ofFace[faces[triangle]] = Math.max(ofFace[faces[triangle]], strain);
+    }
+    for (let triangle = 0; triangle < faces.length; triangle++) found[triangle] = Math.max(0, ofFace[faces[triangle]]);
+    return found;
+  }
+
+  /** The largest of all frames. */
+  function largest() {
+    const vertices = new Float32Array(built.length);
+    let most = 0;
+    for (const moment of clip.time) most = at(clip.verticesAt(moment, vertices)).reduce((one, other) => Math.max(one, other), most);
+    return most;
+  }
+
+  return { at, largest };
+}
+
+/** Products of the two sides of a triangle from its first corner. */
+function metric(vertices, triangles, triangle) {
+  const [first, second, third] = [0, 1, 2].map((corner) => 3 * triangles[3 * triangle + corner]);
+  let [e, f, g] = [0, 0, 0];
+  for (let axis = 0; axis < 3; axis++) {
+    const one = vertices[second + axis] - vertices[first + axis];
+    const other = vertices[third + axis] - vertices[first + axis];
+    e += one * one;
+    f += one * other;
+    g += other * other;
+  }
+  return [e, f, g];
+}
