@@ -11,7 +11,7 @@ from forficula.dynamics import Record, StageEnd
 from forficula.make.free_range import half
 from forficula.make.make_parts import make_parts
 from forficula.make.mesh import placed
-from forficula.make.motion_checks import motion_checks, root_angles, root_moments
+from forficula.make.motion_checks import built_checks, motion_checks, root_angles, root_moments
 from forficula.make.poses import poses_of, telling_rows
 from forficula.make.solids import turn_about
 from forficula.make.touching import touches
@@ -98,6 +98,15 @@ def test_nothing_touches_where_nothing_moves(parts):
     assert touches(parts, record) == ()
     checks = [check for check in motion_checks(parts, record) if check.name == "overlap in the recorded motion"]
     assert [check.ok for check in checks] == [True]
+
+
+def test_what_is_in_one_place_as_built_is_told(parts, made_section):
+    (check,) = built_checks(parts)
+    assert (check.ok, check.value) == (True, 0.0)
+    # straps of the design's own length, on pegs far out: those of neighbours meet
+    (check,) = built_checks(made_section)
+    assert check.ok is False
+    assert "proximal0 and proximal2 (0.37" in check.text
 
 
 def test_a_run_that_diverged_is_not_looked_at(parts):

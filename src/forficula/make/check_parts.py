@@ -9,7 +9,7 @@ from forficula.dynamics import Record, as_record
 from forficula.errors import InputError
 from forficula.make.check import Check
 from forficula.make.mesh_checks import mesh_checks
-from forficula.make.motion_checks import motion_checks
+from forficula.make.motion_checks import built_checks, motion_checks
 from forficula.make.part import PartSet
 from forficula.make.printing_checks import printing_checks
 from forficula.make.range_checks import range_checks
@@ -40,7 +40,7 @@ def check_parts(parts: PartSet, record: object = None) -> tuple[Check, ...]:
     except InputError as error:
         raise InputError(f"record: {error}") from None
     sheet: tuple[Check, ...] = () if parts.sheet is None else parts.sheet.checks
-    own = (*range_checks(parts), *strength_checks(parts), *printing_checks(parts))
+    own = (*range_checks(parts), *strength_checks(parts), *printing_checks(parts), *built_checks(parts))
     return (*own, *mesh_checks(parts), *sheet, *_motion(parts, run))
 
 

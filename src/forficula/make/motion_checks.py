@@ -14,8 +14,8 @@ from forficula.make.check import Check
 from forficula.make.hub import Root
 from forficula.make.mending import Mending, mendings
 from forficula.make.part import PartSet
-from forficula.make.poses import poses_of
-from forficula.make.touching import TOUCHES, Touch, touches
+from forficula.make.poses import poses_of, stage_at
+from forficula.make.touching import TOUCHES, Touch, built_overlaps, touches
 from forficula.material.law.law_file import load_law
 from forficula.names import listed
 from forficula.quantities import show_value
@@ -45,6 +45,30 @@ def motion_checks(parts: PartSet, record: Record, mend: bool = True) -> Iterator
     yield from _root_checks(parts, record)
 
 
+def built_checks(parts: PartSet) -> Iterator[Check]:
+    """Check that bodies that no joint hinges to one another are clear of each other as they are built."""
+    if len(parts.joints) < 2:
+        return
+    found = built_overlaps(parts)
+    worst = max(found.values(), default=0.0)
+    text = "no two bodies that no joint hinges to one another touch as they are built"
+    if found:
+        pairs = listed([f"{one} and {other} ({volume * 1e9:.3g} mm^3)" for (one, other), volume in found.items()])
+        text = (
+            f"in one place as they are built: {pairs}; move pegs nearer to the hinges (tendon.proximal_attachment), or"
+            " take thinner bars, pegs, hinges and roots"
+        )
+    yield Check(
+        name="overlap as built",
+        part=parts.design.name,
+        ok=not found,
+        value=worst,
+        limit=TOUCHES,
+        unit="m^3",
+        text=text,
+    )
+
+
 def _not_looked_at(parts: PartSet) -> Check:
     return Check(
         name="overlap in the recorded motion",
@@ -53,7 +77,7 @@ def _not_looked_at(parts: PartSet) -> Check:
         value=math.nan,
         limit=TOUCHES,
         unit="m^3",
-        text="Not looked at: the run diverged.",
+        text="not looked at, for the run diverged",
     )
 
 
@@ -64,9 +88,8 @@ def _touch_checks(parts: PartSet, found: Sequence[Touch]) -> Iterator[Check]:
         by_pair.setdefault(touch.bodies, []).append(touch)
     for bodies, its in by_pair.items():
         first, most = its[0], max(its, key=lambda touch: touch.volume)
-        here, there = (f"{body} ({feature})" for body, feature in zip(bodies, first.features, strict=True))
-        own = [f"{' and '.join(each.features)} at {_when(each)}" for each in its[1:4]]
-        more = f"; then {'; '.join(own)}" if own else ""
+        told = [f"{' and '.join(each.features)} at {_when(each)}" for each in its[1:4]]
+        more = f"; then {', '.join(told)}" if told else ""
         yield Check(
             name="overlap in the recorded motion",
             part=" and ".join(bodies),
@@ -74,9 +97,8 @@ def _touch_checks(parts: PartSet, found: Sequence[Touch]) -> Iterator[Check]:
             value=most.volume,
             limit=TOUCHES,
             unit="m^3",
-            text=f"{here} and {there} touch from {_when(first)} on, with {_angles(first)}, and come to have"
-            f" {most.volume * 1e9:.3g} mm^3 in common{more}. Two things cannot be in one place: this motion cannot be"
-            " made with these parts.",
+            text=f"{' and '.join(first.features)} touch from {_when(first)} on, with {_angles(first)}{more}; they come"
+            f" to have {most.volume * 1e9:.3g} mm^3 in common, so this motion cannot be made with these parts",
         )
     if not by_pair:
         yield Check(
@@ -86,8 +108,8 @@ def _touch_checks(parts: PartSet, found: Sequence[Touch]) -> Iterator[Check]:
             value=0.0,
             limit=TOUCHES,
             unit="m^3",
-            text="No two bodies that no joint hinges to one another touch, in rows of the record that are as far from"
-            " one another as can be; straps and rods are not looked at.",
+            text="no two bodies that no joint hinges to one another touch, in rows of the record that are as far from"
+            " one another as can be; straps and rods are not looked at",
         )
 
 
@@ -112,7 +134,7 @@ def _mending_check(parts: PartSet, tried: Sequence[Mending]) -> Check:
         value=float(len(free)),
         limit=1.0,
         unit="",
-        text=f"Tried in the same motion. {'; '.join(told)}. {free[0].name if free else 'The last'} is {values}.",
+        text=f"tried in the same motion, {'; '.join(told)}; {free[0].name if free else tried[-1].name} is {values}",
     )
 
 
@@ -125,7 +147,8 @@ def _told(tried: Mending) -> str:
     first, bodies = tried.first, len({touch.bodies for touch in tried.touches})
     pair = " and ".join(f"{body} ({feature})" for body, feature in zip(first.bodies, first.features, strict=True))
     rest = f"something touches {listed(list(tried.states))}" if tried.states else "the named states are free"
-    return f"first {pair} at {_when(first)}, {bodies} pairs in all, {rest}"
+    pairs = "1 pair" if bodies == 1 else f"{bodies} pairs"
+    return f"first {pair} at {_when(first)}, {pairs} in all, {rest}"
 
 
 def _stop_checks(parts: PartSet, record: Record) -> Iterator[Check]:
@@ -134,7 +157,7 @@ def _stop_checks(parts: PartSet, record: Record) -> Iterator[Check]:
         angle = record.series["hinge_angle"][:, joint.hinge]
         beyond = np.maximum(angle - joint.upper, joint.lower - angle)
         row = int(np.argmax(beyond))
-        most = float(beyond[row])
+        most, stage = float(beyond[row]), stage_at(record, float(record.time[row]))
         yield Check(
             name="beyond the stops in the recorded motion",
             part=joint.name,
@@ -142,9 +165,8 @@ def _stop_checks(parts: PartSet, record: Record) -> Iterator[Check]:
             value=most,
             limit=_GIVES,
             unit="rad",
-            text=f"The run's stops are springs, which {joint.name} presses in by {math.degrees(max(0.0, most)):.3g} deg"
-            f" at {record.time[row] * 1e3:.1f} ms; up to {math.degrees(_GIVES):g} deg the halves' faces are taken to"
-            " give way as much.",
+            text=f'stage "{stage.stage.name}" takes it {math.degrees(max(0.0, most)):.3g} deg beyond a stop, which is a'
+            f" spring in a run; real faces are taken to give way by no more than {math.degrees(_GIVES):g} deg",
         )
 
 
@@ -161,9 +183,9 @@ def _root_checks(parts: PartSet, record: Record) -> Iterator[Check]:
             value=off,
             limit=root.make.clearance,
             unit="m",
-            text=f"What bends at the root of {name} has its middle {show_value(abs(shift), 'm')} along the bar and"
-            f" {show_value(height, 'm')} above or below the joint that the design has there: the bar does not turn"
-            " about the places that it turns about in the run. A shorter make.root_length brings it nearer.",
+            text=f"what bends has its middle {show_value(abs(shift), 'm')} along the bar and {show_value(height, 'm')}"
+            " above or below the joint that the design has there, so the bar does not turn about the place that it"
+            " turns about in a run; a shorter rod (make.root_length) brings it nearer",
         )
         yield _root_moment(parts, record, root)
 
@@ -177,8 +199,7 @@ def _root_moment(parts: PartSet, record: Record, root: Root) -> Check:
     needed = max(bending, twisting)
     known = math.isfinite(needed) and torque is not None
     text = (
-        f"The run bends the root of {name} by {math.degrees(bend):.0f} deg and turns it about its axis by"
-        f" {math.degrees(turn):.0f} deg"
+        f"the run bends it by {math.degrees(bend):.0f} deg and turns it about its axis by {math.degrees(turn):.0f} deg"
     )
     if math.isfinite(needed):
         text += (
@@ -189,7 +210,7 @@ def _root_moment(parts: PartSet, record: Record, root: Root) -> Check:
     else:
         text += f"; the sources of {root.make.root_material} give no modulus, so no moment is known"
     if torque is not None:
-        text += f", and {key} is {show_value(torque, 'N m')}. The run's root takes none"
+        text += f", of {key} = {show_value(torque, 'N m')}; in the run it takes none"
     return Check(
         name="moment of the root",
         part=name,
@@ -197,7 +218,7 @@ def _root_moment(parts: PartSet, record: Record, root: Root) -> Check:
         value=needed,
         limit=math.nan if torque is None else torque,
         unit="N m",
-        text=f"{text}.",
+        text=text,
     )
 
 

@@ -84,6 +84,25 @@ def touches(
     return tuple(sorted(found, key=lambda touch: (touch.time, touch.bodies, touch.features)))
 
 
+def built_overlaps(parts: PartSet) -> dict[tuple[str, str], float]:
+    """What bodies that no joint hinges to one another have in common as they are built, m^3, by their names.
+
+    Those alone that touch; the root of a bar and the hub among them.
+    """
+    found: dict[tuple[str, str], float] = {}
+    count = len(parts.structure.bodies) + 1
+    still = Poses(
+        rows=np.zeros(1, dtype=np.int64),
+        frames=np.broadcast_to(np.eye(3), (1, count, 3, 3)),
+        origins=np.zeros((1, count, 3)),
+    )
+    for one, other in combinations(pieces_of(parts), 2):
+        if _apart(parts, one.body, other.body):
+            pair = (_name(parts, one.body), _name(parts, other.body))
+            found[pair] = found.get(pair, 0.0) + float(_volumes(one, other, still, 0)[0]) / 1e9
+    return {pair: volume for pair, volume in found.items() if volume > TOUCHES}
+
+
 def state_rows(record: Record) -> dict[str, int]:
     """The last row of every stage that ends in a named state, by its name; the last of several."""
     names = record.structure.stage_states
