@@ -8,6 +8,8 @@ from importlib import metadata
 from pathlib import Path, PurePosixPath
 from typing import Any
 
+from matplotlib.figure import Figure
+
 from forficula.design import save_design
 from forficula.dynamics import Record
 from forficula.files import replacing_all, write_bytes, write_text
@@ -21,9 +23,11 @@ from forficula.make.files.step import check_step, write_step
 from forficula.make.part import PartSet
 from forficula.make.sheet_dxf import write_sheet_dxf
 from forficula.make.sheet_svg import write_sheet_svg
+from forficula.show.make.made_figure import draw_made
 from forficula.show.make.made_table import made_json
 from forficula.show.make.parts_figure import draw_parts
 from forficula.show.page.parts_page import write_parts_page
+from forficula.show.structure.cut_sheet_figure import draw_cut_sheet
 from forficula.show.style import figure_files, save_figures
 from forficula.study.made_comparison import MadeComparison
 
@@ -31,7 +35,8 @@ BILL_FILE = "bill.json"
 AS_MADE_FILE = "as-made.json"
 # in which a bill may list files of parts, which go when other parts are made there
 _FOLDERS = ("stl", "step")
-_WHOLE = ("parts.3mf", "sheet.dxf", "sheet.svg", AS_MADE, AS_MADE_FILE, *figure_files("parts"))
+_FIGURES = [file for name in ("parts", "sheet", "made") for file in figure_files(name)]
+_WHOLE = ("parts.3mf", "sheet.dxf", "sheet.svg", AS_MADE, AS_MADE_FILE, *_FIGURES)
 
 
 def write_parts(
@@ -70,9 +75,8 @@ def write_parts(
             write_sheet_dxf(parts.sheet, unfinished / "sheet.dxf")
             write_sheet_svg(parts.sheet, unfinished / "sheet.svg")
         save_design(parts.design, unfinished / "design.toml")
-        if parts.joints:
-            progress("drawing the parts")
-            save_figures({"parts": lambda width: draw_parts(parts, width)}, unfinished)
+        progress("drawing")
+        save_figures(parts_drawings(parts, compared), unfinished)
         if compared is not None:
             save_design(compared.made, unfinished / AS_MADE)
             told = json.dumps(made_json(compared), indent=2, ensure_ascii=False, allow_nan=False)
@@ -81,6 +85,18 @@ def write_parts(
         progress("writing parts.html")
         files = [name for name in _files(unfinished) if not name.startswith("figures/")]
         write_parts_page(parts, checks, unfinished / "parts.html", record, files=files)
+
+
+def parts_drawings(parts: PartSet, compared: MadeComparison | None = None) -> dict[str, Callable[[float], Figure]]:
+    """The figures of parts by name: taken apart, the sheet, and a hinge as designed and as made, where there is one."""
+    sheet, drawings = parts.sheet, dict[str, Callable[[float], Figure]]()
+    if parts.joints:
+        drawings["parts"] = lambda width: draw_parts(parts, width)
+    if sheet is not None:
+        drawings["sheet"] = lambda width: draw_cut_sheet(sheet, width)
+    if compared is not None and compared.hinges:
+        drawings["made"] = lambda width: draw_made(compared, width)
+    return drawings
 
 
 def parts_json(parts: PartSet, checks: Sequence[Check]) -> dict[str, Any]:
