@@ -2,7 +2,9 @@
 
 import ast
 import importlib.util
+import json
 import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -37,6 +39,9 @@ def loaded(name):
 cells = loaded("extensions/cells")
 measurements = loaded("extensions/measurements")
 check_pages = loaded("check_pages")
+check_links = loaded("check_links")
+sys.modules["cells"] = cells  # as the walk calls it
+walk = loaded("walk")
 
 
 @pytest.fixture(scope="module")
@@ -160,3 +165,41 @@ def test_pages_that_load_from_elsewhere_or_lead_nowhere_are_found(tmp_path):
         "index.html: there.html#gone: has no place gone",
         "style.css: loads https://fonts.example/a.woff2 from elsewhere",
     ]
+
+
+def test_a_link_is_there_or_gone_or_was_not_looked_at():
+    def line(link, status, told=""):
+        return json.dumps({"filename": "a.md", "lineno": 3, "uri": link, "status": status, "info": told})
+
+    unresolved = "Max retries exceeded with url: /1 (Caused by NameResolutionError(...))"
+    there, gone, refused, unasked = check_links.sorted_links(
+        [
+            line("https://a.example/1", "working"),
+            line("https://a.example/2", "broken", "404 Client Error: Not Found for url"),
+            line("https://b.example/1", "broken", "403 Client Error: Forbidden for url"),
+            line("https://c.example/1", "broken", unresolved),
+            line("https://c.example/2", "timeout"),
+        ]
+    )
+    assert there == 1
+    assert gone == ["a.md:3: https://a.example/2: 404 Client Error: Not Found for url"]
+    assert dict(refused) == {"b.example": {"https://b.example/1"}}
+    assert dict(unasked) == {"c.example": {"https://c.example/1", "https://c.example/2"}}
+
+
+def test_a_page_is_walked_line_by_line_and_stops_where_it_ends_otherwise_than_it_says(tmp_path):
+    page = (
+        "Text\n\n    echo one > a.txt  # why\n    cat a.txt\n\n```{file} b.toml\nx = 1\n```\n\n"
+        "```{command}\n:status: 2\nforficula run a\n```\n\n```{picture} a.txt\n:alt: words\n```\n\n"
+        "```{python}\nx = 1\n```\n\n```{python}\nprint(x)\n```\n"
+    )
+    steps = walk.steps_of(page)
+    assert [(step.line, step.status) for step in steps] == [(3, 0), (4, 0), (6, 0), (10, 2), (15, 0), (19, 0), (23, 0)]
+    assert "x = 1\nprint(x)\n" in steps[-1].shell  # a cell knows the names of those before
+    script = tmp_path / "walk.sh"
+    script.write_text(
+        walk.script_of("page.md", steps[:3]) + walk.script_of("page.md", [walk.Step(line=9, shell="false")])
+    )
+    done = subprocess.run(["bash", script], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert (tmp_path / "b.toml").read_text() == "x = 1\n"
+    assert (done.returncode, done.stderr) == (1, "page.md:9: ended with 1, not 0\n")

@@ -287,6 +287,7 @@ def save(result: object, folder: AnyPath) -> None:
     from forficula.show.folder.parts_folder import write_parts
     from forficula.statics import EnergyLandscape
     from forficula.study.convergence import Convergence
+    from forficula.study.made_comparison import MadeComparison, comparison_or_why
 
     if folder == "":  # which would be the current one
         raise InputError('need a folder, got ""')
@@ -301,7 +302,9 @@ def save(result: object, folder: AnyPath) -> None:
         case Characterisation():
             write_material(result, folder)
         case PartSet():
-            write_parts(result, check_parts(result), folder)
+            compared = comparison_or_why(result) if result.joints else None
+            made = compared if isinstance(compared, MadeComparison) else None
+            write_parts(result, check_parts(result), folder, compared=made)
         case _:
             raise InputError(
                 f"need a record, a landscape, a convergence study, a material or parts, got a {type(result).__name__}"

@@ -11,12 +11,6 @@ import pytest
 _TOLD: dict[tuple[Any, ...], dict[str, Any]] = {}
 
 
-def pytest_collection_modifyitems(items):
-    for item in items:
-        if {"agree", "holds"} & set(getattr(item, "fixturenames", ())):
-            item.add_marker(pytest.mark.compares)
-
-
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_call(item):
     _TOLD.clear()

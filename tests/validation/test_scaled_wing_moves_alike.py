@@ -92,12 +92,15 @@ def test_an_earwig_sized_wing_moves_alike(agree, holds, earwig, reference_run):
     assert_moves_alike(agree, holds, earwig, reference_run, 0.01 / 0.22)
 
 
-def test_an_earwig_sized_wing_folds_with_micro_to_millijoules(earwig):
+def test_an_earwig_sized_wing_folds_with_micro_to_millijoules(holds, earwig):
     outcome = ff.measure(earwig)
     assert outcome.holds["folded"]
     assert outcome.holds["opened"]
-    assert 1e-6 < outcome.states["flat"].tendon_energy.sum() < 1e-3
-    assert 1e-6 < outcome.transitions["fold"].work < outcome.transitions["unfold"].work < 1e-2
+    stored = 1e6 * outcome.states["flat"].tendon_energy.sum()
+    holds("energy of the flat wing's tendons", stored, above=1, below=1e3, unit="µJ", by="size³")
+    fold, unfold = (1e6 * outcome.transitions[name].work for name in ("fold", "unfold"))
+    holds("works of folding and opening", [fold, unfold], above=1, below=1e4, unit="µJ")
+    assert fold < unfold
 
 
 @pytest.mark.parametrize("size", [0.1, 1 / 3, 0.01 / 0.22, 7.0])

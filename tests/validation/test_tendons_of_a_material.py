@@ -302,7 +302,7 @@ def with_law(reference, law, **values):
     return with_values(reference, WING | {"tendon.law": law} | values)
 
 
-def test_with_branches_the_energy_of_a_free_wing_is_accounted_for_as_without(reference):
+def test_with_branches_the_energy_of_a_free_wing_is_accounted_for_as_without(holds, reference):
     free = [{"name": "let go", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.012}]
     no_stops = {"guard.stretch": 1e3, "hinge.turn_limit": math.pi, "hinge.turn_back": math.pi}
     bent = {"protocol.initial_overbend": math.radians(-20), "protocol.stages": free, "tendon.rest_length": 0.06}
@@ -316,12 +316,13 @@ def test_with_branches_the_energy_of_a_free_wing_is_accounted_for_as_without(ref
             assert balances[-1].branch_damping > 0.01 * abs(balances[-1].tendon)
             assert balances[-1].branches > 0
         # the integrator is of first order
-        assert np.polyfit(np.log(TIMESTEPS), np.log(missing[name]), 1)[0] > 0.8
+        order = np.polyfit(np.log(TIMESTEPS), np.log(missing[name]), 1)[0]
+        holds(f"order of what is missing, {name} branches", order, above=0.8, by="first order")
     # in mid-flight what branches would push, but do not, is not there to make up for half a step's error of the spring
-    assert missing["with"][0] < 0.02
+    holds("missing by the tendons' energy at 0.2 ms", missing["with"][0], below=0.02, by="conservation of energy")
 
 
-def test_the_balance_of_a_whole_run_with_branches_closes_as_in_a_linear_run(reference):
+def test_the_balance_of_a_whole_run_with_branches_closes_as_in_a_linear_run(holds, reference):
     outcomes = [
         ff.measure(ff.run(with_law(reference, {"linear_modulus": 4.8e6, "branches": branches})))
         for branches in ([], [{"modulus": 1e6, "time": 0.002}])
@@ -331,8 +332,9 @@ def test_the_balance_of_a_whole_run_with_branches_closes_as_in_a_linear_run(refe
     assert (linear.branches, linear.branch_damping, linear.yielding) == (None, None, None)
     assert branched.branch_damping > 0.01 * branched.work
     # half a percent at 0.2 ms: the stops are met within a step
-    assert linear.residual < 5e-3
-    assert branched.residual < 5e-3
+    by = "conservation of energy"
+    holds("energy that is missing, linear", linear.residual, below=5e-3, by=by)
+    holds("energy that is missing, with a branch", branched.residual, below=5e-3, by=by)
 
 
 def test_a_linear_law_is_the_same_stiffness_and_damping_given_directly(agree, reference):

@@ -75,7 +75,7 @@ export function readClip(data) {
   return {
     name: data.name,
     /** How far what is drawn about points may reach, m: rods of what is held fast, and arrows. */
-    reach: Math.max(data.base.radius, efforts?.pushes.length ? 0.12 * data.span_m : 0, ...(efforts?.turns ?? []).map((turn) => 0.7 * turn.radius)),
+    reach: Math.max(data.base.radius, efforts?.pushes.length ? 0.12 * data.span_m : 0, ...(efforts?.turns ?? []).map((turn) => 0.4 * turn.radius)),
     mesh: data,
     marks: data.marks,
     stages: data.stages,

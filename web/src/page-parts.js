@@ -29,7 +29,7 @@ export async function showParts(data) {
   const element = document.getElementById("player");
   const player = mount(element, data, model, state, shown);
   const chooser = makeChooser(model, data, state, player);
-  player.onPress((place) => chooser.choose(player.at(place)));
+  player.onPress(chooser.choose);
   return { model, state, clock: sources[0].clock, run: sources[1]?.clock ?? null, ...player, choose: chooser.choose };
 }
 
@@ -40,7 +40,7 @@ function togetherSource(model, state) {
   const time = Float64Array.from({ length: FRAMES + 1 }, (_, frame) => frame / FRAMES);
   const anglesAt = (moment) => model.anglesTogether(angleOf(moment));
   const clip = clipOf(model, state, { time, anglesAt, marks: [], stages: [] });
-  const clock = makeClock([clip], [{ name: "", label: "", start: 0, end: 1, origins: [0], whole: false }]);
+  const clock = makeClock([forPace(model, clip, anglesAt)], [{ name: "", label: "", start: 0, end: 1, origins: [0], whole: false }]);
   clock.setSpeed(SPEED);
   const control = makeHinge(model, clock, angleOf, momentOf);
   return { name: "all joints alike", clip, clock, anglesAt, control };
@@ -49,7 +49,7 @@ function togetherSource(model, state) {
 /** The motion of a recorded run. */
 function runSource(model, state, motion) {
   const clip = clipOf(model, state, motion);
-  const clock = makeClock([clip], motion.spans);
+  const clock = makeClock([forPace(model, clip, motion.anglesAt)], motion.spans);
   return { name: "as in the simulated run", clip, clock, anglesAt: motion.anglesAt, control: makeTransport([clip], clock) };
 }
 
@@ -67,11 +67,18 @@ function clipOf(model, state, { time, anglesAt, marks, stages }) {
     marks,
     stages,
     readings: [],
+    reach: 0,
     mesh: { tubes: [], joints: [], jointRadius: 0 },
     pointsAt: (moment) => model.outline(seen(), model.turn(anglesAt(moment)), state),
     stageAt: (moment) => stages.findLast((stage) => stage.start <= moment) ?? stages[0],
     markAt: (moment) => marks.find((mark) => Math.abs(mark.time - moment) < 1e-9),
   };
+}
+
+/** The same clip with fewer places: a clock asks for those of all frames, to see how fast it goes. */
+function forPace(model, clip, anglesAt) {
+  const ends = model.parts.filter((part) => part.outer).map((part) => ({ ...part, outer: [part.outer[0], part.outer.at(-1)] }));
+  return { ...clip, pointsAt: (moment) => model.outline(ends, model.turn(anglesAt(moment)), { apart: 0, side: 1 }) };
 }
 
 /** One of several sources, as one clip and one clock that a stage can have. */
@@ -133,60 +140,32 @@ function makeSwitch(sources) {
   };
 }
 
+const FIRST = "Press a part, or its name in the table, to see what it is.";
+const WHOLE = "parts";
+
 function mount(element, data, model, state, shown) {
   const { clip, clock, sources } = shown;
   let shape = null;
-  const stage = makeStage([clip], clock, () => (shape = makePartsShape(model, state, shown.anglesAt, data.stopColour)), data.text);
-  const whole = "parts";
+  const shapeOf = () => (shape = makePartsShape(model, state, shown.anglesAt, data.stopColour));
+  const stage = makeStage([clip], clock, shapeOf, data.text);
   const picture = stage
     ? make("div", { className: "picture" }, stage.element, viewButtons(stage.eye, null))
-    : make("p", { className: "note" }, noPicture(whole));
-  const info = make("p", { className: "chosen", role: "status" }, "Press a part, or its name in the table, to see what it is.");
+    : make("p", { className: "note" }, noPicture(WHOLE));
+  const info = make("p", { className: "chosen", role: "status" }, FIRST);
   const control = make("div", {}, sources[0].control);
-  const counts = model.looks.map((_, index) => model.parts.filter((part) => part.look === index).reduce((sum, part) => sum + part.count, 0));
-  const change = (what) => {
-    Object.assign(state, what);
-    shown.changed();
-  };
-  const hide = (look, on) => {
-    if (on) state.hidden.delete(look);
-    else state.hidden.add(look);
-    shown.changed();
-  };
-  const choices = [
-    ...(sources.length > 1
-      ? [makeChoice("motion", sources.map((source) => source.name), (index) => {
-          shown.take(index);
-          control.replaceChildren(shown.now.control);
-        })]
-      : []),
-    makeApart((apart) => change({ apart })),
-    ...(model.straps.length
-      ? [makeChoice("slack straps bow", ["away from the hinge", "towards the hinge"], (index) => change({ side: index ? -1 : 1 }))]
-      : []),
-  ];
-  const legend = make(
-    "ul",
-    { className: "legend" },
-    ...(model.parts.some((part) => part.stops) ? [swatchEntry(data.stopColour, "face of a stop")] : []),
-    ...(model.straps.length ? [make("li", {}, make("span", { className: "swatch taut", "aria-hidden": "true" }), "on the slider: where straps are taut")] : []),
-    ...(stage ? [make("li", {}, `squares of the grid: ${short(1e3 * squareSide(stage.eye.size))} mm`)] : []),
-  );
   element.replaceChildren(
     picture,
     info,
     control,
-    make("div", { className: "choices" }, ...choices),
-    makeKinds(model.looks, counts, hide),
-    legend,
-    keysHelp([clip], stage !== null, whole),
+    makeChoices(model, state, shown, control),
+    makeShown(model, state, shown),
+    makeLegend(data, model, stage),
+    keysHelp([clip], stage !== null, WHOLE),
   );
   element.classList.add("player");
   element.setAttribute("role", "region");
   element.setAttribute("aria-label", "the parts moving");
   listenToKeys(element, [clip], clock, stage?.eye, VIEWS[0]);
-  const pressed = [];
-  if (stage) listenToPresses(stage.canvas, (place) => pressed.forEach((listener) => listener(place)));
   return {
     stage,
     shape,
@@ -195,9 +174,54 @@ function mount(element, data, model, state, shown) {
       shape?.paint();
       clock.seek(clock.time);
     },
-    at: (place) => shape.at(place, stage.eye.camera),
-    onPress: (listener) => pressed.push(listener),
+    onPress: (press) => stage && listenToPresses(stage.canvas, (place) => press(shape.at(place, stage.eye.camera))),
   };
+}
+
+/** What moves the parts, how far they are apart, and how straps bow. */
+function makeChoices(model, state, shown, control) {
+  const change = (what) => {
+    Object.assign(state, what);
+    shown.changed();
+  };
+  const names = shown.sources.map((source) => source.name);
+  const motion = makeChoice("motion", names, (index) => {
+    shown.take(index);
+    control.replaceChildren(shown.now.control);
+  });
+  const bow = makeChoice("slack straps bow", ["away from the hinge", "towards the hinge"], (index) =>
+    change({ side: index ? -1 : 1 }),
+  );
+  return make(
+    "div",
+    { className: "choices" },
+    ...(names.length > 1 ? [motion] : []),
+    makeApart((apart) => change({ apart })),
+    ...(model.straps.length ? [bow] : []),
+  );
+}
+
+/** Which parts are shown. */
+function makeShown(model, state, shown) {
+  const counts = model.looks.map((_, look) =>
+    model.parts.reduce((sum, part) => sum + (part.look === look ? part.count : 0), 0),
+  );
+  return makeKinds(model.looks, counts, (look, on) => {
+    if (on) state.hidden.delete(look);
+    else state.hidden.add(look);
+    shown.changed();
+  });
+}
+
+function makeLegend(data, model, stage) {
+  const taut = make("span", { className: "swatch taut", "aria-hidden": "true" });
+  return make(
+    "ul",
+    { className: "legend" },
+    ...(model.parts.some((part) => part.stops) ? [swatchEntry(data.stopColour, "face of a stop")] : []),
+    ...(model.straps.length ? [make("li", {}, taut, "on the slider: where straps are taut")] : []),
+    ...(stage ? [make("li", {}, `squares of the grid: ${short(1e3 * squareSide(stage.eye.size))} mm`)] : []),
+  );
 }
 
 function swatchEntry(colour, text) {
@@ -222,7 +246,6 @@ function listenToPresses(canvas, press) {
 
 /** Choose a part by its number, null for none: it glows, its row is marked, and what it is is told. */
 function makeChooser(model, data, state, player) {
-  const first = player.info.textContent;
   const rows = Array.from(document.querySelectorAll("#bill tbody tr"));
   const buttons = rows.map((row, index) => {
     const [name] = row.querySelector("th").childNodes;
@@ -235,7 +258,7 @@ function makeChooser(model, data, state, player) {
   function choose(index) {
     state.chosen = index;
     for (const [place, button] of buttons.entries()) button.setAttribute("aria-pressed", String(place === index));
-    player.info.textContent = index === null ? first : told(index);
+    player.info.textContent = index === null ? FIRST : told(index);
     player.repaint();
   }
 

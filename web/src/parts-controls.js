@@ -13,57 +13,25 @@ const SAMPLES = 720; // of the range of angles, to find where straps go slack
 /** The slider of the joints' angle, with its stops, a button that plays it, and what straps do there. */
 export function makeHinge(model, clock, angleOf, momentOf) {
   const [low, high] = [model.lowest, model.highest].map((angle) => angle * DEGREES);
+  const taut = tautRanges(model);
+  const named = marksOf(model, low, high, taut);
   const play = make("button", { type: "button", className: "play" });
   const slider = make("input", { type: "range", min: low, max: high, step: "any", "aria-label": "hinge angle" });
   slider.dataset.keys = "own";
-  const bands = make("div", { className: "bands", "aria-hidden": "true" });
-  const ticks = make("div", { className: "ticks", "aria-hidden": "true" });
   const readout = make("p", { className: "time" });
-  const taut = tautRanges(model);
-  const place = (angle) => `${(100 * (angle - low)) / (high - low)}%`;
-  for (const [from, to] of taut) {
-    const band = make("span", { className: "band" });
-    Object.assign(band.style, { left: place(from), width: `${(100 * (to - from)) / (high - low)}%` });
-    bands.append(band);
-  }
-  const named = marksOf(model, low, high, taut);
-  for (const { angle, stop } of named) {
-    const tick = make("span", { className: stop ? "tick stop" : "tick" });
-    tick.style.left = place(angle);
-    ticks.append(tick);
-  }
   const go = (angle) => {
     clock.pause();
     clock.seek(momentOf(Math.min(high, Math.max(low, angle)) / DEGREES));
   };
+  const toggle = () => (clock.playing ? clock.pause() : clock.play());
   const buttons = named.map(({ angle, name }) => {
     const button = make("button", { type: "button" }, make("b", {}, degrees(angle)), ` ${name}`);
     button.addEventListener("click", () => go(angle));
     return button;
   });
   slider.addEventListener("input", () => go(Number(slider.value)));
-  slider.addEventListener("keydown", (event) => {
-    const steps = {
-      ArrowLeft: -STEP,
-      ArrowDown: -STEP,
-      ArrowRight: STEP,
-      ArrowUp: STEP,
-      PageDown: -FURTHER,
-      PageUp: FURTHER,
-      Home: -Infinity,
-      End: Infinity,
-    };
-    if (event.key === " ") clock.playing ? clock.pause() : clock.play();
-    else if (event.key in steps && !event.shiftKey) {
-      const now = angleOf(clock.time) * DEGREES;
-      // from wherever it is to whole degrees
-      const next = Math.abs(steps[event.key]) === STEP ? Math.round(now + steps[event.key]) : now + steps[event.key];
-      go(next);
-    } else return;
-    event.preventDefault();
-  });
-  play.addEventListener("click", () => (clock.playing ? clock.pause() : clock.play()));
-  let wasPlaying = null;
+  listenToSteps(slider, () => angleOf(clock.time) * DEGREES, go, toggle);
+  play.addEventListener("click", toggle);
   clock.onChange(() => {
     const angle = angleOf(clock.time) * DEGREES;
     slider.value = angle;
@@ -71,18 +39,48 @@ export function makeHinge(model, clock, angleOf, momentOf) {
     slider.setAttribute("aria-valuetext", `${fixed(angle, 1)} degrees${strapText(model, angle)}`);
     for (const [index, each] of named.entries())
       buttons[index].setAttribute("aria-pressed", String(Math.abs(each.angle - angle) < 0.005));
-    if (clock.playing !== wasPlaying) {
-      play.replaceChildren(icon(clock.playing ? PAUSE : PLAY));
-      play.setAttribute("aria-label", clock.playing ? "pause" : "play: fold from stop to stop");
-      wasPlaying = clock.playing;
-    }
+    const label = clock.playing ? "pause" : "play: fold from stop to stop";
+    if (play.getAttribute("aria-label") !== label) play.replaceChildren(icon(clock.playing ? PAUSE : PLAY));
+    play.setAttribute("aria-label", label);
   });
   return make(
     "div",
     { className: "transport" },
-    make("div", { className: "line" }, play, make("div", { className: "track" }, bands, slider, ticks)),
+    make("div", { className: "line" }, play, makeTrack(slider, low, high, taut, named)),
     make("div", { className: "choices" }, readout, make("div", { className: "states" }, ...buttons)),
   );
+}
+
+/** A slider on bands where straps are taut, with ticks at angles that have a name. */
+function makeTrack(slider, low, high, taut, named) {
+  const bands = make("div", { className: "bands", "aria-hidden": "true" });
+  const ticks = make("div", { className: "ticks", "aria-hidden": "true" });
+  const share = (angle) => `${(100 * angle) / (high - low)}%`;
+  for (const [from, to] of taut) {
+    const band = make("span", { className: "band" });
+    Object.assign(band.style, { left: share(from - low), width: share(to - from) });
+    bands.append(band);
+  }
+  for (const { angle, stop } of named) {
+    const tick = make("span", { className: stop ? "tick stop" : "tick" });
+    tick.style.left = share(angle - low);
+    ticks.append(tick);
+  }
+  return make("div", { className: "track" }, bands, slider, ticks);
+}
+
+/** Keys of the slider: to whole degrees, by ten, to the stops. */
+function listenToSteps(slider, now, go, toggle) {
+  const steps = { ArrowLeft: -STEP, ArrowDown: -STEP, ArrowRight: STEP, ArrowUp: STEP };
+  const further = { PageDown: -FURTHER, PageUp: FURTHER, Home: -Infinity, End: Infinity };
+  slider.addEventListener("keydown", (event) => {
+    if (event.shiftKey || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.key === " ") toggle();
+    else if (event.key in steps) go(Math.round(now() + steps[event.key]));
+    else if (event.key in further) go(now() + further[event.key]);
+    else return;
+    event.preventDefault();
+  });
 }
 
 const degrees = (angle, digits = null) =>

@@ -27,6 +27,8 @@ export function mountPlayer(element, clips, clock, { energy, legend: entries, te
   const legend = stage ? [makeLegend(entries, energy, stage.eye.size, clips.length > 1 ? whole : null)] : [];
   if (stage && clips.some((clip) => clip.strained)) legend.unshift(colourChoice(stage, legend[0]));
   if (stage && clips.length === 1 && clips[0].efforts?.drives.length) tellEfforts(legend.at(-1), clips[0], clock);
+  if (stage && clips.length > 1 && clips.some((clip) => clip.efforts?.drives.some((drive) => drive.arrow)))
+    legend.at(-1).append(make("li", { className: "effort" }, arrowSample(), "torque or force of a drive, while it acts"));
   element.replaceChildren(picture, makeTransport(clips, clock), ...legend, keysHelp(clips, stage !== null, whole));
   element.classList.add("player");
   element.setAttribute("role", "region");
@@ -69,11 +71,15 @@ function nameState(cell, clip, clock) {
   });
 }
 
+function arrowSample() {
+  return make("span", { className: "swatch arrow", "aria-hidden": "true" });
+}
+
 /** Name in the legend what acts now, with how strong it is. */
 function tellEfforts(legend, clip, clock) {
   const arrow = clip.efforts.drives.some((drive) => drive.arrow);
   const said = make("span");
-  legend.append(make("li", { className: "effort" }, ...(arrow ? [make("span", { className: "swatch arrow", "aria-hidden": "true" })] : []), said));
+  legend.append(make("li", { className: "effort" }, ...(arrow ? [arrowSample()] : []), said));
   clock.onChange(() => {
     said.textContent = effortTexts(clip.efforts, clock.clipTime(0), short).join("; ") || "no drive acts now";
   });

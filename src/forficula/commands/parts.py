@@ -41,6 +41,9 @@ def make(
     step: Annotated[
         bool, Parameter(help='Write solids as STEP, too; needs pip install "forficula[step]".', negative=())
     ] = False,
+    simulate: Annotated[
+        bool, Parameter(help="Run the design and what the parts make of it; say what did it.", negative=())
+    ] = False,
     strict: Annotated[bool, Parameter(help="End with status 2 where a check fails.", negative=())] = False,
 ) -> int:
     """Turn a design into parts to print, to buy and to cut, and check them: STL, 3MF, STEP, DXF, SVG, a bill."""
@@ -50,8 +53,10 @@ def make(
     from forficula.make.files.step import check_step
     from forficula.make.make_parts import make_parts
     from forficula.show.folder.parts_folder import parts_json, write_parts
+    from forficula.show.make.made_table import print_made
     from forficula.show.make.parts_table import print_parts
     from forficula.show.progress import steps_progress
+    from forficula.study.made_comparison import MadeComparison, comparison_or_why
 
     length = None if unit is None else read_quantity("--unit", unit, LENGTH)
     chosen = load_design(design, read_settings(settings), unit=length)
@@ -65,9 +70,12 @@ def make(
         run = None if record is None else read_option("--record", lambda: run_of(parts, record))
         progress("checking the parts")
         checks = check_parts(parts, run)
+        compared = comparison_or_why(parts, simulate, progress) if parts.joints else None
         tell_replaced(folder, "bill of parts")
-        write_parts(parts, checks, folder, record=run, step=step, progress=progress)
+        made = compared if isinstance(compared, MadeComparison) else None
+        write_parts(parts, checks, folder, record=run, step=step, compared=made, progress=progress)
     came_to(parts_json(parts, checks))
     print_parts(parts, checks)
+    print_made(compared)
     print(f"\nwritten to {folder}")
     return 2 if strict and any(check.ok is False for check in checks) else 0

@@ -8,6 +8,7 @@ from functools import cached_property
 from manifold3d import Error, Manifold
 
 from forficula.design import Design
+from forficula.displayed import Displayed
 from forficula.errors import InputError
 from forficula.make.cut_lines import CutSheet
 from forficula.make.hub import Root
@@ -70,7 +71,7 @@ class Part:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class PartSet:
+class PartSet(Displayed):
     """What is to be made of a design.
 
     Attributes:

@@ -185,7 +185,7 @@ def _with_eyes(place: StrapPlace, ends: Array, up: Array) -> Solid:
     middle = Prism(
         outline=band(np.array([[0.0, 0.0], [length, 0.0]]), place.strap.thickness),
         origin=ends[0],
-        frame=np.column_stack([along, np.cross(across, along), -across]) @ np.diag([1.0, -1.0, -1.0]),
+        frame=np.column_stack([along, np.cross(across, along), across]),
         height=place.strap.width,
     )
     eyes = [disc(end, place.eye_diameter, 1.0) for end in ends]

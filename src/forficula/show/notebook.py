@@ -15,6 +15,7 @@ from forficula.analysis import Outcome, measure
 from forficula.design import Design
 from forficula.displayed import Displayed
 from forficula.dynamics import Record
+from forficula.make.part import PartSet
 from forficula.material import MaterialLaw
 from forficula.material.characterisation import Characterisation
 from forficula.show.folder.figure_kinds import drawings_of
@@ -23,6 +24,7 @@ from forficula.show.material.material_table import law_table, material_table
 from forficula.show.page.design_tables import design_tables
 from forficula.show.page.html import escaped, paragraph, table
 from forficula.show.page.outcome_tables import outcome_tables
+from forficula.show.page.parts_page import parts_page
 from forficula.show.page.rich_html import laid_out
 from forficula.show.page.run_page import run_page
 from forficula.show.page.words import outcome_sentence
@@ -47,7 +49,7 @@ _STYLE = (
     ".forficula .numbers td{text-align:right}.forficula img{max-width:min(100%,46em);background:#fff}"
     ".forficula small{display:block;opacity:.7}.forficula p{margin:.4em 0;max-width:46em}</style>"
 )
-_HEIGHT = 640  # pixels, of the page of a run
+_HEIGHT = 640  # pixels, of a page
 _DPI = 110
 _MOST_VALUES = 12  # of a factor, that are told
 
@@ -72,12 +74,14 @@ def _design(design: Design) -> Iterator[str]:
 
 @_parts.register
 def _record(record: Record) -> Iterator[str]:
-    """The page of the run, in a frame of its own: it plays, and its style and script touch nothing else."""
-    page = escaped(run_page(record, measure(record)))
-    yield (
-        f'<iframe srcdoc="{page}" title="{escaped(record.design.name)}, playing"'
-        f' sandbox="allow-scripts allow-downloads" style="width:100%;height:{_HEIGHT}px;border:0"></iframe>'
-    )
+    """The page of the run: it plays."""
+    yield _framed(run_page(record, measure(record)), f"{record.design.name}, playing")
+
+
+@_parts.register
+def _parts_to_make(parts: PartSet) -> Iterator[str]:
+    """The page of the parts, of which nothing has been checked: that takes seconds, and is asked for by itself."""
+    yield _framed(parts_page(parts, ()), f"{parts.design.name}, parts to make")
 
 
 @_parts.register
@@ -126,6 +130,14 @@ def _study(study: Study) -> Iterator[str]:
 def _table(found: StudyTable) -> Iterator[str]:
     yield _first_figure(found)
     yield xarray.Dataset._repr_html_(found)
+
+
+def _framed(page: str, title: str) -> str:
+    """A page in a frame of its own: its style and script touch nothing else."""
+    return (
+        f'<iframe srcdoc="{escaped(page)}" title="{escaped(title)}"'
+        f' sandbox="allow-scripts allow-downloads" style="width:100%;height:{_HEIGHT}px;border:0"></iframe>'
+    )
 
 
 def _title(text: str) -> str:

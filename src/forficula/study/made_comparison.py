@@ -166,6 +166,16 @@ def made_comparison(
     )
 
 
+def comparison_or_why(
+    parts: PartSet, simulate: bool = False, steps: Callable[[str], None] = lambda _: None
+) -> MadeComparison | str:
+    """As `made_comparison`; or why there is none, in a sentence: parts may be made that make no design."""
+    try:
+        return made_comparison(parts, simulate, steps)
+    except InputError as error:
+        return str(error)
+
+
 def _hinges(designed: Design, made: Design) -> tuple[HingePair, ...]:
     """The hinges that one tendon lies across each, over their ranges."""
     before, after = structure_of(designed), structure_of(made)

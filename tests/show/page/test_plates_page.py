@@ -45,7 +45,7 @@ def test_the_page_tells_what_happened(plates_runs):
     assert "stayed closed when released, opened again in 40 ms with 20 N cm on a crease" in page
     assert "<caption>Closing and opening</caption>" in page
     samples = [entry["sample"] for entry in legend_data([make_clip(record, outcome)])]
-    assert samples == ["edge", "region 0", "region 1", "tendon"]
+    assert samples == ["edge", "region 0", "region 1", "base", "tendon"]
     patterned = [entry["text"] for entry in legend_data([make_clip(*plates_runs["with a pattern"])])]
     assert patterned[:2] == ["mountain (dash-dotted crease)", "valley (dashed crease)"]
 
@@ -101,7 +101,7 @@ def test_the_page_of_plates_works_in_a_browser(plates_runs, watch, tmp_path):
     assert np.linalg.norm(corners[:, None] - vertices[None], axis=2).min(axis=1).max() < 1e-6
     cells = page.locator("#readout tr:has(th:text-is('fold angle (deg)')) td").all_inner_texts()
     assert cells == ["172.0", "160.0", "", ""]
-    assert page.locator("#readout thead th").all_inner_texts()[1:] == ["crease 1", "crease 2", "mouth", "pull"]
+    assert page.locator("#readout thead th").all_inner_texts() == ["crease 1", "crease 2", "mouth", "pull"]
 
 
 def test_the_page_tells_what_weighs_how_much_and_what_comes_first(plates_runs):

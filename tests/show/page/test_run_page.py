@@ -235,7 +235,6 @@ def test_followed_no_longer_the_wing_is_seen_from_one_place(opened):
     assert not np.allclose(places[2], places[3], rtol=0.05)
 
 
-@pytest.mark.parametrize("plot", [0, 1, 2])
 def seek(opened, moment):
     opened.page.evaluate("(moment) => { forficula.clock.seekClip(0, moment); }", float(moment))
     opened.settle()
@@ -289,6 +288,7 @@ def test_the_sheet_takes_the_colours_of_its_strains_with_their_scale_and_its_own
     assert opened.page.locator(".legend .of-region:visible").count() == 2
 
 
+@pytest.mark.parametrize("plot", [0, 1, 2])
 def test_a_click_in_a_plot_moves_the_wing_to_that_time(opened, short_run, plot):
     page = opened.page
     place = page.locator(".u-over").nth(plot)

@@ -16,6 +16,7 @@ from forficula.design import load_design
 from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.files import clear_leftovers, write_bytes
+from forficula.make.part import PartSet
 from forficula.material.characterisation import Characterisation
 from forficula.reproduction import shown_tendon
 from forficula.show.folder.convergence_folder import CONVERGENCE_FILE, convergence_drawings
@@ -25,6 +26,7 @@ from forficula.show.folder.material_folder import material_drawings
 from forficula.show.folder.run_folder import run_drawings
 from forficula.show.folder.static_map_folder import SIMULATED, static_map_drawings
 from forficula.show.folder.study_folder import study_drawings
+from forficula.show.make.parts_figure import parts_drawings
 from forficula.show.style import COLUMN_WIDTH, COPIES, ENDINGS, PAGE_WIDTH, Drawing, save_figure
 from forficula.statics import EnergyLandscape
 from forficula.study.convergence import Convergence
@@ -68,7 +70,7 @@ def drawings_of(result: object) -> dict[str, Drawing]:
 
     Args:
         result: a folder that forficula wrote, or a record, a landscape, a table of a study, a convergence study, what
-            became of cycles, or a material.
+            became of cycles, a material, or parts with a joint.
 
     Raises:
         InputError: it has no figures.
@@ -91,6 +93,8 @@ def drawings_of(result: object) -> dict[str, Drawing]:
             return cycling_drawings(result)
         case Characterisation():
             return material_drawings(result)
+        case PartSet() if result.parts:
+            return parts_drawings(result)
     raise InputError(f"need results of forficula or their folder, got a {type(result).__name__}")
 
 

@@ -11,6 +11,7 @@ from typing import Any
 from forficula.design import save_design
 from forficula.dynamics import Record
 from forficula.files import replacing_all, write_bytes, write_text
+from forficula.make.as_made import AS_MADE
 from forficula.make.check import Check
 from forficula.make.files.bill import bill_csv, bill_json, bill_of
 from forficula.make.files.checks import checks_json
@@ -20,14 +21,17 @@ from forficula.make.files.step import check_step, write_step
 from forficula.make.part import PartSet
 from forficula.make.sheet_dxf import write_sheet_dxf
 from forficula.make.sheet_svg import write_sheet_svg
+from forficula.show.make.made_table import made_json
 from forficula.show.make.parts_figure import draw_parts
 from forficula.show.page.parts_page import write_parts_page
 from forficula.show.style import figure_files, save_figures
+from forficula.study.made_comparison import MadeComparison
 
 BILL_FILE = "bill.json"
+AS_MADE_FILE = "as-made.json"
 # in which a bill may list files of parts, which go when other parts are made there
 _FOLDERS = ("stl", "step")
-_WHOLE = ("parts.3mf", "sheet.dxf", "sheet.svg", *figure_files("parts"))
+_WHOLE = ("parts.3mf", "sheet.dxf", "sheet.svg", AS_MADE, AS_MADE_FILE, *figure_files("parts"))
 
 
 def write_parts(
@@ -37,6 +41,7 @@ def write_parts(
     *,
     record: Record | None = None,
     step: bool = False,
+    compared: MadeComparison | None = None,
     progress: Callable[[str], None] = lambda _: None,
 ) -> None:
     """Write design, bill, checks, page, and the files that printers and cutters take; all of them, or none.
@@ -47,6 +52,7 @@ def write_parts(
         folder: made where it is missing; what earlier parts left there is replaced, or removed where these have none.
         record: of a run of their design, whose motion the page plays.
         step: whether solids are written as STEP, too.
+        compared: the design and what the parts make of it, to be written, too.
         progress: is told what is written.
 
     Raises:
@@ -67,6 +73,10 @@ def write_parts(
         if parts.joints:
             progress("drawing the parts")
             save_figures({"parts": lambda width: draw_parts(parts, width)}, unfinished)
+        if compared is not None:
+            save_design(compared.made, unfinished / AS_MADE)
+            told = json.dumps(made_json(compared), indent=2, ensure_ascii=False, allow_nan=False)
+            write_text(unfinished / AS_MADE_FILE, told + "\n")
         _write_lists(parts, checks, unfinished)
         progress("writing parts.html")
         files = [name for name in _files(unfinished) if not name.startswith("figures/")]

@@ -17,7 +17,7 @@ from forficula.show.make.part_facts import mass_text, masses_text, total_mass
 from forficula.show.make.part_looks import Look, part_looks
 from forficula.show.make.pose import angle_range
 from forficula.show.structure.painted_shape import PaintedShape, View, hang
-from forficula.show.style import PAGE_WIDTH, describe, figure_style, is_narrow
+from forficula.show.style import PAGE_WIDTH, Drawing, describe, figure_style, is_narrow
 
 Array = NDArray[np.float64]
 
@@ -27,6 +27,11 @@ _ROOM = 1.06  # of a picture, by what is in it
 _LINE = 0.16  # inch, of a line of words
 _BESIDE = 0.3  # of a picture's width, on which the scale is
 _BAR = 0.3  # of a picture's width: about as long is its scale
+
+
+def parts_drawings(parts: PartSet) -> dict[str, Drawing]:
+    """What draws parts with a joint, by the stem of its file."""
+    return {"parts": lambda width: draw_parts(parts, width)}
 
 
 def draw_parts(parts: PartSet, width: float = PAGE_WIDTH) -> Figure:
@@ -83,7 +88,7 @@ def _panels(
     total = sum(titled) + last + 6.4 * _LINE
     figure = Figure(figsize=(width, total))
     top, axes = total, []
-    for number, (picture, own) in enumerate(zip(pictures, sizes, strict=True)):
+    for number, picture in enumerate(pictures):
         row, column = divmod(number, columns)
         bottom = top - sum(titled[: row + 1])
         box = (column / columns, bottom / total, 1 / columns, heights[row] / total)
@@ -174,7 +179,7 @@ def _row(axes: Axes, named: Sequence[tuple[str, Array]], edge: int, side: int, n
         axes.plot(*anchor, marker="o", ms=2.2, color="black", mec="white", mew=0.5)
         axes.annotate(
             text,
-            anchor,
+            tuple(anchor),
             (across, axes.get_ylim()[edge]),
             ha="center",
             va="bottom" if side > 0 else "top",

@@ -14,7 +14,7 @@ _FINEST = 65535  # steps of a number that is kept in two bytes
 
 
 class PackedArrays:
-    """Arrays for a page, one after the other; the page's script inflates them all and finds each by what `add` gives."""
+    """Arrays for a page, one after the other; its script inflates them all and finds each by what is returned of it."""
 
     def __init__(self) -> None:
         self._parts: list[bytes] = []

@@ -104,7 +104,7 @@ def _sentence(parts: PartSet, checks: Sequence[Check]) -> str:
         left = sum(check.ok is None for check in checks)
         told += [f"{left} could not be carried out."] * (left > 0)
     else:
-        told.append("Nothing is checked yet.")
+        told.append("They are not checked yet: ff.check_parts does that.")
     return " ".join(told)
 
 
@@ -169,7 +169,7 @@ def _check_table(checks: Sequence[Check]) -> str:
         for check in sorted(checks, key=lambda check: order[check.ok])
     ]
     if not rows:
-        return paragraph("Nothing is checked yet.")
+        return ""
     return table("What fails comes first", ("check", "result", "found", "limit"), rows, numbers=False)
 
 

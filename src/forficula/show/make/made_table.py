@@ -1,0 +1,102 @@
+"""A design beside what its parts make of it, as lines of text and as plain data."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Iterator
+from typing import Any
+
+from forficula.quantities import show_value
+from forficula.show.landscape.landscape_marks import show_angle
+from forficula.statics import HingeLandscape
+from forficula.study.made_comparison import HingePair, MadeComparison, Trial
+
+
+def print_made(compared: MadeComparison | str | None) -> None:
+    """Print a comparison, or why there is none; nothing where there is nothing to compare."""
+    if compared is None:
+        return
+    lines = [compared] if isinstance(compared, str) else made_lines(compared)
+    print("\nas its parts are made")
+    for line in lines:
+        print(textwrap.fill(line, 110, initial_indent="  ", subsequent_indent="    "))
+
+
+def made_lines(compared: MadeComparison) -> Iterator[str]:
+    """A comparison as lines: barrier and holding torque, what is otherwise, what runs came to, and what did it."""
+    pairs = compared.hinges
+    alike = [pair for pair in pairs if pairs and _numbers(pair) == _numbers(pairs[0])]
+    for pair in pairs if len(alike) < len(pairs) else pairs[:1]:
+        name = pair.name if len(alike) < len(pairs) or len(pairs) == 1 else f"{pair.name} and all others"
+        yield f"{name}: as designed {_landscape(pair.designed)}; as made {_landscape(pair.made)}"
+    for change in compared.changes:
+        yield f"{change.key}: {change.designed or 'nothing'} as designed, {change.made} as made"
+    if compared.as_designed is not None and compared.as_made is not None:
+        yield f"run as designed: {compared.as_designed.status}; as made: {compared.as_made.status}"
+    for trial in compared.trials[2:]:
+        yield f"with {' and '.join(trial.groups)} as made, all else as designed: {trial.status}"
+    for blame in compared.blame:
+        yield blame.text
+
+
+def made_json(compared: MadeComparison) -> dict[str, Any]:
+    """A comparison as plain data with units in its keys; what does not exist is None."""
+    return {
+        "design": compared.designed.name,
+        "design_hash": compared.designed.hash,
+        "made_hash": compared.made.hash,
+        "changes": [
+            {"group": each.group, "key": each.key, "designed": each.designed or None, "made": each.made}
+            for each in compared.changes
+        ],
+        "unkept": [
+            {
+                "name": each.name,
+                "part": each.part,
+                "unit": each.unit,
+                "real": each.real,
+                "modelled": each.modelled if math.isfinite(each.modelled) else None,
+                "text": each.text,
+            }
+            for each in compared.unkept
+        ],
+        "hinges": [
+            {"hinge": pair.name, "designed": _plain(pair.designed), "made": _plain(pair.made)}
+            for pair in compared.hinges
+        ],
+        "runs": [_run(trial) for trial in compared.trials],
+        "blame": [
+            {"state": each.state, "alone": list(each.alone), "mends": list(each.mends), "text": each.text}
+            for each in compared.blame
+        ],
+    }
+
+
+def _numbers(pair: HingePair) -> tuple[str, str]:
+    return _landscape(pair.designed), _landscape(pair.made)
+
+
+def _landscape(hinge: HingeLandscape) -> str:
+    """Barrier and holding torque in words."""
+    if hinge.barrier is None or hinge.barrier_angle is None:
+        return "no barrier"
+    return (
+        f"barrier {show_value(hinge.barrier, 'J')} at {show_angle(hinge.sense * hinge.barrier_angle)}, holding torque"
+        f" {show_value(hinge.holding_torque or 0.0, 'N m')}"
+    )
+
+
+def _plain(hinge: HingeLandscape) -> dict[str, float | None]:
+    angle = hinge.barrier_angle
+    return {
+        "barrier_J": hinge.barrier,
+        "barrier_angle_deg": None if angle is None else math.degrees(hinge.sense * angle),
+        "holding_torque_N_m": hinge.holding_torque,
+        "inertia_kg_m2": float(hinge.hinge.inertia),
+    }
+
+
+def _run(trial: Trial) -> dict[str, Any]:
+    holds = {} if trial.outcome is None else dict(trial.outcome.holds)
+    return {"as_made": list(trial.groups), "status": trial.status, "holds": holds}

@@ -1,0 +1,59 @@
+"""Figures of parts to make."""
+
+import numpy as np
+import pytest
+
+from forficula.make.make_parts import make_parts
+from forficula.show.folder.figure_kinds import drawings_of
+from forficula.show.make.painted_parts import placed_parts
+from forficula.show.make.part_facts import mass_text, value_text
+from forficula.show.make.part_looks import part_looks
+from forficula.show.style import COLUMN_WIDTH
+from tests.show.legible import check_words
+
+
+@pytest.fixture(scope="module")
+def joint():
+    return make_parts("binder2025-joint", "joint")
+
+
+@pytest.mark.parametrize(("name", "part"), [("binder2025-joint", "joint"), ("binder2025", "section")])
+def test_words_of_the_figure_of_parts_can_be_read(name, part):
+    check_words(drawings_of(make_parts(name, part))["parts"](COLUMN_WIDTH), COLUMN_WIDTH)
+
+
+@pytest.mark.parametrize("which", ["lower", "upper"])
+def test_at_a_stop_faces_of_both_halves_lie_on_one_another_and_half_way_none_do(joint, which):
+    (layout,) = joint.joints
+    axis = layout.frame[:, 1]
+
+    def meet(angle):
+        halves = []
+        for placed in placed_parts(joint, angle):
+            corners = placed.mesh.points[placed.mesh.triangles[: placed.mesh.stops]]
+            normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+            # to which side of the axis they are
+            off = (corners.mean(axis=1) - layout.origin) @ (np.eye(3) - np.outer(axis, axis))
+            halves.append([each / np.linalg.norm(each, axis=1)[:, None] for each in (normals, off)])
+        (one, here), (other, there) = (each for each in halves if len(each[0]))
+        return bool(((one @ other.T < -1 + 1e-9) & (here @ there.T > 1 - 1e-6)).any())
+
+    assert meet(getattr(layout, which))
+    assert not meet((layout.lower + layout.upper) / 2)
+
+
+def test_bars_of_several_roles_look_different_and_parts_alike_alike():
+    looks, own = part_looks(parts := make_parts("binder2025", "section"))
+    assert [look.name for look in looks] == ["proximal bar", "distal bar", "pin", "strap", "hub", "root"]
+    assert len({look.colour for look in looks}) == len(looks)
+    assert all(looks[look].kind == part.kind for part, look in zip(parts.parts, own, strict=True))
+
+
+def test_values_are_told_in_the_units_that_parts_are_drawn_in():
+    assert value_text(4e-4, "m") == "0.4 mm"
+    assert value_text(1e-10, "m^3") == "0.1 mm³"
+    assert value_text(-np.pi, "rad") == "−180 deg"
+    assert value_text(np.nan, "N") == "–"
+    assert value_text(2.5, "") == "2.5"
+    assert mass_text(None) == "not known"
+    assert mass_text(0.00029999) == "0.300 g"
