@@ -53,7 +53,7 @@ def make(
     from forficula.make.files.step import check_step
     from forficula.make.make_parts import make_parts
     from forficula.show.folder.parts_folder import parts_json, write_parts
-    from forficula.show.make.made_table import print_made
+    from forficula.show.make.made_table import made_json, print_made
     from forficula.show.make.parts_table import print_parts
     from forficula.show.progress import steps_progress
     from forficula.study.made_comparison import MadeComparison, comparison_or_why
@@ -74,7 +74,7 @@ def make(
         tell_replaced(folder, "bill of parts")
         made = compared if isinstance(compared, MadeComparison) else None
         write_parts(parts, checks, folder, record=run, step=step, compared=made, progress=progress)
-    came_to(parts_json(parts, checks))
+    came_to(parts_json(parts, checks) | {"as_made": None if made is None else made_json(made)})
     print_parts(parts, checks)
     print_made(compared)
     print(f"\nwritten to {folder}")

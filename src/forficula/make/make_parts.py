@@ -36,7 +36,7 @@ def make_parts(design: AnyDesign, part: PartName = "all") -> PartSet:
 
     >>> parts = ff.make_parts("binder2025-joint")
     >>> [part.name for part in parts.parts]
-    ['proximal0', 'distal0', 'pin0', 'strap0']
+    ['proximal0', 'distal0', 'pin_fold0', 'strap0']
     """
     if part not in get_args(PartName):
         raise InputError(f"part: need {one_of(get_args(PartName), part)}")
