@@ -27,6 +27,8 @@ def sorted_links(lines: list[str]) -> tuple[int, list[str], dict[str, set[str]],
     unasked: dict[str, set[str]] = defaultdict(set)
     for found in map(json.loads, lines):
         link, told = found["uri"], found.get("info", "")
+        if urlsplit(link).scheme not in ("http", "https"):
+            continue  # within the pages, which check_pages.py looks at when they are built
         host = urlsplit(link).hostname or ""
         if found["status"] in ("working", "redirected"):
             there += 1

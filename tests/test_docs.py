@@ -179,6 +179,7 @@ def test_a_link_is_there_or_gone_or_was_not_looked_at():
             line("https://b.example/1", "broken", "403 Client Error: Forbidden for url"),
             line("https://c.example/1", "broken", unresolved),
             line("https://c.example/2", "timeout"),
+            line("../reference/design-file.html#earwig-fan-vein-density", "broken"),
         ]
     )
     assert there == 1
