@@ -10,12 +10,14 @@ with the hinge's angle phi, and the tendon's lever about it is A B sin(phi + del
 """
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
 from scipy.optimize import minimize_scalar
 
 import forficula as ff
+from forficula.make.as_made import as_made
 from forficula.statics.hinge import tendon_hinges
 from forficula.structure import structure_of
 
@@ -120,3 +122,17 @@ def test_the_least_torque_that_moves_it_in_runs_is_that_of_statics(agree, key, t
     step = torques[1] - torques[0]
     least = (torque - step / 2) / 100
     agree(f"least torque of runs, {key}", least, closed, by="statics", unit="N m", abs=step / 100)
+
+
+def test_simulated_as_its_parts_are_made_it_has_two_stable_states_with_the_numbers_of_the_readme():
+    made = as_made(ff.make_parts(JOINT, "joint"))
+    outcome = ff.measure(ff.run(made))
+    assert outcome.status == "folded and opened"
+    flat = {f"tendon.{end}_offset": "0 mm" for end in ("proximal", "distal")}
+    told = [
+        f"{1e3 * hinge.barrier:.2f} mJ and a holding torque of {1e2 * hinge.holding_torque:.2f} N cm"
+        for design in (made, JOINT.with_values(flat))
+        for hinge in ff.landscape(design).tendons
+    ]
+    text = " ".join((Path(__file__).parents[2] / "README.md").read_text("utf-8").split())
+    assert f"a barrier of {told[0]}, beside {told[1].replace('a holding torque of ', '')}" in text
