@@ -23,6 +23,7 @@ from forficula.show.folder.convergence_folder import CONVERGENCE_FILE, convergen
 from forficula.show.folder.cycling_folder import cycling_drawings, read_cycling
 from forficula.show.folder.landscape_folder import landscape_drawings
 from forficula.show.folder.material_folder import material_drawings
+from forficula.show.folder.parts_folder import BILL_FILE, read_parts
 from forficula.show.folder.run_folder import run_drawings
 from forficula.show.folder.static_map_folder import SIMULATED, static_map_drawings
 from forficula.show.folder.study_folder import study_drawings
@@ -135,6 +136,12 @@ def _static_map(folder: Path) -> dict[str, Drawing]:
     return static_map_drawings(_table(folder / "map.nc"), _table(simulated) if simulated.is_file() else None)
 
 
+def _parts(folder: Path) -> dict[str, Drawing]:
+    if not (folder / "parts.png").is_file():
+        raise InputError(f"{folder}: has no figures: the drawing of a sheet is sheet.svg")
+    return parts_drawings(read_parts(folder))
+
+
 def _convergence(folder: Path) -> dict[str, Drawing]:
     return convergence_drawings(load_convergence(folder / CONVERGENCE_FILE))
 
@@ -168,6 +175,7 @@ _READERS: dict[str, Callable[[Path], dict[str, Drawing]]] = {
     "table.nc": _study,
     "landscape.json": _landscape,
     "map.nc": _static_map,
+    BILL_FILE: _parts,
     CONVERGENCE_FILE: _convergence,
 }
 

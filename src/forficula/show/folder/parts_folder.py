@@ -8,8 +8,9 @@ from importlib import metadata
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-from forficula.design import save_design
+from forficula.design import load_design, save_design
 from forficula.dynamics import Record
+from forficula.errors import InputError
 from forficula.files import replacing_all, write_bytes, write_text
 from forficula.make.as_made import AS_MADE
 from forficula.make.check import Check
@@ -18,6 +19,7 @@ from forficula.make.files.checks import checks_json
 from forficula.make.files.lying import file_names
 from forficula.make.files.printing import print_files
 from forficula.make.files.step import check_step, write_step
+from forficula.make.make_parts import make_parts
 from forficula.make.part import PartSet
 from forficula.make.sheet_dxf import write_sheet_dxf
 from forficula.make.sheet_svg import write_sheet_svg
@@ -87,6 +89,24 @@ def parts_json(parts: PartSet, checks: Sequence[Check]) -> dict[str, Any]:
     """Parts and what is checked of them as plain data: masses, sizes, totals by material, checks."""
     bill = bill_json(bill_of(parts))
     return {"design": parts.design.name, "design_hash": parts.design.hash, **bill, "checks": checks_json(checks)}
+
+
+def read_parts(folder: Path) -> PartSet:
+    """Make the parts of a folder again, of its design: all of them, or those of a joint alone, as its bill has them.
+
+    Raises:
+        InputError: it is no folder of parts, or its design has other parts now.
+    """
+    design = load_design(str(folder / "design.toml"))
+    try:
+        names = [str(row["part"]) for row in json.loads((folder / BILL_FILE).read_text("utf-8"))["parts"]]
+    except (OSError, LookupError, ValueError, TypeError) as error:
+        raise InputError(f"{folder / BILL_FILE}: not a bill of forficula: {error}") from None
+    for part in ("section", "joint"):
+        parts = make_parts(design, part)
+        if [each.name for each in parts.parts] == names:
+            return parts
+    raise InputError(f"{folder}: its bill is not of its design: make it again, forficula make …")
 
 
 def _write_step(parts: PartSet, folder: Path, progress: Callable[[str], None]) -> None:

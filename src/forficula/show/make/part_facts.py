@@ -5,43 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.spatial import ConvexHull
 
-from forficula.make.mesh import MILLIMETRES, mesh_of
+from forficula.make.files.lying import lying_size
+from forficula.make.mesh import MILLIMETRES
 from forficula.make.part import Part
 from forficula.quantities import show_value
-
-Array = NDArray[np.float64]
 
 # units that parts are told in, whatever their size, and their factors from SI
 _SHOWN = {"m": ("mm", 1e3), "m^2": ("mm²", 1e6), "m^3": ("mm³", 1e9), "kg": ("g", 1e3)}
 
 
-def size_of(part: Part) -> tuple[float, float, float]:
-    """Length, width and height of a part as it lies where it is printed, m: the least box with upright sides.
-
-    >>> from forficula.make.make_parts import make_parts
-    >>> pin = next(part for part in make_parts("binder2025", "joint").parts if part.kind == "pin")
-    >>> [round(1e3 * each, 2) for each in size_of(pin)]
-    [10.0, 2.0, 2.0]
-    """
-    points = mesh_of(part.shape).points @ part.bed.T / MILLIMETRES
-    flat = points[:, :2]
-    corners = flat[ConvexHull(flat).vertices]
-    # the least rectangle around a polygon has a side along one of its own
-    sides = np.roll(corners, -1, axis=0) - corners
-    ways = sides / np.linalg.norm(sides, axis=1)[:, None]
-    along = np.ptp(corners @ ways.T, axis=0)
-    across = np.ptp(corners @ np.column_stack([-ways[:, 1], ways[:, 0]]).T, axis=0)
-    least = int(np.argmin(along * across))
-    short, long = sorted((float(along[least]), float(across[least])))
-    return long, short, float(np.ptp(points[:, 2]))
-
-
 def size_text(part: Part) -> str:
-    """The size of a part, mm, without the unit."""
-    return " × ".join(f"{MILLIMETRES * each:.1f}" for each in size_of(part))
+    """The size of a part as it lies where it is printed, mm, without the unit."""
+    return " × ".join(f"{MILLIMETRES * each:.1f}" for each in lying_size(part))
 
 
 def mass_text(mass: float | None, digits: int = 3) -> str:
