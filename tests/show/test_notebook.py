@@ -32,6 +32,7 @@ def results(design, record, tmp_path_factory):
         "table": ff.run_study(study, out=tmp_path_factory.mktemp("study")),
         "material": ff.characterise([cyclic_test(lambda strain, _: 5e6 * strain)]),
         "law": load_law("tpu-82a"),
+        "parts": ff.make_parts("binder2025-joint", "joint"),
     }
 
 
@@ -47,6 +48,7 @@ def results(design, record, tmp_path_factory):
         ("table", ("<img", "xarray.StudyTable")),
         ("material", ("MPa", "<img")),
         ("law", ("modulus.linear", "MPa")),
+        ("parts", ("<iframe", "binder2025-joint: parts to make", "They are not checked yet")),
     ],
 )
 def test_a_result_shows_itself_in_a_notebook(results, name, parts):

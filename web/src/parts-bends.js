@@ -5,17 +5,14 @@ import { Matrix4, Vector3 } from "three";
 const ROUND = 28; // corners around an eye or a rod
 const STEPS = 24; // along a rod
 
-/** The way of a strap at its pegs' places: its distance, and whether it is slack. */
-export function strapState(strap, poses) {
-  const [first, last] = [0, 1].map((end) => middleOf(strap, end, poses));
-  const apart = first.distanceTo(last);
-  return { apart, longer: apart - strap.rest, slack: apart < strap.rest };
-}
-
-function middleOf(strap, end, poses) {
-  const middle = new Vector3();
-  for (const ends of strap.ends) middle.add(new Vector3(...ends[end]));
-  return middle.divideScalar(strap.ends.length).applyMatrix4(poseOf(poses, strap.bodies[end]));
+/** By how much each of a tendon's straps is longer than at rest, m: those of an oblique hinge differ. */
+export function strapStretches(strap, poses) {
+  return strap.ends.map((places) => {
+    const [start, end] = places.map((place, index) =>
+      new Vector3(...place).applyMatrix4(poseOf(poses, strap.bodies[index])),
+    );
+    return start.distanceTo(end) - strap.rest;
+  });
 }
 
 const STILL = new Matrix4();

@@ -91,7 +91,7 @@ function marksOf(model, low, high, taut) {
   const stops = (key) => [...new Set(model.joints.map((joint) => Number((joint[key] * DEGREES).toFixed(6))))];
   const found = [
     ...stops("lower").map((angle) => ({ angle, name: "stop of the fold", stop: true })),
-    ...taut.flatMap(([from, to]) => [from, to].map((angle) => ({ angle, name: "straps go slack" }))),
+    ...taut.flatMap(([from, to]) => [from, to].map((angle) => ({ angle, name: "all straps slack" }))),
     ...(low < 0 && high > 0 ? [{ angle: 0, name: "flat" }] : []),
     ...stops("upper").map((angle) => ({ angle, name: high > 0 ? "stop of the overbend" : "stop, flat", stop: true })),
   ];
@@ -103,7 +103,7 @@ function marksOf(model, low, high, taut) {
 
 /** Ranges of angles, deg, in which a strap of any joint is taut. */
 function tautRanges(model) {
-  const slackAt = (angle) => strapsAt(model, angle).every((state) => state.slack);
+  const slackAt = (angle) => strapsAt(model, angle).every(({ longer }) => longer < 0);
   const [low, high] = [model.lowest * DEGREES, model.highest * DEGREES];
   const edge = (from, to) => {
     const before = slackAt(from);
@@ -130,18 +130,23 @@ function tautRanges(model) {
   return ranges;
 }
 
+/** By how much each strap is longer than at rest, m, and how long it is then. */
 function strapsAt(model, angle) {
   const poses = model.turn(model.anglesTogether(angle / DEGREES));
-  return model.straps.map((strap) => ({ ...model.strapState(strap, poses), rest: strap.rest }));
+  return model.straps.flatMap((strap) =>
+    model.strapStretches(strap, poses).map((longer) => ({ longer, rest: strap.rest })),
+  );
 }
 
 function strapText(model, angle) {
-  const states = strapsAt(model, angle);
-  if (!states.length) return "";
-  const longest = Math.max(...states.map((state) => state.longer));
-  if (longest < 0) return `, straps slack by ${fixed(-1e3 * longest, 1)} mm`;
-  const most = Math.max(...states.map((state) => state.longer / state.rest));
-  return `, straps stretched by ${fixed(1e3 * longest, 1)} mm (${fixed(100 * most, 1)} %)`;
+  const straps = strapsAt(model, angle);
+  if (!straps.length) return "";
+  const slack = straps.filter(({ longer }) => longer < 0).length;
+  const longest = Math.max(...straps.map(({ longer }) => longer));
+  if (slack === straps.length) return `, straps slack by ${fixed(-1e3 * longest, 1)} mm or more`;
+  const most = Math.max(...straps.map(({ longer, rest }) => longer / rest));
+  const stretched = `stretched by up to ${fixed(1e3 * longest, 1)} mm (${fixed(100 * most, 1)} %)`;
+  return slack ? `, ${slack} of ${straps.length} straps slack, others ${stretched}` : `, straps ${stretched}`;
 }
 
 /** A slider from together to apart. */

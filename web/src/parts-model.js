@@ -2,7 +2,7 @@
 
 import { Matrix4, Vector3 } from "three";
 import { placeIn } from "./clip.js";
-import { rodLine, rodMesh, strapLines, strapMesh, strapState } from "./parts-bends.js";
+import { rodLine, rodMesh, strapLines, strapMesh, strapStretches } from "./parts-bends.js";
 import { makeTurns } from "./parts-turns.js";
 
 // directions in which the outermost places of a part are what a view of it needs
@@ -73,7 +73,7 @@ export function readModel(data, take) {
     bentMesh,
     outline,
     straps: parts.filter((part) => part.strap).map((part) => part.strap),
-    strapState,
+    strapStretches,
   };
 }
 

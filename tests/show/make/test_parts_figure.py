@@ -3,12 +3,15 @@
 import numpy as np
 import pytest
 
+from forficula.errors import InputError
 from forficula.make.make_parts import make_parts
-from forficula.show.folder.figure_kinds import drawings_of
+from forficula.show.folder.figure_kinds import drawings_of, folder_drawings, write_figure
+from forficula.show.folder.parts_folder import BILL_FILE, write_parts
 from forficula.show.make.painted_parts import placed_parts
 from forficula.show.make.part_facts import mass_text, value_text
 from forficula.show.make.part_looks import part_looks
-from forficula.show.style import COLUMN_WIDTH
+from forficula.show.make.parts_figure import draw_parts
+from forficula.show.style import COLUMN_WIDTH, save_figure
 from tests.show.legible import check_words
 
 
@@ -20,6 +23,20 @@ def joint():
 @pytest.mark.parametrize(("name", "part"), [("binder2025-joint", "joint"), ("binder2025", "section")])
 def test_words_of_the_figure_of_parts_can_be_read(name, part):
     check_words(drawings_of(make_parts(name, part))["parts"](COLUMN_WIDTH), COLUMN_WIDTH)
+
+
+@pytest.mark.usefixtures("no_column_figures")
+def test_the_figure_is_drawn_again_from_what_a_folder_holds(joint, tmp_path):
+    write_parts(joint, (), tmp_path)
+    write_figure(tmp_path, "parts", tmp_path / "again.png", COLUMN_WIDTH)
+    save_figure(draw_parts(joint, COLUMN_WIDTH), tmp_path / "first.png")
+    assert (tmp_path / "again.png").read_bytes() == (tmp_path / "first.png").read_bytes()
+    (tmp_path / BILL_FILE).write_text('{"parts": [{"part": "wheel"}]}')
+    with pytest.raises(InputError, match="its bill is not of its design"):
+        folder_drawings(tmp_path)
+    (tmp_path / "parts.png").unlink()
+    with pytest.raises(InputError, match=r"has no figures: the drawing of a sheet is sheet\.svg"):
+        folder_drawings(tmp_path)
 
 
 @pytest.mark.parametrize("which", ["lower", "upper"])

@@ -23,10 +23,10 @@ from forficula.show.folder.convergence_folder import CONVERGENCE_FILE, convergen
 from forficula.show.folder.cycling_folder import cycling_drawings, read_cycling
 from forficula.show.folder.landscape_folder import landscape_drawings
 from forficula.show.folder.material_folder import material_drawings
+from forficula.show.folder.parts_folder import BILL_FILE, parts_drawings, read_parts
 from forficula.show.folder.run_folder import run_drawings
 from forficula.show.folder.static_map_folder import SIMULATED, static_map_drawings
 from forficula.show.folder.study_folder import study_drawings
-from forficula.show.make.parts_figure import parts_drawings
 from forficula.show.style import COLUMN_WIDTH, COPIES, ENDINGS, PAGE_WIDTH, Drawing, save_figure
 from forficula.statics import EnergyLandscape
 from forficula.study.convergence import Convergence
@@ -70,7 +70,7 @@ def drawings_of(result: object) -> dict[str, Drawing]:
 
     Args:
         result: a folder that forficula wrote, or a record, a landscape, a table of a study, a convergence study, what
-            became of cycles, a material, or parts with a joint.
+            became of cycles, a material, or parts.
 
     Raises:
         InputError: it has no figures.
@@ -93,7 +93,7 @@ def drawings_of(result: object) -> dict[str, Drawing]:
             return cycling_drawings(result)
         case Characterisation():
             return material_drawings(result)
-        case PartSet() if result.parts:
+        case PartSet():
             return parts_drawings(result)
     raise InputError(f"need results of forficula or their folder, got a {type(result).__name__}")
 
@@ -135,6 +135,10 @@ def _static_map(folder: Path) -> dict[str, Drawing]:
     return static_map_drawings(_table(folder / "map.nc"), _table(simulated) if simulated.is_file() else None)
 
 
+def _parts(folder: Path) -> dict[str, Drawing]:
+    return parts_drawings(read_parts(folder))
+
+
 def _convergence(folder: Path) -> dict[str, Drawing]:
     return convergence_drawings(load_convergence(folder / CONVERGENCE_FILE))
 
@@ -168,6 +172,7 @@ _READERS: dict[str, Callable[[Path], dict[str, Drawing]]] = {
     "table.nc": _study,
     "landscape.json": _landscape,
     "map.nc": _static_map,
+    BILL_FILE: _parts,
     CONVERGENCE_FILE: _convergence,
 }
 

@@ -6,12 +6,11 @@ import json
 from collections.abc import Callable, Sequence
 from importlib import metadata
 from pathlib import Path, PurePosixPath
-from typing import Any
+from typing import Any, get_args
 
-from matplotlib.figure import Figure
-
-from forficula.design import save_design
+from forficula.design import load_design, save_design
 from forficula.dynamics import Record
+from forficula.errors import InputError
 from forficula.files import replacing_all, write_bytes, write_text
 from forficula.make.as_made import AS_MADE
 from forficula.make.check import Check
@@ -20,6 +19,7 @@ from forficula.make.files.checks import checks_json
 from forficula.make.files.lying import file_names
 from forficula.make.files.printing import print_files
 from forficula.make.files.step import check_step, write_step
+from forficula.make.make_parts import PartName, make_parts
 from forficula.make.part import PartSet
 from forficula.make.sheet_dxf import write_sheet_dxf
 from forficula.make.sheet_svg import write_sheet_svg
@@ -28,8 +28,8 @@ from forficula.show.make.made_table import made_json
 from forficula.show.make.parts_figure import draw_parts
 from forficula.show.page.parts_page import write_parts_page
 from forficula.show.structure.cut_sheet_figure import draw_cut_sheet
-from forficula.show.style import figure_files, save_figures
-from forficula.study.made_comparison import MadeComparison
+from forficula.show.style import Drawing, figure_files, save_figures
+from forficula.study.made_comparison import MadeComparison, comparison_or_why
 
 BILL_FILE = "bill.json"
 AS_MADE_FILE = "as-made.json"
@@ -87,15 +87,22 @@ def write_parts(
         write_parts_page(parts, checks, unfinished / "parts.html", record, files=files)
 
 
-def parts_drawings(parts: PartSet, compared: MadeComparison | None = None) -> dict[str, Callable[[float], Figure]]:
-    """The figures of parts by name: taken apart, the sheet, and a hinge as designed and as made, where there is one."""
-    sheet, drawings = parts.sheet, dict[str, Callable[[float], Figure]]()
-    if parts.joints:
-        drawings["parts"] = lambda width: draw_parts(parts, width)
+def parts_drawings(parts: PartSet, compared: MadeComparison | None = None) -> dict[str, Drawing]:
+    """What draws every figure of parts, by kind: taken apart, the sheet, and a hinge as designed and as made.
+
+    Args:
+        parts: to make.
+        compared: the design and what the parts make of it; worked out where it is not given.
+    """
+    sheet, drawings = parts.sheet, dict[str, Drawing]()
     if sheet is not None:
         drawings["sheet"] = lambda width: draw_cut_sheet(sheet, width)
-    if compared is not None and compared.hinges:
-        drawings["made"] = lambda width: draw_made(compared, width)
+    if not parts.joints:
+        return drawings
+    drawings["parts"] = lambda width: draw_parts(parts, width)
+    made = compared or comparison_or_why(parts)
+    if isinstance(made, MadeComparison) and made.hinges:
+        drawings["made"] = lambda width: draw_made(made, width)
     return drawings
 
 
@@ -103,6 +110,27 @@ def parts_json(parts: PartSet, checks: Sequence[Check]) -> dict[str, Any]:
     """Parts and what is checked of them as plain data: masses, sizes, totals by material, checks."""
     bill = bill_json(bill_of(parts))
     return {"design": parts.design.name, "design_hash": parts.design.hash, **bill, "checks": checks_json(checks)}
+
+
+def read_parts(folder: Path) -> PartSet:
+    """Make the parts of a folder again, of its design: those that its bill has.
+
+    Raises:
+        InputError: it is no folder of parts, or its design has other parts now.
+    """
+    design = load_design(str(folder / "design.toml"))
+    try:
+        names = [str(row["part"]) for row in json.loads((folder / BILL_FILE).read_text("utf-8"))["parts"]]
+    except (OSError, LookupError, ValueError, TypeError) as error:
+        raise InputError(f"{folder / BILL_FILE}: not a bill of forficula: {error}") from None
+    for part in get_args(PartName):
+        try:
+            parts = make_parts(design, part)
+        except InputError:  # it has no such part
+            continue
+        if [*(each.name for each in parts.parts), *([] if parts.sheet is None else ["sheet"])] == names:
+            return parts
+    raise InputError(f"{folder}: its bill is not of its design: make it again, forficula make …")
 
 
 def _write_step(parts: PartSet, folder: Path, progress: Callable[[str], None]) -> None:

@@ -15,21 +15,9 @@ from forficula.quantities import show_value
 _SHOWN = {"m": ("mm", 1e3), "m^2": ("mm²", 1e6), "m^3": ("mm³", 1e9), "kg": ("g", 1e3)}
 
 
-def size_of(part: Part) -> tuple[float, float, float]:
-    """Length, width and height of a part as it lies where it is printed, m: as its bill has it.
-
-    >>> from forficula.make.make_parts import make_parts
-    >>> pin = next(part for part in make_parts("binder2025", "joint").parts if part.kind == "pin")
-    >>> [round(1e3 * each, 2) for each in size_of(pin)]
-    [10.0, 2.0, 2.0]
-    """
-    length, width, height = (float(side) for side in lying_size(part))
-    return length, width, height
-
-
 def size_text(part: Part) -> str:
-    """The size of a part, mm, without the unit."""
-    return " × ".join(f"{MILLIMETRES * each:.1f}" for each in size_of(part))
+    """The size of a part as it lies where it is printed, mm, without the unit."""
+    return " × ".join(f"{MILLIMETRES * each:.1f}" for each in lying_size(part))
 
 
 def mass_text(mass: float | None, digits: int = 3) -> str:

@@ -17,7 +17,7 @@ from forficula.show.make.part_facts import mass_text, masses_text, total_mass
 from forficula.show.make.part_looks import Look, part_looks
 from forficula.show.make.pose import angle_range
 from forficula.show.structure.painted_shape import PaintedShape, View, hang
-from forficula.show.style import PAGE_WIDTH, Drawing, describe, figure_style, is_narrow
+from forficula.show.style import PAGE_WIDTH, describe, figure_style, is_narrow
 
 Array = NDArray[np.float64]
 
@@ -27,11 +27,6 @@ _ROOM = 1.06  # of a picture, by what is in it
 _LINE = 0.16  # inch, of a line of words
 _BESIDE = 0.3  # of a picture's width, on which the scale is
 _BAR = 0.3  # of a picture's width: about as long is its scale
-
-
-def parts_drawings(parts: PartSet) -> dict[str, Drawing]:
-    """What draws parts with a joint, by the stem of its file."""
-    return {"parts": lambda width: draw_parts(parts, width)}
 
 
 def draw_parts(parts: PartSet, width: float = PAGE_WIDTH) -> Figure:
