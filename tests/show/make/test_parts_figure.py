@@ -34,9 +34,11 @@ def test_the_figure_is_drawn_again_from_what_a_folder_holds(joint, tmp_path):
     (tmp_path / BILL_FILE).write_text('{"parts": [{"part": "wheel"}]}')
     with pytest.raises(InputError, match="its bill is not of its design"):
         folder_drawings(tmp_path)
-    (tmp_path / "parts.png").unlink()
-    with pytest.raises(InputError, match=r"has no figures: the drawing of a sheet is sheet\.svg"):
-        folder_drawings(tmp_path)
+
+
+def test_a_folder_of_a_sheet_has_the_figure_of_the_sheet_alone(tmp_path):
+    write_parts(make_parts("letter-fold"), (), tmp_path)
+    assert list(folder_drawings(tmp_path)) == ["sheet"]
 
 
 @pytest.mark.parametrize("which", ["lower", "upper"])
