@@ -8,6 +8,7 @@ import pytest
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.make.as_made import as_made, changes, write_as_made
+from forficula.make.check_parts import check_parts
 from forficula.make.free_range import free_range
 from forficula.make.joint import turned
 from forficula.make.made_values import made_values
@@ -99,3 +100,10 @@ def test_what_stops_before_it_is_folded_is_no_design(joint_of):
 def test_a_sheet_alone_has_nothing_to_measure():
     with pytest.raises(InputError, match="no joint is made of it"):
         as_made(make_parts("letter-fold", "sheet"))
+
+
+def test_a_coupling_that_no_part_is_fails_its_check_and_is_not_in_the_design_as_made():
+    parts = make_parts("binder2025-coupled", "section")
+    assert [change.designed for change in changes(parts, as_made(parts)) if change.group == "coupling"] == ["rigid"]
+    assert as_made(parts).coupling is None
+    assert [check.ok for check in check_parts(parts) if check.name == "basal coupling"] == [False]

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Literal, cast, get_args
 
 from forficula.design import Design, key_quantity, key_value, save_design
+from forficula.design.part import HINGE_STIFFNESS
 from forficula.errors import InputError
 from forficula.make.made_values import MadeTendon, MadeValues, made_values
 from forficula.make.part import PartSet
@@ -17,7 +18,7 @@ from forficula.names import listed
 from forficula.quantities import as_written, show_quantity
 from forficula.structure import structure_of
 
-Group = Literal["attachments", "offsets", "stops", "stiffness", "masses"]
+Group = Literal["attachments", "offsets", "stops", "stiffness", "masses", "coupling"]
 GROUPS: tuple[Group, ...] = get_args(Group)
 AS_MADE = "as-made.toml"
 
@@ -54,6 +55,8 @@ def as_made(parts: PartSet, groups: Collection[Group] = GROUPS, values: MadeValu
     - bars have the density with which a uniform one has the inertia of the outer halves about their hinges, and half of
       `vein.added_mass` at the hinge what is missing of their mass; straps weigh by halves at the pegs
 
+    - a coupling of neighbouring veins is left out, for no part does it
+
     What there is no key for is told by `forficula.make.unkept.unkept`.
 
     Args:
@@ -82,7 +85,9 @@ def as_made(parts: PartSet, groups: Collection[Group] = GROUPS, values: MadeValu
     if "masses" in groups:
         changed |= {"vein.density": _told(values.bars.density), "vein.added_mass": _told(values.bars.hinge_mass)}
     design = parts.design
-    changed = {key: value for key, value in changed.items() if not _same(_value(design, key), value)}
+    if "coupling" in groups and uncoupled(parts):
+        changed["coupling"] = None
+    changed = {key: value for key, value in changed.items() if value is None or not _same(_value(design, key), value)}
     try:
         made = design.with_values(changed)
     except InputError as error:
@@ -111,7 +116,16 @@ def changes(parts: PartSet, made: Design) -> tuple[Change, ...]:
             found.append(
                 Change(group=group, key=key, designed=_written(made, key, before), made=_written(made, key, after))
             )
+    if uncoupled(parts) and not structure_of(made).couplings:
+        told = parts.structure.couplings[0]
+        stiffness = "rigid" if told.rigid else show_quantity(told.stiffness, HINGE_STIFFNESS)
+        found.append(Change(group="coupling", key="coupling.stiffness", designed=stiffness, made=""))
     return tuple(found)
+
+
+def uncoupled(parts: PartSet) -> bool:
+    """Whether a design ties neighbouring bars at the ground to each other, which rods that bend there do not."""
+    return bool(parts.roots and parts.structure.couplings)
 
 
 def _keys(parts: PartSet, made: Design) -> list[tuple[Group, str]]:

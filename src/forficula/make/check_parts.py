@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from forficula.dynamics import Record, as_record
 from forficula.errors import InputError
+from forficula.make.as_made import uncoupled
 from forficula.make.check import Check
 from forficula.make.mesh_checks import mesh_checks
 from forficula.make.motion_checks import built_checks, motion_checks
@@ -41,7 +42,7 @@ def check_parts(parts: PartSet, record: object = None) -> tuple[Check, ...]:
         raise InputError(f"record: {error}") from None
     sheet: tuple[Check, ...] = () if parts.sheet is None else parts.sheet.checks
     own = (*range_checks(parts), *strength_checks(parts), *printing_checks(parts), *built_checks(parts))
-    return (*own, *mesh_checks(parts), *sheet, *_motion(parts, run))
+    return (*own, *mesh_checks(parts), *sheet, *_coupling(parts), *_motion(parts, run))
 
 
 def run_of(parts: PartSet, record: object) -> Record:
@@ -56,6 +57,21 @@ def run_of(parts: PartSet, record: object) -> Record:
             f"need a run of {parts.design.name} with the same values, got one of {run.design.name} with others"
         )
     return run
+
+
+def _coupling(parts: PartSet) -> Iterator[Check]:
+    """Whether parts tie neighbouring bars as their design does."""
+    if uncoupled(parts):
+        yield Check(
+            name="basal coupling",
+            part=parts.design.name,
+            ok=False,
+            value=0.0,
+            limit=float(len(parts.structure.couplings)),
+            unit="",
+            text="the design ties the turns of neighbouring veins, and no part does: turn every vein by a drive of its"
+            " own (protocol.driven_veins), or tie them by what you have; as-made.toml is without it",
+        )
 
 
 def _motion(parts: PartSet, run: Record | None) -> Iterator[Check]:
