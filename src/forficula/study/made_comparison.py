@@ -222,10 +222,10 @@ def _sentence(state: str, groups: tuple[Group, ...], alone: tuple[Group, ...], m
     """Which groups keep the design from a state, in words."""
     missed = f'as made it does not come to "{state}", as designed it does'
     if len(groups) == 1:
-        return f"{missed}: the {groups[0]} alone differ."
+        return f"{missed}: nothing but the {groups[0]} differs."
     told = []
     if alone:
-        told.append(f"the {listed(alone)} {'each are' if len(alone) > 1 else 'are'} enough for that alone")
+        told.append(f"{'each of ' if len(alone) > 1 else ''}the {listed(alone)} as made would do for that alone")
     else:
         told.append("no change is enough for that alone")
     if mends:

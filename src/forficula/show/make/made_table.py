@@ -31,7 +31,7 @@ def made_lines(compared: MadeComparison) -> Iterator[str]:
         name = pair.name if len(alike) < len(pairs) or len(pairs) == 1 else f"{pair.name} and all others"
         yield f"{name}: as designed {_landscape(pair.designed)}; as made {_landscape(pair.made)}"
     for change in compared.changes:
-        yield f"{change.key}: {change.designed or 'nothing'} as designed, {change.made} as made"
+        yield f"{change.key}: {change.designed or 'nothing'} as designed, {change.made or 'nothing'} as made"
     if compared.as_designed is not None and compared.as_made is not None:
         yield f"run as designed: {compared.as_designed.status}; as made: {compared.as_made.status}"
     for trial in compared.trials[2:]:
