@@ -32,8 +32,8 @@ def test_what_no_longer_folds_is_blamed_on_the_offsets(compared):
     (blame, *_) = compared.blame
     assert (blame.state, blame.alone, blame.mends) == ("folded", ("offsets",), ("offsets",))
     assert blame.text == (
-        'as made it does not come to "folded", as designed it does: the offsets as made would do for that alone, and with the'
-        " offsets put back as designed it does."
+        'as made it does not come to "folded", as designed it does: the offsets as made would do for that alone, and'
+        " with the offsets put back as designed it does."
     )
 
 
