@@ -19,6 +19,7 @@ from forficula.make.part import PartSet
 from forficula.make.stock import Stock, stock_of
 from forficula.make.strap_shape import StrapPlace
 from forficula.structure import Structure, built_frames
+from forficula.structure.parts import Array
 
 # what anything must bear, by what it has to; chosen
 SAFE = 2.0
@@ -68,24 +69,29 @@ def strength_checks(parts: PartSet) -> Iterator[Check]:
         place = next((each for each in parts.straps if each.tendon == joint.tendon), None)
         stock = stock_of(joint.make.bar_material)
         if place is not None:
-            pull = largest_pull(parts.structure, joint, place)
+            each = largest_pulls(parts.structure, joint, place)
+            pull, longest = float(each.sum()), float(each.max())
             yield _column(joint, place, stock, pull)
-            yield _pegs(joint, place, stock, pull)
+            yield _pegs(joint, place, stock, longest)
             yield _pin(joint, stock, pull)
             yield _knuckles(joint, stock, pull)
             yield _stop(joint, place, stock, pull)
-            yield _strap(parts, joint, place, pull)
+            yield _strap(parts, joint, place, longest)
         yield from _twists(parts, joint, stock)
 
 
-def largest_pull(structure: Structure, joint: JointLayout, place: StrapPlace) -> float:
-    """The largest pull of a tendon while one joint goes through its range from the built shape, N."""
+def largest_pulls(structure: Structure, joint: JointLayout, place: StrapPlace) -> Array:
+    """The pull of each strap where they pull most together, while one joint goes through its range, N, (strap,).
+
+    Across an oblique hinge the one is longer than the other; each has its share of the tendon's law.
+    """
     law, pulls = structure.tendons[place.tendon].law.elastic, []
-    start, end = place.ends.mean(axis=0)
     for angle in np.linspace(joint.lower, joint.upper, _ANGLES):
         frame, by = turned(joint, float(angle))
-        pulls.append(float(law.force(np.linalg.norm(frame @ end + by - start))))
-    return max(pulls)
+        lengths = np.linalg.norm(place.ends[:, 1] @ frame.T + by - place.ends[:, 0], axis=1)
+        pulls.append(law.force(lengths) / place.strap.count)
+    most: Array = max(pulls, key=lambda pull: float(pull.sum()))
+    return most
 
 
 def _factor(name: str, joint: JointLayout, bears: float | None, load: float, text: str, mend: str) -> Check:
@@ -122,15 +128,15 @@ def _column(joint: JointLayout, place: StrapPlace, stock: Stock, pull: float) ->
 
 
 def _pegs(joint: JointLayout, place: StrapPlace, stock: Stock, pull: float) -> Check:
-    """Bending of a peg where it leaves its bar, as a cantilever with a strap on its end."""
+    """Bending of a peg where it leaves its bar, as a cantilever with the strap on its end that pulls more."""
     lever = max(joint.aside - joint.bar_diameter / 2, place.strap.width / 2)
-    stress = 32 * pull / place.strap.count * lever / (math.pi * place.peg_diameter**3)
+    stress = 32 * pull * lever / (math.pi * place.peg_diameter**3)
     return _factor(
         "bending of the pegs",
         joint,
         stock.strength_across,
         stress,
-        f"a strap pulls {pull / place.strap.count:.1f} N at {1e3 * lever:.1f} mm from the bar, {stress / 1e6:.1f} MPa",
+        f"a strap pulls {pull:.1f} N at {1e3 * lever:.1f} mm from the bar, {stress / 1e6:.1f} MPa",
         "take thicker pegs (make.peg_diameter), a narrower hinge (make.hinge_width) or a softer tendon",
     )
 
@@ -187,16 +193,16 @@ def _stop(joint: JointLayout, place: StrapPlace, stock: Stock, pull: float) -> C
 
 
 def _strap(parts: PartSet, joint: JointLayout, place: StrapPlace, pull: float) -> Check:
-    """Engineering stress in the straps."""
+    """Engineering stress in the strap that pulls more."""
     stock = next(part.stock for part in parts.parts if part.kind == "strap")
-    stress = pull / place.strap.area
+    stress = pull / (place.strap.width * place.strap.thickness)
     return _factor(
         "straps tear",
         joint,
         stock.strength,
         stress,
-        f"{place.strap.count} x {1e3 * place.strap.width:.1f} x {1e3 * place.strap.thickness:.1f} mm of {stock.name}"
-        f" take {pull:.1f} N, {stress / 1e6:.1f} MPa",
+        f"{1e3 * place.strap.width:.1f} x {1e3 * place.strap.thickness:.1f} mm of {stock.name} take {pull:.1f} N,"
+        f" {stress / 1e6:.1f} MPa",
         "take a longer tendon of the same stiffness, which is stretched by a smaller share",
     )
 
