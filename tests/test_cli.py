@@ -285,7 +285,7 @@ def test_json_is_all_that_stands_on_standard_output(in_an_empty_folder, call, re
     sizes = json.loads(call("size", "binder2025", "--material", "tpu-82a", "--stiffness", "10 N/cm", "--json").out)
     assert [row["length_m"] for row in sizes] == [0.06, 0.09]
     assert json.loads(call("materials", "--json").out)[0].keys() == {"name", "source"}
-    assert refusal("new", "other.toml", "--json").startswith("--json: need run, landscape, ")
+    assert refusal("new", "other.toml", "--json").startswith("--json: need run, make, landscape, ")
 
 
 def test_a_study_as_json_has_a_row_for_every_point(in_an_empty_folder, call, study_file):

@@ -73,10 +73,10 @@ def test_a_new_file_names_the_material_of_its_tendon(tmp_path):
             {"tendon.distal_attachment": "11 cm"},
             f"{JOINT}: tendon.distal_attachment: lies beyond the bar: need <= pattern.distal_length, 10 cm, got 11 cm",
         ),
-        ({"tendon.stifness": "4 N/cm"}, "tendon.stifness: unknown key; did you mean tendon.stiffness?"),
-        ({"tendon.0.stiffness": "4 N/cm"}, "tendon.0: unknown key; allowed here: stiffness, rest_length, damping,"),
+        ({"tendon.stifness": "4 N/cm"}, 'tendon.stifness: unknown key, got "4 N/cm"; did you mean tendon.stiffness?'),
+        ({"tendon.0.stiffness": "4 N/cm"}, 'tendon.0: unknown key, got {stiffness = "4 N/cm"}; allowed here:'),
         ({"tendon": "tpu-82a"}, 'tendon: need a table under [tendon], got "tpu-82a"'),
-        ({"hinge.turn_limit": "90 deg"}, "hinge.turn_limit: unknown key; did you mean hinge.fold_limit?"),
+        ({"hinge.turn_limit": "90 deg"}, 'hinge.turn_limit: unknown key, got "90 deg"; did you mean hinge.fold_limit?'),
         (
             {"protocol.initial_overbend": "5 deg"},
             f"{JOINT}: protocol.initial_overbend: need >= -180 deg (-hinge.fold_limit) and <= 3 deg (hinge.overbend),",

@@ -26,6 +26,7 @@ from forficula.make.files.printing import print_files
 from forficula.make.mesh import Mesh
 from forficula.make.mesh_checks import mesh_checks
 from forficula.show.folder.parts_folder import write_parts
+from forficula.show.style import figure_files
 from tests.make.readers import (
     faults_of_stl,
     faults_of_three_mf,
@@ -186,7 +187,7 @@ def test_earlier_parts_go_and_what_is_not_ours_stays(joint, tmp_path):
     (tmp_path / "stl" / "mine.stl").write_text("mine")
     write_parts(sheet_alone(joint), (CHECK,), tmp_path)
     lists = {"bill.csv", "bill.json", "checks.json", "design.toml", "parts.html"}
-    assert set(contents(tmp_path)) == {*lists, "sheet.dxf", "sheet.svg", "stl/mine.stl"}
+    assert set(contents(tmp_path)) == {*lists, *figure_files("sheet"), "sheet.dxf", "sheet.svg", "stl/mine.stl"}
     assert json.loads((tmp_path / "checks.json").read_text())[0]["text"] == "it holds"
 
 

@@ -47,7 +47,7 @@ export function mountPlayer(element, clips, clock, { energy, legend: entries, te
 
 /** Show structures that something else moves, without controls of a time; as of mountPlayer. */
 export function mountStill(element, clips, clock, { energy, legend: entries, text, whole }) {
-  const stage = makeStage(clips, clock, energy, text);
+  const stage = makeStage(clips, clock, (clip) => makeShape(clip, energy.largest_J), text);
   if (!stage) {
     element.replaceChildren(make("p", { className: "note" }, noPicture(whole)));
     return { stage };

@@ -69,7 +69,7 @@ def test_an_old_file_does_not_say_over_which_rates_it_was_measured(tmp_path):
 
 
 def test_the_library_has_a_source_for_each():
-    assert set(named_laws()) == {"resilin", "tpu-82a", "tpu-95a", "petg"}
+    assert set(named_laws()) == {"resilin", "tpu-82a", "tpu-95a", "petg", "steel"}
     assert all(named_laws().values())
 
 

@@ -124,5 +124,5 @@ def test_a_single_hinge_is_told_once_and_has_no_levels_between():
     assert landscape_kinds(landscape) == ("tendon", "rests")
     text = printed(landscape)
     assert "binder2025-joint: rests stably: flat, folded, opened (as flat)\n" in text
-    assert line(text, "hinge of the joint, overbend to").split()[-2:] == ["7.02", "mJ"]
+    assert line(text, "hinge of the joint, overbend to").split()[-2:] == ["7.025", "mJ"]
     assert "easiest hinge" not in text

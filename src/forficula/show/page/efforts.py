@@ -22,7 +22,7 @@ _WORDS = {"torque": "torque", "force": "force", "displacement": "displacement", 
 _ARC, _LEAST_ARC = 0.075, 0.04  # radius of an arrow about an axis, by length of the whole
 _BESIDE = 0.45  # that radius by the least distance between two of the axes, where that is less
 _SAME = 1e-6  # of the length of the whole: axes no further apart are one
-_MOST_MOMENTS = 120  # of a stage
+_MOST_MOMENTS = 100  # of a stage
 _LONGEST_WORDS = 60
 
 
