@@ -30,8 +30,27 @@ export function keysHelp(clips, picture, whole) {
   );
 }
 
+const TURN = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+/** Turn the picture or go nearer by a key; whether that is one of those, of which some act in the player only. */
+function look({ key, shiftKey }, eye, firstView, inside) {
+  if (shiftKey && key in TURN) eye?.turn(...TURN[key]);
+  else if (!inside) return false;
+  else if (key === "+" || key === "=") eye?.zoom(1);
+  else if (key === "-" || key === "\u2212") eye?.zoom(-1);
+  else if (key === "0") eye?.show(firstView);
+  else return false;
+  return true;
+}
+
+/** The keys of a picture whose structure no time moves. */
+export function listenToLooks(player, eye, firstView) {
+  player.addEventListener("keydown", (event) => {
+    if (!event.ctrlKey && !event.metaKey && !event.altKey && look(event, eye, firstView, true)) event.preventDefault();
+  });
+}
+
 export function listenToKeys(player, clips, clock, eye, firstView) {
-  const turns = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
   const steps = { ArrowLeft: -1, ArrowRight: 1, PageUp: 10, PageDown: -10 };
 
   function go(seek) {
@@ -41,17 +60,14 @@ export function listenToKeys(player, clips, clock, eye, firstView) {
 
   function act(event, inside) {
     const { key } = event;
-    if (event.shiftKey && key in turns) eye?.turn(...turns[key]);
-    else if (key in steps) go(() => clock.step(steps[key]));
+    if (look(event, eye, firstView, inside)) return true;
+    if (key in steps) go(() => clock.step(steps[key]));
     else if (key === " ") clock.playing ? clock.pause() : clock.play();
     else if (key === "Home") go(() => clock.seek(clock.span.start));
     else if (key === "End") go(() => clock.seek(clock.span.end));
     else if (!inside) return false;
     else if (clips.length === 1 && clips[0].marks[Number(key) - 1])
       go(() => clock.seekClip(0, clips[0].marks[Number(key) - 1].time));
-    else if (key === "+" || key === "=") eye?.zoom(1);
-    else if (key === "-" || key === "\u2212") eye?.zoom(-1);
-    else if (key === "0") eye?.show(firstView);
     else return false;
     return true;
   }

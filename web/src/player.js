@@ -4,7 +4,7 @@ import { VIEWS } from "./camera.js";
 import { effortTexts } from "./efforts.js";
 import { make } from "./elements.js";
 import { short } from "./format.js";
-import { keysHelp, listenToKeys } from "./keys.js";
+import { keysHelp, listenToKeys, listenToLooks } from "./keys.js";
 import { gradientSwatch, makeLegend } from "./legend.js";
 import { STRAIN_COLOURS } from "./scheme.js";
 import { makeShape } from "./shape.js";
@@ -59,6 +59,7 @@ export function mountStill(element, clips, clock, { energy, legend: entries, tex
   element.classList.add("player");
   element.setAttribute("role", "region");
   element.setAttribute("aria-label", `the ${whole} where the sliders are`);
+  listenToLooks(element, stage.eye, VIEWS[0]);
   return { stage };
 }
 

@@ -45,7 +45,7 @@ _WATCH = f"""(elsewhere) => window.watched = (() => {{
   return {{
     names: () => [...new Set(controls().map(nameOf))],
     async choose(name) {{
-      playing()?.clock?.pause();
+      playing()?.clock?.pause?.();
       await settled();
       if (!find(name)) {{
         // another control has hidden it

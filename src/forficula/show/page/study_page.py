@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
 # bytes that all runs may take in the page, where the script takes 0.7 MB more
-_RUNS = 8_000_000
+_RUNS = 7_950_000
 # a clip with less than this does not show how it moves
 _LEAST_BUDGET = 20_000
 # points beyond which a table is a thing for other programs
