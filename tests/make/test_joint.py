@@ -14,7 +14,7 @@ from forficula.make.make_parts import make_parts
 from forficula.make.mesh import placed
 from forficula.make.range_checks import range_checks, stop_angles
 from forficula.make.strap_shape import strap_line
-from forficula.make.strength_checks import bar_section
+from forficula.make.strength_checks import bar_section, peg_modulus
 from forficula.structure import structure_of
 
 
@@ -159,3 +159,12 @@ def test_a_flat_takes_a_quarter_of_the_stiffness_of_a_bar():
     full = math.pi / 64 * 5e-3**4
     assert math.pi**2 * 2e9 * full / 0.11**2 == pytest.approx(50, abs=0.5)
     assert bar_section(5e-3).least / full == pytest.approx(0.74, abs=0.02)
+
+
+def test_a_peg_with_flats_bears_what_the_strips_that_are_left_of_it_bear(joint_of):
+    joint = joint_of(**{"make.peg_diameter": "6 mm"}).joints[0]
+    z = np.linspace(0.2e-3 - joint.standoff, joint.top - joint.standoff, 200001)
+    strips = 2 / 3 * (3e-3**2 - z**2) ** 1.5
+    assert peg_modulus(joint) == pytest.approx(np.trapezoid(strips, z) / 3e-3, rel=1e-6)
+    # of the whole circle pi d^3 / 32: the flats take a twelfth
+    assert 0.85 < peg_modulus(joint) / (math.pi * 6e-3**3 / 32) < 0.95

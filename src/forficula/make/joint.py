@@ -64,7 +64,7 @@ def peg_solids(layout: JointLayout, arm: Arm) -> list[Solid]:
         for side in (-1, 1)
     ]
     off = arm.height - layout.standoff
-    if abs(off) < _LEVEL:
+    if is_level(layout, arm):
         # it lies on the bed with its bar, and folded, the other half's pegs are as near on the other side of the sheet
         level = (above_bed(layout), _below(layout, make.clearance / 2))
         return [Cut(solid=Joined(solids=tuple(solids)), taken=level)]
@@ -73,6 +73,16 @@ def peg_solids(layout: JointLayout, arm: Arm) -> list[Solid]:
     half = layout.bar_diameter / 2
     solids.append(box((arm.peg - radius, -half, low), (arm.peg + radius, half, high), layout.origin, frame))
     return solids
+
+
+def is_level(layout: JointLayout, arm: Arm) -> bool:
+    """Whether a peg is at the height of its bar, and so cut flat with it."""
+    return abs(arm.height - layout.standoff) < _LEVEL
+
+
+def peg_flats(layout: JointLayout) -> tuple[float, float]:
+    """Where a peg at the height of its bar is cut flat, below and above its middle, m."""
+    return layout.make.clearance / 2 - layout.standoff, layout.top - layout.standoff
 
 
 def turned(layout: JointLayout, angle: float) -> tuple[Array, Array]:

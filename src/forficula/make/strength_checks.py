@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from forficula.make.check import Check
-from forficula.make.joint import turned
+from forficula.make.joint import is_level, peg_flats, turned
 from forficula.make.joint_layout import FLAT, JointLayout
 from forficula.make.part import PartSet
 from forficula.make.stock import Stock, stock_of
@@ -61,6 +61,23 @@ def bar_section(diameter: float) -> Section:
     circle = math.pi * radius**4 / 4
     bending = (circle - across - first**2 / area, circle - along)
     return Section(area=area, least=min(bending), polar=sum(bending))
+
+
+def peg_modulus(joint: JointLayout) -> float:
+    """Section modulus of a peg against a pull along its bar, m^3: of a circle with the flats that it is cut with.
+
+    The second moment of what is left between heights z about the upright through the middle is the integral of
+    2/3 (r^2 - z^2)^(3/2), whose closed form is (z (5 r^2 - 2 z^2) sqrt(r^2 - z^2) + 3 r^4 asin(z / r)) / 12.
+    """
+    radius = joint.make.peg_diameter / 2
+    heights = peg_flats(joint) if is_level(joint, joint.proximal) else (-radius, radius)
+    low, high = (min(radius, max(-radius, height)) for height in heights)
+
+    def integral(z: float) -> float:
+        across = radius**2 - z**2
+        return (z * (5 * radius**2 - 2 * z**2) * math.sqrt(across) + 3 * radius**4 * math.asin(z / radius)) / 12
+
+    return (integral(high) - integral(low)) / radius
 
 
 def strength_checks(parts: PartSet) -> Iterator[Check]:
@@ -130,7 +147,7 @@ def _column(joint: JointLayout, place: StrapPlace, stock: Stock, pull: float) ->
 def _pegs(joint: JointLayout, place: StrapPlace, stock: Stock, pull: float) -> Check:
     """Bending of a peg where it leaves its bar, as a cantilever with the strap on its end that pulls more."""
     lever = max(joint.aside - joint.bar_diameter / 2, place.strap.width / 2)
-    stress = 32 * pull * lever / (math.pi * place.peg_diameter**3)
+    stress = pull * lever / peg_modulus(joint)
     return _factor(
         "bending of the pegs",
         joint,
