@@ -84,6 +84,9 @@ def test_a_joint_in_one_piece_keeps_its_clearance_around_its_axle(joint_of):
         ({"make.hinge_wall": "0.05 mm"}, "knuckles tear"),
         ({"make.hinge_wall": "0.5 mm"}, "thinnest wall"),
         ({"make.strap_thickness": "4 mm"}, "strap bends on its flat side"),
+        ({"tendon.proximal_attachment": "12 cm"}, "peg on its bar"),
+        ({"tendon.distal_attachment": "5 mm"}, "peg on its bar"),
+        ({"tendon.rest_length": "30 cm"}, "straps taut"),
     ],
 )
 def test_what_is_too_weak_or_too_thin_fails(joint_of, values, failing):

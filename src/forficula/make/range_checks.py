@@ -35,6 +35,7 @@ def range_checks(parts: PartSet) -> Iterator[Check]:
     """Check every joint of a set of parts through its range."""
     for joint in parts.joints:
         halves = [_body_shape(parts, arm.body) for arm in (joint.proximal, joint.distal)]
+        yield from _pegs_on_bars(parts, joint)
         yield _overlap(joint, *halves)
         yield _gap(joint, *halves)
         yield from _stops(parts, joint)
@@ -71,6 +72,32 @@ def _bisected(meets: Callable[[float], bool], nominal: float, beyond: float) -> 
     return (met + free) / 2
 
 
+def _pegs_on_bars(parts: PartSet, joint: JointLayout) -> Iterator[Check]:
+    """Whether pegs are on their bars: beyond the lug of the hinge, and not beyond the end."""
+    radius = joint.make.peg_diameter / 2
+    for arm in (joint.proximal, joint.distal):
+        if not arm.peg or joint.strap is None:
+            continue
+        room = min(arm.peg - radius - joint.lug, arm.length - arm.peg - radius)
+        yield Check(
+            name="peg on its bar",
+            part=parts.structure.bodies[arm.body].name,
+            ok=room >= 0,
+            value=arm.peg,
+            limit=joint.lug + radius if arm.peg < arm.length / 2 else arm.length - radius,
+            unit="m",
+            text=f"the bar has room for a peg from {1e3 * (joint.lug + radius):.1f} mm, where the hinge's lug ends, to"
+            f" {1e3 * (arm.length - radius):.1f} mm from the hinge; it is at {1e3 * arm.peg:.1f} mm"
+            + ("" if room >= 0 else ": change the tendon's attachment, make the bar longer, or the peg thinner"),
+        )
+
+
+def _between(angles: Sequence[float]) -> str:
+    """From which angle to which, rad, in words."""
+    low, high = (f"{math.degrees(angle):.0f}" for angle in (min(angles), max(angles)))
+    return f"at {low} deg" if low == high else f"from {low} to {high} deg"
+
+
 def _overlap(joint: JointLayout, proximal: Manifold, distal: Manifold) -> Check:
     """Whether the two halves are ever in one place, pegs and all."""
     angles = np.linspace(joint.lower, joint.upper, _ANGLES)
@@ -79,11 +106,8 @@ def _overlap(joint: JointLayout, proximal: Manifold, distal: Manifold) -> Check:
     held = volumes[worst] <= _TOUCH
     text = f"the two halves are never in one place, at {_ANGLES} angles"
     if not held:
-        where = [math.degrees(angle) for angle, volume in zip(angles, volumes, strict=True) if volume > _TOUCH]
-        text = (
-            f"the two halves are in one place from {min(where):.0f} to {max(where):.0f} deg: move the pegs apart, by"
-            " unequal attachments of the tendon or a smaller make.peg_diameter"
-        )
+        where = [float(angle) for angle, volume in zip(angles, volumes, strict=True) if volume > _TOUCH]
+        text = f"the two halves are in one place {_between(where)}: {_apart(joint)}"
     return Check(
         name="overlap over the range",
         part=joint.name,
@@ -93,6 +117,14 @@ def _overlap(joint: JointLayout, proximal: Manifold, distal: Manifold) -> Check:
         unit="m^3",
         text=text,
     )
+
+
+def _apart(joint: JointLayout) -> str:
+    """What keeps two halves apart that meet."""
+    arms, radius = (joint.proximal, joint.distal), joint.make.peg_diameter / 2
+    if any(arm.length < joint.lug or 0 < arm.peg < joint.lug + radius for arm in arms):
+        return f"a bar or its peg ends within the hinge's lug, {1e3 * joint.lug:.1f} mm from the hinge: make it longer"
+    return "move the pegs apart, by unequal attachments of the tendon, larger offsets or a smaller make.peg_diameter"
 
 
 def _gap(joint: JointLayout, proximal: Manifold, distal: Manifold) -> Check:
@@ -112,7 +144,7 @@ def _gap(joint: JointLayout, proximal: Manifold, distal: Manifold) -> Check:
         limit=clearance,
         unit="m",
         text=f"the two halves come as near as that at {math.degrees(angles[least]):.0f} deg, away from the stops"
-        + ("" if held else "; they must keep make.clearance apart: move pegs apart"),
+        + ("" if held else f"; they must keep make.clearance apart: {_apart(joint)}"),
     )
 
 
@@ -168,11 +200,15 @@ def _strap_check(
     worst = max((volume for _, volume in caught), default=0.0)
     if not tried:
         text = f"the straps are never {said} within the range"
+        text += ": they hold nothing, so make tendon.rest_length shorter" if taut else ""
     elif caught:
-        where = [math.degrees(angle) for angle, _ in caught]
         text = (
-            f"{said}, a strap goes through the joint from {min(where):.0f} to {max(where):.0f} deg: it is caught there;"
-            " two straps beside the bars (make.straps = 2) pass them, clear of a narrower hinge (make.hinge_width)"
+            f"{said}, a strap goes through the joint {_between([angle for angle, _ in caught])}: it is caught there; "
+        )
+        text += (
+            "two straps beside the bars (make.straps = 2) pass them"
+            if place.strap.count == 1
+            else "a narrower hinge (make.hinge_width) or bars nearer to square to it let it pass"
         )
     else:
         text = f"{said}, the straps pass everything, at {tried} of their places"
@@ -180,7 +216,8 @@ def _strap_check(
     return Check(
         name=f"straps {said}",
         part=name,
-        ok=not caught if tried else None,
+        # one that is never taut does nothing; one that is never slack need not pass anything so
+        ok=not caught if tried else (False if taut else None),
         value=worst / MILLIMETRES**3,
         limit=_TOUCH / MILLIMETRES**3,
         unit="m^3",
