@@ -8,7 +8,7 @@ import pytest
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.make.as_made import as_made, changes, write_as_made
-from forficula.make.check_parts import check_parts
+from forficula.make.check_parts import coupling_checks
 from forficula.make.free_range import free_range
 from forficula.make.joint import turned
 from forficula.make.made_values import made_values
@@ -106,4 +106,4 @@ def test_a_coupling_that_no_part_is_fails_its_check_and_is_not_in_the_design_as_
     parts = make_parts("binder2025-coupled", "section")
     assert [change.designed for change in changes(parts, as_made(parts)) if change.group == "coupling"] == ["rigid"]
     assert as_made(parts).coupling is None
-    assert [check.ok for check in check_parts(parts) if check.name == "basal coupling"] == [False]
+    assert [check.ok for check in coupling_checks(parts)] == [False]

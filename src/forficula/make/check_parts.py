@@ -42,7 +42,7 @@ def check_parts(parts: PartSet, record: object = None) -> tuple[Check, ...]:
         raise InputError(f"record: {error}") from None
     sheet: tuple[Check, ...] = () if parts.sheet is None else parts.sheet.checks
     own = (*range_checks(parts), *strength_checks(parts), *printing_checks(parts), *built_checks(parts))
-    return (*own, *mesh_checks(parts), *sheet, *_coupling(parts), *_motion(parts, run))
+    return (*own, *mesh_checks(parts), *sheet, *coupling_checks(parts), *_motion(parts, run))
 
 
 def run_of(parts: PartSet, record: object) -> Record:
@@ -59,7 +59,7 @@ def run_of(parts: PartSet, record: object) -> Record:
     return run
 
 
-def _coupling(parts: PartSet) -> Iterator[Check]:
+def coupling_checks(parts: PartSet) -> Iterator[Check]:
     """Whether parts tie neighbouring bars as their design does."""
     if uncoupled(parts):
         yield Check(
