@@ -12,7 +12,7 @@ from forficula.make.joint_layout import joint_layouts
 from forficula.make.make_parts import make_parts
 from forficula.make.mesh import placed
 from forficula.make.printing_checks import printing_checks
-from forficula.make.range_checks import range_checks, stop_angles
+from forficula.make.range_checks import lug_checks, range_checks, stop_angles
 from forficula.make.strap_shape import strap_line
 from forficula.make.strength_checks import bar_section, peg_modulus, strength_checks
 from forficula.structure import structure_of
@@ -169,3 +169,8 @@ def test_a_peg_with_flats_bears_what_the_strips_that_are_left_of_it_bear(joint_o
     assert peg_modulus(joint) == pytest.approx(np.trapezoid(strips, z) / 3e-3, rel=1e-6)
     # of the whole circle pi d^3 / 32: the flats take a twelfth
     assert 0.85 < peg_modulus(joint) / (math.pi * 6e-3**3 / 32) < 0.95
+
+
+def test_gussets_that_are_shorter_than_their_two_lugs_are_told_by_name():
+    told = {check.part: check.ok for check in lug_checks(make_parts("binder2025-thick", "section"))}
+    assert [part for part, ok in told.items() if not ok] == ["gusset0", "gusset1"]

@@ -33,6 +33,7 @@ _LARGEST_RANGE = math.radians(200.0)
 
 def range_checks(parts: PartSet) -> Iterator[Check]:
     """Check every joint of a set of parts through its range."""
+    yield from lug_checks(parts)
     for joint in parts.joints:
         halves = [_body_shape(parts, arm.body) for arm in (joint.proximal, joint.distal)]
         yield from _pegs_on_bars(parts, joint)
@@ -70,6 +71,26 @@ def _bisected(meets: Callable[[float], bool], nominal: float, beyond: float) -> 
         middle = (met + free) / 2
         free, met = (free, middle) if meets(middle) else (middle, met)
     return (met + free) / 2
+
+
+def lug_checks(parts: PartSet) -> Iterator[Check]:
+    """Whether every bar is longer than the lugs of the hinges at its ends, which would stand in one another."""
+    arms = [(joint, arm) for joint in parts.joints for arm in (joint.proximal, joint.distal)]
+    for body in sorted({arm.body for _, arm in arms}):
+        own = [(joint.lug, arm.length) for joint, arm in arms if arm.body == body]
+        least, length = sum(lug for lug, _ in own), own[0][1]
+        yield Check(
+            name="bar beyond its lugs",
+            part=parts.structure.bodies[body].name,
+            ok=length >= least,
+            value=length,
+            limit=least,
+            unit="m",
+            text=f"the lugs of its hinges take {1e3 * least:.1f} mm of its {1e3 * length:.1f} mm"
+            + (
+                "" if length >= least else ": make it longer, or the hinge slimmer (make.hinge_wall, make.pin_diameter)"
+            ),
+        )
 
 
 def _pegs_on_bars(parts: PartSet, joint: JointLayout) -> Iterator[Check]:

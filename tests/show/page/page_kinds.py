@@ -10,6 +10,8 @@ from PIL import Image
 
 from forficula.analysis import measure
 from forficula.design import with_values
+from forficula.make.make_parts import make_parts
+from forficula.make.strength_checks import strength_checks
 from forficula.show.folder.convergence_folder import write_convergence
 from forficula.show.folder.cycling_folder import write_cycling
 from forficula.show.folder.landscape_folder import write_landscape
@@ -17,6 +19,7 @@ from forficula.show.folder.material_folder import write_material
 from forficula.show.folder.static_map_folder import write_static_map
 from forficula.show.page import write_run_page
 from forficula.show.page.compare_page import ComparedRun, compare_page
+from forficula.show.page.parts_page import write_parts_page
 from forficula.show.page.study_page import write_study_page
 from forficula.show.style import COPIES
 from forficula.structure import structure_of
@@ -28,7 +31,7 @@ from forficula.study.refinement import TIMESTEP
 from tests.show.study.test_maps import many_ends, sampled
 
 # those that move have a script, the last two have none
-MOVING = ("run", "compare", "landscape", "curves", "study", "drawn study")
+MOVING = ("run", "compare", "landscape", "curves", "study", "drawn study", "parts")
 KINDS = (*MOVING, "converge", "material")
 _FOLDERS = ("convergence", "cycling", "landscape", "material", "static_map")
 _GRID = (
@@ -68,6 +71,7 @@ def write_pages(folder, run, slow_run, landscape, material, write_study_file):
         "drawn study": lambda path: _drawn_study(write_study_file, path),
         "converge": lambda path: _convergence(run, path),
         "material": lambda path: write_material(material, path.parent),
+        "parts": _parts,
     }
     paths = {kind: folder / kind / "report.html" for kind in KINDS}
     with _dots_for_figures():
@@ -150,6 +154,13 @@ def _drawn_study(write_study_file, path):
     head = f"{_ASK}\n[sampling]\ncount = 12\n"
     file = write_study_file(path.with_name("drawn.toml"), _DRAWN, head)
     write_study_page(load_study(file), sampled(many_ends()), path, (), 0)
+
+
+def _parts(path):
+    """Of one joint, with a check that holds, one that fails and one that is not made."""
+    parts = make_parts("binder2025-joint")
+    checks = [check for check in strength_checks(parts) if check.name in ("bending of the pegs", "straps tear")]
+    write_parts_page(parts, [*checks, replace(checks[0], ok=False)], path, files=("sheet.dxf",))
 
 
 def _convergence(run, path):
