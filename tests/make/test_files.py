@@ -182,6 +182,7 @@ def test_checks_have_their_unit_behind_their_keys():
     assert list(checks_json([replace(CHECK, unit="N m")])[0])[3:5] == ["value_N_m", "limit_N_m"]
 
 
+@pytest.mark.usefixtures("no_column_figures")
 def test_earlier_parts_go_and_what_is_not_ours_stays(joint, tmp_path):
     write_parts(joint, (), tmp_path)
     (tmp_path / "stl" / "mine.stl").write_text("mine")

@@ -13,7 +13,7 @@ from forficula.make.joint_layout import joint_layouts
 from forficula.make.make_parts import make_parts
 from forficula.make.mesh import placed
 from forficula.make.printing_checks import printing_checks
-from forficula.make.range_checks import lug_checks, pin_checks, range_checks, stop_angles
+from forficula.make.range_checks import lug_checks, pin_checks, range_checks, stop_angles, strap_checks
 from forficula.make.strap_shape import strap_line
 from forficula.make.strength_checks import strength_checks
 from forficula.structure import structure_of
@@ -62,9 +62,9 @@ def test_mountain_and_valley_joints_are_mirror_images(made_section):
 
 def test_one_strap_between_the_bars_is_caught_as_the_papers_was(joint_of):
     parts = joint_of(**{"make.straps": 1})
-    assert held(parts, "straps slack") == [False]
-    (told,) = (check.text for check in range_checks(parts) if check.name == "straps slack")
-    assert "make.straps = 2" in told
+    (check,) = (check for check in strap_checks(parts) if check.name == "straps slack")
+    assert check.ok is False
+    assert "make.straps = 2" in check.text
 
 
 def test_pegs_in_one_place_when_folded_are_seen(joint_of):

@@ -176,18 +176,24 @@ def _layout(design: Design, structure: Structure, number: int, bars: Mapping[int
         aside=0.0,
         make=make,
     )
-    if layout.side_widths[0] < make.nozzle:
-        least = 2 * (2 * make.nozzle + make.clearance)
-        raise InputError(
-            f"make.hinge_width: no room for three knuckles: need >= {show_quantity(least, SMALL_LENGTH)}, by"
-            f" make.nozzle and make.clearance, got {show_quantity(make.hinge_width, SMALL_LENGTH)}"
-        )
+    _check_width(layout)
     layout = replace(
         layout, proximal=_with_peg(layout, layout.proximal, pegs), distal=_with_peg(layout, layout.distal, pegs)
     )
     if layout.strap is None or layout.strap.count == 1:
         return layout
     return replace(layout, aside=_aside(layout, layout.strap, [place for _, place in pegs]))
+
+
+def _check_width(layout: JointLayout) -> None:
+    """Refuse a hinge without room for its three knuckles."""
+    make = layout.make
+    if layout.side_widths[0] < make.nozzle:
+        least = 2 * (2 * make.nozzle + make.clearance)
+        raise InputError(
+            f"make.hinge_width: no room for three knuckles: need >= {show_quantity(least, SMALL_LENGTH)}, by"
+            f" make.nozzle and make.clearance, got {show_quantity(make.hinge_width, SMALL_LENGTH)}"
+        )
 
 
 def _knuckle(make: MakeSection) -> float:

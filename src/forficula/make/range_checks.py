@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from manifold3d import Manifold, OpType
@@ -38,8 +38,7 @@ def range_checks(parts: PartSet) -> Iterator[Check]:
         yield _overlap(joint, *halves)
         yield _gap(joint, *halves)
         yield from _stops(parts, joint)
-    for place in parts.straps:
-        yield from _strap_ways(parts, place)
+    yield from strap_checks(parts)
 
 
 def stop_angles(parts: PartSet, joint: JointLayout) -> tuple[float, float]:
@@ -180,22 +179,29 @@ def _stops(parts: PartSet, joint: JointLayout) -> Iterator[Check]:
         )
 
 
-def _strap_ways(parts: PartSet, place: StrapPlace) -> Iterator[Check]:
-    """Whether the straps of a tendon pass everything at all angles: taut, and slack to either side."""
-    joints = [joint for joint in parts.joints if joint.tendon == place.tendon]
-    name = parts.structure.tendons[place.tendon].name
-    yield _strap_check(parts, place, joints, name, "taut", taut=True)
-    yield _strap_check(parts, place, joints, name, "slack", taut=False)
+def strap_checks(parts: PartSet) -> Iterator[Check]:
+    """Whether the straps of every tendon pass everything at all angles: taut, and slack to either side."""
+    for place in parts.straps:
+        joints = [joint for joint in parts.joints if joint.tendon == place.tendon]
+        bodies = dict.fromkeys(arm.body for joint in joints for arm in (joint.proximal, joint.distal))
+        shapes = [_bare_shape(parts, body) for body in bodies]
+        name = parts.structure.tendons[place.tendon].name
+        yield _strap_check(place, _swept(place, joints, shapes, taut=True), name, "taut")
+        yield _strap_check(place, _swept(place, joints, shapes, taut=False), name, "slack")
 
 
-def _strap_check(
-    parts: PartSet, place: StrapPlace, joints: Sequence[JointLayout], name: str, said: str, *, taut: bool
-) -> Check:
-    """Check the straps of a tendon where they are taut, or where they are slack, at angles of all of its joints."""
-    bodies = list(dict.fromkeys(arm.body for joint in joints for arm in (joint.proximal, joint.distal)))
-    shapes = [_bare_shape(parts, body) for body in bodies]
-    caught: list[tuple[float, float]] = []
-    tried, highest = 0, 0.0
+@dataclass(frozen=True, kw_only=True)
+class _Swept:
+    """A strap in one place: the joints' angles, summed, rad; what it takes of bars, mm^3; its bow, m."""
+
+    angle: float
+    volume: float
+    bow: float
+
+
+def _swept(place: StrapPlace, joints: Sequence[JointLayout], shapes: Sequence[Manifold], *, taut: bool) -> list[_Swept]:
+    """The straps of a tendon wherever they are taut, or slack, at angles of all of its joints."""
+    found, axis = [], joints[0].frame[:, 1]
     for share in np.linspace(0.0, 1.0, _STRAPS):
         angles = [joint.lower + share * (joint.upper - joint.lower) for joint in joints]
         poses = _chain(joints, angles)
@@ -204,37 +210,37 @@ def _strap_check(
             here, there = (pose[0] @ at + pose[1] for at, pose in ((start, poses[0]), (end, poses[-1])))
             if (float(np.linalg.norm(there - here)) >= place.strap.rest_length) != taut:
                 continue
-            axis = joints[0].frame[:, 1]
             for side in (1,) if taut else (1, -1):
-                tried += 1
                 line = strap_line(place, here, there, axis, side)
-                highest = max(highest, _bows(line))
                 strap = solid_of(strap_along(place, line, axis))
                 volume = sum((strap ^ body).volume() for body in posed)
-                if volume > _TOUCH:
-                    caught.append((sum(angles), volume))
-    worst = max((volume for _, volume in caught), default=0.0)
-    if not tried:
+                found.append(_Swept(angle=sum(angles), volume=volume, bow=_bows(line)))
+    return found
+
+
+def _strap_check(place: StrapPlace, swept: Sequence[_Swept], name: str, said: str) -> Check:
+    """Check the straps of a tendon where they are taut, or where they are slack."""
+    caught = [each.angle for each in swept if each.volume > _TOUCH]
+    if not swept:
         text = f"the straps are never {said} within the range"
-        text += ": they hold nothing, so make tendon.rest_length shorter" if taut else ""
+        text += ": they hold nothing, so make tendon.rest_length shorter" if said == "taut" else ""
     elif caught:
-        text = (
-            f"{said}, a strap goes through the joint {_between([angle for angle, _ in caught])}: it is caught there; "
-        )
+        text = f"{said}, a strap goes through the joint {_between(caught)}: it is caught there; "
         text += (
             "two straps beside the bars (make.straps = 2) pass them"
             if place.strap.count == 1
             else "a narrower hinge (make.hinge_width) or bars nearer to square to it let it pass"
         )
     else:
-        text = f"{said}, the straps pass everything, at {tried} of their places"
-        text += "" if taut else f"; their bows stand up to {1e3 * highest:.0f} mm off the line between pegs"
+        highest = max(each.bow for each in swept)
+        text = f"{said}, the straps pass everything, at {len(swept)} of their places"
+        text += "" if said == "taut" else f"; their bows stand up to {1e3 * highest:.0f} mm off the line between pegs"
     return Check(
         name=f"straps {said}",
         part=name,
         # one that is never taut does nothing; one that is never slack need not pass anything so
-        ok=not caught if tried else (False if taut else None),
-        value=worst / MILLIMETRES**3,
+        ok=not caught if swept else (False if said == "taut" else None),
+        value=max((each.volume for each in swept), default=0.0) / MILLIMETRES**3,
         limit=_TOUCH / MILLIMETRES**3,
         unit="m^3",
         text=text,
