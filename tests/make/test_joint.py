@@ -90,6 +90,11 @@ def test_a_joint_in_one_piece_keeps_its_clearance_around_its_axle(joint_of):
         (strength_checks, {"vein.diameter": "3 mm"}, "buckling of the bars"),
         (strength_checks, {"make.pin_diameter": "0.3 mm", "make.pin_material": "petg"}, "shear of the pin"),
         (strength_checks, {"make.hinge_wall": "0.05 mm"}, "knuckles tear"),
+        (
+            strength_checks,
+            {"make.anchors": "as designed", "tendon.proximal_offset": "20 mm"},
+            "bending of the peg's foot",
+        ),
         (strength_checks, {"make.hinge": "print-in-place"}, "bending of the pin"),
         (printing_checks, {"make.hinge_wall": "0.5 mm"}, "thinnest wall"),
         (printing_checks, {"make.strap_thickness": "4 mm"}, "strap bends on its flat side"),

@@ -14,7 +14,7 @@ import numpy as np
 
 from forficula.make.check import Check
 from forficula.make.column import Column, euler_load
-from forficula.make.joint import turned
+from forficula.make.joint import is_level, turned
 from forficula.make.joint_layout import Arm, JointLayout
 from forficula.make.part import PartSet
 from forficula.make.sections import bar_section, peg_modulus
@@ -49,6 +49,7 @@ def strength_checks(parts: PartSet) -> Iterator[Check]:
         stops = [stop_load(parts.structure, joint, place, stop) for stop in ("overbend", "fold")]
         yield from _column(joint, place, stock, pull)
         yield from _pegs(joint, place, stock, longest)
+        yield from _feet(joint, stock, pull)
         yield from _pin(joint, stock, pull, stops)
         yield from (_stop(joint, stock, load) for load in stops)
         yield _strap(parts, joint, place, longest)
@@ -162,6 +163,23 @@ def _pegs(joint: JointLayout, place: StrapPlace, stock: Stock, pull: float) -> I
         stress,
         f"a strap pulls {pull:.1f} N at {1e3 * lever:.1f} mm from the bar, {stress / 1e6:.1f} MPa",
         "take thicker pegs (make.peg_diameter), a narrower hinge (make.hinge_width) or a softer tendon",
+    )
+
+
+def _feet(joint: JointLayout, stock: Stock, pull: float) -> Iterator[Check]:
+    """Bending of what carries a peg that is off its bar: a block as wide as the bar and as long as the peg is thick."""
+    lifted = [arm for arm in (joint.proximal, joint.distal) if arm.peg and not is_level(joint, arm)]
+    if not lifted:
+        return
+    off = max(abs(arm.height - joint.standoff) for arm in lifted)
+    stress = 6 * pull * off / (joint.bar_diameter * joint.make.peg_diameter**2)
+    yield _factor(
+        "bending of the peg's foot",
+        joint,
+        stock.strength_across,
+        stress,
+        f"{pull:.1f} N pull at {1e3 * off:.1f} mm from the bar's axis, {stress / 1e6:.1f} MPa",
+        "take pegs nearer to the height of the bars (make.anchors) or thicker ones (make.peg_diameter)",
     )
 
 
