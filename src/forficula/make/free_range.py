@@ -22,20 +22,28 @@ _BEYOND = math.radians(12.0)
 
 
 def free_range(parts: PartSet, joint: JointLayout) -> tuple[float, float]:
-    """The angles between which nothing of one half of a joint is in the other, rad: of the fold and of the overbend.
+    """The angles between which nothing of one half of a joint is in the other, rad, as `range_between` finds them.
+
+    Pegs are part of the halves; straps and what bends are not.
+    """
+    return range_between(joint, *(half(parts, arm.body) for arm in (joint.proximal, joint.distal)))
+
+
+def range_between(joint: JointLayout, proximal: Manifold, distal: Manifold) -> tuple[float, float]:
+    """The angles between which two solids that a joint hinges do not overlap, rad: of the fold and of the overbend.
 
     From the middle of the designed range outwards, to 1e-5 deg; what touches and parts again within 10 deg may be
-    missed. Straps and what bends are no part of it.
+    missed.
 
     Args:
-        parts: of which.
-        joint: one of them.
+        joint: with the hinge.
+        proximal: what does not turn, as built, mm.
+        distal: what turns, as built, mm.
 
     Returns:
         In the hinge's own sense. -inf or inf where nothing stops it up to 12 deg beyond the designed stop; twice the
-        middle of the designed range where the halves overlap even there.
+        middle of the designed range where the two overlap even there.
     """
-    proximal, distal = (half(parts, body) for body in (joint.proximal.body, joint.distal.body))
 
     def overlaps(angle: float) -> bool:
         return float((proximal ^ placed(distal, *turned(joint, angle))).volume()) > _TOUCHES

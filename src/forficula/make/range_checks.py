@@ -3,37 +3,35 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
 from manifold3d import Manifold, OpType
 
 from forficula.make.check import Check
+from forficula.make.free_range import range_between
 from forficula.make.joint import bar_solid, turned
 from forficula.make.joint_layout import JointLayout
 from forficula.make.mesh import MILLIMETRES, placed, solid_of
 from forficula.make.part import PartSet
 from forficula.make.strap_shape import StrapPlace, strap_along, strap_line
+from forficula.quantities import show_value
 from forficula.structure.parts import Array
 
-# mm^3, of two solids that touch and no more
-_NOTHING = 1e-6
 # of parts that would be drawn to touch where they are round, mm^3: a polygon has corners
 _TOUCH = 1e-2
 _ANGLES, _GAPS, _STRAPS = 61, 13, 25
-# rad: to what stops are found, and to what they must agree
-_FOUND, STOP_AGREES = math.radians(1e-4), math.radians(0.01)
+# rad, to which stops must be where the design has them
+_STOP_AGREES = math.radians(0.01)
 # of round holes and rods that are polygons, m
 _GAP_AGREES = 5e-6
-# rad, beyond its nominal stop at which a joint is tried
-_BEYOND = math.radians(2.0)
-_LARGEST_RANGE = math.radians(200.0)
 
 
 def range_checks(parts: PartSet) -> Iterator[Check]:
     """Check every joint of a set of parts through its range."""
     yield from lug_checks(parts)
+    yield from pin_checks(parts)
     for joint in parts.joints:
         halves = [_body_shape(parts, arm.body) for arm in (joint.proximal, joint.distal)]
         yield from _pegs_on_bars(parts, joint)
@@ -45,32 +43,8 @@ def range_checks(parts: PartSet) -> Iterator[Check]:
 
 
 def stop_angles(parts: PartSet, joint: JointLayout) -> tuple[float, float]:
-    """Where the two halves of a joint meet, by their solids without pegs: at the fold limit and in overbend, rad.
-
-    By bisection on the volume that both take up. Where nothing meets within a range of 200 deg about the built shape,
-    that is handed back.
-    """
-    proximal, distal = (_bare_shape(parts, arm.body) for arm in (joint.proximal, joint.distal))
-
-    def meets(angle: float) -> bool:
-        return bool((proximal ^ placed(distal, *turned(joint, angle))).volume() > _NOTHING)
-
-    return _bisected(meets, joint.lower, -_BEYOND), _bisected(meets, joint.upper, _BEYOND)
-
-
-def _bisected(meets: Callable[[float], bool], nominal: float, beyond: float) -> float:
-    """The angle at which two solids begin to meet, about a nominal one, looked for further where it is not there."""
-    free, met = nominal - beyond, nominal + beyond
-    while meets(free) and abs(free) > abs(beyond) / 2 and free * nominal > 0:
-        free, met = free - beyond, free
-    while not meets(met):
-        free, met = met, met + beyond
-        if abs(met) > _LARGEST_RANGE:
-            return met
-    while abs(met - free) > _FOUND:
-        middle = (met + free) / 2
-        free, met = (free, middle) if meets(middle) else (middle, met)
-    return (met + free) / 2
+    """Where the stop faces of a joint meet, by its halves without pegs, rad, as `range_between` finds them."""
+    return range_between(joint, *(_bare_shape(parts, arm.body) for arm in (joint.proximal, joint.distal)))
 
 
 def lug_checks(parts: PartSet) -> Iterator[Check]:
@@ -90,6 +64,27 @@ def lug_checks(parts: PartSet) -> Iterator[Check]:
             + (
                 "" if length >= least else ": make it longer, or the hinge slimmer (make.hinge_wall, make.pin_diameter)"
             ),
+        )
+
+
+def pin_checks(parts: PartSet) -> Iterator[Check]:
+    """Whether every pin turns in the distal half of its joint, with its play all around; the other half holds it."""
+    named = {part.name: part for part in parts.parts if part.kind == "pin"}
+    for joint in parts.joints:
+        pin = named.get(f"pin_{joint.name}")
+        if pin is None:
+            continue
+        gap = pin.shape.min_gap(_body_shape(parts, joint.distal.body), 2 * joint.play * MILLIMETRES) / MILLIMETRES
+        held = gap >= joint.play - _GAP_AGREES
+        yield Check(
+            name="pin turns in its hole",
+            part=joint.name,
+            ok=held,
+            value=gap,
+            limit=joint.play,
+            unit="m",
+            text=f"between it and the half that turns on it there is {show_value(gap, 'm')} of room"
+            + ("" if held else "; take a thinner one, or a larger make.pin_diameter"),
         )
 
 
@@ -177,7 +172,7 @@ def _stops(parts: PartSet, joint: JointLayout) -> Iterator[Check]:
         yield Check(
             name=name,
             part=joint.name,
-            ok=abs(found - nominal) <= STOP_AGREES,
+            ok=abs(found - nominal) <= _STOP_AGREES,
             value=found,
             limit=nominal,
             unit="rad",

@@ -1,22 +1,25 @@
-"""What is checked of joints by formulas: whether bars, pegs, pins, knuckles, stops and straps bear the tendon's pull.
+"""What is checked of joints by formulas: whether bars, pegs, pins, knuckles, stops and straps bear what loads them.
 
-The pull is the largest that the tendon has within the joint's range, from peg to peg as made. Strengths are the least
-that the sources of a material give; what bends a printed peg or tears a knuckle pulls its layers apart.
+That is the tendon's pull, the largest within the joint's range, from peg to peg as made, and at stops also the drives
+of the design. Nothing moves: impact and a tendon's damping are no part of it. Strengths are the least that the sources
+of a material give; for pegs, knuckles and printed axles that across layers, which is the lesser one however they lie.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
 from forficula.make.check import Check
-from forficula.make.joint import is_level, peg_flats, turned
-from forficula.make.joint_layout import FLAT, JointLayout
+from forficula.make.column import Column, euler_load
+from forficula.make.joint import turned
+from forficula.make.joint_layout import Arm, JointLayout
 from forficula.make.part import PartSet
+from forficula.make.sections import bar_section, peg_modulus
 from forficula.make.stock import Stock, stock_of
+from forficula.make.stop_load import StopLoad, stop_load
 from forficula.make.strap_shape import StrapPlace
 from forficula.structure import Structure, built_frames
 from forficula.structure.parts import Array
@@ -34,67 +37,24 @@ _SHEAR = 1 / math.sqrt(3)
 _ANGLES = 61
 
 
-@dataclass(frozen=True, kw_only=True)
-class Section:
-    """Of a bar with its flat: area, m^2, and the least and the polar second moment of area, m^4."""
-
-    area: float
-    least: float
-    polar: float
-
-    @property
-    def torsion(self) -> float:
-        """Torsion constant, m^4, by Saint-Venant's A^4 / (4 pi^2 I_p), exact for ellipses."""
-        return self.area**4 / (4 * math.pi**2 * self.polar)
-
-
-def bar_section(diameter: float) -> Section:
-    """The section of a round bar with a flat at `FLAT` of its radius, by the integrals of a circular segment."""
-    radius, half = diameter / 2, math.acos(FLAT)
-    sine, cosine = math.sin(half), math.cos(half)
-    gone = radius**2 * (half - sine * cosine)
-    area = math.pi * radius**2 - gone
-    # of the segment about the circle's middle, across the flat and along it
-    first = 2 / 3 * radius**3 * sine**3
-    across = radius**4 / 4 * (half - sine * cosine + 2 * sine**3 * cosine)
-    along = radius**4 / 4 * (half - sine * cosine - 2 / 3 * sine**3 * cosine)
-    circle = math.pi * radius**4 / 4
-    bending = (circle - across - first**2 / area, circle - along)
-    return Section(area=area, least=min(bending), polar=sum(bending))
-
-
-def peg_modulus(joint: JointLayout) -> float:
-    """Section modulus of a peg against a pull along its bar, m^3: of a circle with the flats that it is cut with.
-
-    The second moment of what is left between heights z about the upright through the middle is the integral of
-    2/3 (r^2 - z^2)^(3/2), whose closed form is (z (5 r^2 - 2 z^2) sqrt(r^2 - z^2) + 3 r^4 asin(z / r)) / 12.
-    """
-    radius = joint.make.peg_diameter / 2
-    heights = peg_flats(joint) if is_level(joint, joint.proximal) else (-radius, radius)
-    low, high = (min(radius, max(-radius, height)) for height in heights)
-
-    def integral(z: float) -> float:
-        across = radius**2 - z**2
-        return (z * (5 * radius**2 - 2 * z**2) * math.sqrt(across) + 3 * radius**4 * math.asin(z / radius)) / 12
-
-    return (integral(high) - integral(low)) / radius
-
-
 def strength_checks(parts: PartSet) -> Iterator[Check]:
     """Check by formulas what the joints of a set of parts bear."""
     for joint in parts.joints:
         place = next((each for each in parts.straps if each.tendon == joint.tendon), None)
+        if place is None:
+            continue
         stock = stock_of(joint.make.bar_material)
-        if place is not None:
-            each = largest_pulls(parts.structure, joint, place)
-            pull, longest = float(each.sum()), float(each.max())
-            yield _column(joint, place, stock, pull)
-            yield _pegs(joint, place, stock, longest)
-            yield _pin(joint, stock, pull)
-            yield _knuckles(joint, stock, pull)
-            yield _stop(joint, place, stock, pull)
-            yield _strap(parts, joint, place, longest)
-        yield from _twists(parts, joint, stock)
+        each = largest_pulls(parts.structure, joint, place)
+        pull, longest = float(each.sum()), float(each.max())
+        stops = [stop_load(parts.structure, joint, place, stop) for stop in ("overbend", "fold")]
+        yield from _column(joint, place, stock, pull)
+        yield from _pegs(joint, place, stock, longest)
+        yield from _pin(joint, stock, pull, stops)
+        yield from (_stop(joint, stock, load) for load in stops)
+        yield _strap(parts, joint, place, longest)
+    arms = [(joint, arm) for joint in parts.joints for arm in (joint.proximal, joint.distal)]
+    for body in dict.fromkeys(arm.body for _, arm in arms):
+        yield from _twist(parts, *next(each for each in arms if each[1].body == body))
 
 
 def largest_pulls(structure: Structure, joint: JointLayout, place: StrapPlace) -> Array:
@@ -128,27 +88,74 @@ def _factor(name: str, joint: JointLayout, bears: float | None, load: float, tex
     )
 
 
-def _column(joint: JointLayout, place: StrapPlace, stock: Stock, pull: float) -> Check:
-    """Euler's load of the bars between the pegs, as one column whose ends turn freely, straight in the stop."""
-    length = float(np.linalg.norm(np.diff(place.ends.mean(axis=0), axis=0)))
-    modulus, least = stock.youngs_modulus, bar_section(joint.bar_diameter).least
-    bears = None if modulus is None else math.pi**2 * modulus * least / length**2
-    shown = "" if bears is None else f"; they buckle at {bears:.0f} N (Euler)"
-    return _factor(
-        "buckling of the bars",
-        joint,
-        bears,
-        pull,
-        f"the tendon presses {1e3 * length:.0f} mm of bars together with {pull:.1f} N{shown}",
-        "take thicker bars (vein.diameter), a softer tendon, or pegs nearer to each other",
+def column_of(joint: JointLayout, place: StrapPlace, youngs_modulus: float) -> Column:
+    """The bars of a joint between its pegs as a column, as the joint rests against its overbend stop.
+
+    There the bars are one in the sheet's plane by their knuckles, and out of it by the stop.
+    """
+    frame, by = turned(joint, joint.upper)
+    start, end = place.ends[:, 0].mean(axis=0), frame @ place.ends[:, 1].mean(axis=0) + by
+    way = (end - start) / np.linalg.norm(end - start)
+    in_sheet = np.cross(joint.frame[:, 2], way) / np.linalg.norm(np.cross(joint.frame[:, 2], way))
+    rise = joint.standoff * joint.frame[:, 2]
+    inner, outer = joint.proximal, joint.distal
+    # of the bars' axes
+    places = np.array(
+        [
+            joint.origin + rise + inner.peg * inner.along,
+            joint.origin + rise,
+            frame @ (joint.origin + rise + outer.peg * outer.along) + by,
+        ]
+    )
+    off = places - start
+    return Column(
+        lengths=(float((off[1] - off[0]) @ way), float((off[2] - off[1]) @ way)),
+        offsets=off @ np.column_stack([in_sheet, np.cross(way, in_sheet)]),
+        section=bar_section(joint.bar_diameter),
+        youngs_modulus=youngs_modulus,
     )
 
 
-def _pegs(joint: JointLayout, place: StrapPlace, stock: Stock, pull: float) -> Check:
+def _column(joint: JointLayout, place: StrapPlace, stock: Stock, pull: float) -> Iterator[Check]:
+    """The bars between the pegs as a column: Euler's load of a straight one, and what one as bent as it is bears."""
+    modulus, strength = stock.youngs_modulus, stock.strength
+    length = float(np.linalg.norm(np.diff(place.ends.mean(axis=0), axis=0)))
+    buckles = None if modulus is None else euler_load(length, bar_section(joint.bar_diameter), modulus)
+    mend = "take thicker bars (vein.diameter), a softer tendon, or pegs nearer to each other"
+    shown = "" if buckles is None else f"; they buckle at {buckles:.0f} N (Euler)"
+    yield _factor(
+        "buckling of the bars",
+        joint,
+        buckles,
+        pull,
+        f"the tendon presses {1e3 * length:.0f} mm of bars together with {pull:.1f} N{shown}",
+        mend,
+    )
+    # the bars between the pegs of a tendon across several hinges are more than two
+    if not (joint.proximal.peg and joint.distal.peg):
+        return
+    column = column_of(joint, place, modulus or math.nan)
+    bears = None if modulus is None or strength is None else column.bears(strength)
+    beside = float(np.linalg.norm(column.offsets, axis=1).max())
+    shown = "" if bears is None else f"; bent so, they bear {bears:.0f} N"
+    yield _factor(
+        "bending of the bars",
+        joint,
+        bears,
+        pull,
+        f"the tendon's line passes up to {1e3 * beside:.1f} mm beside the bars' axes{shown}",
+        mend,
+    )
+
+
+def _pegs(joint: JointLayout, place: StrapPlace, stock: Stock, pull: float) -> Iterator[Check]:
     """Bending of a peg where it leaves its bar, as a cantilever with the strap on its end that pulls more."""
+    arms = [arm for arm in (joint.proximal, joint.distal) if arm.peg]
+    if not arms:
+        return
     lever = max(joint.aside - joint.bar_diameter / 2, place.strap.width / 2)
-    stress = pull * lever / peg_modulus(joint)
-    return _factor(
+    stress = pull * lever / min(peg_modulus(joint, arm) for arm in arms)
+    yield _factor(
         "bending of the pegs",
         joint,
         stock.strength_across,
@@ -158,53 +165,65 @@ def _pegs(joint: JointLayout, place: StrapPlace, stock: Stock, pull: float) -> C
     )
 
 
-def _pin(joint: JointLayout, stock: Stock, pull: float) -> Check:
-    """Shear of the pin at both sides of the middle knuckle; off the stop it takes all of the pull."""
+def _pin(joint: JointLayout, stock: Stock, pull: float, stops: list[StopLoad]) -> Iterator[Check]:
+    """Shear and bending of the pin, and tension in the walls of its knuckles, by the largest force on it.
+
+    Off the stops that is all of the pull, and at a stop the larger, what is left of pull and stop. A couple across the
+    hinge's axis loads the one outer knuckle more. The pin is a beam held in the outer knuckles: with N spread evenly
+    over the middle c of a span s it has its largest moment there, N (3 s^2 - c^2) / (24 s).
+    """
     make = joint.make
-    strength = stock_of(make.pin_material).strength if make.hinge == "pin" else stock.strength_across
-    stress = pull / (2 * math.pi / 4 * make.pin_diameter**2)
-    return _factor(
+    inner, outer = joint.side_widths
+    force = max([pull, *(load.on_pin for load in stops)])
+    couple = max(load.couple for load in stops)
+    side = force / 2 + couple / (outer + joint.width / 2)
+    bought = make.hinge == "pin"
+    strength = stock_of(make.pin_material).strength if bought else stock.strength_across
+    mend = "take a thicker pin (make.pin_diameter)" + ("" if bought else " or one of metal (make.hinge)")
+    told = f"the pin takes up to {force:.1f} N, {side:.1f} N of it on one side"
+    shear = side / (math.pi / 4 * make.pin_diameter**2)
+    yield _factor(
         "shear of the pin",
         joint,
         None if strength is None else _SHEAR * strength,
-        stress,
-        f"off the stop the pin takes all of {pull:.1f} N in two sections, {stress / 1e6:.2f} MPa",
-        "take a thicker pin (make.pin_diameter) or one of metal (make.pin_material)",
+        shear,
+        f"{told}, {shear / 1e6:.2f} MPa in shear",
+        mend,
     )
-
-
-def _knuckles(joint: JointLayout, stock: Stock, pull: float) -> Check:
-    """Tension in the walls of the knuckle that has the least of them."""
-    inner, outer = joint.side_widths
-    wide = min(2 * inner, 2 * (joint.width / 2 - outer))
-    stress = pull / (wide * 2 * joint.make.hinge_wall)
-    return _factor(
+    span, middle = 2 * outer, 2 * inner
+    moment = force * (3 * span**2 - middle**2) / (24 * span)
+    bending = 32 * moment / (math.pi * make.pin_diameter**3)
+    yield _factor(
+        "bending of the pin",
+        joint,
+        strength,
+        bending,
+        f"{told}, {bending / 1e6:.1f} MPa in bending between its knuckles",
+        mend,
+    )
+    walls = 2 * make.hinge_wall
+    tension = max(force / (middle * walls), side / ((joint.width / 2 - outer) * walls))
+    yield _factor(
         "knuckles tear",
         joint,
         stock.strength_across,
-        stress,
-        f"walls of {1e3 * joint.make.hinge_wall:.1f} mm on {1e3 * wide:.1f} mm of knuckles take {pull:.1f} N,"
-        f" {stress / 1e6:.1f} MPa",
+        tension,
+        f"{told}, {tension / 1e6:.1f} MPa in walls of {1e3 * make.hinge_wall:.1f} mm",
         "take thicker walls (make.hinge_wall) or a wider hinge (make.hinge_width)",
     )
 
 
-def _stop(joint: JointLayout, place: StrapPlace, stock: Stock, pull: float) -> Check:
-    """Pressure on the faces of the overbend stop, by the moments about the pin."""
-    low, high = joint.knuckle_diameter / 2 + joint.make.clearance, joint.top
-    start, end = place.ends.mean(axis=0) - joint.origin
-    share = float(start @ joint.frame[:, 0]) / float((start - end) @ joint.frame[:, 0])
-    height = float((start + share * (end - start)) @ joint.frame[:, 2])
-    force = pull * max(0.0, height) / ((low + high) / 2)
-    area = (high - low) * joint.width
-    taken = max(0.0, 1 - abs(pull - force) / pull) if pull > 0 else 0.0
+def _stop(joint: JointLayout, stock: Stock, load: StopLoad) -> Check:
+    """Pressure on the faces of a stop."""
+    pressure = 0.0 if load.force <= 0 else math.inf if load.area == 0 else load.force / load.area
+    drive = f' and the drive "{load.drive}" with {100 * load.by_drive:.1f} N cm' if load.drive else ""
     return _factor(
-        "pressure on the overbend stop",
+        f"pressure on the {load.stop} stop",
         joint,
         stock.strength,
-        force / area,
-        f"the tendon passes {1e3 * height:.1f} mm over the pin and presses {force:.1f} N on the stop's"
-        f" {1e6 * area:.0f} mm^2, {force / area / 1e6:.2f} MPa; the pin is spared {100 * taken:.0f} % of its pull",
+        pressure,
+        f"the tendon presses it with {100 * load.by_tendon:.1f} N cm about the pin{drive}: {load.force:.1f} N on"
+        f" {1e6 * load.area:.0f} mm^2, {pressure / 1e6:.2f} MPa",
         "take a wider hinge (make.hinge_width)",
     )
 
@@ -224,32 +243,40 @@ def _strap(parts: PartSet, joint: JointLayout, place: StrapPlace, pull: float) -
     )
 
 
-def _twists(parts: PartSet, joint: JointLayout, stock: Stock) -> Iterator[Check]:
-    """The twist of bars by the drives that turn them about themselves at their far ends."""
-    structure, section = parts.structure, bar_section(joint.bar_diameter)
+def _twist(parts: PartSet, joint: JointLayout, arm: Arm) -> Iterator[Check]:
+    """The twist of a bar by the drive that turns it most about itself at its far end; nothing where none does."""
+    torque = _torque_about(parts.structure, arm)
+    if torque == 0:
+        return
+    stock = stock_of(joint.make.bar_material)
+    known = stock.youngs_modulus is not None
+    rigidity = (stock.youngs_modulus or math.nan) / (2 * (1 + _POISSON)) * bar_section(joint.bar_diameter).torsion
+    twist = torque * arm.length / rigidity
+    held = twist <= _TWIST if known else None
+    text = f"{100 * torque:.0f} N cm twist {1e3 * arm.length:.0f} mm of {stock.name}"
+    text += f" by {math.degrees(twist):.0f} deg" if known else "; not checked, for no source gives its modulus"
+    yield Check(
+        name="twist of the bar",
+        part=parts.structure.bodies[arm.body].name,
+        ok=held,
+        value=twist,
+        limit=_TWIST,
+        unit="rad",
+        text=text + ("; take thicker bars (vein.diameter)" if held is False else ""),
+    )
+
+
+def _torque_about(structure: Structure, arm: Arm) -> float:
+    """The largest torque of a drive about a bar itself, by the hinges that turn it there, N m."""
     _, frames = built_frames(structure)
-    for arm in (joint.proximal, joint.distal):
+    most = 0.0
+    for drive in structure.drives:
         torque = 0.0
-        for drive in structure.drives:
-            along = 0.0
-            for motor, share in zip(structure.motors, drive.shares, strict=True):
-                for number in motor.hinges:
-                    hinge = structure.hinges[number]
-                    own = abs(float(frames[arm.body] @ hinge.axis @ arm.along))
-                    if hinge.body == arm.body and own > _ITSELF:
-                        along += drive.strength * share * own
-            torque = max(torque, abs(along))
-        if torque == 0 or stock.youngs_modulus is None:
-            continue
-        rigidity = stock.youngs_modulus / (2 * (1 + _POISSON)) * section.torsion
-        twist = torque * arm.length / rigidity
-        yield Check(
-            name="twist of the bar",
-            part=structure.bodies[arm.body].name,
-            ok=twist <= _TWIST,
-            value=twist,
-            limit=_TWIST,
-            unit="rad",
-            text=f"{100 * torque:.0f} N cm twist {1e3 * arm.length:.0f} mm of {stock.name} by"
-            f" {math.degrees(twist):.0f} deg" + ("" if twist <= _TWIST else "; take thicker bars (vein.diameter)"),
-        )
+        for motor, strength in zip(structure.motors, drive.strengths, strict=True):
+            for number in motor.hinges if motor.kind == "torque" else ():
+                hinge = structure.hinges[number]
+                own = abs(float(frames[arm.body] @ hinge.axis @ arm.along))
+                if hinge.body == arm.body and own > _ITSELF:
+                    torque += strength * own
+        most = max(most, abs(torque))
+    return most
