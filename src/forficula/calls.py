@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
     from forficula.dynamics import Record
     from forficula.dynamics.simulate import Progress
+    from forficula.make.part import PartSet
     from forficula.pattern import PatternFacts
     from forficula.statics import EnergyLandscape
     from forficula.study import Study
@@ -224,17 +225,31 @@ def film(
     write_film(as_record(run), file, size=size, rate=fps, slowed=slower, strain=strain)
 
 
-def page(run: Record | AnyPath, path: AnyPath) -> None:
-    """Write a run as one HTML file that plays in any browser without a network.
+def page(of: Record | PartSet | AnyPath, path: AnyPath) -> None:
+    """Write a run, or parts to make with their checks, as one HTML file that plays in any browser without a network.
+
+    Args:
+        of: a record, the folder of a run, or parts.
+        path: of the page; must end with .html.
+
+    Raises:
+        InputError: no such run, another ending, or it cannot be written.
 
     >>> ff.page(record, "run.html")
     """
     from forficula.analysis import measure
     from forficula.dynamics import as_record
+    from forficula.make.check_parts import check_parts
+    from forficula.make.part import PartSet
     from forficula.show.page import write_run_page
     from forficula.show.page.page import page_path
+    from forficula.show.page.parts_page import write_parts_page
 
-    file, record = page_path(path), as_record(run)
+    file = page_path(path)
+    if isinstance(of, PartSet):
+        write_parts_page(of, check_parts(of), file)
+        return
+    record = as_record(of)
     write_run_page(record, measure(record), file)
 
 

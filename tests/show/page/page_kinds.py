@@ -160,7 +160,7 @@ def _parts(path):
     """Of one joint, with a check that holds, one that fails and one that is not made."""
     parts = make_parts("binder2025-joint")
     checks = [check for check in strength_checks(parts) if check.name in ("bending of the pegs", "straps tear")]
-    write_parts_page(parts, [*checks, replace(checks[0], ok=False)], path, files=("sheet.dxf",))
+    write_parts_page(parts, [*checks, replace(checks[0], ok=False)], path)
 
 
 def _convergence(run, path):

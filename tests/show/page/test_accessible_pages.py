@@ -28,7 +28,7 @@ FAULTS = """(() => {
   document.querySelector("p").style.color = "#565d66"; // that of a light page
   main.querySelector(".table").removeAttribute("tabindex"); })()"""
 # a player is the same on every page: all of it is tried on that of a run
-TRIED_ELSEWHERE = {"compare": ".transport, .keys", "landscape": ".player", "study": ".player"}
+TRIED_ELSEWHERE = {"compare": ".transport, .keys", "landscape": ".player", "study": ".player", "parts": ".player"}
 LEAST_TRIED = {
     "run": {
         *("CANVAS", "BUTTON play", "INPUT time", "BUTTON b folded", "SELECT speed", "SELECT show", "BUTTON turn left"),
