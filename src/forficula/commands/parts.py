@@ -26,7 +26,7 @@ def make(
     *,
     part: Annotated[
         Literal["all", "sheet", "joint", "section"],
-        Parameter(help="The sheet, the first joint alone, all joints with what they turn on, or all there is."),
+        Parameter(help="The sheet, the first joint, all joints with what they turn on, or all there is."),
     ] = "all",
     settings: Settings = None,
     unit: Annotated[
