@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit
 from forficula.show.film.film_clock import Cut
-from forficula.show.run.time_figures import stored_energies
+from forficula.show.run.energies_figure import stored_energies
 from forficula.show.structure.painted_shape import PaintedShape, paint_shape, shape_handles, structure_view
 from forficula.show.structure.shape import Shape, shape_of
 from forficula.show.structure.surface import at_time, face_strains, surface_at
