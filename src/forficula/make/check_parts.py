@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from forficula.dynamics import Record, as_record
 from forficula.errors import InputError
 from forficula.make.as_made import uncoupled
-from forficula.make.check import Check
+from forficula.make.check import Check, count_check
 from forficula.make.joint_layout import bar_hinges
 from forficula.make.mesh_checks import mesh_checks
 from forficula.make.motion_checks import built_checks, motion_checks
@@ -68,18 +68,14 @@ def tendon_checks(parts: PartSet) -> Iterator[Check]:
     if not structure.tendons or not parts.joints or len(parts.joints) < len(bar_hinges(structure)):
         return
     without = [_without_straps(parts, number) for number in range(len(structure.tendons)) if number not in straps]
-    told = "every tendon has its straps"
-    if without:
-        why = "a joint has pegs for one tendon, and nothing else carries any"
-        told = f"no straps are made of {'; nor of '.join(without)}; {why}"
-    yield Check(
-        name="straps of every tendon",
-        part=parts.design.name,
-        ok=not without,
-        value=float(len(straps)),
-        limit=float(len(structure.tendons)),
-        unit="",
-        text=told,
+    why = "a joint has pegs for one tendon, and nothing else carries any"
+    yield count_check(
+        "straps of every tendon",
+        parts.design.name,
+        found=len(straps),
+        wanted=len(structure.tendons),
+        held="every tendon has its straps",
+        missed=f"no straps are made of {'; nor of '.join(without)}; {why}",
     )
 
 
