@@ -180,13 +180,7 @@ class FanDesign(Design):
     def _goals_within_stops(self) -> None:
         """Refuse a start or a goal that the stops of the distal hinges keep a wing from."""
         folds, bends, protocol = self.hinge.fold_limit, self.hinge.overbend, self.protocol
-        check_angles(
-            initial_overbend=protocol.initial_overbend,
-            folded_angle=protocol.folded_angle,
-            opened_angle=protocol.opened_angle,
-            fold_limit=folds,
-            overbend=bends,
-        )
+        check_angles(protocol, fold_limit=folds, overbend=bends)
         shared = self.pattern.ring_folds
         stops = {"ring": (-folds / shared, bends / shared), "distal_angle": (-folds, bends)}
         stops["turn"] = (-self.hinge.turn_back, self.hinge.turn_limit)

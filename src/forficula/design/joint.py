@@ -65,13 +65,7 @@ class JointDesign(Design):
     def _goals_within_stops(self) -> None:
         """Refuse a start or a goal that the stops of the hinge keep it from."""
         folds, bends, protocol = self.hinge.fold_limit, self.hinge.overbend, self.protocol
-        check_angles(
-            initial_overbend=protocol.initial_overbend,
-            folded_angle=protocol.folded_angle,
-            opened_angle=protocol.opened_angle,
-            fold_limit=folds,
-            overbend=bends,
-        )
+        check_angles(protocol, fold_limit=folds, overbend=bends)
         check_bounds(protocol, dict.fromkeys(("ring", "distal_angle"), (-folds, bends)))
 
     @property
