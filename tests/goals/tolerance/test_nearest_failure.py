@@ -39,11 +39,17 @@ def test_the_first_step_that_fails_counts_even_where_it_works_again_beyond():
     assert reach.works <= 1.5 <= reach.fails == pytest.approx(1.5, abs=2**-6)
 
 
-@pytest.mark.parametrize("why", [Answer.OUTSIDE, Answer.UNKNOWN])
-def test_where_there_is_no_such_design_or_no_answer_there_is_no_failure_either(why):
-    (reach,) = reaches(Window([2.5], beyond=why), 1, STEPS, halvings=3)
+def test_a_run_that_is_not_to_be_trusted_is_no_failure():
+    (reach,) = reaches(Window([2.5], beyond=Answer.UNKNOWN), 1, STEPS, halvings=3)
     assert reach.fails is None
-    assert (reach.why, reach.works, reach.beyond) == (why, 2.5 - 0.25, 2.5)
+    assert (reach.why, reach.works, reach.beyond) == (Answer.UNKNOWN, 2.25, 2.5)
+
+
+def test_the_edge_of_what_can_be_built_is_not_looked_for():
+    window = Window([2.5], beyond=Answer.OUTSIDE)
+    (reach,) = reaches(window, 1, STEPS, halvings=3)
+    assert (reach.why, reach.works, reach.beyond, reach.fails) == (Answer.OUTSIDE, 2, 4, None)
+    assert window.rounds == 1
 
 
 def test_nothing_is_asked_once_everything_works():

@@ -91,6 +91,56 @@ def sobol_indices(
     )
 
 
+def line_indices(
+    results: Sequence[str], groups: Sequence[str], points: Values, at_points: Values, seed: int
+) -> Indices:
+    """Estimate which share of a result's variance a straight line over each factor has, where there is no more time.
+
+    The squared correlation less what it is by chance (Ezekiel 1930); of a result that is a sum of straight lines it is
+    the first-order index. There are no total indices from one sample.
+
+    Args:
+        results: what the results are called.
+        groups: what the factors are called.
+        points: one sample, (rows, factors).
+        at_points: results, (results, rows).
+        seed: of the resampling.
+
+    Raises:
+        ValueError: a result that is not finite, and which.
+    """
+    _check_finite(results, at_points, "the sample")
+    rows = len(points)
+    first = _squared_correlations(points, at_points)
+    picks = np.random.default_rng(seed).integers(rows, size=(_RESAMPLES, rows))
+    resampled = np.array([_squared_correlations(points[pick], at_points[:, pick]) for pick in picks])
+    low, high = np.quantile(resampled, [(1 - LEVEL) / 2, (1 + LEVEL) / 2], axis=0)
+    still = ~_varies(at_points, at_points)
+    for values in (first, low, high):
+        values[still] = np.nan
+    unknown = np.full_like(first, np.nan)
+    return Indices(
+        results=tuple(results),
+        groups=tuple(groups),
+        first=first,
+        first_low=low,
+        first_high=high,
+        total=unknown,
+        total_low=unknown,
+        total_high=unknown,
+        rows=rows,
+    )
+
+
+def _squared_correlations(points: Values, at_points: Values) -> Values:
+    """Less what they are by chance, (results, factors); 0 where nothing varies."""
+    rows = len(points)
+    factors, results = (each - np.mean(each, axis=-1, keepdims=True) for each in (points.T, at_points))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        squared = (results @ factors.T) ** 2 / np.outer(np.sum(results**2, axis=1), np.sum(factors**2, axis=1))
+    return np.asarray(1 - (1 - np.nan_to_num(squared)) * (rows - 1) / (rows - 2))
+
+
 def total_effects(at_first: Values, at_mixed: Values, steps: Values) -> Values:
     """Estimate from few rows the variance of a result that has to do with each factor, for screening.
 

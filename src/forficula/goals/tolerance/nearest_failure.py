@@ -50,8 +50,8 @@ class Reach:
 def reaches(ask: Ask, directions: int, steps: Sequence[float], halvings: int) -> list[Reach]:
     """Go from where a design works in each direction in steps, then halve the stretch with the first that does not.
 
-    The steps of all directions are asked for at once, and so is every round of halving. What fails between two steps
-    and works again at both is not seen.
+    Where a design cannot be built is not looked for. The steps of all directions are asked for at once, and so is every
+    round of halving. What fails between two steps and works again at both is not seen.
 
     Args:
         ask: answers to deviations.
@@ -66,7 +66,7 @@ def reaches(ask: Ask, directions: int, steps: Sequence[float], halvings: int) ->
         halved = {
             direction: (reach.works + reach.beyond) / 2
             for direction, reach in enumerate(found)
-            if reach.beyond is not None
+            if reach.beyond is not None and reach.why is not Answer.OUTSIDE
         }
         if not halved:
             break

@@ -17,6 +17,7 @@ class Plan:
         steps: how far each factor goes alone, in tolerances; empty where none does.
         halvings: of a stretch in which it fails.
         nearest: samples that fail, to which the way is halved.
+        cells: on a side of the map of the two factors that decide most; 0 for no map.
     """
 
     points: int
@@ -26,6 +27,7 @@ class Plan:
     steps: tuple[float, ...]
     halvings: int
     nearest: int
+    cells: int
 
     def screens(self, factors: int) -> bool:
         """Whether there are more factors than get indices of their own, by more than one."""
@@ -39,19 +41,19 @@ class Plan:
         else:
             runs += self.rows * factors
         ways = 2 * factors if self.steps else 0
-        return runs + ways * (len(self.steps) + self.halvings) + self.nearest * self.halvings
+        return runs + ways * (len(self.steps) + self.halvings) + self.nearest * (1 + self.halvings) + self.cells**2
 
 
 # from the most runs to the fewest; the screened points of each are some of its rows, these some of its points
 PLANS = (
-    Plan(points=256, screened=16, rows=128, kept=8, steps=(1, 2, 4, 8), halvings=4, nearest=8),
-    Plan(points=256, screened=8, rows=64, kept=8, steps=(1, 2, 4, 8), halvings=3, nearest=8),
-    Plan(points=128, screened=8, rows=32, kept=6, steps=(1, 2, 4), halvings=3, nearest=4),
-    Plan(points=128, screened=0, rows=0, kept=0, steps=(1, 3), halvings=2, nearest=4),
-    Plan(points=64, screened=0, rows=0, kept=0, steps=(1,), halvings=1, nearest=2),
-    Plan(points=64, screened=0, rows=0, kept=0, steps=(), halvings=0, nearest=0),
-    Plan(points=32, screened=0, rows=0, kept=0, steps=(), halvings=0, nearest=0),
-    Plan(points=16, screened=0, rows=0, kept=0, steps=(), halvings=0, nearest=0),
+    Plan(points=256, screened=16, rows=128, kept=8, steps=(1, 2, 4, 8), halvings=4, nearest=8, cells=13),
+    Plan(points=256, screened=8, rows=64, kept=8, steps=(1, 2, 4, 8), halvings=3, nearest=8, cells=11),
+    Plan(points=128, screened=8, rows=32, kept=6, steps=(1, 2, 4), halvings=3, nearest=4, cells=9),
+    Plan(points=128, screened=0, rows=0, kept=0, steps=(1, 3), halvings=2, nearest=4, cells=7),
+    Plan(points=64, screened=0, rows=0, kept=0, steps=(1,), halvings=1, nearest=2, cells=0),
+    Plan(points=64, screened=0, rows=0, kept=0, steps=(), halvings=0, nearest=0, cells=0),
+    Plan(points=32, screened=0, rows=0, kept=0, steps=(), halvings=0, nearest=0, cells=0),
+    Plan(points=16, screened=0, rows=0, kept=0, steps=(), halvings=0, nearest=0, cells=0),
 )
 
 
