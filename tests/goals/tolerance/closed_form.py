@@ -27,7 +27,7 @@ class ClosedForm:
         values = np.array([key_value(design, each.key) for each in self.deviations])
         return (values - self.own) / self.widths
 
-    def __call__(self, designs, until_last):
+    def __call__(self, designs, _until_last):
         for design in designs:
             if self.killed_after is not None and self.runs >= self.killed_after:
                 raise KeyboardInterrupt

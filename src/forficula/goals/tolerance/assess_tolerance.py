@@ -194,7 +194,7 @@ def _effects(trials: _Trials, plan: Plan, first: Points, second: Points, at_firs
     )
     effects = total_effects(at_first.margins[0, :rows], mixed.margins[0].reshape(factors, rows), (other - one).T)
     variance = float(np.var(samples.margins[0]))
-    return effects / variance if variance else effects
+    return np.asarray(effects / variance if variance else effects)
 
 
 def _alone(trials: _Trials, plan: Plan) -> tuple[tuple[Reach, Reach], ...]:
@@ -232,7 +232,7 @@ def _correlations(samples: Samples) -> Values:
     """Of the margin with every factor, (factors,); 0 where it does not vary."""
     margins, offsets = samples.margins[0] - np.mean(samples.margins[0]), samples.offsets - np.mean(samples.offsets, 0)
     scale = np.sqrt(np.sum(margins**2) * np.sum(offsets**2, axis=0))
-    return np.divide(offsets.T @ margins, scale, out=np.zeros(len(scale)), where=scale > 0)
+    return np.asarray(np.divide(offsets.T @ margins, scale, out=np.zeros(len(scale)), where=scale > 0))
 
 
 def _asking(trials: _Trials, ways: Sequence[Points]) -> Ask:
