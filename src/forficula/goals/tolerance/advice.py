@@ -20,7 +20,15 @@ def advice(found: Tolerance) -> list[str]:
     Args:
         found: what the runs say.
     """
-    told = [*_nominal(found), _works(found), *_decides(found), *_side(found), *_near(found), *_doubtful(found)]
+    told = [
+        *_nominal(found),
+        _works(found),
+        *_wanted(found),
+        *_decides(found),
+        *_side(found),
+        *_near(found),
+        *_doubtful(found),
+    ]
     return [*told, *_assumed(found)]
 
 
@@ -58,6 +66,18 @@ def _works(found: Tolerance) -> str:
     return f"It works in {percent(works)} of cases, by {count}.{ways}"
 
 
+def _wanted(found: Tolerance) -> list[str]:
+    """What was asked of the probability, and whether its interval tells."""
+    works, told = found.probability, []
+    for limit in found.question.wanted:
+        above, below = works.low >= limit.bound, works.high <= limit.bound
+        met = above if limit.kind == ">=" else below
+        missed = works.high < limit.bound if limit.kind == ">=" else works.low > limit.bound
+        kept = "is met" if met else "is not met" if missed else "lies within the interval: it cannot be told"
+        told.append(f"Asked was {limit}, which {kept}.")
+    return told
+
+
 def _working(found: Tolerance) -> set[str]:
     works = found.samples.facts[0]
     return set(found.samples.outcomes[works].tolist())
@@ -85,7 +105,7 @@ def _decides(found: Tolerance) -> list[str]:
     does = f"It decides {_range(share, low, high)} of the margin's variance, {how}"
     told = [f"Tighten the tolerance of {key}, {question.width_text(factor)}, first. {does}{_gained(found, factor)}."]
     if gain.gain_low <= 0 and found.probability.fails:
-        told = [f"{told[0]} Half of it alone changes the probability by no more than chance."]
+        told = [f"{told[0]} Half of it alone gains no more than chance."]
     if not line and len(found.kept) < len(question.keys):
         rest = float(indices.total[0, -1]), float(indices.total_low[0, -1]), float(indices.total_high[0, -1])
         number = len(question.keys) - len(found.kept)
@@ -104,20 +124,21 @@ def _gained(found: Tolerance, factor: int) -> str:
 
 
 def _side(found: Tolerance) -> list[str]:
-    """On which side of its value the factor that decides most fails, where that is beyond chance."""
-    factor = most_telling(found)
-    if factor is None:
+    """Which value to move, and which way: where it fails more often on one side than on the other, beyond chance."""
+    sides = []
+    for factor, each in enumerate(found.narrowed):
+        for way, one, other in (("larger", each.below, each.above), ("smaller", each.above, each.below)):
+            if one.share is not None and other.share is not None and one.high < other.low:
+                sides.append((one.share - other.share, factor, way))
+    if not sides:
         return []
-    side, key = found.narrowed[factor], found.question.keys[factor]
-    for way, one, other in (("larger", side.below, side.above), ("smaller", side.above, side.below)):
-        if one.high < other.low and one.share is not None and other.share is not None:
-            where = "below" if way == "larger" else "above"
-            return [
-                f"It fails mostly where {key} is {where} its value, {found.question.value_text(factor, 0.0)}"
-                f" ({_number(one.share)} % work there, {_number(other.share)} % on the other side):"
-                f" a {way} value helps, too."
-            ]
-    return []
+    _, factor, way = min(sides)
+    each, question = found.narrowed[factor], found.question
+    where, less, more = ("below", each.below, each.above) if way == "larger" else ("above", each.above, each.below)
+    return [
+        f"A {way} {question.keys[factor]} than {question.value_text(factor, 0.0)} does more: where it is {where} that,"
+        f" {_number(less.share or 0.0)} % work, on the other side {_number(more.share or 0.0)} %."
+    ]
 
 
 def _near(found: Tolerance) -> list[str]:

@@ -219,7 +219,8 @@ def _nearest(trials: _Trials, plan: Plan, every: Samples) -> NearestFailure | No
     slopes = _correlations(every)
     slopes[np.abs(slopes) < _CHANCE / np.sqrt(len(every))] = 0.0
     central = failing[np.argsort(np.sum(failing**2, axis=1), kind="stable")[: plan.nearest - 1]]
-    ways: list[Points] = [*([-np.sign(slopes)] if slopes.any() else []), *central]
+    # no minus zeros
+    ways: list[Points] = [*([0.0 - np.sign(slopes)] if slopes.any() else []), *central]
     found = [
         NearestFailure(offsets=reach.fails * way, works=reach.works / reach.fails)
         for reach, way in zip(reaches(_asking(trials, ways), len(ways), (1.0,), plan.halvings), ways, strict=True)

@@ -25,12 +25,14 @@ class Question:
         design: as it is meant.
         deviations: one a factor, none of two with the same key.
         limits: what must hold beside what the protocol asks for.
+        wanted: limits on the probability that it works.
         assumed: whether the deviations are the default ones, for none were given.
     """
 
     design: Design
     deviations: tuple[Deviation, ...]
     limits: tuple[Limit, ...] = ()
+    wanted: tuple[Limit, ...] = ()
     assumed: bool = False
 
     @property

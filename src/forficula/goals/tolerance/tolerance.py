@@ -114,6 +114,15 @@ class Tolerance(Displayed):
         return bool(self.nominal.answers[0] is Answer.WORKS)
 
     @property
+    def meets(self) -> bool:
+        """Whether every limit on the probability is met by the whole of its interval."""
+        works = self.probability
+        return all(
+            works.low >= limit.bound if limit.kind == ">=" else works.high <= limit.bound
+            for limit in self.question.wanted
+        )
+
+    @property
     def outcomes(self) -> Mapping[str, int]:
         """How many of the samples came to what, the most frequent first."""
         return dict(Counter(self.samples.outcomes.tolist()).most_common())
