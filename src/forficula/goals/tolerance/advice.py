@@ -136,7 +136,7 @@ def _side(found: Tolerance) -> list[str]:
     each, question = found.narrowed[factor], found.question
     where, less, more = ("below", each.below, each.above) if way == "larger" else ("above", each.above, each.below)
     return [
-        f"A {way} {question.keys[factor]} than {question.value_text(factor, 0.0)} does more: where it is {where} that,"
+        f"A {way} {question.keys[factor]} than {question.value_text(factor, 0.0)} would help: where it is {where} that,"
         f" {_number(less.share or 0.0)} % work, on the other side {_number(more.share or 0.0)} %."
     ]
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from forficula.design import Design
 from forficula.errors import InputError
-from forficula.goals.deviation import Deviation, default_deviations, read_deviations
+from forficula.goals.deviation import Deviation, default_deviations
 from forficula.goals.goal_file import deviations_within, flat_table, read_limits, with_torques
 from forficula.goals.outcome_quantity import PROBABILITY
 from forficula.goals.tolerance.question import Question

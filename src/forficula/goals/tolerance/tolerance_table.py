@@ -16,6 +16,8 @@ from forficula.goals.tolerance.nearest_failure import Answer, Reach
 from forficula.goals.tolerance.question import Question
 from forficula.goals.tolerance.samples import margin_names
 from forficula.goals.tolerance.tolerance import Tolerance
+from forficula.structure import structure_of
+from forficula.study.outcome_kinds import transitions_text
 
 
 class ToleranceTable(Displayed, xarray.Dataset):  # type: ignore[no-untyped-call]
@@ -35,7 +37,7 @@ def tolerance_table(found: Tolerance) -> xarray.Dataset:
         its interval; `group`, factors and the others as one, by `margin`, with first-order and total indices and their
         intervals; `factor`, with value and width in SI, how far it alone may go down and up, in widths, NaN where that
         is not known, and what half of its tolerance gains; `sample`, with every value in SI, `answer`, `outcome` and
-        margins. The attribute `says` has the sentences.
+        margins. The attribute `says` has the sentences, `transitions` names the transitions as of a study.
     """
     question = found.question
     variables: dict[str, Any] = {**_facts(found), **_indices(found.indices), **_factors(found)}
@@ -49,6 +51,7 @@ def tolerance_table(found: Tolerance) -> xarray.Dataset:
     attributes = {
         "design": question.design.name,
         "design_hash": question.design.hash,
+        "transitions": transitions_text(structure_of(question.design), None),
         "nominal": str(found.nominal.outcomes[0]),
         "seed": found.seed,
         "runs": found.runs,
