@@ -42,6 +42,9 @@ _POINTS: dict[Answer, tuple[str, dict[str, Any]]] = {
     Answer.FAILS: ("built: fails", {"marker": "x", "color": VERMILION, "mew": 1.0, "ms": 3.6}),
     Answer.UNKNOWN: ("built: not to be trusted", {"marker": "d", "color": ORANGE, "ms": 3.2}),
 }
+# seen on cells of any colour
+_DESIGN: dict[str, Any] = {"marker": "P", "mfc": "white", "mec": BLACK, "mew": 1.0, "ms": 8}
+_END: dict[str, Any] = {"marker": "|", "color": _INK, "ms": 7, "mew": 1.6}
 
 
 def draw_indices(found: Tolerance, width: float = PAGE_WIDTH) -> Figure:
@@ -70,7 +73,7 @@ def draw_indices(found: Tolerance, width: float = PAGE_WIDTH) -> Figure:
         axes.invert_yaxis()
         axes.set_xlabel("share of the variance of the margin")
         axes.set_xlim(min(0.0, float(np.nanmin(indices.first_low[0], initial=0.0))) - 0.02, None)
-        handles = [Patch(fc=colour, label=label) for label, colour, *_ in bars]
+        handles: list[Artist] = [Patch(fc=colour, label=label) for label, colour, *_ in bars]
         handles.append(Line2D([], [], color=BLACK, lw=0.9, marker="|", ms=4, label="95 % interval"))
         fit_legend(figure, handles, 3, loc="outside upper center")
         most = names[0] if names else "nothing"
@@ -107,7 +110,7 @@ def draw_cloud(found: Tolerance, table: Dataset, width: float = PAGE_WIDTH) -> F
                 axes.plot(across[which], upwards[which], ls="", **look)
                 handles.append(Line2D([], [], ls="", label=label, **look))
         _mark_design(axes, found, drawn, centres, scales)
-        handles.append(Line2D([], [], ls="", marker="+", color=BLACK, ms=8, mew=1.6, label="as designed"))
+        handles.append(Line2D([], [], ls="", label="as designed", **_DESIGN))
         axes.set_xlabel(_label(found, drawn.first, table))
         axes.set_ylabel(_label(found, drawn.second, table))
         fit_legend(figure, handles, 3, loc="outside upper center")
@@ -134,6 +137,8 @@ def draw_reaches(found: Tolerance, width: float = PAGE_WIDTH) -> Figure:
                 axes.barh(row, sign * reach.works, 0.6, color=SKY)
                 if reach.fails is not None:
                     axes.plot(sign * reach.fails, row, "x", color=VERMILION, ms=4.5, mew=1.3)
+                elif reach.why is not Answer.WORKS:
+                    axes.plot(sign * reach.works, row, ls="", **_END)
         axes.axvline(0, color=BLACK, lw=0.6)
         for edge in (-1, 1):
             axes.axvline(edge, color=BLACK, lw=0.8, ls="--")
@@ -144,6 +149,7 @@ def draw_reaches(found: Tolerance, width: float = PAGE_WIDTH) -> Figure:
         handles: list[Artist] = [
             Patch(fc=SKY, label="works"),
             Line2D([], [], ls="", marker="x", color=VERMILION, ms=4.5, mew=1.3, label="fails"),
+            Line2D([], [], ls="", label="no such design beyond, or not to be trusted", **_END),
             Line2D([], [], color=BLACK, lw=0.8, ls="--", label="the tolerance"),
         ]
         fit_legend(figure, handles, 3, loc="outside upper center")
@@ -198,7 +204,7 @@ def _draw_map(axes: Axes, drawn: VerdictMap, found: Tolerance, table: Dataset) -
 
 def _mark_design(axes: Axes, found: Tolerance, drawn: VerdictMap, centres: list[float], scales: list[float]) -> None:
     """The design's own place, and the edge of uniform tolerances."""
-    axes.plot(*([centre] for centre in centres), "+", color=BLACK, ms=8, mew=1.6)
+    axes.plot(*([centre] for centre in centres), ls="", **_DESIGN)
     if all(found.question.deviations[each].distribution == "uniform" for each in (drawn.first, drawn.second)):
         corner = (centres[0] - scales[0], centres[1] - scales[1])
         axes.add_patch(Rectangle(corner, 2 * scales[0], 2 * scales[1], fc="none", ec=BLACK, lw=0.9, ls="--"))
