@@ -9,18 +9,21 @@ from pathlib import Path
 
 import numpy as np
 
+from forficula.design import Design
 from forficula.errors import InputError
 from forficula.goals.assessor import Assessor, open_assessor
+from forficula.goals.deviation import off_values
 from forficula.goals.tolerance.indices import Values, line_indices, sobol_indices, total_effects
 from forficula.goals.tolerance.narrowing import narrowed
 from forficula.goals.tolerance.nearest_failure import Answer, Ask, Reach, reaches
 from forficula.goals.tolerance.plan import PLANS, Plan, plan_within
 from forficula.goals.tolerance.points import Points, exchanged, two_samples
 from forficula.goals.tolerance.question import Question
-from forficula.goals.tolerance.samples import Samples, assess_samples, joined, margin_names
+from forficula.goals.tolerance.samples import Samples, assess_samples, built_design, joined, margin_names
 from forficula.goals.tolerance.saved_plan import kept_plan, saved_plan
 from forficula.goals.tolerance.tolerance import NearestFailure, Tolerance, VerdictMap
 from forficula.quantities import as_written, is_whole
+from forficula.study.evaluate import evaluate
 from forficula.study.journal import Row
 from forficula.study.run_study import Evaluate, Progress
 
@@ -77,6 +80,30 @@ def assess_tolerance(
         plan = _plan(trials, Path(out), minutes, seed)
         trials.most = plan.most_runs(len(question.deviations))
         return _assessed(trials, plan, seed)
+
+
+def estimate_tolerance(
+    question: Question, out: str | Path, minutes: float = MINUTES, seed: int = 0
+) -> tuple[Plan, int, float]:
+    """Say which plan a tolerance takes, how many runs that is at most, and how long these take, s.
+
+    Where the folder has no plan, a few designs within the tolerances are run now, and not kept.
+
+    Args:
+        question: which design, how far off, and when it works.
+        out: folder with the rows, if there are any.
+        minutes: how long it may take.
+        seed: of the points.
+    """
+    factors = len(question.deviations)
+    few = question.offsets(two_samples(factors, _TIMED, seed)[0]).tolist()
+    designs = [built_design(question.design, off_values(question.design, question.deviations, each)) for each in few]
+    start = time.monotonic()
+    count = sum(1 for _ in evaluate([design for design in designs if isinstance(design, Design)]))
+    seconds = (time.monotonic() - start) / max(count, 1)
+    plan = kept_plan(Path(out), question, minutes, seed) or plan_within(factors, seconds, 60 * minutes)
+    most = plan.most_runs(factors)
+    return plan, most, most * seconds
 
 
 @dataclass(kw_only=True)

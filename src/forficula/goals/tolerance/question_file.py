@@ -10,9 +10,11 @@ from forficula.design import Design
 from forficula.errors import InputError
 from forficula.goals.deviation import Deviation, default_deviations
 from forficula.goals.goal_file import deviations_within, flat_table, read_limits, with_torques
+from forficula.goals.goal_keys import goal_names_in
 from forficula.goals.outcome_quantity import PROBABILITY
 from forficula.goals.tolerance.question import Question
 from forficula.quantities import as_written
+from forficula.study.file_keys import check_keys
 from forficula.study.named_file import read_named
 from forficula.toml_text import parse_toml
 
@@ -21,32 +23,36 @@ _GOALS = "forficula.goals"
 
 def question_of(
     design: Design,
-    tolerances: Mapping[str, object] | str | Path | None = None,
+    tolerances: Mapping[str, object] | None = None,
     limits: Mapping[str, object] | None = None,
+    goal: str | Path | None = None,
 ) -> Question:
     """Ask how likely it is that a design works as it is built.
 
     Args:
         design: as it is meant.
-        tolerances: by key, as in a goal file; a named goal or the path of a goal file, or of a file with a table
-            `[tolerances]` and perhaps `[limits]`; if None, 10 %, uniform, on every positive number with a unit that is
-            not the protocol's.
-        limits: by quantity, as in a goal file, beside those of the file.
+        tolerances: by key, as in a goal file.
+        limits: by quantity, as in a goal file.
+        goal: a named goal, or the path of a file with tables `[tolerances]` and perhaps `[limits]`, which count where
+            none are given here. Without tolerances anywhere, 10 %, uniform, on every positive number with a unit that
+            is not the protocol's.
 
     Raises:
         InputError: no such file, an unknown key, or a value that is not allowed.
     """
-    if isinstance(tolerances, str | Path):
-        text, where, folder = read_named(tolerances, _GOALS, "goal", "goals")
-        try:
-            tables = parse_toml(text, "tolerances")
-            given = {name: _table(tables, name) for name in ("tolerances", "limits")}
-            return _question(design, given["tolerances"] or None, given["limits"] | dict(limits or {}), folder)
-        except InputError as error:
-            raise InputError(f"{where}: {error}") from None
-    if not isinstance(tolerances, Mapping | None):
-        raise InputError(f'tolerances: need them by key, such as all = "5 %", or a file, got {as_written(tolerances)}')
-    return _question(design, tolerances, limits or {}, Path())
+    for name, given in (("tolerances", tolerances), ("limits", limits)):
+        if given is not None and not isinstance(given, Mapping):
+            raise InputError(f"{name}: need them by key, got {as_written(given)}")
+    if goal is None:
+        return _question(design, tolerances, limits or {}, Path())
+    text, where, folder = read_named(goal, _GOALS, "goal", "goals")
+    try:
+        tables = parse_toml(text, "tolerances")
+        check_keys(tables, goal_names_in(), "")
+        of_file = {name: _table(tables, name) for name in ("tolerances", "limits")}
+        return _question(design, tolerances or of_file["tolerances"] or None, limits or of_file["limits"], folder)
+    except InputError as error:
+        raise InputError(f"{where}: {error}") from None
 
 
 def _table(tables: Mapping[str, Any], name: str) -> dict[str, Any]:

@@ -90,7 +90,7 @@ def assess_samples(question: Question, assess: Assessor, offsets: Points) -> Sam
         offsets: in widths, (samples, factors); values stay within what their keys allow.
     """
     values = [off_values(question.design, question.deviations, each) for each in offsets.tolist()]
-    designs = [_built(question.design, each) for each in values]
+    designs = [built_design(question.design, each) for each in values]
     rows = assess(designs, question.sources, points=values)
     transitions = structure_of(question.design).transitions
     margins = [_margins(question, row, design, transitions) for row, design in zip(rows, designs, strict=True)]
@@ -112,7 +112,7 @@ def assess_samples(question: Question, assess: Assessor, offsets: Points) -> Sam
     )
 
 
-def _built(design: Design, values: dict[str, object]) -> Design | str:
+def built_design(design: Design, values: dict[str, object]) -> Design | str:
     """The design with values, or why there is none."""
     try:
         return design.with_values(values)
