@@ -26,7 +26,7 @@ Assess = Callable[[Sequence[Design]], Mapping[str, Row]]
 Progress = Callable[[int, int, "Sequence[Sample]"], None]
 
 # samples side by side, whose runs go out together
-_BATCH = 16
+_BATCH = 32
 
 
 @dataclass(frozen=True, kw_only=True)
