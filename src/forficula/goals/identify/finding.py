@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from forficula.goals.identify.fact import Fact
-from forficula.goals.identify.observe import Observed, Wanted, observe
-from forficula.goals.identify.sample_runs import Rows, SampleRuns
+from forficula.goals.identify.observe import Observed, observe
+from forficula.goals.identify.sample_runs import Rows, SampleRuns, Wanted
 
 # of a bound: what differs by less differs by rounding
 _ROUNDING = 1e-9
@@ -33,7 +33,7 @@ class Finding:
 def find(fact: Fact, runs: SampleRuns, rows: Rows) -> Finding | Wanted:
     """Say how far a sample is from a fact, or which of its designs must run before that is known."""
     observed = [observe(term, fact.places, runs, rows) for term in fact.terms]
-    wanted = {key: design for each in observed if isinstance(each, dict) for key, design in each.items()}
+    wanted = {key: run for each in observed if isinstance(each, dict) for key, run in each.items()}
     if wanted:
         return wanted
     seen = [each for each in observed if isinstance(each, Observed)]

@@ -8,20 +8,19 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.design import Design, with_values
 from forficula.errors import InputError
 from forficula.goals.identify.directed import directed_shares, open_targets
 from forficula.goals.identify.fact import Fact
 from forficula.goals.identify.finding import Finding, find
 from forficula.goals.identify.observations import Observations
 from forficula.goals.identify.prior import prior_shares, values_at
-from forficula.goals.identify.sample_runs import SampleRuns
+from forficula.goals.identify.sample_runs import ConditionRun, SampleRuns, Wanted
 from forficula.study.journal import Row
 
 Array = NDArray[np.float64]
 
-# Rows of designs by key, those that are there already among them.
-Assess = Callable[[Sequence[Design]], Mapping[str, Row]]
+# Rows of runs, in their order.
+Assess = Callable[[Sequence[ConditionRun]], Sequence[Row]]
 # Called with the samples that are done, all samples, and those so far.
 Progress = Callable[[int, int, "Sequence[Sample]"], None]
 
@@ -55,7 +54,7 @@ def identify_samples(observations: Observations, assess: Assess, progress: Progr
 
     Args:
         observations: what was seen.
-        assess: makes rows of designs; which other designs it knows of does not matter.
+        assess: makes rows of runs.
         progress: is told of every batch.
     """
     shares = prior_shares(observations.priors, observations.samples, observations.seed)
@@ -125,7 +124,7 @@ def _run_batch(
     whys: dict[int, str] = {}
     for number, (_, values) in enumerate(built):
         try:
-            runs[number] = SampleRuns(with_values(observations.base, values))
+            runs[number] = SampleRuns(observations.base, values)
         except InputError as error:
             whys[number] = str(error)
     found = _find_all(observations.facts, runs, assess)
@@ -149,7 +148,7 @@ def _find_all(
     rows: dict[str, Row] = {}
     found: dict[tuple[int, int], Finding] = {}
     while True:
-        wanted: dict[str, Design] = {}
+        wanted: Wanted = {}
         for number, each in runs.items():
             for fact, asked in enumerate(facts):
                 if (number, fact) in found:
@@ -161,5 +160,5 @@ def _find_all(
                     wanted |= result
         if not wanted:
             break
-        rows |= assess(list(wanted.values()))
+        rows |= dict(zip(wanted, assess(list(wanted.values())), strict=True))
     return {number: tuple(found[number, fact] for fact in range(len(facts))) for number in runs}

@@ -3,24 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
 from forficula.design import Design, key_quantity, key_value
 from forficula.errors import InputError
-from forficula.files import as_path
 from forficula.goals.identify.fact import Fact
 from forficula.goals.identify.fact_file import read_fact
 from forficula.goals.identify.observation_keys import names_in
 from forficula.goals.identify.observations import Observations
-from forficula.names import folder_name, near_name
+from forficula.names import folder_name
 from forficula.quantities import as_written, is_whole
 from forficula.study.factors import MOST_VALUES, Factor
 from forficula.study.file_keys import check_keys
-from forficula.study.study_file import base_design, read_factors
+from forficula.study.named_file import base_design, named_files, read_named
+from forficula.study.study_file import read_factors
 from forficula.toml_text import parse_toml
 
+_PACKAGE = "forficula.goals.identify"
 _SAMPLES, _DIRECTED = 256, 128
 
 
@@ -33,7 +33,7 @@ def load_observations(name_or_path: str | Path) -> Observations:
     Raises:
         InputError: none such, not TOML, an unknown key, or a value that is not allowed.
     """
-    text, where, folder = _read(str(as_path(name_or_path, "named observations, or the path of a file")))
+    text, where, folder = read_named(name_or_path, _PACKAGE, "observations file", "observations")
     try:
         tables = parse_toml(text, "observations")
         tables.setdefault("name", Path(where).stem)
@@ -44,8 +44,7 @@ def load_observations(name_or_path: str | Path) -> Observations:
 
 def named_observations() -> list[str]:
     """The names of the observations that come with the package."""
-    folder = resources.files("forficula.goals.identify") / "references"
-    return sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml"))
+    return named_files(_PACKAGE)
 
 
 def observations_of(tables: Mapping[str, Any], folder: Path = Path()) -> Observations:
@@ -79,25 +78,6 @@ def observations_of(tables: Mapping[str, Any], folder: Path = Path()) -> Observa
         directed=_whole(sampling, "directed", _DIRECTED, 0),
         seed=_whole(sampling, "seed", 0, 0),
     )
-
-
-def _read(name_or_path: str) -> tuple[str, str, Path]:
-    """Text of the file, how errors call it, and the folder that paths in it start from."""
-    if name_or_path in named_observations():
-        file = resources.files("forficula.goals.identify") / "references" / f"{name_or_path}.toml"
-        return file.read_text("utf-8"), name_or_path, Path()
-    if not name_or_path.endswith(".toml"):
-        raise InputError(
-            f"{as_written(name_or_path)} are neither named observations nor a .toml file; the named ones are"
-            f" {', '.join(named_observations())}{near_name(name_or_path, named_observations())}"
-        )
-    path = Path(name_or_path)
-    try:
-        return path.read_text("utf-8-sig"), name_or_path, path.parent
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
-    except UnicodeDecodeError:
-        raise InputError(f"{path}: cannot be read: need UTF-8") from None
 
 
 def _priors(tables: Mapping[str, Any], folder: Path, base: Design) -> tuple[Factor, ...]:

@@ -11,15 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.analysis import Verdict
-from forficula.design import Design
 from forficula.goals.identify.fact import PLACES, LeastValue, Term
 from forficula.goals.identify.row_quantity import combined, is_state
-from forficula.goals.identify.sample_runs import Rows, SampleRuns
+from forficula.goals.identify.sample_runs import Rows, SampleRuns, Wanted
 from forficula.goals.identify.staircase import FAILS, HOLDS, OPEN, UNTOLD, States, follows, next_point
 from forficula.study.journal import Row
 
 Condition = Mapping[str, object]
-Wanted = dict[str, Design]
 
 # stands for the row of a design that there is not
 _NOT_BUILT: Row = {"verdict": Verdict.NOT_BUILT.value}
@@ -88,11 +86,10 @@ def _row(condition: Condition, term: Term, runs: SampleRuns, rows: Rows, wanted:
     built = runs.at(condition, term.until)
     if built is None:
         return _NOT_BUILT
-    key, design = built
-    if key not in rows:
-        wanted[key] = design
+    if built.key not in rows:
+        wanted[built.key] = built
         return None
-    return rows[key]
+    return rows[built.key]
 
 
 def _tells(row: Row) -> bool:
