@@ -105,9 +105,10 @@ def _flat(tables: Mapping[str, Any], name: str, keep: Sequence[str] = ()) -> dic
 
 def _limits(given: Mapping[str, Any], base: Design) -> tuple[Limit, ...]:
     found = []
-    for name, text in given.items():
+    for name, texts in given.items():
         try:
-            found.append(read_limit(quantity_of(base, name), text))
+            quantity = quantity_of(base, name)
+            found += [read_limit(quantity, text) for text in (texts if isinstance(texts, list) else [texts])]
         except InputError as error:
             raise InputError(_told("limits", name, error)) from None
     return tuple(found)

@@ -22,7 +22,7 @@ GOAL_KEYS = (
     _of_file("vary.KEY.low", "as in a design", "", "least value of a key that varies between two"),
     _of_file("vary.KEY.high", "as in a design", "", "largest value, alike"),
     _of_file("vary.KEY.step", "as in a design", "", "from one value to the next; without it, any value between"),
-    _of_file("limits.QUANTITY", '">= 5 N cm" or "<= 5 N cm"', "", "what it must not fall below, or not exceed"),
+    _of_file("limits.QUANTITY", '">= 5 N cm", "<= 5 N cm", or a list', "", "what it must not fall below, or exceed"),
     _of_file("objectives.QUANTITY", '"least" or "largest"', "needed", "what is to be so; two or three give a front"),
     _of_file("tolerances.all", "share", "", "of every positive number with a unit that is not the protocol's, uniform"),
     _of_file("tolerances.KEY", f'{_SIZE}, or "none"', "", "how far off the key may be, uniform either way"),
