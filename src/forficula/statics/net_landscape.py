@@ -92,7 +92,7 @@ def net_landscape(structure: Structure, progress: Progress = lambda _: None) -> 
     net = net_of(structure)
     progress("where it rests, and what its drives do")
     built = start_shape(structure, net)
-    first, left = _settled(net, built)
+    first, left = settled(net, built)
     courses, refused = _courses(structure, net, first)
     rests = _rests(structure, net, first, courses)
     progress("stable states")
@@ -112,8 +112,8 @@ def net_landscape(structure: Structure, progress: Progress = lambda _: None) -> 
     )
 
 
-def _settled(net: Net, built: Shape) -> tuple[Rest, tuple[str, ...]]:
-    """Where it comes to rest when let go, pushed off ridges; and what is to be said of that."""
+def settled(net: Net, built: Shape) -> tuple[Rest, tuple[str, ...]]:
+    """Where a net comes to rest when let go as built, pushed off ridges; and what is to be said of that."""
     rest, off = minimum(net, built), 0
     while rest.settled and rest.index and off < _RIDGES:
         held, _ = supported(net)
