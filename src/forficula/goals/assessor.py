@@ -234,7 +234,7 @@ def value_of(row: Row, quantity: OutcomeQuantity, design: Design | str) -> float
 
 def column(quantity: OutcomeQuantity) -> str:
     """What rows call a quantity: its name with its SI unit."""
-    return f"{quantity.name}{unit_suffix(quantity.unit.si)}" if quantity.unit.si else quantity.name
+    return f"{quantity.told_as}{unit_suffix(quantity.unit.si)}" if quantity.unit.si else quantity.told_as
 
 
 def _static_row(task: _Task, known: Mapping[str, OutcomeQuantity]) -> Row:

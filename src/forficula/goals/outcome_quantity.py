@@ -36,12 +36,14 @@ class OutcomeQuantity:
 
     Attributes:
         name: as goal files have it; of one that a design gives, its key.
+        told_as: what rows call it, without its unit: the same but for spaces in names of states.
         unit: in which it is shown, and its SI unit.
         meaning: in words.
         source: what it takes to know it.
     """
 
     name: str
+    told_as: str
     unit: Unit
     meaning: str
     source: Source
@@ -49,7 +51,7 @@ class OutcomeQuantity:
     @property
     def dimension(self) -> str:
         """Its name in tables."""
-        return self.name.replace(".", "_").replace(" ", "_")
+        return self.name.replace(".", "_")
 
 
 def quantities_of(design: Design) -> Mapping[str, OutcomeQuantity]:
@@ -96,12 +98,13 @@ def quantity_of(design: Design, name: str) -> OutcomeQuantity:
         key_value(design, name)
         if read is None:
             raise InputError(f"{name}: need a key whose value has a unit")
-        return OutcomeQuantity(name=name, unit=read.unit, meaning=f"the design's {name}", source="design")
+        meaning = f"the design's {name}"
+        return OutcomeQuantity(name=name, told_as=name, unit=read.unit, meaning=meaning, source="design")
     raise InputError(f"{name}: need a key of the design, or one of {', '.join(known)}{near_name(name, known)}")
 
 
 def _quantity(name: str, unit: Unit, meaning: str, source: Source) -> OutcomeQuantity:
-    return OutcomeQuantity(name=name, unit=unit, meaning=meaning, source=source)
+    return OutcomeQuantity(name=name.replace(" ", "_"), told_as=name, unit=unit, meaning=meaning, source=source)
 
 
 def _of_transition(structure: Structure, transition: Transition) -> list[OutcomeQuantity]:
