@@ -119,6 +119,15 @@ def test_the_hinges_width_must_have_room_for_its_knuckles(joint_of):
         joint_of(**{"make.hinge_width": "2 mm"})
 
 
+@pytest.mark.parametrize(
+    ("values", "part"),
+    [({"make.pin_diameter": "1e-9 mm"}, "pin_fold0"), ({"make.strap_thickness": "1e-9 mm"}, "strap0")],
+)
+def test_a_part_of_which_nothing_is_left_is_refused_and_named(joint_of, values, part):
+    with pytest.raises(InputError, match=rf"^{part}: nothing is left of this part; it is too thin"):
+        _ = [each.shape for each in joint_of(**values).parts]
+
+
 def test_a_structure_without_bars_has_no_joint_and_says_what_to_do():
     with pytest.raises(InputError, match=r"miura-sheet: no bar is hinged to another.*--part sheet"):
         make_parts("miura-sheet", "joint")

@@ -20,6 +20,9 @@ from forficula.make.strap_shape import StrapPlace
 from forficula.structure import Structure
 from forficula.structure.parts import Array
 
+# mm, volume by surface: what is thinner is lost in the single precision of meshes and their files
+_THINNEST = 1e-5
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Part:
@@ -53,9 +56,10 @@ class Part:
             InputError: nothing is left of it.
         """
         shape = solid_of(self.solid)
-        if shape.status() != Error.NoError or shape.is_empty():
+        if shape.status() != Error.NoError or shape.volume() <= _THINNEST * shape.surface_area():
             raise InputError(
-                f"{self.name}: nothing is left of this part; bars are too short or too thin for what is on them"
+                f"{self.name}: nothing is left of this part; it is too thin, or bars are too short or too thin for what"
+                " is on them"
             )
         return shape
 
