@@ -157,3 +157,10 @@ def test_a_slack_strap_keeps_its_length_and_its_ends_wherever_they_are(made_join
 def test_gussets_that_are_shorter_than_their_two_lugs_are_told_by_name():
     told = {check.part: check.ok for check in lug_checks(make_parts("binder2025-thick", "section"))}
     assert [part for part, ok in told.items() if not ok] == ["gusset0", "gusset1"]
+
+
+def test_the_first_joint_of_a_vein_with_two_folds_is_made_with_all_that_its_tendon_crosses():
+    parts = make_parts("binder2025-thick", "joint")
+    assert [joint.name for joint in parts.joints] == ["fold0", "outer_fold0"]
+    assert [part.name for part in parts.parts if part.kind in ("bar", "strap")] == [
+        "proximal0", "gusset0", "distal0", "strap0"]  # fmt: skip

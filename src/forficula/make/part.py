@@ -79,7 +79,7 @@ class PartSet(Displayed):
         structure: that is built of them.
         joints: where everything of each joint is.
         roots: what bars turn on at the ground.
-        straps: where straps end.
+        straps: where straps end, in the order of their parts.
         parts: solids; empty where the sheet alone is made.
         sheet: what is cut; None where only solids are made.
     """
@@ -95,3 +95,8 @@ class PartSet(Displayed):
     def of_body(self, body: int) -> tuple[Part, ...]:
         """The parts that move with a body."""
         return tuple(part for part in self.parts if part.body == body)
+
+    def strap_of(self, tendon: int) -> Part:
+        """The straps of a tendon that has some, by its number."""
+        straps = (part for part in self.parts if part.kind == "strap")
+        return next(part for part, place in zip(straps, self.straps, strict=True) if place.tendon == tendon)

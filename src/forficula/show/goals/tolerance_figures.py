@@ -16,7 +16,7 @@ from forficula.goals.tolerance.advice import percent
 from forficula.goals.tolerance.nearest_failure import Answer
 from forficula.goals.tolerance.tolerance import VerdictMap
 from forficula.show.study.factor_text import display_values, factor_label, key_text
-from forficula.show.study.map_page import look_of, map_style
+from forficula.show.study.outcome_looks import look_of, map_style
 from forficula.show.style import (
     BLACK,
     BLUE,
