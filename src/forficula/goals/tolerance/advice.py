@@ -12,6 +12,8 @@ from forficula.goals.tolerance.tolerance import Tolerance
 # groups that decide less of the variance than this may be made as roughly as they are
 _LITTLE = 0.05
 _MOST_NAMED = 3
+# how near what works must be to what fails, as a share of it, for that to be told as one number
+_SHARP = 0.9
 
 
 def advice(found: Tolerance) -> list[str]:
@@ -142,24 +144,25 @@ def _side(found: Tolerance) -> list[str]:
 
 
 def _near(found: Tolerance) -> list[str]:
-    """The nearest failure of one factor alone, and of all together."""
-    told = []
+    """The nearest failure of one value alone, and of all together where that is nearer."""
+    told, distance = [], math.inf
     alone = [
-        (reach.fails, factor, sign)
+        (reach.fails, factor, sign, reach.works)
         for factor, ways in enumerate(found.reaches)
         for sign, reach in zip((-1, 1), ways, strict=True)
         if reach.fails is not None
     ]
     if alone:
-        distance, factor, sign = min(alone)
+        distance, factor, sign, works = min(alone)
         value = found.question.value_text(factor, sign * distance)
+        width = f"{distance:.2g}" if works >= _SHARP * distance else f"between {works:.2g} and {distance:.2g}"
         told.append(
             f"The nearest failure of one value alone is {found.question.keys[factor]} at {value},"
-            f" {distance:.2g} tolerances {'above' if sign > 0 else 'below'} its own."
+            f" {width} tolerances {'above' if sign > 0 else 'below'} its own."
         )
     elif found.reaches:
         told.append(f"No value alone makes it fail within {found.plan.steps[-1]:g} tolerances, or its bounds.")
-    if found.nearest is not None:
+    if found.nearest is not None and found.nearest.largest < distance:
         told.append(f"All together fail where none is off by more than {found.nearest.largest:.2g} of its tolerance.")
     return told
 

@@ -35,7 +35,7 @@ _MAP_REACH = {"uniform": 1.5, "normal": 3.0}
 # rows that must be new for their time to say how long one takes
 _TIMED = 8
 # how many standard errors of a correlation are more than chance
-_CHANCE = 3.0
+_CHANCE = 2.0
 
 
 def assess_tolerance(

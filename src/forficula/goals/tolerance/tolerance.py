@@ -18,6 +18,9 @@ from forficula.goals.tolerance.probability import Probability, probability
 from forficula.goals.tolerance.question import Question
 from forficula.goals.tolerance.samples import Samples, fact_names
 
+# of straight lines, which every factor has
+_MOST_SHOWN = 10
+
 
 @dataclass(frozen=True, kw_only=True)
 class NearestFailure:
@@ -133,6 +136,12 @@ class Tolerance(Displayed):
         decides = self.indices.first[0] if np.isnan(self.indices.total[0]).all() else self.indices.total[0]
         ranked = np.argsort(-np.nan_to_num(decides[: len(self.kept)]), kind="stable")
         return tuple(self.kept[place] for place in ranked)
+
+    @property
+    def shown(self) -> tuple[int, ...]:
+        """Places in the indices of what people are shown: those that decide most, then the others as a group."""
+        groups = range(len(self.kept), len(self.indices.groups))
+        return (*(self.kept.index(factor) for factor in self.order[:_MOST_SHOWN]), *groups)
 
 
 def counted(answers: NDArray[np.object_], holds: NDArray[np.bool_]) -> Probability:

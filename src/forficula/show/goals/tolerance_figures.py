@@ -49,8 +49,7 @@ _END: dict[str, Any] = {"marker": "|", "color": _INK, "ms": 7, "mew": 1.6}
 
 def draw_indices(found: Tolerance, width: float = PAGE_WIDTH) -> Figure:
     """Draw first-order and total indices of the margin with their 95 % intervals, one factor a row; width in inch."""
-    indices, order = found.indices, [found.kept.index(factor) for factor in found.order]
-    places = [*order, *range(len(found.kept), len(indices.groups))]
+    indices, places = found.indices, list(found.shown)
     has_total = bool(np.isfinite(indices.total[0]).any())
     names = [_group_name(found, place) for place in places]
     with figure_style():

@@ -68,8 +68,7 @@ def _indices(found: Tolerance) -> Table:
     """The factors that matter, those that decide most first, the others as one, and what half a tolerance gains."""
     question, indices = found.question, found.indices
     table = _table("", "tolerance", "alone", "and with others", "half of it gains")
-    order = [found.kept.index(factor) for factor in found.order]
-    for place in [*order, *range(len(found.kept), len(indices.groups))]:
+    for place in found.shown:
         own = place < len(found.kept)
         factor = found.kept[place] if own else -1
         gain = found.narrowed[factor]
