@@ -11,6 +11,7 @@ import pytest
 
 import forficula as ff
 from forficula.cli import main
+from forficula.goals import load_goal
 from forficula.show.style import figure_files
 from tests.material.synthetic import cyclic_test, plain_text
 
@@ -263,12 +264,22 @@ def test_keys_and_named_studies_are_listed(call, refusal):
     assert "sampling" in call("keys", "--study").out
     assert "[crease]" in call("keys", "crease", "--kind", "vertex").out
     assert refusal("keys", "tendn") == "tendn: unknown key; did you mean tendon?"
-    assert "60 points of binder2025 over tendon.stiffness and tendon.rest_length" in call("studies").out
+    assert "intervals_of" in call("keys", "tolerances", "--goal").out
+    assert refusal("keys", "--goal", "--study") == "keys: need one of --study and --goal, got both"
+    listed = call("studies").out
+    assert "60 points of binder2025 over tendon.stiffness and tendon.rest_length" in listed
+    assert "a goal: least mass of binder2025 over vein.diameter" in listed
 
 
 def test_a_new_study_runs_as_it_is(call):
     assert "run it with: forficula study new.toml" in call("new", "new.toml", "--study").out
     assert "3 points, at most 3 runs" in call("study", "new.toml", "--dry-run").out
+
+
+def test_a_new_goal_is_a_goal_as_it_is(call, refusal):
+    assert "forficula optimise new.toml" in call("new", "new.toml", "--goal").out
+    assert load_goal("new.toml").objectives
+    assert refusal("new", "other.toml", "--goal", "--tests").startswith("new: need one of --study, --goal and --tests")
 
 
 def test_json_is_all_that_stands_on_standard_output(in_an_empty_folder, call, refusal):
@@ -280,7 +291,7 @@ def test_json_is_all_that_stands_on_standard_output(in_an_empty_folder, call, re
     assert json.loads(surveyed) == json.loads((in_an_empty_folder / "energy" / "landscape.json").read_text())
     assert [each["name"] for each in json.loads(call("designs", "--json").out)] == list(ff.named_designs())
     assert {"key", "meaning", "allowed", "default"} == set(json.loads(call("keys", "guard", "--json").out)[0])
-    points = {each["name"]: each["points"] for each in json.loads(call("studies", "--json").out)}
+    points = {each["name"]: each.get("points") for each in json.loads(call("studies", "--json").out)}
     assert points["binder2025-search"] == 60
     sizes = json.loads(call("size", "binder2025", "--material", "tpu-82a", "--stiffness", "10 N/cm", "--json").out)
     assert [row["length_m"] for row in sizes] == [0.06, 0.09]

@@ -11,6 +11,7 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 import forficula as ff
+from forficula.analysis.margin import transition_margins
 from forficula.design import with_values
 from forficula.dynamics import compile_model
 from forficula.errors import InputError
@@ -42,7 +43,9 @@ def test_tendons_with_and_without_branches_and_yield_are_evaluated_side_by_side(
     ]
     rows = {row["key"]: row for row in evaluate(designs)}
     for design in designs:
-        alone = {"key": row_key(design), "timestep_s": 2e-4} | outcome_row(ff.measure(ff.run(design)))
+        record = ff.run(design)
+        margins = {f"{name}_margin": each for name, each in transition_margins(record, ff.measure(record)).items()}
+        alone = {"key": row_key(design), "timestep_s": 2e-4} | outcome_row(ff.measure(record)) | margins
         assert rows[row_key(design)] == alone
 
 
@@ -140,6 +143,7 @@ LIMITED = """
 import resource, sys
 import scipy.optimize, xarray
 import forficula as ff
+from forficula.analysis.margin import transition_margins
 from forficula.dynamics import compile_model, simulate
 stage = {"name": "s", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "1 ms"}
 design = ff.load_design("binder2025", {"pattern.units": 100, "pattern.sector_angle": "1.7 deg", "vein.diameter":

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from forficula.errors import InputError
+from forficula.names import listed
 from forficula.options import DesignName, OutIfGiven, Settings, read_option, read_quantity, read_ratio, read_settings
 from forficula.quantities import as_written
 from forficula.terminal import came_to
@@ -34,13 +35,15 @@ def new(
     *,
     kind: Annotated[str, Parameter(help=_KINDS)] = "earwig-fan",
     study: Annotated[bool, Parameter(help="Write a study file instead, of such a design.", negative=())] = False,
+    goal: Annotated[bool, Parameter(help="Write a goal file instead, of such a design.", negative=())] = False,
     tests: Annotated[
         bool, Parameter(help="Write three tensile tests instead, to try material with; made up.", negative=())
     ] = False,
 ) -> None:
-    """Write a commented design file to start from, a study file, or sample tensile tests (FILE ends with .csv)."""
-    if tests and study:
-        raise InputError("new: need one of --study and --tests, got both")
+    """Write a commented design, study or goal file to start from, or sample tensile tests (FILE ends with .csv)."""
+    given = [option for option, wanted in (("--study", study), ("--goal", goal), ("--tests", tests)) if wanted]
+    if len(given) > 1:
+        raise InputError(f"new: need one of --study, --goal and --tests, got {listed(given)}")
     if tests:
         from forficula.material.sample_tests import write_sample_tests
 
@@ -52,6 +55,12 @@ def new(
 
         write_new_study(file, kind)
         print(f"written to {file}; run it with: forficula study {file}")
+        return
+    if goal:
+        from forficula.goals.new_goal import write_new_goal
+
+        write_new_goal(file, kind)
+        print(f"written to {file}; find the design with: forficula optimise {file}")
         return
 
     from forficula.design import write_new_design
@@ -66,6 +75,7 @@ def keys(
     *,
     kind: Annotated[str, Parameter(help=_KINDS)] = "earwig-fan",
     study: Annotated[bool, Parameter(help="Those of a study file instead.", negative=())] = False,
+    goal: Annotated[bool, Parameter(help="Those of a goal file instead.", negative=())] = False,
 ) -> None:
     """List the keys of a design file: what each may be, what counts where it is left out, and what it means."""
     from forficula.design.key_table import key_facts
@@ -76,7 +86,14 @@ def keys(
 
     if kind not in KINDS:
         raise InputError(f"--kind: need {one_of(KINDS, kind)}")
-    facts = study_key_facts(section) if study else key_facts(section, KINDS[kind])
+    if study and goal:
+        raise InputError("keys: need one of --study and --goal, got both")
+    if goal:
+        from forficula.goals.goal_keys import goal_key_facts
+
+        facts = goal_key_facts(section)
+    else:
+        facts = study_key_facts(section) if study else key_facts(section, KINDS[kind])
     print_keys(facts)
     came_to([asdict(fact) for fact in facts])
 
