@@ -16,6 +16,8 @@ _TRIALS = 2
 # A trial at this share of the distance counts half of one at the centre.
 _NEAR = 0.1
 LEAST_RADIUS = 1e-6
+# A column of which no more than this share is its own is made up by others.
+_DEPENDENT = 1e-8
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -33,14 +35,6 @@ class Parabola:
     slope: Array
     curvature: Array
     span: float
-
-    def at(self, step: Array) -> float:
-        """The value a step, as shares, away."""
-        return float(self.value + self.slope @ step + step @ self.curvature @ step / 2)
-
-    def slope_at(self, step: Array) -> Array:
-        """The slope a step away."""
-        return np.asarray(self.slope + self.curvature @ step)
 
 
 def nearby(points: Array, away: Array, count: int) -> NDArray[np.int64]:
@@ -80,7 +74,7 @@ def fitted(points: Array, values: Array, centre: Array) -> Parabola:
     if count >= coefficients(axes) + 2:
         terms.append(steps[:, rows] * steps[:, columns])
     weights = 1 / (_NEAR + np.abs(steps).max(axis=1))
-    solution = np.linalg.lstsq(np.hstack(terms) * weights[:, None], values * weights, rcond=1e-10)[0]
+    solution = least_squares(np.hstack(terms) * weights[:, None], values * weights)
     curvature = np.zeros((axes, axes))
     if len(terms) > 2:
         np.add.at(curvature, (rows, columns), solution[1 + axes :])
@@ -101,3 +95,38 @@ def coefficients(axes: int) -> int:
 def wanted_trials(axes: int) -> int:
     """How many trials a parabola is fitted to, if there are as many."""
     return _TRIALS * coefficients(axes)
+
+
+def least_squares(columns: Array, values: Array) -> Array:
+    """What columns must be multiplied with to come nearest to values, by Gram-Schmidt, twice for good measure.
+
+    A column that the ones before already make up gets 0. Sums are taken row by row, so that the last bit is the same on
+    every processor, which that of a library is not.
+
+    Args:
+        columns: one row a value.
+        values: to come near to.
+    """
+    count = columns.shape[1]
+    basis, upper, share = np.zeros_like(columns), np.zeros((count, count)), np.zeros(count)
+    sizes = np.sqrt((columns**2).sum(axis=0))
+    rest = values.copy()
+    for number in range(count):
+        column = columns[:, number].copy()
+        for _ in range(2):
+            along = (basis[:, :number] * column[:, None]).sum(axis=0)
+            upper[:number, number] += along
+            column -= (basis[:, :number] * along).sum(axis=1)
+        size = float(np.sqrt((column**2).sum()))
+        if size <= _DEPENDENT * sizes[number]:
+            continue
+        upper[number, number] = size
+        basis[:, number] = column / size
+        share[number] = (basis[:, number] * rest).sum()
+        rest -= share[number] * basis[:, number]
+    found = np.zeros(count)
+    for number in reversed(range(count)):
+        if upper[number, number] > 0:
+            left = share[number] - (upper[number, number + 1 :] * found[number + 1 :]).sum()
+            found[number] = left / upper[number, number]
+    return found

@@ -2,24 +2,22 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import optimize
 
 from forficula.goals.optimise.archive import SUM, Aim, Archive
 from forficula.goals.optimise.axis import Axis, Point, placed
+from forficula.goals.optimise.least_on_parabolas import Parabolas, Problem, least_place
 from forficula.goals.optimise.local_model import LEAST_RADIUS, Parabola, fitted, nearby, wanted_trials
 from forficula.goals.optimise.trial import Trial
 
 Array = NDArray[np.float64]
 
 # What a violation of limits costs, in spans of the objectives: more than any objective can win.
-_VIOLATION = 100.0
-_ITERATIONS = 60
+_PRICE, _LEAST_SPAN = 100.0, 1e-12
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -97,48 +95,48 @@ def proposed(axes: Sequence[Axis], near: Neighbourhood, aim: Aim, reach: float, 
 
 
 def _least(near: Neighbourhood, aim: Aim, low: Array, high: Array, back: float) -> Array:
-    """The step that makes the aim small: by sequential quadratic programming over step, worst objective, violation.
-
-    Kraft, 1988, DFVLR-FB 88-28. Limits may be violated at a price, so that there is a step where no step meets them.
-    """
-    free, radius = len(low), near.radius
-    weighted = list(zip(aim.weights, near.objectives, strict=True))
-
-    def cost(unknowns: Array) -> float:
-        step = radius * unknowns[:free]
-        return float(unknowns[free] + _VIOLATION * unknowns[free + 1]) + SUM * sum(
-            each.at(step) for each in near.objectives
+    """The step, as shares, that makes the aim small within bounds."""
+    radius = near.radius
+    weights = np.array([1.0]) if len(aim.weights) == 1 else aim.weights
+    of_aim = [_scaled(each, radius, weight, 0.0) for each, weight in zip(near.objectives, weights, strict=True)]
+    every = [_scaled(each, radius, 1.0, 0.0) for each in near.objectives]
+    spans = [max(each.span, _LEAST_SPAN) for each in near.margins]
+    limits = [_scaled(each, radius, 1 / span, -back) for each, span in zip(near.margins, spans, strict=True)]
+    axes = len(low)
+    total = _joined(every, axes)
+    if len(of_aim) == 1:
+        cost, ceilings = _joined(of_aim, axes), _joined([], axes)
+    else:
+        cost = Parabolas(
+            values=SUM * total.values.sum(keepdims=True),
+            slopes=SUM * total.slopes.sum(axis=0, keepdims=True),
+            curvatures=SUM * total.curvatures.sum(axis=0, keepdims=True),
         )
+        ceilings = _joined(of_aim, axes)
+    problem = Problem(
+        cost=cost,
+        ceilings=ceilings,
+        limits=_joined(limits, axes),
+        prices=_PRICE * np.array(spans),
+        low=low / radius,
+        high=high / radius,
+    )
+    start = np.clip(np.zeros(axes), problem.low, problem.high)
+    return np.clip(radius * least_place(problem, start), low, high)
 
-    def cost_slope(unknowns: Array) -> Array:
-        step = radius * unknowns[:free]
-        slope = radius * SUM * sum(each.slope_at(step) for each in near.objectives)
-        return np.array([*slope, 1.0, _VIOLATION])
 
-    def slack(unknowns: Array) -> Array:
-        step, worst, violated = radius * unknowns[:free], unknowns[free], unknowns[free + 1]
-        under = [worst - weight * each.at(step) for weight, each in weighted]
-        return np.array(under + [each.at(step) + violated - back * each.span for each in near.margins])
+def _scaled(parabola: Parabola, radius: float, weight: float, shift: float) -> Parabolas:
+    """A weighted parabola over steps in radii, shifted."""
+    return Parabolas(
+        values=np.array([weight * parabola.value + shift]),
+        slopes=weight * radius * parabola.slope[None, :],
+        curvatures=weight * radius**2 * parabola.curvature[None, :, :],
+    )
 
-    def slack_slope(unknowns: Array) -> Array:
-        step = radius * unknowns[:free]
-        under = [[*(-weight * radius * each.slope_at(step)), 1.0, 0.0] for weight, each in weighted]
-        return np.array(under + [[*(radius * each.slope_at(step)), 0.0, 1.0] for each in near.margins])
 
-    middle = np.clip(0.0, low, high)
-    worst = max(weight * each.at(middle) for weight, each in weighted)
-    violated = max((-each.at(middle) for each in near.margins), default=0.0)
-    with warnings.catch_warnings():
-        # a start that rounding puts a hair outside of the bounds is none of the user's business
-        warnings.simplefilter("ignore", RuntimeWarning)
-        solution = optimize.minimize(
-            cost,
-            np.array([*(middle / radius), worst, max(violated, 0.0)]),
-            jac=cost_slope,
-            method="SLSQP",
-            bounds=[*zip(low / radius, high / radius, strict=True), (None, None), (0.0, None)],
-            constraints={"type": "ineq", "fun": slack, "jac": slack_slope},
-            options={"maxiter": _ITERATIONS},
-        )
-    step = radius * np.asarray(solution.x[:free], dtype=float)
-    return np.asarray(np.clip(np.where(np.isfinite(step), step, middle), low, high))
+def _joined(parabolas: Sequence[Parabolas], axes: int) -> Parabolas:
+    return Parabolas(
+        values=np.concatenate([np.zeros(0), *(each.values for each in parabolas)]),
+        slopes=np.concatenate([np.zeros((0, axes)), *(each.slopes for each in parabolas)]),
+        curvatures=np.concatenate([np.zeros((0, axes, axes)), *(each.curvatures for each in parabolas)]),
+    )
