@@ -7,7 +7,7 @@ import pytest
 
 from forficula.analysis import measure
 from forficula.design import load_design, with_values
-from forficula.dynamics import compile_model, energy_balance, simulate, stable_timestep
+from forficula.dynamics import compile_model, energy_balance, simulate, stable_timestep, timestep_warnings
 from forficula.errors import InputError
 from forficula.structure import structure_of
 
@@ -108,6 +108,14 @@ def test_the_account_closes_where_plates_close_loops():
     balances = [energy_balance(each) for each in (record, unbraked)]
     assert 0 < balances[0].work < 0.9 * balances[1].work
     assert balances[0].residual < 5e-4
+
+
+def test_a_servo_that_is_too_steep_for_the_timestep_is_named():
+    wing = load_design("binder2025")
+    (warning,) = timestep_warnings(with_values(wing, {"protocol.no_load_speed": 2.0}))
+    assert "is too long" in warning
+    assert "no_load_speed" in warning
+    assert not timestep_warnings(wing)
 
 
 @pytest.mark.parametrize("kind", ["rigid", "bars"])
