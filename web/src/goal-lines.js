@@ -11,9 +11,9 @@ const REACH = 16; // from the pointer to what it means
 const DRAGGED = 5; // a pointer that moves less is a press
 
 /** The lines with their axes, `keys` of the columns first shown; a pressed line is opened by `press`. */
-export function makeLines(model, keys, { best, front }, press) {
+export function makeLines(model, keys, { best, best_word, front }, press) {
   const chosen = new Set(keys.map(model.indexOf).filter((index) => index >= 0));
-  const view = { axes: [...chosen], opened: null, hovered: null, best, front };
+  const view = { axes: [...chosen], opened: null, hovered: null, best, bestWord: best_word, front };
   const titles = make("div", { className: "titles" });
   const place = make("div", { className: "drawn" });
   const board = make("div", { className: "board" }, titles, place);
@@ -55,7 +55,7 @@ function tell(model, said, all) {
   const left = Array.from({ length: points }, (_, point) => point).filter(model.shown);
   const good = left.filter(model.good).length;
   const word = model.study.words.find((each) => each.sign === "\u25cf")?.word;
-  said.textContent = `${left.length} of ${points} ${noun}s lie within what is asked of the axes${word ? `; of these ${good}: ${word}` : ""}.`;
+  said.textContent = `${left.length} of ${points} ${noun}s lie within what is asked of the axes${word ? `; ${word}: ${good}` : ""}.`;
   all.disabled = model.asked.size === 0;
 }
 
@@ -80,7 +80,7 @@ function legend(model, view) {
   if (good) parts.push(entry("good", good.word));
   if (model.study.words.some((each) => each.sign !== "\u25cf")) parts.push(entry("behind", good ? "the others" : `all ${model.study.noun}s`));
   if (view.front.length) parts.push(entry("front", "none is better in everything"));
-  if (view.best !== null) parts.push(entry("best", "best"));
+  if (view.best !== null) parts.push(entry("best", view.bestWord));
   parts.push(entry("opened", "open"));
   if (model.columns.some((column) => column.limits.length)) parts.push(make("li", {}, make("span", { className: "bound", "aria-hidden": "true" }), "allowed by a limit"));
   return make("ul", { className: "keys-of-lines" }, ...parts);

@@ -46,8 +46,9 @@ function marginal(model, index) {
   const most = Math.max(...prior, ...(agree.length ? posterior : [0]));
   const step = WIDE / prior.length;
   const bars = (bins, name) => draw("path", { class: name, d: bins.map((share, bin) => `M${bin * step + 1} ${HIGH}v${(-share / most) * (HIGH - 4)}h${step - 2}V${HIGH}z`).join("") });
+  const contour = (bins) => draw("path", { class: "agree", d: `M0 ${HIGH}${bins.map((share, bin) => `V${HIGH - (share / most) * (HIGH - 4)}H${(bin + 1) * step}`).join("")}V${HIGH}` });
   const text = `${column.name}: ${spread(column, scale, agree)}`;
-  const drawing = draw("svg", { viewBox: `0 0 ${WIDE} ${HIGH}`, role: "img", "aria-label": text, preserveAspectRatio: "none" }, bars(prior, "all"), ...(agree.length ? [bars(posterior, "agree")] : []), draw("path", { class: "axis", d: `M0 ${HIGH}H${WIDE}` }));
+  const drawing = draw("svg", { viewBox: `0 0 ${WIDE} ${HIGH}`, role: "img", "aria-label": text, preserveAspectRatio: "none" }, bars(prior, "all"), ...(agree.length ? [contour(posterior)] : []), draw("path", { class: "axis", d: `M0 ${HIGH}H${WIDE}` }));
   const ends = scale.words.length ? scale.words : [0, 1].map((at) => numberText(scale.value(at)));
   const unit = column.unit ? ` (${column.unit})` : "";
   return make("figure", {}, make("figcaption", {}, `${column.name}${unit}`), drawing, make("div", { className: "ends" }, ...ends.map((end) => make("span", {}, end))), make("small", {}, spread(column, scale, agree)));

@@ -5,11 +5,11 @@ import { coloursOf, patternOf } from "./heat.js";
 import { makeScatter } from "./study-scatter.js";
 
 /** `keys` are the columns across and upwards; `open` is called with a point that is pressed. */
-export function makePlane(model, { plane, front, best, joined }, open) {
+export function makePlane(model, { plane, front, best, best_word, joined }, open) {
   const { quantities } = model.study;
   const [x, y] = [plane.x, plane.y].map(model.indexOf);
   const [firstX, firstY] = [x, y];
-  const view = { quantity: quantities[0], x, y, current: best ?? 0, opened: null, front, best, ordered: true };
+  const view = { quantity: quantities[0], x, y, current: best ?? 0, opened: null, front, best, bestWord: best_word, ordered: true };
   const place = make("div", { className: "map-place" });
   const legend = make("div", { className: "map-legend" });
   const draw = () => {
@@ -51,7 +51,7 @@ export function makePlane(model, { plane, front, best, joined }, open) {
     if (view[other] === index) view[other] = view[which];
     view[which] = index;
   }
-  const element = make("section", { className: "map" }, make("h2", {}, front.length ? "Front" : "Cloud"), make("div", { className: "choices" }, ...Object.values(selects).map((each) => each.element)), place, legend);
+  const element = make("section", { className: "map" }, make("h2", {}, plane.title), make("div", { className: "choices" }, ...Object.values(selects).map((each) => each.element)), place, legend);
   model.whenAsked(draw);
   draw();
   return {

@@ -24,18 +24,20 @@ export function showGoals(data) {
     choose(point, true);
     bringIntoSight(panel);
   };
-  const lines = views.lines?.length ? makeLines(model, views.lines, views, open) : null;
+  const lines = makeLines(model, views.lines, views, open);
   const joined = model.columns.filter((column) => column.aim).length === 2;
-  const plane = views.plane ? makePlane(model, { ...views, joined }, open) : null;
+  const plane = makePlane(model, { ...views, joined }, open);
   const pairs = views.pairs?.length ? makePairs(model, views, showPair) : null;
-  parts.push(...[lines, plane].filter(Boolean));
+  parts.push(lines, plane);
   function showPair(across, upwards) {
     plane.over(across, upwards);
     plane.element.scrollIntoView({ block: "start" });
   }
-  const left = make("div", {}, ...(plane ? [plane.element] : []), panel.facts);
-  const beside = make("div", { className: "explorer" }, left, panel.element);
-  document.getElementById("explorer").replaceChildren(...[pairs, lines].flatMap((part) => (part ? [part.element] : [])), beside);
+  // where nothing can be played there is room for the numbers
+  const sides = data.runs.length ? [[plane.element, panel.facts], [panel.element]] : [[plane.element], [panel.facts]];
+  const beside = make("div", { className: "explorer" }, ...sides.map((side) => make("div", {}, ...side)));
+  const elements = { lines: lines.element, pairs: pairs?.element, plane: beside };
+  document.getElementById("explorer").replaceChildren(...views.order.map((name) => elements[name]));
   const refresh = extendTable(document.getElementById("points"), model, data.csv, open);
   model.whenAsked(refresh);
   if (data.study.points) choose(firstPoint(model, data), false);

@@ -11,7 +11,8 @@ const STEPS = { ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1 };
 
 /**
  * The drawing of a view: what it shows, `quantity`, and numbers of the columns `x` and `y`; where there are such, `front`,
- * numbers of the points that none beats, which are joined if `joined`, and `best`, of the best. `ordered`: whether arrows
+ * numbers of the points that none beats, which are joined if `joined`, and `best`, of the best,
+ * which is called `bestWord`. `ordered`: whether arrows
  * go from left to right, and what came furthest lies in front; otherwise both are by number.
  */
 export function makeScatter(model, view, press) {
@@ -27,7 +28,7 @@ export function makeScatter(model, view, press) {
   const drawing = draw("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: points.length > MANY ? "scatter many" : "scatter", role: "listbox", "aria-label": label });
   drawing.append(...axisParts(across, upwards, HEIGHT), ...guides(columns[view.x], across, upwards, true), ...(view.y === null ? [] : guides(columns[view.y], upwards, across, false)));
   const places = points.map((point) => [across.place(point), upwards.place(point)]);
-  if (view.joined) drawing.append(frontLine(view.front, places));
+  if (view.joined) drawing.append(frontLine(view.front, places, columns[view.x].aim));
   const radius = points.length > MANY ? 6 : 8;
   const marks = points.map((point) => makePoint(model, view, scale, point, places[point], radius));
   drawing.append(...(view.ordered ? fromBehind(model, view, points) : points).map((point) => marks[point]));
@@ -53,7 +54,7 @@ function makePoint(model, view, scale, point, [x, y], radius) {
   if (view.front?.includes(point)) mark.append(draw("circle", { r: radius + 3, class: "front" }));
   mark.append(draw("circle", { r: radius, class: value === null ? "missing" : "found", fill: value === null ? "transparent" : scale.colour(value).face }));
   if (sign) mark.append(draw("text", { "text-anchor": "middle", dy: "0.36em" }, sign));
-  if (view.best === point) mark.append(draw("text", { class: "best", "text-anchor": "middle", dy: -radius - 6 }, "best"));
+  if (view.best === point) mark.append(draw("text", { class: "best", "text-anchor": "middle", dy: -radius - 6 }, view.bestWord));
   return mark;
 }
 
@@ -74,9 +75,11 @@ function guides(column, along, other, upright) {
   return parts;
 }
 
-function frontLine(front, places) {
+/** What is reached at every value across: steps, for between two points there is only the one that is no worse. */
+function frontLine(front, places, aim) {
   const along = front.map((point) => places[point]).sort((first, second) => first[0] - second[0]);
-  return draw("path", { class: "front", d: along.map(([x, y], index) => `${index ? "L" : "M"}${x.toFixed(1)} ${y.toFixed(1)}`).join("") });
+  const step = ([x, y]) => (aim === "least" ? `H${x.toFixed(1)}V${y.toFixed(1)}` : `V${y.toFixed(1)}H${x.toFixed(1)}`);
+  return draw("path", { class: "front", d: along.map((place, index) => (index ? step(place) : `M${place.join(" ")}`)).join("") });
 }
 
 /** `order` is that in which arrows go from point to point. */

@@ -108,7 +108,9 @@ def tried_goal(folder, tables=TABLES, count=32):
     variables |= _words("candidate", rows)
     coordinates = {each.factor.dimension: _column("candidate", each.factor, points) for each in goal.parameters}
     table = xarray.Dataset(variables, coordinates)
-    kept = _kept([best, *np.flatnonzero(front & (np.arange(count) != best))[:2], int(np.argmin(meets))], designs, folder)
+    kept = _kept(
+        [best, *np.flatnonzero(front & (np.arange(count) != best))[:2], int(np.argmin(meets))], designs, folder
+    )
     return Tried(asked=goal, table=table, kept=kept)
 
 
@@ -124,23 +126,39 @@ def tried_tolerance(folder, count=32):
         rows = assess(designs, ["run"], points=points)
     works = [row["verdict"] == "reached" for row in rows]
     margin = [min(row["fold_margin"], row["unfold_margin"]) for row in rows]
-    coordinates = {each.key.replace(".", "_"): _column("sample", _factor(each.key, design), points) for each in deviations}
-    variables = {"works": ("sample", works), "margin": ("sample", margin, {"units": "", "display": "%"})}
-    table = xarray.Dataset(variables | _words("sample", rows), coordinates)
+    coordinates = {
+        each.key.replace(".", "_"): _column("sample", _factor(each.key, design), points) for each in deviations
+    }
+    answers = np.where(works, "works", "fails").astype(object)
+    samples = {"answer": ("sample", answers), "margin": (("result", "sample"), [margin])}
+    samples |= {name: ("sample", *values[1:]) for name, values in coordinates.items()}
+    samples["outcome"] = _words("sample", rows)["outcome"]
+    table = xarray.Dataset(samples | _made_up(deviations, works), {"result": ["margin"], "fact": ["works"]})
     tells = [works.index(True), works.index(False)]
     return Tried(asked=(design, deviations), table=table, kept=_kept(tells, designs, folder))
 
 
-def made_up_indices(deviations):
-    """Indices in the shape that they have, of no run."""
-    first = np.linspace(0.6, 0.02, len(deviations))
-    names = ("first", "first_low", "first_high", "total", "total_low", "total_high")
-    off = (0.0, -0.08, 0.1, 0.12, 0.03, 0.25)
-    shares = {name: ("factor", first + each) for name, each in zip(names, off, strict=True)}
-    indices = xarray.Dataset(shares, {"factor": [*(each.key for each in deviations[:-1]), "others"]})
-    far = np.array([[0.4, np.inf], [np.inf, 0.7], [1.6, 2.4], [np.inf, np.inf], [2.9, np.nan]])
-    ways = {"factor": [each.key for each in deviations], "way": ["down", "up"]}
-    return indices, xarray.Dataset({"reach": (("factor", "way"), far)}, ways)
+def _made_up(deviations, works):
+    """What decides and how far it is to a failure, in the shape of `tolerance_table`, of no run."""
+    keys = [each.key for each in deviations]
+    first = np.array([0.6, 0.25, 0.11, 0.02])
+    off = {"first_index": 0.0, "first_index_low": -0.08, "first_index_high": 0.1}
+    off |= {"total_index": 0.12, "total_index_low": 0.03, "total_index_high": 0.25}
+    nan = np.nan
+    return {
+        "factor": keys,
+        "group": [*keys[:3], "the others"],
+        **{name: (("result", "group"), [first + each]) for name, each in off.items()},
+        "fails_down": ("factor", [0.4, nan, 1.6, nan, 2.9]),
+        "fails_up": ("factor", [nan, 0.7, 2.4, nan, nan]),
+        "works_down": ("factor", [0.3, 3.0, 1.5, 3.0, 2.8]),
+        "works_up": ("factor", [3.0, 0.6, 2.3, 3.0, 3.0]),
+        "probability": ("fact", [np.mean(works)]),
+        "probability_low": ("fact", [np.mean(works) - 0.1]),
+        "probability_high": ("fact", [min(np.mean(works) + 0.1, 1.0)]),
+        "works": ("fact", [sum(works)]),
+        "fails": ("fact", [len(works) - sum(works)]),
+    }
 
 
 def write_pages_of_goals(folder):
@@ -153,25 +171,23 @@ def write_pages_of_goals(folder):
     write_goal_page(tried.asked, tried.table, found, paths["optimise"], tried.kept, len(tried.kept), "a,b\n")
     off = tried_tolerance(paths["tolerance"].parent)
     design, deviations = off.asked
-    indices, reach = made_up_indices(deviations)
-    write_tolerance_page(
-        design, deviations, off.table, indices, reach, found, paths["tolerance"], off.kept, len(off.kept)
-    )
+    write_tolerance_page(design, deviations, off.table, found, paths["tolerance"], off.kept, len(off.kept))
     write_identify_page(tried_identification(off.table), found, paths["identify"])
     return paths
 
 
 def tried_identification(table):
     """Facts made up of a tolerance's runs, in the shape of an identification."""
-    names = [str(name) for name in table.coords]
+    names = [str(name) for name in table.data_vars if "key" in table[name].attrs]
     facts = ["it works", "margin of 60 %", "stiff", "slack", "never"]
     rest, area = table["tendon_rest_length"].values, table["tendon_area"].values
+    works, margin = table["answer"].values == "works", table["margin"].values[0]
     far = np.array(
         [
-            1.0 - table["works"].values,
-            np.clip(0.6 - table["margin"].values, 0, None),
+            1.0 - works,
+            np.clip(0.6 - margin, 0, None),
             np.clip(np.median(area) - area, 0, None) / area,
-            np.clip(np.median(rest) - rest, 0, None) / rest,
+            np.clip(rest - 0.999 * np.median(rest), 0, None) + np.clip(area - 0.999 * np.median(area), 0, None),
             np.ones(len(rest)),
         ]
     ).T
@@ -195,7 +211,7 @@ def tried_identification(table):
             "met_share_high": ("fact", np.clip(share + 0.1, 0, 1)),
             "together": (("fact", "other_fact"), words),
         },
-        {**{name: table[name] for name in names}, "fact": facts, "other_fact": facts},
+        {**{name: table[name].variable for name in names}, "fact": facts, "other_fact": facts},
         {
             "name": "a-joint-that-was-seen",
             "source": "a question of ours",

@@ -18,7 +18,7 @@ class Bar:
         end: where it ends; beyond the scale it is cut off.
         low: lower end of the interval about its end; as `end` where there is none.
         high: upper end.
-        kind: "first", "second", "good" or "bad", which have looks of their own.
+        kind: "first", "second", "good", "bad" or "open", of what has no end, which have looks of their own.
     """
 
     start: float
@@ -49,6 +49,11 @@ def bar(end: float, kind: str, *, start: float = 0.0, interval: tuple[float, flo
     """A bar, from 0 where nothing else is said; without an interval where its ends are not finite."""
     low, high = interval if interval is not None and all(map(math.isfinite, interval)) else (end, end)
     return Bar(start=start, end=end, low=low, high=high, kind=kind)
+
+
+def percent_text(share: float) -> str:
+    """A share in per cent, without its sign, to three digits."""
+    return f"{100 * share:.3g}".replace("-", "−")
 
 
 def bar_table(

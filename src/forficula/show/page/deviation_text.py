@@ -18,4 +18,5 @@ def deviation_text(design: Design, deviation: Deviation) -> str:
     value = float(key_value(design, deviation.key))
     if quantity is None:
         return f"{value:g} ± {100 * deviation.size:g} %"
-    return f"{show_quantity(value, quantity.unit)}, {deviation.text(quantity.unit)}"
+    join = " " if deviation.distribution == "uniform" else ", "
+    return f"{show_quantity(value, quantity.unit)}{join}{deviation.text(quantity.unit)}"

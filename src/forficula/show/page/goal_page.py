@@ -20,7 +20,7 @@ from forficula.show.page.deviation_text import deviation_text
 from forficula.show.page.html import section, table
 from forficula.show.page.outcome_words import signs_of
 from forficula.show.page.rich_html import LaidOut
-from forficula.show.page.samples_data import Number, Samples, samples_data
+from forficula.show.page.samples_data import MET, Number, Samples, samples_data
 from forficula.show.page.samples_page import about_rows, samples_page
 from forficula.structure import structure_of
 from forficula.study.kept_runs import KeptRun
@@ -63,10 +63,12 @@ def goal_page(goal: Goal, results: Dataset, found: LaidOut, kept: Iterable[KeptR
     lines = [each["key"] for each in data["factors"]]
     lines += [name for each in goal.quantities if (name := each.dimension) in results and each.source != "design"]
     objectives = [each.quantity.dimension for each in goal.objectives if each.quantity.dimension in results]
-    planes = objectives if len(objectives) > 1 else [*objectives, "margin"]
+    planes = [*objectives, "margin", lines[0]]
     views = {
         "lines": [*lines, "margin"],
-        "plane": {"x": planes[0], "y": planes[1]} if len(planes) > 1 else None,
+        "plane": {"title": "Front" if len(objectives) > 1 else "Designs", "x": planes[0], "y": planes[1]},
+        "order": ["lines", "plane"],
+        "best_word": "best",
         "front": _flags(results, "front") if len(objectives) > 1 else [],
         "best": best,
     }
@@ -134,13 +136,13 @@ def _numbers(goal: Goal, results: Dataset) -> tuple[Number, ...]:
     own = {each.factor.dimension for each in goal.parameters}
     for quantity in goal.quantities:
         if quantity.dimension in results and quantity.dimension not in own:
-            limits = tuple(each for each in goal.limits if each.quantity.name == quantity.name)
+            bounds = tuple((each.kind, each.bound) for each in goal.limits if each.quantity.name == quantity.name)
             aim = aims.get(quantity.name, "")
-            numbers.append(Number(variable=quantity.dimension, title=title_of(quantity), aim=aim, limits=limits))
-    numbers.append(Number(variable="margin", title="least margin"))
+            numbers.append(Number(variable=quantity.dimension, title=title_of(quantity), aim=aim, bounds=bounds))
+    numbers.append(Number(variable="margin", title="least margin", bounds=MET))
     for limit, name in limit_margins(goal):
         if name in results:
-            numbers.append(Number(variable=name, title=f"margin of {title_of(limit.quantity)} {limit.kind}"))
+            numbers.append(Number(variable=name, title=f"margin: {_limit_text(limit)}", bounds=MET))
     return tuple(numbers)
 
 
@@ -203,7 +205,7 @@ def _limits_table(goal: Goal, results: Dataset, best: int | None) -> str:
         return ""
     which = "the best" if bool(results["best"].values[best]) else "which comes nearest; none meets all"
     caption = f"Limits, and what design {best + 1} comes to, {which}: right of the line is met"
-    return bar_table(caption, ("", "margin", "value", "margin"), rows, (-1.0, 1.0))
+    return bar_table(caption, ("", "missed | met", "comes to", "margin"), rows, (-1.0, 1.0))
 
 
 def _limit_text(limit: Limit) -> str:

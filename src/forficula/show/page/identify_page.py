@@ -11,7 +11,7 @@ from scipy import stats
 
 from forficula.files import write_text
 from forficula.quantities import show_value
-from forficula.show.page.bars import BarRow, bar, bar_table
+from forficula.show.page.bars import BarRow, bar, bar_table, percent_text
 from forficula.show.page.html import escaped, paragraph, section
 from forficula.show.page.outcome_words import Signs
 from forficula.show.page.rich_html import LaidOut
@@ -60,7 +60,9 @@ def identify_page(results: Dataset, found: LaidOut, kept: Iterable[KeptRun] = ()
     named = [keys[name] for name in telling]
     views = {
         "lines": [*named[:8], "facts_met"],
-        "plane": {"x": named[0], "y": named[1] if len(named) > 1 else "facts_met"} if named else None,
+        "plane": {"title": "Over two of them", "x": named[0], "y": named[1] if len(named) > 1 else "facts_met"},
+        "order": ["pairs", "plane", "lines"],
+        "best_word": "meets most",
         "pairs": named[:_MOST_PAIRED],
         "marginals": named,
         "front": [],
@@ -183,12 +185,21 @@ def _facts_table(results: Dataset) -> str:
             BarRow(
                 name=f"{number + 1}. {name}",
                 lanes=((bar(share, "first", interval=ends),),),
-                cells=(f"{100 * share:.3g} % ({100 * ends[0]:.2g} to {100 * ends[1]:.2g})", nearest, middle),
-                note=_text(results, "fact_source", number),
+                cells=(
+                    f"{percent_text(share)} % ({percent_text(ends[0])} to {percent_text(ends[1])})",
+                    nearest,
+                    middle,
+                ),
+                note="; ".join(
+                    filter(None, (_text(results, "fact_asked", number), _text(results, "fact_source", number)))
+                ),
             )
         )
-    caption = "Share of the samples drawn that meet a fact, with its 95 % interval, and by how much the others miss it"
-    return bar_table(caption, ("fact", "met by", "share", "nearest", "half are within"), rows, (0.0, 1.0))
+    caption = (
+        "Share of the samples drawn that meet a fact, with its 95 % interval, and by how much the nearest and the middle"
+        " one miss it"
+    )
+    return bar_table(caption, ("fact", "met by", "share", "nearest", "middle"), rows, (0.0, 1.0))
 
 
 def _distance(value: float, unit: str) -> str:

@@ -6,13 +6,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from forficula.goals.limit import Limit
 from forficula.quantities import Unit, parse_quantity
 from forficula.show.page.outcome_words import Signs, Words
 from forficula.show.page.study_data import factor_data, rounded
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
+
+
+# a margin of what holds
+MET = ((">=", 0.0),)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -23,13 +26,13 @@ class Number:
         variable: its name in the table.
         title: what the page calls it.
         aim: "least" or "largest", where it is to be that.
-        limits: that it is held to.
+        bounds: that it is held to, ">=" or "<=" with a value in SI.
     """
 
     variable: str
     title: str
     aim: str = ""
-    limits: tuple[Limit, ...] = ()
+    bounds: tuple[tuple[str, float], ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -114,7 +117,7 @@ def _number_data(variable: DataArray, number: Number, verdicts: Sequence[int]) -
         "reasons": [word if value is None else None for value, word in zip(values, verdicts, strict=True)],
         "transition": None,
         "aim": number.aim,
-        "limits": [{"kind": each.kind, "bound": rounded(scale * each.bound)} for each in number.limits],
+        "limits": [{"kind": kind, "bound": rounded(scale * bound)} for kind, bound in number.bounds],
     }
 
 

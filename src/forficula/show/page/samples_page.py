@@ -20,6 +20,7 @@ def samples_page(
     kind: str,
     found: LaidOut,
     told: Iterable[str],
+    more: Iterable[str] = (),
     data: dict[str, Any],
     views: dict[str, Any],
     headings: tuple[str, str],
@@ -35,10 +36,12 @@ def samples_page(
         kind: of results, in the title of the window.
         found: the sentence, the tables and the remarks.
         told: sections that stand before the points, HTML.
+        more: sections after them.
         data: the points, from `samples_data`.
-        views: what the script draws of them: `lines`, names of the axes of parallel coordinates; `plane`, those of the
-            two over which points lie; `pairs`, names of the unknowns of the pair plots; `front`, numbers of the points
-            that none beats; `best`, the number of the best; each may be missing.
+        views: what the script draws of them: `order` of "lines", "plane" and "pairs"; `lines`, keys or names of the
+            axes of parallel coordinates; `plane`, those of the two over which points lie, `x` and `y`, with a `title`;
+            `pairs`, those of the pair plots, and `marginals`; `front`, numbers of the points that none beats; `best`,
+            the number of the best or None, and `best_word`, what that is called.
         headings: of the table of all points and of what was asked.
         about: what was asked, HTML.
         kept: the runs that can be played.
@@ -52,6 +55,7 @@ def samples_page(
             f'<header><h1>{escaped(name)}</h1>{sentence}</header>\n<main class="study">',
             *told,
             '<div id="explorer"></div>\n',
+            *more,
             section("Numbers", *found.tables, name="numbers"),
             section("What to know", remarks(found.sentences), name="remarks"),
             section(headings[0], points_table(data), name="points"),

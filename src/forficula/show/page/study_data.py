@@ -40,8 +40,9 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
 
         - `noun`: what one of them is called; `points`: how many; `sampled`: whether they were drawn.
         - `keeps`: why a run may not be there to play.
-        - `factors`: `key`, `name`, `unit`, `log`, whether their shares tell more than their steps, and `values`: of the grid, or a point each where they were drawn. Where
-          factors are varied one at a time, their choices are the first of these.
+        - `factors`: `key`, `name`, `unit`, `log`, whether they were drawn by their logarithms, and `values`: of the
+          grid, or a point each where they were drawn. Where factors are varied one at a time, their choices are the
+          first of these.
         - `axes`: numbers of the factors in the order in which maps take them for axes; `cuts`: number of each one's
           value at which maps of the others lie.
         - `words`: what became of points, those that came furthest first: `word`, `sign`, and `count` of the points with
