@@ -14,6 +14,7 @@ from forficula.options import (
     OutIfGiven,
     Settings,
     check_folder,
+    read_option,
     read_settings,
     read_shard,
 )
@@ -44,6 +45,9 @@ def tolerance(
     ] = None,
     minutes: Annotated[float, Parameter(help="How long it may take; more time gives narrower intervals.")] = 5.0,
     seed: Annotated[int, WHOLE_NUMBER, Parameter(help="Of the points within the tolerances.")] = 0,
+    keep: Annotated[
+        int, WHOLE_NUMBER, Parameter(help="Keep so many runs at most, to be played in its page; 0 for none.")
+    ] = 12,
     dry_run: Annotated[bool, Parameter(help="Only say which runs there are and how long they take.")] = False,
     shard: Annotated[str, Parameter(help="Share the runs with other processes, as in 2/8.")] = "1/1",
     dask: Annotated[
@@ -54,12 +58,14 @@ def tolerance(
     from forficula.design import load_design
     from forficula.goals.tolerance import assess_tolerance, estimate_tolerance
     from forficula.goals.tolerance.question_file import question_of
+    from forficula.study.kept_runs import check_most
 
     chosen = load_design(design, read_settings(settings))
     folder = out or Path("out") / f"{chosen.name}-tolerance"
     check_folder(folder)
     own = read_settings(tolerances, "--tolerance", 'tendon.stiffness="5 %"')
     question = question_of(chosen, own or None, goal=goal)
+    read_option("--keep", lambda: check_most(keep))
     tell_assumed(question)
     if dry_run:
         plan, most, seconds = estimate_tolerance(question, folder, minutes, seed)
@@ -69,10 +75,16 @@ def tolerance(
         )
         return 0
 
+    from forficula.goals.tolerance.kept_samples import samples_to_keep
     from forficula.show import study_progress
-    from forficula.show.folder.tolerance_folder import TOLERANCE_FILE, write_tolerance
+    from forficula.show.folder.tolerance_folder import (
+        TOLERANCE_FILE,
+        write_tolerance,
+        write_tolerance_report,
+    )
     from forficula.show.goals.tolerance_text import print_tolerance
     from forficula.study import dask_cluster
+    from forficula.study.kept_runs import kept_runs
 
     with nullcontext() if dask is None else dask_cluster(dask) as cluster, study_progress() as progress:
         found = assess_tolerance(
@@ -87,6 +99,9 @@ def tolerance(
     if (folder / TOLERANCE_FILE).is_file():
         remark(f"{folder}: replaces the tolerance there; the rows stay")
     write_tolerance(found, folder)
+    runs = samples_to_keep(found, keep)
+    with study_progress() as progress:
+        write_tolerance_report(found, kept_runs(runs, folder, progress=progress), len(runs), folder)
     came_to(folder / TOLERANCE_FILE)
     print_tolerance(found)
     print(f"\nwritten to {folder}")
