@@ -37,7 +37,7 @@ def tolerance_table(found: Tolerance) -> xarray.Dataset:
         its interval; `group`, factors and the others as one, by `margin`, with first-order and total indices and their
         intervals; `factor`, with value and width in SI, how far it alone may go down and up, in widths, NaN where that
         is not known, and what half of its tolerance gains; `sample`, with every value in SI, `answer`, `outcome`,
-        `status`, `verdict` and `margins`. The attribute `says` has the sentences, and `transitions` names the
+        `status`, `verdict` and `margin`. The attribute `says` has the sentences, and `transitions` names the
         transitions as that of a study does.
     """
     question = found.question
@@ -115,7 +115,7 @@ def _samples(found: Tolerance) -> dict[str, Any]:
         "outcome": ("sample", samples.outcomes),
         "status": ("sample", samples.statuses),
         "verdict": ("sample", samples.verdicts),
-        "margins": (("result", "sample"), samples.margins),
+        "margin": (("result", "sample"), samples.margins),
     }
 
 
@@ -131,46 +131,6 @@ def _values(found: Tolerance) -> dict[str, Any]:
         attributes = {"units": _unit(question, factor), "display": display, "key": key}
         columns[key.replace(".", "_")] = ("sample", values[:, factor], attributes)
     return columns
-
-
-def sample_table(found: Tolerance) -> xarray.Dataset:
-    """The samples alone: `works`, `margin`, `outcome`, `status` and `verdict` over their values."""
-    samples = found.samples
-    return xarray.Dataset(
-        {
-            "works": ("sample", samples.facts[0]),
-            "margin": ("sample", samples.margins[0], {"units": "", "display": "%"}),
-            "outcome": ("sample", samples.outcomes),
-            "status": ("sample", samples.statuses),
-            "verdict": ("sample", samples.verdicts),
-        },
-        _values(found),
-    )
-
-
-def index_table(found: Tolerance) -> xarray.Dataset:
-    """Indices of the margin of all together, over "factor", the others as "others"."""
-    indices = found.indices
-    names = [*(found.question.keys[factor] for factor in found.kept), "others"][: len(indices.groups)]
-    shares = ("first", "first_low", "first_high", "total", "total_low", "total_high")
-    return xarray.Dataset({name: ("factor", getattr(indices, name)[0]) for name in shares}, {"factor": names})
-
-
-def reach_table(found: Tolerance) -> xarray.Dataset:
-    """The nearest failure of each factor alone, in widths, over "factor" and "way".
-
-    Infinite where none was found, NaN where it cannot be told or was not looked for.
-    """
-    far = [[_nearest(reach) for reach in ways] for ways in found.reaches]
-    keys = list(found.question.keys[: len(far)])
-    shaped = np.array(far, dtype=float).reshape(len(far), 2)
-    return xarray.Dataset({"reach": (("factor", "way"), shaped)}, {"factor": keys, "way": ["down", "up"]})
-
-
-def _nearest(reach: Reach) -> float:
-    if reach.fails is not None:
-        return reach.fails
-    return np.nan if reach.why is Answer.UNKNOWN else np.inf
 
 
 def _unit(question: Question, factor: int) -> str:

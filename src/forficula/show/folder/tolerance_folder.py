@@ -20,7 +20,7 @@ from forficula.goals.tolerance.indices import Values
 from forficula.goals.tolerance.nearest_failure import Reach
 from forficula.goals.tolerance.probability import Probability
 from forficula.goals.tolerance.question import MARGIN
-from forficula.goals.tolerance.tolerance_table import index_table, reach_table, sample_table, tolerance_table
+from forficula.goals.tolerance.tolerance_table import tolerance_table
 from forficula.show.goals.tolerance_figures import draw_cloud, draw_indices, draw_reaches
 from forficula.show.goals.tolerance_text import tolerance_text
 from forficula.show.page.rich_html import laid_out
@@ -69,18 +69,16 @@ def write_tolerance_report(found: Tolerance, kept: Iterable[KeptRun], count: int
     Raises:
         InputError: it cannot be written.
     """
-    question = found.question
+    question, table = found.question, tolerance_table(found)
     write_tolerance_page(
         question.design,
         question.deviations,
-        sample_table(found),
-        index_table(found),
-        reach_table(found),
+        table,
         laid_out(tolerance_text(found)),
         folder / "report.html",
         kept,
         count,
-        _samples_csv(tolerance_table(found)),
+        _samples_csv(table),
     )
 
 
@@ -166,7 +164,7 @@ def _samples_csv(table: Dataset) -> str:
     headings = [f"{name}{unit_suffix(table[name].attrs['units'])}" for name in factors]
     results = [f"{name} margin" if name != MARGIN else MARGIN for name in table["result"].values.tolist()]
     columns = [*(table[name].values for name in factors), table["answer"].values, table["outcome"].values]
-    columns += list(table["margins"].values)
+    columns += list(table["margin"].values)
     rows = [
         [value if isinstance(value, str) else f"{value:.9g}" for value in row] for row in zip(*columns, strict=True)
     ]
