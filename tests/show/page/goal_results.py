@@ -6,7 +6,7 @@ import numpy as np
 import xarray
 from scipy.stats import qmc
 
-from forficula.design import load_design, with_values
+from forficula.design import key_value, load_design, with_values
 from forficula.goals.assessor import open_assessor, value_of
 from forficula.goals.deviation import off_values, read_deviations
 from forficula.goals.goal_file import goal_of
@@ -15,9 +15,10 @@ from forficula.quantities import parse_quantity
 from forficula.show.page.goal_page import limit_margins, write_goal_page
 from forficula.show.page.identify_page import write_identify_page
 from forficula.show.page.rich_html import LaidOut
-from forficula.show.page.tolerance_page import write_tolerance_page
+from forficula.show.page.tolerance_page import VerdictCells, write_tolerance_page
 from forficula.structure import structure_of
 from forficula.study.kept_runs import RunToKeep, kept_runs
+from forficula.study.outcome_kinds import transitions_text
 
 SETTINGS = {
     "protocol": {
@@ -134,6 +135,7 @@ def tried_tolerance(folder, count=32):
     samples |= {name: ("sample", *values[1:]) for name, values in coordinates.items()}
     samples["outcome"] = _words("sample", rows)["outcome"]
     table = xarray.Dataset(samples | _made_up(deviations, works), {"result": ["margin"], "fact": ["works"]})
+    table.attrs["transitions"] = transitions_text(structure_of(design), None)
     tells = [works.index(True), works.index(False)]
     return Tried(asked=(design, deviations), table=table, kept=_kept(tells, designs, folder))
 
@@ -161,6 +163,17 @@ def _made_up(deviations, works):
     }
 
 
+def made_up_cells(design, deviations):
+    """A map over the first two values, of no run."""
+    first, second = deviations[:2]
+    ends = np.linspace(-1.5, 1.5, 9)
+    across, upwards = (
+        key_value(design, each.key) + ends * each.width(key_value(design, each.key)) for each in (first, second)
+    )
+    works = ends[None] - ends[:, None] < 1.2
+    return VerdictCells(first=first.key, second=second.key, across=across, upwards=upwards, works=works)
+
+
 def write_pages_of_goals(folder):
     """A page of each kind into folders of their own; returns their paths by kind."""
     paths = {kind: folder / kind / "report.html" for kind in ("optimise", "tolerance", "identify")}
@@ -171,7 +184,10 @@ def write_pages_of_goals(folder):
     write_goal_page(tried.asked, tried.table, found, paths["optimise"], tried.kept, len(tried.kept), "a,b\n")
     off = tried_tolerance(paths["tolerance"].parent)
     design, deviations = off.asked
-    write_tolerance_page(design, deviations, off.table, found, paths["tolerance"], off.kept, len(off.kept))
+    cells = made_up_cells(design, deviations)
+    write_tolerance_page(
+        design, deviations, off.table, found, paths["tolerance"], off.kept, len(off.kept), "a,b\n", cells
+    )
     write_identify_page(tried_identification(off.table), found, paths["identify"])
     return paths
 

@@ -141,9 +141,7 @@ def _run_batch(
     ]
 
 
-def _find_all(
-    facts: Sequence[Fact], runs: Mapping[int, SampleRuns], assess: Assess
-) -> dict[int, tuple[Finding, ...]]:
+def _find_all(facts: Sequence[Fact], runs: Mapping[int, SampleRuns], assess: Assess) -> dict[int, tuple[Finding, ...]]:
     """What every sample says of every fact: what is missing is run until nothing is."""
     rows: dict[str, Row] = {}
     found: dict[tuple[int, int], Finding] = {}

@@ -112,6 +112,7 @@ def _data(goal: Goal, results: Dataset) -> dict[str, Any]:
         Samples(
             name=goal.name,
             noun="design",
+            file="table.csv",
             keeps="The runs of the best designs are kept, as many as --keep says.",
             table=results,
             factors=tuple(each.factor.dimension for each in goal.parameters),
