@@ -165,7 +165,9 @@ def _with_neighbours(
     return done
 
 
-def _ask(goal: Goal, assess: Assessor, candidates: Sequence[Candidate], offsets: np.ndarray) -> list[Candidate]:
+def _ask(
+    goal: Goal, assess: Assessor, candidates: Sequence[Candidate], offsets: np.ndarray
+) -> list[Candidate]:
     """Candidates with what became of their neighbours."""
     wanted = wanted_share(goal)
     least = None if wanted is None or asks_probability(goal) else wanted.bound
