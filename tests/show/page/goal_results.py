@@ -7,12 +7,13 @@ import xarray
 from scipy.stats import qmc
 
 from forficula.design import key_value, load_design, with_values
-from forficula.goals.assessor import open_assessor, value_of
+from forficula.goals.assessor import open_assessor
 from forficula.goals.deviation import off_values, read_deviations
 from forficula.goals.goal_file import goal_of
-from forficula.goals.margins import margins_of
+from forficula.goals.optimise.kept_candidates import candidates_to_keep
+from forficula.goals.optimise.optimise import optimise_goal
 from forficula.quantities import parse_quantity
-from forficula.show.page.goal_page import limit_margins, write_goal_page
+from forficula.show.page.goal_page import write_goal_page
 from forficula.show.page.identify_page import write_identify_page
 from forficula.show.page.rich_html import LaidOut
 from forficula.show.page.tolerance_page import VerdictCells, write_tolerance_page
@@ -42,7 +43,7 @@ TABLES = {
     "limits": {"hinge_holding_torque": ">= 5 N cm", "fold_time": "<= 0.25 s", "probability": ">= 90 %"},
     "objectives": {"mass": "least", "hinge_holding_torque": "largest"},
     "tolerances": {"tendon.rest_length": "2 %", "tendon.area": "2 %"},
-    "search": {"neighbours": 8, "batch": 8, "runs": 32},
+    "search": {"neighbours": 8, "batch": 8, "runs": 24},
 }
 OFF = {
     "tendon.rest_length": "5 %",
@@ -62,57 +63,11 @@ class Tried:
     kept: list
 
 
-def tried_goal(folder, tables=TABLES, count=32):
-    """Designs of a goal, tried one and all, the best of them built eight times."""
-    goal = goal_of(tables)
-    transitions = structure_of(goal.base).transitions
-    shares = qmc.Sobol(len(goal.parameters), rng=np.random.default_rng(1)).random(count)
-    points = [dict(goal.values(row)) for row in shares]
-    designs = [with_values(goal.base, values) for values in points]
-    sources = [each for each in goal.sources if each != "neighbours"]
-    with open_assessor(folder, goal.base) as assess:
-        rows = assess(designs, sources, points=points)
-        margins = [margins_of(goal, row, each, transitions) for row, each in zip(rows, designs, strict=True)]
-        costs = np.array(
-            [
-                [each.cost(value_of(row, each.quantity, design)) for each in goal.objectives]
-                for row, design in zip(rows, designs, strict=True)
-            ]
-        )
-        meets = np.array([each.meets for each in margins])
-        front = meets & ~np.array([bool((meets & (costs < cost).all(axis=1)).any()) for cost in costs])
-        least = [each.least for each in margins]
-        best = int(np.argmax(np.where(front, least, -np.inf)))
-        likely = np.full(count, np.nan)
-        near = [
-            with_values(designs[best], off_values(designs[best], goal.deviations, off))
-            for off in 2 * qmc.Sobol(2, rng=np.random.default_rng(2)).random(8) - 1
-        ]
-        likely[best] = np.mean([margins_of(goal, row, near[0], transitions).works > 0 for row in assess(near, sources)])
-    variables = {}
-    for quantity in goal.quantities:
-        values = [value_of(row, quantity, design) for row, design in zip(rows, designs, strict=True)]
-        attributes = {"units": quantity.unit.si, "display": quantity.unit.display, "long_name": quantity.meaning}
-        variables[quantity.dimension] = ("candidate", [np.nan if v is None else v for v in values], attributes)
-    share = {"units": "", "display": "%"}
-    variables["probability"] = ("candidate", likely, share)
-    variables["probability_low"] = ("candidate", likely - 0.3, share)
-    variables["probability_high"] = ("candidate", likely, share)
-    variables["margin"] = ("candidate", least, share)
-    variables["works"] = ("candidate", [each.works for each in margins], share)
-    own = [pair for pair in limit_margins(goal) if pair[0].quantity.source != "neighbours"]
-    for number, (_, name) in enumerate(own):
-        variables[name] = ("candidate", [each.limits[number] for each in margins], share)
-    variables["margin_probability"] = ("candidate", likely / 0.9 - 1, share)
-    variables |= {"feasible": ("candidate", meets), "front": ("candidate", front)}
-    variables["best"] = ("candidate", np.arange(count) == best)
-    variables |= _words("candidate", rows)
-    coordinates = {each.factor.dimension: _column("candidate", each.factor, points) for each in goal.parameters}
-    table = xarray.Dataset(variables, coordinates)
-    kept = _kept(
-        [best, *np.flatnonzero(front & (np.arange(count) != best))[:2], int(np.argmin(meets))], designs, folder
-    )
-    return Tried(asked=goal, table=table, kept=kept)
+def tried_goal(folder, tables=TABLES):
+    """The best designs of a goal, and the runs of some."""
+    found = optimise_goal(goal_of(tables), folder)
+    runs = candidates_to_keep(found, 4)
+    return Tried(asked=found, table=found.table, kept=list(kept_runs(runs, folder)))
 
 
 def tried_tolerance(folder, count=32):
@@ -181,7 +136,7 @@ def write_pages_of_goals(folder):
         path.parent.mkdir(parents=True)
     tried = tried_goal(paths["optimise"].parent)
     found = LaidOut(heading="a-joint-that-holds: made up", tables=(), sentences=("made up for a test",))
-    write_goal_page(tried.asked, tried.table, found, paths["optimise"], tried.kept, len(tried.kept), "a,b\n")
+    write_goal_page(tried.asked, found, paths["optimise"], tried.kept, len(tried.kept))
     off = tried_tolerance(paths["tolerance"].parent)
     design, deviations = off.asked
     cells = made_up_cells(design, deviations)
