@@ -10,6 +10,7 @@ from .calls import compare as compare
 from .calls import converge as converge
 from .calls import figure as figure
 from .calls import film as film
+from .calls import identify as identify
 from .calls import landscape as landscape
 from .calls import new_study as new_study
 from .calls import page as page

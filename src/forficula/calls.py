@@ -17,9 +17,11 @@ from forficula.quantities import as_written
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+    from xarray import Dataset
 
     from forficula.dynamics import Record
     from forficula.dynamics.simulate import Progress
+    from forficula.goals.identify import Observations
     from forficula.make.part import PartSet
     from forficula.pattern import PatternFacts
     from forficula.statics import EnergyLandscape
@@ -148,6 +150,47 @@ def new_study(
             "factors": dict(factors) if isinstance(factors, Mapping) else factors,
         }
     )
+
+
+def identify(
+    observations: Observations | AnyPath | Mapping[str, object],
+    out: AnyPath,
+    *,
+    threads: int = 0,
+    progress: Callable[[int, int, Sequence[Any]], None] | None = None,
+) -> Dataset:
+    """Say which values of what is unknown agree with what was seen, as `forficula identify` does.
+
+    Args:
+        observations: or named ones, or the path of an observations file, or its tables, as in
+            `{"design": design, "unknown": {"tendon.left.stiffness": [...]}, "fact": [...]}`.
+        out: folder with the rows of runs; what was stopped goes on there.
+        threads: 0 for one a core.
+        progress: called after every batch with the samples done, all samples, and those so far.
+
+    Returns:
+        Over samples and facts: what was found, how far it is from each fact, and what agrees.
+
+    Raises:
+        InputError: no such observations, values that are not allowed, or a folder of others.
+
+    >>> seen = {"name": "closes", "quantity": "close_time", "absent": "9 s", "at_most": "1 s"}
+    >>> lost = {"tendon.left.stiffness": ["0.4 N/cm", "0.6 N/cm"]}
+    >>> asked = {"design": design, "unknown": lost, "sampling": {"samples": 2, "directed": 0}, "fact": [seen]}
+    >>> ff.identify(asked, out="seen")["met"].values.tolist()
+    [[True], [True]]
+    """
+    from forficula.goals.identify import Observations, load_observations, observations_of
+    from forficula.goals.identify.run_identify import identify as identify_in
+
+    match observations:
+        case Observations():
+            asked = observations
+        case Mapping():
+            asked = observations_of({"name": "observations", **observations})
+        case _:
+            asked = load_observations(as_path(observations, "observations, their name or the path of their file"))
+    return identify_in(asked, as_path(out, "a folder"), threads=threads, progress=progress)
 
 
 def pattern_facts(design: AnyDesign) -> PatternFacts:

@@ -36,8 +36,9 @@ def tolerance_table(found: Tolerance) -> xarray.Dataset:
         Dimensions: `fact`, that it works, does each transition, stays there, meets each limit, with `probability` and
         its interval; `group`, factors and the others as one, by `margin`, with first-order and total indices and their
         intervals; `factor`, with value and width in SI, how far it alone may go down and up, in widths, NaN where that
-        is not known, and what half of its tolerance gains; `sample`, with every value in SI, `answer`, `outcome` and
-        margins. The attribute `says` has the sentences, `transitions` names the transitions as of a study.
+        is not known, and what half of its tolerance gains; `sample`, with every value in SI, `answer`, `outcome`,
+        `status`, `verdict` and `margin`. The attribute `says` has the sentences, and `transitions` names the
+        transitions as that of a study does.
     """
     question = found.question
     variables: dict[str, Any] = {**_facts(found), **_indices(found.indices), **_factors(found)}
@@ -47,6 +48,7 @@ def tolerance_table(found: Tolerance) -> xarray.Dataset:
         "group": list(found.indices.groups),
         "result": list(margin_names(question)),
         "factor": list(question.keys),
+        **_values(found),
     }
     attributes = {
         "design": question.design.name,
@@ -107,20 +109,28 @@ def _factors(found: Tolerance) -> dict[str, Any]:
 
 
 def _samples(found: Tolerance) -> dict[str, Any]:
+    samples = found.samples
+    return {
+        "answer": ("sample", samples.answers.astype(str).astype(object)),
+        "outcome": ("sample", samples.outcomes),
+        "status": ("sample", samples.statuses),
+        "verdict": ("sample", samples.verdicts),
+        "margin": (("result", "sample"), samples.margins),
+    }
+
+
+def _values(found: Tolerance) -> dict[str, Any]:
+    """What every factor is in every sample, SI."""
     question, samples = found.question, found.samples
     own = np.array([float(key_value(question.design, key)) for key in question.keys])
     values = own + samples.offsets * deviation_widths(question.design, question.deviations)
-    table: dict[str, Any] = {
-        "answer": ("sample", samples.answers.astype(str).astype(object)),
-        "outcome": ("sample", samples.outcomes),
-        "margin": (("result", "sample"), samples.margins),
-    }
+    columns: dict[str, Any] = {}
     for factor, key in enumerate(question.keys):
         quantity = key_quantity(key, type(question.design))
         display = "" if quantity is None else quantity.unit.display
         attributes = {"units": _unit(question, factor), "display": display, "key": key}
-        table[key.replace(".", "_")] = ("sample", values[:, factor], attributes)
-    return table
+        columns[key.replace(".", "_")] = ("sample", values[:, factor], attributes)
+    return columns
 
 
 def _unit(question: Question, factor: int) -> str:
