@@ -39,7 +39,7 @@ TABLES = {
     "design": "binder2025-joint",
     "settings": SETTINGS,
     "vary": VARY,
-    "limits": {"hinge_holding_torque": ">= 5 N cm", "fold_time": "<= 0.25 s", "probability": ">= 90 %"},
+    "limits": {"hinge_holding_torque": ">= 5 N cm", "probability": ">= 90 %"},
     "objectives": {"mass": "least", "hinge_holding_torque": "largest"},
     "tolerances": {"tendon.rest_length": "2 %", "tendon.area": "2 %"},
     "search": {"neighbours": 8, "batch": 8, "runs": 16},

@@ -45,15 +45,14 @@ LEAST_TRIED = {
         *("INPUT", "BUTTON open point #", "BUTTON Download table.csv", "BUTTON outcome"),
     },
     "optimise": {
-        *("point", "DIV least mass", "DIV most fold time", "SUMMARY Axes", "INPUT", "SELECT across"),
+        *("point", "DIV least mass", "DIV most mass", "SUMMARY Axes", "INPUT", "SELECT across"),
         *("BUTTON show all designs", "BUTTON open design #", "BUTTON Download table.csv", "SELECT show"),
     },
-    "tolerance": {"point", "DIV most margin", "SELECT upwards", "BUTTON open sample #", "BUTTON Download samples.csv"},
+    "tolerance": {"point", "DIV most margin", "SELECT upwards", "BUTTON open sample #", "BUTTON Download table.csv"},
     "identify": {
         "point",
         "DIV least facts met",
         "BUTTON open sample #",
-        "BUTTON vein diameter over hinge overbend, large",
     },
     "drawn study": {"point", "BUTTON open point #", "SELECT show"},
 }
