@@ -108,7 +108,15 @@ def test_the_command_writes_its_files_and_tells_what_agrees(tmp_path, capsys):
     assert told["facts"][1]["nearest"] == 1
     assert "Met by none at all: never closes." in told["sentences"]
     names = {path.name for path in out.iterdir()}
-    assert {"identified.nc", "samples.csv", "summary.txt", "facts.png", "pairs.png", "journal.jsonl"} <= names
+    assert {
+        "identified.nc",
+        "samples.csv",
+        "summary.txt",
+        "facts.png",
+        "pairs.png",
+        "report.html",
+        "journal.jsonl",
+    } <= names
     lines = (out / "samples.csv").read_text("utf-8").splitlines()
     assert len(lines) == 5
     assert lines[0].startswith("sample,tendon_left_stiffness (N/m),")

@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from forficula.goals.deviation import off_values
+from forficula.goals.kept_designs import designs_to_keep
 from forficula.goals.tolerance.nearest_failure import Answer
+from forficula.goals.tolerance.samples import built_design
 from forficula.goals.tolerance.tolerance import Tolerance
 from forficula.study.kept_runs import RunToKeep
 
@@ -23,16 +25,9 @@ def samples_to_keep(found: Tolerance, most: int = MOST_KEPT) -> list[RunToKeep]:
     near = np.argsort(np.sum(samples.offsets**2, axis=1), kind="stable").tolist()
     told = [place for place in near if samples.answers[place] in (Answer.WORKS, Answer.FAILS)]
     turns = [[place for place in told if samples.outcomes[place] == outcome] for outcome in found.outcomes]
-    chosen = [turn[number] for number in range(len(told)) for turn in turns if number < len(turn)][:most]
-    digits = len(str(len(samples)))
-    return [
-        RunToKeep(
-            point=place,
-            part="run",
-            name=f"{place + 1:0{digits}d}",
-            design=question.design.with_values(
-                off_values(question.design, question.deviations, samples.offsets[place].tolist())
-            ),
-        )
-        for place in sorted(chosen)
+    wanted = [turn[number] for number in range(len(told)) for turn in turns if number < len(turn)]
+    designs = [
+        built_design(question.design, off_values(question.design, question.deviations, each))
+        for each in samples.offsets.tolist()
     ]
+    return designs_to_keep(designs, wanted, most)

@@ -11,7 +11,9 @@ from forficula.csv_text import csv_text
 from forficula.files import replacing_all, write_bytes, write_text
 from forficula.goals.identify.marginal import marginals, unknowns_of
 from forficula.show.goals.identify_figures import identify_drawings
-from forficula.show.goals.identify_text import first_sentence, together_sentences
+from forficula.show.goals.identify_text import first_sentence, identification_text, together_sentences
+from forficula.show.page.identify_page import write_identify_page
+from forficula.show.page.rich_html import laid_out
 from forficula.show.style import save_figures
 
 if TYPE_CHECKING:
@@ -22,7 +24,7 @@ _SUMMARY = "summary.txt"
 
 
 def write_identification(result: Dataset, folder: Path) -> None:
-    """Write an identification: its table as netCDF and as text, its sentences and its figures; all of them, or none.
+    """Write an identification: its table as netCDF and as text, its sentences, figures and page; all of them, or none.
 
     Args:
         result: what came out.
@@ -33,9 +35,11 @@ def write_identification(result: Dataset, folder: Path) -> None:
     """
     with replacing_all(folder) as unfinished:
         write_bytes(unfinished / IDENTIFIED, result.to_netcdf(engine="h5netcdf"))
-        write_text(unfinished / "samples.csv", samples_csv(result))
+        csv = samples_csv(result)
+        write_text(unfinished / "samples.csv", csv)
         write_text(unfinished / _SUMMARY, "\n".join([first_sentence(result), *together_sentences(result)]) + "\n")
         save_figures(identify_drawings(result), unfinished)
+        write_identify_page(result, laid_out(identification_text(result)), unfinished / "report.html", csv=csv)
 
 
 def samples_csv(result: Dataset) -> str:

@@ -20,7 +20,7 @@ from forficula.goals.tolerance.indices import Values
 from forficula.goals.tolerance.nearest_failure import Reach
 from forficula.goals.tolerance.probability import Probability
 from forficula.goals.tolerance.question import MARGIN
-from forficula.goals.tolerance.tolerance_table import index_table, reach_table, sample_table, tolerance_table
+from forficula.goals.tolerance.tolerance_table import tolerance_table
 from forficula.show.goals.tolerance_figures import draw_cloud, draw_indices, draw_reaches
 from forficula.show.goals.tolerance_text import tolerance_text
 from forficula.show.page.rich_html import laid_out
@@ -32,7 +32,7 @@ from forficula.study.table import unit_suffix
 if TYPE_CHECKING:
     from xarray import Dataset
 
-TOLERANCE_FILE = "tolerance.json"
+TOLERANCE_FILE, TOLERANCE_TABLE = "tolerance.json", "tolerance.nc"
 
 
 def write_tolerance(found: Tolerance, folder: Path) -> Dataset:
@@ -52,8 +52,8 @@ def write_tolerance(found: Tolerance, folder: Path) -> Dataset:
     save_design(found.question.design, folder / "design.toml")
     write_text(folder / TOLERANCE_FILE, json.dumps(tolerance_json(found), indent=2, ensure_ascii=False) + "\n")
     write_text(folder / "table.csv", _samples_csv(table))
-    write_bytes(folder / "tolerance.nc", table.to_netcdf(engine="h5netcdf"))
-    save_figures(tolerance_drawings(found, table), folder)
+    write_bytes(folder / TOLERANCE_TABLE, table.to_netcdf(engine="h5netcdf"))
+    save_figures(tolerance_drawings(table), folder)
     return table
 
 
@@ -69,28 +69,26 @@ def write_tolerance_report(found: Tolerance, kept: Iterable[KeptRun], count: int
     Raises:
         InputError: it cannot be written.
     """
-    question = found.question
+    question, table = found.question, tolerance_table(found)
     write_tolerance_page(
         question.design,
         question.deviations,
-        sample_table(found),
-        index_table(found),
-        reach_table(found),
+        table,
         laid_out(tolerance_text(found)),
         folder / "report.html",
         kept,
         count,
-        _samples_csv(tolerance_table(found)),
+        _samples_csv(table),
     )
 
 
-def tolerance_drawings(found: Tolerance, table: Dataset) -> dict[str, Drawing]:
+def tolerance_drawings(table: Dataset) -> dict[str, Drawing]:
     """What draws a tolerance, by the stem of its file; what was not looked for is left out."""
-    drawings: dict[str, Drawing] = {"indices": lambda width: draw_indices(found, width)}
-    if found.map is not None:
-        drawings["cloud"] = lambda width: draw_cloud(found, table, width)
-    if found.reaches:
-        drawings["reaches"] = lambda width: draw_reaches(found, width)
+    drawings: dict[str, Drawing] = {"indices": lambda width: draw_indices(table, width)}
+    if "map_outcome" in table:
+        drawings["cloud"] = lambda width: draw_cloud(table, width)
+    if np.isfinite(table["works_down"].values).any():
+        drawings["reaches"] = lambda width: draw_reaches(table, width)
     return drawings
 
 
@@ -162,11 +160,11 @@ def _reach(reach: Reach) -> dict[str, Any]:
 
 def _samples_csv(table: Dataset) -> str:
     """A line a sample: every value with its unit in the heading, in SI, what it came to, and its margins."""
-    factors = [name for name in table.coords if "key" in table[name].attrs]
+    factors = [name for name in table.coords if table[name].dims == ("sample",)]
     headings = [f"{name}{unit_suffix(table[name].attrs['units'])}" for name in factors]
     results = [f"{name} margin" if name != MARGIN else MARGIN for name in table["result"].values.tolist()]
     columns = [*(table[name].values for name in factors), table["answer"].values, table["outcome"].values]
-    columns += list(table["margins"].values)
+    columns += list(table["margin"].values)
     rows = [
         [value if isinstance(value, str) else f"{value:.9g}" for value in row] for row in zip(*columns, strict=True)
     ]

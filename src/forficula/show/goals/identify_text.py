@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from rich.console import Console
+from rich.console import Console, Group
 from rich.table import Table
+from rich.text import Text
 
 from forficula.goals.identify.exclusion import Together
 from forficula.goals.identify.fact_text import value_text
@@ -23,13 +24,20 @@ _NARROW = 110
 
 def print_identification(result: Dataset) -> None:
     """Print how far each fact can be met, which exclude one another, and what agrees."""
-    console = Console(width=_NARROW, highlight=False)
-    console.print(first_sentence(result), markup=False)
-    console.print(facts_table(result))
-    for sentence in together_sentences(result):
-        console.print(sentence, markup=False)
-    console.print(unknowns_table(result))
-    console.print(agrees_sentence(result), markup=False)
+    Console(width=_NARROW, highlight=False).print(identification_text(result))
+
+
+def identification_text(result: Dataset) -> Group:
+    """How far each fact can be met, which exclude one another, and what agrees."""
+    return Group(
+        Text(first_sentence(result), style="bold"),
+        Text("Facts", style="italic"),
+        facts_table(result),
+        *(Text(sentence) for sentence in together_sentences(result)),
+        Text("Unknown values", style="italic"),
+        unknowns_table(result),
+        Text(agrees_sentence(result)),
+    )
 
 
 def first_sentence(result: Dataset) -> str:
