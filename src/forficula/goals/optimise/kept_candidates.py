@@ -33,4 +33,4 @@ def _spread(numbers: np.ndarray, most: int) -> np.ndarray:
     """So many of some numbers, evenly."""
     if len(numbers) <= most:
         return numbers
-    return numbers[np.linspace(0, len(numbers) - 1, max(most, 0)).round().astype(int)]
+    return np.asarray(numbers[np.linspace(0, len(numbers) - 1, max(most, 0)).round().astype(int)])

@@ -91,7 +91,7 @@ def tolerance_page(
         found: the sentence with the probability, the tables and the remarks, as the terminal has them.
         kept: the runs that can be played; `point` is the number of the sample.
         count: how many these are.
-        csv: the text of `samples.csv`.
+        csv: the text of `table.csv`.
         cells: a map over two of the values, under the cloud.
     """
     data = _data(design, deviations, results)
@@ -169,7 +169,7 @@ def _data(design: Design, deviations: Sequence[Deviation], results: Dataset) -> 
         Samples(
             name=design.name,
             noun="sample",
-            file="samples.csv",
+            file="table.csv",
             keeps="Runs of some samples are kept.",
             table=table,
             factors=tuple(names.values()),
