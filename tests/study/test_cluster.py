@@ -30,8 +30,10 @@ def local_cluster(**options):
 
 
 @pytest.fixture
-def cluster():
+def cluster(monkeypatch):
     """Its workers are in this process, where they are there at once."""
+    # on no machine are runs as short as these all done here
+    monkeypatch.setattr("forficula.study.cluster._LEAST_SECONDS", 0.05)
     with local_cluster(processes=False, protocol="tcp://") as cluster:
         yield cluster
 

@@ -21,7 +21,11 @@ export function makeLines(model, keys, { best, best_word, front }, press) {
   const said = make("p", { className: "note", role: "status" });
   const under = make("p", { className: "note under" }, "\u00a0");
   const all = make("button", { type: "button" }, `show all ${model.study.noun}s`);
-  all.addEventListener("click", () => model.forget());
+  all.addEventListener("click", () => {
+    model.forget();
+    // it is gone now, and had the keys
+    place.querySelector("[role=slider]")?.focus();
+  });
   const redraw = () => {
     drawBoard(model, view, { board, titles, place, width: scroll.clientWidth });
     layers(model, view, place);
@@ -56,7 +60,7 @@ function tell(model, said, all) {
   const good = left.filter(model.good).length;
   const word = model.study.words.find((each) => each.sign === "\u25cf")?.word;
   said.textContent = `${left.length} of ${points} ${noun}s lie within what is asked of the axes${word ? `; ${word}: ${good}` : ""}.`;
-  all.disabled = model.asked.size === 0;
+  all.hidden = model.asked.size === 0;
 }
 
 /** Which columns have an axis. */

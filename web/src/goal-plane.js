@@ -13,6 +13,8 @@ export function makePlane(model, { plane, front, best, best_word, joined }, open
   const place = make("div", { className: "map-place" });
   const legend = make("div", { className: "map-legend" });
   const draw = () => {
+    const first = view.x === firstX && view.y === firstY;
+    view.cells = first ? plane.cells : undefined;
     view.joined = joined && new Set([view.x, view.y, firstX, firstY]).size === 2;
     const shown = makeScatter(model, view, press);
     place.replaceChildren(shown.element);
@@ -66,7 +68,7 @@ export function makePlane(model, { plane, front, best, best_word, joined }, open
   };
 }
 
-function legendParts(model, { quantity, front, x, y }) {
+function legendParts(model, { quantity, front, cells, x, y }) {
   const parts = [];
   const scale = model.scaleOf(quantity);
   if (scale) {
@@ -83,6 +85,7 @@ function legendParts(model, { quantity, front, x, y }) {
   const columns = [x, y].map((index) => model.columns[index]);
   if (columns.some((column) => typeof column.own === "number")) entries.push(make("li", {}, make("span", { className: "dashes", "aria-hidden": "true" }), "as designed"));
   if (columns.some((column) => column.limits.length)) entries.push(make("li", {}, make("span", { className: "shade", "aria-hidden": "true" }), "beyond a limit"));
+  if (cells) for (const does of ["works", "fails"]) entries.push(make("li", {}, make("span", { className: `map-${does}`, "aria-hidden": "true" }), `${does} with only these two off`));
   if (entries.length) parts.push(make("ul", {}, ...entries));
   return parts;
 }

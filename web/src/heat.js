@@ -31,6 +31,7 @@ const PATTERNS = {
   "\u00b7": "unrun",
   "\u2297": "before",
   "\u25d0": "missed",
+  "\u25d2": "missed",
   "\u25cb": "apart",
   "\u25b3": "placed",
 };

@@ -31,10 +31,10 @@ export function scaleOf({ values, log }, others = []) {
   return { words, share, ticks, value: (at) => back(low + at * (high - low)) };
 }
 
-/** Where values lie on an axis from one place to another of the drawing; what is missing at its start. */
-export function makeAxis(values, column, from, to) {
+/** Where values, and others, lie on an axis from one place to another of the drawing; what is missing at its start. */
+export function makeAxis(values, column, from, to, others = []) {
   const label = column.unit ? `${column.name} (${column.unit})` : column.name;
-  const scale = scaleOf({ values, log: column.log });
+  const scale = scaleOf({ values, log: column.log }, others);
   const margin = 0.04 * (to - from);
   const at = (value) => from + margin + scale.share(value) * (to - from - 2 * margin);
   const ticks = scale.ticks.map((value) => [at(value), typeof value === "number" ? numberText(value) : value]);

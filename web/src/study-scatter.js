@@ -12,7 +12,7 @@ const STEPS = { ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1 };
 /**
  * The drawing of a view: what it shows, `quantity`, and numbers of the columns `x` and `y`; where there are such, `front`,
  * numbers of the points that none beats, which are joined if `joined`, and `best`, of the best,
- * which is called `bestWord`. `ordered`: whether arrows
+ * which is called `bestWord`, and `cells`, a map under them. `ordered`: whether arrows
  * go from left to right, and what came furthest lies in front; otherwise both are by number.
  */
 export function makeScatter(model, view, press) {
@@ -20,12 +20,13 @@ export function makeScatter(model, view, press) {
   const { quantity } = view;
   const points = Array.from({ length: study.points }, (_, point) => point);
   const scale = model.scaleOf(quantity);
-  const across = makeAxis(columns[view.x].values, columns[view.x], EDGE.left, WIDTH - EDGE.right);
+  const across = makeAxis(columns[view.x].values, columns[view.x], EDGE.left, WIDTH - EDGE.right, view.cells?.across);
   const values = view.y === null ? quantity.values ?? points.map(() => 0) : columns[view.y].values;
   const named = view.y === null ? { name: quantity.title, unit: quantity.unit } : columns[view.y];
-  const upwards = makeAxis(values, named, HEIGHT - EDGE.bottom, EDGE.top);
+  const upwards = makeAxis(values, named, HEIGHT - EDGE.bottom, EDGE.top, view.cells?.upwards);
   const label = `${quantity.title} of ${study.points} ${study.noun}s; arrows move between them, enter opens one`;
   const drawing = draw("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: points.length > MANY ? "scatter many" : "scatter", role: "listbox", "aria-label": label });
+  if (view.cells) drawing.append(...mapCells(view.cells, across, upwards));
   drawing.append(...axisParts(across, upwards, HEIGHT), ...guides(columns[view.x], across, upwards, true), ...(view.y === null ? [] : guides(columns[view.y], upwards, across, false)));
   const places = points.map((point) => [across.place(point), upwards.place(point)]);
   if (view.joined) drawing.append(frontLine(view.front, places, columns[view.x].aim));
@@ -56,6 +57,21 @@ function makePoint(model, view, scale, point, [x, y], radius) {
   if (sign) mark.append(draw("text", { "text-anchor": "middle", dy: "0.36em" }, sign));
   if (view.best === point) mark.append(draw("text", { class: "best", "text-anchor": "middle", dy: -radius - 6 }, view.bestWord));
   return mark;
+}
+
+/** A map under the points: whether the design works at each of the values of both axes. */
+function mapCells(cells, across, upwards) {
+  const [columns, rows] = [edges(cells.across.map(across.at)), edges(cells.upwards.map(upwards.at))];
+  return cells.works.flatMap((column, i) =>
+    column.map((works, j) => draw("rect", { class: works ? "map-works" : "map-fails", x: columns[i], width: columns[i + 1] - columns[i], y: rows[j + 1], height: rows[j] - rows[j + 1] })),
+  );
+}
+
+/** Where each cell about a place begins, and the last one ends. */
+function edges(places) {
+  const between = places.slice(1).map((place, index) => (place + places[index]) / 2);
+  const [first, last] = [places[0], places.at(-1)];
+  return [first, ...between, last];
 }
 
 /** What a column says along its axis: the design’s own value, and limits, beyond which is shaded. */

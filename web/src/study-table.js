@@ -29,7 +29,7 @@ export function extendTable(section, model, csv, open) {
   const words = model.study.factors.length + 1;
   for (const row of [table.tHead.rows[0], ...rows]) row.cells[words].classList.add("words");
   makeSortable(table, rows, sortKeys(model));
-  const tools = make("div", { className: "choices" }, filter.element, ...(csv ? [downloadButton(csv)] : []));
+  const tools = make("div", { className: "choices" }, filter.element, ...(csv ? [downloadButton(csv, model.study.file)] : []));
   table.closest(".table").before(tools, count);
   filter.changed();
   return filter.changed;
@@ -81,11 +81,11 @@ function compare(first, second, direction) {
 }
 
 /** The file that the study's folder has, too. */
-function downloadButton(csv) {
-  const button = make("button", { type: "button", className: "button" }, "Download table.csv");
+function downloadButton(csv, file) {
+  const button = make("button", { type: "button", className: "button" }, `Download ${file}`);
   button.addEventListener("click", () => {
     const address = URL.createObjectURL(new Blob([csv], { type: "text/csv;charset=utf-8" }));
-    make("a", { href: address, download: "table.csv" }).click();
+    make("a", { href: address, download: file }).click();
     setTimeout(() => URL.revokeObjectURL(address), 10_000);
   });
   return button;

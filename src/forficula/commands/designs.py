@@ -86,6 +86,7 @@ def keys(
     kind: Annotated[str, Parameter(help=_KINDS)] = "earwig-fan",
     study: Annotated[bool, Parameter(help="Those of a study file instead.", negative=())] = False,
     goal: Annotated[bool, Parameter(help="Those of a goal file instead.", negative=())] = False,
+    observations: Annotated[bool, Parameter(help="Those of an observations file instead.", negative=())] = False,
 ) -> None:
     """List the keys of a design file: what each may be, what counts where it is left out, and what it means."""
     from forficula.design.key_table import key_facts
@@ -96,9 +97,13 @@ def keys(
 
     if kind not in KINDS:
         raise InputError(f"--kind: need {one_of(KINDS, kind)}")
-    if study and goal:
-        raise InputError("keys: need one of --study and --goal, got both")
-    if goal:
+    if study + goal + observations > 1:
+        raise InputError("keys: need one of --study, --goal and --observations, got several")
+    if observations:
+        from forficula.goals.identify.observation_keys import observation_key_facts
+
+        facts = observation_key_facts(section)
+    elif goal:
         from forficula.goals.goal_keys import goal_key_facts
 
         facts = goal_key_facts(section)

@@ -4,13 +4,13 @@ import math
 
 from forficula.study.evaluate import row_key
 
-# N/m, m, kg m^2: of the hinge whose values are hidden
+# of the paper; and kg m^2, of the hinge
 TENDONS = {"tendon.stiffness": "10..60 N/cm step 10", "tendon.rest_length": "0..9 cm step 1"}
 INERTIA = 4e-4
 
 
 def holding_torque(design):
-    """Least torque that leaves the stop, N m: k (L - l0) a b sin(phi) / L at the overbend (Goldstein, Classical Mechanics)."""
+    """Least torque that leaves the stop, N m: k (L - l0) a b sin(phi) / L at the overbend, by virtual work."""
     tendon = design.tendon
     a, b, angle = tendon.proximal_attachment, tendon.distal_attachment, design.hinge.overbend
     length = math.sqrt(a * a + b * b + 2 * a * b * math.cos(angle))
@@ -18,7 +18,7 @@ def holding_torque(design):
 
 
 def row_of(design):
-    """What a run would say were the wing that hinge: it folds where the torque is enough, and the sooner the stiffer."""
+    """What a run would say were the wing that hinge: it folds where the torque is enough, sooner where it is stiff."""
     tendon = design.tendon
     folds = design.protocol.fold_torque >= holding_torque(design)
     # time scale sqrt(I / (k a b)), and as much again for the damping

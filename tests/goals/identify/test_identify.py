@@ -1,16 +1,14 @@
 """Values that are hidden are found again by what they bring about, and facts that exclude one another are told."""
 
-import math
-
 import numpy as np
 import pytest
-from tests.goals.identify.closed_form import assess, count_fact, row_of, time_fact
 
 from forficula.design import load_design
 from forficula.goals.identify import observations_of
 from forficula.goals.identify.exclusion import Together
 from forficula.goals.identify.identify import identify_samples
 from forficula.goals.identify.result import build_result
+from tests.goals.identify.closed_form import assess, count_fact, row_of, time_fact
 
 # less than any overbend
 SETTINGS = {"protocol.initial_overbend": "0 deg"}

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from tests.goals.identify.closed_form import TENDONS, assess, holding_torque
 
 from forficula.design import load_design
 from forficula.goals.identify import observations_of
 from forficula.goals.identify.finding import Finding, find
 from forficula.goals.identify.sample_runs import SampleRuns
 from forficula.goals.identify.staircase import FAILS, HOLDS, OPEN, follows, next_point
+from tests.goals.identify.closed_form import TENDONS, assess, holding_torque
 
 LEAST = {
     "name": "least",
@@ -82,9 +82,7 @@ def test_a_count_along_a_boundary_is_that_of_all_conditions(overbend):
 @pytest.mark.parametrize("statistic", ["least", "largest", "mean"])
 def test_least_torques_by_halving_are_those_by_trying_all_and_bound_the_closed_form(overbend, statistic):
     tried, many = found(overbend, **{**LEAST, "statistic": statistic})
-    halved, few = found(
-        overbend, **{**LEAST, "statistic": statistic, "least": {**LEAST["least"], "monotone": True}}
-    )
+    halved, few = found(overbend, **{**LEAST, "statistic": statistic, "least": {**LEAST["least"], "monotone": True}})
     assert halved == tried
     # of fifty values one alone, or halves of them six times
     assert len(few) <= 7 * 10
@@ -141,7 +139,8 @@ def test_two_statistics_are_held_against_each_other():
     design = load_design("binder2025")
     folds = [
         [
-            holding_torque(design.with_values({"tendon.stiffness": 1e3 * k, "tendon.rest_length": 0.01 * length})) <= 0.5
+            holding_torque(design.with_values({"tendon.stiffness": 1e3 * k, "tendon.rest_length": 0.01 * length}))
+            <= 0.5
             for length in range(10)
         ]
         for k in range(1, 7)

@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Target = tuple[int, ...]
 
-# of a target, from which steps are taken
-_NEAREST = 10
-# by which two of them differ, added to a third (Storn and Price 1997), and how many of a sample's shares change at once
-_STEP, _CHANGED = 0.7, 0.6
+# of a target: those from which steps are taken, and those whose differences are the steps (Storn and Price 1997)
+_STARTS, _NEAREST = 3, 10
+# by how much of a difference at least and at most, and how many of a sample's shares change at once
+_STEPS, _CHANGED = (0.1, 0.9), 0.6
 # added to every step, so that what the nearest have in common can still change
-_NOISE = 0.03
+_NOISE = 0.02
 
 
 def open_targets(met: NDArray[np.bool_]) -> list[Target]:
@@ -72,10 +72,11 @@ def directed_shares(shares: Array, excess: Array, targets: Sequence[Target], cou
     placed = []
     for number in range(count):
         order = np.argsort(misses(excess, targets[number % len(targets)]), kind="stable")
-        nearest = shares[order[:_NEAREST]]
-        start, one, other = nearest[generator.integers(len(nearest), size=3)]
-        step = _STEP * (one - other) + _NOISE * generator.standard_normal(shares.shape[1])
+        start = shares[order[generator.integers(min(_STARTS, len(order)))]]
+        one, other = shares[generator.permutation(order[:_NEAREST])[[0, -1]]]
+        step = generator.uniform(*_STEPS) * (one - other) + _NOISE * generator.standard_normal(shares.shape[1])
         changed = generator.random(shares.shape[1]) < _CHANGED
+        changed[generator.integers(shares.shape[1])] = True
         placed.append(_reflected(start + np.where(changed, step, 0.0)))
     return np.array(placed)
 

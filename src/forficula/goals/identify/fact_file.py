@@ -47,7 +47,8 @@ def read_fact(given: object, base: Design, folder: Path) -> Fact:
     if term.statistic in ("all", "none", "any") or term.statistic in PLACES:
         if orders:
             raise InputError(f'{orders[0]}: has no place beside statistic = "{term.statistic}"')
-        order, bound = _own_bound(term)
+        order, own = _own_bound(term)
+        bound: float | Term = own
     elif len(orders) != 1:
         raise InputError(f"need one of {', '.join(_ORDERS)}, got {' and '.join(orders) or 'none'}")
     else:
@@ -59,7 +60,9 @@ def read_fact(given: object, base: Design, folder: Path) -> Fact:
         order=order,
         bound=bound,
         places=places,
-        tolerance=_number(given.get("tolerance", 0 if term.unit is None else f"0 {term.unit.display}"), term, "tolerance"),
+        tolerance=_number(
+            given.get("tolerance", 0 if term.unit is None else f"0 {term.unit.display}"), term, "tolerance"
+        ),
         scale=_number(given["scale"], term, "scale") if "scale" in given else None,
     )
 
@@ -102,7 +105,7 @@ def _term(given: Mapping[str, Any], base: Design, folder: Path) -> Term:
     known = row_quantities(base)
     quantity = _quantity(given.get("quantity"), known)
     over = _over(given, folder, type(base))
-    least = _least(given.get("least"), base, folder)
+    least = _least(given.get("least"), base)
     if not quantity and least is None:
         raise InputError(f'quantity: "{LEAST_VALUE}" needs a table least with key and values')
     counted = is_state(quantity) and least is None
@@ -168,7 +171,7 @@ def _settings(given: Mapping[str, Any], folder: Path) -> dict[str, object]:
     return {key: value_from_folder(key, value, folder) for key, value in dotted_values(table, "settings").items()}
 
 
-def _least(given: object, base: Design, folder: Path) -> LeastValue | None:
+def _least(given: object, base: Design) -> LeastValue | None:
     if given is None:
         return None
     if not isinstance(given, dict):

@@ -24,8 +24,8 @@ Assess = Callable[[Sequence[ConditionRun]], Sequence[Row]]
 # Called with the samples that are done, all samples, and those so far.
 Progress = Callable[[int, int, "Sequence[Sample]"], None]
 
-# samples side by side, whose runs go out together
-_BATCH = 32
+# Samples side by side, whose runs go out together; of those that are placed fewer, for each batch learns from the last.
+_BATCH, _PLACED_BATCH = 32, 16
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -74,7 +74,7 @@ def identify_samples(observations: Observations, assess: Assess, progress: Progr
         ran = [sample for sample in samples if not sample.why]
         if not targets or not ran:
             break
-        count = min(_BATCH, total - len(samples))
+        count = min(_PLACED_BATCH, total - len(samples))
         excess = excess_of(observations.facts, ran, scales)
         seed = (observations.seed, len(samples))
         known = np.array([sample.shares for sample in ran])
@@ -84,7 +84,7 @@ def identify_samples(observations: Observations, assess: Assess, progress: Progr
 
 def _turned(targets: Sequence[tuple[int, ...]], done: int) -> list[tuple[int, ...]]:
     """Targets from another one on each time, so that all have their turn where there are more than a batch has."""
-    first = (done // _BATCH) * _BATCH % len(targets)
+    first = done % len(targets)
     return [*targets[first:], *targets[:first]]
 
 
@@ -141,9 +141,7 @@ def _run_batch(
     ]
 
 
-def _find_all(
-    facts: Sequence[Fact], runs: Mapping[int, SampleRuns], assess: Assess
-) -> dict[int, tuple[Finding, ...]]:
+def _find_all(facts: Sequence[Fact], runs: Mapping[int, SampleRuns], assess: Assess) -> dict[int, tuple[Finding, ...]]:
     """What every sample says of every fact: what is missing is run until nothing is."""
     rows: dict[str, Row] = {}
     found: dict[tuple[int, int], Finding] = {}

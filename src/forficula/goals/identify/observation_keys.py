@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from forficula.design.key_table import KeyFact, facts_within
 
+_STATISTICS = "count, all, none, any; or least, largest, mean, least at, largest at"
 _VALUES = 'list, or range such as "10..60 N/cm step 10"'
 
 
@@ -28,9 +29,8 @@ OBSERVATION_KEYS = (
     _of_file("sampling.seed", "whole number, >= 0", "0", "of the random numbers"),
     _of_file("fact.name", "text", "needed", "short, of its own"),
     _of_file("fact.source", "text", "", "who says so, and where"),
-    _of_file("fact.quantity", "text", "needed", "a state, a number of runs, a sum of some, or \"least value\""),
-    _of_file("fact.statistic", "text", '"all" or "least"', "of it over all conditions: of a state count, all, none or"
-             " any; of a number least, largest, mean, least at or largest at"),  # fmt: skip
+    _of_file("fact.quantity", "text", "needed", 'a state, a number of runs, a sum of some, or "least value"'),
+    _of_file("fact.statistic", _STATISTICS, '"all" or "least"', "of it over all conditions, of a state or of a number"),
     _of_file("fact.over.KEY", _VALUES, "", "conditions, crossed"),
     _of_file("fact.settings.KEY", "as in a design", "", "of all conditions"),
     _of_file("fact.until", "text", "", "the transition with whose stage runs end; without it, the whole protocol"),
@@ -42,8 +42,7 @@ OBSERVATION_KEYS = (
     _of_file("fact.least.values", _VALUES, "", "that are tried, rising"),
     _of_file("fact.least.state", "text", "the first", "that is to be reached"),
     _of_file("fact.least.monotone", "true or false", "false", "whether all larger values reach it, too"),
-    _of_file("fact.equals", "number, text with a unit, or table", "", "what it is to be; a table is another quantity,"
-             " of which it need not give what both have"),  # fmt: skip
+    _of_file("fact.equals", "number, text with a unit, or table", "", "what it is to be: a value, or another quantity"),
     _of_file("fact.at_least", "as equals", "", "what it is to be at least"),
     _of_file("fact.at_most", "as equals", "", "what it is to be at most"),
     _of_file("fact.at.KEY", "list", "", "values of a condition under which it is to be least or largest"),

@@ -84,7 +84,11 @@ def _priors(tables: Mapping[str, Any], folder: Path, base: Design) -> tuple[Fact
     priors = read_factors(tables, "unknown", folder, type(base))
     for prior in priors:
         now = key_value(base, prior.key)
-        if prior.distribution is not None and key_quantity(prior.key, prior.model) is None and not isinstance(now, float):
+        if (
+            prior.distribution is not None
+            and key_quantity(prior.key, prior.model) is None
+            and not isinstance(now, float)
+        ):
             raise InputError(f"{prior.key}: need a list or a range; only numbers with fractions are drawn")
     return priors
 
@@ -107,5 +111,7 @@ def _facts(given: object, base: Design, folder: Path) -> tuple[Fact, ...]:
 def _whole(sampling: Mapping[str, Any], key: str, default: int, least: int) -> int:
     value = sampling.get(key, default)
     if not is_whole(value, least, MOST_VALUES):
-        raise InputError(f"sampling.{key}: need a whole number >= {least} and <= {MOST_VALUES}, got {as_written(value)}")
+        raise InputError(
+            f"sampling.{key}: need a whole number >= {least} and <= {MOST_VALUES}, got {as_written(value)}"
+        )
     return value

@@ -9,6 +9,7 @@ import numpy as np
 
 from forficula.goals.identify.exclusion import agreeing, best_subsets, pairs_of, share_interval
 from forficula.goals.identify.fact import Fact
+from forficula.goals.identify.fact_text import asked_text
 from forficula.goals.identify.identify import Sample, excess_of, fact_scales, met_of
 from forficula.goals.identify.observations import Observations
 from forficula.quantities import parse_quantity
@@ -74,9 +75,8 @@ def _names(facts: Sequence[Fact]) -> dict[str, Any]:
 
 
 def _of_facts(facts: Sequence[Fact], scales: Sequence[float] | np.ndarray[Any, Any]) -> dict[str, Any]:
-    """What facts ask for: unit, tolerance, bound, scale and source."""
+    """What facts ask for, in words, with their unit, tolerance, scale and source."""
     units = [fact.term.unit for fact in facts]
-    bounds = [fact.bound if isinstance(fact.bound, float) else float("nan") for fact in facts]
 
     def words(values: Sequence[str]) -> tuple[str, Any]:
         return "fact", np.array(values, dtype=object)
@@ -84,9 +84,8 @@ def _of_facts(facts: Sequence[Fact], scales: Sequence[float] | np.ndarray[Any, A
     return {
         "fact_units": words([unit.si if unit else "" for unit in units]),
         "fact_display": words([unit.display if unit else "" for unit in units]),
-        "fact_order": words([fact.order for fact in facts]),
+        "fact_asked": words([asked_text(fact) for fact in facts]),
         "fact_source": words([fact.source for fact in facts]),
-        "fact_bound": ("fact", np.array(bounds)),
         "fact_tolerance": ("fact", np.array([fact.tolerance for fact in facts])),
         "fact_scale": ("fact", np.array(scales)),
     }

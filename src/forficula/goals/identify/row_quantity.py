@@ -73,12 +73,14 @@ def read_combination(text: object, known: Mapping[str, RowQuantity]) -> Combinat
         InputError: none of these, or a sum of what has several units; the caller knows the key.
     """
     if not isinstance(text, str) or not text.strip():
-        raise InputError(f"need a quantity such as {_some(known)}, got {as_written(text)}")
+        raise InputError(f"need {one_of(known, text)}")
     parts, place = [], 0
     while place < len(text):
         match = _TERM.match(text, place)
         if match is None:
-            raise InputError(f'need a quantity or a sum such as "opened_energy - folded_energy", got {as_written(text)}')
+            raise InputError(
+                f'need a quantity or a sum such as "opened_energy - folded_energy", got {as_written(text)}'
+            )
         sign, number, name = match.groups()
         if name not in known:
             raise InputError(f"need {one_of(known, name)}")

@@ -29,6 +29,8 @@ class Samples:
         offsets: by how many widths each factor is off, (samples, factors).
         answers: whether each works, (samples,).
         outcomes: what each came to, in words, (samples,).
+        statuses: the same in full, (samples,).
+        verdicts: of the runs, (samples,).
         margins: by `margin_names`, (results, samples); finite whatever happened.
         facts: by `fact_names`, whether each holds, (facts, samples).
     """
@@ -36,21 +38,13 @@ class Samples:
     offsets: Points
     answers: NDArray[np.object_]
     outcomes: NDArray[np.object_]
+    statuses: NDArray[np.object_]
+    verdicts: NDArray[np.object_]
     margins: NDArray[np.float64]
     facts: NDArray[np.bool_]
 
     def __len__(self) -> int:
         return len(self.answers)
-
-    def first(self, count: int) -> Samples:
-        """The first so many of them."""
-        return Samples(
-            offsets=self.offsets[:count],
-            answers=self.answers[:count],
-            outcomes=self.outcomes[:count],
-            margins=self.margins[:, :count],
-            facts=self.facts[:, :count],
-        )
 
 
 def joined(parts: Sequence[Samples]) -> Samples:
@@ -59,6 +53,8 @@ def joined(parts: Sequence[Samples]) -> Samples:
         offsets=np.concatenate([part.offsets for part in parts]),
         answers=np.concatenate([part.answers for part in parts]),
         outcomes=np.concatenate([part.outcomes for part in parts]),
+        statuses=np.concatenate([part.statuses for part in parts]),
+        verdicts=np.concatenate([part.verdicts for part in parts]),
         margins=np.concatenate([part.margins for part in parts], axis=1),
         facts=np.concatenate([part.facts for part in parts], axis=1),
     )
@@ -107,6 +103,8 @@ def assess_samples(question: Question, assess: Assessor, offsets: Points) -> Sam
         offsets=offsets,
         answers=np.array(answers, dtype=object),
         outcomes=np.array(outcomes, dtype=object),
+        statuses=np.array([row["status"] for row in rows], dtype=object),
+        verdicts=np.array([row["verdict"] for row in rows], dtype=object),
         margins=np.array(margins, dtype=float).reshape(len(rows), -1).T,
         facts=np.array(facts, dtype=bool).reshape(len(rows), -1).T,
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -22,24 +23,20 @@ from forficula.goals.tolerance.question import MARGIN
 from forficula.goals.tolerance.tolerance_table import tolerance_table
 from forficula.show.goals.tolerance_figures import draw_cloud, draw_indices, draw_reaches
 from forficula.show.goals.tolerance_text import tolerance_text
-from forficula.show.page.results_page import figure_sections, results_page
 from forficula.show.page.rich_html import laid_out
+from forficula.show.page.tolerance_page import write_tolerance_page
 from forficula.show.style import Drawing, save_figures
+from forficula.study.kept_runs import KeptRun
 from forficula.study.table import unit_suffix
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
-TOLERANCE_FILE = "tolerance.json"
-_HEADINGS = {
-    "indices": "What decides it",
-    "cloud": "What is built, over the map of verdicts",
-    "reaches": "How far each value may go alone",
-}
+TOLERANCE_FILE, TOLERANCE_TABLE = "tolerance.json", "tolerance.nc"
 
 
 def write_tolerance(found: Tolerance, folder: Path) -> Dataset:
-    """Write design.toml, tolerance.json, tolerance.nc, samples.csv, the figures and the page.
+    """Write design.toml, tolerance.json, tolerance.nc, table.csv and the figures.
 
     Args:
         found: what the runs say.
@@ -54,26 +51,44 @@ def write_tolerance(found: Tolerance, folder: Path) -> Dataset:
     table = tolerance_table(found)
     save_design(found.question.design, folder / "design.toml")
     write_text(folder / TOLERANCE_FILE, json.dumps(tolerance_json(found), indent=2, ensure_ascii=False) + "\n")
-    write_text(folder / "samples.csv", _samples_csv(table))
-    write_bytes(folder / "tolerance.nc", table.to_netcdf(engine="h5netcdf"))
-    texts = save_figures(tolerance_drawings(found, table), folder)
-    page = results_page(
-        "tolerance",
-        found.question.design.name,
-        laid_out(tolerance_text(found)),
-        figure_sections(folder, _HEADINGS, texts),
-    )
-    write_text(folder / "report.html", page)
+    write_text(folder / "table.csv", _samples_csv(table))
+    write_bytes(folder / TOLERANCE_TABLE, table.to_netcdf(engine="h5netcdf"))
+    save_figures(tolerance_drawings(table), folder)
     return table
 
 
-def tolerance_drawings(found: Tolerance, table: Dataset) -> dict[str, Drawing]:
+def write_tolerance_report(found: Tolerance, kept: Iterable[KeptRun], count: int, folder: Path) -> None:
+    """Write the tolerance as one page, `report.html`.
+
+    Args:
+        found: what the runs say.
+        kept: the runs that can be played, taken one after another.
+        count: how many these are.
+        folder: of the results.
+
+    Raises:
+        InputError: it cannot be written.
+    """
+    question, table = found.question, tolerance_table(found)
+    write_tolerance_page(
+        question.design,
+        question.deviations,
+        table,
+        laid_out(tolerance_text(found)),
+        folder / "report.html",
+        kept,
+        count,
+        _samples_csv(table),
+    )
+
+
+def tolerance_drawings(table: Dataset) -> dict[str, Drawing]:
     """What draws a tolerance, by the stem of its file; what was not looked for is left out."""
-    drawings: dict[str, Drawing] = {"indices": lambda width: draw_indices(found, width)}
-    if found.map is not None:
-        drawings["cloud"] = lambda width: draw_cloud(found, table, width)
-    if found.reaches:
-        drawings["reaches"] = lambda width: draw_reaches(found, width)
+    drawings: dict[str, Drawing] = {"indices": lambda width: draw_indices(table, width)}
+    if "map_outcome" in table:
+        drawings["cloud"] = lambda width: draw_cloud(table, width)
+    if np.isfinite(table["works_down"].values).any():
+        drawings["reaches"] = lambda width: draw_reaches(table, width)
     return drawings
 
 
@@ -145,7 +160,7 @@ def _reach(reach: Reach) -> dict[str, Any]:
 
 def _samples_csv(table: Dataset) -> str:
     """A line a sample: every value with its unit in the heading, in SI, what it came to, and its margins."""
-    factors = [name for name in table.data_vars if table[name].dims == ("sample",) and "key" in table[name].attrs]
+    factors = [name for name in table.coords if table[name].dims == ("sample",)]
     headings = [f"{name}{unit_suffix(table[name].attrs['units'])}" for name in factors]
     results = [f"{name} margin" if name != MARGIN else MARGIN for name in table["result"].values.tolist()]
     columns = [*(table[name].values for name in factors), table["answer"].values, table["outcome"].values]

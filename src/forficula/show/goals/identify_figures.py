@@ -105,28 +105,27 @@ def draw_together(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
     """
     names = [str(name) for name in result["fact"].values]
     both, placed = result["met_together"].values, result["met_together_placed"].values
-    count = len(names)
-    side = min(width, 5.6)
+    count, narrow = len(names), is_narrow(width)
     with figure_style():
-        figure = Figure(figsize=(width, 0.78 * side + 0.35), layout="constrained")
+        figure = Figure(
+            figsize=(width, (0.25 if narrow else 0.34) * count + (0.95 if narrow else 0.7)), layout="constrained"
+        )
         axes = figure.subplots()
         lower = np.where(np.tril(np.ones_like(both)) > 0, both, np.nan).astype(float)
-        image = axes.imshow(lower, cmap=QUANTITY_COLOURS, vmin=0, vmax=max(1, both.max()))
+        axes.imshow(lower, cmap=QUANTITY_COLOURS, vmin=0, vmax=max(1, both.max()), aspect="auto")
         for row in range(count):
             for column in range(row + 1):
-                _write_cell(axes, result, row, column, both, placed, small=is_narrow(width))
-        letters = 14 if is_narrow(width) else 26
-        axes.set_yticks(range(count), [textwrap.fill(name, letters) for name in names])
-        axes.set_xticks(range(count), [textwrap.shorten(name, 24, placeholder="…") for name in names])
-        axes.tick_params(axis="x", rotation=90, length=0)
-        axes.tick_params(axis="y", length=0)
+                _write_cell(axes, result, row, column, both, placed, small=narrow)
+        axes.set_yticks(range(count), [f"{textwrap.shorten(name, 26, placeholder='…')}  {number}"
+                                       for number, name in enumerate(names, start=1)])  # fmt: skip
+        axes.set_xticks(range(count), [str(number) for number in range(1, count + 1)])
+        axes.tick_params(axis="both", length=0)
         for spine in axes.spines.values():
             spine.set_visible(False)
-        figure.colorbar(image, ax=axes, shrink=0.7, label="drawn samples that meet both")
         handles = [
             Patch(fc="white", ec=VERMILION, lw=1.4, label="by none: they exclude one another"),
             Patch(fc="white", ec=_GREY, hatch="///", lw=0.5, label="by none, too rare to tell"),
-            Line2D([], [], ls="", marker="$+$", color=BLACK, label="by samples that were placed"),
+            Line2D([], [], ls="", marker="$+2$", ms=9, color=BLACK, mew=0, label="by samples that were placed"),
         ]
         fit_legend(figure, handles, 3, loc="outside lower center")
         return describe(figure, _tell_together(result, names))
@@ -179,7 +178,7 @@ def draw_unknowns(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
         width: of the figure, inch.
     """
     found = marginals(result)
-    columns = 2 if is_narrow(width) else 5
+    columns = 3 if is_narrow(width) else 5
     rows = -(-len(found) // columns)
     agrees = result["agrees"].values
     with figure_style():
@@ -191,7 +190,7 @@ def draw_unknowns(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
             weights = np.full(int(agrees.sum()), (len(bins) - 1) / max(int(agrees.sum()), 1))
             axes.axhspan(0, 1, color=_PALE, lw=0)
             axes.hist(shares[agrees], bins=bins, weights=weights, color=BLUE, alpha=1.0 if each.told else 0.45)
-            axes.set_title(_label(result[each.name]), fontsize=7, loc="left", pad=2)
+            axes.set_title(_label(result[each.name], 18 if is_narrow(width) else 22), fontsize=6.5, loc="left", pad=2)
             _share_axis(axes.xaxis, result, each.name)
             axes.set_xlim(0, 1)
             axes.set_yticks([])
@@ -274,7 +273,7 @@ def _bins(coordinate: DataArray) -> Any:
 
 
 def _share_axis(axis: Any, result: Dataset, name: str, *, told: bool = True) -> None:
-    """Write values at shares of what is believed of an unknown: its ends and its middle, or the middle of each choice."""
+    """Write values at shares of what is believed of an unknown: near its ends and its middle, or amid each choice."""
     coordinate, shares = result[name], result[f"{name}_share"].values
     axis.set_tick_params(labelsize=6, length=2)
     if coordinate.attrs.get("prior") == "values":

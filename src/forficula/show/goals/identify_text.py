@@ -5,12 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from rich.console import Console
+from rich.console import Console, Group
 from rich.table import Table
+from rich.text import Text
 
 from forficula.goals.identify.exclusion import Together
+from forficula.goals.identify.fact_text import value_text
 from forficula.goals.identify.marginal import Marginal, marginals
-from forficula.quantities import Unit, reading_unit
+from forficula.quantities import Unit
 from forficula.show.study.factor_text import display_values, number_text, plain_name
 
 if TYPE_CHECKING:
@@ -22,13 +24,20 @@ _NARROW = 110
 
 def print_identification(result: Dataset) -> None:
     """Print how far each fact can be met, which exclude one another, and what agrees."""
-    console = Console(width=_NARROW, highlight=False)
-    console.print(first_sentence(result), markup=False)
-    console.print(facts_table(result))
-    for sentence in together_sentences(result):
-        console.print(sentence, markup=False)
-    console.print(unknowns_table(result))
-    console.print(agrees_sentence(result), markup=False)
+    Console(width=_NARROW, highlight=False).print(identification_text(result))
+
+
+def identification_text(result: Dataset) -> Group:
+    """How far each fact can be met, which exclude one another, and what agrees."""
+    return Group(
+        Text(first_sentence(result), style="bold"),
+        Text("Facts", style="italic"),
+        facts_table(result),
+        *(Text(sentence) for sentence in together_sentences(result)),
+        Text("Unknown values", style="italic"),
+        unknowns_table(result),
+        Text(agrees_sentence(result)),
+    )
 
 
 def first_sentence(result: Dataset) -> str:
@@ -50,7 +59,7 @@ def facts_table(result: Dataset) -> Table:
         ("fact", "left"),
         ("to be", "left"),
         ("met by", "right"),
-        ("of what is believed", "right"),
+        ("share, %", "right"),
         ("nearest", "right"),
         ("middle", "right"),
     ):
@@ -63,36 +72,20 @@ def facts_table(result: Dataset) -> Table:
         told = distances[drawn & np.isfinite(distances)]
         table.add_row(
             str(name),
-            _bound(fact),
+            str(fact["fact_asked"].values),
             str(int(fact["met"].values[drawn].sum())),
-            f"{low:.3g} to {high:.3g} %",
+            f"{low:.3g} to {high:.3g}",
             _number(fact, float(np.nanmin(distances, initial=np.inf))),
             _number(fact, float(np.median(told)) if len(told) else np.nan),
         )
     return table
 
 
-def _bound(fact: Dataset) -> str:
-    bound, order = float(fact["fact_bound"]), str(fact["fact_order"].values)
-    if not np.isfinite(bound):
-        return f"{order} another"
-    tolerance = float(fact["fact_tolerance"])
-    within = f" within {_number(fact, tolerance)}" if tolerance else ""
-    return f"{order.removeprefix('equals').strip()} {_number(fact, bound)}{within}".strip()
-
-
 def _number(fact: Dataset, value: float) -> str:
     """A value of a fact in its unit."""
-    if not np.isfinite(value):
-        return "-"
     si, display = str(fact["fact_units"].values), str(fact["fact_display"].values)
-    if not si:
-        return f"{value:.3g}"
-    if si == "N m":
-        unit, factor = reading_unit(si, abs(value)) if value else (display, 1.0)
-        return f"{factor * value:.3g} {unit}"
-    unit, factor = reading_unit(si, abs(value)) if value else (Unit(display=display, si=si, example="").display, 1.0)
-    return f"{factor * value:.3g} {unit}"
+    unit = Unit(display=display, si=si, example="") if si else None
+    return value_text(value, unit) if np.isfinite(value) else "-"
 
 
 def together_sentences(result: Dataset) -> list[str]:
@@ -101,7 +94,9 @@ def together_sentences(result: Dataset) -> list[str]:
     most, facts = result.attrs["most_met"], result.sizes["fact"]
     if most == facts:
         count = int(result["met"].all("fact").sum())
-        sentences = [f"{count} samples meet all {facts} facts." if count > 1 else f"One sample meets all {facts} facts."]
+        sentences = [
+            f"{count} samples meet all {facts} facts." if count > 1 else f"One sample meets all {facts} facts."
+        ]
     else:
         best = [str(each) for each in np.atleast_1d(result.attrs["met_most"])]
         sentences = [f"No sample meets all {facts} facts; the most that one meets is {most}: {best[0]}."]
@@ -119,7 +114,11 @@ def together_sentences(result: Dataset) -> list[str]:
             sentences += [f"  {text}" for *_, text in these[:_MOST_PAIRS]]
             if len(these) > _MOST_PAIRS:
                 sentences.append(f"  and {len(these) - _MOST_PAIRS} more pairs")
-    never = [str(name) for name, met in zip(result["fact"].values, result["met"].any("sample").values, strict=True) if not met]
+    never = [
+        str(name)
+        for name, met in zip(result["fact"].values, result["met"].any("sample").values, strict=True)
+        if not met
+    ]
     if never:
         sentences.append(f"Met by none at all: {', '.join(never)}.")
     return sentences
@@ -141,7 +140,8 @@ def _pairs(result: Dataset) -> list[tuple[int, int, str, str]]:
             if verdict == Together.PLACED:
                 line += f"{placed} placed samples"
             else:
-                line += f"0 where {expected:.2g} would be expected; less than {high:.2g} % of what is believed (95 %)"
+                line += f"none where {expected:.2g} would be expected"
+                line += f"; less than {high:.2g} % (95 %)" if verdict == Together.EXCLUDED else ""
             found.append((one, other, verdict, line))
     return found
 

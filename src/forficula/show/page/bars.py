@@ -83,7 +83,7 @@ def _row(row: BarRow, scale: tuple[float, float], line: float) -> str:
     lanes = ("".join(_drawn(each, scale) for each in lane if not math.isnan(each.end)) for lane in row.lanes)
     drawn = "".join(f'<span class="lane">{bars}</span>' for bars in lanes)
     cells = "".join(f"<td>{escaped(cell)}</td>" for cell in row.cells)
-    place = f'<span class="track" style="--line:{line:.2f}%" aria-hidden="true">{drawn}</span>'
+    place = f'<span class="drawn-bars" style="--line:{line:.2f}%" aria-hidden="true">{drawn}</span>'
     return f'<tr><th scope="row">{escaped(row.name)}{note}</th><td>{place}</td>{cells}</tr>'
 
 

@@ -52,7 +52,7 @@ def identify_page(results: Dataset, found: LaidOut, kept: Iterable[KeptRun] = ()
         found: the sentence, the tables and the remarks, as the terminal has them.
         kept: runs that can be played; `point` is the number of the sample.
         count: how many these are.
-        csv: the text of `table.csv`.
+        csv: the text of `samples.csv`.
     """
     data = _data(results)
     telling = telling_unknowns(results)
@@ -153,12 +153,13 @@ def _data(results: Dataset) -> dict[str, Any]:
         Samples(
             name=str(results.attrs["name"]),
             noun="sample",
+            file="samples.csv",
             keeps="Runs of samples are made for the facts, and not kept whole.",
             table=table,
             factors=tuple(_unknowns(results)),
             numbers=(
                 Number(variable="facts_met", title="facts met"),
-                *(Number(variable=f"fact_{number}", title=f"beyond: {name}") for number, name in enumerate(facts)),
+                *(Number(variable=f"fact_{number}", title=f"misses: {name}") for number, name in enumerate(facts)),
             ),
             words=words,
             signs=Signs(signs=_SIGNS),
@@ -196,8 +197,8 @@ def _facts_table(results: Dataset) -> str:
             )
         )
     caption = (
-        "Share of the samples drawn that meet a fact, with its 95 % interval, and by how much the nearest and the middle"
-        " one miss it"
+        "Share of the samples drawn that meet a fact, with its 95 % interval, and by how much the nearest and the"
+        " middle one miss it"
     )
     return bar_table(caption, ("fact", "met by", "share", "nearest", "middle"), rows, (0.0, 1.0))
 

@@ -19,7 +19,9 @@ def has_rows(data: dict[str, Any]) -> bool:
 def points_table(data: dict[str, Any]) -> str:
     """Every point as a row; the script adds filter, order and links."""
     if not has_rows(data):
-        return paragraph(f"The {data['points']} {data['noun']}s are too many for a table here; table.csv has them all.")
+        return paragraph(
+            f"The {data['points']} {data['noun']}s are too many for a table here; {data['file']} has them all."
+        )
     factors, numbers = data["factors"], _columns(data)
     units = [(each["name"], each["unit"]) for each in factors] + [(each["title"], each["unit"]) for each in numbers]
     named = [f"{name} ({unit})" if unit else name for name, unit in units]
@@ -29,7 +31,7 @@ def points_table(data: dict[str, Any]) -> str:
         values = [factor["texts"][place] for factor, place in zip(factors, places(data, point), strict=True)]
         cells = ["—" if (value := each["values"][point]) is None else f"{value:.4g}" for each in numbers]
         rows.append([str(point + 1), *values, status, *cells])
-    return table(f"One row a {data['noun']}, as in table.csv; numbers to four digits", headings, rows)
+    return table(f"One row a {data['noun']}, as in {data['file']}; numbers to four digits", headings, rows)
 
 
 def _columns(data: dict[str, Any]) -> list[dict[str, Any]]:

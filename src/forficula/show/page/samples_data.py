@@ -42,6 +42,7 @@ class Samples:
     Attributes:
         name: of what they belong to.
         noun: what one of them is called.
+        file: of the folder that has them all.
         keeps: why a run may not be there to play.
         table: over one dimension.
         factors: names of coordinates that differ from point to point.
@@ -55,6 +56,7 @@ class Samples:
 
     name: str
     noun: str
+    file: str
     keeps: str
     table: Dataset
     factors: tuple[str, ...]
@@ -83,6 +85,7 @@ def samples_data(samples: Samples) -> dict[str, Any]:
     return {
         "name": samples.name,
         "noun": samples.noun,
+        "file": samples.file,
         "keeps": samples.keeps,
         "points": len(verdicts),
         "sampled": True,
@@ -122,7 +125,7 @@ def _number_data(variable: DataArray, number: Number, verdicts: Sequence[int]) -
 
 
 def scale_of(variable: DataArray) -> float:
-    """The factor from SI to the unit for people; shares are in per cent."""
+    """The factor from SI to the unit for people of a variable; shares are in per cent."""
     display, si = str(variable.attrs.get("display", "")), str(variable.attrs.get("units", ""))
     if display == "%" and not si:
         return 100.0

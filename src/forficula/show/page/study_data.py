@@ -38,7 +38,8 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
         Every list with an entry a point has the study's order, in which the last factor runs fastest; numbers are in
         the unit that stands beside them, None where there is none.
 
-        - `noun`: what one of them is called; `points`: how many; `sampled`: whether they were drawn.
+        - `noun`: what one of them is called; `file`: that has them all; `points`: how many; `sampled`: whether they
+          were drawn.
         - `keeps`: why a run may not be there to play.
         - `factors`: `key`, `name`, `unit`, `log`, whether they were drawn by their logarithms, and `values`: of the
           grid, or a point each where they were drawn. Where factors are varied one at a time, their choices are the
@@ -73,6 +74,7 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
     return {
         "name": study.name,
         "noun": "point",
+        "file": "table.csv",
         "keeps": "The study keeps the runs of as many points as --keep says.",
         "design": study.base.name,
         "points": len(study.points),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -18,12 +19,32 @@ from forficula.show.page.deviation_text import deviation_text, plain_key
 from forficula.show.page.html import section
 from forficula.show.page.outcome_words import signs_of
 from forficula.show.page.rich_html import LaidOut
-from forficula.show.page.samples_data import MET, Number, Samples, samples_data
+from forficula.show.page.samples_data import MET, Number, Samples, samples_data, scale_of
 from forficula.show.page.samples_page import about_rows, samples_page
 from forficula.study.kept_runs import KeptRun
 
 if TYPE_CHECKING:
     from xarray import Dataset
+
+
+@dataclass(frozen=True, kw_only=True)
+class VerdictCells:
+    """What becomes of a design of which two values are off and nothing else: a map under the cloud of what is built.
+
+    Attributes:
+        first: key of the one across.
+        second: key of the one upwards.
+        across: its values, rising, SI.
+        upwards: likewise.
+        works: whether the design works, (across, upwards).
+    """
+
+    first: str
+    second: str
+    across: Sequence[float]
+    upwards: Sequence[float]
+    works: Sequence[Sequence[bool]]
+
 
 _WORKS, _MISSES = "works", "misses a limit"
 # axes of the lines over what is built: those that decide most
@@ -39,6 +60,7 @@ def write_tolerance_page(
     kept: Iterable[KeptRun] = (),
     count: int = 0,
     csv: str = "",
+    cells: VerdictCells | None = None,
 ) -> None:
     """Write a tolerance as one HTML file that needs no network.
 
@@ -47,7 +69,7 @@ def write_tolerance_page(
     Raises:
         InputError: it cannot be written.
     """
-    write_text(path, tolerance_page(design, deviations, results, found, kept, count, csv))
+    write_text(path, tolerance_page(design, deviations, results, found, kept, count, csv, cells))
 
 
 def tolerance_page(
@@ -58,6 +80,7 @@ def tolerance_page(
     kept: Iterable[KeptRun] = (),
     count: int = 0,
     csv: str = "",
+    cells: VerdictCells | None = None,
 ) -> str:
     """A tolerance as one page.
 
@@ -68,7 +91,8 @@ def tolerance_page(
         found: the sentence with the probability, the tables and the remarks, as the terminal has them.
         kept: the runs that can be played; `point` is the number of the sample.
         count: how many these are.
-        csv: the text of the table of samples.
+        csv: the text of `table.csv`.
+        cells: a map over two of the values, under the cloud.
     """
     data = _data(design, deviations, results)
     names = [each["key"] for each in data["factors"]]
@@ -76,7 +100,7 @@ def tolerance_page(
     ranked += [key for key in names if key not in ranked]
     views = {
         "lines": [*ranked[:_MOST_AXES], "margin"],
-        "plane": {"title": "What is built", "x": ranked[0], "y": ranked[1] if len(ranked) > 1 else "margin"},
+        "plane": _plane(results, ranked, cells),
         "order": ["plane", "lines"],
         "front": [],
         "best": None,
@@ -99,6 +123,18 @@ def tolerance_page(
         count=count,
         csv=csv,
     )
+
+
+def _plane(results: Dataset, ranked: Sequence[str], cells: VerdictCells | None) -> dict[str, Any]:
+    """The two values over which the cloud lies: those of the map, or those that decide most."""
+    if cells is None:
+        return {"title": "What is built", "x": ranked[0], "y": ranked[1] if len(ranked) > 1 else "margin"}
+    across, upwards = (
+        [float(value) * scale_of(results[key.replace(".", "_")]) for value in values]
+        for key, values in ((cells.first, cells.across), (cells.second, cells.upwards))
+    )
+    drawn = {"across": across, "upwards": upwards, "works": [[bool(each) for each in row] for row in cells.works]}
+    return {"title": "What is built, over the map of verdicts", "x": cells.first, "y": cells.second, "cells": drawn}
 
 
 def ranked_keys(results: Dataset) -> list[str]:
@@ -133,6 +169,7 @@ def _data(design: Design, deviations: Sequence[Deviation], results: Dataset) -> 
         Samples(
             name=design.name,
             noun="sample",
+            file="table.csv",
             keeps="Runs of some samples are kept.",
             table=table,
             factors=tuple(names.values()),
