@@ -17,6 +17,7 @@ from .calls import page as page
 from .calls import pattern_facts as pattern_facts
 from .calls import run as run
 from .calls import save as save
+from .calls import tolerance as tolerance
 from .design import Design as Design
 from .design import load_design as load_design
 from .design import named_designs as named_designs

@@ -191,7 +191,7 @@ def _check_asked(
 ) -> None:
     """Refuse what cannot be known of the designs that are tried."""
     for quantity in asked:
-        if quantity.source in ("run", "record", "search", "neighbours") and not simulate:
+        if quantity.source in ("run", "record", "search") and not simulate:
             raise InputError(f"{quantity.name}: is known by running a design, which simulate = false leaves out")
         if quantity.name == PROBABILITY and not deviations:
             raise InputError(f'{PROBABILITY}: needs tolerances, such as all = "10 %" under [tolerances]')

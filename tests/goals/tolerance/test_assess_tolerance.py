@@ -9,38 +9,29 @@ import pytest
 
 from forficula.design import load_design
 from forficula.errors import InputError
-from forficula.goals.tolerance import Question, assess_tolerance, estimate_tolerance
+from forficula.goals.tolerance import assess_tolerance, estimate_tolerance
 from forficula.goals.tolerance.advice import advice, most_telling
 from forficula.goals.tolerance.nearest_failure import Answer
 from forficula.goals.tolerance.plan import PLANS
-from forficula.goals.tolerance.saved_plan import kept_plan, saved_plan
+from forficula.goals.tolerance.saved_plan import kept_plan
 from forficula.goals.tolerance.tolerance_table import tolerance_table
-from tests.goals.tolerance.closed_form import ClosedForm, uniform
-
-KEYS = ("tendon.left.stiffness", "tendon.left.rest_length", "crease.stiffness", "facet.thickness", "facet.density")
-# of 4 factors 2 are kept, so that the screening has something to do
-SMALL = replace(PLANS[2], kept=2, screened=8, rows=32, points=128, cells=5)
-LINE = replace(PLANS[3], points=64)
-FACTORS = [uniform(key) for key in KEYS]
-WEIGHTS = np.array([0.0, 0.2, 0.0, -0.1, 0.0])
+from tests.goals.tolerance.closed_form import (
+    EDGE,
+    FACTORS,
+    KEYS,
+    LINE,
+    SMALL,
+    WEIGHTS,
+    ClosedForm,
+    asked,
+    assessed,
+    line,
+)
 
 
 @pytest.fixture(scope="module")
 def design():
     return load_design("letter-fold")
-
-
-# no step of a walk or a map meets it
-EDGE = 0.1493
-
-
-def line(offsets):
-    """Margin of a design: fails where the second is high and the fourth is low."""
-    return EDGE - float(offsets @ WEIGHTS)
-
-
-def asked(design):
-    return Question(design=design, deviations=tuple(FACTORS))
 
 
 @pytest.fixture(scope="module")
@@ -52,16 +43,6 @@ def folder(tmp_path_factory):
 @pytest.fixture(scope="module")
 def found(design, folder):
     return assessed(design, folder, SMALL, line)
-
-
-def assessed(design, folder, plan, margin, shard=(1, 1), **closed_form):
-    """What a tolerance comes to by a plan that its folder has."""
-    question, cluster = asked(design), ClosedForm(design, FACTORS, margin, **closed_form)
-    folder.mkdir(exist_ok=True)
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("forficula.goals.tolerance.saved_plan.PLANS", (plan,))
-        saved_plan(folder, question, 5.0, 0, plan)
-        return assess_tolerance(question, folder, shard=shard, cluster=cluster)
 
 
 def works_within(width):

@@ -26,7 +26,7 @@ class Axis:
     ordered: bool = True
 
     def __post_init__(self) -> None:
-        if self.levels < 0 or self.levels == 0 and not self.ordered:
+        if self.levels < 0 or (self.levels == 0 and not self.ordered):
             raise ValueError(f"levels: need >= 1 of a choice and >= 0 of what is ordered, got {self.levels}")
 
 
@@ -39,9 +39,8 @@ def placed(axes: Sequence[Axis], shares: NDArray[np.float64]) -> list[Point]:
     """
     columns = []
     for axis, column in zip(axes, np.clip(shares, 0.0, 1.0).T, strict=True):
-        if axis.levels:
-            column = (np.minimum(np.floor(column * axis.levels), axis.levels - 1) + 0.5) / axis.levels
-        columns.append(np.round(column, _DIGITS))
+        parts = np.minimum(np.floor(column * axis.levels), axis.levels - 1)
+        columns.append(np.round((parts + 0.5) / axis.levels if axis.levels else column, _DIGITS))
     return [tuple(float(value) for value in row) for row in zip(*columns, strict=True)]
 
 

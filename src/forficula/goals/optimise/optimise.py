@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -132,9 +132,9 @@ def _tried(goal: Goal, assess: Assessor, points: Sequence[Point], before: Sequen
     return _with_neighbours(goal, assess, found, before)
 
 
-def _design(goal: Goal, values: dict[str, object]) -> Design | str:
+def _design(goal: Goal, values: Mapping[str, object]) -> Design | str:
     try:
-        return goal.base.with_values(values)
+        return goal.base.with_values(dict(values))
     except InputError as error:
         return str(error)
 
@@ -156,8 +156,6 @@ def _with_neighbours(
             for number in order[first : first + _SIDE_BY_SIDE]
             if asks_probability(goal) or not _beaten(costs(goal, found[number]), robust)
         ]
-        for number in group:
-            done[number] = found[number]
         asked = _ask(goal, assess, [found[number] for number in group], offsets)
         for number, each in zip(group, asked, strict=True):
             done[number] = each
@@ -165,9 +163,7 @@ def _with_neighbours(
     return done
 
 
-def _ask(
-    goal: Goal, assess: Assessor, candidates: Sequence[Candidate], offsets: np.ndarray
-) -> list[Candidate]:
+def _ask(goal: Goal, assess: Assessor, candidates: Sequence[Candidate], offsets: np.ndarray) -> list[Candidate]:
     """Candidates with what became of their neighbours."""
     wanted = wanted_share(goal)
     least = None if wanted is None or asks_probability(goal) else wanted.bound
@@ -212,10 +208,10 @@ def _held(
                 pool[each.point] = each
                 runs += each.neighbours.runs if each.neighbours is not None else 0
             continue
-        for each in verified(goal, assess, chosen):
-            (best if each.holds else discarded).append(each)
-            runs += (each.finer is not None) + (each.fresh.runs if each.fresh is not None else 0)
-            del pool[each.candidate.point]
+        for told in verified(goal, assess, chosen):
+            (best if told.holds else discarded).append(told)
+            runs += (told.finer is not None) + (told.fresh.runs if told.fresh is not None else 0)
+            del pool[told.candidate.point]
     return best, discarded, runs
 
 

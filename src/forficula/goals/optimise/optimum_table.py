@@ -117,21 +117,20 @@ def _margin_names(goal: Goal) -> list[tuple[str, int]]:
     found: dict[str, int] = {}
     for place, limit in enumerate(own_limits(goal)):
         name = f"margin_{limit.quantity.dimension}"
-        again = sum(each == name or each.startswith(f"{name}_") and each[len(name) + 1 :].isdigit() for each in found)
+        again = sum(each == name or (each.startswith(f"{name}_") and each[len(name) + 1 :].isdigit()) for each in found)
         found[name if not again else f"{name}_{again + 1}"] = place
     return list(found.items())
 
 
 def _probabilities(candidates: Sequence[Candidate]) -> dict[str, Any]:
     asked = [each.neighbours for each in candidates]
-    ends = [(None, None) if each is None else each.interval for each in asked]
-    found = {
-        PROBABILITY: ([None if each is None else each.share for each in asked], "share of neighbours that work"),
-        f"{PROBABILITY}_low": ([low for low, _ in ends], "lower end of its 95 % interval"),
-        f"{PROBABILITY}_high": ([high for _, high in ends], "upper end of its 95 % interval"),
-        "neighbours": ([0 if each is None else each.tried for each in asked], "neighbours that were asked"),
-    }
-    return {name: (_AXIS, _numbers(values), {"long_name": meaning}) for name, (values, meaning) in found.items()}
+    columns: list[tuple[str, str, list[float | None]]] = [
+        (PROBABILITY, "share of neighbours that work", [each and each.share for each in asked]),
+        (f"{PROBABILITY}_low", "lower end of its 95 % interval", [each and each.interval[0] for each in asked]),
+        (f"{PROBABILITY}_high", "upper end of its 95 % interval", [each and each.interval[1] for each in asked]),
+        ("neighbours", "neighbours that were asked", [each.tried if each else 0 for each in asked]),
+    ]
+    return {name: (_AXIS, _numbers(values), {"long_name": meaning}) for name, meaning, values in columns}
 
 
 def _words(candidate: Candidate) -> dict[str, object]:

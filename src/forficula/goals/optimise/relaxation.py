@@ -42,9 +42,7 @@ def nearest_trial(trials: Sequence[Trial]) -> Trial | None:
 def _relaxation(trials: Sequence[Trial], number: int) -> Relaxation:
     known = [trial for trial in trials if not math.isnan(trial.margins[number])]
     alone = [
-        trial
-        for trial in known
-        if all(margin >= 0 for other, margin in enumerate(trial.margins) if other != number)
+        trial for trial in known if all(margin >= 0 for other, margin in enumerate(trial.margins) if other != number)
     ]
     best = max(alone, key=lambda trial: trial.margins[number], default=None)
     return Relaxation(

@@ -6,13 +6,13 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from forficula.analysis.margin import chained_row
 from forficula.design import Design
 from forficula.goals.assessor import Assessor, value_of
 from forficula.goals.goal import Goal
 from forficula.goals.margins import own_limits
 from forficula.goals.outcome_quantity import Source
 from forficula.structure import Transition, structure_of
-from forficula.analysis.margin import chained_row
 from forficula.study.journal import Row
 
 # A structure that only just does not do what is asked misses it by no less.

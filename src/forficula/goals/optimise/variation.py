@@ -17,7 +17,9 @@ _LEADING = 0.2
 
 
 def varied(axes: Sequence[Axis], best: Sequence[Trial], count: int, generator: np.random.Generator) -> list[Point]:
-    """Points by differential evolution towards the best, as of Zhang and Sanderson, 2009, doi.org/10.1109/TEVC.2009.2014613.
+    """Points by differential evolution towards the best.
+
+    Zhang and Sanderson, 2009, doi.org/10.1109/TEVC.2009.2014613.
 
     Args:
         axes: of the search.

@@ -68,8 +68,7 @@ def verified(goal: Goal, assess: Assessor, candidates: Sequence[Candidate]) -> l
             timestep=step,
             finer=fine,
             fresh=other,
-            holds=(fine is None or fine.meets)
-            and (wanted is None or other is None or wanted.margin(other.share) >= 0),
+            holds=(fine is None or fine.meets) and (wanted is None or other is None or wanted.margin(other.share) >= 0),
         )
         for candidate, step, fine, other in zip(candidates, steps, finer, fresh, strict=True)
     ]

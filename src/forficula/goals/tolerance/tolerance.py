@@ -9,7 +9,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.displayed import Displayed
 from forficula.goals.tolerance.indices import Indices, Values
 from forficula.goals.tolerance.narrowing import Narrowed
 from forficula.goals.tolerance.nearest_failure import Answer, Reach
@@ -58,7 +57,7 @@ class VerdictMap:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Tolerance(Displayed):
+class Tolerance:
     """How likely it is that a design works as it is built, and what decides it.
 
     Attributes:

@@ -36,13 +36,14 @@ def tolerance_table(found: Tolerance) -> xarray.Dataset:
         Dimensions: `fact`, that it works, does each transition, stays there, meets each limit, with `probability` and
         its interval; `group`, factors and the others as one, by `margin`, with first-order and total indices and their
         intervals; `factor`, with value and width in SI, how far it alone may go down and up, in widths, NaN where that
-        is not known, and what half of its tolerance gains; `sample`, with every value in SI, `answer`, `outcome`,
+        is not known, why it ends there, and what half of its tolerance gains; `map_x` and `map_y`, two factors that
+        alone are off, with `map_outcome`, where there is a map; `sample`, with every value in SI, `answer`, `outcome`,
         `status`, `verdict` and `margin`. The attribute `says` has the sentences, and `transitions` names the
         transitions as that of a study does.
     """
     question = found.question
     variables: dict[str, Any] = {**_facts(found), **_indices(found.indices), **_factors(found)}
-    variables |= _samples(found)
+    variables |= _samples(found) | _map(found)
     coordinates = {
         "fact": list(found.probabilities),
         "group": list(found.indices.groups),
@@ -103,6 +104,7 @@ def _factors(found: Tolerance) -> dict[str, Any]:
         ways = [each[place] for each in found.reaches]
         table[f"works_{name}"] = ("factor", [each.works for each in ways] or np.full(len(units), np.nan))
         table[f"fails_{name}"] = ("factor", [_fails(each) for each in ways] or np.full(len(units), np.nan))
+        table[f"ends_{name}"] = ("factor", [each.why.value for each in ways] or [""] * len(units))
     if found.nearest is not None:
         table["nearest_failure"] = ("factor", found.nearest.offsets)
     return table
@@ -119,18 +121,39 @@ def _samples(found: Tolerance) -> dict[str, Any]:
     }
 
 
+def _map(found: Tolerance) -> dict[str, Any]:
+    """What became of designs of which two factors alone are off, over the values of these, SI."""
+    if found.map is None:
+        return {}
+    drawn, question = found.map, found.question
+    axes: dict[str, Any] = {}
+    for name, factor, steps in zip(("map_x", "map_y"), (drawn.first, drawn.second), drawn.steps, strict=True):
+        own, width = _own(question, factor)
+        axes[name] = (name, own + steps * width, _attributes(question, factor))
+    cells = drawn.samples.outcomes.reshape(drawn.steps.shape[1], -1)
+    return {**axes, "map_outcome": (("map_x", "map_y"), cells)}
+
+
 def _values(found: Tolerance) -> dict[str, Any]:
     """What every factor is in every sample, SI."""
-    question, samples = found.question, found.samples
-    own = np.array([float(key_value(question.design, key)) for key in question.keys])
-    values = own + samples.offsets * deviation_widths(question.design, question.deviations)
     columns: dict[str, Any] = {}
-    for factor, key in enumerate(question.keys):
-        quantity = key_quantity(key, type(question.design))
-        display = "" if quantity is None else quantity.unit.display
-        attributes = {"units": _unit(question, factor), "display": display, "key": key}
-        columns[key.replace(".", "_")] = ("sample", values[:, factor], attributes)
+    for factor, key in enumerate(found.question.keys):
+        own, width = _own(found.question, factor)
+        values = own + width * found.samples.offsets[:, factor]
+        columns[key.replace(".", "_")] = ("sample", values, _attributes(found.question, factor))
     return columns
+
+
+def _own(question: Question, factor: int) -> tuple[float, float]:
+    """The design's own value of a factor and one width, SI."""
+    own = float(key_value(question.design, question.keys[factor]))
+    return own, question.deviations[factor].width(own)
+
+
+def _attributes(question: Question, factor: int) -> dict[str, str]:
+    quantity = key_quantity(question.keys[factor], type(question.design))
+    display = "" if quantity is None else quantity.unit.display
+    return {"units": _unit(question, factor), "display": display, "key": question.keys[factor]}
 
 
 def _unit(question: Question, factor: int) -> str:

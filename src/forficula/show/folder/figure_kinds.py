@@ -28,6 +28,7 @@ from forficula.show.folder.parts_folder import BILL_FILE, parts_drawings, read_p
 from forficula.show.folder.run_folder import run_drawings
 from forficula.show.folder.static_map_folder import SIMULATED, static_map_drawings
 from forficula.show.folder.study_folder import study_drawings
+from forficula.show.folder.tolerance_folder import TOLERANCE_TABLE, tolerance_drawings
 from forficula.show.goals.identify_figures import identify_drawings
 from forficula.show.style import COLUMN_WIDTH, COPIES, ENDINGS, PAGE_WIDTH, Drawing, save_figure
 from forficula.statics import EnergyLandscape
@@ -88,6 +89,8 @@ def drawings_of(result: object) -> dict[str, Drawing]:
         case EnergyLandscape():
             return landscape_drawings(result)
         case xarray.Dataset():
+            if "factor" in result.dims and "fact" in result.dims:
+                return tolerance_drawings(result)
             return identify_drawings(result) if "fact" in result.dims else study_drawings(result)
         case Convergence():
             return convergence_drawings(result)
@@ -136,6 +139,10 @@ def _identified(folder: Path) -> dict[str, Drawing]:
     return identify_drawings(_dataset(folder / IDENTIFIED))
 
 
+def _tolerance(folder: Path) -> dict[str, Drawing]:
+    return tolerance_drawings(_dataset(folder / TOLERANCE_TABLE))
+
+
 def _static_map(folder: Path) -> dict[str, Drawing]:
     simulated = folder / SIMULATED
     return static_map_drawings(_table(folder / "map.nc"), _table(simulated) if simulated.is_file() else None)
@@ -181,6 +188,7 @@ _READERS: dict[str, Callable[[Path], dict[str, Drawing]]] = {
     BILL_FILE: _parts,
     CONVERGENCE_FILE: _convergence,
     IDENTIFIED: _identified,
+    TOLERANCE_TABLE: _tolerance,
 }
 
 

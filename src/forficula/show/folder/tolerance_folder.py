@@ -33,7 +33,7 @@ from forficula.study.table import unit_suffix
 if TYPE_CHECKING:
     from xarray import Dataset
 
-TOLERANCE_FILE = "tolerance.json"
+TOLERANCE_FILE, TOLERANCE_TABLE = "tolerance.json", "tolerance.nc"
 
 
 def write_tolerance(found: Tolerance, folder: Path) -> Dataset:
@@ -53,8 +53,8 @@ def write_tolerance(found: Tolerance, folder: Path) -> Dataset:
     save_design(found.question.design, folder / "design.toml")
     write_text(folder / TOLERANCE_FILE, json.dumps(tolerance_json(found), indent=2, ensure_ascii=False) + "\n")
     write_text(folder / "table.csv", _samples_csv(table))
-    write_bytes(folder / "tolerance.nc", table.to_netcdf(engine="h5netcdf"))
-    save_figures(tolerance_drawings(found, table), folder)
+    write_bytes(folder / TOLERANCE_TABLE, table.to_netcdf(engine="h5netcdf"))
+    save_figures(tolerance_drawings(table), folder)
     return table
 
 
@@ -99,13 +99,13 @@ def _verdict_cells(found: Tolerance) -> VerdictCells | None:
     )
 
 
-def tolerance_drawings(found: Tolerance, table: Dataset) -> dict[str, Drawing]:
+def tolerance_drawings(table: Dataset) -> dict[str, Drawing]:
     """What draws a tolerance, by the stem of its file; what was not looked for is left out."""
-    drawings: dict[str, Drawing] = {"indices": lambda width: draw_indices(found, width)}
-    if found.map is not None:
-        drawings["cloud"] = lambda width: draw_cloud(found, table, width)
-    if found.reaches:
-        drawings["reaches"] = lambda width: draw_reaches(found, width)
+    drawings: dict[str, Drawing] = {"indices": lambda width: draw_indices(table, width)}
+    if "map_outcome" in table:
+        drawings["cloud"] = lambda width: draw_cloud(table, width)
+    if np.isfinite(table["works_down"].values).any():
+        drawings["reaches"] = lambda width: draw_reaches(table, width)
     return drawings
 
 
@@ -177,7 +177,7 @@ def _reach(reach: Reach) -> dict[str, Any]:
 
 def _samples_csv(table: Dataset) -> str:
     """A line a sample: every value with its unit in the heading, in SI, what it came to, and its margins."""
-    factors = [name for name in table.coords if "key" in table[name].attrs]
+    factors = [name for name in table.coords if table[name].dims == ("sample",)]
     headings = [f"{name}{unit_suffix(table[name].attrs['units'])}" for name in factors]
     results = [f"{name} margin" if name != MARGIN else MARGIN for name in table["result"].values.tolist()]
     columns = [*(table[name].values for name in factors), table["answer"].values, table["outcome"].values]
