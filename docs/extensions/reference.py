@@ -23,6 +23,7 @@ from forficula.design.key_table import KeyFact, key_facts
 from forficula.design.kinds import KINDS
 from forficula.errors import InputError
 from forficula.goals.goal_keys import goal_key_facts
+from forficula.goals.identify.observation_keys import observation_key_facts
 from forficula.study.study_keys import study_key_facts
 
 _DESIGN_PAGE = "reference/design-file"
@@ -39,6 +40,8 @@ def facts_of(kind: str) -> list[KeyFact]:
             return study_key_facts()
         case "goal":
             return goal_key_facts()
+        case "observations":
+            return observation_key_facts()
         case _:
             return key_facts("", KINDS[kind])
 

@@ -12,7 +12,7 @@ from typing import Annotated, Any
 
 from cyclopts import App, CycloptsError, Parameter
 
-from forficula.commands import designs, landscapes, materials, parts, runs, schemas, studies
+from forficula.commands import designs, goals, landscapes, materials, parts, runs, schemas, studies
 from forficula.errors import InputError
 from forficula.names import listed
 from forficula.quantities import as_written
@@ -33,6 +33,8 @@ _COMMANDS = (
     studies.converge,
     runs.compare,
     studies.study,
+    goals.identify,
+    goals.tolerance,
     materials.material,
     materials.size,
     runs.figure,
@@ -52,6 +54,8 @@ _WITH_DATA = (
     landscapes.landscape,
     studies.converge,
     studies.study,
+    goals.identify,
+    goals.tolerance,
     materials.material,
     materials.materials,
     materials.size,

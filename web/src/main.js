@@ -4,12 +4,13 @@ import "./page.css";
 import { make } from "./elements.js";
 import { showComparison } from "./page-compare.js";
 import { showCurves } from "./page-curves.js";
+import { showGoals } from "./page-goals.js";
 import { showParts } from "./page-parts.js";
 import { showRun } from "./page-run.js";
 import { showStudy } from "./page-study.js";
 import { watchTables } from "./tables.js";
 
-const PAGES = { run: showRun, compare: showComparison, curves: showCurves, study: showStudy, parts: showParts };
+const PAGES = { run: showRun, compare: showComparison, curves: showCurves, study: showStudy, goals: showGoals, parts: showParts };
 
 const data = JSON.parse(document.getElementById("data").textContent);
 

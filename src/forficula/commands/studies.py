@@ -141,8 +141,9 @@ def _report(study: Study, table: Dataset, keep: int | None, folder: Path) -> Non
 
 
 def studies() -> None:
-    """List the named studies and goals, each with its source and what it asks."""
+    """List the named studies, goals and observations, each with its source and what it asks."""
     from forficula.goals import load_goal, named_goals
+    from forficula.goals.identify import load_observations, named_observations
     from forficula.study import load_study
     from forficula.study.study_file import named_studies
 
@@ -161,6 +162,12 @@ def studies() -> None:
         print(f"{name}\n    {goal.source}\n    a goal: {asked} of {goal.base.name} over {listed(keys)}")
         of = {"name": name, "kind": "goal", "source": goal.source, "design": goal.base.name}
         told.append(of | {"objectives": [each.quantity.name for each in goal.objectives], "factors": keys})
+    for name in named_observations():
+        seen = load_observations(name)
+        facts, keys = [fact.name for fact in seen.facts], [prior.key for prior in seen.priors]
+        print(f"{name}\n    {seen.source}\n    {len(facts)} facts on {len(keys)} unknown values of {seen.base.name}")
+        of = {"name": name, "kind": "observations", "source": seen.source, "design": seen.base.name}
+        told.append(of | {"facts": facts, "factors": keys})
     came_to(told)
 
 

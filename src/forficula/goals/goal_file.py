@@ -74,13 +74,15 @@ def _goal(tables: dict[str, Any], folder: Path) -> Goal:
     if not isinstance(simulate, bool):
         raise InputError(f"simulate: need true or false, got {as_written(simulate)}")
     base = base_design(tables, folder)
-    limits = _limits(_flat(tables, "limits"), base)
+    limits = read_limits(flat_table(tables, "limits"), base)
     given = tuple(each for each in limits if each.quantity.source == "search" and each.kind == "<=")
-    base = _with_torques(base, given)
+    base = with_torques(base, given)
     limits = tuple(each for each in limits if each not in given)
-    objectives = _objectives(_flat(tables, "objectives"), base)
-    deviations = _deviations(_flat(tables, "tolerances", keep=("distribution", "size", "intervals_of")), base, folder)
-    parameters = _parameters(_flat(tables, "vary", keep=("low", "high", "step")), base, folder)
+    objectives = _objectives(flat_table(tables, "objectives"), base)
+    deviations = deviations_within(
+        flat_table(tables, "tolerances", keep=("distribution", "size", "intervals_of")), base, folder
+    )
+    parameters = _parameters(flat_table(tables, "vary", keep=("low", "high", "step")), base, folder)
     asked = [*(each.quantity for each in limits), *(each.quantity for each in objectives)]
     _check_asked(asked, parameters, deviations, simulate=simulate)
     return Goal(
@@ -98,12 +100,17 @@ def _goal(tables: dict[str, Any], folder: Path) -> Goal:
     )
 
 
-def _flat(tables: Mapping[str, Any], name: str, keep: Sequence[str] = ()) -> dict[str, Any]:
+def flat_table(tables: Mapping[str, Any], name: str, keep: Sequence[str] = ()) -> dict[str, Any]:
     """The entries of a table by dotted key; tables with some of these keys are values."""
     return dotted_values(tables.get(name, {}), name, values=frozenset(keep))
 
 
-def _limits(given: Mapping[str, Any], base: Design) -> tuple[Limit, ...]:
+def read_limits(given: Mapping[str, Any], base: Design) -> tuple[Limit, ...]:
+    """Read the limits of a file by the quantities' names.
+
+    Raises:
+        InputError: an unknown quantity, or no limit.
+    """
     found = []
     for name, texts in given.items():
         try:
@@ -138,7 +145,7 @@ def _objectives(given: Mapping[str, Any], base: Design) -> tuple[Objective, ...]
     return tuple(found)
 
 
-def _with_torques(base: Design, given: Sequence[Limit]) -> Design:
+def with_torques(base: Design, given: Sequence[Limit]) -> Design:
     """The design with the torques of upper limits on least torques as its protocol's."""
     if not given:
         return base
@@ -150,7 +157,12 @@ def _with_torques(base: Design, given: Sequence[Limit]) -> Design:
     return base.with_values(values)
 
 
-def _deviations(given: Mapping[str, Any], base: Design, folder: Path) -> tuple[Deviation, ...]:
+def deviations_within(given: Mapping[str, Any], base: Design, folder: Path) -> tuple[Deviation, ...]:
+    """Read the tolerances of a file that lies in a folder.
+
+    Raises:
+        InputError: an unknown key, or a value that is not allowed.
+    """
     within = {
         key: {**value, "intervals_of": str(folder / value["intervals_of"])}
         if isinstance(value, dict) and str(value.get("intervals_of", "")).endswith(".toml")

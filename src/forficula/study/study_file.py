@@ -69,7 +69,7 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
     if not isinstance(reproduces, str | None):
         raise InputError(f"reproduces: need the name of a paper, in quotes, got {as_written(reproduces)}")
     base = base_design(tables, folder)
-    factors = _factors(tables, "factors", folder, type(base))
+    factors = read_factors(tables, "factors", folder, type(base))
     drawn = [factor for factor in factors if factor.distribution is not None]
     if drawn and len(drawn) < len(factors):
         raise InputError("factors: need either all of them as distributions or none, got both kinds")
@@ -113,8 +113,18 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
     )
 
 
-def _factors(tables: Mapping[str, Any], name: str, folder: Path, model: type[Design]) -> tuple[Factor, ...]:
-    """The factors of a table of the file."""
+def read_factors(tables: Mapping[str, Any], name: str, folder: Path, model: type[Design]) -> tuple[Factor, ...]:
+    """The factors of a table of a file.
+
+    Args:
+        tables: of the file.
+        name: of the table.
+        folder: that paths start from.
+        model: class of the design.
+
+    Raises:
+        InputError: the table is missing or empty, or a value is not allowed.
+    """
     given = tables.get(name)
     if not isinstance(given, dict) or not given:
         raise InputError(f'{name}: need a table with at least one, such as "tendon.stiffness" = "10..60 N/cm step 10"')
@@ -130,7 +140,7 @@ def _repeated_grid(
         return ()
     if vary != "one-at-a-time":
         raise InputError('grid: needs vary = "one-at-a-time"; otherwise all factors are a grid, under [factors]')
-    grid = _factors(tables, "grid", folder, model)
+    grid = read_factors(tables, "grid", folder, model)
     if twice := {factor.key for factor in grid} & {factor.key for factor in factors}:
         raise InputError(f"grid.{min(twice)}: is under [factors], too; need it in one of them")
     if drawn := [factor.key for factor in grid if factor.distribution is not None]:
