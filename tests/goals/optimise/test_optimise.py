@@ -97,7 +97,7 @@ ROBUST = STATICS | {
     "vary": {AREA: {"low": "1 mm^2", "high": "20 mm^2"}},
     "limits": {"hinge_holding_torque": ">= 8 N cm", "probability": ">= 95 %"},
     "tolerances": {AREA: "10 %"},
-    "search": {"runs": 64, "batch": 8, "neighbours": 32},
+    "search": {"runs": 32, "batch": 8, "neighbours": 16},
 }
 
 
@@ -108,9 +108,9 @@ def test_a_robust_optimum_keeps_its_distance_from_the_limit_and_costs_as_much(tm
     robust = goal_of(ROBUST)
     edge, inside = (optimise_goal(goal, tmp_path / name) for name, goal in (("edge", plain), ("inside", robust)))
     assert edge.designs[0].tendons[0].area == pytest.approx(least, rel=1e-3)
-    assert edge.best[0].fresh.share == pytest.approx(0.5, abs=0.02)
+    assert edge.best[0].fresh.share == pytest.approx(0.5, abs=0.04)
     assert inside.best[0].fresh.share >= 0.95
-    # the neighbours that the search asks are 32: one of them may fail
+    # of the 16 neighbours that the search asks none may fail
     assert inside.designs[0].tendons[0].area == pytest.approx(least / 0.91, rel=0.02)
     assert inside.effort.spared_neighbours > 0
 
@@ -142,7 +142,7 @@ class StoppedError(Exception):
 
 
 def test_a_search_that_is_stopped_five_times_comes_to_the_same(tmp_path):
-    goal = goal_of(ROBUST | {"search": {"runs": 24, "batch": 8, "neighbours": 16}})
+    goal = goal_of(ROBUST | {"search": {"runs": 16, "batch": 8, "neighbours": 8}})
     whole = optimise_goal(goal, tmp_path / "whole")
     total = len((tmp_path / "whole" / "journal.jsonl").read_text().splitlines())
     for _ in range(5):
