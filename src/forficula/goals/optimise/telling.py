@@ -110,6 +110,11 @@ def _relaxed(found: Optimum, relaxation: Relaxation, limit: Limit | None) -> str
     name = "that it works" if limit is None else str(limit)
     if math.isnan(relaxation.best):
         return f"{name}: was never looked at, for something before it always failed"
+    if relaxation.trial is None and relaxation.unseen < 0:
+        return (
+            f"{name}: is missed by {100 * -relaxation.unseen:.3g} % at best where no other is known to fail; of such"
+            " designs the dearer limits were not looked at"
+        )
     if relaxation.trial is None:
         best = "is met by some" if relaxation.best >= 0 else f"is missed by {100 * -relaxation.best:.3g} % at best"
         return f"{name}: {best}, and no design meets all the others"
