@@ -49,6 +49,7 @@ def optimise(
     folder = out or Path("out") / asked.name
     check_folder(folder)
     read_option("--keep", lambda: check_most(keep))
+    share = read_shard(shard)
     if dry_run:
         from forficula.goals.optimise.estimate import estimate_batch
 
@@ -69,7 +70,7 @@ def optimise(
     from forficula.study.kept_runs import kept_runs
 
     with nullcontext() if dask is None else dask_cluster(dask) as cluster, optimise_progress() as progress:
-        found = optimise_goal(asked, folder, shard=read_shard(shard), cluster=cluster, progress=progress)
+        found = optimise_goal(asked, folder, shard=share, cluster=cluster, progress=progress)
     if (folder / OPTIMUM_FILE).is_file():
         remark(f"{folder}: replaces the result there; the rows stay")
     write_optimum(found, folder)
@@ -124,11 +125,13 @@ def tolerance(
     own = read_settings(tolerances, "--tolerance", 'tendon.stiffness="5 %"')
     question = question_of(chosen, own or None, goal=goal)
     read_option("--keep", lambda: check_most(keep))
+    share = read_shard(shard)
     tell_assumed(question)
     if dry_run:
         plan, most, seconds = estimate_tolerance(question, folder, minutes, seed)
+        many = f"{len(question.keys)} tolerance{'s' * (len(question.keys) > 1)}"
         print(
-            f"{chosen.name}: {len(question.keys)} tolerances; {plan.points + plan.rows} points for the probability,"
+            f"{chosen.name}: {many}; {plan.points + plan.rows} points for the probability,"
             f" at most {most} runs in all, about {seconds:.0f} s"
         )
         return 0
@@ -150,7 +153,7 @@ def tolerance(
             folder,
             minutes=minutes,
             seed=seed,
-            shard=read_shard(shard),
+            shard=share,
             cluster=cluster,
             progress=progress,
         )
@@ -195,11 +198,12 @@ def identify(
     asked = load_observations(observations)
     folder = out or Path("out") / asked.name
     check_folder(folder)
+    share = read_shard(shard)
     if dry_run:
         count, runs, seconds = estimate_identify(asked)
         print(f"{asked.name}: {count} samples, about {runs:.0f} runs, about {seconds:.0f} s")
         return
-    result = _identified(asked, folder, shard, dask)
+    result = _identified(asked, folder, share, dask)
 
     from forficula.show.folder.identify_folder import IDENTIFIED, identification_json, write_identification
     from forficula.show.goals.identify_text import print_identification
@@ -212,11 +216,11 @@ def identify(
     print(f"\nwritten to {folder}")
 
 
-def _identified(asked: Observations, folder: Path, shard: str, dask: str | None) -> Dataset:
+def _identified(asked: Observations, folder: Path, shard: tuple[int, int], dask: str | None) -> Dataset:
     """Run observations here or on a Dask cluster."""
     from forficula.goals.identify.run_identify import identify as identify_in
     from forficula.show.goals.identify_progress import identify_progress
     from forficula.study import dask_cluster
 
     with nullcontext() if dask is None else dask_cluster(dask) as cluster, identify_progress() as (samples, runs):
-        return identify_in(asked, folder, shard=read_shard(shard), cluster=cluster, progress=samples, run_progress=runs)
+        return identify_in(asked, folder, shard=shard, cluster=cluster, progress=samples, run_progress=runs)
