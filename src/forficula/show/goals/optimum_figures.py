@@ -45,7 +45,7 @@ def draw_candidates(found: Optimum, width: float = PAGE_WIDTH) -> Figure:
             for part in _lines(places, shares[chosen]):
                 axes.add_collection(LineCollection(part, **look))
         for place, (_, unit, values) in zip(places, axes_of, strict=True):
-            axes.axvline(place, color=BLACK, lw=0.6)
+            axes.plot([place, place], [0, 1], color=BLACK, lw=0.6)
             known = values[np.isfinite(values)]
             ends = (known.min(), known.max()) if len(known) else (np.nan, np.nan)
             for end, at, side in ((ends[0], -0.02, "top"), (ends[1], 1.02, "bottom")):
