@@ -29,7 +29,10 @@ def optimum_text(found: Optimum) -> RenderableType:
     """
     first, *others = told(found)
     parts: list[RenderableType] = [Text(f"{found.goal.name}: {first}", style="bold"), *map(Text, others)]
-    if len(found.best) == 1:
+    asked = found.goal.simulate or found.goal.limits or found.goal.given
+    if len(found.best) == 1 and len(found.goal.objectives) == 1:
+        if not asked:
+            return Group(*parts)
         parts += [Text(), Text("by how much the design meets the goal", style="italic"), _limits(found)]
     elif found.best:
         parts += [Text(), Text("the front", style="italic"), _front(found)]
