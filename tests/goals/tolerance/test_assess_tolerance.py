@@ -202,6 +202,14 @@ def test_the_first_runs_settle_the_plan_and_it_stays(design, tmp_path):
     assert kept_plan(tmp_path, replace(question, deviations=question.deviations[:4]), 0.3, 1) is None
 
 
+def test_a_folder_that_has_the_first_runs_does_not_take_them_for_fast(design, tmp_path):
+    """Half a second is not enough for what has 256 points, whatever the folder had time for before."""
+    with pytest.raises(KeyboardInterrupt):
+        assess_tolerance(asked(design), tmp_path, cluster=ClosedForm(design, FACTORS, line, killed_after=300))
+    slow = ClosedForm(design, FACTORS, line, pause=0.02)
+    assert assess_tolerance(asked(design), tmp_path, minutes=0.5 / 60, cluster=slow).plan in PLANS[4:]
+
+
 def test_two_processes_that_share_the_runs_come_to_the_same(design, folder, tmp_path, found):
     """Each finds the rows of the other in its folder, here of one that went before."""
     shared = tmp_path / "shared"

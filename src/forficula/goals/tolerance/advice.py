@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from forficula.goals.tolerance.probability import Probability
+from forficula.goals.tolerance.probability import Probability, surely_less
 from forficula.goals.tolerance.tolerance import Tolerance
 
 # groups that decide less of the variance than this may be made as roughly as they are
@@ -135,7 +135,7 @@ def _side(found: Tolerance) -> list[str]:
     sides = []
     for factor, each in enumerate(found.narrowed):
         for way, one, other in (("larger", each.below, each.above), ("smaller", each.above, each.below)):
-            if one.share is not None and other.share is not None and one.high < other.low:
+            if one.share is not None and other.share is not None and surely_less(one, other, 2 * len(found.narrowed)):
                 sides.append((one.share - other.share, factor, way))
     if not sides:
         return []

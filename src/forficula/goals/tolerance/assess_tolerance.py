@@ -150,13 +150,14 @@ def _plan(trials: _Trials, folder: Path, minutes: float, seed: int) -> Plan:
     if (kept := kept_plan(folder, question, minutes, seed)) is not None:
         return kept
     factors = len(question.deviations)
-    first, _ = two_samples(factors, PLANS[0].points, seed)
+    # of a folder that has the first sample from before, the second one
+    points = np.concatenate(two_samples(factors, PLANS[0].points, seed))
     trials(np.zeros((1, factors)))
     few, seconds = PLANS[-1].points, 0.0
-    for begin in range(0, len(first), few):
+    for begin in range(0, len(points), few):
         assert trials.assessor is not None
         before, start = trials.assessor.wanted, time.monotonic()
-        trials(question.offsets(first[begin : begin + few]))
+        trials(question.offsets(points[begin : begin + few]))
         if (new := trials.assessor.wanted - before) >= _TIMED:
             seconds = (time.monotonic() - start) / new
             break

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
 
-from forficula.goals.tolerance.probability import LEVEL
+from forficula.goals.share_interval import LEVEL
 
 Values = NDArray[np.float64]
 
