@@ -127,8 +127,9 @@ def tolerance(
     tell_assumed(question)
     if dry_run:
         plan, most, seconds = estimate_tolerance(question, folder, minutes, seed)
+        count = "1 value" if len(question.keys) == 1 else f"{len(question.keys)} values"
         print(
-            f"{chosen.name}: {len(question.keys)} tolerances; {plan.points + plan.rows} points for the probability,"
+            f"{chosen.name}: {count} that may be off; {plan.points + plan.rows} points for the probability,"
             f" at most {most} runs in all, about {seconds:.0f} s"
         )
         return 0
