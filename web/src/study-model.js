@@ -74,7 +74,9 @@ function decimals(values) {
   return Math.min(20, Math.max(0, 2 - Math.floor(Math.log10(largest || 1))));
 }
 
-/** Three significant digits at most, with a minus sign that is one. */
+/** Three significant digits at most, with minus signs that are such; small numbers as powers of ten. */
 export function numberText(value) {
-  return String(Number(value.toPrecision(3))).replace("-", "\u2212");
+  const number = Number(value.toPrecision(3));
+  const small = number !== 0 && Math.abs(number) < 1e-3;
+  return (small ? number.toExponential() : String(number)).replaceAll("-", "\u2212");
 }

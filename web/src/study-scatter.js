@@ -25,7 +25,7 @@ export function makeScatter(model, view, press) {
   const named = view.y === null ? { name: quantity.title, unit: quantity.unit } : columns[view.y];
   const upwards = makeAxis(values, named, HEIGHT - EDGE.bottom, EDGE.top, view.cells?.upwards);
   const label = `${quantity.title} of ${study.points} ${study.noun}s; arrows move between them, enter opens one`;
-  const drawing = draw("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: points.length > MANY ? "scatter many" : "scatter", role: "listbox", "aria-label": label });
+  const drawing = draw("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: ["scatter", points.length > MANY && "many", view.ordered && "judged"].filter(Boolean).join(" "), role: "listbox", "aria-label": label });
   if (view.cells) drawing.append(...mapCells(view.cells, across, upwards));
   drawing.append(...axisParts(across, upwards, HEIGHT), ...guides(columns[view.x], across, upwards, true), ...(view.y === null ? [] : guides(columns[view.y], upwards, across, false)));
   const places = points.map((point) => [across.place(point), upwards.place(point)]);

@@ -36,7 +36,7 @@ def indices(function, factors, rows, seed=0, groups=None):
 
 
 def test_ishigamis_function_has_its_closed_form_indices():
-    found = indices(ishigami, 3, 4096)
+    found = indices(ishigami, 3, 16384)
     np.testing.assert_allclose(found.first[0], FIRST, atol=0.025)
     np.testing.assert_allclose(found.total[0], TOTAL, atol=0.01)
 
@@ -53,7 +53,7 @@ def test_the_intervals_hold_ishigamis_indices_in_nine_of_ten_repetitions_or_more
 
 def test_factors_of_a_sum_have_their_weights_squared_and_no_interactions():
     shares = WEIGHTS**2 / np.sum(WEIGHTS**2)
-    found = indices(linear, 5, 1024)
+    found = indices(linear, 5, 4096)
     np.testing.assert_allclose(found.first[0], shares, atol=0.03)
     np.testing.assert_allclose(found.total[0], shares, atol=0.01)
     assert found.total[0, 4] == found.first[0, 4] == 0
@@ -61,7 +61,7 @@ def test_factors_of_a_sum_have_their_weights_squared_and_no_interactions():
 
 def test_a_group_of_a_sum_has_the_indices_of_its_factors_together():
     shares = WEIGHTS**2 / np.sum(WEIGHTS**2)
-    found = indices(linear, 5, 1024, groups=[[2], [0, 1], [3, 4]])
+    found = indices(linear, 5, 4096, groups=[[2], [0, 1], [3, 4]])
     np.testing.assert_allclose(found.total[0], [shares[2], shares[0] + shares[1], shares[3]], atol=0.01)
 
 

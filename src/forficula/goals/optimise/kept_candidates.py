@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from forficula.goals.kept_designs import MOST_KEPT, designs_to_keep
 from forficula.goals.optimise.optimum import Optimum
 from forficula.study.kept_runs import RunToKeep
+
+Numbers = NDArray[np.int64]
 
 
 def candidates_to_keep(optimum: Optimum, most: int = MOST_KEPT) -> list[RunToKeep]:
@@ -29,8 +32,9 @@ def candidates_to_keep(optimum: Optimum, most: int = MOST_KEPT) -> list[RunToKee
     return designs_to_keep(designs, [*map(int, first), *by_turns], most)
 
 
-def _spread(numbers: np.ndarray, most: int) -> np.ndarray:
+def _spread(numbers: Numbers, most: int) -> Numbers:
     """So many of some numbers, evenly."""
     if len(numbers) <= most:
         return numbers
-    return np.asarray(numbers[np.linspace(0, len(numbers) - 1, max(most, 0)).round().astype(int)])
+    places = np.linspace(0, len(numbers) - 1, max(most, 0)).round().astype(np.int64)
+    return np.asarray(numbers[places], dtype=np.int64)

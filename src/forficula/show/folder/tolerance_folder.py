@@ -11,20 +11,21 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from forficula.csv_text import csv_text
-from forficula.design import save_design
+from forficula.design import key_value, save_design
 from forficula.dynamics import versions
 from forficula.files import write_bytes, write_text
+from forficula.goals.deviation import deviation_widths
 from forficula.goals.tolerance import Tolerance
 from forficula.goals.tolerance.advice import advice, most_telling
 from forficula.goals.tolerance.indices import Values
-from forficula.goals.tolerance.nearest_failure import Reach
+from forficula.goals.tolerance.nearest_failure import Answer, Reach
 from forficula.goals.tolerance.probability import Probability
 from forficula.goals.tolerance.question import MARGIN
 from forficula.goals.tolerance.tolerance_table import tolerance_table
 from forficula.show.goals.tolerance_figures import draw_cloud, draw_indices, draw_reaches
 from forficula.show.goals.tolerance_text import tolerance_text
 from forficula.show.page.rich_html import laid_out
-from forficula.show.page.tolerance_page import write_tolerance_page
+from forficula.show.page.tolerance_page import VerdictCells, write_tolerance_page
 from forficula.show.style import Drawing, save_figures
 from forficula.study.kept_runs import KeptRun
 from forficula.study.table import unit_suffix
@@ -79,6 +80,22 @@ def write_tolerance_report(found: Tolerance, kept: Iterable[KeptRun], count: int
         kept,
         count,
         _samples_csv(table),
+        _verdict_cells(found),
+    )
+
+
+def _verdict_cells(found: Tolerance) -> VerdictCells | None:
+    """The map of verdicts over values instead of widths of tolerances; None where there is none."""
+    if found.map is None:
+        return None
+    question, factors = found.question, (found.map.first, found.map.second)
+    own = [float(key_value(question.design, question.keys[factor])) for factor in factors]
+    widths = deviation_widths(question.design, [question.deviations[factor] for factor in factors])
+    across, upwards = (value + steps * width for value, steps, width in zip(own, found.map.steps, widths, strict=True))
+    works = (found.map.samples.answers == Answer.WORKS).reshape(len(across), len(upwards))
+    first, second = (question.keys[factor] for factor in factors)
+    return VerdictCells(
+        first=first, second=second, across=across.tolist(), upwards=upwards.tolist(), works=works.tolist()
     )
 
 

@@ -47,6 +47,8 @@ class VerdictCells:
 
 
 _WORKS, _MISSES = "works", "misses a limit"
+# rows of bars
+_MOST_BARS = 10
 # axes of the lines over what is built: those that decide most
 _MOST_AXES = 8
 
@@ -210,26 +212,30 @@ def _facts_table(results: Dataset) -> str:
 
 
 def _indices_table(results: Dataset) -> str:
-    """Shares of the variance of the margin: what each decides alone, and with others."""
-    groups = [str(group) for group in results["group"].values]
+    """Shares of the variance of the margin: what each decides alone and, where that is known, with others."""
+    groups, order = [str(group) for group in results["group"].values], _order(results)
+    known = ["first"] if np.isnan(results["total_index"].values[0]).all() else ["first", "total"]
     rows = []
-    for place in _order(results):
+    for place in order[:_MOST_BARS]:
         shares = [
             tuple(float(results[f"{name}_index{end}"].values[0, place]) for end in ("", "_low", "_high"))
-            for name in ("first", "total")
+            for name in known
         ]
         lanes = tuple(
             (bar(share, kind, interval=(low, high)),)
-            for (share, low, high), kind in zip(shares, ("first", "second"), strict=True)
+            for (share, low, high), kind in zip(shares, ("first", "second"), strict=False)
         )
-        rows.append(
-            BarRow(name=plain_key(groups[place]), lanes=lanes, cells=tuple(_share_text(*each) for each in shares))
-        )
-    caption = (
-        "Shares of the scatter of the margin: what each deviation decides alone, above, and together with others,"
-        " below; with 95 % intervals"
-    )
-    return bar_table(caption, ("", "share", "alone", "with others"), rows, (0.0, 1.0)) if rows else ""
+        cells = tuple(_share_text(*each) for each in shares)
+        rows.append(BarRow(name=plain_key(groups[place]), lanes=lanes, cells=cells))
+    if not rows:
+        return ""
+    what = "what each deviation decides alone"
+    if len(known) > 1:
+        what += ", above, and together with others, below"
+    left = len(order) - len(rows)
+    rest = f"; {left} more decide less" if left else ""
+    caption = f"Shares of the scatter of the margin: {what}; with 95 % intervals{rest}"
+    return bar_table(caption, ("", "share", "alone", "with others")[: 2 + len(known)], rows, (0.0, 1.0))
 
 
 def _share_text(value: float, low: float, high: float) -> str:
