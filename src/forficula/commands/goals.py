@@ -136,9 +136,9 @@ def tolerance(
     tell_assumed(question)
     if dry_run:
         plan, most, seconds = estimate_tolerance(question, folder, minutes, seed)
-        many = f"{len(question.keys)} tolerance{'s' * (len(question.keys) > 1)}"
+        count = "1 value" if len(question.keys) == 1 else f"{len(question.keys)} values"
         print(
-            f"{chosen.name}: {many}; {plan.points + plan.rows} points for the probability,"
+            f"{chosen.name}: {count} that may be off; {plan.points + plan.rows} points for the probability,"
             f" at most {most} runs in all, about {seconds:.0f} s"
         )
         return 0

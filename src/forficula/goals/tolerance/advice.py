@@ -184,7 +184,7 @@ def _doubtful(found: Tolerance) -> list[str]:
 
 
 def _bounded(found: Tolerance) -> list[str]:
-    """Of which values the tolerance goes beyond what their keys allow, and how many designs were built at that bound."""
+    """Of which values the tolerance goes beyond what their keys allow, and how many designs are at that bound."""
     told, question = [], found.question
     for factor, key in enumerate(question.keys):
         offsets = found.samples.offsets[:, factor]
