@@ -66,7 +66,10 @@ def test_files_may_name_designs_beside_them(tmp_path):
         ({"limits": {"probability": ">= 95 %"}, "tolerances": {}}, "probability: needs tolerances"),
         ({"objectives": {}}, "objectives: need one to three quantities"),
         ({"objectives": {"mass": "smallest"}}, 'objectives.mass: need "least" or "largest"'),
-        ({"objectives": {"fold_time": "least"}, "simulate": False}, "fold_time: is known by running"),
+        (
+            {"objectives": {"fold_time": "least"}, "simulate": False, "limits": {}},
+            "fold_time: is known by running",
+        ),
         ({"vary": {}}, "vary: need at least one key"),
         ({"vary": {"tendon.stifness": ["4 N/cm"]}}, "did you mean tendon.stiffness"),
         ({"vary": {"tendon.stiffness": {"low": "4 N/cm"}}}, "vary.tendon.stiffness.high: is missing"),
@@ -95,3 +98,76 @@ def test_every_key_of_a_goal_file_is_told():
     }
     with pytest.raises(InputError, match='did you mean "limits"'):
         goal_key_facts("limit")
+
+
+LETTER = {
+    "name": "a-letter",
+    "design": "letter-fold",
+    "vary": {"tendon.left.stiffness": ["0.4 N/cm", "0.5 N/cm"]},
+    "objectives": {"mass": "least"},
+}
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        (
+            {"vary": {"tendon.0.stiffness": ["0.4 N/cm"], "tendon.left.stiffness": ["0.5 N/cm"]}},
+            "vary.tendon.left.stiffness: is given twice, the other time as tendon.0.stiffness",
+        ),
+        (
+            {"tolerances": {"tendon.0.stiffness": "5 %", "tendon.left.stiffness": "9 %"}},
+            "tolerances.tendon.left.stiffness: is given twice, the other time as tendon.0.stiffness",
+        ),
+        (
+            {"settings": {"tendon.0.stiffness": "0.4 N/cm", "tendon.left.stiffness": "0.5 N/cm"}},
+            "tendon.left.stiffness: is given twice, the other time as tendon.0.stiffness",
+        ),
+        ({"limits": {"close_time": []}}, "limits.close_time: need at least one limit, got an empty list"),
+        (
+            {"limits": {"close_time": [">= 1 s", "<= 0.5 s"]}},
+            "limits.close_time: nothing is both >= 1 s and <= 0.5 s",
+        ),
+        (
+            {"limits": {"probability": ">= 120 %"}, "tolerances": {"all": "5 %"}},
+            "limits.probability: need a share from 0 % to 100 %, got 120 %",
+        ),
+        ({"limits": {"least_close_value": "<= -2 N cm"}}, "limits.least_close_value: need > 0"),
+        (
+            {"limits": {"least_close_value": "<= 2 N cm"}, "simulate": False},
+            "least_close_value: is known by running a design",
+        ),
+        (
+            {"limits": {"least_close_value": "<= 2 N cm"}, "vary": {"drive.0.value": ["1 N cm", "9 N cm"]}},
+            "vary.drive.0.value: is what least_close_value is about",
+        ),
+        (
+            {"tolerances": {"tendon.left.stiffness": {"distribution": "normal"}}},
+            "tolerances.tendon.left.stiffness.size: is missing",
+        ),
+        (
+            {"tolerances": {"tendon.left.law": {"intervals_of": "tpu95a"}}},
+            "tolerances.tendon.left.law.intervals_of: ",
+        ),
+        ({"tolerances": {"tendon.left.area": "5 %"}}, "tolerances.tendon.left.area: is not given in letter-fold"),
+    ],
+)
+def test_what_would_count_only_in_part_is_refused(change, says):
+    with pytest.raises(InputError) as error:
+        goal_of(LETTER | change)
+    assert says in str(error.value)
+    assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize("limits", [["<= 2 N cm", "<= 1 N cm"], ["<= 1 N cm", "<= 2 N cm"]])
+def test_of_several_limits_on_a_least_torque_the_strictest_counts(limits):
+    goal = goal_of(LETTER | {"limits": {"least_close_value": limits}})
+    assert goal.base.drive[0].value == pytest.approx(0.01)
+
+
+def test_one_tolerance_takes_the_place_of_all_by_either_name():
+    tolerances = {"all": "10 %", "tendon.0.stiffness": "5 %", "tendon.1.stiffness": "none"}
+    sizes = {each.key: each.size for each in goal_of(LETTER | {"tolerances": tolerances}).deviations}
+    assert sizes["tendon.left.stiffness"] == 0.05
+    assert "tendon.0.stiffness" not in sizes
+    assert "tendon.right.stiffness" not in sizes

@@ -27,6 +27,61 @@ if TYPE_CHECKING:
     from forficula.goals.tolerance import Question
 
 
+def optimise(
+    goal: Annotated[str, Parameter(help="A named goal, or the path of a goal file (.toml).")],
+    /,
+    *,
+    out: Annotated[OutIfGiven, Parameter(help="Folder of the search; out/<its name> if not given.")] = None,
+    dry_run: Annotated[bool, Parameter(help="Only say what is asked and how long a batch takes.")] = False,
+    shard: Annotated[
+        str, Parameter(help="Share the runs with other processes, as in 2/8; each has the result.")
+    ] = "1/1",
+    dask: Annotated[
+        str | None, Parameter(help="Run on the Dask cluster with this scheduler, as in tcp://scheduler:8786.")
+    ] = None,
+    keep: Annotated[int, WHOLE_NUMBER, Parameter(help="Keep so many runs, to be played in its page.")] = 12,
+) -> int:
+    """Find the design that does what a goal asks, within its tolerances, or go on with the search where it stopped."""
+    from forficula.goals import load_goal
+    from forficula.study.kept_runs import check_most
+
+    asked = load_goal(goal)
+    folder = out or Path("out") / asked.name
+    check_folder(folder)
+    read_option("--keep", lambda: check_most(keep))
+    if dry_run:
+        from forficula.goals.optimise.estimate import estimate_batch
+
+        seconds, ran = estimate_batch(asked)
+        print(
+            f"{asked.name}: at most {asked.runs} designs, {len(asked.parameters)} parameters; the first {asked.batch}"
+            f" take about {seconds:.0f} s, {ran} of them run; neighbours within tolerances come on top"
+        )
+        return 0
+
+    from forficula.goals.optimise.kept_candidates import candidates_to_keep
+    from forficula.goals.optimise.optimise import optimise_goal
+    from forficula.show import study_progress
+    from forficula.show.folder.optimise_folder import OPTIMUM_FILE, write_optimum, write_optimum_report
+    from forficula.show.goals.optimise_progress import optimise_progress
+    from forficula.show.goals.optimum_text import print_optimum
+    from forficula.study import dask_cluster
+    from forficula.study.kept_runs import kept_runs
+
+    with nullcontext() if dask is None else dask_cluster(dask) as cluster, optimise_progress() as progress:
+        found = optimise_goal(asked, folder, shard=read_shard(shard), cluster=cluster, progress=progress)
+    if (folder / OPTIMUM_FILE).is_file():
+        remark(f"{folder}: replaces the result there; the rows stay")
+    write_optimum(found, folder)
+    runs = candidates_to_keep(found, keep)
+    with study_progress() as progress_of_runs:
+        write_optimum_report(found, kept_runs(runs, folder, progress=progress_of_runs), len(runs), folder)
+    came_to(folder / OPTIMUM_FILE)
+    print_optimum(found)
+    print(f"\nwritten to {folder}")
+    return 0 if found.feasible else 2
+
+
 def tolerance(
     design: DesignName,
     /,

@@ -25,7 +25,7 @@ from forficula.design.kinds import KINDS, design_class, kind_of, reference_of
 from forficula.design.provenance import derived_source
 from forficula.design.rejection import File, origin, rejected
 from forficula.design.sheet_tables import with_sheet_read
-from forficula.design.tables import RejectedError, dotted_keys, laid_over, merged, nested, numbered
+from forficula.design.tables import RejectedError, check_once, dotted_keys, laid_over, merged, nested, numbered
 from forficula.design.tendon_tables import entries_over, tendon_over, tendons_over, value_from_folder
 from forficula.errors import InputError
 from forficula.files import as_path, read_toml, write_text
@@ -203,6 +203,7 @@ def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si
         raise InputError(f'need values by key, such as {{"tendon.stiffness": "20 N/cm"}}, got {as_written(settings)}')
     if any(key.partition(".")[0] == "based_on" for key in settings):
         raise InputError("based_on: cannot be set; name the design to start from instead")
+    check_once(settings, tables)
     return _over(tables, nested(with_sheet_read(settings)), laid_over, si=si)
 
 

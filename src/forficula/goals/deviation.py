@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
 
-from forficula.design import Design, key_quantity, key_value
+from forficula.design import Design, check_keys_once, key_quantity, key_value, numbered_key
 from forficula.design.part import Part, Quantity, field_quantity
 from forficula.errors import InputError
 from forficula.material.law.law_file import load_law
@@ -107,6 +107,7 @@ def read_deviations(given: Mapping[str, object], design: Design) -> tuple[Deviat
     Raises:
         InputError: an unknown key, or a value that is not allowed; the caller knows the table.
     """
+    check_keys_once(given, design)
     found: dict[str, Deviation] = {}
     if "all" in given:
         size, relative = _size("all", given["all"], None)
@@ -114,11 +115,15 @@ def read_deviations(given: Mapping[str, object], design: Design) -> tuple[Deviat
             key: Deviation(key=key, distribution="uniform", size=size, relative=relative)
             for key in positive_keys(design)
         }
-    for key, value in given.items():
-        if key == "all":
+    # "all" calls entries by their names, a file perhaps by their numbers
+    called = {numbered_key(design, key): key for key in found}
+    for own, value in given.items():
+        if own == "all":
             continue
+        key = called.get(numbered_key(design, own), own)
         if isinstance(value, Mapping) and "intervals_of" in value:
-            found |= {each.key: each for each in _fitted(key, value, design)}
+            for each in _fitted(key, value, design):
+                found[called.get(numbered_key(design, each.key), each.key)] = each
         elif value == "none":
             if found.pop(key, None) is None:
                 raise InputError(f'{key}: has no tolerance that "none" could take away{near_name(key, found)}')
@@ -131,14 +136,18 @@ def _deviation(key: str, given: object, design: Design) -> Deviation:
     """One tolerance of one key."""
     quantity = key_quantity(key, type(design), given)
     value = key_value(design, key)
+    if value is None:
+        raise InputError(f"{key}: is not given in {design.name}, and what is not there cannot be off")
     if isinstance(value, bool) or not isinstance(value, float):
-        raise InputError(f"{key}: need a key whose value is a number with fractions in {design.name}")
+        raise InputError(f"{key}: need a key whose value is a number with fractions, {design.name} has {value!r}")
     distribution: object = "uniform"
     if isinstance(given, Mapping):
         for name in given:
             if name not in ("distribution", "size"):
                 raise InputError(f"{key}.{name}: need distribution or size{near_name(name, ['distribution', 'size'])}")
-        distribution, given = given.get("distribution", "uniform"), given.get("size")
+        if "size" not in given:
+            raise InputError(f'{key}.size: is missing, as in {{ distribution = "normal", size = "5 %" }}')
+        distribution, given = given.get("distribution", "uniform"), given["size"]
     if distribution not in ("uniform", "normal"):
         raise InputError(f'{key}.distribution: need "uniform" or "normal", got {as_written(distribution)}')
     size, relative = _size(key, given, quantity)
@@ -165,7 +174,10 @@ def _fitted(key: str, given: Mapping[str, object], design: Design) -> Iterator[D
     """The 95 % intervals of a law's fit as normal distributions about the design's own values."""
     if set(given) != {"intervals_of"} or not isinstance(given["intervals_of"], str):
         raise InputError(f'{key}: need {{ intervals_of = "my-law.toml" }} and nothing else, got {as_written(given)}')
-    law = load_law(given["intervals_of"])
+    try:
+        law = load_law(given["intervals_of"])
+    except InputError as error:
+        raise InputError(f"{key}.intervals_of: {error}") from None
     if not law.intervals:
         raise InputError(f"{key}.intervals_of: {law.name} has no intervals; need a law that was fitted")
     for bounds in law.intervals:

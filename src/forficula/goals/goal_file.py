@@ -6,12 +6,12 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Literal
 
-from forficula.design import Design, value_from_folder
+from forficula.design import Design, check_keys_once, numbered_key, value_from_folder
 from forficula.errors import InputError
 from forficula.goals.deviation import Deviation, read_deviations
 from forficula.goals.goal import Goal, Objective
 from forficula.goals.goal_keys import goal_names_in
-from forficula.goals.limit import Limit, read_limit
+from forficula.goals.limit import Limit, check_limits, read_limit
 from forficula.goals.outcome_quantity import PROBABILITY, OutcomeQuantity, quantity_of
 from forficula.goals.parameter import Parameter, read_parameter
 from forficula.names import folder_name, one_of
@@ -84,7 +84,8 @@ def _goal(tables: dict[str, Any], folder: Path) -> Goal:
     )
     parameters = _parameters(flat_table(tables, "vary", keep=("low", "high", "step")), base, folder)
     asked = [*(each.quantity for each in limits), *(each.quantity for each in objectives)]
-    _check_asked(asked, parameters, deviations, simulate=simulate)
+    _check_asked([*(each.quantity for each in given), *asked], parameters, deviations, simulate=simulate)
+    _check_varied(asked, given, parameters, base)
     return Goal(
         name=title,
         source=str(tables.get("source", "")),
@@ -115,9 +116,11 @@ def read_limits(given: Mapping[str, Any], base: Design) -> tuple[Limit, ...]:
     for name, texts in given.items():
         try:
             quantity = quantity_of(base, name)
-            found += [read_limit(quantity, text) for text in (texts if isinstance(texts, list) else [texts])]
+            limits = [read_limit(quantity, text) for text in (texts if isinstance(texts, list) else [texts])]
+            check_limits(limits)
         except InputError as error:
             raise InputError(_told("limits", name, error)) from None
+        found += limits
     return tuple(found)
 
 
@@ -151,7 +154,8 @@ def with_torques(base: Design, given: Sequence[Limit]) -> Design:
         return base
     steps = {step.least_name: step for step in read_search("least-torques", {}, base).steps}
     values: dict[str, object] = {}
-    for limit in given:
+    # of several limits on one, the strictest comes last
+    for limit in sorted(given, key=lambda each: -each.bound):
         step = steps[limit.quantity.name]
         values[step.key] = step.sign * limit.bound
     return base.with_values(values)
@@ -177,6 +181,7 @@ def deviations_within(given: Mapping[str, Any], base: Design, folder: Path) -> t
 
 def _parameters(given: Mapping[str, Any], base: Design, folder: Path) -> tuple[Parameter, ...]:
     try:
+        check_keys_once(given, base)
         return tuple(read_parameter(key, value_from_folder(key, value, folder), base) for key, value in given.items())
     except InputError as error:
         raise InputError(f"vary.{error}") from None
@@ -197,6 +202,20 @@ def _check_asked(
             raise InputError(f'{PROBABILITY}: needs tolerances, such as all = "10 %" under [tolerances]')
     if not parameters:
         raise InputError('vary: need at least one key, such as "tendon.stiffness" = { low = "4 N/cm", high = ".." }')
+
+
+def _check_varied(
+    asked: Sequence[OutcomeQuantity], given: Sequence[Limit], parameters: Sequence[Parameter], base: Design
+) -> None:
+    """Refuse to vary what a limit on a least torque settles, or a search for one tries."""
+    names = {each.name for each in (*asked, *(limit.quantity for limit in given)) if each.source == "search"}
+    if not names:
+        return
+    settled = {step.key: step.least_name for step in read_search("least-torques", {}, base).steps}
+    varied = {numbered_key(base, each.key): each.key for each in parameters}
+    for key, name in settled.items():
+        if name in names and (own := varied.get(numbered_key(base, key))) is not None:
+            raise InputError(f"vary.{own}: is what {name} is about; need it in one of them")
 
 
 def _search(given: Mapping[str, Any], asked: Sequence[OutcomeQuantity], base: Design) -> Search | None:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
 from forficula.errors import InputError
-from forficula.goals.outcome_quantity import OutcomeQuantity
+from forficula.goals.outcome_quantity import PROBABILITY, OutcomeQuantity
 from forficula.quantities import as_written, parse_quantity, show_quantity
 
 _TEXT = re.compile(r"\s*(<=|>=)\s*(.+?)\s*")
@@ -44,6 +45,30 @@ class Limit:
         share = (value - self.bound) / scale if self.kind == ">=" else (self.bound - value) / scale
         # what meets it exactly, but for rounding, meets it
         return min(max(share if abs(share) > _ROUNDING else 0.0, -1.0), 1.0)
+
+
+def check_limits(limits: Sequence[Limit]) -> None:
+    """Refuse limits on one quantity that nothing could meet, and none at all.
+
+    Raises:
+        InputError: which; the caller knows the key.
+    """
+    if not limits:
+        raise InputError("need at least one limit, got an empty list")
+    unit = limits[0].quantity.unit
+    least = max((each.bound for each in limits if each.kind == ">="), default=-math.inf)
+    most = min((each.bound for each in limits if each.kind == "<="), default=math.inf)
+    if least > most:
+        raise InputError(
+            f"nothing is both >= {show_quantity(least, unit)} and <= {show_quantity(most, unit)}; need them the other"
+            " way round"
+        )
+    if limits[0].quantity.name == PROBABILITY and any(not 0 <= each.bound <= 1 for each in limits):
+        wrong = next(each.bound for each in limits if not 0 <= each.bound <= 1)
+        raise InputError(f"need a share from 0 % to 100 %, got {show_quantity(wrong, unit)}")
+    if limits[0].quantity.source == "search" and any(each.bound <= 0 for each in limits):
+        wrong = next(each.bound for each in limits if each.bound <= 0)
+        raise InputError(f"need > 0, in the sense in which the drive acts, got {show_quantity(wrong, unit)}")
 
 
 def read_limit(quantity: OutcomeQuantity, given: object) -> Limit:

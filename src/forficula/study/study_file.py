@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from forficula.design import Design, key_quantity, key_value, value_from_folder
+from forficula.design import Design, check_keys_once, key_quantity, key_value, value_from_folder
 from forficula.errors import InputError
 from forficula.names import folder_name, one_of
 from forficula.quantities import as_written, is_whole
@@ -69,7 +69,7 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
     if not isinstance(reproduces, str | None):
         raise InputError(f"reproduces: need the name of a paper, in quotes, got {as_written(reproduces)}")
     base = base_design(tables, folder)
-    factors = read_factors(tables, "factors", folder, type(base))
+    factors = read_factors(tables, "factors", folder, base)
     drawn = [factor for factor in factors if factor.distribution is not None]
     if drawn and len(drawn) < len(factors):
         raise InputError("factors: need either all of them as distributions or none, got both kinds")
@@ -78,7 +78,7 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
         raise InputError(f'vary: need "grid" or "one-at-a-time", got {as_written(vary)}')
     if "vary" in tables and drawn:
         raise InputError(f"vary: needs factors that are lists or ranges, got distributions with {as_written(vary)}")
-    grid = _repeated_grid(tables, vary, factors, folder, type(base))
+    grid = _repeated_grid(tables, vary, factors, folder, base)
     for factor in (*factors, *grid):
         now = key_value(base, factor.key)
         if factor in drawn and key_quantity(factor.key, factor.model) is None and not isinstance(now, float):
@@ -113,34 +113,35 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
     )
 
 
-def read_factors(tables: Mapping[str, Any], name: str, folder: Path, model: type[Design]) -> tuple[Factor, ...]:
+def read_factors(tables: Mapping[str, Any], name: str, folder: Path, base: Design) -> tuple[Factor, ...]:
     """The factors of a table of a file.
 
     Args:
         tables: of the file.
         name: of the table.
         folder: that paths start from.
-        model: class of the design.
+        base: the design that is varied.
 
     Raises:
-        InputError: the table is missing or empty, or a value is not allowed.
+        InputError: the table is missing or empty, or a value is not allowed, or given twice by two names.
     """
     given = tables.get(name)
     if not isinstance(given, dict) or not given:
         raise InputError(f'{name}: need a table with at least one, such as "tendon.stiffness" = "10..60 N/cm step 10"')
-    values = dotted_values(given, name).items()
-    return tuple(read_factor(key, value_from_folder(key, value, folder), model) for key, value in values)
+    values = dotted_values(given, name)
+    check_keys_once(values, base)
+    return tuple(read_factor(key, value_from_folder(key, value, folder), type(base)) for key, value in values.items())
 
 
 def _repeated_grid(
-    tables: Mapping[str, Any], vary: str, factors: tuple[Factor, ...], folder: Path, model: type[Design]
+    tables: Mapping[str, Any], vary: str, factors: tuple[Factor, ...], folder: Path, base: Design
 ) -> tuple[Factor, ...]:
     """The factors that are crossed wherever the others, varied one at a time, are."""
     if "grid" not in tables:
         return ()
     if vary != "one-at-a-time":
         raise InputError('grid: needs vary = "one-at-a-time"; otherwise all factors are a grid, under [factors]')
-    grid = read_factors(tables, "grid", folder, model)
+    grid = read_factors(tables, "grid", folder, base)
     if twice := {factor.key for factor in grid} & {factor.key for factor in factors}:
         raise InputError(f"grid.{min(twice)}: is under [factors], too; need it in one of them")
     if drawn := [factor.key for factor in grid if factor.distribution is not None]:

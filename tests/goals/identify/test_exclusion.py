@@ -5,7 +5,14 @@ import pytest
 from scipy import stats
 
 from forficula.goals.identify.directed import directed_shares, misses, open_targets
-from forficula.goals.identify.exclusion import Together, agreeing, best_subsets, pairs_of, share_interval
+from forficula.goals.identify.exclusion import (
+    Together,
+    agreeing,
+    best_subsets,
+    pairs_of,
+    share_interval,
+    smallest_unmet,
+)
 
 
 @pytest.mark.parametrize("share", [0.02, 0.1, 0.5])
@@ -40,6 +47,13 @@ def test_pairs_are_told_by_what_would_be_expected():
     met[40] = False
     assert pairs_of(met, placed)[1].verdict is Together.RARE
     assert best_subsets(met) == [(1, 2)]
+
+
+def test_the_smallest_sets_that_no_sample_meets_leave_out_what_follows_from_them():
+    # any two of facts 0, 1 and 2, never all three; fact 3 never
+    met = np.array([[1, 1, 0, 0], [0, 1, 1, 0], [1, 0, 1, 0]], dtype=bool)
+    assert smallest_unmet(met) == [(3,), (0, 1, 2)]
+    assert smallest_unmet(np.ones((1, 4), dtype=bool)) == []
 
 
 def test_what_is_looked_for_is_what_no_sample_met():

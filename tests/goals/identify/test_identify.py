@@ -53,7 +53,7 @@ def test_hidden_values_are_found_again_by_what_they_bring_about(overbend, dampin
     count, time = what_it_does(planted(overbend, damping))
     result = observed(
         [count_fact("count", equals=count, tolerance=5), time_fact("time", equals=f"{time} s", tolerance="5 ms")],
-        samples=256,
+        samples=192,
     )
     met = result.sel(sample=result.met.all("fact"))
     assert 3 <= met.sizes["sample"] < 64
@@ -96,7 +96,7 @@ def test_samples_that_are_placed_refute_an_exclusion_that_is_an_accident():
     drawn = observed(facts, samples=64)
     assert int(drawn.met_together[0, 1]) == 0
     assert drawn.together.values[0, 1] in (Together.RARE, Together.NEVER)
-    placed = observed(facts, samples=64, directed=256)
+    placed = observed(facts, samples=64, directed=96)
     assert int(placed.met_together_placed[0, 1]) > 0
     assert placed.together.values[0, 1] == Together.PLACED
     # what was placed says nothing of how likely values are

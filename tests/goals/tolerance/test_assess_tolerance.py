@@ -172,6 +172,12 @@ def test_without_time_for_indices_straight_lines_still_find_what_decides(design,
     assert lines.runs <= LINE.most_runs(5)
 
 
+def test_so_few_designs_that_nothing_tells_what_decides_are_told(design, tmp_path):
+    few = assessed(design, tmp_path / "few", replace(PLANS[-1], points=8), line)
+    assert most_telling(few) is None
+    assert "So few designs do not tell which tolerance decides: give it more time." in advice(few)
+
+
 def test_the_table_has_values_in_si_that_lie_within_the_tolerances(found):
     table = tolerance_table(found)
     lengths = table["tendon_left_rest_length"]

@@ -75,7 +75,7 @@ def directed_shares(shares: Array, excess: Array, targets: Sequence[Target], cou
         start = shares[order[generator.integers(min(_STARTS, len(order)))]]
         one, other = shares[generator.permutation(order[:_NEAREST])[[0, -1]]]
         step = generator.uniform(*_STEPS) * (one - other) + _NOISE * generator.standard_normal(shares.shape[1])
-        changed = generator.random(shares.shape[1]) < _CHANGED
+        changed = np.asarray(generator.random(shares.shape[1]) < _CHANGED)
         changed[generator.integers(shares.shape[1])] = True
         placed.append(_reflected(start + np.where(changed, step, 0.0)))
     return np.array(placed)

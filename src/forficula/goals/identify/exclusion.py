@@ -118,6 +118,21 @@ def best_subsets(met: Mask) -> list[tuple[int, ...]]:
     return list(dict.fromkeys(found)) if most else []
 
 
+def smallest_unmet(met: Mask, most: int = 3) -> list[tuple[int, ...]]:
+    """The smallest sets of facts that no sample meets together, though every part of them is met by some.
+
+    Args:
+        met: whether each sample met each fact, (samples, facts).
+        most: facts of a set.
+    """
+    found: list[tuple[int, ...]] = []
+    for size in range(1, most + 1):
+        for facts in itertools.combinations(range(met.shape[1]), size):
+            if not met[:, facts].all(axis=1).any() and not any(set(each) <= set(facts) for each in found):
+                found.append(facts)
+    return found
+
+
 def agreeing(met: Mask, excess: Array, placed: Mask, share: float = 0.1) -> Mask:
     """The drawn samples that agree: those that meet every fact, or the nearest where hardly any does.
 

@@ -81,7 +81,7 @@ def observations_of(tables: Mapping[str, Any], folder: Path = Path()) -> Observa
 
 
 def _priors(tables: Mapping[str, Any], folder: Path, base: Design) -> tuple[Factor, ...]:
-    priors = read_factors(tables, "unknown", folder, type(base))
+    priors = read_factors(tables, "unknown", folder, base)
     for prior in priors:
         now = key_value(base, prior.key)
         if (

@@ -121,7 +121,11 @@ def _every(term: Term, runs: SampleRuns, rows: Rows) -> States | Wanted:
 
 
 def _staircase(term: Term, runs: SampleRuns, rows: Rows) -> States | Wanted:
-    """The state under every condition, of which those along its boundary are run."""
+    """The state under every condition, of which those along its boundary are run.
+
+    The far corner is run, too, where the state is taken to hold before all others: does it not, there is another
+    boundary, and every condition is run.
+    """
     keys = [factor.key for factor in term.over]
     rising, falling = (tuple(keys.index(key) for key in each) for each in (term.rising, term.falling))
     by_point = dict(zip(itertools.product(*map(range, term.shape)), conditions(term), strict=True))
@@ -134,7 +138,31 @@ def _staircase(term: Term, runs: SampleRuns, rows: Rows) -> States | Wanted:
             return wanted
         known[point] = _state(term, row)
         states = follows(known, rising, falling)
+    if not (states == HOLDS).any():
+        return states
+    for point in _far_corners(term.shape, rising, falling):
+        wanted = {}
+        row = _row(by_point[point], term, runs, rows, wanted)
+        if row is None:
+            return wanted
+        if _state(term, row) != HOLDS and (states == HOLDS)[_line(point, rising, falling)].any():
+            every = _every(term, runs, rows)
+            return every if isinstance(every, dict) else every.reshape(term.shape)
     return states
+
+
+def _far_corners(shape: tuple[int, ...], rising: tuple[int, ...], falling: tuple[int, ...]) -> list[tuple[int, ...]]:
+    """The points that every other one leads to, one for each value of the axes along which nothing is taken to hold."""
+    ends = [
+        [length - 1] if axis in rising else [0] if axis in falling else list(range(length))
+        for axis, length in enumerate(shape)
+    ]
+    return list(itertools.product(*ends))
+
+
+def _line(point: tuple[int, ...], rising: tuple[int, ...], falling: tuple[int, ...]) -> tuple[int | slice, ...]:
+    """The points that lead to a far corner."""
+    return tuple(slice(None) if axis in (*rising, *falling) else place for axis, place in enumerate(point))
 
 
 @cache

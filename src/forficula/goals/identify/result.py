@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from forficula.goals.identify.exclusion import agreeing, best_subsets, pairs_of, share_interval
+from forficula.goals.identify.exclusion import agreeing, best_subsets, pairs_of, share_interval, smallest_unmet
 from forficula.goals.identify.fact import Fact
 from forficula.goals.identify.fact_text import asked_text
 from forficula.goals.identify.identify import Sample, excess_of, fact_scales, met_of
@@ -155,4 +155,5 @@ def _attributes(observations: Observations, samples: Sequence[Sample], met: Any,
         "unknowns": [prior.dimension for prior in observations.priors],
         "most_met": int(met.sum(axis=1).max(initial=0)),
         "met_most": ["; ".join(names[fact] for fact in subset) for subset in best] or [""],
+        "unmet": ["; ".join(names[fact] for fact in facts) for facts in smallest_unmet(met) if len(facts) > 2] or [""],
     }

@@ -9,13 +9,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
-from scipy.stats import qmc
 
 from forficula.design import Design
 from forficula.errors import InputError
 from forficula.goals.assessor import Assessor
 from forficula.goals.deviation import off_values
 from forficula.goals.goal import Goal
+from forficula.goals.latin_points import latin_points
 from forficula.goals.optimise.screening import screened
 
 # Neighbours that are asked first; each time after that twice as many are known.
@@ -52,9 +52,8 @@ class Neighbours:
 
 
 def neighbour_offsets(goal: Goal, count: int, seed: int) -> NDArray[np.float64]:
-    """By how many widths neighbours are off, the same of every design: scrambled Sobol points, (count, deviation)."""
-    power = math.ceil(math.log2(max(count, 1)))
-    shares = qmc.Sobol(len(goal.deviations), rng=np.random.default_rng(seed)).random_base2(power)[:count]
+    """By how many widths neighbours are off, the same of every design, (count, deviation)."""
+    shares = latin_points(len(goal.deviations), 2 ** math.ceil(math.log2(max(count, 1))), seed)[:count]
     columns = [deviation.offsets(column) for deviation, column in zip(goal.deviations, shares.T, strict=True)]
     return np.array(columns).T
 

@@ -47,7 +47,7 @@ def most_telling(found: Tolerance) -> int | None:
     Of those that decide most of the margin that with the largest gain, where one of them gains beyond chance.
     """
     order = found.order
-    if not order or not np.nanmax(np.abs(found.indices.first[0]), initial=0.0) > 0:
+    if not found.tells_what_decides or not order or not np.nanmax(np.abs(found.indices.first[0]), initial=0.0) > 0:
         return None
     sure = [factor for factor in order[:_MOST_NAMED] if found.narrowed[factor].gain_low > 0]
     return max(sure, key=lambda factor: found.narrowed[factor].gain) if sure else order[0]
@@ -86,6 +86,8 @@ def _working(found: Tolerance) -> set[str]:
 
 
 def _decides(found: Tolerance) -> list[str]:
+    if not found.tells_what_decides:
+        return ["So few designs do not tell which tolerance decides: give it more time."]
     factor = most_telling(found)
     if factor is None:
         return ["Nothing within the tolerances changes the margin."]
@@ -102,7 +104,7 @@ def _decides(found: Tolerance) -> list[str]:
         )
     )
     share, low, high = (float(each[0, place]) for each in kind)
-    how = "as a straight line over it" if line else "alone and with others"
+    how = "by a straight line over it" if line else "alone and with others"
     gain = found.narrowed[factor]
     does = f"It decides {_range(share, low, high)} of the margin's variance, {how}"
     told = [f"Tighten the tolerance of {key}, {question.width_text(factor)}, first. {does}{_gained(found, factor)}."]
@@ -127,6 +129,8 @@ def _gained(found: Tolerance, factor: int) -> str:
 
 def _side(found: Tolerance) -> list[str]:
     """Which value to move, and which way: where it fails more often on one side than on the other, beyond chance."""
+    if not found.tells_what_decides:
+        return []
     sides = []
     for factor, each in enumerate(found.narrowed):
         for way, one, other in (("larger", each.below, each.above), ("smaller", each.above, each.below)):

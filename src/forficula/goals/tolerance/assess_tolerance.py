@@ -185,7 +185,7 @@ def _assessed(trials: _Trials, plan: Plan, seed: int) -> Tolerance:
             effects = indices.total[0]
         every = joined([samples, at_mixed])
     else:
-        indices = line_indices(names, question.keys, first, at_first.margins, seed)
+        indices = line_indices(names, question.keys, at_first.offsets, at_first.margins, seed)
     works = samples.answers == Answer.WORKS
     tells = works | (samples.answers == Answer.FAILS)
     found = Tolerance(

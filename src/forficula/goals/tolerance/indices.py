@@ -96,8 +96,10 @@ def line_indices(
 ) -> Indices:
     """Estimate which share of a result's variance a straight line over each factor has, where there is no more time.
 
-    The squared correlation less what it is by chance (Ezekiel 1930); of a result that is a sum of straight lines it is
-    the first-order index. There are no total indices from one sample.
+    From a plane over all factors at once, by least squares, for columns of few Sobol points are correlated; the square
+    of each slope less that of its standard error, which is what it is by chance. Of a sum of straight lines it is the
+    first-order index. There are no total indices from one sample, and NaN everywhere of fewer rows than twice the
+    unknowns of the plane.
 
     Args:
         results: what the results are called.
@@ -110,15 +112,17 @@ def line_indices(
         ValueError: a result that is not finite, and which.
     """
     _check_finite(results, at_points, "the sample")
-    rows = len(points)
-    first = _squared_correlations(points, at_points)
-    picks = np.random.default_rng(seed).integers(rows, size=(_RESAMPLES, rows))
-    resampled = np.array([_squared_correlations(points[pick], at_points[:, pick]) for pick in picks])
-    low, high = np.quantile(resampled, [(1 - LEVEL) / 2, (1 + LEVEL) / 2], axis=0)
+    rows, factors = points.shape
+    unknown = np.full((len(results), factors), np.nan)
+    first, low, high = unknown.copy(), unknown.copy(), unknown.copy()
+    if tells_lines(rows, factors):
+        first = _plane_shares(points, at_points)
+        picks = np.random.default_rng(seed).integers(rows, size=(_RESAMPLES, rows))
+        resampled = np.array([_plane_shares(points[pick], at_points[:, pick]) for pick in picks])
+        low, high = np.quantile(resampled, [(1 - LEVEL) / 2, (1 + LEVEL) / 2], axis=0)
     still = ~_varies(at_points, at_points)
     for values in (first, low, high):
         values[still] = np.nan
-    unknown = np.full_like(first, np.nan)
     return Indices(
         results=tuple(results),
         groups=tuple(groups),
@@ -132,13 +136,22 @@ def line_indices(
     )
 
 
-def _squared_correlations(points: Values, at_points: Values) -> Values:
-    """Less what they are by chance, (results, factors); 0 where nothing varies."""
-    rows = len(points)
-    factors, results = (each - np.mean(each, axis=-1, keepdims=True) for each in (points.T, at_points))
-    with np.errstate(divide="ignore", invalid="ignore"):
-        squared = (results @ factors.T) ** 2 / np.outer(np.sum(results**2, axis=1), np.sum(factors**2, axis=1))
-    return np.asarray(1 - (1 - np.nan_to_num(squared)) * (rows - 1) / (rows - 2))
+def tells_lines(rows: int, factors: int) -> bool:
+    """Whether so many points tell a plane over so many factors from chance."""
+    return rows >= 2 * (factors + 1)
+
+
+def _plane_shares(points: Values, at_points: Values) -> Values:
+    """The share of each factor's slope less what it is by chance, (results, factors); 0 where nothing varies."""
+    rows, factors = points.shape
+    plane = np.column_stack([np.ones(rows), points - np.mean(points, axis=0)])
+    inverse = np.linalg.pinv(plane)
+    slopes = inverse @ at_points.T
+    left = np.sum((at_points.T - plane @ slopes) ** 2, axis=0) / (rows - factors - 1)
+    chance = np.outer(np.sum(inverse**2, axis=1), left)
+    variance = np.var(at_points, axis=1)
+    shares = (slopes**2 - chance)[1:] * np.var(points, axis=0)[:, np.newaxis]
+    return np.asarray(np.divide(shares, variance, out=np.zeros_like(shares), where=variance > 0).T)
 
 
 def total_effects(at_first: Values, at_mixed: Values, steps: Values) -> Values:

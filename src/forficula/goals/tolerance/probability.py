@@ -40,8 +40,9 @@ def probability(works: int, fails: int, unknown: int = 0) -> Probability:
 
     The interval is the exact one of Clopper and Pearson (1934, doi:10.1093/biomet/26.4.404): of independent points it
     holds the probability at least 95 times in 100, however near to 0 or 1 that is, where Wilson's does so only on
-    average. Points of a scrambled Sobol sequence scatter less than independent ones (Owen 1998,
-    doi:10.1145/272991.273010), so that it holds more often still. Runs that tell nothing widen it by all they could be.
+    average. Points of a Latin hypercube scatter hardly more than independent ones, and mostly less (Owen 1997,
+    doi:10.1137/S0036142994277468), so that it mostly holds more often still. Runs that tell nothing widen it by all
+    they could be.
 
     Args:
         works: runs in which it holds.

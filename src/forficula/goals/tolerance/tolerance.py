@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.goals.tolerance.indices import Indices, Values
+from forficula.goals.tolerance.indices import Indices, Values, tells_lines
 from forficula.goals.tolerance.narrowing import Narrowed
 from forficula.goals.tolerance.nearest_failure import Answer, Reach
 from forficula.goals.tolerance.plan import Plan
@@ -114,6 +114,11 @@ class Tolerance:
     def nominal_works(self) -> bool:
         """Whether the design works as it is meant."""
         return bool(self.nominal.answers[0] is Answer.WORKS)
+
+    @property
+    def tells_what_decides(self) -> bool:
+        """Whether there are enough designs to tell which tolerance decides."""
+        return self.plan.rows > 0 or tells_lines(len(self.samples), len(self.question.keys))
 
     @property
     def meets(self) -> bool:

@@ -101,7 +101,9 @@ def _verdict_cells(found: Tolerance) -> VerdictCells | None:
 
 def tolerance_drawings(table: Dataset) -> dict[str, Drawing]:
     """What draws a tolerance, by the stem of its file; what was not looked for is left out."""
-    drawings: dict[str, Drawing] = {"indices": lambda width: draw_indices(table, width)}
+    drawings: dict[str, Drawing] = {}
+    if np.isfinite(table["first_index"].values[0]).any():
+        drawings["indices"] = lambda width: draw_indices(table, width)
     if "map_outcome" in table:
         drawings["cloud"] = lambda width: draw_cloud(table, width)
     if np.isfinite(table["works_down"].values).any():

@@ -122,12 +122,16 @@ def draw_together(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
         axes.tick_params(axis="both", length=0)
         for spine in axes.spines.values():
             spine.set_visible(False)
-        handles = [
-            Patch(fc="white", ec=VERMILION, lw=1.4, label="by none: they exclude one another"),
-            Patch(fc="white", ec=_GREY, hatch="///", lw=0.5, label="by none, too rare to tell"),
-            Line2D([], [], ls="", marker="$+2$", ms=9, color=BLACK, mew=0, label="by samples that were placed"),
-        ]
-        fit_legend(figure, handles, 3, loc="outside lower center")
+        words = set(result["together"].values.ravel().tolist())
+        looks = {
+            Together.EXCLUDED: Patch(fc="white", ec=VERMILION, lw=1.4, label="by none: they exclude one another"),
+            Together.RARE: Patch(fc="white", ec=_GREY, hatch="///", lw=0.5, label="by none, too rare to tell"),
+            Together.PLACED: Patch(fc="none", ec="none", label="+ by samples that were placed"),
+        }
+        handles = [look for word, look in looks.items() if word in words]
+        axes.set_xlabel("drawn samples that meet both facts")
+        if handles:
+            fit_legend(figure, handles, 3, loc="outside lower center")
         return describe(figure, _tell_together(result, names))
 
 

@@ -114,6 +114,12 @@ def together_sentences(result: Dataset) -> list[str]:
             sentences += [f"  {text}" for *_, text in these[:_MOST_PAIRS]]
             if len(these) > _MOST_PAIRS:
                 sentences.append(f"  and {len(these) - _MOST_PAIRS} more pairs")
+    unmet = [str(each) for each in np.atleast_1d(result.attrs.get("unmet", "")) if str(each)]
+    if unmet:
+        sentences.append("Met by no sample all three together, though any two of them are:")
+        sentences += [f"  {each}" for each in unmet[:_MOST_PAIRS]]
+        if len(unmet) > _MOST_PAIRS:
+            sentences.append(f"  and {len(unmet) - _MOST_PAIRS} more")
     never = [
         str(name)
         for name, met in zip(result["fact"].values, result["met"].any("sample").values, strict=True)

@@ -29,7 +29,8 @@ def tolerance_text(found: Tolerance) -> RenderableType:
     parts += [*map(Text, others), Text()]
     parts += [Text("how likely it is", style="italic"), _facts(found), Text()]
     parts += [Text("what the designs came to", style="italic"), _outcomes(found), Text()]
-    parts += [Text(_decides_title(found), style="italic"), _indices(found), Text()]
+    if found.tells_what_decides:
+        parts += [Text(_decides_title(found), style="italic"), _indices(found), Text()]
     if found.reaches:
         parts += [Text("how far each value may go alone", style="italic"), _reaches(found), Text()]
     return Group(*parts[:-1])
