@@ -13,6 +13,7 @@ from .calls import film as film
 from .calls import identify as identify
 from .calls import landscape as landscape
 from .calls import new_study as new_study
+from .calls import optimise as optimise
 from .calls import page as page
 from .calls import pattern_facts as pattern_facts
 from .calls import run as run

@@ -21,7 +21,9 @@ if TYPE_CHECKING:
 
     from forficula.dynamics import Record
     from forficula.dynamics.simulate import Progress
+    from forficula.goals import Goal
     from forficula.goals.identify import Observations
+    from forficula.goals.optimise import Optimum, SoFar
     from forficula.make.part import PartSet
     from forficula.pattern import PatternFacts
     from forficula.statics import EnergyLandscape
@@ -191,6 +193,50 @@ def identify(
         case _:
             asked = load_observations(as_path(observations, "observations, their name or the path of their file"))
     return identify_in(asked, as_path(out, "a folder"), threads=threads, progress=progress)
+
+
+def optimise(
+    goal: Goal | AnyPath | Mapping[str, object],
+    out: AnyPath,
+    *,
+    threads: int = 0,
+    progress: Callable[[SoFar], None] | None = None,
+) -> Optimum:
+    """Look for the designs that do best what a goal asks, as `forficula optimise` does.
+
+    Args:
+        goal: or the name of one, the path of a goal file, or its tables, in which `design` may be a design.
+        out: folder with the rows of runs; what was stopped goes on there.
+        threads: 0 for one a core.
+        progress: called after every row with how far it is and the best so far.
+
+    Returns:
+        Its `designs` are the best ones, its `table` has all that were tried.
+
+    Raises:
+        InputError: no such goal, values that are not allowed, or a folder of another design.
+
+    >>> asked = {
+    ...     "name": "holds",
+    ...     "design": "binder2025-joint",
+    ...     "simulate": False,
+    ...     "vary": {"tendon.area": {"low": "1 mm^2", "high": "9 mm^2"}},
+    ...     "limits": {"hinge_holding_torque": ">= 8 N cm"},
+    ...     "objectives": {"mass": "least"},
+    ...     "search": {"runs": 48, "batch": 16},
+    ... }
+    >>> found = ff.optimise(asked, "held")
+    >>> f"{1e6 * found.designs[0].tendons[0].area:.2f} mm^2"
+    '4.71 mm^2'
+    """
+    from forficula.goals import Goal, goal_of, load_goal
+    from forficula.goals.optimise import optimise_goal
+
+    if isinstance(goal, Mapping):
+        goal = goal_of(goal)
+    if not isinstance(goal, Goal):
+        goal = load_goal(as_path(goal, "a named goal, or the path of a goal file"))
+    return optimise_goal(goal, as_path(out, "a folder"), threads=threads, progress=progress)
 
 
 def tolerance(

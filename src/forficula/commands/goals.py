@@ -23,7 +23,9 @@ from forficula.terminal import came_to, remark
 if TYPE_CHECKING:
     from xarray import Dataset
 
+    from forficula.goals import Goal
     from forficula.goals.identify import Observations
+    from forficula.goals.optimise import Optimum
     from forficula.goals.tolerance import Question
 
 
@@ -31,18 +33,21 @@ def optimise(
     goal: Annotated[str, Parameter(help="A named goal, or the path of a goal file (.toml).")],
     /,
     *,
-    out: Annotated[OutIfGiven, Parameter(help="Folder of the search; out/<its name> if not given.")] = None,
-    dry_run: Annotated[bool, Parameter(help="Only say what is asked and how long a batch takes.")] = False,
+    out: Annotated[OutIfGiven, Parameter(help="Folder of the search; out/<name of the goal> if not given.")] = None,
+    keep: Annotated[
+        int, WHOLE_NUMBER, Parameter(help="Keep so many runs at most, to be played in its page; 0 for none.")
+    ] = 24,
+    dry_run: Annotated[bool, Parameter(help="Only say how many designs are tried and how long they take.")] = False,
     shard: Annotated[
         str, Parameter(help="Share the runs with other processes, as in 2/8; each has the result.")
     ] = "1/1",
     dask: Annotated[
         str | None, Parameter(help="Run on the Dask cluster with this scheduler, as in tcp://scheduler:8786.")
     ] = None,
-    keep: Annotated[int, WHOLE_NUMBER, Parameter(help="Keep so many runs, to be played in its page.")] = 12,
 ) -> int:
-    """Find the design that does what a goal asks, within its tolerances, or go on with the search where it stopped."""
+    """Look for the design that does best what a goal asks, or go on with it where it stopped."""
     from forficula.goals import load_goal
+    from forficula.goals.optimise.optimise import estimate_optimise
     from forficula.study.kept_runs import check_most
 
     asked = load_goal(goal)
@@ -50,36 +55,38 @@ def optimise(
     check_folder(folder)
     read_option("--keep", lambda: check_most(keep))
     if dry_run:
-        from forficula.goals.optimise.estimate import estimate_batch
-
-        seconds, ran = estimate_batch(asked)
-        print(
-            f"{asked.name}: at most {asked.runs} designs, {len(asked.parameters)} parameters; the first {asked.batch}"
-            f" take about {seconds:.0f} s, {ran} of them run; neighbours within tolerances come on top"
-        )
+        designs, seconds = estimate_optimise(asked)
+        neighbours = f", and up to {asked.neighbours} neighbours of the best" if asked.deviations else ""
+        print(f"{asked.name}: at most {designs} designs, about {seconds:.0f} s{neighbours}")
         return 0
+    found = _optimised(asked, folder, shard, dask)
 
     from forficula.goals.optimise.kept_candidates import candidates_to_keep
-    from forficula.goals.optimise.optimise import optimise_goal
     from forficula.show import study_progress
-    from forficula.show.folder.optimise_folder import OPTIMUM_FILE, write_optimum, write_optimum_report
-    from forficula.show.goals.optimise_progress import optimise_progress
+    from forficula.show.folder.optimum_folder import OPTIMUM_FILE, optimum_json, write_optimum, write_optimum_report
     from forficula.show.goals.optimum_text import print_optimum
-    from forficula.study import dask_cluster
     from forficula.study.kept_runs import kept_runs
 
-    with nullcontext() if dask is None else dask_cluster(dask) as cluster, optimise_progress() as progress:
-        found = optimise_goal(asked, folder, shard=read_shard(shard), cluster=cluster, progress=progress)
     if (folder / OPTIMUM_FILE).is_file():
-        remark(f"{folder}: replaces the result there; the rows stay")
+        remark(f"{folder}: replaces the designs, the table and the page there; the rows stay")
     write_optimum(found, folder)
     runs = candidates_to_keep(found, keep)
-    with study_progress() as progress_of_runs:
-        write_optimum_report(found, kept_runs(runs, folder, progress=progress_of_runs), len(runs), folder)
-    came_to(folder / OPTIMUM_FILE)
+    with study_progress() as progress:
+        write_optimum_report(found, kept_runs(runs, folder, progress=progress), len(runs), folder)
+    came_to(optimum_json(found))
     print_optimum(found)
     print(f"\nwritten to {folder}")
-    return 0 if found.feasible else 2
+    return 0 if found.best else 2
+
+
+def _optimised(asked: Goal, folder: Path, shard: str, dask: str | None) -> Optimum:
+    """Search here or on a Dask cluster."""
+    from forficula.goals.optimise import optimise_goal
+    from forficula.show.goals.optimise_progress import optimise_progress
+    from forficula.study import dask_cluster
+
+    with nullcontext() if dask is None else dask_cluster(dask) as cluster, optimise_progress() as progress:
+        return optimise_goal(asked, folder, shard=read_shard(shard), cluster=cluster, progress=progress)
 
 
 def tolerance(

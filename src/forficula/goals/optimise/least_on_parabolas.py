@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 # Rounds of multipliers, Newton steps of each at most, and halvings of a step.
-_ROUNDS, _STEPS, _HALVINGS = 10, 15, 8
+_ROUNDS, _STEPS, _HALVINGS = 10, 20, 12
 # Stiffness of the penalty: at first, by how much it grows, and at most.
 _STIFFNESS, _STIFFER, _STIFFEST = 10.0, 5.0, 1e5
 _ENOUGH = 1e-9
@@ -104,6 +104,9 @@ def _relaxed(
         if held.all() or np.abs(slope[~held]).max() < _ENOUGH:
             break
         step = _newton_step(slope, curvature, held)
+        # where nothing is curved it is as long as it likes
+        longest = np.abs(step[: len(place)]).max()
+        step *= min(1.0, float((problem.high - problem.low).max()) / longest) if longest > 0 else 1.0
         for halving in range(_HALVINGS):
             trial = np.clip(unknowns + step / 2**halving, low, high)
             found = _lagrangian(problem, trial, multipliers, prices, stiffness)

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import stats
 
 from forficula.design import Design
 from forficula.errors import InputError
@@ -17,10 +16,10 @@ from forficula.goals.deviation import off_values
 from forficula.goals.goal import Goal
 from forficula.goals.latin_points import latin_points
 from forficula.goals.optimise.screening import screened
+from forficula.goals.tolerance.probability import probability
 
 # Neighbours that are asked first; each time after that twice as many are known.
 _FIRST = 8
-_LEVEL = 0.95
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -46,9 +45,9 @@ class Neighbours:
 
     @property
     def interval(self) -> tuple[float, float]:
-        """The exact 95 % interval, Clopper and Pearson, 1934, doi.org/10.1093/biomet/26.4.404."""
-        found = stats.binomtest(self.works, self.tried).proportion_ci(confidence_level=_LEVEL, method="exact")
-        return float(found.low), float(found.high)
+        """The 95 % interval of the probability that one works."""
+        found = probability(self.works, self.tried - self.works)
+        return found.low, found.high
 
 
 def neighbour_offsets(goal: Goal, count: int, seed: int) -> NDArray[np.float64]:

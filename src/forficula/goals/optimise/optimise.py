@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import time
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 
@@ -109,6 +111,17 @@ def optimise_goal(
         relaxations=() if any(each.feasible for each in trials) else tuple(relaxations(trials)),
         table=optimum_table(goal, candidates, [each.candidate for each in best]),
     )
+
+
+def estimate_optimise(goal: Goal) -> tuple[int, float]:
+    """Say how many designs are tried at most, and guess how long they take, s, without their neighbours.
+
+    The guess is the time that the design itself takes, measured now, times the designs.
+    """
+    with TemporaryDirectory() as folder, open_assessor(folder, goal.base) as assess:
+        start = time.perf_counter()
+        screened(goal, assess, [goal.base])
+        return goal.runs, (time.perf_counter() - start) * goal.runs
 
 
 def _starts(goal: Goal) -> list[Point]:

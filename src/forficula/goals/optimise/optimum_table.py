@@ -125,9 +125,17 @@ def _margin_names(goal: Goal) -> list[tuple[str, int]]:
 def _probabilities(candidates: Sequence[Candidate]) -> dict[str, Any]:
     asked = [each.neighbours for each in candidates]
     columns: list[tuple[str, str, list[float | None]]] = [
-        (PROBABILITY, "share of neighbours that work", [each and each.share for each in asked]),
-        (f"{PROBABILITY}_low", "lower end of its 95 % interval", [each and each.interval[0] for each in asked]),
-        (f"{PROBABILITY}_high", "upper end of its 95 % interval", [each and each.interval[1] for each in asked]),
+        (PROBABILITY, "share of neighbours that work", [None if each is None else each.share for each in asked]),
+        (
+            f"{PROBABILITY}_low",
+            "lower end of its 95 % interval",
+            [None if each is None else each.interval[0] for each in asked],
+        ),
+        (
+            f"{PROBABILITY}_high",
+            "upper end of its 95 % interval",
+            [None if each is None else each.interval[1] for each in asked],
+        ),
         ("neighbours", "neighbours that were asked", [each.tried if each else 0 for each in asked]),
     ]
     return {name: (_AXIS, _numbers(values), {"long_name": meaning}) for name, meaning, values in columns}

@@ -1,4 +1,4 @@
-"""How far an optimisation is, and the best that it has found so far."""
+"""How far a search for the best design is, and the best so far."""
 
 from __future__ import annotations
 
@@ -13,25 +13,30 @@ from forficula.goals.optimise.optimise import SoFar
 from forficula.goals.optimise.telling import value_texts
 from forficula.terminal import is_quiet
 
-# s, between lines where nothing better was found
+# s, between lines
 _EVERY = 10
 
 
 @contextmanager
 def optimise_progress() -> Iterator[Callable[[SoFar], None]]:
-    """Say every ten seconds how many designs are tried, and the best so far as soon as there is a better one."""
+    """Say every ten seconds how many designs were tried, how many rows that took, and what the best comes to."""
     console = Console(stderr=True, highlight=False, quiet=is_quiet())
-    last, best = [monotonic()], [""]
+    last = [monotonic()]
 
-    def tell(so_far: SoFar) -> None:
-        now = ""
-        if so_far.best is not None:
-            meets = trial_of(so_far.goal, so_far.best).feasible
-            now = f"{'best' if meets else 'nearest'} so far: {', '.join(value_texts(so_far.goal, so_far.best))}"
-        if now == best[0] and monotonic() - last[0] < _EVERY:
-            return
-        last[0], best[0] = monotonic(), now
-        done = f"{so_far.tried} of {so_far.goal.runs} designs, {so_far.rows} rows worked out"
-        console.print(f"{done}; {now}" if now else done, soft_wrap=True, markup=False)
+    def line(so_far: SoFar) -> None:
+        if monotonic() - last[0] > _EVERY:
+            last[0] = monotonic()
+            console.print(progress_text(so_far), markup=False, soft_wrap=True)
 
-    yield tell
+    yield line
+
+
+def progress_text(so_far: SoFar) -> str:
+    """How far it is, in a line."""
+    text = f"{so_far.tried} of {so_far.goal.runs} designs tried, {so_far.rows} rows worked out"
+    if so_far.best is None:
+        return text
+    values = ", ".join(value_texts(so_far.goal, so_far.best))
+    if trial_of(so_far.goal, so_far.best).feasible:
+        return f"{text}; the best: {values}"
+    return f"{text}; nothing meets the goal yet, the nearest: {values}"
