@@ -138,7 +138,7 @@ def _relaxed(found: Optimum, relaxation: Relaxation, limit: Limit | None) -> str
         return f"{name}: was never looked at, for something before it always failed"
     if relaxation.trial is None and relaxation.unseen < 0:
         return (
-            f"{name}: is missed by {100 * -relaxation.unseen:.3g} % at best where no other is known to fail; of such"
+            f"{name}: is missed by {_missed(relaxation.unseen)} at best where no other is known to fail; of such"
             " designs the dearer limits were not looked at"
         )
     if relaxation.trial is None:
