@@ -225,12 +225,13 @@ def film(
     write_film(as_record(run), file, size=size, rate=fps, slowed=slower, strain=strain)
 
 
-def page(of: Record | PartSet | AnyPath, path: AnyPath) -> None:
+def page(of: Record | PartSet | AnyPath, path: AnyPath, *, engine: bool = True) -> None:
     """Write a run, or parts to make with their checks, as one HTML file that plays in any browser without a network.
 
     Args:
         of: a record, the folder of a run, or parts.
         path: of the page; must end with .html.
+        engine: whether the simulator is in the page of a run, with which a reader moves the structure; it takes 3.5 MB.
 
     Raises:
         InputError: no such run, another ending, or it cannot be written.
@@ -250,7 +251,7 @@ def page(of: Record | PartSet | AnyPath, path: AnyPath) -> None:
         write_parts_page(of, check_parts(of), file)
         return
     record = as_record(of)
-    write_run_page(record, measure(record), file)
+    write_run_page(record, measure(record), file, engine=engine)
 
 
 def compare(folders: Iterable[AnyPath], path: AnyPath) -> None:

@@ -8,7 +8,7 @@ import { buildModel, makeWing } from "./engine-wing.js";
 
 const FRAME = 16; // ms
 const BUDGET = 12; // ms of them in which it steps
-const AFTER = 4; // seconds for which it goes on when nothing is done to it any more
+const AFTER = 10; // seconds for which it goes on when nothing is done to it any more
 
 let live = null;
 let wing = null;
@@ -22,14 +22,31 @@ let quiet = 0; // seconds since something was done to it
 /** Start the engine and build what the page has; says what there is, or why there is nothing. */
 async function load({ program, text }) {
   live = JSON.parse(text);
-  const packed = new Blob([unpack(program, Uint8Array)]).stream();
-  const wasmBinary = await new Response(packed.pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
-  const said = [];
-  const tell = (line) => said.push(line);
-  const engine = await loadEngine({ wasmBinary, print: tell, printErr: tell });
+  const engine = await startEngine(program);
   wing = makeWing(engine, live, await buildModel(engine, live));
   tracker = makeTracker(wing, live.protocol);
   return { said: "loaded", version: engine.mj_versionString(), frame: frame() };
+}
+
+function startEngine(program) {
+  // what the engine writes of itself no page should say
+  const quiet = () => {};
+  return new Promise((take, refuse) => {
+    const instantiateWasm = (imports, done) => {
+      instantiate(program, imports, done).catch(refuse);
+      return {};
+    };
+    loadEngine({ instantiateWasm, print: quiet, printErr: quiet }).then(take, refuse);
+  });
+}
+
+/** Compile the program while it is inflated. */
+async function instantiate(program, imports, done) {
+  const bytes = Uint8Array.fromBase64?.(program) ?? unpack(program, Uint8Array);
+  const inflated = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+  const response = new Response(inflated, { headers: { "Content-Type": "application/wasm" } });
+  const { instance, module } = await WebAssembly.instantiateStreaming(response, imports);
+  done(instance, module);
 }
 
 /** All that the page shows of a moment. */
@@ -53,6 +70,7 @@ function frame() {
   };
 }
 
+/** What came of the stages so far; of some stages in the middle only what they did themselves. */
 function told(ends, divergedAt) {
   const outcome = outcomeOf(live, ends, divergedAt);
   for (const { took } of outcome.transitions) if (took) took.work_J = live.units.energy * took.work;
@@ -120,8 +138,13 @@ const ACTS = {
     if (tracker.stage === null) play();
     return { said: "frame", frame: frame() };
   },
-  restart() {
+  /** Begin again where the run begins: through all stages, or up to the first that is driven. */
+  restart({ through }) {
     tracker.restart();
+    const { stages } = live.protocol;
+    const driven = stages.findIndex((stage) => stage.drives.length > 0);
+    if (!through && driven === 0) tracker.release();
+    else if (!through && driven > 0) tracker.begin(0, driven - 1);
     play();
     return { said: "frame", frame: frame() };
   },

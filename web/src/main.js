@@ -1,6 +1,7 @@
 /** Show what the page's data are. */
 
 import "./page.css";
+import "./try.css";
 import { make } from "./elements.js";
 import { showComparison } from "./page-compare.js";
 import { showCurves } from "./page-curves.js";
