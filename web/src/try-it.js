@@ -10,8 +10,8 @@ export function mountTryIt(element, clip, data, before) {
   const trial = { panel: null, failed: "" };
   const text = document.getElementById("live").textContent;
   const button = make("button", { type: "button", className: "try" }, "Try it");
-  const said = make("p", { className: "note", role: "status" });
-  said.textContent = `Move this ${data.whole} yourself: change what it is made of, drive it, let go, push it. The simulator runs in this page.`;
+  const said = make("p", { className: "note" });
+  said.textContent = `Move this ${data.whole} yourself: change it, drive it, let go, push it; the simulator runs in this page.`;
   element.append(make("div", { className: "offer" }, button, said));
 
   function refuse(why) {
@@ -25,11 +25,12 @@ export function mountTryIt(element, clip, data, before) {
   else if (!hasEngine()) refuse("this page was written without the engine");
   button.addEventListener("click", async () => {
     button.disabled = true;
+    said.setAttribute("role", "status");
     said.textContent = "Starting the simulator \u2026";
     before();
     try {
       trial.panel = await makePanel(clip, data, text, startEngine);
-      element.replaceChildren(element.querySelector("h2"), trial.panel.element);
+      element.replaceChildren(make("h2", {}, "Try it"), trial.panel.element);
       trial.panel.begin();
     } catch (error) {
       refuse(error.message);

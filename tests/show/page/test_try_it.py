@@ -131,8 +131,8 @@ def test_a_tip_that_is_pushed_moves_and_comes_back_when_it_is_left(trial):
     place = page.evaluate(
         """() => { const { live, stage } = forficula.trial.panel; const { canvas, eye } = stage;
         const points = Array.from(live.frame.points); let far = 0;
-        for (let at = 0; at < points.length; at += 3)
-          if (live.movable[at / 3] && Math.hypot(points[at], points[at + 1]) > Math.hypot(points[far], points[far + 1])) far = at;
+        const away = (at) => Math.hypot(points[at], points[at + 1]);
+        for (let at = 0; at < points.length; at += 3) if (live.movable[at / 3] && away(at) > away(far)) far = at;
         const seen = eye.controls.target.clone().fromArray(points, far).project(eye.camera);
         const box = canvas.getBoundingClientRect();
         return [box.x + (seen.x + 1) / 2 * box.width, box.y + (1 - seen.y) / 2 * box.height, far]; }"""

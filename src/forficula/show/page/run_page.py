@@ -58,7 +58,7 @@ def run_page(record: Record, outcome: Outcome, *, engine: bool = False) -> str:
     title = design_title(design)
     sentence = paragraph(outcome_sentence(design.name, outcome), "outcome")
     places = "".join(f'<div id="{name}"></div>\n' for name in ("player", "plots", "readout"))
-    trial = "" if live is None else '<section id="try"><h2>Try it</h2></section>\n'
+    trial = "" if live is None else '<section id="try" aria-label="try it"></section>\n'
     places = places.replace('<div id="plots">', f'{trial}<div id="plots">')
     body = f"<header><h1>{escaped(title)}</h1>{sentence}</header>\n<main>{places}{numbers(record, outcome)}</main>"
     return page_html(f"{title}: {outcome.status}", body, playback_data(clip), live)
