@@ -3,7 +3,7 @@
 import { make } from "./elements.js";
 import { capital, short } from "./format.js";
 
-const STEPS = 1000;
+const STEPS = 200;
 const WIDE = 20; // from which on a range is gone through by ratios
 const DIGITS = 3; // of a value that a slider gives
 

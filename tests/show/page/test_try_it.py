@@ -13,6 +13,7 @@ from forficula.dynamics import with_timestep
 from forficula.show.page import write_run_page
 from forficula.study.runs import run
 from tests.show.page.conftest import until
+from tests.show.page.test_accessible_pages import ALL, asked
 
 MOST = 5e6  # bytes of a page
 SECONDS = 60  # for what takes a few, on a machine that is busy
@@ -47,13 +48,14 @@ def do(opened, name):
 
 
 def begin_again(opened, **values):
-    """The wing settled again with these values, of those of the run, where none is given."""
+    """The wing settled again with sliders at these shares of their ranges, the others as in the run."""
     page = opened.page
     back = page.get_by_role("button", name="All as in this run")
     if back.is_enabled():
         back.click()
     for name, value in values.items():
-        page.get_by_role("slider", name=name.replace("_", " ").capitalize(), exact=True).fill(str(value))
+        slider = page.get_by_role("slider", name=name.replace("_", " ").capitalize(), exact=True)
+        slider.fill(str(round(value * int(slider.get_attribute("max")))))
     return do(opened, "Start again")
 
 
@@ -104,7 +106,7 @@ def test_a_setting_that_sticks_says_so_and_what_to_try(trial):
 
 
 def test_a_setting_comes_out_as_the_design_file_that_has_it(trial, short_run):
-    begin_again(trial, tendon_stiffness=700, fold_torque=500)
+    begin_again(trial, tendon_stiffness=0.7, fold_torque=0.5)
     changes = trial.page.evaluate("forficula.trial.panel.sliders.changes")
     assert set(changes) == {"tendon.stiffness", "protocol.fold_torque"}
     address = trial.page.get_by_role("link", name="This setting as a design file").get_attribute("href")
@@ -114,13 +116,13 @@ def test_a_setting_comes_out_as_the_design_file_that_has_it(trial, short_run):
 
 
 def test_sliders_have_a_mark_where_the_run_is_and_go_back_there(trial):
-    begin_again(trial, tendon_stiffness=900)
+    begin_again(trial, tendon_stiffness=0.9)
     slider = trial.page.locator(".slider", has_text="Tendon stiffness")
     assert "changed" in slider.get_attribute("class")
     mark, thumb = slider.locator(".home").bounding_box(), slider.locator("input").bounding_box()
     trial.page.get_by_role("button", name="All as in this run").click()
     assert slider.locator("output").inner_text() == "10 N/cm"
-    share = int(slider.locator("input").input_value()) / 1000
+    share = int(slider.locator("input").input_value()) / int(slider.locator("input").get_attribute("max"))
     assert mark["x"] + 1 == pytest.approx(thumb["x"] + 8 + share * (thumb["width"] - 16), abs=1.5)
 
 
@@ -169,3 +171,27 @@ def test_a_page_without_its_engine_offers_nothing(short_run, short_outcome, tmp_
     text = (tmp_path / "report.html").read_text("utf-8")
     assert "wasm-unsafe-eval" not in text.partition("<title>")[0]
     assert 'id="try"' not in text
+
+
+@pytest.mark.parametrize("size", [(1280, 800), (390, 844)])
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing_in_the_open_panel_and_it_fits_its_window(trial, size, scheme):
+    trial.show(*size, scheme=scheme)
+    wrong, _ = asked(trial.page, ALL)
+    assert wrong == []
+    assert trial.page.evaluate("document.documentElement.scrollWidth") <= size[0]
+    trial.show()
+
+
+def test_sliders_and_buttons_act_by_the_keyboard(trial):
+    begin_again(trial)
+    page = trial.page
+    slider = page.get_by_role("slider", name="Tendon stiffness")
+    slider.focus()
+    page.keyboard.press("ArrowRight")
+    assert page.evaluate("forficula.trial.panel.sliders.changes")["tendon.stiffness"] > 1000
+    assert "N/cm" in slider.get_attribute("aria-valuetext")
+    page.get_by_role("button", name="Fold", exact=True).focus()
+    page.keyboard.press("Enter")
+    until(page, "document.querySelector('.verdict').textContent !== ''", SECONDS)
+    assert page.locator(".verdict").inner_text().startswith("Folded in")
