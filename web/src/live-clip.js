@@ -9,7 +9,8 @@ const LENGTHS = { m: 1, cm: 1e2, mm: 1e3, "\u00b5m": 1e6 };
 export function makeLive(clip, live, first) {
   const listeners = new Set();
   const factors = clip.readings.map(({ unit }) => (unit === "deg" ? 180 / Math.PI : live.units.length * LENGTHS[unit]));
-  const span = { start: clip.start, end: clip.end, origins: [0], whole: true };
+  // at least a second, in whose unit times are written
+  const span = { start: clip.start, end: Math.max(clip.end, clip.start + 1), origins: [0], whole: true };
   let frame = first;
   let waiting = 0;
 

@@ -3,6 +3,7 @@
 import "./page.css";
 import "./try.css";
 import { make } from "./elements.js";
+import { showBench } from "./page-bench.js";
 import { showComparison } from "./page-compare.js";
 import { showCurves } from "./page-curves.js";
 import { showParts } from "./page-parts.js";
@@ -10,7 +11,7 @@ import { showRun } from "./page-run.js";
 import { showStudy } from "./page-study.js";
 import { watchTables } from "./tables.js";
 
-const PAGES = { run: showRun, compare: showComparison, curves: showCurves, study: showStudy, parts: showParts };
+const PAGES = { run: showRun, compare: showComparison, curves: showCurves, study: showStudy, parts: showParts, bench: showBench };
 
 const data = JSON.parse(document.getElementById("data").textContent);
 

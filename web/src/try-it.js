@@ -7,7 +7,7 @@ import { makePanel } from "./try-panel.js";
 /** Put the offer into an element, where the page has one; `before` is done when it is taken. */
 export function mountTryIt(element, clip, data, before) {
   if (!element) return null;
-  const trial = { panel: null, failed: "" };
+  const trial = { panel: null, failed: "", start: null };
   const text = document.getElementById("live").textContent;
   const button = make("button", { type: "button", className: "try" }, "Try it");
   const said = make("p", { className: "note" });
@@ -23,7 +23,8 @@ export function mountTryIt(element, clip, data, before) {
   const live = JSON.parse(text.startsWith('{"refused"') ? text : "null");
   if (live !== null) refuse(live.refused);
   else if (!hasEngine()) refuse("this page was written without the engine");
-  button.addEventListener("click", async () => {
+  trial.start = async () => {
+    if (button.disabled) return;
     button.disabled = true;
     said.setAttribute("role", "status");
     said.textContent = "Starting the simulator \u2026";
@@ -35,6 +36,7 @@ export function mountTryIt(element, clip, data, before) {
     } catch (error) {
       refuse(error.message);
     }
-  });
+  };
+  button.addEventListener("click", trial.start);
   return trial;
 }

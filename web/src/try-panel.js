@@ -6,6 +6,7 @@ import { capital, fixed, short, timeText } from "./format.js";
 import { makeLive } from "./live-clip.js";
 import { mountStill } from "./player.js";
 import { mountReadout } from "./readout.js";
+import { watchTables } from "./tables.js";
 import { makeDesignLink } from "./try-design.js";
 import { listenToPushes } from "./try-push.js";
 import { makeSliders } from "./try-sliders.js";
@@ -18,6 +19,7 @@ const PACES = [
   ["1/100", 0.01],
 ];
 const PACE = 0.2; // to begin with: at its own a wing snaps faster than anyone sees
+const ROOM = 1.4; // distance of the eye where no run tells where it goes, by that which fits where it begins
 const ENERGIES = [
   ["J", 1, 0.1],
   ["mJ", 1e3, 1e-4],
@@ -38,7 +40,7 @@ export async function makePanel(clip, data, text, start) {
   const picture = make("div");
   const readout = make("div");
   const design = makeDesignLink(own);
-  const sliders = makeSliders(own.knobs, (key, value) => {
+  const sliders = makeSliders(own.knobs, data.kind === "bench" ? "the design" : "this run", (key, value) => {
     engine.tell({ act: "set", values: { [key]: value } });
     sliders.refresh();
     design.refresh(sliders.changes);
@@ -69,7 +71,7 @@ export async function makePanel(clip, data, text, start) {
     const outcome = frame.stageNumber === null ? frame.ended : null;
     const key = outcome && JSON.stringify(outcome.stages.map((stage) => stage.end_s));
     if (key !== told && outcome) {
-      said.textContent = sentence(outcome);
+      said.textContent = sentence(outcome, data.whole);
       advice.textContent = outcome.advice;
     }
     told = key;
@@ -84,11 +86,12 @@ export async function makePanel(clip, data, text, start) {
 
   /** What needs its place in the page. */
   panel.begin = () => {
-    // framed so that all that the run shows is in the picture
-    const look = { ...firstLook(), following: false };
+    // framed so that all that the run shows is in the picture; where it begins alone, with room to move
+    const look = { ...firstLook(), following: false, closer: data.kind === "bench" ? ROOM : 1 };
     const { stage } = mountStill(picture, [live.clip], live.clock, { ...data, text: data.text.replace("which moves with the time", "live") }, look);
     panel.stage = stage;
     mountReadout(readout, live.clip, live.clock, data.energy);
+    watchTables(panel.element);
     if (stage) {
       live.movable = own.anchors.bodies.map((body) => body > 0);
       listenToPushes(stage, live, clip.mesh.span_m, strongest(own, clip.mesh.span_m), (point, force) =>
@@ -98,7 +101,7 @@ export async function makePanel(clip, data, text, start) {
     show(engine.first);
     engine.tell({ act: "pace", value: PACE });
     engine.tell({ act: "restart", through: false });
-    buttons[0].focus();
+    if (data.kind !== "bench") buttons[0].focus();
   };
   return Object.assign(panel, { engine, live, sliders, design, own });
 }
@@ -146,13 +149,13 @@ function stageText({ stage, running }) {
 }
 
 /** What became of it, with the time and the work of every transition. */
-function sentence({ status, verdict, transitions }) {
-  const took = transitions.filter((each) => each.took);
-  const parts = took
-    .filter((each) => each.took.succeeded && each.took.time_s !== null)
-    .map(({ words, took: { time_s: time, work_J: work } }) => `${words.did || words.done} in ${timeOf(time)} for ${energyText(work)} of work`);
-  const failed = verdict === "reached" ? [] : [status];
-  return `${capital([...parts, ...failed].join(", then ") || status)}.`;
+function sentence({ status, verdict, transitions }, whole) {
+  const parts = transitions
+    .filter(({ took }) => took?.succeeded && took.time_s !== null)
+    .map(({ words, took }) => `${words.did || words.done} in ${timeOf(took.time_s)} for ${energyText(took.work_J)} of work`);
+  if (!parts.length) return `${capital(status)}.`;
+  const failed = verdict === "reached" ? "" : `; then: ${status}`;
+  return `The ${whole} ${parts.join(", then ")}${failed}.`;
 }
 
 function timeOf(time) {

@@ -7,10 +7,10 @@ const STEPS = 200;
 const WIDE = 20; // from which on a range is gone through by ratios
 const DIGITS = 3; // of a value that a slider gives
 
-/** A slider for every knob; `changed` is told the key and the value, SI. */
-export function makeSliders(knobs, changed) {
-  const sliders = knobs.map((knob) => makeSlider(knob, changed));
-  const back = make("button", { type: "button", disabled: true }, "All as in this run");
+/** A slider for every knob, marked where `home` has it; `changed` is told the key and the value, SI. */
+export function makeSliders(knobs, home, changed) {
+  const sliders = knobs.map((knob) => makeSlider(knob, home, changed));
+  const back = make("button", { type: "button", disabled: true }, `All as in ${home}`);
   back.addEventListener("click", () => sliders.forEach((slider) => slider.reset()));
   const element = make("div", { className: "sliders", role: "group", "aria-label": "what can be changed" });
   element.append(...sliders.map((slider) => slider.element), back);
@@ -28,7 +28,7 @@ export function makeSliders(knobs, changed) {
   };
 }
 
-function makeSlider(knob, changed) {
+function makeSlider(knob, where, changed) {
   const { key, title, unit, factor, lowest, highest } = knob;
   const byRatio = lowest > 0 && highest / lowest >= WIDE;
   const valueAt = (share) => (byRatio ? lowest * (highest / lowest) ** share : lowest + share * (highest - lowest));
@@ -37,7 +37,7 @@ function makeSlider(knob, changed) {
   const name = capital(key.replace("protocol.", "").replace("youngs", "Young's").replaceAll(/[._]/g, " "));
   const input = make("input", { type: "range", min: 0, max: STEPS, step: 1, "aria-label": name, "aria-description": title });
   const output = make("output");
-  const mark = make("span", { className: "home", title: "in this run", "aria-hidden": "true" });
+  const mark = make("span", { className: "home", title: `in ${where}`, "aria-hidden": "true" });
   mark.style.left = `${(100 * home) / STEPS}%`;
   input.dataset.keys = "own";
   let value = knob.value;
@@ -45,7 +45,7 @@ function makeSlider(knob, changed) {
   function show() {
     const text = `${short(factor * value)} ${unit}`;
     output.textContent = text;
-    input.setAttribute("aria-valuetext", value === knob.value ? `${text}, as in this run` : text);
+    input.setAttribute("aria-valuetext", value === knob.value ? `${text}, as in ${where}` : text);
     element.classList.toggle("changed", value !== knob.value);
   }
 

@@ -40,6 +40,7 @@ _FACTORS = {
 _SAFE = ("protocol.gravity", "crease.rest_angle")
 # of values that are 0 there, in SI
 _GRAVITY = 20.0
+_MOST_TENDONS = 4
 _OPTIONS = "gravity"
 _EXACT = 1e-9  # of the largest change: how straight a line must be
 _NARROWER = 0.7  # of the way to the value, where an end of a range is not allowed
@@ -88,7 +89,7 @@ def knobs_of(model: Model) -> tuple[Knob, ...]:
     """The values of a structure's design that its compiled model takes in place."""
     found: list[Knob] = []
     taken: set[tuple[str, int]] = set()
-    for key in _FACTORS:
+    for key in _keys(model):
         knob = _knob(model, key)
         if knob is None:
             continue
@@ -98,6 +99,20 @@ def knobs_of(model: Model) -> tuple[Knob, ...]:
             taken |= mine
             found.append(knob)
     return tuple(found)
+
+
+def _keys(model: Model) -> list[str]:
+    """Keys that may be knobs; of tendons that differ, or have names, those of each, where they are few."""
+    each = list(dict.fromkeys(tendon.key for tendon in model.structure.tendons))
+    if not 0 < len(each) <= _MOST_TENDONS or each == ["tendon"]:
+        return list(_FACTORS)
+    of_tendons = [f"{tendon}{key.removeprefix('tendon')}" for tendon in each for key in _FACTORS if "tendon." in key]
+    return [*of_tendons, *(key for key in _FACTORS if "tendon." not in key)]
+
+
+def _factors(key: str) -> tuple[float, float]:
+    section, _, rest = key.partition(".")
+    return _FACTORS.get(key) or _FACTORS[f"{section}.{rest.rpartition('.')[2]}"]
 
 
 def _knob(model: Model, key: str) -> Knob | None:
@@ -125,7 +140,7 @@ def _knob(model: Model, key: str) -> Knob | None:
 
 def _range(key: str, value: float) -> tuple[float, float]:
     """The range that a slider would have."""
-    low, high = _FACTORS[key]
+    low, high = _factors(key)
     if key == "protocol.gravity":
         return 0.0, max(_GRAVITY, 2 * value)
     if key == "crease.rest_angle":
@@ -148,8 +163,13 @@ def _allowed(design: Design, key: str, value: float, end: float) -> Design | Non
 
 
 def _numbers(model: Model) -> dict[str, Array]:
-    gravity = np.asarray(getattr(model.engine.opt, _OPTIONS), dtype=np.float64)
-    return {**model_numbers(model), f"opt.{_OPTIONS}": gravity.copy()}
+    numbers, engine = model_numbers(model), model.engine
+    # what only measures has no spring, and a length that the engine makes up for one
+    sprung = np.column_stack([engine.tendon_stiffness, engine.tendon_stiffnesspoly]).any(axis=1)
+    if "tendon_lengthspring" in numbers:
+        numbers["tendon_lengthspring"][np.repeat(~sprung, 2)] = 0.0
+    gravity = np.asarray(getattr(engine.opt, _OPTIONS), dtype=np.float64)
+    return {**numbers, f"opt.{_OPTIONS}": gravity.copy()}
 
 
 def _changes(

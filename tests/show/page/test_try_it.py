@@ -76,11 +76,11 @@ def test_a_page_with_its_engine_is_small_and_says_nothing_of_it_until_it_is_aske
 def test_the_wing_folds_at_a_press_to_the_angles_of_the_summary_and_opens_again(trial, short_outcome):
     assert begin_again(trial) == "Settled."
     said = do(trial, "Fold")
-    assert re.fullmatch(r"Folded in \d+(\.\d+)? ms for \d\.\d+ J of work\.", said)
+    assert re.fullmatch(r"The wing folded in \d+(\.\d+)? ms for \d\.\d+ J of work\.", said)
     stated = np.degrees(short_outcome.states["folded"].readings["distal_angle"].mean)
     assert live_angles(trial) == pytest.approx(stated, abs=6)  # of a fold that still swings there
     said = do(trial, "Unfold")
-    assert said.startswith("Opened again in ")
+    assert said.startswith("The wing opened again in ")
     stated = np.degrees(short_outcome.states["opened"].readings["distal_angle"].mean)
     assert live_angles(trial) == pytest.approx(stated, abs=0.5)
 
@@ -194,4 +194,4 @@ def test_sliders_and_buttons_act_by_the_keyboard(trial):
     page.get_by_role("button", name="Fold", exact=True).focus()
     page.keyboard.press("Enter")
     until(page, "document.querySelector('.verdict').textContent !== ''", SECONDS)
-    assert page.locator(".verdict").inner_text().startswith("Folded in")
+    assert page.locator(".verdict").inner_text().startswith("The wing folded in")

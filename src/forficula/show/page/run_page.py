@@ -106,15 +106,22 @@ def playback_data(clip: Clip) -> dict[str, Any]:
 
 
 def _repeat(design: Design, run_versions: Mapping[str, str]) -> list[str]:
-    content = base64.b64encode(design_text(design).encode()).decode("ascii")
     return [
         paragraph("The design file holds every value; running it with the same versions gives the same numbers."),
-        f'<p><a class="button" download="design.toml" href="data:application/toml;base64,{content}">'
-        "Download design.toml</a></p>\n<pre><code>forficula run design.toml</code></pre>",
+        *repeat(design),
         table(
             "Versions",
             ("", ""),
             [*([name, version] for name, version in run_versions.items()), ["design hash", design.hash]],
             numbers=False,
         ),
+    ]
+
+
+def repeat(design: Design) -> list[str]:
+    """A design's file to download, and the command that runs it, as HTML."""
+    content = base64.b64encode(design_text(design).encode()).decode("ascii")
+    return [
+        f'<p><a class="button" download="design.toml" href="data:application/toml;base64,{content}">'
+        "Download design.toml</a></p>\n<pre><code>forficula run design.toml</code></pre>",
     ]
