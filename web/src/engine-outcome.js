@@ -21,6 +21,7 @@ export function outcomeOf(live, ends, divergedAt) {
   return {
     verdict,
     status: endingText(live, ending),
+    word: endingWord(ending),
     advice: adviceOf(live, ending),
     transitions: ways.map((each) => transitionOf(protocol, each)),
     states: course.states.map((state) => stateOf(course, ends, ways, state)),
@@ -127,6 +128,18 @@ function endingText(live, ending) {
   if (verdict === "not held") return `did not stay ${words.stays}`;
   const at = transition.begun !== null && reading !== null ? ` at ${readingText(live, transition, reading)}` : "";
   return `still moving${at} when its time to ${words.verb} was over`;
+}
+
+/** The same without its numbers: what many have in common. */
+function endingWord(ending) {
+  const { verdict, transition } = ending;
+  if (verdict === "diverged") return "diverged";
+  if (transition === null) return "settled";
+  const { words } = transition;
+  if (verdict === "reached") return words.done;
+  if (verdict === "moving") return `still ${words.doing}`;
+  if (verdict === "stuck") return underWay(ending) ? "stuck on the way" : `did not ${words.verb}`;
+  return `did not stay ${words.stays}`;
 }
 
 function adviceOf(live, ending) {

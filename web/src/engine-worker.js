@@ -4,6 +4,7 @@ import loadEngine from "@mujoco/mujoco";
 import { unpack } from "./clip.js";
 import { outcomeOf, readingOf } from "./engine-outcome.js";
 import { makeTracker } from "./engine-protocol.js";
+import { leastValues } from "./engine-search.js";
 import { buildModel, makeWing } from "./engine-wing.js";
 
 const FRAME = 16; // ms
@@ -88,13 +89,20 @@ function told(ends, divergedAt) {
   };
 }
 
-/** Take the whole protocol at once, with some values in the place of the design's. */
-function run({ values }) {
+/** Take the protocol, up to a stage, at once, with some values in the place of the design's. */
+function run({ values, until = live.protocol.stages.length - 1 }) {
   pause();
   for (const [key, value] of Object.entries(values)) wing.set(key, value);
   tracker.restart();
+  tracker.begin(0, until);
   while (tracker.stage !== null) tracker.step();
   return { said: "outcome", outcome: told(tracker.ends, tracker.divergedAt), steps: tracker.steps };
+}
+
+/** What a study asks of a point: what its protocol comes to, or the least values that it looks for. */
+function answer({ values, search }) {
+  const runUntil = (more, until) => run({ values: { ...values, ...more }, until }).outcome;
+  return { said: "answer", answer: search ? leastValues(search, runUntil) : { ...runUntil({}), least: {} } };
 }
 
 function play() {
@@ -131,6 +139,7 @@ function advance() {
 const ACTS = {
   load,
   run,
+  answer,
   /** Put values in the place of others while it moves. */
   set({ values }) {
     for (const [key, value] of Object.entries(values)) wing.set(key, value);

@@ -9,6 +9,7 @@ import { nameCells } from "./page-compare.js";
 import { mountPlayer } from "./player.js";
 import { mountPlots } from "./plots.js";
 import { mountReadout } from "./readout.js";
+import { makeAnswers } from "./study-answer.js";
 import { watchTables } from "./tables.js";
 
 const NUMBERS = ["torque", "time", "work", "energy"];
@@ -22,7 +23,8 @@ export function makeRunPanel(model) {
   const parts = make("div", { className: "parts", role: "group", "aria-label": "runs of this point" });
   const place = make("div");
   const element = make("section", { className: "run", id: "run", "aria-label": "the run that is open" }, parts, place);
-  const panel = { facts, element, point: null, playing: null, open, show };
+  const answers = makeAnswers(model);
+  const panel = { facts, element, point: null, playing: null, answers, open, show };
   let pinned = null;
   // what a reader has turned and zoomed stays from cell to cell
   const look = firstLook();
@@ -38,7 +40,8 @@ export function makeRunPanel(model) {
     if (runs.length) show((transition === null ? null : runs.find((run) => run.transition === transition)) ?? runs[0], { play });
     else {
       stop();
-      place.replaceChildren(make("p", { className: "note" }, whyNotKept(model, point)));
+      const answered = model.study.built[point] ? answers.offer(point) : [];
+      place.replaceChildren(make("p", { className: "note" }, whyNotKept(model, point)), ...answered);
     }
   }
 

@@ -17,6 +17,10 @@ export function makeSliders(knobs, home, changed) {
 
   return {
     element,
+    /** Put values, SI, by key, and all others back to where they were. */
+    set(values) {
+      for (const slider of sliders) slider.put(values[slider.knob.key] ?? slider.knob.value);
+    },
     /** Values that are not those of the run, SI, by key. */
     get changes() {
       const differing = sliders.filter((slider) => slider.value !== slider.knob.value);
@@ -49,6 +53,13 @@ function makeSlider(knob, where, changed) {
     element.classList.toggle("changed", value !== knob.value);
   }
 
+  function put(other) {
+    value = other;
+    input.value = Math.round(STEPS * shareOf(value));
+    show();
+    changed(key, value);
+  }
+
   input.addEventListener("input", () => {
     const at = Number(input.value);
     // what a file has is a number of few digits in the unit that stands there
@@ -72,12 +83,7 @@ function makeSlider(knob, where, changed) {
     get value() {
       return value;
     },
-    reset() {
-      if (value === knob.value) return;
-      input.value = home;
-      value = knob.value;
-      show();
-      changed(key, value);
-    },
+    put,
+    reset: () => put(knob.value),
   };
 }

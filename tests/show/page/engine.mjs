@@ -21,5 +21,7 @@ function ask(message) {
 const program = readFileSync(join(folder, "engine.wasm.gz")).toString("base64");
 const loaded = await ask({ act: "load", program, text: readFileSync(live, "utf8") });
 const answers = [];
-for (const values of JSON.parse(readFileSync(settings, "utf8"))) answers.push(await ask({ act: "run", values }));
+// what a study asks of a point, or values of a run
+for (const each of JSON.parse(readFileSync(settings, "utf8")))
+  answers.push(await ask(each.values ? { act: "answer", ...each } : { act: "run", values: each }));
 process.stdout.write(JSON.stringify({ loaded, answers, memory: process.memoryUsage().rss }));

@@ -42,7 +42,7 @@ def bench_page(design: Design) -> str:
     design = with_timestep(design)
     if why := why_not_portable(compile_model(design)):
         raise InputError(f"{design.name}: cannot be moved in a page: {why}; forficula run {design.name} simulates it")
-    clip = _at_start(design)
+    clip = at_start(design)
     title = design_title(design)
     shows = f"{design.shows[:1].upper()}{design.shows[1:]}." if design.shows else ""
     body = "".join(
@@ -56,10 +56,10 @@ def bench_page(design: Design) -> str:
         )
     )
     live = live_data(design, [each.measure for each in clip.readings], clip.mesh.anchors.tolist())
-    return page_html(f"{title}: to be moved", body, _data(clip), live)
+    return page_html(f"{title}: to be moved", body, bench_data(clip), live)
 
 
-def _at_start(design: Design) -> Clip:
+def at_start(design: Design) -> Clip:
     """The structure where it starts: as a run of two steps has it."""
     timestep = float(design.protocol.timestep)
     stage = {"name": "start", "drive": "none", "until": "time", "hold": 0.0, "time_limit": _STEPS * timestep}
@@ -68,7 +68,8 @@ def _at_start(design: Design) -> Clip:
     return make_clip(record, measure(record), name=design.name)
 
 
-def _data(clip: Clip) -> dict[str, Any]:
+def bench_data(clip: Clip) -> dict[str, Any]:
+    """A structure that a reader moves, as data for JSON: what is drawn of it, and what the picture needs."""
     tendons = clip.structure.tendons
     largest = max((float(tendon.law.elastic.energy(tendon.longest)) for tendon in tendons), default=0.0)
     unit, factor = reading_unit("J", largest)

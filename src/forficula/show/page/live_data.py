@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -19,6 +19,7 @@ from forficula.dynamics import (
     stepped_protocol,
     why_not_portable,
 )
+from forficula.names import listed
 from forficula.quantities import Unit, show_quantity
 from forficula.show.page.design_rows import key_meanings
 from forficula.show.page.packed_arrays import PackedArrays
@@ -28,13 +29,19 @@ from forficula.structure import Goal, Measure, Structure, Transition, goal_of, m
 _MOST_STRENGTH = 3.0  # of a drive, by that of the design
 
 
-def live_data(design: Design, shown: Sequence[Measure], anchors: Sequence[int]) -> dict[str, Any]:
+def live_data(
+    design: Design,
+    shown: Sequence[Measure],
+    anchors: Sequence[int],
+    ranges: Mapping[str, tuple[float, float]] | None = None,
+) -> dict[str, Any]:
     """What the engine in a page needs of a design that runs with this timestep.
 
     Args:
         design: as it ran.
         shown: measures in the order of the page's readings.
         anchors: numbers of the points that are drawn, then of nodes of membranes, as of a `ShapeMesh`.
+        ranges: lowest and highest values, SI, by the keys that must be changed, of a study.
 
     Returns:
         Data for JSON; of a structure that the engine there would move otherwise only "refused", why.
@@ -44,13 +51,16 @@ def live_data(design: Design, shown: Sequence[Measure], anchors: Sequence[int]) 
         return {"refused": why}
     arrays, protocol = PackedArrays(), stepped_protocol(model)
     knobs = [*_drive_knobs(model, protocol), *(_knob_data(model.design, knob) for knob in knobs_of(model))]
+    knobs = [_widened(each, *(ranges or {}).get(each["key"], ())) for each in knobs if each is not None]
+    if missing := sorted(set(ranges or {}) - {each["key"] for each in knobs}):
+        return {"refused": f"a model does not take {listed(missing)} in place"}
     data = {
         **_model_data(model, arrays),
         **_structure_data(model, anchors),
         "readings": [_reading(model.structure, measure) for measure in shown],
         "protocol": _protocol_data(protocol),
         "course": _course_data(model),
-        "knobs": [each for each in knobs if each is not None],
+        "knobs": knobs,
         "design": {"name": design.name, "text": design_text(design)},
     }
     return data | {"arrays": arrays.text()}
@@ -226,6 +236,17 @@ def _knob_data(design: Design, knob: Knob) -> dict[str, Any] | None:
             for change in knob.changes
         ]
     }
+
+
+def _widened(knob: dict[str, Any], *ends: float) -> dict[str, Any]:
+    """A slider that has some values in its range, too."""
+    lowest, highest = min((knob["lowest"], *ends)), max((knob["highest"], *ends))
+    further = lowest - knob["lowest"]
+    changes = [
+        change | {"low": [low + slope * further for low, slope in zip(change["low"], change["slopes"], strict=True)]}
+        for change in knob.get("changes", [])
+    ]
+    return knob | {"lowest": lowest, "highest": highest} | ({"changes": changes} if changes else {})
 
 
 def _slider(design: Design, key: str, unit: Unit, value: float, low: float, high: float) -> dict[str, Any] | None:

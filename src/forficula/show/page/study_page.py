@@ -20,6 +20,7 @@ from forficula.show.page.page import page_html
 from forficula.show.page.playback import BUDGET, make_clip
 from forficula.show.page.run_page import playback_data
 from forficula.show.page.study_data import study_data
+from forficula.show.page.study_live import study_live
 from forficula.show.page.words import outcome_sentence, readable
 from forficula.show.study.choice_rows import choice_rows
 from forficula.structure import drive_of, drive_unit, structure_of
@@ -34,6 +35,8 @@ if TYPE_CHECKING:
 
 # bytes that all runs may take in the page, where the script takes 0.7 MB more
 _RUNS = 7_950_000
+# of these what the engine takes where it is there
+_ENGINE = 3_600_000
 # a clip with less than this does not show how it moves
 _LEAST_BUDGET = 20_000
 # points beyond which a table is a thing for other programs
@@ -42,7 +45,14 @@ _AGREES = {True: "yes", False: "no", None: "cannot tell"}
 
 
 def write_study_page(
-    study: Study, results: Dataset, path: Path, kept: Iterable[KeptRun], count: int, compared: Comparison | None = None
+    study: Study,
+    results: Dataset,
+    path: Path,
+    kept: Iterable[KeptRun],
+    count: int,
+    compared: Comparison | None = None,
+    *,
+    engine: bool = True,
 ) -> None:
     """Write a study as one HTML file that needs no network.
 
@@ -51,11 +61,17 @@ def write_study_page(
     Raises:
         InputError: it cannot be written.
     """
-    write_text(path, study_page(study, results, kept, count, compared))
+    write_text(path, study_page(study, results, kept, count, compared, engine=engine))
 
 
 def study_page(
-    study: Study, results: Dataset, kept: Iterable[KeptRun], count: int, compared: Comparison | None = None
+    study: Study,
+    results: Dataset,
+    kept: Iterable[KeptRun],
+    count: int,
+    compared: Comparison | None = None,
+    *,
+    engine: bool = True,
 ) -> str:
     """A study as one page: maps, the runs behind their cells, all points, and what a paper says of them.
 
@@ -65,6 +81,7 @@ def study_page(
         kept: the runs that can be played.
         count: how many these are; they share the page's bytes, so that 60 points stay below 10 MB.
         compared: a paper's claims beside the study's results.
+        engine: whether the simulator is in it, which answers where no run was kept.
     """
     data = study_data(study, results)
     body = "".join(
@@ -78,14 +95,17 @@ def study_page(
             "</main>",
         )
     )
-    runs = [_run(run, _RUNS // max(count, 1)) for run in kept]
+    # where there is nothing that it could answer, it would be in vain
+    live = study_live(study) if engine and count < sum(data["built"]) else None
+    room = _RUNS if live is None or "refused" in live else _RUNS - _ENGINE
+    runs = [_run(run, room // max(count, 1)) for run in kept]
     shown = {
         "kind": "study",
         "study": data,
         "runs": sorted(runs, key=_order),
         "csv": table_csv(study, results) if _has_rows(data) else None,
     }
-    return page_html(f"{study.name}: {len(study.points)} points", body, shown)
+    return page_html(f"{study.name}: {len(study.points)} points", body, shown, live)
 
 
 def _order(run: dict[str, Any]) -> tuple[int, int, str]:
