@@ -9,40 +9,47 @@ import { makePanel } from "./try-panel.js";
 
 const FINER = 2; // parts of a step between two points
 
-/** `offer` gives what stands in the place of a run that was not kept. */
+/** `offer` gives what stands below a point, whether its run is kept or not. */
 export function makeAnswers(model) {
   const text = document.getElementById("live")?.textContent ?? null;
   const live = text && JSON.parse(text);
   const place = make("div", { className: "answer" });
   const said = make("p", { className: "outcome", role: "status" });
   const table = make("div");
+  const holder = make("div");
   let panel = null;
+  let starting = false;
+  let current = 0;
   let asked = 0; // what was asked before is no more of interest
 
-  function offer(point) {
+  function offer(point, kept) {
     asked += 1;
+    current = point;
     if (!live) return [];
-    if (!hasEngine()) return [make("p", { className: "note" }, `Nor can it be simulated here: ${live.refused}.`)];
-    if (panel) {
-      answer(point);
-      return [place];
+    if (!hasEngine()) return kept ? [] : [make("p", { className: "note" }, `Nor can it be simulated here: ${live.refused}.`)];
+    if (panel) answer(point);
+    else if (!starting) {
+      const button = make("button", { type: "button", className: "try" }, kept ? "Try it and refine here" : "Simulate it here");
+      const hint = make("p", { className: "note" });
+      button.addEventListener("click", () => start(button, hint));
+      holder.replaceChildren(make("div", { className: "offer" }, button, hint));
     }
-    const button = make("button", { type: "button", className: "try" }, "Simulate it here");
-    const hint = make("p", { className: "note" });
-    button.addEventListener("click", async () => {
-      button.disabled = true;
-      hint.textContent = "Starting the simulator \u2026";
-      try {
-        panel = await makePanel(readClip(live.bench.clips[0]), live.bench, text, startEngine);
-      } catch (error) {
-        hint.textContent = `It cannot be simulated here: ${error.message}.`;
-        return;
-      }
-      button.parentElement.replaceWith(place);
+    return [holder];
+  }
+
+  /** Start the engine, and answer for the point that is open by then. */
+  async function start(button, hint) {
+    starting = button.disabled = true;
+    hint.textContent = "Starting the simulator \u2026";
+    try {
+      panel = await makePanel(readClip(live.bench.clips[0]), live.bench, text, startEngine);
+      holder.replaceChildren(place);
+      place.replaceChildren(panel.element);
       panel.begin();
-      answer(point);
-    });
-    return [make("div", { className: "offer" }, button, hint)];
+      answer(current);
+    } catch (error) {
+      hint.textContent = `It cannot be simulated here: ${error.message}.`;
+    }
   }
 
   const ask = (values) => panel.engine.ask({ act: "answer", values, search: live.search });

@@ -22,7 +22,8 @@ export function makeRunPanel(model) {
   const facts = make("section", { className: "facts", id: "point" }, heading, status, make("div", { className: "table" }, numbers));
   const parts = make("div", { className: "parts", role: "group", "aria-label": "runs of this point" });
   const place = make("div");
-  const element = make("section", { className: "run", id: "run", "aria-label": "the run that is open" }, parts, place);
+  const more = make("div", { className: "more" });
+  const element = make("section", { className: "run", id: "run", "aria-label": "the run that is open" }, parts, place, more);
   const answers = makeAnswers(model);
   const panel = { facts, element, point: null, playing: null, answers, open, show };
   let pinned = null;
@@ -40,9 +41,9 @@ export function makeRunPanel(model) {
     if (runs.length) show((transition === null ? null : runs.find((run) => run.transition === transition)) ?? runs[0], { play });
     else {
       stop();
-      const answered = model.study.built[point] ? answers.offer(point) : [];
-      place.replaceChildren(make("p", { className: "note" }, whyNotKept(model, point)), ...answered);
+      place.replaceChildren(make("p", { className: "note" }, whyNotKept(model, point)));
     }
+    more.replaceChildren(...(model.study.built[point] ? answers.offer(point, runs.length > 0) : []));
   }
 
   function partButton(run) {

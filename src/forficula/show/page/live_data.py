@@ -50,8 +50,8 @@ def live_data(
     if why := why_not_portable(model):
         return {"refused": why}
     arrays, protocol = PackedArrays(), stepped_protocol(model)
-    knobs = [*_drive_knobs(model, protocol), *(_knob_data(model.design, knob) for knob in knobs_of(model))]
-    knobs = [_widened(each, *(ranges or {}).get(each["key"], ())) for each in knobs if each is not None]
+    found = [*_drive_knobs(model, protocol), *(_knob_data(model.design, knob) for knob in knobs_of(model))]
+    knobs = [_widened(each, *(ranges or {}).get(each["key"], ())) for each in found if each is not None]
     if missing := sorted(set(ranges or {}) - {each["key"] for each in knobs}):
         return {"refused": f"a model does not take {listed(missing)} in place"}
     data = {
