@@ -65,7 +65,12 @@ export function makeAnswers(model) {
     const found = (await ask(live.points[point])).answer;
     if (mine !== asked) return;
     said.textContent = `${capital(model.pointText(point))}: ${answerText(live, found)}.`;
-    panel.sliders.set(panel.sliders.changes); // a search leaves its last torques behind
+    goLive(point);
+  }
+
+  /** Let the point's structure be moved: what was simulated last has left other values behind. */
+  function goLive(point) {
+    panel.sliders.set(live.points[point]);
     panel.engine.tell({ act: "restart", through: false });
   }
 
@@ -93,7 +98,7 @@ export function makeAnswers(model) {
       words.set(found.word, sign);
     }
     note.textContent = [...words].map(([word, sign]) => `${sign} ${word}`).join(" \u00b7 ");
-    panel.engine.tell({ act: "restart", through: false });
+    goLive(point);
   }
 
   return { offer, get panel() { return panel; } };

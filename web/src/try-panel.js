@@ -70,9 +70,9 @@ export async function makePanel(clip, data, text, start) {
     account.textContent = parts.join(" \u00b7 ");
     const outcome = frame.stageNumber === null ? frame.ended : null;
     const key = outcome && JSON.stringify(outcome.stages.map((stage) => stage.end_s));
-    if (key !== told && outcome) {
-      said.textContent = sentence(outcome, data.whole);
-      advice.textContent = outcome.advice;
+    if (key !== told) {
+      said.textContent = outcome ? sentence(outcome, data.whole) : "";
+      advice.textContent = outcome?.advice ?? "";
     }
     told = key;
   }

@@ -99,8 +99,7 @@ def test_a_wing_is_started_folded_and_opened_in_its_page(firefox, pages):
     for name, came in (("Fold", "The wing folded in"), ("Unfold", "The wing opened again in")):
         find = f"[...document.querySelectorAll('.trial button')].find((each) => each.textContent === '{name}')"
         firefox.evaluate(f"{find}.click(), true")
-        firefox.until(f"{said} !== ''")
-        assert firefox.evaluate(said).startswith(came)
+        firefox.until(f"{said}.startsWith('{came}')")
     angles = firefox.evaluate("Array.from(window.forficula.trial.panel.frame.readings[0])")
     assert min(angles) > 0
     assert (firefox.messages, asked(firefox)) == ([], [])
