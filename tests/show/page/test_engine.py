@@ -247,3 +247,15 @@ def test_a_page_answers_as_a_study_would_at_points_that_fold_stick_and_open(run_
     for name in ("least_fold_torque", "least_unfold_torque"):
         own = [None if np.isnan(value) else value for value in table[name].values.ravel().tolist()]
         assert [row["least"][name] for row in rows] == pytest.approx(own)
+
+
+def test_memory_does_not_grow_over_a_hundred_folds(run_in_page):
+    """Of a protocol that folds and no more, as often as twenty times, and five times that."""
+    stages = [
+        {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "4 ms"},
+        {"name": "fold", "drive": "fold", "until": "folded", "hold": "0 s", "time_limit": "0.1 s"},
+    ]
+    design = load_design("binder2025", {"protocol.timestep": "0.4 ms", "protocol.stages": stages})
+    few, many = (run_in_page(design, [{}] * count)["memory"] for count in (20, 100))
+    # what a collector of garbage has not taken yet
+    assert many < few + 20e6
