@@ -180,17 +180,30 @@ def no_column_figures(monkeypatch):
     monkeypatch.setattr("forficula.show.style.save_figure", save_page)
 
 
-@pytest.fixture
-def no_figures(monkeypatch):
-    """Compose the figures of folders of results once, and leave their files empty: where the claim is about words."""
+def leave_figures_empty(monkeypatch, tell):
+    """Leave the files of figures of folders of results empty; the text of each is what `tell` says of its drawing."""
     from forficula.files import write_bytes
-    from forficula.show.style import PAGE_WIDTH, description, figure_files
+    from forficula.show.style import figure_files
 
     def save_nothing(drawings, folder):
-        texts = {stem: description(draw(PAGE_WIDTH)) for stem, draw in drawings.items()}
+        texts = {stem: tell(draw) for stem, draw in drawings.items()}
         for path in (folder / name for stem in texts for name in figure_files(stem)):
             write_bytes(path, b"")
         return texts
 
     for kind in ("convergence", "cycling", "landscape", "material", "run", "static_map", "study"):
         monkeypatch.setattr(f"forficula.show.folder.{kind}_folder.save_figures", save_nothing)
+
+
+@pytest.fixture
+def no_figures(monkeypatch):
+    """Compose the figures of folders of results once, and leave their files empty: where the claim is about words."""
+    from forficula.show.style import PAGE_WIDTH, description
+
+    leave_figures_empty(monkeypatch, lambda draw: description(draw(PAGE_WIDTH)))
+
+
+@pytest.fixture
+def undrawn(monkeypatch):
+    """Do not even compose them: where the claim is about neither figures nor what is in them."""
+    leave_figures_empty(monkeypatch, lambda _: "A figure.")

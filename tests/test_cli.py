@@ -11,6 +11,7 @@ import pytest
 
 import forficula as ff
 from forficula.cli import main
+from forficula.goals import load_goal
 from forficula.show.style import figure_files
 from tests.material.synthetic import cyclic_test, plain_text
 
@@ -48,8 +49,13 @@ def forficula(*arguments):
 
 
 @pytest.fixture
-def call(capsys, no_figures):  # noqa: ARG001
-    """Call the command line, which must end with 0 or what is expected, and return what it wrote."""
+def call(capsys, request):
+    """Call the command line, which must end with 0 or what is expected, and return what it wrote.
+
+    Figures are composed in tests that ask for `no_figures`.
+    """
+    if "no_figures" not in request.fixturenames:
+        request.getfixturevalue("undrawn")
 
     def call(*arguments, expected=0):
         status = 0
@@ -106,6 +112,7 @@ def test_a_run_leaves_its_files_and_names_their_folder_last(in_an_empty_folder):
     assert again.data.equals(ff.load_record(folder / "record.nc").data)
 
 
+@pytest.mark.usefixtures("no_figures")
 def test_a_run_of_a_wing_that_blows_up_is_carried_out(in_an_empty_folder, call):
     (in_an_empty_folder / "wild.toml").write_text(SHORT.replace('"10 ms"', '"1 s"'))
     output = call("run", "wild.toml", "--set", "protocol.timestep=10 ms", "--out", "there", expected=3)
@@ -115,6 +122,7 @@ def test_a_run_of_a_wing_that_blows_up_is_carried_out(in_an_empty_folder, call):
     call("run", "wild.toml", "--set", "protocol.timestep=10 ms", "--out", "there", "--tolerate")
 
 
+@pytest.mark.usefixtures("no_figures")
 def test_a_landscape_leaves_its_files_and_names_their_folder_last(in_an_empty_folder, call):
     (in_an_empty_folder / "my-wing.toml").write_text(SHORT)
     output = call("landscape", "my-wing.toml", "--set", "tendon.rest_length=0 cm")
@@ -130,6 +138,7 @@ def test_a_landscape_leaves_its_files_and_names_their_folder_last(in_an_empty_fo
     assert content["levels_J"] == pytest.approx([18, 12, 6, 0], abs=0.2)
 
 
+@pytest.mark.usefixtures("no_figures")
 def test_a_landscape_of_plates_leaves_what_there_is(in_an_empty_folder, call):
     output = call("landscape", "letter-fold", "--no-simulation", "--out", "there")
     assert output.out.startswith("letter-fold: rests stably: flat, closed, opened (as flat); ")
@@ -138,6 +147,7 @@ def test_a_landscape_of_plates_leaves_what_there_is(in_an_empty_folder, call):
     assert found == sorted(["design.toml", "figures", "landscape.json", "report.html", *figures])
 
 
+@pytest.mark.usefixtures("no_figures")
 def test_a_landscape_needs_no_simulation(in_an_empty_folder, call):
     output = call("landscape", "binder2025", "--no-simulation", "--out", "there")
     assert "simulated" not in output.out + output.err
@@ -174,6 +184,7 @@ def test_a_scaled_design_is_printed_as_one_and_the_groups_that_it_cannot_keep_be
     ]
 
 
+@pytest.mark.usefixtures("no_figures")
 def test_a_scaled_design_is_written_and_can_be_run(in_an_empty_folder, call):
     (in_an_empty_folder / "wing.toml").write_text(SHORT)
     assert "small.toml" in call("scale", "wing.toml", "--length", "0.5", "--out", "small.toml").out
@@ -263,12 +274,22 @@ def test_keys_and_named_studies_are_listed(call, refusal):
     assert "sampling" in call("keys", "--study").out
     assert "[crease]" in call("keys", "crease", "--kind", "vertex").out
     assert refusal("keys", "tendn") == "tendn: unknown key; did you mean tendon?"
-    assert "60 points of binder2025 over tendon.stiffness and tendon.rest_length" in call("studies").out
+    assert "intervals_of" in call("keys", "tolerances", "--goal").out
+    assert refusal("keys", "--goal", "--study") == "keys: need one of --study and --goal, got both"
+    listed = call("studies").out
+    assert "60 points of binder2025 over tendon.stiffness and tendon.rest_length" in listed
+    assert "a goal: least mass of binder2025 over vein.diameter" in listed
 
 
 def test_a_new_study_runs_as_it_is(call):
     assert "run it with: forficula study new.toml" in call("new", "new.toml", "--study").out
     assert "3 points, at most 3 runs" in call("study", "new.toml", "--dry-run").out
+
+
+def test_a_new_goal_is_a_goal_as_it_is(call, refusal):
+    assert "forficula optimise new.toml" in call("new", "new.toml", "--goal").out
+    assert load_goal("new.toml").objectives
+    assert refusal("new", "other.toml", "--goal", "--tests").startswith("new: need one of --study, --goal and --tests")
 
 
 def test_json_is_all_that_stands_on_standard_output(in_an_empty_folder, call, refusal):
@@ -280,7 +301,7 @@ def test_json_is_all_that_stands_on_standard_output(in_an_empty_folder, call, re
     assert json.loads(surveyed) == json.loads((in_an_empty_folder / "energy" / "landscape.json").read_text())
     assert [each["name"] for each in json.loads(call("designs", "--json").out)] == list(ff.named_designs())
     assert {"key", "meaning", "allowed", "default"} == set(json.loads(call("keys", "guard", "--json").out)[0])
-    points = {each["name"]: each["points"] for each in json.loads(call("studies", "--json").out)}
+    points = {each["name"]: each.get("points") for each in json.loads(call("studies", "--json").out)}
     assert points["binder2025-search"] == 60
     sizes = json.loads(call("size", "binder2025", "--material", "tpu-82a", "--stiffness", "10 N/cm", "--json").out)
     assert [row["length_m"] for row in sizes] == [0.06, 0.09]
@@ -542,7 +563,10 @@ def test_a_run_whose_replacing_was_killed_half_way_stands_whole_when_it_is_next_
     before = files("killed")
     script = (
         "import os, signal, sys\nfrom forficula.cli import main\nfrom forficula.files import write_bytes\n"
-        "import forficula.show.style\nforficula.show.style.save_figure = lambda _, path: write_bytes(path, b'')\n"
+        "from forficula.show.folder import run_folder\n"
+        "def save_nothing(drawings, folder):\n"
+        "    return {stem: str(write_bytes(folder / f'{stem}.png', b'')) for stem in drawings}\n"
+        "run_folder.save_figures = save_nothing\n"
         "replace = os.replace\n"
         "def die(source, target):\n"
         "    replace(source, target)\n"
@@ -566,6 +590,7 @@ def test_a_run_whose_replacing_was_killed_half_way_stands_whole_when_it_is_next_
 TENDONS = '"tendon.stiffness" = ["10 N/cm", "20 N/cm", "30 N/cm"]'
 
 
+@pytest.mark.usefixtures("no_figures")
 def test_a_study_leaves_its_table_and_names_their_folder_last(in_an_empty_folder, call, study_file):
     study_file(TENDONS)
     output = call("study", "small.toml")
@@ -672,6 +697,7 @@ def test_ctrl_c_stops_a_run_with_one_line_and_leaves_nothing(tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.usefixtures("no_figures")
 def test_a_landscape_over_two_keys_is_a_map_beside_a_study(tmp_path, write_study_file, call):
     study = write_study_file(
         tmp_path / "small.toml",
@@ -727,6 +753,7 @@ stages = [
 """
 
 
+@pytest.mark.usefixtures("no_figures")
 def test_a_wing_is_folded_with_its_tendons_as_they_are_at_each_cycle(in_an_empty_folder, call):
     (in_an_empty_folder / "wing.toml").write_text(CYCLED)
     lines = call("run", "wing.toml", "--cycles", "3").out.splitlines()
@@ -771,6 +798,7 @@ SIZE = ("--length", "60 mm", "--area", "5 mm^2")
 
 
 @pytest.mark.usefixtures("specimen_files")
+@pytest.mark.usefixtures("no_figures")
 def test_tensile_tests_become_a_law_that_sizes_the_papers_tendons(in_an_empty_folder, call):
     output = call("material", "tpu-*.csv", *SIZE, "--law", "linear", "--out", "out/tpu")
     assert output.out.startswith("tpu: 3 specimens, length 60 mm, area 5 mm², cycles 2 to 3\n")

@@ -22,6 +22,8 @@ from forficula.cli import app as cli
 from forficula.design.key_table import KeyFact, key_facts
 from forficula.design.kinds import KINDS
 from forficula.errors import InputError
+from forficula.goals.goal_keys import goal_key_facts
+from forficula.goals.identify.observation_keys import observation_key_facts
 from forficula.study.study_keys import study_key_facts
 
 _DESIGN_PAGE = "reference/design-file"
@@ -33,7 +35,15 @@ _NUMBER = re.compile(r"\.0\.")
 
 
 def facts_of(kind: str) -> list[KeyFact]:
-    return study_key_facts() if kind == "study" else key_facts("", KINDS[kind])
+    match kind:
+        case "study":
+            return study_key_facts()
+        case "goal":
+            return goal_key_facts()
+        case "observations":
+            return observation_key_facts()
+        case _:
+            return key_facts("", KINDS[kind])
 
 
 def known_key(key: str) -> str | None:

@@ -10,12 +10,15 @@ from .calls import compare as compare
 from .calls import converge as converge
 from .calls import figure as figure
 from .calls import film as film
+from .calls import identify as identify
 from .calls import landscape as landscape
 from .calls import new_study as new_study
+from .calls import optimise as optimise
 from .calls import page as page
 from .calls import pattern_facts as pattern_facts
 from .calls import run as run
 from .calls import save as save
+from .calls import tolerance as tolerance
 from .design import Design as Design
 from .design import load_design as load_design
 from .design import named_designs as named_designs

@@ -12,7 +12,7 @@ from typing import Annotated, Any
 
 from cyclopts import App, CycloptsError, Parameter
 
-from forficula.commands import designs, landscapes, materials, parts, runs, schemas, studies
+from forficula.commands import designs, goals, landscapes, materials, parts, runs, schemas, studies
 from forficula.errors import InputError
 from forficula.names import listed
 from forficula.quantities import as_written
@@ -34,6 +34,9 @@ _COMMANDS = (
     runs.compare,
     designs.open_design,
     studies.study,
+    goals.optimise,
+    goals.tolerance,
+    goals.identify,
     materials.material,
     materials.size,
     runs.figure,
@@ -53,6 +56,9 @@ _WITH_DATA = (
     landscapes.landscape,
     studies.converge,
     studies.study,
+    goals.optimise,
+    goals.tolerance,
+    goals.identify,
     materials.material,
     materials.materials,
     materials.size,

@@ -18,6 +18,7 @@ from forficula.terminal import remark
 
 if TYPE_CHECKING:
     from forficula.analysis import Verdict
+    from forficula.design import Design
     from forficula.quantities import Unit
 
 T = TypeVar("T")
@@ -68,6 +69,9 @@ OkIf = Annotated[
 ]
 DesignName = Annotated[
     str, Parameter(help="A named design, or the path of a design file (.toml), a FOLD file or a drawing (.svg, .dxf).")
+]
+DrawingUnit = Annotated[
+    str | None, Parameter(help='Length of one unit of a FOLD file or a drawing that names none, as in "1 cm".')
 ]
 
 
@@ -231,6 +235,29 @@ def tell_replaced(folder: Path, what: str) -> None:
     except (ValueError, LookupError, TypeError, RecursionError):
         called, how = "an unknown name", ""
     remark(f"{folder}: replaces the {what} of {called}{how} there")
+
+
+def read_unit(unit: str | None) -> float | None:
+    """The length of one unit of a drawing, m; None where it is not given.
+
+    Raises:
+        InputError: no length.
+    """
+    from forficula.design.part import LENGTH
+
+    return None if unit is None else read_quantity("--unit", unit, LENGTH)
+
+
+def read_design(name: str, settings: Sequence[str] | None, unit: str | None) -> Design:
+    """The design of a name or a path, with the values of `--set` and the unit of a drawing.
+
+    Raises:
+        InputError: no such design, or one of its values is none.
+    """
+    from forficula.design import load_design
+
+    length = read_unit(unit)
+    return load_design(name, read_settings(settings), unit=length)
 
 
 def read_settings(

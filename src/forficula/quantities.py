@@ -116,6 +116,16 @@ def dimension(unit: Unit) -> tuple[int, int, int]:
     return length, mass, time
 
 
+def round_below(most: float) -> float:
+    """The largest of 1, 2 and 5 times a power of ten that is not above a number > 0, as scale bars have.
+
+    >>> round_below(0.07), round_below(430)
+    (0.05, 200.0)
+    """
+    power = 10.0 ** math.floor(math.log10(most))
+    return next(steps * power for steps in (5, 2, 1) if steps * power <= most)
+
+
 def as_written(value: object) -> str:
     """Write a value for an error: as a design file has it, on one short line."""
     match value:

@@ -262,7 +262,7 @@ def test_an_empty_key_is_unknown_like_any_other():
 
 OTHERS = (
     "binder2025-built, binder2025-coupled, binder2025-joint, binder2025-stored, binder2025-thick, bistable-clasp,"
-    " four-plate-snap, kresling-cell, letter-fold, miura-sheet, waterbomb-base"
+    " bistable-miura, force-clasp, four-plate-snap, kresling-cell, letter-fold, miura-sheet, waterbomb-base"
 )
 SECTIONS = (
     "based_on, name, source, shows, reproduces, medium, make, pattern, vein, membrane, hinge, coupling, tendon,"

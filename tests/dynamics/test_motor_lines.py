@@ -5,8 +5,9 @@ import math
 import numpy as np
 import pytest
 
+from forficula.analysis import measure
 from forficula.design import load_design, with_values
-from forficula.dynamics import compile_model, energy_balance, simulate, stable_timestep
+from forficula.dynamics import compile_model, energy_balance, simulate, stable_timestep, timestep_warnings
 from forficula.errors import InputError
 from forficula.structure import structure_of
 
@@ -109,6 +110,14 @@ def test_the_account_closes_where_plates_close_loops():
     assert balances[0].residual < 5e-4
 
 
+def test_a_servo_that_is_too_steep_for_the_timestep_is_named():
+    wing = load_design("binder2025")
+    (warning,) = timestep_warnings(with_values(wing, {"protocol.no_load_speed": 2.0}))
+    assert "is too long" in warning
+    assert "no_load_speed" in warning
+    assert not timestep_warnings(wing)
+
+
 @pytest.mark.parametrize("kind", ["rigid", "bars"])
 def test_the_longest_timestep_minds_a_steep_line(kind):
     """One step of a damper alone flips the speed where h T / (I w) > 2."""
@@ -116,3 +125,54 @@ def test_the_longest_timestep_minds_a_steep_line(kind):
     longest, flipping = stable_timestep(strip(kind, steep)), 2 * MASS * LENGTH**2 / 3 * SPEED / (1e4 * TORQUE)
     assert longest < 2 * flipping
     assert longest < 0.5 * stable_timestep(strip(kind))
+
+
+def servo_joint(**values):
+    """A printed joint that a servo folds from straight, without a tendon that pulls and without damping."""
+    settle = {"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.01}
+    fold = {"name": "fold", "drive": "fold", "until": "time", "hold": 0.0, "time_limit": 0.2}
+    changes = {
+        "tendon.stiffness": 1.0,
+        "tendon.rest_length": 0.5,
+        "tendon.damping": 0.0,
+        "hinge.damping": 0.0,
+        "hinge.armature": 2e-5,
+        "protocol.initial_overbend": 0.0,
+        "protocol.fold_torque": 2e-3,
+        "protocol.no_load_speed": 10.0,
+        "protocol.rise": 0.0,
+        "protocol.stages": [settle, fold],
+        "protocol.timestep": 1e-4,
+    }
+    weightless = with_values(load_design("binder2025-joint"), {"tendon.density": 0.0})
+    return with_values(weightless, changes | values)
+
+
+def test_a_servo_turns_a_joint_by_the_closed_form():
+    """A bar about one end has m L^2 / 3 + m d^2 / 16 across, m d^2 / 8 along; the motor's armature turns with it."""
+    design = servo_joint()
+    (record,) = simulate([compile_model(design)])
+    length, diameter = design.pattern.distal_length, design.vein.diameter
+    mass = design.vein.density * math.pi * diameter**2 / 4 * length
+    across, along = math.sin(design.pattern.distal_sector) ** 2, math.cos(design.pattern.distal_sector) ** 2
+    inertia = mass * ((length**2 / 3 + diameter**2 / 16) * across + diameter**2 / 8 * along) + design.hinge.armature
+    scale = inertia * design.protocol.no_load_speed / design.protocol.fold_torque
+    time = np.maximum(record.time - 0.01, 0.0)
+    expected = design.protocol.no_load_speed * (time - scale * (1 - np.exp(-time / scale)))
+    assert 0.5 < expected[-1] < math.pi
+    assert -record.series["hinge_angle"][:, 0] == pytest.approx(expected, abs=0.01 * expected[-1])
+    balance = energy_balance(record)
+    assert balance.work == pytest.approx(record.series["kinetic_energy"][-1], rel=0.01)
+    assert balance.residual < 5e-3
+
+
+def test_a_servo_folds_a_wing_later_and_with_less_work():
+    wing = load_design("binder2025")
+    held = with_values(wing, {"protocol.no_load_speed": 30.0})
+    free, line = (measure(record) for design in (wing, held) for record in simulate([compile_model(design)]))
+    assert line.status == free.status == "folded and opened"
+    for name in ("fold", "unfold"):
+        assert line.transitions[name].time > 1.2 * free.transitions[name].time
+        assert 0 < line.transitions[name].work < 0.5 * free.transitions[name].work
+    assert line.energy_balance.residual < wing.protocol.residual_limit
+    assert held.hash != wing.hash

@@ -133,3 +133,16 @@ def test_a_stiff_or_viscous_law_asks_for_a_shorter_step_at_which_the_wing_stays_
 
 def changed_step(design, timestep):
     return with_values(design, {"protocol.timestep": timestep})
+
+
+def test_a_tendon_that_nothing_keeps_from_stretching_has_a_say_in_the_timestep():
+    """Over creases that open; with a stiff tendon the step is that of its mode, which is faster than all others."""
+    snap, band = ff.load_design("four-plate-snap"), {"name": "band", "from": "vertex 1", "to": "vertex 3"}
+    soft, stiff = (
+        stable_timestep(
+            with_values(snap, {"tendon": [{**band, "stiffness": stiffness, "rest_length": 0.02, "damping": 0.0}]})
+        )
+        for stiffness in (1.0, 1e7)
+    )
+    assert soft == pytest.approx(stable_timestep(snap), rel=0.01)
+    assert 0 < stiff < 0.1 * soft

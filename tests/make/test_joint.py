@@ -119,6 +119,15 @@ def test_the_hinges_width_must_have_room_for_its_knuckles(joint_of):
         joint_of(**{"make.hinge_width": "2 mm"})
 
 
+@pytest.mark.parametrize(
+    ("values", "part"),
+    [({"make.pin_diameter": "1e-9 mm"}, "pin_fold0"), ({"make.strap_thickness": "1e-9 mm"}, "strap0")],
+)
+def test_a_part_of_which_nothing_is_left_is_refused_and_named(joint_of, values, part):
+    with pytest.raises(InputError, match=rf"^{part}: nothing is left of this part; it is too thin"):
+        _ = [each.shape for each in joint_of(**values).parts]
+
+
 def test_a_structure_without_bars_has_no_joint_and_says_what_to_do():
     with pytest.raises(InputError, match=r"miura-sheet: no bar is hinged to another.*--part sheet"):
         make_parts("miura-sheet", "joint")
@@ -157,3 +166,10 @@ def test_a_slack_strap_keeps_its_length_and_its_ends_wherever_they_are(made_join
 def test_gussets_that_are_shorter_than_their_two_lugs_are_told_by_name():
     told = {check.part: check.ok for check in lug_checks(make_parts("binder2025-thick", "section"))}
     assert [part for part, ok in told.items() if not ok] == ["gusset0", "gusset1"]
+
+
+def test_the_first_joint_of_a_vein_with_two_folds_is_made_with_all_that_its_tendon_crosses():
+    parts = make_parts("binder2025-thick", "joint")
+    assert [joint.name for joint in parts.joints] == ["fold0", "outer_fold0"]
+    assert [part.name for part in parts.parts if part.kind in ("bar", "strap")] == [
+        "proximal0", "gusset0", "distal0", "strap0"]  # fmt: skip

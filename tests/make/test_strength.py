@@ -6,13 +6,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from forficula.design import load_design
 from forficula.make.as_made import as_made
 from forficula.make.column import Column, euler_load
+from forficula.make.make_parts import make_parts
 from forficula.make.sections import bar_section, peg_modulus
 from forficula.make.stop_load import stop_load
 from forficula.make.strength_checks import column_of, strength_checks
 from forficula.statics import tendon_hinges
 from forficula.structure import structure_of
+from tests.make.conftest import MADE
 
 SECTION, MODULUS, LENGTH = bar_section(5e-3), 2e9, 0.11
 # in the sheet's plane, to which a bar with a flat is stiffer
@@ -129,3 +132,15 @@ def test_what_is_left_of_pull_and_stop_is_on_the_pin(joint_of):
     load = stop_load(parts.structure, parts.joints[0], parts.straps[0], "overbend")
     assert load.on_pin == pytest.approx(load.force - load.pull)
     assert f"up to {load.on_pin:.1f} N" in told["shear of the pin"].text
+
+
+def test_straps_of_each_tendon_bear_what_their_own_material_does():
+    own = {"tendon.0.law": "tpu-82a", "tendon.0.area": "8 mm^2"}
+    parts = make_parts(load_design("binder2025").with_values(MADE | own), "section")
+    told = {check.part: check for check in strength_checks(parts) if check.name == "straps tear"}
+    # of tpu-82a no source gives the strength
+    assert {name: (check.ok, check.text.split()[5]) for name, check in told.items()} == {
+        "fold0": (None, "tpu-82a"),
+        "fold1": (True, "tpu-95a"),
+        "fold2": (True, "tpu-95a"),
+    }

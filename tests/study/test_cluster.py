@@ -3,7 +3,6 @@
 import gc
 import os
 import signal
-import subprocess
 import sys
 import time
 
@@ -12,44 +11,43 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 import forficula as ff
+from forficula.cli import main
 from forficula.errors import InputError
 from forficula.study import dask_cluster
 from forficula.study.cluster import _Pace
 from forficula.study.journal import read_rows
 
-STUDY = """
-design = "binder2025"
-
-[factors]
-"tendon.stiffness" = "10..40 N/cm step 10"
-"tendon.rest_length" = "1..8 cm step 1"
-
-[settings]
-"protocol.timestep" = "0.4 ms"
-"""
+FACTORS = '"tendon.stiffness" = "10..40 N/cm step 10"\n"tendon.rest_length" = "1..8 cm step 1"'
 
 distributed = pytest.importorskip("distributed", reason="Dask is not installed: pip install 'forficula[cluster]'")
 
 
-@pytest.fixture
-def cluster(request):
-    """Two workers of a thread each, and how many of their deaths Dask blames on others than the task."""
-    import dask
+def local_cluster(**options):
+    """Two workers of a thread each."""
+    return distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, dashboard_address="127.0.0.1:0", silence_logs="CRITICAL", **options
+    )
 
-    with (
-        dask.config.set({"distributed.scheduler.allowed-failures": getattr(request, "param", 3)}),
-        distributed.LocalCluster(
-            n_workers=2, threads_per_worker=1, processes=True, dashboard_address="127.0.0.1:0", silence_logs="CRITICAL"
-        ) as cluster,
-    ):
+
+@pytest.fixture
+def cluster(monkeypatch):
+    """Its workers are in this process, where they are there at once."""
+    # on no machine are runs as short as these all done here
+    monkeypatch.setattr("forficula.study.cluster._LEAST_SECONDS", 0.05)
+    with local_cluster(processes=False, protocol="tcp://") as cluster:
         yield cluster
 
 
 @pytest.fixture(scope="module")
-def study(tmp_path_factory):
-    file = tmp_path_factory.mktemp("study") / "study.toml"
-    file.write_text(STUDY)
-    return ff.load_study(file)
+def mortal_cluster():
+    """Its workers are processes, which can be killed; in their place others start."""
+    with local_cluster(processes=True) as cluster:
+        yield cluster
+
+
+@pytest.fixture(scope="module")
+def study(tmp_path_factory, write_study_file):
+    return ff.load_study(write_study_file(tmp_path_factory.mktemp("study") / "study.toml", FACTORS))
 
 
 @pytest.fixture(scope="module")
@@ -84,9 +82,15 @@ def kill_at_work(cluster):
     return set()
 
 
-@pytest.mark.parametrize("cluster", [3, 0], ids=["given to another worker", "run here"], indirect=True)
-def test_a_worker_killed_at_work_loses_no_row_and_changes_no_bit(cluster, study, here, tmp_path):
-    died = set()
+@pytest.mark.parametrize("blamed_on_others", [3, 0], ids=["given to another worker", "run here"])
+def test_a_worker_killed_at_work_loses_no_row_and_changes_no_bit(
+    mortal_cluster, study, here, tmp_path, monkeypatch, blamed_on_others
+):
+    cluster, died = mortal_cluster, set()
+    monkeypatch.setattr(cluster.scheduler, "allowed_failures", blamed_on_others)
+    # several chunks of runs as short as these
+    monkeypatch.setattr("forficula.study.cluster._LEAST_SECONDS", 0.05)
+    monkeypatch.setattr("forficula.study.cluster._CHUNK_SECONDS", 0.25)
 
     def kill_once(*_):
         if not died:
@@ -188,13 +192,9 @@ def test_a_client_that_failed_does_not_wait_to_be_collected_while_the_next_one_s
         gc.enable()
 
 
-def test_without_dask_the_error_says_what_to_install():
-    code = """
-import sys
-sys.modules["distributed"] = None
-from forficula.cli import main
-main(["study", "binder2025-search", "--out", "/tmp/none-of-it", "--dask", "tcp://127.0.0.1:9"])
-"""
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
-    assert done.returncode == 1
-    assert 'pip install "forficula[cluster]"' in done.stderr
+def test_without_dask_the_error_says_what_to_install(study_file, tmp_path, monkeypatch, capsys):
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with pytest.raises(SystemExit) as ended:
+        main(["study", str(study_file(FACTORS)), "--out", str(tmp_path / "out"), "--dask", "tcp://127.0.0.1:9"])
+    assert ended.value.code == 1
+    assert 'pip install "forficula[cluster]"' in capsys.readouterr().err

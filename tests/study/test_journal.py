@@ -4,10 +4,13 @@ import random
 import signal
 import subprocess
 import sys
+import time
+from contextlib import contextmanager
 
 import pytest
 
 import forficula as ff
+from forficula.cli import main
 from forficula.errors import InputError
 from forficula.study import collect, estimate, load_study, run_study
 from forficula.study.journal import open_journal, read_rows
@@ -15,14 +18,21 @@ from forficula.study.journal import open_journal, read_rows
 DESIGN = ff.load_design("binder2025")
 
 TENDONS = '"tendon.stiffness" = "10..30 N/cm step 10"\n"tendon.rest_length" = ["5 cm", "9 cm"]'
-# a process that may write files of so many bytes only: to it, the disk is full
-LIMITED = """
-import resource, signal, sys
-signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[1]), int(sys.argv[1])))
-from forficula.cli import main
-main(sys.argv[2:])
-"""
+# a process that runs a study
+RUN = "import sys\nfrom forficula.study import load_study, run_study\nrun_study(load_study(sys.argv[1]), sys.argv[2])"
+
+
+@contextmanager
+def files_of_at_most(size):
+    """Have this process write files of so many bytes only: to it, the disk is full."""
+    import resource
+
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size, before[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
 
 
 def append(folder, rows, shard=(1, 1)):
@@ -176,14 +186,13 @@ def test_a_journal_that_cannot_be_opened_is_one_clear_error(tmp_path, study_file
 
 @pytest.mark.skipif(os.name != "posix", reason="limits of a process are POSIX's")
 @pytest.mark.parametrize("limit", [100, 1000])
-def test_a_full_disk_is_one_line_and_the_study_goes_on_when_there_is_room(tmp_path, study_file, limit):
+def test_a_full_disk_is_one_line_and_the_study_goes_on_when_there_is_room(tmp_path, study_file, capsys, limit):
     path = str(study_file(TENDONS))
-    arguments = ["study", path, "--out", str(tmp_path / "out")]
-    done = subprocess.run(
-        [sys.executable, "-c", LIMITED, str(limit), *arguments], capture_output=True, text=True, check=False
-    )
+    with files_of_at_most(limit), pytest.raises(SystemExit) as ended:
+        main(["study", path, "--out", str(tmp_path / "out")])
+    assert ended.value.code == 1
     expected = f"forficula: {tmp_path / 'out' / 'journal.jsonl'}: cannot be written: File too large\n"
-    assert (done.returncode, done.stdout, done.stderr) == (1, "", expected)
+    assert capsys.readouterr() == ("", expected)
     study = load_study(path)
     kept = len(read_rows(tmp_path / "out", study.base))
     assert kept == 0 if limit == 100 else 0 < kept < 6
@@ -259,7 +268,7 @@ def test_rows_that_an_earlier_version_wrote_without_checksums_are_refused(tmp_pa
     rewrite(tmp_path / "journal.jsonl", schema=1)
     with (tmp_path / "journal.jsonl").open("a") as file:
         file.write('{"key": "1-a", "status": "folded"}\n')
-    with pytest.raises(InputError, match=r"other versions: schema 1 there, 3 now; take another folder for --out"):
+    with pytest.raises(InputError, match=r"other versions: schema 1 there, 4 now; take another folder for --out"):
         read_rows(tmp_path, DESIGN)
 
 
@@ -278,21 +287,21 @@ def test_a_study_that_another_process_runs_there_is_refused_and_a_shard_of_it_is
 
 
 @pytest.mark.skipif(os.name != "posix", reason="processes cannot be stopped here")
-def test_of_the_same_study_started_twice_one_goes_on_and_one_is_refused_at_once(tmp_path, study_file):
-    path = study_file('"tendon.stiffness" = "10..30 N/cm step 1"')
-    command = [sys.executable, "-m", "forficula", "study", str(path), "--keep", "0", "--out", str(tmp_path / "out")]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as first:
-        while not list((tmp_path / "out").glob("journal.jsonl")):
+def test_of_the_same_study_started_twice_one_goes_on_and_one_is_refused_at_once(tmp_path, study_file, capsys):
+    path, out = study_file('"tendon.stiffness" = "10..30 N/cm step 2"'), tmp_path / "out"
+    with subprocess.Popen([sys.executable, "-c", RUN, str(path), str(out)]) as first:
+        while not (out / "journal.jsonl").exists():
             assert first.poll() is None
+            time.sleep(1e-3)
         first.send_signal(signal.SIGSTOP)
-        second = subprocess.run(command, capture_output=True, text=True, check=False)
+        with pytest.raises(SystemExit) as ended:
+            main(["study", str(path), "--keep", "0", "--out", str(out)])
         first.send_signal(signal.SIGCONT)
         said = "another process is running this study there; wait for it, or take another folder"
-        assert second.stderr == f"forficula: {tmp_path / 'out' / 'journal.jsonl'}: {said}\n"
-        assert second.returncode == 1
-        first.communicate()
+        assert capsys.readouterr().err == f"forficula: {out / 'journal.jsonl'}: {said}\n"
+        assert ended.value.code == 1
     assert first.returncode == 0
-    assert len(read_rows(tmp_path / "out", load_study(path).base)) == 21
+    assert len(read_rows(out, load_study(path).base)) == 11
 
 
 @pytest.mark.parametrize("there", [True, False])

@@ -263,3 +263,11 @@ def test_a_study_that_is_not_utf8_is_one_clear_error(tmp_path):
     (tmp_path / "study.toml").write_bytes('source = "Käfer"'.encode("latin-1"))
     with pytest.raises(InputError, match="need UTF-8"):
         load_study(tmp_path / "study.toml")
+
+
+def test_one_value_by_two_names_is_refused():
+    twice = {"tendon.0.stiffness": ["0.4 N/cm"], "tendon.left.stiffness": ["0.5 N/cm", "0.6 N/cm"]}
+    with pytest.raises(InputError, match=r"tendon\.left\.stiffness: is given twice, the other time as tendon\.0\."):
+        ff.new_study("letter-fold", twice)
+    with pytest.raises(InputError, match=r"tendon\.left\.stiffness: is given twice"):
+        with_values(ff.load_design("letter-fold"), {key: values[0] for key, values in twice.items()})

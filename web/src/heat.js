@@ -30,6 +30,10 @@ const PATTERNS = {
   "\u2013": "untried",
   "\u00b7": "unrun",
   "\u2297": "before",
+  "\u25d0": "missed",
+  "\u25d2": "missed",
+  "\u25cb": "apart",
+  "\u25b3": "placed",
 };
 
 /** The style's class for a word's sign. */

@@ -6,12 +6,21 @@ import { make } from "./elements.js";
 import { showBench } from "./page-bench.js";
 import { showComparison } from "./page-compare.js";
 import { showCurves } from "./page-curves.js";
+import { showGoals } from "./page-goals.js";
 import { showParts } from "./page-parts.js";
 import { showRun } from "./page-run.js";
 import { showStudy } from "./page-study.js";
 import { watchTables } from "./tables.js";
 
-const PAGES = { run: showRun, compare: showComparison, curves: showCurves, study: showStudy, parts: showParts, bench: showBench };
+const PAGES = {
+  run: showRun,
+  compare: showComparison,
+  curves: showCurves,
+  study: showStudy,
+  goals: showGoals,
+  parts: showParts,
+  bench: showBench,
+};
 
 const data = JSON.parse(document.getElementById("data").textContent);
 

@@ -40,7 +40,7 @@ function firstPoint(model, runs) {
 }
 
 /** Where map and run are not side by side, go to the point's numbers, below which it is played. */
-function bringIntoSight({ facts, element }) {
+export function bringIntoSight({ facts, element }) {
   const { top } = element.getBoundingClientRect();
   if (top >= 0 && top < 0.5 * innerHeight) return;
   const narrow = facts.getBoundingClientRect().left === element.getBoundingClientRect().left;

@@ -6,7 +6,8 @@
 import { cellColour, coloursOf } from "./heat.js";
 
 /** Quantities of one group that share a scale, so that their maps can be compared. */
-const ONE_SCALE = ["energy", "time by torque"];
+const BY_TORQUE = "time by torque";
+const ONE_SCALE = ["energy", BY_TORQUE];
 
 export function makeModel(study, runs) {
   const { factors, quantities, words } = study;
@@ -42,6 +43,14 @@ export function makeModel(study, runs) {
   return {
     study,
     sizes,
+    /** What a point may have one value of beside its factors. */
+    numbers: quantities.filter((quantity) => quantity.values && quantity.group !== BY_TORQUE),
+    /** What points can lie over. */
+    columns: factors,
+    /** Whether a point is not left out. */
+    shown: () => true,
+    /** What a point is called before what it is. */
+    nameOf: () => "",
     placesOf,
     pointAt,
     scaleOf,
@@ -65,7 +74,9 @@ function decimals(values) {
   return Math.min(20, Math.max(0, 2 - Math.floor(Math.log10(largest || 1))));
 }
 
-/** Three significant digits at most, with a minus sign that is one. */
+/** Three significant digits at most, with minus signs that are such; small numbers as powers of ten. */
 export function numberText(value) {
-  return String(Number(value.toPrecision(3))).replace("-", "\u2212");
+  const number = Number(value.toPrecision(3));
+  const small = number !== 0 && Math.abs(number) < 1e-3;
+  return (small ? number.toExponential() : String(number)).replaceAll("-", "\u2212");
 }

@@ -12,15 +12,13 @@ import { mountReadout } from "./readout.js";
 import { makeAnswers } from "./study-answer.js";
 import { watchTables } from "./tables.js";
 
-const NUMBERS = ["torque", "time", "work", "energy"];
-
 /** Two elements: `facts` has the point and its numbers, `element` plays its runs; `open` fills both. */
 export function makeRunPanel(model) {
   const heading = make("h2");
   const status = make("p", { className: "outcome", role: "status" });
   const numbers = make("table", { className: "numbers" });
   const facts = make("section", { className: "facts", id: "point" }, heading, status, make("div", { className: "table" }, numbers));
-  const parts = make("div", { className: "parts", role: "group", "aria-label": "runs of this point" });
+  const parts = make("div", { className: "parts", role: "group", "aria-label": `runs of this ${model.study.noun}` });
   const place = make("div");
   const more = make("div", { className: "more" });
   const element = make("section", { className: "run", id: "run", "aria-label": "the run that is open" }, parts, place, more);
@@ -34,9 +32,9 @@ export function makeRunPanel(model) {
   function open(point, { play = false, transition = null } = {}) {
     panel.point = point;
     const runs = model.runsOf(point);
-    heading.textContent = `Point ${point + 1}`;
+    heading.textContent = capital(`${model.study.noun} ${point + 1}`);
     status.textContent = `${capital(model.pointText(point))}: ${model.study.statuses[point]}.`;
-    numbers.replaceChildren(make("caption", {}, "In the study\u2019s table"), make("tbody", {}, ...numberRows(model, point)));
+    numbers.replaceChildren(make("caption", {}, "In the table"), make("tbody", {}, ...numberRows(model, point)));
     parts.replaceChildren(...(runs.length > 1 ? runs.map(partButton) : runs.map((run) => make("b", {}, capital(run.title)))));
     if (runs.length) show((transition === null ? null : runs.find((run) => run.transition === transition)) ?? runs[0], { play });
     else {
@@ -64,7 +62,7 @@ export function makeRunPanel(model) {
     const beside = pinned && pinned !== run ? pinned : null;
     const runs = beside ? [beside, run] : [run];
     const elements = { player: make("div"), plots: make("div"), readouts: runs.map(() => make("div")) };
-    const [states, repeats] = [statesOf, commandsOf].map((made) => runs.map((each, index) => made(each, calledOf(runs)[index])));
+    const [states, repeats] = [statesOf, commandsOf].map((made) => runs.map((each, index) => made(each, calledOf(runs, model)[index])));
     const advice = run.advice ? [make("p", { className: "note" }, run.advice)] : [];
     place.replaceChildren(make("p", {}, run.text), pin(run), ...advice, elements.player, elements.plots, ...elements.readouts, ...states, ...repeats);
     look.scale = model.largestSpan / run.play.clips[0].span_m;
@@ -75,7 +73,7 @@ export function makeRunPanel(model) {
 
   /** A button that keeps a run in sight beside those that are opened after it. */
   function pin(run) {
-    const label = () => (pinned ? `unpin point ${pinned.point + 1}` : "pin, to compare it with another");
+    const label = () => (pinned ? `unpin ${model.study.noun} ${pinned.point + 1}` : "pin, to compare it with another");
     const button = make("button", { type: "button", className: "pin" }, label());
     button.addEventListener("click", () => {
       pinned = pinned ? null : run;
@@ -91,7 +89,7 @@ export function makeRunPanel(model) {
 /** Play a run in elements of the page, beside another where one is pinned; what they hold is read only now. */
 function mountRun(elements, run, beside, model, look) {
   const runs = beside ? [beside, run] : [run];
-  const names = runs.map((each, index) => nameOf(each, calledOf(runs)[index], model));
+  const names = runs.map((each, index) => nameOf(each, calledOf(runs, model)[index], model));
   const clips = runs.map((each, index) => ({ ...readClip(each.play.clips[0]), ...(beside ? { name: names[index] } : {}) }));
   const clock = makeClock(clips, beside ? [sharedSpan(clips)] : run.play.spans);
   const energy = runs.map((each) => each.play.energy).reduce((most, each) => (each.largest_J > most.largest_J ? each : most));
@@ -128,10 +126,10 @@ function pairedPlots(runs, clips) {
 }
 
 /** What tells runs that are seen together from one another: their points, or what was done; empty for one alone. */
-function calledOf(runs) {
+function calledOf(runs, { study }) {
   if (runs.length === 1) return [""];
   const alike = new Set(runs.map((run) => run.point)).size < runs.length;
-  return runs.map((run) => `point ${run.point + 1}${alike ? `, ${run.title}` : ""}`);
+  return runs.map((run) => `${study.noun} ${run.point + 1}${alike ? `, ${run.title}` : ""}`);
 }
 
 function nameOf(run, called, model) {
@@ -148,13 +146,12 @@ function sharedSpan(clips) {
 }
 
 function numberRows(model, point) {
-  const shown = model.study.quantities.filter((quantity) => NUMBERS.includes(quantity.group));
-  return shown.map((quantity) => make("tr", {}, make("th", { scope: "row" }, quantity.title), make("td", {}, model.valueText(quantity, point))));
+  return model.numbers.map((quantity) => make("tr", {}, make("th", { scope: "row" }, quantity.title), make("td", {}, model.valueText(quantity, point))));
 }
 
 function whyNotKept(model, point) {
-  if (!model.study.built[point]) return "There is nothing to play: this point cannot be built.";
-  return "This run was not kept, so it cannot be played here. The study keeps the runs of as many points as --keep says.";
+  if (!model.study.built[point]) return `There is nothing to play: this ${model.study.noun} cannot be built.`;
+  return `This run was not kept, so it cannot be played here. ${model.study.keeps}`;
 }
 
 function statesOf(run, called) {
@@ -165,5 +162,5 @@ function statesOf(run, called) {
 
 function commandsOf(run, called) {
   const lines = [`forficula run ${run.folder}/design.toml`, `forficula film ${run.folder} --out film.mp4`];
-  return make("details", {}, make("summary", {}, called ? `Commands for ${called}` : "Commands"), make("p", { className: "note" }, "In the study\u2019s folder, these run it again, and film it:"), make("pre", {}, make("code", {}, lines.join("\n"))));
+  return make("details", {}, make("summary", {}, called ? `Commands for ${called}` : "Commands"), make("p", { className: "note" }, "In the folder of this page, these run it again, and film it:"), make("pre", {}, make("code", {}, lines.join("\n"))));
 }

@@ -1,111 +1,123 @@
-/** Drawn points of a study over two factors, or a quantity over the only one. */
+/** Points over two of their columns, or a quantity over the only one. */
 
 import { make } from "./elements.js";
 import { patternOf } from "./heat.js";
-import { numberText } from "./study-model.js";
+import { axisParts, draw, makeAxis } from "./plane.js";
 
-const SPACE = "http://www.w3.org/2000/svg";
 const [WIDTH, HEIGHT] = [600, 420];
 const EDGE = { left: 64, right: 14, top: 12, bottom: 52 };
+const MANY = 60; // points that need smaller marks
+const STEPS = { ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1 };
 
+/**
+ * The drawing of a view: what it shows, `quantity`, and numbers of the columns `x` and `y`; where there are such, `front`,
+ * numbers of the points that none beats, which are joined if `joined`, and `best`, of the best,
+ * which is called `bestWord`, and `cells`, a map under them. `ordered`: whether arrows
+ * go from left to right, and what came furthest lies in front; otherwise both are by number.
+ */
 export function makeScatter(model, view, press) {
-  const { factors, points: count } = model.study;
+  const { columns, study } = model;
   const { quantity } = view;
-  const points = Array.from({ length: count }, (_, point) => point);
+  const points = Array.from({ length: study.points }, (_, point) => point);
   const scale = model.scaleOf(quantity);
-  const across = axis(factors[view.x].values, factors[view.x], EDGE.left, WIDTH - EDGE.right);
-  const values = view.y === null ? quantity.values ?? points.map(() => 0) : factors[view.y].values;
-  const named = view.y === null ? { name: quantity.title, unit: quantity.unit } : factors[view.y];
-  const upwards = axis(values, named, HEIGHT - EDGE.bottom, EDGE.top);
-  const drawing = draw("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: "scatter", role: "listbox", "aria-label": `${quantity.title} of ${count} drawn points; arrows move between them, enter opens one` });
-  drawing.append(...axisParts(across, upwards));
-  const marks = points.map((point) => makePoint(model, view, scale, point, across.place(point), upwards.place(point)));
-  drawing.append(...marks);
+  const across = makeAxis(columns[view.x].values, columns[view.x], EDGE.left, WIDTH - EDGE.right, view.cells?.across);
+  const values = view.y === null ? quantity.values ?? points.map(() => 0) : columns[view.y].values;
+  const named = view.y === null ? { name: quantity.title, unit: quantity.unit } : columns[view.y];
+  const upwards = makeAxis(values, named, HEIGHT - EDGE.bottom, EDGE.top, view.cells?.upwards);
+  const label = `${quantity.title} of ${study.points} ${study.noun}s; arrows move between them, enter opens one`;
+  const drawing = draw("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: ["scatter", points.length > MANY && "many", view.ordered && "judged"].filter(Boolean).join(" "), role: "listbox", "aria-label": label });
+  if (view.cells) drawing.append(...mapCells(view.cells, across, upwards));
+  drawing.append(...axisParts(across, upwards, HEIGHT), ...guides(columns[view.x], across, upwards, true), ...(view.y === null ? [] : guides(columns[view.y], upwards, across, false)));
+  const places = points.map((point) => [across.place(point), upwards.place(point)]);
+  if (view.joined) drawing.append(frontLine(view.front, places, columns[view.x].aim));
+  const radius = points.length > MANY ? 6 : 8;
+  const marks = points.map((point) => makePoint(model, view, scale, point, places[point], radius));
+  drawing.append(...(view.ordered ? fromBehind(model, view, points) : points).map((point) => marks[point]));
   (marks[view.current ?? 0] ?? marks[0])?.setAttribute("tabindex", "0");
-  listen(drawing, marks, press);
+  listen(drawing, marks, view.ordered ? [...points].sort((first, second) => places[first][0] - places[second][0]) : points, press);
   return { element: make("div", { className: "scroll" }, drawing), points };
 }
 
-function makePoint(model, view, scale, point, x, y) {
+/** What came furthest last, so that it lies in front. */
+function fromBehind(model, view, points) {
+  const rank = (point) => (model.shown(point) ? 0 : 1e6) + (view.best === point ? -1 : model.study.verdicts[point]);
+  return [...points].sort((first, second) => rank(second) - rank(first));
+}
+
+function makePoint(model, view, scale, point, [x, y], radius) {
   const { quantity } = view;
   const value = quantity.values?.[point] ?? null;
-  const text = `${model.pointText(point)}: ${model.valueText(quantity, point)}`;
-  const mark = draw("g", { role: "option", tabindex: "-1", "aria-label": text, "aria-selected": String(view.opened === point), "data-point": point, transform: `translate(${x.toFixed(1)} ${y.toFixed(1)})` });
-  const title = draw("title", {});
-  title.textContent = text;
-  mark.append(title);
+  const text = `${model.nameOf(point)}${model.pointText(point)}: ${model.valueText(quantity, point)}`;
+  const mark = draw("g", { role: "option", tabindex: "-1", "aria-label": text, "aria-selected": String(view.opened === point), "data-point": point, transform: `translate(${x.toFixed(1)} ${y.toFixed(1)})` }, draw("title", {}, text));
   const sign = value === null ? model.word(quantity.reasons[point]).sign : "";
   if (sign) mark.setAttribute("class", patternOf(sign));
-  mark.append(draw("circle", { r: 8, class: value === null ? "missing" : "found", fill: value === null ? "transparent" : scale.colour(value).face }));
-  if (sign) {
-    const letter = draw("text", { "text-anchor": "middle", dy: "0.36em" });
-    letter.textContent = sign;
-    mark.append(letter);
-  }
+  if (!model.shown(point)) mark.classList.add("out");
+  if (view.front?.includes(point)) mark.append(draw("circle", { r: radius + 3, class: "front" }));
+  mark.append(draw("circle", { r: radius, class: value === null ? "missing" : "found", fill: value === null ? "transparent" : scale.colour(value).face }));
+  if (sign) mark.append(draw("text", { "text-anchor": "middle", dy: "0.36em" }, sign));
+  if (view.best === point) mark.append(draw("text", { class: "best", "text-anchor": "middle", dy: -radius - 6 }, view.bestWord));
   return mark;
 }
 
-function listen(drawing, marks, press) {
+/** A map under the points: whether the design works at each of the values of both axes. */
+function mapCells(cells, across, upwards) {
+  const [columns, rows] = [edges(cells.across.map(across.at)), edges(cells.upwards.map(upwards.at))];
+  return cells.works.flatMap((column, i) =>
+    column.map((works, j) => draw("rect", { class: works ? "map-works" : "map-fails", x: columns[i], width: columns[i + 1] - columns[i], y: rows[j + 1], height: rows[j] - rows[j + 1] })),
+  );
+}
+
+/** Where each cell about a place begins, and the last one ends. */
+function edges(places) {
+  const between = places.slice(1).map((place, index) => (place + places[index]) / 2);
+  const [first, last] = [places[0], places.at(-1)];
+  return [first, ...between, last];
+}
+
+/** What a column says along its axis: the design’s own value, and limits, beyond which is shaded. */
+function guides(column, along, other, upright) {
+  const line = (at, name) => draw("path", { class: name, d: upright ? `M${at} ${other.from}V${other.to}` : `M${other.from} ${at}H${other.to}` });
+  const inside = (at) => at >= Math.min(along.from, along.to) && at <= Math.max(along.from, along.to);
+  const parts = [];
+  if (typeof column.own === "number" && inside(along.at(column.own))) parts.push(line(along.at(column.own), "own"));
+  for (const { kind, bound } of column.limits ?? []) {
+    const at = along.at(bound);
+    if (!inside(at)) continue;
+    const end = kind === ">=" ? along.from : along.to;
+    const [low, size] = [Math.min(at, end), Math.abs(at - end)];
+    const box = upright ? { x: low, width: size, y: other.to, height: other.from - other.to } : { y: low, height: size, x: other.from, width: other.to - other.from };
+    parts.push(draw("rect", { class: "beyond", ...box }), line(at, "limit"));
+  }
+  return parts;
+}
+
+/** What is reached at every value across: steps, for between two points there is only the one that is no worse. */
+function frontLine(front, places, aim) {
+  const along = front.map((point) => places[point]).sort((first, second) => first[0] - second[0]);
+  const step = ([x, y]) => (aim === "least" ? `H${x.toFixed(1)}V${y.toFixed(1)}` : `V${y.toFixed(1)}H${x.toFixed(1)}`);
+  return draw("path", { class: "front", d: along.map((place, index) => (index ? step(place) : `M${place.join(" ")}`)).join("") });
+}
+
+/** `order` is that in which arrows go from point to point. */
+function listen(drawing, marks, order, press) {
   const pointOf = (event) => event.target.closest("[data-point]");
   drawing.addEventListener("click", (event) => {
     if (pointOf(event)) press(Number(pointOf(event).dataset.point));
   });
-  const steps = { ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1 };
   drawing.addEventListener("keydown", (event) => {
     const mark = pointOf(event);
     if (!mark || event.ctrlKey || event.metaKey || event.altKey) return;
     const point = Number(mark.dataset.point);
     if (event.key === "Enter" || event.key === " ") press(point);
-    else if (!(event.key in steps)) return;
-    else if (marks[point + steps[event.key]]) {
-      mark.setAttribute("tabindex", "-1");
-      marks[point + steps[event.key]].setAttribute("tabindex", "0");
-      marks[point + steps[event.key]].focus();
+    else if (!(event.key in STEPS)) return;
+    else {
+      const next = marks[order[order.indexOf(point) + STEPS[event.key]]];
+      if (next) {
+        mark.setAttribute("tabindex", "-1");
+        next.setAttribute("tabindex", "0");
+        next.focus();
+      }
     }
     event.preventDefault();
   });
-}
-
-/** Where values lie between two ends of an axis; words one after another, what is missing at its start. */
-function axis(values, factor, from, to) {
-  const label = factor.unit ? `${factor.name} (${factor.unit})` : factor.name;
-  const numbers = values.filter((value) => typeof value === "number");
-  const words = [...new Set(values.filter((value) => typeof value === "string"))];
-  const lie = words.length ? (value) => words.indexOf(value) : (value) => value;
-  const low = words.length ? -0.5 : Math.min(...numbers);
-  const high = words.length ? words.length - 0.5 : Math.max(...numbers);
-  const margin = 0.04 * (to - from);
-  const at = (value) => from + margin + ((lie(value) - low) / (high - low || 1)) * (to - from - 2 * margin);
-  const ticks = words.length ? words : numbers.length ? roundNumbers(low, high) : [];
-  return { label, from, to, ticks: ticks.map((value) => [at(value), typeof value === "number" ? numberText(value) : value]), place: (point) => (values[point] === null ? from : at(values[point])) };
-}
-
-function roundNumbers(low, high) {
-  if (!(high > low)) return [low];
-  const rough = (high - low) / 5;
-  const power = 10 ** Math.floor(Math.log10(rough));
-  const step = power * ([1, 2, 5].find((each) => each * power >= rough) ?? 10);
-  const found = [];
-  for (let value = Math.ceil(low / step) * step; value <= high + 1e-9 * step; value += step) found.push(Number(value.toPrecision(12)));
-  return found;
-}
-
-function axisParts(across, upwards) {
-  const parts = [draw("path", { class: "axis", d: `M${across.from} ${upwards.to}V${upwards.from}H${across.to}` })];
-  const write = (text, properties) => {
-    const letters = draw("text", { class: "label", ...properties });
-    letters.textContent = text;
-    parts.push(letters);
-  };
-  for (const [x, text] of across.ticks) write(text, { x, y: upwards.from + 18, "text-anchor": "middle" });
-  for (const [y, text] of upwards.ticks) write(text, { x: across.from - 8, y, dy: "0.35em", "text-anchor": "end" });
-  write(across.label, { x: (across.from + across.to) / 2, y: HEIGHT - 8, "text-anchor": "middle" });
-  write(upwards.label, { transform: `translate(14 ${(upwards.from + upwards.to) / 2}) rotate(-90)`, "text-anchor": "middle" });
-  return parts;
-}
-
-function draw(tag, properties) {
-  const element = document.createElementNS(SPACE, tag);
-  for (const [name, value] of Object.entries(properties)) element.setAttribute(name, value);
-  return element;
 }

@@ -3,32 +3,36 @@
 import { make } from "./elements.js";
 import { patternOf } from "./heat.js";
 
-/** Add to the page's table what a script can; `open` is called with the point of a row whose number is pressed. */
+/**
+ * Add to the page's table what a script can; `open` is called with the point of a row whose number is pressed. What it
+ * returns hides and shows rows again, after the model has left points out.
+ */
 export function extendTable(section, model, csv, open) {
   const table = section?.querySelector("table");
-  if (!table) return;
+  if (!table) return () => {};
   const rows = [...table.tBodies[0].rows];
   const count = make("p", { className: "note", role: "status" });
   const filter = statusFilter(model, () => {
     const shown = filter.shown();
     let left = 0;
     for (const [point, row] of rows.entries()) {
-      row.hidden = !shown.has(model.study.verdicts[point]);
+      row.hidden = !shown.has(model.study.verdicts[point]) || !model.shown(point);
       left += row.hidden ? 0 : 1;
     }
-    count.textContent = `${left} of ${rows.length} points shown.`;
+    count.textContent = `${left} of ${rows.length} ${model.study.noun}s shown.`;
   });
   for (const [point, row] of rows.entries()) {
-    const number = make("button", { type: "button", "aria-label": `open point ${point + 1}` }, row.cells[0].textContent);
+    const number = make("button", { type: "button", "aria-label": `open ${model.study.noun} ${point + 1}` }, row.cells[0].textContent);
     number.addEventListener("click", () => open(point));
     row.cells[0].replaceChildren(number);
   }
   const words = model.study.factors.length + 1;
   for (const row of [table.tHead.rows[0], ...rows]) row.cells[words].classList.add("words");
   makeSortable(table, rows, sortKeys(model));
-  const tools = make("div", { className: "choices" }, filter.element, ...(csv ? [downloadButton(csv)] : []));
+  const tools = make("div", { className: "choices" }, filter.element, ...(csv ? [downloadButton(csv, model.study.file)] : []));
   table.closest(".table").before(tools, count);
   filter.changed();
+  return filter.changed;
 }
 
 function statusFilter(model, changed) {
@@ -40,7 +44,7 @@ function statusFilter(model, changed) {
     boxes.set(number, box);
     return [make("label", {}, box, make("span", { className: patternOf(sign), "aria-hidden": "true" }, make("span", {}, sign)), `${word} (${count})`)];
   });
-  const element = make("fieldset", { className: "filter" }, make("legend", {}, "Show points that"), ...labels);
+  const element = make("fieldset", { className: "filter" }, make("legend", {}, `Show ${model.study.noun}s that`), ...labels);
   return { element, changed, shown: () => new Set([...boxes].filter(([, box]) => box.checked).map(([number]) => number)) };
 }
 
@@ -49,7 +53,7 @@ function sortKeys(model) {
   const { study } = model;
   const points = study.statuses.map((_, point) => point);
   const factors = study.factors.map((factor, index) => points.map((point) => factor.values[model.placesOf(point)[index]]));
-  const numbers = study.quantities.filter((each) => ["torque", "time", "work", "energy"].includes(each.group)).map((each) => each.values);
+  const numbers = model.numbers.map((each) => each.values);
   return [points, ...factors, study.statuses, ...numbers];
 }
 
@@ -77,11 +81,11 @@ function compare(first, second, direction) {
 }
 
 /** The file that the study's folder has, too. */
-function downloadButton(csv) {
-  const button = make("button", { type: "button", className: "button" }, "Download table.csv");
+function downloadButton(csv, file) {
+  const button = make("button", { type: "button", className: "button" }, `Download ${file}`);
   button.addEventListener("click", () => {
     const address = URL.createObjectURL(new Blob([csv], { type: "text/csv;charset=utf-8" }));
-    make("a", { href: address, download: "table.csv" }).click();
+    make("a", { href: address, download: file }).click();
     setTimeout(() => URL.revokeObjectURL(address), 10_000);
   });
   return button;

@@ -11,7 +11,18 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from forficula.errors import InputError
-from forficula.options import DesignName, OutIfGiven, Settings, read_option, read_quantity, read_ratio, read_settings
+from forficula.names import listed
+from forficula.options import (
+    DesignName,
+    DrawingUnit,
+    OutIfGiven,
+    Settings,
+    read_design,
+    read_option,
+    read_ratio,
+    read_settings,
+    read_unit,
+)
 from forficula.quantities import as_written
 from forficula.terminal import came_to
 
@@ -34,13 +45,15 @@ def new(
     *,
     kind: Annotated[str, Parameter(help=_KINDS)] = "earwig-fan",
     study: Annotated[bool, Parameter(help="Write a study file instead, of such a design.", negative=())] = False,
+    goal: Annotated[bool, Parameter(help="Write a goal file instead, of such a design.", negative=())] = False,
     tests: Annotated[
         bool, Parameter(help="Write three tensile tests instead, to try material with; made up.", negative=())
     ] = False,
 ) -> None:
-    """Write a commented design file to start from, a study file, or sample tensile tests (FILE ends with .csv)."""
-    if tests and study:
-        raise InputError("new: need one of --study and --tests, got both")
+    """Write a commented design, study or goal file to start from, or sample tensile tests (FILE ends with .csv)."""
+    given = [option for option, wanted in (("--study", study), ("--goal", goal), ("--tests", tests)) if wanted]
+    if len(given) > 1:
+        raise InputError(f"new: need one of --study, --goal and --tests, got {listed(given)}")
     if tests:
         from forficula.material.sample_tests import write_sample_tests
 
@@ -52,6 +65,12 @@ def new(
 
         write_new_study(file, kind)
         print(f"written to {file}; run it with: forficula study {file}")
+        return
+    if goal:
+        from forficula.goals.new_goal import write_new_goal
+
+        write_new_goal(file, kind)
+        print(f"written to {file}; find the design with: forficula optimise {file}")
         return
 
     from forficula.design import write_new_design
@@ -66,6 +85,8 @@ def keys(
     *,
     kind: Annotated[str, Parameter(help=_KINDS)] = "earwig-fan",
     study: Annotated[bool, Parameter(help="Those of a study file instead.", negative=())] = False,
+    goal: Annotated[bool, Parameter(help="Those of a goal file instead.", negative=())] = False,
+    observations: Annotated[bool, Parameter(help="Those of an observations file instead.", negative=())] = False,
 ) -> None:
     """List the keys of a design file: what each may be, what counts where it is left out, and what it means."""
     from forficula.design.key_table import key_facts
@@ -76,7 +97,18 @@ def keys(
 
     if kind not in KINDS:
         raise InputError(f"--kind: need {one_of(KINDS, kind)}")
-    facts = study_key_facts(section) if study else key_facts(section, KINDS[kind])
+    if study + goal + observations > 1:
+        raise InputError("keys: need one of --study, --goal and --observations, got several")
+    if observations:
+        from forficula.goals.identify.observation_keys import observation_key_facts
+
+        facts = observation_key_facts(section)
+    elif goal:
+        from forficula.goals.goal_keys import goal_key_facts
+
+        facts = goal_key_facts(section)
+    else:
+        facts = study_key_facts(section) if study else key_facts(section, KINDS[kind])
     print_keys(facts)
     came_to([asdict(fact) for fact in facts])
 
@@ -102,21 +134,17 @@ def scale(
     out: Annotated[
         OutIfGiven, Parameter(help="Where to write it; must end with .toml and not exist. Printed if not given.")
     ] = None,
-    unit: Annotated[
-        str | None, Parameter(help='Length of one unit of a FOLD file or a drawing that names none, as in "1 cm".')
-    ] = None,
+    unit: DrawingUnit = None,
     settings: Settings = None,
 ) -> None:
     """Print a design at another size, of the same materials, and say which dimensionless groups it cannot keep."""
-    from forficula.design import design_text, load_design, save_design, scale_design
-    from forficula.design.part import LENGTH
+    from forficula.design import design_text, save_design, scale_design
     from forficula.files import check_new
 
     factor = read_ratio("--length", length)
     if out is not None:
         read_option("--out", lambda: check_new(out, ".toml"))
-    metres = None if unit is None else read_quantity("--unit", unit, LENGTH)
-    given = load_design(design, read_settings(settings), unit=metres)
+    given = read_design(design, settings, unit)
     try:
         scaled = scale_design(given, factor, natural=True)
     except InputError as error:
@@ -234,7 +262,6 @@ def _sheet(
 ) -> tuple[CreasePattern, list[str], Callable[[], list[Frame]], Callable[[], Array | None]]:
     """The pattern of a design or of a file, remarks on how it was read, its folded states and where tendons end."""
     from forficula.design import design_frames, design_pattern, load_design
-    from forficula.design.part import LENGTH
     from forficula.pattern import PATTERN_FILES, read_folded_frames, read_pattern
 
     kind = PATTERN_FILES.get(Path(name).suffix.lower())
@@ -245,7 +272,7 @@ def _sheet(
         return design_pattern(chosen), [], lambda: design_frames(chosen), lambda: _attachments(chosen)
     if settings:
         raise InputError(f"--set: a {kind} file has no values to replace, got {settings[0]}")
-    metres = None if unit is None else read_quantity("--unit", unit, LENGTH)
+    metres = read_unit(unit)
     if metres is not None and not metres > 0:
         raise InputError(f"--unit: need > 0, got {as_written(unit)}")
     sheet, remarks = read_pattern(name, metres)

@@ -11,6 +11,7 @@ from cyclopts import Parameter
 from forficula.errors import InputError
 from forficula.options import (
     DesignName,
+    DrawingUnit,
     OkIf,
     OutIfGiven,
     Settings,
@@ -18,7 +19,7 @@ from forficula.options import (
     check_folder,
     check_verdicts,
     exit_status,
-    read_quantity,
+    read_design,
     read_settings,
     tell_replaced,
 )
@@ -34,9 +35,7 @@ def landscape(
     /,
     *,
     settings: Settings = None,
-    unit: Annotated[
-        str | None, Parameter(help='Length of one unit of a FOLD file or a drawing that names none, as in "1 cm".')
-    ] = None,
+    unit: DrawingUnit = None,
     out: Annotated[
         OutIfGiven, Parameter(help="Folder for the results; out/<name of the design>-landscape if not given.")
     ] = None,
@@ -58,11 +57,7 @@ def landscape(
     ok_if: OkIf = None,
 ) -> int:
     """Survey a design's energy by statics: stable states, barriers, paths of its drives, what it withstands, snap."""
-    from forficula.design import load_design
-    from forficula.design.part import LENGTH
-
-    length = None if unit is None else read_quantity("--unit", unit, LENGTH)
-    chosen = load_design(design, read_settings(settings), unit=length)
+    chosen = read_design(design, settings, unit)
     folder = out or Path("out") / f"{chosen.name}-landscape"
     check_verdicts(ok_if)
     check_folder(folder)

@@ -3,21 +3,26 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
 
 from forficula.options import (
     DesignName,
+    DrawingUnit,
     OutIfGiven,
     Settings,
     check_folder,
+    read_design,
     read_option,
-    read_quantity,
-    read_settings,
     tell_replaced,
 )
 from forficula.terminal import came_to
+
+if TYPE_CHECKING:
+    from forficula.make.check import Check
+    from forficula.make.part import PartSet
+    from forficula.study.made_comparison import MadeComparison
 
 
 def make(
@@ -26,12 +31,10 @@ def make(
     *,
     part: Annotated[
         Literal["all", "sheet", "joint", "section"],
-        Parameter(help="The sheet, the first joint alone, all joints with what they turn on, or all there is."),
+        Parameter(help="The sheet, the first joint, all joints with what they turn on, or all there is."),
     ] = "all",
     settings: Settings = None,
-    unit: Annotated[
-        str | None, Parameter(help='Length of one unit of a FOLD file or a drawing that names none, as in "1 cm".')
-    ] = None,
+    unit: DrawingUnit = None,
     out: Annotated[
         OutIfGiven, Parameter(help="Folder for the files; out/<name of the design>-parts if not given.")
     ] = None,
@@ -47,19 +50,14 @@ def make(
     strict: Annotated[bool, Parameter(help="End with status 2 where a check fails.", negative=())] = False,
 ) -> int:
     """Turn a design into parts to print, to buy and to cut, and check them: STL, 3MF, STEP, DXF, SVG, a bill."""
-    from forficula.design import load_design
-    from forficula.design.part import LENGTH
     from forficula.make.check_parts import check_parts, run_of
     from forficula.make.files.step import check_step
     from forficula.make.make_parts import make_parts
-    from forficula.show.folder.parts_folder import parts_json, write_parts
-    from forficula.show.make.made_table import made_json, print_made
-    from forficula.show.make.parts_table import print_parts
+    from forficula.show.folder.parts_folder import write_parts
     from forficula.show.progress import steps_progress
     from forficula.study.made_comparison import MadeComparison, comparison_or_why
 
-    length = None if unit is None else read_quantity("--unit", unit, LENGTH)
-    chosen = load_design(design, read_settings(settings), unit=length)
+    chosen = read_design(design, settings, unit)
     folder = out or Path("out") / f"{chosen.name}-parts"
     check_folder(folder)
     if step:
@@ -74,8 +72,19 @@ def make(
         tell_replaced(folder, "bill of parts")
         made = compared if isinstance(compared, MadeComparison) else None
         write_parts(parts, checks, folder, record=run, step=step, compared=made, progress=progress)
-    came_to(parts_json(parts, checks) | {"as_made": None if made is None else made_json(made)})
-    print_parts(parts, checks)
-    print_made(compared)
+    _tell(parts, checks, compared)
     print(f"\nwritten to {folder}")
     return 2 if strict and any(check.ok is False for check in checks) else 0
+
+
+def _tell(parts: PartSet, checks: tuple[Check, ...], compared: MadeComparison | str | None) -> None:
+    """Print parts, their checks and what the design is as made, and hand all of it on as data."""
+    from forficula.show.folder.parts_folder import parts_json
+    from forficula.show.make.made_table import made_json, print_made
+    from forficula.show.make.parts_table import print_parts
+
+    # of parts that make no design there is a sentence instead
+    made = None if compared is None or isinstance(compared, str) else made_json(compared)
+    came_to(parts_json(parts, checks) | {"as_made": made})
+    print_parts(parts, checks)
+    print_made(compared)

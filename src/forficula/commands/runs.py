@@ -12,6 +12,7 @@ from forficula.errors import InputError
 from forficula.options import (
     WHOLE_NUMBER,
     DesignName,
+    DrawingUnit,
     OkIf,
     Out,
     OutIfGiven,
@@ -21,9 +22,9 @@ from forficula.options import (
     check_verdicts,
     exit_status,
     read_option,
-    read_quantity,
     read_settings,
     read_size,
+    read_unit,
     tell_replaced,
 )
 from forficula.terminal import came_to
@@ -38,9 +39,7 @@ def run(
     /,
     *,
     settings: Settings = None,
-    unit: Annotated[
-        str | None, Parameter(help='Length of one unit of a FOLD file or a drawing that names none, as in "1 cm".')
-    ] = None,
+    unit: DrawingUnit = None,
     out: Annotated[OutIfGiven, Parameter(help="Folder for the results; out/<name of the design> if not given.")] = None,
     cycles: Annotated[
         int | None,
@@ -56,10 +55,9 @@ def run(
 ) -> int:
     """Take a design through its protocol: energies, work, times, a verdict, and pictures."""
     from forficula.design import load_design
-    from forficula.design.part import LENGTH
     from forficula.pattern import PATTERN_FILES, read_pattern
 
-    length = None if unit is None else read_quantity("--unit", unit, LENGTH)
+    length = read_unit(unit)
     if Path(design).suffix.lower() in PATTERN_FILES:
         for remark in read_pattern(design, length)[1]:
             print(f"{design}: {remark}", file=sys.stderr)

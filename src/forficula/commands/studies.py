@@ -141,18 +141,33 @@ def _report(study: Study, table: Dataset, keep: int | None, folder: Path) -> Non
 
 
 def studies() -> None:
-    """List the named studies, each with its source, what it asks and how many points it has."""
+    """List the named studies, goals and observations, each with its source and what it asks."""
+    from forficula.goals import load_goal, named_goals
+    from forficula.goals.identify import load_observations, named_observations
     from forficula.study import load_study
     from forficula.study.study_file import named_studies
 
-    told = []
+    told: list[dict[str, object]] = []
     for name in named_studies():
         found = load_study(name)
         factors = [factor.key for factor in found.factors]
         over = listed([*factors, *(f"grid of {each.key}" for each in found.grid)])
         print(f"{name}\n    {found.source}\n    {len(found.points)} points of {found.base.name} over {over}")
-        told.append({"name": name, "source": found.source, "design": found.base.name, "points": len(found.points)})
-        told[-1] |= {"factors": factors, "grid": [factor.key for factor in found.grid]}
+        of = {"name": name, "kind": "study", "source": found.source, "design": found.base.name}
+        told.append(of | {"points": len(found.points), "factors": factors, "grid": [each.key for each in found.grid]})
+    for name in named_goals():
+        goal = load_goal(name)
+        asked = listed(f"{each.kind} {each.quantity.name}" for each in goal.objectives)
+        keys = [each.key for each in goal.parameters]
+        print(f"{name}\n    {goal.source}\n    a goal: {asked} of {goal.base.name} over {listed(keys)}")
+        of = {"name": name, "kind": "goal", "source": goal.source, "design": goal.base.name}
+        told.append(of | {"objectives": [each.quantity.name for each in goal.objectives], "factors": keys})
+    for name in named_observations():
+        seen = load_observations(name)
+        facts, keys = [fact.name for fact in seen.facts], [prior.key for prior in seen.priors]
+        print(f"{name}\n    {seen.source}\n    {len(facts)} facts on {len(keys)} unknown values of {seen.base.name}")
+        of = {"name": name, "kind": "observations", "source": seen.source, "design": seen.base.name}
+        told.append(of | {"facts": facts, "factors": keys})
     came_to(told)
 
 

@@ -12,7 +12,7 @@ from forficula.design.design_file import (
 )
 from forficula.design.fan import FanDesign, FanProtocol
 from forficula.design.joint import JointDesign, JointProtocol
-from forficula.design.keys import key_quantity, key_value, names_law, put
+from forficula.design.keys import check_keys_once, key_quantity, key_value, names_law, numbered_key, put
 from forficula.design.law import LawSection, tendon_material
 from forficula.design.make import MakeSection
 from forficula.design.medium import MediumSection
@@ -44,6 +44,7 @@ __all__ = [
     "Stage",
     "TendonSection",
     "as_design",
+    "check_keys_once",
     "design_frames",
     "design_from_text",
     "design_pattern",
@@ -54,6 +55,7 @@ __all__ = [
     "load_design",
     "named_designs",
     "names_law",
+    "numbered_key",
     "put",
     "save_design",
     "scale_design",

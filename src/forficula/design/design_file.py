@@ -6,6 +6,8 @@ import difflib
 import os
 import tomllib
 from collections.abc import Callable, Mapping
+from copy import deepcopy
+from functools import cache
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -23,7 +25,7 @@ from forficula.design.kinds import KINDS, design_class, kind_of, reference_of
 from forficula.design.provenance import derived_source
 from forficula.design.rejection import File, origin, rejected
 from forficula.design.sheet_tables import with_sheet_read
-from forficula.design.tables import RejectedError, dotted_keys, laid_over, merged, nested, numbered
+from forficula.design.tables import RejectedError, check_once, dotted_keys, laid_over, merged, nested, numbered
 from forficula.design.tendon_tables import entries_over, tendon_over, tendons_over, value_from_folder
 from forficula.errors import InputError
 from forficula.files import as_path, read_toml, write_text
@@ -54,6 +56,17 @@ def load_design(
         InputError: no such design or file, not TOML, an unknown key, a value that is not allowed, or a unit for what
             has units of its own.
     """
+    if isinstance(name_or_path, str) and not settings and unit is None and name_or_path in _named():
+        return _named_design(name_or_path)
+    return _load(name_or_path, settings, unit)
+
+
+@cache  # what comes with the package stays as it is, and a design is frozen
+def _named_design(name: str) -> Design:
+    return _load(name, None, None)
+
+
+def _load(name_or_path: str | Path, settings: Mapping[str, object] | None, unit: float | None) -> Design:
     path = as_path(name_or_path, "a named design, or the path of a file")
     if path.suffix.lower() in PATTERN_FILES:
         files = [(str(name_or_path), file_tables(path, unit))]
@@ -67,7 +80,12 @@ def load_design(
             before, tables = tables, _over(tables, given, merged, si=False)
             tables = _with_source(before, tables, given)
         before, tables = tables, _with_settings(tables, settings or {}, si=False)
-        return _validate(_with_source(before, tables, settings or {}), si=False)
+        design = _validate(tables, si=False)
+        if not settings or "source" in settings:
+            return design
+        named = str(name_or_path) in _named()
+        base = _named_design(str(name_or_path)) if named else _validate_or_none(before)
+        return design if base is None else design.model_copy(update={"source": derived_source(base, design)})
     except RejectedError as error:
         # as it was set: an entry by its name
         by_hand, message = {numbered(key, tables): key for key in dotted_keys(settings or {})}, str(error)
@@ -134,16 +152,22 @@ def design_from_text(text: str) -> Design:
     return _validate(_over({}, tomllib.loads(text), merged, si=False), si=False)
 
 
-def _named() -> list[str]:
+@cache
+def _named() -> tuple[str, ...]:
     folder = resources.files("forficula.design") / "references"
-    return sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml"))
+    return tuple(sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml")))
+
+
+@cache
+def _named_tables(name: str) -> dict[str, Any]:
+    """What the file of a named design says; not to be changed."""
+    return tomllib.loads((resources.files("forficula.design") / "references" / f"{name}.toml").read_text("utf-8"))
 
 
 def _read_files(name_or_path: str, above: tuple[Path, ...] = ()) -> list[File]:
     """A design and what it is based on, the last one first."""
     if name_or_path in _named():
-        text = (resources.files("forficula.design") / "references" / f"{name_or_path}.toml").read_text("utf-8")
-        named = tomllib.loads(text)
+        named = deepcopy(_named_tables(name_or_path))
         above_it = named.pop("based_on", None)
         return [*(_read_files(above_it) if above_it else []), (name_or_path, named)]
     path = Path(name_or_path)
@@ -179,6 +203,7 @@ def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si
         raise InputError(f'need values by key, such as {{"tendon.stiffness": "20 N/cm"}}, got {as_written(settings)}')
     if any(key.partition(".")[0] == "based_on" for key in settings):
         raise InputError("based_on: cannot be set; name the design to start from instead")
+    check_once(settings, tables)
     return _over(tables, nested(with_sheet_read(settings)), laid_over, si=si)
 
 
@@ -242,6 +267,13 @@ def _validate(tables: dict[str, Any], *, si: bool) -> Design:
         return model.model_validate(tables, context={"si": si})
     except ValidationError as error:
         raise rejected(error, model) from None
+
+
+def _validate_or_none(tables: dict[str, Any]) -> Design | None:
+    try:
+        return _validate(tables, si=False)
+    except RejectedError:
+        return None
 
 
 def _nearest(word: str, words: list[str]) -> str | None:

@@ -21,7 +21,7 @@ from forficula.design.fan_sections import (
 )
 from forficula.design.folding import check_angles, check_course
 from forficula.design.medium import check_medium
-from forficula.design.part import ANGLE, LENGTH, SMALL_LENGTH, TORQUE, quantity
+from forficula.design.part import ANGLE, ANGULAR_SPEED, LENGTH, SMALL_LENGTH, TORQUE, quantity
 from forficula.design.protocol import Protocol, check_bounds
 from forficula.design.start import largest_start, start_stretch
 from forficula.design.tendon import TendonSection, check_on_bars
@@ -50,6 +50,14 @@ class FanProtocol(Protocol):
             examples=[[0]],
         ),
     ] = None
+    no_load_speed: float | None = quantity(
+        ANGULAR_SPEED,
+        "speed of a driven hinge at which nothing is left of its torque, as of a servo with these stall torques;"
+        " without it torques stay",
+        default=None,
+        above=0,
+        examples=["300 deg/s"],
+    )
     initial_overbend: float = quantity(ANGLE, "where every distal hinge starts, past straight")
     folded_angle: float = quantity(ANGLE, "folded means that every distal hinge is beyond it", above=0, at_most=math.pi)
     opened_angle: float = quantity(ANGLE, "opened means that every distal hinge is at or past it, on the overbend side")
@@ -180,13 +188,7 @@ class FanDesign(Design):
     def _goals_within_stops(self) -> None:
         """Refuse a start or a goal that the stops of the distal hinges keep a wing from."""
         folds, bends, protocol = self.hinge.fold_limit, self.hinge.overbend, self.protocol
-        check_angles(
-            initial_overbend=protocol.initial_overbend,
-            folded_angle=protocol.folded_angle,
-            opened_angle=protocol.opened_angle,
-            fold_limit=folds,
-            overbend=bends,
-        )
+        check_angles(protocol, fold_limit=folds, overbend=bends)
         shared = self.pattern.ring_folds
         stops = {"ring": (-folds / shared, bends / shared), "distal_angle": (-folds, bends)}
         stops["turn"] = (-self.hinge.turn_back, self.hinge.turn_limit)

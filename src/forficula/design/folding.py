@@ -62,19 +62,18 @@ def _check_states_in_order(protocol: Protocol, fold: int, unfold: int) -> None:
             raise InputError(f'protocol.stages.{number}.state: need "{state}" {where}, got {as_written(stage.state)}')
 
 
-def check_angles(
-    *, initial_overbend: float, folded_angle: float, opened_angle: float, fold_limit: float, overbend: float
-) -> None:
-    """Refuse a start or a goal, of the keys of a protocol, that the stops of distal hinges keep them from; all rad.
+def check_angles(protocol: Protocol, *, fold_limit: float, overbend: float) -> None:
+    """Refuse a start or a goal, of a protocol that has these keys, that the stops of distal hinges keep from it; rad.
 
     Raises:
         InputError: which key of the protocol, and between what it may be.
     """
-    for key, angle, least, most, stop in (
-        ("initial_overbend", initial_overbend, -fold_limit, overbend, "overbend"),
-        ("folded_angle", folded_angle, 0.0, fold_limit, "fold_limit"),
-        ("opened_angle", opened_angle, -fold_limit, overbend, "overbend"),
+    for key, least, most, stop in (
+        ("initial_overbend", -fold_limit, overbend, "overbend"),
+        ("folded_angle", 0.0, fold_limit, "fold_limit"),
+        ("opened_angle", -fold_limit, overbend, "overbend"),
     ):
+        angle = getattr(protocol, key)
         if not least <= angle <= most:
             above = f">= {show_quantity(least, ANGLE)} (-hinge.fold_limit) and " if least else ""
             raise InputError(

@@ -11,7 +11,7 @@ from forficula.design.design import Design, check_duration
 from forficula.design.fan_sections import VeinSection
 from forficula.design.folding import check_angles, check_course
 from forficula.design.joint_sections import JointHinge, JointPattern, JointTendon
-from forficula.design.part import ANGLE, SMALL_LENGTH, TORQUE, quantity
+from forficula.design.part import ANGLE, ANGULAR_SPEED, SMALL_LENGTH, TORQUE, quantity
 from forficula.design.protocol import Protocol, check_bounds
 from forficula.design.tendon import TendonSection, check_on_bars
 from forficula.errors import InputError
@@ -23,6 +23,14 @@ class JointProtocol(Protocol):
 
     fold_torque: float = quantity(TORQUE, "torque on the hinge while folding", at_least=0)
     unfold_torque: float = quantity(TORQUE, "torque on the hinge while unfolding", at_least=0)
+    no_load_speed: float | None = quantity(
+        ANGULAR_SPEED,
+        "speed of the hinge at which nothing is left of its torque, as of a servo with these stall torques;"
+        " without it torques stay",
+        default=None,
+        above=0,
+        examples=["300 deg/s"],
+    )
     initial_overbend: float = quantity(ANGLE, "where the hinge starts, past straight")
     folded_angle: float = quantity(ANGLE, "folded means that the hinge is beyond it", above=0, at_most=math.pi)
     opened_angle: float = quantity(ANGLE, "opened means that the hinge is at or past it, on the overbend side")
@@ -65,13 +73,7 @@ class JointDesign(Design):
     def _goals_within_stops(self) -> None:
         """Refuse a start or a goal that the stops of the hinge keep it from."""
         folds, bends, protocol = self.hinge.fold_limit, self.hinge.overbend, self.protocol
-        check_angles(
-            initial_overbend=protocol.initial_overbend,
-            folded_angle=protocol.folded_angle,
-            opened_angle=protocol.opened_angle,
-            fold_limit=folds,
-            overbend=bends,
-        )
+        check_angles(protocol, fold_limit=folds, overbend=bends)
         check_bounds(protocol, dict.fromkeys(("ring", "distal_angle"), (-folds, bends)))
 
     @property

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from types import UnionType
 from typing import Annotated, Any, TypeVar, Union, get_args, get_origin
 
@@ -13,7 +13,7 @@ from forficula.design.design import Design
 from forficula.design.fan import FanDesign
 from forficula.design.law import LawSection
 from forficula.design.part import Part, Quantity, field_quantity
-from forficula.design.tables import entry_index
+from forficula.design.tables import check_once, entry_index, numbered
 from forficula.errors import InputError
 from forficula.names import unknown_key
 from forficula.quantities import as_written
@@ -105,6 +105,20 @@ def key_value(design: Design, key: str) -> Any:
             raise InputError(f"{key}: {design.name} has no tendon")
         return found[0] if all(each == found[0] for each in found) else None
     return _value(design, design, key, "")
+
+
+def numbered_key(design: Design, key: str) -> str:
+    """A key with the numbers of entries in place of their names: the same for all that lead to one value."""
+    return numbered(key, design.as_tables())
+
+
+def check_keys_once(keys: Iterable[str], design: Design) -> None:
+    """Refuse two keys that lead to the same value of a design, as of an entry by its number and by its name.
+
+    Raises:
+        InputError: which two.
+    """
+    check_once(keys, design.as_tables())
 
 
 def _value(design: Design, value: Any, key: str, within: str) -> Any:

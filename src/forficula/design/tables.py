@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from forficula.errors import InputError
@@ -125,6 +125,22 @@ def numbered(key: str, tables: Mapping[str, Any]) -> str:
         else:
             at = at.get(part) if isinstance(at, dict) else None
     return ".".join(parts)
+
+
+def check_once(keys: Iterable[str], tables: Mapping[str, Any]) -> None:
+    """Refuse two keys that lead to the same value, one by the number of an entry and one by its name.
+
+    Args:
+        keys: dotted.
+        tables: that they lead into.
+
+    Raises:
+        InputError: which two.
+    """
+    found: dict[str, str] = {}
+    for key in keys:
+        if (other := found.setdefault(numbered(key, tables), key)) != key:
+            raise InputError(f"{key}: is given twice, the other time as {other}")
 
 
 def written_key(place: Sequence[str]) -> str:

@@ -193,10 +193,13 @@ def _lines(structure: Structure) -> _Elements:
     short = length[:, 0] <= _NO_LENGTH * structure.span
     along = np.where(short[:, None], np.array([1.0, 0.0, 0.0]), along / np.where(short[:, None], 1.0, length))
     stiffness, damping = ([getattr(spring, name) for spring in structure.springs] for name in ("stiffness", "damping"))
-    for tendon in structure.tendons:
+    built = length[len(structure.springs) :, 0]
+    for tendon, own in zip(structure.tendons, built.tolist(), strict=True):
         law = tendon.law
+        # what nothing keeps from being stretched further is taken to come to twice its length
+        longest = tendon.longest if np.isfinite(tendon.longest) else 2 * own
         # a cubic's slope is largest at an end of its range
-        both = law.elastic.stiffness([law.rest_length, max(tendon.longest, law.rest_length)])
+        both = law.elastic.stiffness([law.rest_length, max(longest, law.rest_length)])
         stiffness.append(float(np.max(both)) + sum(branch.stiffness for branch in law.branches))
         damping.append((law.damping or (0.0,))[0])
     every = np.concatenate([np.arange(len(points)), *[np.flatnonzero(short)] * 2])

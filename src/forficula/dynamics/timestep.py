@@ -51,6 +51,8 @@ def timestep_warnings(design: AnyDesign) -> list[str]:
         return []
     built = structure_of(design)
     parts = "softer facets and creases" if built.facets or built.plates else "a softer or thinner membrane"
+    if any(np.isfinite(motor.no_load_speed) for motor in built.motors):
+        parts += ", or motors that are faster or weaker (no_load_speed)"
     return [
         f"a timestep of {1e3 * chosen:.3g} ms is too long: the stiffest mode allows"
         f' {1e3 * longest:.3g} ms; take protocol.timestep = "auto", or {parts}'

@@ -26,3 +26,17 @@ class Check:
     limit: float
     unit: str
     text: str
+
+
+def least_check(name: str, part: str, *, found: float, least: float, text: str, mend: str = "") -> Check:
+    """A check of whether a length, m, is as large as it has to be; where it is not, `mend` follows on the text."""
+    held = bool(found >= least)
+    told = text if held else text + mend
+    return Check(name=name, part=part, ok=held, value=float(found), limit=least, unit="m", text=told)
+
+
+def count_check(name: str, part: str, *, found: int, wanted: int, held: str, missed: str) -> Check:
+    """A check of whether there are as many of something as there have to be, with what is told in either case."""
+    ok = found == wanted
+    told = held if ok else missed
+    return Check(name=name, part=part, ok=ok, value=float(found), limit=float(wanted), unit="", text=told)

@@ -8,13 +8,16 @@ from collections.abc import Iterator
 from forficula.dynamics import Record, as_record
 from forficula.errors import InputError
 from forficula.make.as_made import uncoupled
-from forficula.make.check import Check
+from forficula.make.check import Check, count_check
+from forficula.make.joint_layout import bar_hinges
 from forficula.make.mesh_checks import mesh_checks
 from forficula.make.motion_checks import built_checks, motion_checks
 from forficula.make.part import PartSet
 from forficula.make.printing_checks import printing_checks
 from forficula.make.range_checks import range_checks
 from forficula.make.strength_checks import strength_checks
+from forficula.names import listed
+from forficula.structure import hinges_between
 
 
 def check_parts(parts: PartSet, record: object = None) -> tuple[Check, ...]:
@@ -42,7 +45,7 @@ def check_parts(parts: PartSet, record: object = None) -> tuple[Check, ...]:
         raise InputError(f"record: {error}") from None
     sheet: tuple[Check, ...] = () if parts.sheet is None else parts.sheet.checks
     own = (*range_checks(parts), *strength_checks(parts), *printing_checks(parts), *built_checks(parts))
-    return (*own, *mesh_checks(parts), *sheet, *coupling_checks(parts), *_motion(parts, run))
+    return (*own, *mesh_checks(parts), *sheet, *tendon_checks(parts), *coupling_checks(parts), *_motion(parts, run))
 
 
 def run_of(parts: PartSet, record: object) -> Record:
@@ -57,6 +60,36 @@ def run_of(parts: PartSet, record: object) -> Record:
             f"need a run of {parts.design.name} with the same values, got one of {run.design.name} with others"
         )
     return run
+
+
+def tendon_checks(parts: PartSet) -> Iterator[Check]:
+    """Whether every tendon has its straps, where all joints are made."""
+    structure, straps = parts.structure, {place.tendon for place in parts.straps}
+    if not structure.tendons or not parts.joints or len(parts.joints) < len(bar_hinges(structure)):
+        return
+    without = [_without_straps(parts, number) for number in range(len(structure.tendons)) if number not in straps]
+    why = "a joint has pegs for one tendon, and nothing else carries any"
+    yield count_check(
+        "straps of every tendon",
+        parts.design.name,
+        found=len(straps),
+        wanted=len(structure.tendons),
+        held="every tendon has its straps",
+        missed=f"no straps are made of {'; nor of '.join(without)}; {why}",
+    )
+
+
+def _without_straps(parts: PartSet, number: int) -> str:
+    """A tendon without straps, and why it has none."""
+    structure = parts.structure
+    tendon = structure.tendons[number]
+    crossed = hinges_between(structure, *(structure.points[point].body for point in tendon.points))
+    taken = [
+        f"{joint.name} has those of {structure.tendons[joint.tendon].name}"
+        for joint in parts.joints
+        if joint.hinge in crossed and joint.tendon is not None
+    ]
+    return f"{tendon.name}, for " + (listed(taken) if taken else "it crosses no hinge between two bars")
 
 
 def coupling_checks(parts: PartSet) -> Iterator[Check]:

@@ -123,11 +123,7 @@ def joint_layouts(design: Design, structure: Structure) -> tuple[JointLayout, ..
             too narrow for its knuckles.
     """
     bars = {bar.body: bar for bar in structure.bars}
-    found = [
-        _layout(design, structure, number, bars)
-        for number, hinge in enumerate(structure.hinges)
-        if hinge.body in bars and structure.bodies[hinge.body].parent in bars
-    ]
+    found = [_layout(design, structure, number, bars) for number in bar_hinges(structure)]
     if not found:
         raise InputError(
             f"{design.name}: no bar is hinged to another, so there is no joint to make; --part sheet makes its sheet"
@@ -135,6 +131,16 @@ def joint_layouts(design: Design, structure: Structure) -> tuple[JointLayout, ..
     # a tendon across several hinges has one width over all of them
     widest = {each.tendon: max(other.aside for other in found if other.tendon == each.tendon) for each in found}
     return tuple(replace(each, aside=widest[each.tendon]) for each in found)
+
+
+def bar_hinges(structure: Structure) -> tuple[int, ...]:
+    """Numbers of the hinges by which a bar turns against another."""
+    bars = {bar.body for bar in structure.bars}
+    return tuple(
+        number
+        for number, hinge in enumerate(structure.hinges)
+        if hinge.body in bars and structure.bodies[hinge.body].parent in bars
+    )
 
 
 def _layout(design: Design, structure: Structure, number: int, bars: Mapping[int, Bar]) -> JointLayout:

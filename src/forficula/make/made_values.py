@@ -127,8 +127,7 @@ def _tendon(parts: PartSet, number: int) -> MadeTendon:
     strap = joint.strap
     assert strap is not None  # of a tendon that straps are made for
     share = printed_width(joint, strap) / strap.width
-    name = parts.structure.tendons[number].name.replace("tendon", "strap")
-    part = next(each for each in parts.parts if each.kind == "strap" and each.name == name)
+    part = parts.strap_of(number)
     return MadeTendon(
         number=number,
         attachments=(_rounded(inner.peg), _rounded(outer.peg)),

@@ -28,8 +28,8 @@ def make_parts(design: AnyDesign, part: PartName = "all") -> PartSet:
 
     Args:
         design: or its name or path.
-        part: "sheet"; "joint", the first joint alone; "section", all joints with the hub that they turn on; or "all",
-            the sheet and, of a structure of bars, the section.
+        part: "sheet"; "joint", the first joint, and those that its tendon crosses, too; "section", all joints with the
+            hub that they turn on; or "all", the sheet and, of a structure of bars, the section.
 
     Raises:
         InputError: no such part, or one that the design has not.
@@ -45,7 +45,7 @@ def make_parts(design: AnyDesign, part: PartName = "all") -> PartSet:
     joints: tuple[JointLayout, ...] = ()
     if part in ("joint", "section") or (part == "all" and structure.bars):
         joints = joint_layouts(design, structure)
-        joints = bows_beside(joints[:1] if part == "joint" else joints)
+        joints = bows_beside(_first(joints) if part == "joint" else joints)
     return PartSet(
         design=design,
         structure=structure,
@@ -55,6 +55,12 @@ def make_parts(design: AnyDesign, part: PartName = "all") -> PartSet:
         parts=(*_bars(structure, joints, roots), *_pins(joints), *_straps(design, structure, straps), *_hub(roots)),
         sheet=cut_sheet(design) if part in ("all", "sheet") else None,
     )
+
+
+def _first(joints: tuple[JointLayout, ...]) -> tuple[JointLayout, ...]:
+    """The first joint; with those that its tendon crosses, too, for straps end at the last one's far side."""
+    tendon = joints[0].tendon
+    return joints[:1] if tendon is None else tuple(joint for joint in joints if joint.tendon == tendon)
 
 
 def _bars(structure: Structure, joints: tuple[JointLayout, ...], roots: tuple[Root, ...]) -> list[Part]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from forficula.make.check import Check
+from forficula.make.check import Check, count_check
 from forficula.make.files.lying import Piece, lying_mesh, open_edges, printed_pieces
 from forficula.make.joint_layout import JointLayout
 from forficula.make.mesh import MILLIMETRES
@@ -27,15 +27,8 @@ def mesh_checks(parts: PartSet) -> Iterator[Check]:
 def _closed(piece: Piece) -> Check:
     """Whether the surface of a piece is closed, so that slicers know what is inside."""
     gaps = open_edges(lying_mesh(*piece.parts))
-    return Check(
-        name="closed surface",
-        part=piece.name,
-        ok=gaps == 0,
-        value=float(gaps),
-        limit=0.0,
-        unit="",
-        text=f"it is open at {gaps} edges, which slicers mend as they like; report it" if gaps else "it is closed",
-    )
+    missed = f"it is open at {gaps} edges, which slicers mend as they like; report it"
+    return count_check("closed surface", piece.name, found=gaps, wanted=0, held="it is closed", missed=missed)
 
 
 def _apart(parts: PartSet, joint: JointLayout) -> Check:

@@ -20,6 +20,9 @@ from forficula.make.strap_shape import StrapPlace
 from forficula.structure import Structure
 from forficula.structure.parts import Array
 
+# mm, volume by surface: what is thinner is lost in the single precision of meshes and their files
+_THINNEST = 1e-5
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Part:
@@ -53,9 +56,10 @@ class Part:
             InputError: nothing is left of it.
         """
         shape = solid_of(self.solid)
-        if shape.status() != Error.NoError or shape.is_empty():
+        if shape.status() != Error.NoError or shape.volume() <= _THINNEST * shape.surface_area():
             raise InputError(
-                f"{self.name}: nothing is left of this part; bars are too short or too thin for what is on them"
+                f"{self.name}: nothing is left of this part; it is too thin, or bars are too short or too thin for what"
+                " is on them"
             )
         return shape
 
@@ -79,7 +83,7 @@ class PartSet(Displayed):
         structure: that is built of them.
         joints: where everything of each joint is.
         roots: what bars turn on at the ground.
-        straps: where straps end.
+        straps: where straps end, in the order of their parts.
         parts: solids; empty where the sheet alone is made.
         sheet: what is cut; None where only solids are made.
     """
@@ -95,3 +99,8 @@ class PartSet(Displayed):
     def of_body(self, body: int) -> tuple[Part, ...]:
         """The parts that move with a body."""
         return tuple(part for part in self.parts if part.body == body)
+
+    def strap_of(self, tendon: int) -> Part:
+        """The straps of a tendon that has some, by its number."""
+        straps = (part for part in self.parts if part.kind == "strap")
+        return next(part for part, place in zip(straps, self.straps, strict=True) if place.tendon == tendon)

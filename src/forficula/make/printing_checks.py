@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from forficula.make.check import Check
+from forficula.make.check import Check, count_check, least_check
 from forficula.make.mesh import mesh_of, solid_of
 from forficula.make.part import Part, PartSet
 from forficula.make.solids import Cut, Joined, Rod, Shared, Solid
@@ -33,15 +33,8 @@ def printing_checks(parts: PartSet) -> Iterator[Check]:
             walls |= {"make.strap_thickness": joint.strap.thickness, "strap width": joint.strap.width}
             walls |= {"make.peg_diameter": make.peg_diameter}
         thin, wall = min(walls.items(), key=lambda each: each[1])
-        yield Check(
-            name="thinnest wall",
-            part=joint.name,
-            ok=wall >= least,
-            value=wall,
-            limit=least,
-            unit="m",
-            text=f"{thin} is the thinnest, beside two lines of make.nozzle",
-        )
+        text = f"{thin} is the thinnest, beside two lines of make.nozzle"
+        yield least_check("thinnest wall", joint.name, found=wall, least=least, text=text)
         if joint.strap is not None:
             strap = joint.strap
             yield Check(
@@ -56,16 +49,9 @@ def printing_checks(parts: PartSet) -> Iterator[Check]:
             )
     for part in parts.parts:
         pieces = len(part.shape.decompose())
-        yield Check(
-            name="in one piece",
-            part=part.name,
-            ok=pieces == 1,
-            value=float(pieces),
-            limit=1.0,
-            unit="",
-            text="all of it hangs together"
-            if pieces == 1
-            else f"it falls into {pieces} pieces: make it longer or wider",
+        missed = f"it falls into {pieces} pieces: make it longer or wider"
+        yield count_check(
+            "in one piece", part.name, found=pieces, wanted=1, held="all of it hangs together", missed=missed
         )
     if parts.joints and parts.joints[0].make.process == "filament":
         yield from (_overhang(part) for part in parts.parts if part.printed)

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from manifold3d import Manifold, OpType
 
-from forficula.make.check import Check
+from forficula.make.check import Check, least_check
 from forficula.make.free_range import range_between
 from forficula.make.joint import bar_solid, turned
 from forficula.make.joint_layout import JointLayout
@@ -52,17 +52,13 @@ def lug_checks(parts: PartSet) -> Iterator[Check]:
     for body in sorted({arm.body for _, arm in arms}):
         own = [(joint.lug, arm.length) for joint, arm in arms if arm.body == body]
         least, length = sum(lug for lug, _ in own), own[0][1]
-        yield Check(
-            name="bar beyond its lugs",
-            part=parts.structure.bodies[body].name,
-            ok=length >= least,
-            value=length,
-            limit=least,
-            unit="m",
-            text=f"the lugs of its hinges take {1e3 * least:.1f} mm of its {1e3 * length:.1f} mm"
-            + (
-                "" if length >= least else ": make it longer, or the hinge slimmer (make.hinge_wall, make.pin_diameter)"
-            ),
+        yield least_check(
+            "bar beyond its lugs",
+            parts.structure.bodies[body].name,
+            found=length,
+            least=least,
+            text=f"the lugs of its hinges take {1e3 * least:.1f} mm of its {1e3 * length:.1f} mm",
+            mend=": make it longer, or the hinge slimmer (make.hinge_wall, make.pin_diameter)",
         )
 
 

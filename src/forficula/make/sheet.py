@@ -89,23 +89,28 @@ def cut_sheet(design: AnyDesign) -> CutSheet:
     holes: list[Round] = [(place, make.peg_diameter, "window") for _, place in pegs]
     rounds, solid, large = _round_holes(sheet, solid, [*holes, *relief])
     drawn = Drawn(laid=laid, make=make, solid=solid, rounds=rounds, membrane=membrane_region(structure))
+    built = _unchecked(design.name, pattern.title, drawn, openings)
+    parts = SheetParts(make=make, sheet=sheet, solid=solid, windows=windows, large_holes=large)
+    return replace(built, checks=sheet_checks(built, parts))
+
+
+def _unchecked(name: str, title: str, drawn: Drawn, openings: Sequence[Region]) -> CutSheet:
+    """A sheet with all that is drawn on it, before it is checked; `openings` are its windows."""
     lines, creases, notes = crease_ways(drawn)
-    edge = membrane_edge(drawn)
-    built = CutSheet(
-        name=design.name,
-        title=pattern.title,
-        style=make.crease_style,
-        kerf=make.kerf,
+    edge, laid, kerf = membrane_edge(drawn), drawn.laid, drawn.make.kerf
+    return CutSheet(
+        name=name,
+        title=title,
+        style=drawn.make.crease_style,
+        kerf=kerf,
         pattern=laid.pattern,
-        outlines=tuple(loops_of(solid)),
+        outlines=tuple(loops_of(drawn.solid)),
         creases=creases,
         lines=(*outline_ways(drawn, openings), *open_cuts(drawn), *lines, *edge),
-        holes=tuple(_hole(place, diameter, kind, make.kerf) for place, diameter, kind in rounds),
+        holes=tuple(_hole(place, diameter, kind, kerf) for place, diameter, kind in drawn.rounds),
         labels=_seam_labels(laid),
         notes=(*_seam_notes(laid), *edge_notes(drawn, edge), *notes),
     )
-    parts = SheetParts(make=make, sheet=sheet, solid=solid, windows=windows, large_holes=large)
-    return replace(built, checks=sheet_checks(built, parts))
 
 
 def _check_cuts(make: MakeSection) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.design import MakeSection
-from forficula.make.check import Check
+from forficula.make.check import Check, count_check, least_check
 from forficula.make.cut_lines import CutLine, CutSheet
 from forficula.make.regions import (
     Region,
@@ -90,18 +90,16 @@ def _strips(sheet: CutSheet, parts: SheetParts) -> Check:
     regions = [(parts.sheet, parts.solid)]
     regions += [(facet, facet - openings) for facet in facets if not is_empty(facet ^ openings)]
     width = min(_narrowest(whole, left) for whole, left in regions)
-    ok, most = width >= LEAST_STRIP, _FARTHEST * LEAST_STRIP
+    most = _FARTHEST * LEAST_STRIP
     found = f"at least {show_value(most, 'm')}" if width >= most else show_value(width, "m")
-    hint = "" if ok else "; make make.window smaller, or straps thicker and so narrower"
-    return Check(
-        name="strips",
-        part=_PART,
-        ok=ok,
-        value=width,
-        limit=LEAST_STRIP,
-        unit="m",
+    return least_check(
+        "strips",
+        _PART,
+        found=width,
+        least=LEAST_STRIP,
         text=f"the narrowest strip that windows leave beside a border, a window or a crease is {found} wide, and needs"
-        f" {show_value(LEAST_STRIP, 'm')}{hint}",
+        f" {show_value(LEAST_STRIP, 'm')}",
+        mend="; make make.window smaller, or straps thicker and so narrower",
     )
 
 
@@ -161,17 +159,14 @@ def _gap(outline: Array, other: Array) -> float:
 
 def _bridges(make: MakeSection) -> Check:
     """Bridges between cuts are as wide as the cutter, or burn away."""
-    ok = make.crease_bridge >= make.kerf
     bridge, kerf = show_value(make.crease_bridge, "m"), show_value(make.kerf, "m")
-    hint = "" if ok else ", or they burn away; make make.crease_bridge larger"
-    return Check(
-        name="bridges",
-        part=_PART,
-        ok=ok,
-        value=make.crease_bridge,
-        limit=make.kerf,
-        unit="m",
-        text=f"bridges between cuts are {bridge} wide, and need the width of the cutter, {kerf}{hint}",
+    return least_check(
+        "bridges",
+        _PART,
+        found=make.crease_bridge,
+        least=make.kerf,
+        text=f"bridges between cuts are {bridge} wide, and need the width of the cutter, {kerf}",
+        mend=", or they burn away; make make.crease_bridge larger",
     )
 
 
@@ -201,17 +196,14 @@ def _slits_apart(sheet: CutSheet, make: MakeSection) -> Check:
 def _rows(make: MakeSection) -> Check:
     """Strips between the rows of a lattice, which twist."""
     strip = make.lattice_pitch - make.kerf
-    ok = strip >= make.kerf
-    hint = "" if ok else ", or they burn away; make make.lattice_pitch larger"
-    return Check(
-        name="lattice strips",
-        part=_PART,
-        ok=ok,
-        value=strip,
-        limit=make.kerf,
-        unit="m",
+    return least_check(
+        "lattice strips",
+        _PART,
+        found=strip,
+        least=make.kerf,
         text=f"strips between the rows of a lattice are {1e3 * strip:.4g} mm wide, and need the width of the cutter,"
-        f" {show_value(make.kerf, 'm')}{hint}",
+        f" {show_value(make.kerf, 'm')}",
+        mend=", or they burn away; make make.lattice_pitch larger",
     )
 
 
@@ -240,16 +232,9 @@ def _kept_holes(sheet: CutSheet, parts: SheetParts) -> Check:
     """Whether holes are as many after the kerf as before: a hole narrower than the cutter has no way for it."""
     nominal = len(sheet.outlines)
     drawn = sum(line.closed for line in sheet.lines)
-    return Check(
-        name="holes and the cutter",
-        part=_PART,
-        ok=drawn == nominal,
-        value=float(drawn),
-        limit=float(nominal),
-        unit="",
-        text=f"of {nominal} outlines, holes and windows the cutter goes around {drawn}"
-        + ("" if drawn == nominal else f"; the others are narrower than it, {show_value(parts.make.kerf, 'm')}"),
-    )
+    text = f"of {nominal} outlines, holes and windows the cutter goes around {drawn}"
+    missed = f"{text}; the others are narrower than it, {show_value(parts.make.kerf, 'm')}"
+    return count_check("holes and the cutter", _PART, found=drawn, wanted=nominal, held=text, missed=missed)
 
 
 def _one_piece(sheet: CutSheet, parts: SheetParts) -> Check:
@@ -260,17 +245,11 @@ def _one_piece(sheet: CutSheet, parts: SheetParts) -> Check:
     # all at once: one after another takes as long as there are slits, squared
     gone = region_of([*slots, *rounds]) if slots or rounds else united([])
     count = len(pieces_of(parts.solid - gone))
-    return Check(
-        name="one piece",
-        part=_PART,
-        ok=count == 1,
-        value=float(count),
-        limit=1.0,
-        unit="",
-        text="the sheet stays in one piece"
-        if count == 1
-        else f"the sheet falls into {count} pieces; see its cuts, windows and slits",
+    held, missed = (
+        "the sheet stays in one piece",
+        f"the sheet falls into {count} pieces; see its cuts, windows and slits",
     )
+    return count_check("one piece", _PART, found=count, wanted=1, held=held, missed=missed)
 
 
 def _slot(line: CutLine, wide: float) -> Array:

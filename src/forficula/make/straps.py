@@ -8,7 +8,7 @@ from forficula.design import Design, MakeSection
 from forficula.errors import InputError
 from forficula.make.stock import stock_of
 from forficula.material.law.law_file import load_law, named_laws
-from forficula.material.law.material_law import MaterialLaw, area_for
+from forficula.material.law.material_law import MaterialLaw, area_for, scaled
 from forficula.structure import Tendon
 
 # what straps are printed or cut from where a design names nothing
@@ -85,7 +85,12 @@ def strap_of(design: Design, tendon: Tendon) -> Strap:
 def _material(make: MakeSection, tendon: Tendon) -> MaterialLaw:
     """What a tendon's straps are made of."""
     if make.strap_material is not None:
-        return load_law(make.strap_material)
+        law = load_law(make.strap_material)
+        try:
+            scaled(law, length=1.0, area=1.0)
+        except InputError as error:
+            raise InputError(f"make.strap_material: no strap can be made of it: {error}") from None
+        return law
     if tendon.material is not None:
         return tendon.material
     return load_law(USUAL_MATERIAL)

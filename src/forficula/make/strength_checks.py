@@ -248,7 +248,7 @@ def _stop(joint: JointLayout, stock: Stock, load: StopLoad) -> Check:
 
 def _strap(parts: PartSet, joint: JointLayout, place: StrapPlace, pull: float) -> Check:
     """Engineering stress in the strap that pulls more."""
-    stock = next(part.stock for part in parts.parts if part.kind == "strap")
+    stock = parts.strap_of(place.tendon).stock
     stress = pull / (place.strap.width * place.strap.thickness)
     return _factor(
         "straps tear",

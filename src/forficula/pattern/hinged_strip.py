@@ -5,10 +5,21 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.dimensions import check_angle, check_lengths
+
+# role, vertices and letter; the crease as a mountain
+_EDGES = (
+    ("proximal", (1, 4), "F"),
+    ("distal", (4, 7), "F"),
+    *(("ring", ends, "M") for ends in ((3, 4), (4, 5))),
+    *(("hub", ends, "B") for ends in ((0, 1), (1, 2))),
+    *(("outer", ends, "B") for ends in ((6, 7), (7, 8))),
+    *(("side", ends, "B") for ends in ((0, 3), (2, 5), (3, 6), (5, 8))),
+)
+# by letter, rad
+_FLAT_FOLDED = {"B": math.nan, "F": 0.0, "V": math.pi, "M": -math.pi}
 
 
 def strip_pattern(
@@ -51,27 +62,13 @@ def strip_pattern(
     outer = distal_length * np.array([math.sin(distal_sector), math.cos(distal_sector), 0.0])
     across = np.array([[0.0, share * width, 0.0] for share in (-0.5, 0.0, 0.5)])
     places = np.concatenate([inner + across, across, outer + across])
-    sense = 1 if valley else -1
-    edges: list[tuple[str, tuple[int, int], str]] = [
-        ("proximal", (1, 4), "F"),
-        ("distal", (4, 7), "F"),
-        *(("ring", ends, "V" if valley else "M") for ends in ((3, 4), (4, 5))),
-        *(("hub", ends, "B") for ends in ((0, 1), (1, 2))),
-        *(("outer", ends, "B") for ends in ((6, 7), (7, 8))),
-        *(("side", ends, "B") for ends in ((0, 3), (2, 5), (3, 6), (5, 8))),
-    ]
-    letters = tuple(letter for _, _, letter in edges)
+    letters = tuple("V" if valley and letter == "M" else letter for _, _, letter in _EDGES)
     return CreasePattern(
         title="strip along two bars, a hinge between them",
         vertices_coords=places,
-        edges_vertices=np.array([ends for _, ends, _ in edges]),
+        edges_vertices=np.array([ends for _, ends, _ in _EDGES]),
         edges_assignment=letters,
-        edges_fold_angle=_fold_angles(letters, sense),
-        edges_role=tuple(role for role, _, _ in edges),
+        edges_fold_angle=np.array([_FLAT_FOLDED[letter] for letter in letters]),
+        edges_role=tuple(role for role, _, _ in _EDGES),
         faces_vertices=((0, 3, 4, 1), (1, 4, 5, 2), (3, 6, 7, 4), (4, 7, 8, 5)),
     )
-
-
-def _fold_angles(letters: tuple[str, ...], sense: int) -> NDArray[np.float64]:
-    """Of edges with these letters when folded flat, rad."""
-    return np.array([{"B": math.nan, "F": 0.0}.get(letter, sense * math.pi) for letter in letters])

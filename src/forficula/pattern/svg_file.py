@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from forficula.files import write_text
 from forficula.pattern.crease_pattern import ASSIGNMENTS, CreasePattern, check_flat
+from forficula.quantities import round_below
 
 # colours as origami programs read them; the dashes (lengths in mm) tell the lines apart in grey
 COLOURS = {"B": "#000000", "M": "#ff0000", "V": "#0000ff", "F": "#808080", "U": "#ff00ff", "C": "#00ff00"}
@@ -26,6 +27,7 @@ _LINES = {
 }
 STROKE = 0.35  # mm
 _MARGIN = 3.0  # mm
+_LEAST_BAR = 1e-6  # mm
 _DOT, _ATTACHMENT, _BAR_HEIGHT = 1.2, "#e69f00", 6.0  # mm of a dot's radius, and of what is beneath a scale bar's top
 _MILLIMETRES = 1e3
 
@@ -53,7 +55,7 @@ def write_svg(
     points = pattern.vertices_coords[:, :2] * _MILLIMETRES
     left, top = points[:, 0].min() - _MARGIN, points[:, 1].max() + _MARGIN
     page = np.column_stack([points[:, 0] - left, top - points[:, 1]])
-    bar = _bar_length(float(np.ptp(points[:, 0])))
+    bar = round_below(max(float(np.ptp(points[:, 0])) / 3, _LEAST_BAR))
     width, height = page.max(axis=0) + _MARGIN
     width, foot, height = max(width, bar + 2 * _MARGIN), height, height + _BAR_HEIGHT
     drawing = ElementTree.Element(
@@ -94,13 +96,6 @@ def write_svg(
     ElementTree.indent(drawing)
     text = ElementTree.tostring(drawing, encoding="unicode")
     write_text(Path(path), f'<?xml version="1.0" encoding="utf-8"?>\n{text}\n')
-
-
-def _bar_length(width: float) -> float:
-    """A round length of about a third of a width, mm."""
-    most = max(width / 3, 1e-6)
-    size = 10.0 ** math.floor(math.log10(most))
-    return float(next(steps for steps in (5, 2, 1) if steps * size <= most) * size)
 
 
 def printable(text: str) -> str:

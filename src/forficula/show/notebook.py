@@ -15,6 +15,7 @@ from forficula.analysis import Outcome, measure
 from forficula.design import Design
 from forficula.displayed import Displayed
 from forficula.dynamics import Record
+from forficula.goals.tolerance.tolerance_table import ToleranceTable
 from forficula.make.part import PartSet
 from forficula.material import MaterialLaw
 from forficula.material.characterisation import Characterisation
@@ -124,6 +125,15 @@ def _study(study: Study) -> Iterator[str]:
     yield paragraph(f"{len(study.points)} points of {study.base.name}, at each of which it {asked}.")
     rows = [(factor.key, _values(factor)) for factor in (*study.factors, *study.grid)]
     yield table("What is varied", ("key", "values"), rows, numbers=False)
+
+
+@_parts.register
+def _tolerance(found: ToleranceTable) -> Iterator[str]:
+    first, *others = str(found.attrs["says"]).splitlines()
+    yield _title(f"{found.attrs['design']}: {first}")
+    yield from map(paragraph, others)
+    yield _first_figure(found)
+    yield xarray.Dataset._repr_html_(found)
 
 
 @_parts.register

@@ -128,6 +128,14 @@ def in_column(axes: Axes) -> bool:
     return isinstance(figure, Figure) and is_narrow(figure.get_figwidth())
 
 
+def draw_bar(axes: Axes, start: Sequence[float], length: float, text: str) -> None:
+    """Draw a scale bar from a place to the right, with what its length is above it; all in the units of the axes."""
+    left, foot = start
+    axes.plot([left, left + length], [foot, foot], color="black", lw=1.5, solid_capstyle="butt", clip_on=False)
+    middle = (left + length / 2, foot)
+    axes.annotate(text, middle, (0, 2), textcoords="offset points", ha="center", va="bottom")
+
+
 def describe(figure: Figure, text: str) -> Figure:
     """Give a figure the text that stands for it where it is not seen; its first sentence is the title.
 

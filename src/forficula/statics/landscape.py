@@ -167,7 +167,7 @@ class StableState:
 def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyLandscape:
     """Survey the statics of bodies on joints; see `forficula.statics.survey.energy_landscape`."""
     structures = ensemble([structure])
-    tendons, ideal_hinges = _tendon_landscapes(structure, points)
+    tendons, ideal_hinges = tendon_landscapes(structure, points)
     hinge = next((each for each in ideal_hinges if each is not None), None)
     path = None if structure.rigid_fold is None else fold_path(structures, points)
     start = start_state(structures)
@@ -330,7 +330,7 @@ def _known(value: float) -> float | None:
     return None if math.isnan(value) else float(value)
 
 
-def _tendon_landscapes(
+def tendon_landscapes(
     structure: Structure, points: int
 ) -> tuple[tuple[HingeLandscape, ...], tuple[HingeLandscape | None, ...]]:
     """Every hinge that one tendon lies across, and its ideal one, by tendon; those that are alike are surveyed once."""

@@ -44,7 +44,8 @@ class Course:
         load: of that.
         start: where it begins.
         slow: what the net does, up to the goal, or as far as it was followed.
-        through: the equilibria on and beyond the first path, stable or not, where it snaps; else None.
+        through: the equilibria on and beyond the first path, stable or not, where it snaps
+            and they were asked for; else None.
         least: size of the drive at which the goal is first reached, in its SI unit; None where it never is, or where
             there is no goal.
         largest_force: on all points of a displacement together, up to there, along it, N; None of other drives.
@@ -62,7 +63,15 @@ class Course:
     rest: Rest
 
 
-def drive_course(structure: Structure, net: Net, start: Rest, drive: Drive, transition: Transition | None) -> Course:
+def drive_course(
+    structure: Structure,
+    net: Net,
+    start: Rest,
+    drive: Drive,
+    transition: Transition | None,
+    *,
+    through_snaps: bool = True,
+) -> Course:
     """Let a drive grow slowly from a stable state, to the goal of a transition or to its own strength.
 
     Args:
@@ -71,6 +80,7 @@ def drive_course(structure: Structure, net: Net, start: Rest, drive: Drive, tran
         start: stable.
         drive: of some strength.
         transition: that it makes; None for none.
+        through_snaps: whether to follow the equilibria through its snaps, too, which takes about as long as all else.
 
     Raises:
         InputError: it would carry the whole away.
@@ -90,7 +100,7 @@ def drive_course(structure: Structure, net: Net, start: Rest, drive: Drive, tran
     shape = slow.snaps[-1].after.shape if last is None else last.shape
     factor = slow.snaps[-1].factor if last is None else last.factor
     through = None
-    if slow.snaps:
+    if slow.snaps and through_snaps:
         through = load_path(net, start.shape, load, target=factor, step=_FINE * net.size, increments=2 * _INCREMENTS)
     reached = None if goal is None else _first_at(structure, net, goal, slow.points)
     if reached is None and slow.ended == "stop":

@@ -112,6 +112,17 @@ def net_landscape(structure: Structure, progress: Progress = lambda _: None) -> 
     )
 
 
+def slow_courses(structure: Structure) -> tuple[Course, ...]:
+    """What the transitions of a net do as their drives grow slowly, one after another; without its other states.
+
+    Raises:
+        InputError: it is no net.
+    """
+    net = net_of(structure)
+    first, _ = _settled(net, start_shape(structure, net))
+    return tuple(_transition_courses(structure, net, first, through_snaps=False)[0])
+
+
 def _settled(net: Net, built: Shape) -> tuple[Rest, tuple[str, ...]]:
     """Where it comes to rest when let go, pushed off ridges; and what is to be said of that."""
     rest, off = minimum(net, built), 0
@@ -132,19 +143,9 @@ def _settled(net: Net, built: Shape) -> tuple[Rest, tuple[str, ...]]:
 
 def _courses(structure: Structure, net: Net, first: Rest) -> tuple[tuple[Course, ...], tuple[str, ...]]:
     """What transitions do, one after another, then what all other drives do; and why some do nothing."""
-    courses, refused, here, done = list[Course](), list[str](), first, set[str]()
-    for transition in structure.transitions:
-        drive = drive_of(structure, transition.drive)
-        done |= {drive.name, *drive.name.split(" and ")}
-        if refused or not here.stable or not any(drive.strengths):
-            continue
-        try:
-            courses.append(drive_course(structure, net, here, drive, transition))
-        except InputError as error:
-            # where the next would begin is not known
-            refused.append(f'what "{drive.name}" does, and what comes after it, cannot be told: {error}')
-            continue
-        here = courses[-1].rest
+    courses, refused = _transition_courses(structure, net, first)
+    driven = {drive_of(structure, transition.drive).name for transition in structure.transitions}
+    done = driven | {part for name in driven for part in name.split(" and ")}
     for drive in structure.drives:
         if drive.name in done or not first.stable or not any(drive.strengths):
             continue
@@ -153,6 +154,25 @@ def _courses(structure: Structure, net: Net, first: Rest) -> tuple[tuple[Course,
         except InputError as error:
             refused.append(f'what "{drive.name}" does cannot be told: {error}')
     return tuple(courses), tuple(refused)
+
+
+def _transition_courses(
+    structure: Structure, net: Net, first: Rest, *, through_snaps: bool = True
+) -> tuple[list[Course], list[str]]:
+    """What transitions do, each from where the one before left it; and why some cannot be told."""
+    courses, refused, here = list[Course](), list[str](), first
+    for transition in structure.transitions:
+        drive = drive_of(structure, transition.drive)
+        if refused or not here.stable or not any(drive.strengths):
+            continue
+        try:
+            courses.append(drive_course(structure, net, here, drive, transition, through_snaps=through_snaps))
+        except InputError as error:
+            # where the next would begin is not known
+            refused.append(f'what "{drive.name}" does, and what comes after it, cannot be told: {error}')
+            continue
+        here = courses[-1].rest
+    return courses, refused
 
 
 def _rests(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 from forficula.design import FanDesign
@@ -33,9 +34,13 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
     # bodies of every vein are one more than its ring folds, whose angles add up to the distal one
     shared = design.pattern.ring_folds
     driven = tuple(number for number in turns if structure.hinges[number].body // (shared + 1) in design.driven_veins)
+    speed = protocol.no_load_speed or math.inf
     structure = replace(
         with_distal_angle(structure, shared),
-        motors=(Motor(name="proximal", hinges=driven), Motor(name="distal", hinges=folds)),
+        motors=(
+            Motor(name="proximal", hinges=driven, no_load_speed=speed),
+            Motor(name="distal", hinges=folds, no_load_speed=speed),
+        ),
         drives=(
             Drive(
                 name="fold",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -89,7 +90,9 @@ def with_protocol(structure: Structure, design: JointDesign) -> Structure:
     )
     structure = replace(
         with_distal_angle(structure),
-        motors=(Motor(name="distal", hinges=hinges_of(structure, "ring")),),
+        motors=(
+            Motor(name="distal", hinges=hinges_of(structure, "ring"), no_load_speed=protocol.no_load_speed or math.inf),
+        ),
         drives=drives,
     )
     return with_course(structure, design, slow_unfold=None)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -55,25 +56,12 @@ def bare_veins(
         points += _points(index, vein, choice)
         bars += _bars(design, index, vein, (first, len(points) - 1), overlapping)
         hinges += [*(aims[index] if aims else ()), *_hinges(design, index, vein, labels[index])]
-        if choice is None:
-            continue
-        carried = turned_inertia(masses, hinges[-1].body, hinges[-1].axis)
-        crossing, ideal = _crossings(design, choice, vein, len(hinges) - 1, carried)
-        tendons.append(
-            Tendon(
-                name=f"tendon{index}",
-                role="tendon",
-                points=(first + vein.bars, first + vein.bars + 1),
-                law=tendon_law(choice),
-                longest=_longest(choice, vein),
-                crossing=crossing,
-                ideal=ideal,
-                gauge_length=choice.rest_length,
-                material=None if choice.law is None else choice.law.material,
-                key=f"tendon.{index}" if isinstance(design.tendon, tuple) else "tendon",
-                label=labels[index],
-            )
-        )
+        if choice is not None:
+            carried = turned_inertia(masses, hinges[-1].body, hinges[-1].axis)
+            across = _crossings(design, choice, vein, len(hinges) - 1, carried)
+            tendon = _tendon(f"tendon{index}", choice, vein, first + vein.bars, across)
+            key = f"tendon.{index}" if isinstance(design.tendon, tuple) else "tendon"
+            tendons.append(replace(tendon, key=key, label=labels[index]))
     return Structure(
         name=design.name,
         bodies=tuple(bodies),
@@ -182,6 +170,24 @@ def _hinges(design: VeinDesign, index: int, vein: Vein, label: str) -> list[Hing
         )
         for fold, which in enumerate(_FOLDS[:folds])
     ]
+
+
+def _tendon(
+    name: str, choice: TendonSection, vein: Vein, end: int, across: tuple[Crossing | None, Crossing | None]
+) -> Tendon:
+    """The tendon of a vein from the point with this number to the next, as it lies `across` the ring fold."""
+    crossing, ideal = across
+    return Tendon(
+        name=name,
+        role="tendon",
+        points=(end, end + 1),
+        law=tendon_law(choice),
+        longest=_longest(choice, vein),
+        crossing=crossing,
+        ideal=ideal,
+        gauge_length=choice.rest_length,
+        material=None if choice.law is None else choice.law.material,
+    )
 
 
 def _longest(tendon: TendonSection, vein: Vein) -> float:

@@ -17,18 +17,23 @@ from forficula.analysis import (
     ending_word,
     measure,
 )
+from forficula.analysis.margin import margin_column, transition_margins
+from forficula.analysis.package import smallest_package
 from forficula.design import Design
+from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.study.journal import SCHEMA, Row
 from forficula.study.runs import run_each
 
 
-def row_key(design: Design) -> str:
-    """What names a row: every value of the design and its protocol."""
-    return f"{SCHEMA}-{design.hash}"
+def row_key(design: Design, *, whole: bool = False) -> str:
+    """What names a row: every value of the design and its protocol, and whether all of its run was looked at."""
+    return f"{SCHEMA}-{design.hash}{'-whole' if whole else ''}"
 
 
-def evaluate(designs: Sequence[Design], threads: int = 0, *, until_last: bool = False) -> Iterator[Row]:
+def evaluate(
+    designs: Sequence[Design], threads: int = 0, *, until_last: bool = False, whole: bool = False
+) -> Iterator[Row]:
     """Run designs and hand on their rows as they finish; the rows do not depend on order, company or threads.
 
     A design that cannot be built is a row, too, whose status says why.
@@ -37,21 +42,24 @@ def evaluate(designs: Sequence[Design], threads: int = 0, *, until_last: bool = 
         designs: what to run.
         threads: 0 for one a core.
         until_last: as of `run_each`.
+        whole: whether to keep all rows of the records, for what the ends of stages do not tell: see `whole_row`.
     """
-    keys = [row_key(design) for design in designs]
-    for number, result in run_each(designs, threads, sparse=True, until_last=until_last):
+    keys = [row_key(design, whole=whole) for design in designs]
+    for number, result in run_each(designs, threads, sparse=not whole, until_last=until_last):
         if isinstance(result, InputError):
             yield {"key": keys[number], **ending_row(Ending(verdict=Verdict.NOT_BUILT, why=str(result)))}
         else:
-            timestep = float(result.design.protocol.timestep)
-            yield {"key": keys[number], **outcome_row(measure(result)), "timestep_s": timestep}
+            outcome, timestep = measure(result), float(result.design.protocol.timestep)
+            margins = {margin_column(name): each for name, each in transition_margins(result, outcome).items()}
+            more = whole_row(result, outcome) if whole else {}
+            yield {"key": keys[number], **outcome_row(outcome), **margins, **more, "timestep_s": timestep}
 
 
 def outcome_row(outcome: Outcome) -> Row:
     """An outcome as plain numbers with units in their names; None where there is none, or none is to be trusted.
 
     Of every state that a transition leads to whether it holds, of every transition time and work, and of every state
-    the energy of all tendons and what the measure reads furthest from the goal.
+    the energy of all tendons, all distances that are watched and what the measure reads furthest from the goal.
     """
     tells = outcome.verdict.tells
     row: Row = {**ending_row(outcome.ending), **outcome.holds}
@@ -59,6 +67,22 @@ def outcome_row(outcome: Outcome) -> Row:
         row |= _transition(name, transition if tells else None)
     for name, state in outcome.states.items():
         row |= _state(name, state if tells else None)
+    return row
+
+
+def whole_row(record: Record, outcome: Outcome) -> Row:
+    """What only all rows of a record tell: the least package of a named state, and the largest forces of displacements.
+
+    None where there is none, or none is to be trusted.
+    """
+    smallest = smallest_package(record) if outcome.verdict.tells else None
+    row: Row = {
+        "package_area": None if smallest is None else smallest[2].area_ratio,
+        "package_height_m": None if smallest is None else smallest[2].height,
+    }
+    for name, made in outcome.transitions.items():
+        force = None if made is None or not outcome.verdict.tells else made.largest_force
+        row[f"{name}_force_N"] = None if force is None else abs(force)
     return row
 
 
@@ -90,7 +114,12 @@ def _state(name: str, state: State | None) -> Row:
     for kind in SPRUNG:
         if (stored := getattr(state, f"{kind}_energy")) is not None:
             energy[f"{name}_{kind}_energy_J"] = float(np.sum(stored))
-    return energy | _reading(f"{name}_", state.furthest, state.furthest_kind)
+    distances = {
+        f"{name}_{measure}_m": float(np.max(reading.mean))
+        for measure, reading in state.readings.items()
+        if reading.kind == "distance"
+    }
+    return energy | distances | _reading(f"{name}_", state.furthest, state.furthest_kind)
 
 
 def stored_energy(state: State) -> float | None:

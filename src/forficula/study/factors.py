@@ -11,7 +11,6 @@ from decimal import Decimal
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import stats
 
 from forficula.design import NO_LAW, Design, key_quantity, names_law, tendon_material
 from forficula.errors import InputError
@@ -68,6 +67,8 @@ class Distribution:
 
     def quantiles(self, shares: NDArray[np.float64]) -> NDArray[np.float64]:
         """The values below which these shares of draws lie."""
+        from scipy import stats  # here, as few studies draw, and it is slow to import
+
         match self.name:
             case "normal":
                 drawn = stats.norm.ppf(shares, self.first, self.second)
@@ -173,6 +174,8 @@ def drawn_values(factors: tuple[Factor, ...], method: str, count: int, seed: int
         seed: of the generator; the same seed draws the same points.
     """
     if method == "sobol":
+        from scipy import stats
+
         # a power of two keeps the points balanced; the first `count` of it are what was asked
         power = math.ceil(math.log2(max(count, 1)))
         shares = stats.qmc.Sobol(len(factors), rng=np.random.default_rng(seed)).random_base2(power)[:count]

@@ -28,23 +28,28 @@ def check_keys(table: Mapping[str, object], keys: tuple[str, ...], prefix: str) 
             raise InputError(unknown_key(f"{prefix}{key}", table[key], hint))
 
 
-def dotted_values(table: Mapping[str, Any], header: str, prefix: str = "") -> dict[str, Any]:
-    """The values of nested tables by dotted key.
+# keys of tables that are values themselves: distributions, and laws with what they are based on
+_VALUES = frozenset({"distribution", "based_on"})
 
-    A table with a distribution is a value, and so is a law with what it is based on.
+
+def dotted_values(
+    table: Mapping[str, Any], header: str, prefix: str = "", values: frozenset[str] = _VALUES
+) -> dict[str, Any]:
+    """The values of nested tables by dotted key.
 
     Args:
         table: of the file.
         header: what errors call it.
         prefix: what stands before its keys, such as "tendon.".
+        values: a table with any of these keys is a value itself.
 
     Raises:
         InputError: one of them is given twice.
     """
     flat: dict[str, Any] = {}
     for key, value in table.items():
-        nested = isinstance(value, dict) and not {"distribution", "based_on"} & value.keys()
-        more = dotted_values(value, header, f"{prefix}{key}.") if nested else {f"{prefix}{key}": value}
+        nested = isinstance(value, dict) and not values & value.keys()
+        more = dotted_values(value, header, f"{prefix}{key}.", values) if nested else {f"{prefix}{key}": value}
         if twice := flat.keys() & more.keys():
             raise InputError(f"{header}.{min(twice)}: is given twice, once with dots in its name and once in a table")
         flat |= more

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from forficula.analysis import Outcome, measure
 from forficula.design import Design
@@ -146,24 +146,15 @@ def made_comparison(
     if not simulate:
         return compared
     steps("run it as designed and as made")
-    trials = _trials(parts, values, [(), compared.groups])
-    lost = [state for state, held in _holds(trials[0]) if held and trials[1].holds(state) is False]
     groups = compared.groups
+    trials = _trials(parts, values, [(), groups])
+    lost = [state for state, held in _holds(trials[0]) if held and trials[1].holds(state) is False]
     if lost and len(groups) > 1:
         steps("run it with each change put back, and each alone")
         without = [tuple(each for each in groups if each != group) for group in groups]
         alone = [(group,) for group in groups]
-        tried = dict.fromkeys(each for each in (*without, *alone))
-        trials += _trials(parts, values, list(tried))
-    return MadeComparison(
-        designed=compared.designed,
-        made=compared.made,
-        changes=compared.changes,
-        unkept=compared.unkept,
-        hinges=compared.hinges,
-        trials=tuple(trials),
-        blame=tuple(_blame(state, groups, trials) for state in lost),
-    )
+        trials += _trials(parts, values, list(dict.fromkeys([*without, *alone])))
+    return replace(compared, trials=tuple(trials), blame=tuple(_blame(state, groups, trials) for state in lost))
 
 
 def comparison_or_why(

@@ -151,9 +151,18 @@ def first_design(design: Design, search: Search, value: float) -> Design:
     """The design with a value, SI, of the first transition; where another follows, its protocol ends with the first."""
     stages, first = design.protocol.stages, search.first
     if search.next_drive is not None:
-        last = _first_driven(stages, first.drive)
-        stages = (*stages[:last], *(_ending_in(stage, stages[last + 1 :]) for stage in stages[last : last + 1]))
+        stages = until_driven(stages, _first_driven(stages, first.drive))
     return _with(design, stages, {first.key: first.sign * value})
+
+
+def until_driven(stages: Sequence[Stage], last: int) -> tuple[Stage, ...]:
+    """The stages up to a driven one, which ends in the state that its release was to end in.
+
+    Args:
+        stages: of a protocol.
+        last: number of the driven stage.
+    """
+    return (*stages[:last], *(_ending_in(stage, stages[last + 1 :]) for stage in stages[last : last + 1]))
 
 
 def _ending_in(stage: Stage, following: Sequence[Stage]) -> Stage:

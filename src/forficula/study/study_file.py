@@ -3,24 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
-from forficula.design import Design, key_quantity, key_value, load_design, value_from_folder
+from forficula.design import Design, check_keys_once, key_quantity, key_value, value_from_folder
 from forficula.errors import InputError
-from forficula.files import as_path
-from forficula.names import folder_name, near_name, one_of
+from forficula.names import folder_name, one_of
 from forficula.quantities import as_written, is_whole
 from forficula.structure import structure_of
 from forficula.study.choices import one_at_a_time, with_own_word
 from forficula.study.factors import MOST_VALUES, Factor, drawn_values, grid_points, read_factor
 from forficula.study.file_keys import check_keys, dotted_values
+from forficula.study.named_file import base_design, named_files, read_named
 from forficula.study.search_file import SEARCHES, read_search
 from forficula.study.search_steps import Search
 from forficula.study.study import Study
 from forficula.study.study_keys import names_in
 from forficula.toml_text import parse_toml
+
+_PACKAGE = "forficula.study"
 
 
 def load_study(name_or_path: str | Path) -> Study:
@@ -32,7 +33,7 @@ def load_study(name_or_path: str | Path) -> Study:
     Raises:
         InputError: no such study or file, not TOML, an unknown key, or a value that is not allowed.
     """
-    text, where, folder = _read(str(as_path(name_or_path, "a named study, or the path of a file")))
+    text, where, folder = read_named(name_or_path, _PACKAGE, "study", "studies")
     try:
         tables = parse_toml(text, "a study")
         tables.setdefault("name", Path(where).stem)
@@ -52,29 +53,7 @@ def study_of(tables: Mapping[str, Any]) -> Study:
 
 def named_studies() -> list[str]:
     """The names of the studies that come with the package."""
-    folder = resources.files("forficula.study") / "references"
-    return sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml"))
-
-
-def _read(name_or_path: str) -> tuple[str, str, Path]:
-    """Text of a study, how errors call it, and the folder that paths in it start from."""
-    if name_or_path in named_studies():
-        file = resources.files("forficula.study") / "references" / f"{name_or_path}.toml"
-        return file.read_text("utf-8"), name_or_path, Path()
-    if not name_or_path.endswith(".toml"):
-        raise InputError(
-            f"{as_written(name_or_path)} is neither a named study nor a .toml file; the named studies are"
-            f" {', '.join(named_studies())}{near_name(name_or_path, named_studies())}"
-        )
-    path = Path(name_or_path)
-    try:
-        return path.read_text("utf-8-sig"), name_or_path, path.parent
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
-    except UnicodeDecodeError:
-        raise InputError(f"{path}: cannot be read: need UTF-8") from None
-    except ValueError as error:  # a null byte
-        raise InputError(f"{as_written(name_or_path)}: cannot be read: {error}") from None
+    return named_files(_PACKAGE)
 
 
 def _study(tables: dict[str, Any], folder: Path) -> Study:
@@ -89,8 +68,8 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
     reproduces = tables.get("reproduces")
     if not isinstance(reproduces, str | None):
         raise InputError(f"reproduces: need the name of a paper, in quotes, got {as_written(reproduces)}")
-    base = _base(tables, folder)
-    factors = _factors(tables, "factors", folder, type(base))
+    base = base_design(tables, folder)
+    factors = read_factors(tables, "factors", folder, base)
     drawn = [factor for factor in factors if factor.distribution is not None]
     if drawn and len(drawn) < len(factors):
         raise InputError("factors: need either all of them as distributions or none, got both kinds")
@@ -99,7 +78,7 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
         raise InputError(f'vary: need "grid" or "one-at-a-time", got {as_written(vary)}')
     if "vary" in tables and drawn:
         raise InputError(f"vary: needs factors that are lists or ranges, got distributions with {as_written(vary)}")
-    grid = _repeated_grid(tables, vary, factors, folder, type(base))
+    grid = _repeated_grid(tables, vary, factors, folder, base)
     for factor in (*factors, *grid):
         now = key_value(base, factor.key)
         if factor in drawn and key_quantity(factor.key, factor.model) is None and not isinstance(now, float):
@@ -134,40 +113,35 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
     )
 
 
-def _base(tables: Mapping[str, Any], folder: Path) -> Design:
-    """The design that is varied, with the study's settings."""
-    name = tables.get("design")
-    if name is None:
-        raise InputError('design: is missing; give the name or path of a design, such as "binder2025"')
-    if not isinstance(name, str | Design):
-        raise InputError(f'design: need the name or path of a design, such as "binder2025", got {as_written(name)}')
-    settings = {
-        key: value_from_folder(key, value, folder)
-        for key, value in dotted_values(tables.get("settings", {}), "settings").items()
-    }
-    if isinstance(name, Design):
-        return name.with_values(settings)
-    return load_design(str(folder / name) if name.endswith(".toml") else name, settings)
+def read_factors(tables: Mapping[str, Any], name: str, folder: Path, base: Design) -> tuple[Factor, ...]:
+    """The factors of a table of a file.
 
+    Args:
+        tables: of the file.
+        name: of the table.
+        folder: that paths start from.
+        base: the design that is varied.
 
-def _factors(tables: Mapping[str, Any], name: str, folder: Path, model: type[Design]) -> tuple[Factor, ...]:
-    """The factors of a table of the file."""
+    Raises:
+        InputError: the table is missing or empty, or a value is not allowed, or given twice by two names.
+    """
     given = tables.get(name)
     if not isinstance(given, dict) or not given:
         raise InputError(f'{name}: need a table with at least one, such as "tendon.stiffness" = "10..60 N/cm step 10"')
-    values = dotted_values(given, name).items()
-    return tuple(read_factor(key, value_from_folder(key, value, folder), model) for key, value in values)
+    values = dotted_values(given, name)
+    check_keys_once(values, base)
+    return tuple(read_factor(key, value_from_folder(key, value, folder), type(base)) for key, value in values.items())
 
 
 def _repeated_grid(
-    tables: Mapping[str, Any], vary: str, factors: tuple[Factor, ...], folder: Path, model: type[Design]
+    tables: Mapping[str, Any], vary: str, factors: tuple[Factor, ...], folder: Path, base: Design
 ) -> tuple[Factor, ...]:
     """The factors that are crossed wherever the others, varied one at a time, are."""
     if "grid" not in tables:
         return ()
     if vary != "one-at-a-time":
         raise InputError('grid: needs vary = "one-at-a-time"; otherwise all factors are a grid, under [factors]')
-    grid = _factors(tables, "grid", folder, model)
+    grid = read_factors(tables, "grid", folder, base)
     if twice := {factor.key for factor in grid} & {factor.key for factor in factors}:
         raise InputError(f"grid.{min(twice)}: is under [factors], too; need it in one of them")
     if drawn := [factor.key for factor in grid if factor.distribution is not None]:

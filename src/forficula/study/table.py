@@ -176,7 +176,7 @@ def _rows(study: Study, table: xarray.Dataset) -> tuple[list[str], list[list[Any
     varied = (*study.factors, *study.grid)
     factors = [_column(factor) for factor in varied]
     names = _columns(study, table)
-    units = {name: _suffix(table[name].attrs["units"]) for name in names if table[name].attrs.get("units")}
+    units = {name: unit_suffix(table[name].attrs["units"]) for name in names if table[name].attrs.get("units")}
     columns = [table[name].values.ravel().tolist() for name in names]
     silent = [verdict for verdict in Verdict if not verdict.tells]
     told = table["verdict" if "verdict" in table else "outcome"].values
@@ -247,10 +247,10 @@ def _column(factor: Factor) -> tuple[str, float]:
         return factor.dimension, 1.0
     if unit.si == "rad":
         return f"{factor.dimension}_deg", 180 / math.pi
-    return factor.dimension + _suffix(unit.si), 1.0
+    return factor.dimension + unit_suffix(unit.si), 1.0
 
 
-def _suffix(unit: str) -> str:
+def unit_suffix(unit: str) -> str:
     """Turn "kg/m^3" into "_kg_per_m3"."""
     return "_" + unit.replace("/", "_per_").replace("^", "").replace(" ", "_")
 

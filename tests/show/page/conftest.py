@@ -10,6 +10,7 @@ import pytest
 from forficula.analysis import measure
 from forficula.design import load_design
 from forficula.study.runs import run
+from tests.show.page.goal_results import write_pages_of_goals
 from tests.show.page.page_kinds import write_pages
 
 # drawn by the processor: a machine that runs tests need not have a graphics chip; then put together by it, too, so that
@@ -149,7 +150,14 @@ def watch_all(browser):
 
 
 @pytest.fixture(scope="session")
-def pages(short_run, slow_run, surveyed, elastic_material, write_study_file, tmp_path_factory):
+def goals(tmp_path_factory):
+    """What was tried for a goal, within tolerances and for an identification, with the page of each, by its kind."""
+    return write_pages_of_goals(tmp_path_factory.mktemp("goals"))
+
+
+@pytest.fixture(scope="session")
+def pages(short_run, slow_run, surveyed, elastic_material, write_study_file, goals, tmp_path_factory):
     """A page of every kind, by its kind."""
     folder = tmp_path_factory.mktemp("pages")
-    return write_pages(folder, short_run, slow_run, surveyed("reference"), elastic_material, write_study_file)
+    others = write_pages(folder, short_run, slow_run, surveyed("reference"), elastic_material, write_study_file)
+    return others | {kind: path for kind, (_, path) in goals.items()}

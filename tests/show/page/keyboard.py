@@ -38,6 +38,7 @@ _WATCH = f"""(elsewhere) => window.watched = (() => {{
     if (each.matches("canvas")) return "Shift+ArrowLeft";
     if (each.matches("[type=checkbox]")) return " ";
     if (each.matches("[type=range]")) return "ArrowRight";
+    if (each.matches("[role=slider]")) return each.ariaValueNow === each.ariaValueMax ? "ArrowDown" : "ArrowUp";
     if (!each.matches("select")) return "Enter";
     return each.selectedIndex < each.options.length - 1 ? "ArrowDown" : "ArrowUp";
   }}

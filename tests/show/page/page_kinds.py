@@ -28,11 +28,13 @@ from forficula.study.convergence import converge
 from forficula.study.cycling import CycleRun, Cycling, driven_transitions
 from forficula.study.kept_runs import KeptRun
 from forficula.study.refinement import TIMESTEP
+from tests.show.page.goal_results import GOAL_KINDS
 from tests.show.study.test_maps import many_ends, sampled
 
-# those that move have a script, the last two have none
+# those that move have a script, the next two have none; those of goals have one
 MOVING = ("run", "compare", "landscape", "curves", "study", "drawn study", "parts")
-KINDS = (*MOVING, "converge", "material")
+_WRITTEN = (*MOVING, "converge", "material")
+KINDS = (*_WRITTEN, *GOAL_KINDS)
 _FOLDERS = ("convergence", "cycling", "landscape", "material", "static_map")
 _GRID = (
     '"tendon.stiffness" = ["10 N/cm", "20 N/cm", "30 N/cm"]\n"tendon.rest_length" = ["0 cm", "3 cm", "6 cm", "9 cm"]'
@@ -46,7 +48,7 @@ _SETTLE = {"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "tim
 
 
 def write_pages(folder, run, slow_run, landscape, material, write_study_file):
-    """Write a page of each of `KINDS` into a folder; returns their paths.
+    """Write a page of each of `KINDS`, but for those of goals, into a folder; returns their paths.
 
     Figures are left out of them, which take most of the time: each is a dot with its text.
 
@@ -73,7 +75,7 @@ def write_pages(folder, run, slow_run, landscape, material, write_study_file):
         "material": lambda path: write_material(material, path.parent),
         "parts": _parts,
     }
-    paths = {kind: folder / kind / "report.html" for kind in KINDS}
+    paths = {kind: folder / kind / "report.html" for kind in _WRITTEN}
     with _dots_for_figures():
         for kind, path in paths.items():
             path.parent.mkdir()

@@ -19,7 +19,7 @@ CONTRAST = {"runOnly": {"type": "rule", "values": ["color-contrast"]}}
 WIDTH = {"runOnly": {"type": "rule", "values": ["scrollable-region-focusable", "target-size"]}}
 # Colours that axe does not tell: signs that are no letters, and letters on a picture, a pattern or a band. The style's
 # colours are held to their contrasts in test_page.py, and maps write their signs on plain ground.
-UNTOLD = ".stage, .what, .grid, .tick, .views, .scatter, .ball, .map-legend, .map-place, .filter"
+UNTOLD = ".stage, .what, .grid, .tick, .views, .scatter, .ball, .map-legend, .map-place, .filter, .drawn"
 
 FAULTS = """(() => {
   const main = document.querySelector("main");
@@ -28,7 +28,10 @@ FAULTS = """(() => {
   document.querySelector("p").style.color = "#565d66"; // that of a light page
   main.querySelector(".table").removeAttribute("tabindex"); })()"""
 # a player is the same on every page: all of it is tried on that of a run
-TRIED_ELSEWHERE = {"compare": ".transport, .keys", "landscape": ".player", "study": ".player", "parts": ".player"}
+TRIED_ELSEWHERE = {
+    "compare": ".transport, .keys",
+    **dict.fromkeys(("landscape", "study", "parts", "optimise", "tolerance"), ".player"),
+}
 LEAST_TRIED = {
     "run": {
         *("CANVAS", "BUTTON play", "INPUT time", "BUTTON b folded", "SELECT speed", "SELECT show", "BUTTON turn left"),
@@ -40,6 +43,16 @@ LEAST_TRIED = {
     "study": {
         *("point", "SELECT show", "BUTTON pin, to compare it with another", "BUTTON unpin point #", "SUMMARY Commands"),
         *("INPUT", "BUTTON open point #", "BUTTON Download table.csv", "BUTTON outcome"),
+    },
+    "optimise": {
+        *("point", "DIV least mass", "DIV most mass", "SUMMARY Axes", "INPUT", "SELECT across"),
+        *("BUTTON show all designs", "BUTTON open design #", "BUTTON Download table.csv", "SELECT show"),
+    },
+    "tolerance": {"point", "DIV most margin", "SELECT upwards", "BUTTON open sample #", "BUTTON Download table.csv"},
+    "identify": {
+        "point",
+        "DIV least facts met",
+        "BUTTON open sample #",
     },
     "drawn study": {"point", "BUTTON open point #", "SELECT show"},
 }

@@ -15,9 +15,9 @@ from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from forficula.dynamics import Record
-from forficula.quantities import reading_unit
+from forficula.quantities import reading_unit, round_below, show_value
 from forficula.show.film.film_clock import Cut
-from forficula.show.run.time_figures import stored_energies
+from forficula.show.run.energies_figure import stored_energies
 from forficula.show.structure.painted_shape import PaintedShape, paint_shape, shape_handles, structure_view
 from forficula.show.structure.shape import Shape, shape_of
 from forficula.show.structure.surface import at_time, face_strains, surface_at
@@ -141,12 +141,10 @@ def _picture_axes(figure: Figure, corners: Array, size: tuple[int, int]) -> Axes
     shape = _PICTURE[2] * size[0] / (_PICTURE[3] * size[1])
     half = max(extent[0], extent[1] * shape) / 2 * np.array([1.0, 1 / shape]) * 1.02
     axes.set(xlim=(middle[0] - half[0], middle[0] + half[0]), ylim=(middle[1] - half[1], middle[1] + half[1]))
-    bar = 10.0 ** np.floor(np.log10(extent[0] / 4))
-    bar *= next(steps for steps in (5, 2, 1) if steps * bar <= extent[0] / 4)
-    unit, factor = reading_unit("m", bar)
+    bar = round_below(extent[0] / 4)
     left, foot = middle - 0.97 * half
     axes.plot([left, left + bar], [foot, foot], color="black", lw=1.5, solid_capstyle="butt")
-    axes.text(left + bar / 2, foot + 0.03 * half[1], f"{factor * bar:.4g} {unit}", ha="center", va="bottom")
+    axes.text(left + bar / 2, foot + 0.03 * half[1], show_value(bar, "m"), ha="center", va="bottom")
     return axes
 
 

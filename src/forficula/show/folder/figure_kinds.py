@@ -21,12 +21,15 @@ from forficula.material.characterisation import Characterisation
 from forficula.reproduction import shown_tendon
 from forficula.show.folder.convergence_folder import CONVERGENCE_FILE, convergence_drawings
 from forficula.show.folder.cycling_folder import cycling_drawings, read_cycling
+from forficula.show.folder.identify_folder import IDENTIFIED
 from forficula.show.folder.landscape_folder import landscape_drawings
 from forficula.show.folder.material_folder import material_drawings
 from forficula.show.folder.parts_folder import BILL_FILE, parts_drawings, read_parts
 from forficula.show.folder.run_folder import run_drawings
 from forficula.show.folder.static_map_folder import SIMULATED, static_map_drawings
 from forficula.show.folder.study_folder import study_drawings
+from forficula.show.folder.tolerance_folder import TOLERANCE_TABLE, tolerance_drawings
+from forficula.show.goals.identify_figures import identify_drawings
 from forficula.show.style import COLUMN_WIDTH, COPIES, ENDINGS, PAGE_WIDTH, Drawing, save_figure
 from forficula.statics import EnergyLandscape
 from forficula.study.convergence import Convergence
@@ -69,8 +72,8 @@ def drawings_of(result: object) -> dict[str, Drawing]:
     """What draws every figure of some results, by kind.
 
     Args:
-        result: a folder that forficula wrote, or a record, a landscape, a table of a study, a convergence study, what
-            became of cycles, a material, or parts.
+        result: a folder that forficula wrote, or a record, a landscape, a table of a study or of an identification, a
+            convergence study, what became of cycles, a material, or parts.
 
     Raises:
         InputError: it has no figures.
@@ -86,7 +89,9 @@ def drawings_of(result: object) -> dict[str, Drawing]:
         case EnergyLandscape():
             return landscape_drawings(result)
         case xarray.Dataset():
-            return study_drawings(result)
+            if "factor" in result.dims and "fact" in result.dims:
+                return tolerance_drawings(result)
+            return identify_drawings(result) if "fact" in result.dims else study_drawings(result)
         case Convergence():
             return convergence_drawings(result)
         case Cycling():
@@ -128,6 +133,14 @@ def _cycling(folder: Path) -> dict[str, Drawing]:
 
 def _study(folder: Path) -> dict[str, Drawing]:
     return study_drawings(_table(folder / "table.nc"))
+
+
+def _identified(folder: Path) -> dict[str, Drawing]:
+    return identify_drawings(_dataset(folder / IDENTIFIED))
+
+
+def _tolerance(folder: Path) -> dict[str, Drawing]:
+    return tolerance_drawings(_dataset(folder / TOLERANCE_TABLE))
 
 
 def _static_map(folder: Path) -> dict[str, Drawing]:
@@ -174,18 +187,24 @@ _READERS: dict[str, Callable[[Path], dict[str, Drawing]]] = {
     "map.nc": _static_map,
     BILL_FILE: _parts,
     CONVERGENCE_FILE: _convergence,
+    IDENTIFIED: _identified,
+    TOLERANCE_TABLE: _tolerance,
 }
 
 
 def _table(path: Path) -> Dataset:
+    table = _dataset(path)
+    check_table(table, path, _AGAIN[path.name])
+    return table
+
+
+def _dataset(path: Path) -> Dataset:
     import xarray
 
     try:
-        table = xarray.load_dataset(path, engine="h5netcdf")
+        return xarray.load_dataset(path, engine="h5netcdf")
     except (OSError, ValueError) as error:
         raise InputError(f"{path}: cannot be read: {' '.join(str(error).split())}") from None
-    check_table(table, path, _AGAIN[path.name])
-    return table
 
 
 def _copy(folder: Path, kind: str, path: Path, width: float | None) -> None:

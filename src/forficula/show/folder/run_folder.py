@@ -16,11 +16,12 @@ from forficula.dynamics import Record, compile_model
 from forficula.files import replacing_all, write_text
 from forficula.show.folder.cycling_folder import CYCLING_FILES
 from forficula.show.page import write_run_page
+from forficula.show.run.angles_figure import draw_angles
+from forficula.show.run.energies_figure import draw_energies
 from forficula.show.run.folding_figure import draw_folding
 from forficula.show.run.package_figure import draw_package
 from forficula.show.run.stalled import needed_torque
 from forficula.show.run.storage_figure import draw_storage
-from forficula.show.run.time_figures import draw_angles, draw_energies
 from forficula.show.structure.pattern_figure import draw_pattern
 from forficula.show.style import VERMILION, Drawing, figure_style, save_figures
 

@@ -12,12 +12,13 @@ from matplotlib.patheffects import Normal, Stroke
 from numpy.typing import NDArray
 
 from forficula.make.part import PartSet
+from forficula.quantities import round_below
 from forficula.show.make.painted_parts import PlacedPart, paint_parts, placed_parts
 from forficula.show.make.part_facts import mass_text, masses_text, total_mass
 from forficula.show.make.part_looks import Look, part_looks
 from forficula.show.make.pose import angle_range
 from forficula.show.structure.painted_shape import PaintedShape, View, hang
-from forficula.show.style import PAGE_WIDTH, describe, figure_style, is_narrow
+from forficula.show.style import PAGE_WIDTH, describe, draw_bar, figure_style, is_narrow
 
 Array = NDArray[np.float64]
 
@@ -105,19 +106,8 @@ def _around(picture: PaintedShape, half: Array) -> Array:
 def _scale(axes: Axes) -> None:
     """A bar of a stated length in the lower left corner of a picture."""
     (left, right), (bottom, _) = axes.get_xlim(), axes.get_ylim()
-    most = _BAR * (right - left)
-    power = 10.0 ** math.floor(math.log10(most))
-    length = power * max(step for step in (1, 2, 5) if step * power <= most)
-    start = left + 0.03 * (right - left)
-    axes.plot([start, start + length], [bottom, bottom], color="black", lw=1.5, solid_capstyle="butt", clip_on=False)
-    axes.annotate(
-        f"{1e3 * length:g} mm",
-        (start + length / 2, bottom),
-        (0, 2),
-        textcoords="offset points",
-        ha="center",
-        va="bottom",
-    )
+    length = round_below(_BAR * (right - left))
+    draw_bar(axes, (left + 0.03 * (right - left), bottom), length, f"{1e3 * length:g} mm")
 
 
 def _name(axes: Axes, taken: Sequence[PlacedPart], looks: Sequence[Look], view: View, narrow: bool) -> None:

@@ -17,7 +17,7 @@ from forficula.show.landscape.shown_hinge import shown_hinge
 from forficula.show.landscape.tendon_figure import WIDEST, tendon_curves
 from forficula.show.page.packing import packed
 from forficula.show.page.words import readable
-from forficula.show.run.time_figures import stored_energies
+from forficula.show.run.energies_figure import stored_energies
 from forficula.show.structure.labels import label_of, parts_of, title_of
 from forficula.statics import EnergyLandscape, HingeLandscape, stable_states
 from forficula.statics.potential import ensemble, stored_energy

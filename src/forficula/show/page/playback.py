@@ -17,8 +17,8 @@ from forficula.show.page.efforts import Efforts, efforts_data, efforts_of
 from forficula.show.page.frames import kept_frames
 from forficula.show.page.packing import packed
 from forficula.show.page.shape_mesh import ShapeMesh, moving_points, shape_mesh
+from forficula.show.run.energies_figure import largest_energies, stored_energies
 from forficula.show.run.state_names import state_letters, table_name
-from forficula.show.run.time_figures import largest_energies, stored_energies
 from forficula.show.structure.labels import (
     aligned,
     condensed,

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -13,34 +12,19 @@ from numpy.typing import NDArray
 
 from forficula.analysis import Verdict
 from forficula.quantities import reading_unit
+from forficula.show.page.outcome_words import Words, signs_of
 from forficula.show.study.factor_text import display_values, number_text, plain_name, value_with_unit
 from forficula.show.study.maps import energy_noun, missing_reasons, times_by_value
 from forficula.study import Study
 from forficula.study.choices import CHOICE
-from forficula.study.map_comparison import NOT_SIMULATED
-from forficula.study.outcome_kinds import Kind, outcome_kinds, table_transitions
+from forficula.study.outcome_kinds import table_transitions
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
 
-# a sign for each reason, so that no one needs to tell colours apart
-_SIGNS = {
-    Kind.DID_ALL: "●",
-    Kind.DID_FIRST: "◆",
-    Kind.LOST_LATER: "↻",
-    Kind.MOVING_LATER: "◁",
-    Kind.STUCK_LATER: "■",
-    Kind.STUCK: "×",
-    Kind.UNDER_WAY: "✱",
-    Kind.MOVING: "▷",
-    Kind.LOST: "↺",
-    Kind.DIVERGED: "✚",
-    Kind.UNTRUSTED: "≠",
-    Kind.NOT_BUILT: "⊘",
-    Kind.NOT_TRIED: "–",
-}
-_WITH_TORQUE, _OTHER = "⊗", "?"
 _DIGITS = 7
+# the group of what a point has a value of for every torque that was tried
+BY_TORQUE = "time by torque"
 
 
 def study_data(study: Study, table: Dataset) -> dict[str, Any]:
@@ -54,9 +38,12 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
         Every list with an entry a point has the study's order, in which the last factor runs fastest; numbers are in
         the unit that stands beside them, None where there is none.
 
-        - `points`: how many; `sampled`: whether they were drawn.
-        - `factors`: `key`, `name`, `unit`, and `values`: of the grid, or a point each where they were drawn. Where
-          factors are varied one at a time, their choices are the first of these.
+        - `noun`: what one of them is called; `file`: that has them all; `points`: how many; `sampled`: whether they
+          were drawn.
+        - `keeps`: why a run may not be there to play.
+        - `factors`: `key`, `name`, `unit`, `log`, whether they were drawn by their logarithms, and `values`: of the
+          grid, or a point each where they were drawn. Where factors are varied one at a time, their choices are the
+          first of these.
         - `axes`: numbers of the factors in the order in which maps take them for axes; `cuts`: number of each one's
           value at which maps of the others lie.
         - `words`: what became of points, those that came furthest first: `word`, `sign`, and `count` of the points with
@@ -66,8 +53,8 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
           number of `words` a point, None where there is a value, and `transition`: number of the one that it is of or
           that led there, None where it is of no single one. The first is the verdict and has no values.
     """
-    signs = _signs(table)
-    words = _Words(sorted({str(word) for word in table["outcome"].values.ravel()}, key=signs.rank), signs)
+    signs = signs_of(table)
+    words = Words(sorted({str(word) for word in table["outcome"].values.ravel()}, key=signs.rank), signs)
     verdicts = words.numbers(table["outcome"])
     quantities = [
         {
@@ -86,11 +73,14 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
     names = drawn if study.sampled else [str(name) for name in table["status"].dims]
     return {
         "name": study.name,
+        "noun": "point",
+        "file": "table.csv",
+        "keeps": "The study keeps the runs of as many points as --keep says.",
         "design": study.base.name,
         "points": len(study.points),
         "sampled": study.sampled,
         "search": study.search is not None,
-        "factors": [_factor(table[name]) for name in names],
+        "factors": [factor_data(table[name]) for name in names],
         "axes": sorted(range(len(names)), key=lambda index: names[index] == CHOICE),
         "cuts": [0 if name == CHOICE else table[name].size // 2 for name in names],
         "built": [str(verdict) != Verdict.NOT_BUILT for verdict in table["verdict"].values.ravel()],
@@ -99,46 +89,6 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
         "quantities": quantities,
         "words": words.data(verdicts),
     }
-
-
-class _Words:
-    """What became of points, each word once, with a number."""
-
-    def __init__(self, first: Sequence[str], signs: _Signs) -> None:
-        self._numbers = {word: number for number, word in enumerate(first)}
-        self._signs = signs
-
-    def number(self, word: str) -> int:
-        return self._numbers.setdefault(word, len(self._numbers))
-
-    def numbers(self, words: DataArray) -> list[int]:
-        return [self.number(str(word)) for word in words.values.ravel()]
-
-    def data(self, verdicts: Sequence[int]) -> list[dict[str, Any]]:
-        counts = Counter(verdicts)
-        return [
-            {"word": word, "sign": self._signs.sign(word), "count": counts[number]}
-            for word, number in self._numbers.items()
-        ]
-
-
-@dataclass(frozen=True, kw_only=True)
-class _Signs:
-    """Signs of words, those that came furthest first."""
-
-    signs: Mapping[str, str]
-
-    def rank(self, word: str) -> tuple[int, str]:
-        return [*self.signs, word].index(word), word
-
-    def sign(self, word: str) -> str:
-        return self.signs.get(word) or (_WITH_TORQUE if " with " in word else _OTHER)
-
-
-def _signs(table: Dataset) -> _Signs:
-    kinds = outcome_kinds(table)
-    by_kind = {word: sign for kind, sign in _SIGNS.items() for word, its in kinds.items() if its is kind}
-    return _Signs(signs={**by_kind, NOT_SIMULATED: "·"})
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -183,21 +133,23 @@ def _drawn(table: Dataset) -> list[_Drawn]:
     ]
 
 
-def _factor(factor: DataArray) -> dict[str, Any]:
+def factor_data(factor: DataArray) -> dict[str, Any]:
+    """A factor as data for JSON, with its values in the unit for people."""
     values, unit = display_values(factor)
     return {
         "key": str(factor.attrs.get("key", factor.name)),
         "name": plain_name(factor),
         "unit": unit,
-        "values": [_rounded(value) for value in values.tolist()],
+        "values": [rounded(value) for value in values.tolist()],
+        "log": factor.attrs.get("prior") == "log-uniform",
         "texts": [number_text(value) for value in values.tolist()],
     }
 
 
-def _quantity(table: Dataset, drawn: _Drawn, words: _Words) -> dict[str, Any]:
+def _quantity(table: Dataset, drawn: _Drawn, words: Words) -> dict[str, Any]:
     numbers = table[drawn.name].values.ravel()
     unit, scale = _unit(table[drawn.name], numbers)
-    values = [_rounded(scale * value) for value in numbers.tolist()]
+    values = [rounded(scale * value) for value in numbers.tolist()]
     return {
         "name": drawn.name,
         "title": drawn.title,
@@ -210,13 +162,13 @@ def _quantity(table: Dataset, drawn: _Drawn, words: _Words) -> dict[str, Any]:
     }
 
 
-def _reasons(values: Sequence[float | None], reasons: NDArray[np.object_], words: _Words) -> list[int | None]:
+def _reasons(values: Sequence[float | None], reasons: NDArray[np.object_], words: Words) -> list[int | None]:
     """Why there is no value, where there is none."""
     pairs = zip(values, reasons.tolist(), strict=True)
     return [words.number(str(reason)) if value is None else None for value, reason in pairs]
 
 
-def _times_by_value(table: Dataset, words: _Words) -> Iterator[dict[str, Any]]:
+def _times_by_value(table: Dataset, words: Words) -> Iterator[dict[str, Any]]:
     """A map for every value of the first transition that was tried, all in one unit."""
     found = times_by_value(table)
     if found is None:
@@ -224,12 +176,12 @@ def _times_by_value(table: Dataset, words: _Words) -> Iterator[dict[str, Any]]:
     times, tried = table[found.times], table[found.value]
     unit, scale = _unit(times, times.values)
     for index in range(tried.size):
-        values = [_rounded(scale * value) for value in times.isel({found.value: index}).values.ravel().tolist()]
+        values = [rounded(scale * value) for value in times.isel({found.value: index}).values.ravel().tolist()]
         became = table[found.outcomes].isel({found.value: index}).values.ravel()
         yield {
             "name": f"{found.times}:{index}",
             "title": f"{found.label} with {value_with_unit(tried, index)}",
-            "group": "time by torque",
+            "group": BY_TORQUE,
             "unit": unit,
             "values": values,
             "reasons": _reasons(values, became, words),
@@ -243,7 +195,7 @@ def _unit(variable: DataArray, values: Any) -> tuple[str, float]:
     return reading_unit(str(variable.attrs["units"]), float(largest))
 
 
-def _rounded(value: Any) -> Any:
+def rounded(value: Any) -> Any:
     """A number with the digits that anyone reads; None for none."""
     if not isinstance(value, float):
         return value

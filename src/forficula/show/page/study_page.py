@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
-
-import numpy as np
+from typing import TYPE_CHECKING
 
 from forficula.design import TORQUE
 from forficula.dynamics import versions
@@ -15,15 +12,13 @@ from forficula.files import write_text
 from forficula.quantities import show_quantity
 from forficula.reproduction import Comparison
 from forficula.show.page.html import Cell, escaped, paragraph, section, table
-from forficula.show.page.outcome_tables import outcome_tables
+from forficula.show.page.kept_run_data import runs_data
 from forficula.show.page.page import page_html
-from forficula.show.page.playback import BUDGET, make_clip
-from forficula.show.page.run_page import playback_data
+from forficula.show.page.points_table import has_rows, points_table
 from forficula.show.page.study_data import study_data
 from forficula.show.page.study_live import study_live
-from forficula.show.page.words import outcome_sentence, readable
 from forficula.show.study.choice_rows import choice_rows
-from forficula.structure import drive_of, drive_unit, structure_of
+from forficula.structure import structure_of
 from forficula.study import Study, named_studies, table_csv
 from forficula.study.factors import Factor
 from forficula.study.kept_runs import KeptRun
@@ -33,14 +28,8 @@ from forficula.study.search_steps import SearchStep
 if TYPE_CHECKING:
     from xarray import Dataset
 
-# bytes that all runs may take in the page, where the script takes 0.7 MB more
-_RUNS = 7_950_000
-# of these what makes room for the engine, which takes 3.5 MB, where it is there
+# bytes that runs leave to the engine, which takes 3.5 MB, where it is there
 _ENGINE = 2_900_000
-# a clip with less than this does not show how it moves
-_LEAST_BUDGET = 20_000
-# points beyond which a table is a thing for other programs
-_MOST_ROWS = 3000
 _AGREES = {True: "yes", False: "no", None: "cannot tell"}
 
 
@@ -89,27 +78,21 @@ def study_page(
             f"<header><h1>{escaped(study.name)}</h1>{paragraph(study_sentence(study, results), 'outcome')}</header>\n",
             '<main class="study"><div id="explorer"></div>\n',
             section("Choices side by side", _choices(results), name="choices"),
-            section("All points", _points(data), name="points"),
+            section("All points", points_table(data), name="points"),
             section("Beside the paper", _comparison(compared), name="comparison"),
             section("The study", *_about(study), name="about"),
             "</main>",
         )
     )
     live = study_live(study) if engine else None
-    room = _RUNS if live is None or "refused" in live else _RUNS - _ENGINE
-    runs = [_run(run, room // max(count, 1)) for run in kept]
+    beside = 0 if live is None or "refused" in live else _ENGINE
     shown = {
         "kind": "study",
         "study": data,
-        "runs": sorted(runs, key=_order),
-        "csv": table_csv(study, results) if _has_rows(data) else None,
+        "runs": runs_data(kept, count, beside),
+        "csv": table_csv(study, results) if has_rows(data) else None,
     }
     return page_html(f"{study.name}: {len(study.points)} points", body, shown, live)
-
-
-def _order(run: dict[str, Any]) -> tuple[int, int, str]:
-    """By point and, within one, as the protocol takes its transitions."""
-    return run["point"], -1 if run["transition"] is None else run["transition"], run["part"]
 
 
 def study_sentence(study: Study, results: Dataset) -> str:
@@ -139,71 +122,6 @@ def _can(transitions: Sequence[TableTransition], place: int, *, again: bool = Tr
     """What is done by then, such as "fold and open again"."""
     verbs = [each.wording.verb for each in transitions[: place + 1]]
     return f"{' and '.join(verbs)}{' again' if place and again else ''}"
-
-
-def _run(run: KeptRun, size: int) -> dict[str, Any]:
-    """A run as data for JSON that take so many bytes, if that is enough to see it move."""
-    # three bytes are four letters in the page
-    spare = 3 * (size - len(json.dumps(_run_data(run, 0)))) // 4
-    return _run_data(run, int(np.clip(spare, _LEAST_BUDGET, BUDGET)))
-
-
-def _run_data(run: KeptRun, budget: int) -> dict[str, Any]:
-    """What a run is, its numbers, and its playback within a budget."""
-    outcome, structure = run.outcome, run.record.structure
-    units = {each.name: drive_unit(structure, drive_of(structure, each.drive)) for each in structure.transitions}
-    driven = [
-        f"{each.wording.doing} with {readable(came.strength, units[each.name])}"
-        for each in structure.transitions
-        if (came := outcome.transitions[each.name]) is not None
-    ]
-    return {
-        "point": run.point,
-        "part": run.part,
-        "transition": run.transition,
-        "title": ", ".join(driven) or outcome.status,
-        "text": outcome_sentence(f"This {structure.appearance.whole}", outcome),
-        "advice": outcome.advice,
-        "folder": run.folder,
-        "numbers": "".join(outcome_tables(outcome)),
-        "play": playback_data(make_clip(run.record, outcome, budget=budget)),
-    }
-
-
-def _has_rows(data: dict[str, Any]) -> bool:
-    return int(data["points"]) <= _MOST_ROWS
-
-
-def _points(data: dict[str, Any]) -> str:
-    """Every point as a row; the script adds filter, order and links."""
-    if not _has_rows(data):
-        return paragraph(f"The {data['points']} points are too many for a table here; table.csv has them all.")
-    factors, numbers = data["factors"], _columns(data)
-    units = [(each["name"], each["unit"]) for each in factors] + [(each["title"], each["unit"]) for each in numbers]
-    named = [f"{name} ({unit})" if unit else name for name, unit in units]
-    headings = ["point", *named[: len(factors)], "outcome", *named[len(factors) :]]
-    rows = []
-    for point, status in enumerate(data["statuses"]):
-        values = [factor["texts"][place] for factor, place in zip(factors, places(data, point), strict=True)]
-        cells = ["—" if (value := each["values"][point]) is None else f"{value:.4g}" for each in numbers]
-        rows.append([str(point + 1), *values, status, *cells])
-    return table("One row a point, as in table.csv; numbers to four digits", headings, rows)
-
-
-def _columns(data: dict[str, Any]) -> list[dict[str, Any]]:
-    """The quantities of which a point has one value."""
-    return [each for each in data["quantities"] if each["group"] in ("torque", "time", "work", "energy")]
-
-
-def places(data: dict[str, Any], point: int) -> list[int]:
-    """Number of each factor's value at a point: the last factor runs fastest, drawn points have their own values."""
-    if data["sampled"]:
-        return [point] * len(data["factors"])
-    found = []
-    for factor in reversed(data["factors"]):
-        point, place = divmod(point, len(factor["values"]))
-        found.append(place)
-    return found[::-1]
 
 
 def _choices(results: Dataset) -> str:

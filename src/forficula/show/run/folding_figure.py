@@ -16,13 +16,22 @@ from numpy.typing import NDArray
 from forficula.analysis import Outcome
 from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
-from forficula.quantities import reading_unit
+from forficula.quantities import reading_unit, round_below, show_value
 from forficula.show.run.state_names import lettered_states
 from forficula.show.structure.labels import shown_angles
 from forficula.show.structure.painted_shape import PaintedShape, hang, paint_shape, shape_handles, structure_view
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import at_time, face_strains, surface_at
-from forficula.show.style import ORANGE, PAGE_WIDTH, STRAIN_COLOURS, describe, figure_style, fit_legend, is_narrow
+from forficula.show.style import (
+    ORANGE,
+    PAGE_WIDTH,
+    STRAIN_COLOURS,
+    describe,
+    draw_bar,
+    figure_style,
+    fit_legend,
+    is_narrow,
+)
 
 Array = NDArray[np.float64]
 
@@ -150,19 +159,8 @@ def _enlarged(moments: Sequence[_Moment], drawn: Sequence[PaintedShape], window:
 def _scale_bar(axes: Axes, window: Array) -> None:
     """A scale bar of about a third of the picture, at its foot."""
     size = np.ptp(window, axis=0)
-    bar = 10.0 ** np.floor(np.log10(size[0] / 2))
-    bar *= next(steps for steps in (5, 2, 1) if steps * bar <= size[0] / 2)
-    left, foot = window[0, 0] + 0.04 * size[0], window[0, 1] + 0.02 * size[1]
-    axes.plot([left, left + bar], [foot, foot], color="black", lw=1.5, solid_capstyle="butt")
-    unit, factor = reading_unit("m", bar)
-    axes.annotate(
-        f"{factor * bar:.4g} {unit}",
-        (left + bar / 2, foot),
-        (0, 2),
-        textcoords="offset points",
-        ha="center",
-        va="bottom",
-    )
+    bar = round_below(size[0] / 2)
+    draw_bar(axes, window[0] + (0.04, 0.02) * size, bar, show_value(bar, "m"))
 
 
 def _moments(record: Record, outcome: Outcome) -> list[_Moment]:

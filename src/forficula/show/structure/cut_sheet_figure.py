@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
@@ -14,6 +13,7 @@ from matplotlib.path import Path
 from numpy.typing import NDArray
 
 from forficula.make.cut_lines import CutSheet, Layer, layer_texts
+from forficula.quantities import round_below
 from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, PURPLE, VERMILION, describe, figure_style, fit_legend
 
 Array = NDArray[np.float64]
@@ -93,16 +93,10 @@ def _draw_sizes(axes: Axes, sheet: CutSheet) -> None:
     text: dict[str, Any] = {"fontsize": 7, "color": "0.2", "bbox": {"fc": "white", "ec": "none", "pad": 1.0}}
     axes.text((left + right) / 2, below, f"{right - left:.1f} mm", ha="center", va="center", **text)
     axes.text(beside, (low + high) / 2, f"{high - low:.1f} mm", ha="center", va="center", rotation=90, **text)
-    bar = _bar_length((right - left) / 4)
+    bar = round_below((right - left) / 4)
     foot = below - 1.5 * apart
     axes.plot([left, left + bar], [foot, foot], color=BLACK, lw=2, solid_capstyle="butt")
     axes.text(left + bar + apart / 2, foot, f"{bar:g} mm", fontsize=7, va="center")
-
-
-def _bar_length(most: float) -> float:
-    """A round length of at most so many millimetres."""
-    size = 10.0 ** math.floor(math.log10(max(most, 1e-6)))
-    return float(next(steps for steps in (5, 2, 1) if steps * size <= most) * size)
 
 
 def _handles(sheet: CutSheet) -> list[Line2D | Patch]:

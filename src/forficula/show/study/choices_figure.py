@@ -17,8 +17,8 @@ from matplotlib.transforms import blended_transform_factory
 from forficula.quantities import reading_unit
 from forficula.reproduction import named_reproduction
 from forficula.show.study.factor_text import display_values, factor_label, number_text
-from forficula.show.study.map_page import look_of, map_style
 from forficula.show.study.maps import energy_noun, missing_reasons
+from forficula.show.study.outcome_looks import look_of, map_style
 from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, SKY, VERMILION, describe, fit_legend, is_narrow
 from forficula.study.choice_groups import choice_groups, count_all, count_first, count_unknown
 from forficula.study.choices import CHOICE

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from forficula.names import ordinal
-from forficula.show.run.time_figures import stacked_axes
+from forficula.show.run.time_axes import stacked_axes
 from forficula.show.study.convergence_table import order_text, time_labels
 from forficula.show.style import (
     BLUE,

@@ -14,7 +14,12 @@ if TYPE_CHECKING:
 
 def plain_name(factor: DataArray) -> str:
     """A factor's name for people: its key without the protocol's, whose names stand alone."""
-    return str(factor.attrs.get("key", factor.name)).removeprefix("protocol.").replace(".", " ").replace("_", " ")
+    return key_text(str(factor.attrs.get("key", factor.name)))
+
+
+def key_text(key: str) -> str:
+    """A key of a design for people, such as "tendon rest length"."""
+    return key.removeprefix("protocol.").replace(".", " ").replace("_", " ")
 
 
 def display_values(factor: DataArray) -> tuple[NDArray[Any], str]:

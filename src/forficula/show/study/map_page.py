@@ -4,13 +4,10 @@ from __future__ import annotations
 
 import math
 import textwrap
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Colormap, ListedColormap, Normalize
@@ -25,31 +22,16 @@ from numpy.typing import NDArray
 from forficula.show.study.factor_text import display_values, factor_label, number_text, plain_name
 from forficula.show.study.map_panel import Panel, View
 from forficula.show.study.map_text import maps_text
+from forficula.show.study.outcome_looks import INK, ink_of, known_words, look_of
 from forficula.show.style import (
     BLUE,
-    ORANGE,
     PAGE_WIDTH,
-    PURPLE,
-    SKY,
     colours_of,
     describe,
-    figure_style,
     fit_legend,
     is_narrow,
 )
-from forficula.study.map_comparison import (
-    BOTH,
-    BOTH_LESS,
-    BOTH_MORE,
-    NEITHER,
-    NOT_SIMULATED,
-    ONLY_SIMULATED,
-    ONLY_STATIC,
-)
-from forficula.study.outcome_kinds import Kind, outcome_kinds, whole_of
-
-if TYPE_CHECKING:
-    from xarray import Dataset
+from forficula.study.outcome_kinds import whole_of
 
 Array = NDArray[np.float64]
 
@@ -60,48 +42,6 @@ _POINTS_HEIGHT, _UPWARDS = 1.7, 27  # inch, of axes with points; letters that fi
 _SHAPE = {"handleheight": 1.4, "handlelength": 2.2, "fontsize": 7}
 _LEGEND_HEIGHT = 0.4  # inch, for which there is room beneath the maps
 _APART = 0.12  # of a map's width: between maps that have a bar each
-_INK = "0.35"
-
-OTHER = "no value"
-
-
-@dataclass(frozen=True, kw_only=True)
-class Look:
-    """How what happened is drawn: the cell's face and hatch, and the marker where there are no cells."""
-
-    face: str
-    hatch: str
-    marker: str
-
-
-_LOOKS: dict[Kind, Look] = {
-    Kind.DID_ALL: Look(face=BLUE, hatch="", marker="o"),
-    Kind.DID_FIRST: Look(face=SKY, hatch="", marker="D"),
-    Kind.STUCK_LATER: Look(face="#F3DDA6", hatch="....", marker="s"),
-    Kind.STUCK: Look(face="1.0", hatch="/////", marker="x"),
-    Kind.UNDER_WAY: Look(face="0.93", hatch="xxxx", marker="*"),
-    Kind.LOST: Look(face="1.0", hatch="|||||", marker="1"),
-    Kind.MOVING: Look(face="0.93", hatch=r"\\\\\\", marker=">"),
-    Kind.MOVING_LATER: Look(face="#F3DDA6", hatch=r"\\\\\\", marker="<"),
-    Kind.LOST_LATER: Look(face="#F3DDA6", hatch="|||||", marker="2"),
-    Kind.DIVERGED: Look(face="0.75", hatch="++++", marker="P"),
-    Kind.UNTRUSTED: Look(face="0.75", hatch="OO", marker="d"),
-    Kind.NOT_BUILT: Look(face="0.6", hatch="", marker="X"),
-    Kind.NOT_TRIED: Look(face="0.86", hatch="", marker="_"),
-}
-_OTHER_LOOKS = {
-    BOTH: Look(face=BLUE, hatch="", marker="o"),
-    BOTH_LESS: Look(face=SKY, hatch="", marker="p"),
-    BOTH_MORE: Look(face=SKY, hatch="/////", marker="H"),
-    ONLY_SIMULATED: Look(face=ORANGE, hatch="", marker="^"),
-    ONLY_STATIC: Look(face=PURPLE, hatch="", marker="v"),
-    NEITHER: Look(face="0.93", hatch="", marker="x"),
-    NOT_SIMULATED: Look(face="1.0", hatch="", marker="."),
-    OTHER: Look(face="0.97", hatch="---", marker="+"),
-}
-
-# failed in the first transition before the next, with a value that its word names
-_BEFORE_NEXT = Look(face="0.93", hatch="oo", marker="h")
 
 # for a variable's kind of quantity: units in which it reads well, and their factors from SI
 _READABLE = {
@@ -109,16 +49,6 @@ _READABLE = {
     "J": (("J", 1.0), ("mJ", 1e3), ("µJ", 1e6), ("nJ", 1e9)),
     "s": (("s", 1.0), ("ms", 1e3), ("µs", 1e6)),
 }
-
-
-@contextmanager
-def map_style() -> Iterator[None]:
-    """Draw as all figures are drawn, with fine hatches."""
-    with figure_style(), rc_context({"hatch.linewidth": 0.5}):
-        yield
-
-
-# ---- a page of panels
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -260,17 +190,9 @@ def _missing(view: View, panel: Panel) -> dict[str, NDArray[np.bool_]]:
     """Where there is no value, by reason, in the panel's own order of dimensions."""
     absent = ~np.isfinite(panel.values.values.astype(float))
     words = panel.reasons.transpose(*panel.values.dims).values.astype(str)
-    known = [*outcome_kinds(view.table), *_OTHER_LOOKS]
+    known = known_words(view.table)
     order = [*known, *sorted(set(words[absent].tolist()) - set(known))]
     return {word: where for word in order if (where := absent & (words == word)).any()}
-
-
-def look_of(table: Dataset, word: str) -> Look:
-    """How a structure of a table is drawn that came to this."""
-    kind = outcome_kinds(table).get(word)
-    if kind is not None:
-        return _LOOKS[kind]
-    return _OTHER_LOOKS.get(word) or (_BEFORE_NEXT if " with " in word else _OTHER_LOOKS[OTHER])
 
 
 def _legend(figure: Figure, view: View, panels: Sequence[Panel], *, cells: bool) -> None:
@@ -280,9 +202,9 @@ def _legend(figure: Figure, view: View, panels: Sequence[Panel], *, cells: bool)
     for word in words:
         look = look_of(view.table, word)
         if cells:
-            handles.append(Patch(facecolor=look.face, hatch=look.hatch, edgecolor=_INK, lw=0.4, label=word))
+            handles.append(Patch(facecolor=look.face, hatch=look.hatch, edgecolor=INK, lw=0.4, label=word))
         else:
-            handles.append(Line2D([], [], ls="", marker=look.marker, color=_ink(look), ms=5, label=word))
+            handles.append(Line2D([], [], ls="", marker=look.marker, color=ink_of(look), ms=5, label=word))
     if handles:
         narrow = is_narrow(figure.get_figwidth())
         shape = {"handleheight": 1.3, "handlelength": 1.6, "fontsize": 6} if narrow and len(handles) > 4 else _SHAPE
@@ -290,11 +212,6 @@ def _legend(figure: Figure, view: View, panels: Sequence[Panel], *, cells: bool)
         # the maps keep their height
         more = legend.get_window_extent().height / figure.dpi - _LEGEND_HEIGHT
         figure.set_figheight(figure.get_figheight() + max(more, 0.0))
-
-
-def _ink(look: Look) -> str:
-    """A marker's colour: the face where that shows on white."""
-    return look.face if look.face in (BLUE, SKY) else _INK
 
 
 def _draw_cells(axes: Axes, view: View, panel: Panel, scale: _Scale) -> None:
@@ -313,7 +230,7 @@ def _draw_cells(axes: Axes, view: View, panel: Panel, scale: _Scale) -> None:
             np.ma.masked_array(np.zeros(values.shape), ~np.atleast_2d(where)),
             cmap=ListedColormap([look.face]),
             hatch=look.hatch,
-            edgecolor="white" if look.face == "0.86" else _INK,
+            edgecolor="white" if look.face == "0.86" else INK,
             linewidth=0.25,
         )
     axes.set(xlim=edges[0][[0, -1]], ylim=edges[1][[0, -1]])
@@ -375,7 +292,7 @@ def _draw_points(axes: Axes, view: View, panel: Panel, scale: _Scale) -> None:
         found = np.isfinite(values)
         if found.any():
             there = across[found], upwards[found]
-            axes.scatter(*there, c=values[found], cmap=scale.colours, norm=scale.norm, s=16, ec=_INK, lw=0.3)
+            axes.scatter(*there, c=values[found], cmap=scale.colours, norm=scale.norm, s=16, ec=INK, lw=0.3)
         foot = axes.transData
     else:
         upwards = np.full(len(values), 0.05 if panel.unit else 0.5)
@@ -397,7 +314,7 @@ def _draw_points(axes: Axes, view: View, panel: Panel, scale: _Scale) -> None:
     for word, where in missing.items():
         look = look_of(view.table, word)
         axes.plot(
-            across[where], upwards[where], ls="", marker=look.marker, color=_ink(look), ms=4, mew=0.8, transform=foot
+            across[where], upwards[where], ls="", marker=look.marker, color=ink_of(look), ms=4, mew=0.8, transform=foot
         )
 
 

@@ -12,8 +12,9 @@ from matplotlib.figure import Figure
 from forficula.analysis import SPRUNG
 from forficula.errors import InputError
 from forficula.show.study.factor_text import plain_name, value_text, value_with_unit
-from forficula.show.study.map_page import OTHER, draw_page, map_style
+from forficula.show.study.map_page import draw_page
 from forficula.show.study.map_panel import Panel, View
+from forficula.show.study.outcome_looks import OTHER, map_style
 from forficula.show.style import PAGE_WIDTH, Drawing
 from forficula.study.choices import CHOICE
 from forficula.study.outcome_kinds import Kind, asked_transitions, not_tried_word, outcome_kinds, table_transitions

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.figure import Figure
 
-from forficula.show.study.map_page import draw_page, map_style
+from forficula.show.study.map_page import draw_page
 from forficula.show.study.map_panel import Panel, View
 from forficula.show.study.maps import table_view
+from forficula.show.study.outcome_looks import map_style
 from forficula.show.style import PAGE_WIDTH, is_narrow
 from forficula.study.map_comparison import NOT_SIMULATED, compare_maps, simulated_values
 from forficula.study.outcome_kinds import Kind, table_transitions, word_of

@@ -1,0 +1,229 @@
+"""Commands that turn it round: from what a structure must do to the design, and to what that is worth."""
+
+from __future__ import annotations
+
+from contextlib import nullcontext
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+from cyclopts import Parameter
+
+from forficula.options import (
+    WHOLE_NUMBER,
+    DesignName,
+    OutIfGiven,
+    Settings,
+    check_folder,
+    read_option,
+    read_settings,
+    read_shard,
+)
+from forficula.terminal import came_to, remark
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+    from forficula.goals import Goal
+    from forficula.goals.identify import Observations
+    from forficula.goals.optimise import Optimum
+    from forficula.goals.tolerance import Question
+
+
+def optimise(
+    goal: Annotated[str, Parameter(help="A named goal, or the path of a goal file (.toml).")],
+    /,
+    *,
+    out: Annotated[OutIfGiven, Parameter(help="Folder of the search; out/<name of the goal> if not given.")] = None,
+    keep: Annotated[
+        int, WHOLE_NUMBER, Parameter(help="Keep so many runs at most, to be played in its page; 0 for none.")
+    ] = 24,
+    dry_run: Annotated[bool, Parameter(help="Only say how many designs are tried and how long they take.")] = False,
+    shard: Annotated[
+        str, Parameter(help="Share the runs with other processes, as in 2/8; each has the result.")
+    ] = "1/1",
+    dask: Annotated[
+        str | None, Parameter(help="Run on the Dask cluster with this scheduler, as in tcp://scheduler:8786.")
+    ] = None,
+) -> int:
+    """Look for the design that does best what a goal asks, or go on with it where it stopped."""
+    from forficula.goals import load_goal
+    from forficula.goals.optimise.optimise import estimate_optimise
+    from forficula.study.kept_runs import check_most
+
+    asked = load_goal(goal)
+    folder = out or Path("out") / asked.name
+    check_folder(folder)
+    read_option("--keep", lambda: check_most(keep))
+    if dry_run:
+        designs, seconds = estimate_optimise(asked)
+        neighbours = f", and up to {asked.neighbours} neighbours of the best" if asked.deviations else ""
+        print(f"{asked.name}: at most {designs} designs, about {seconds:.0f} s{neighbours}")
+        return 0
+    found = _optimised(asked, folder, shard, dask)
+
+    from forficula.goals.optimise.kept_candidates import candidates_to_keep
+    from forficula.show import study_progress
+    from forficula.show.folder.optimum_folder import OPTIMUM_FILE, optimum_json, write_optimum, write_optimum_report
+    from forficula.show.goals.optimum_text import print_optimum
+    from forficula.study.kept_runs import kept_runs
+
+    if (folder / OPTIMUM_FILE).is_file():
+        remark(f"{folder}: replaces the designs, the table and the page there; the rows stay")
+    write_optimum(found, folder)
+    runs = candidates_to_keep(found, keep)
+    with study_progress() as progress:
+        write_optimum_report(found, kept_runs(runs, folder, progress=progress), len(runs), folder)
+    came_to(optimum_json(found))
+    print_optimum(found)
+    print(f"\nwritten to {folder}")
+    return 0 if found.best else 2
+
+
+def _optimised(asked: Goal, folder: Path, shard: str, dask: str | None) -> Optimum:
+    """Search here or on a Dask cluster."""
+    from forficula.goals.optimise import optimise_goal
+    from forficula.show.goals.optimise_progress import optimise_progress
+    from forficula.study import dask_cluster
+
+    with nullcontext() if dask is None else dask_cluster(dask) as cluster, optimise_progress() as progress:
+        return optimise_goal(asked, folder, shard=read_shard(shard), cluster=cluster, progress=progress)
+
+
+def tolerance(
+    design: DesignName,
+    /,
+    *,
+    settings: Settings = None,
+    tolerances: Annotated[
+        list[str] | None,
+        Parameter(
+            name="--tolerance",
+            help='How far off a value may be, as in --tolerance tendon.stiffness="5 %" or all="2 %"; may be repeated.',
+            negative=(),
+        ),
+    ] = None,
+    goal: Annotated[
+        str | None, Parameter(help="A named goal, or the path of a file, whose tolerances and limits count.")
+    ] = None,
+    out: Annotated[
+        OutIfGiven, Parameter(help="Folder for the results; out/<name of the design>-tolerance if not given.")
+    ] = None,
+    minutes: Annotated[float, Parameter(help="How long it may take; more time gives narrower intervals.")] = 5.0,
+    seed: Annotated[int, WHOLE_NUMBER, Parameter(help="Of the points within the tolerances.")] = 0,
+    keep: Annotated[
+        int, WHOLE_NUMBER, Parameter(help="Keep so many runs at most, to be played in its page; 0 for none.")
+    ] = 12,
+    dry_run: Annotated[bool, Parameter(help="Only say which runs there are and how long they take.")] = False,
+    shard: Annotated[str, Parameter(help="Share the runs with other processes, as in 2/8.")] = "1/1",
+    dask: Annotated[
+        str | None, Parameter(help="Run on the Dask cluster with this scheduler, as in tcp://scheduler:8786.")
+    ] = None,
+) -> int:
+    """How likely does a design work as it is built, and which tolerance decides?"""
+    from forficula.design import load_design
+    from forficula.goals.tolerance import assess_tolerance, estimate_tolerance
+    from forficula.goals.tolerance.question_file import question_of
+    from forficula.study.kept_runs import check_most
+
+    chosen = load_design(design, read_settings(settings))
+    folder = out or Path("out") / f"{chosen.name}-tolerance"
+    check_folder(folder)
+    own = read_settings(tolerances, "--tolerance", 'tendon.stiffness="5 %"')
+    question = question_of(chosen, own or None, goal=goal)
+    read_option("--keep", lambda: check_most(keep))
+    tell_assumed(question)
+    if dry_run:
+        plan, most, seconds = estimate_tolerance(question, folder, minutes, seed)
+        print(
+            f"{chosen.name}: {len(question.keys)} tolerances; {plan.points + plan.rows} points for the probability,"
+            f" at most {most} runs in all, about {seconds:.0f} s"
+        )
+        return 0
+
+    from forficula.goals.tolerance.kept_samples import samples_to_keep
+    from forficula.show import study_progress
+    from forficula.show.folder.tolerance_folder import (
+        TOLERANCE_FILE,
+        write_tolerance,
+        write_tolerance_report,
+    )
+    from forficula.show.goals.tolerance_text import print_tolerance
+    from forficula.study import dask_cluster
+    from forficula.study.kept_runs import kept_runs
+
+    with nullcontext() if dask is None else dask_cluster(dask) as cluster, study_progress() as progress:
+        found = assess_tolerance(
+            question,
+            folder,
+            minutes=minutes,
+            seed=seed,
+            shard=read_shard(shard),
+            cluster=cluster,
+            progress=progress,
+        )
+    if (folder / TOLERANCE_FILE).is_file():
+        remark(f"{folder}: replaces the tolerance there; the rows stay")
+    write_tolerance(found, folder)
+    runs = samples_to_keep(found, keep)
+    with study_progress() as progress:
+        write_tolerance_report(found, kept_runs(runs, folder, progress=progress), len(runs), folder)
+    came_to(folder / TOLERANCE_FILE)
+    print_tolerance(found)
+    print(f"\nwritten to {folder}")
+    return 0 if found.nominal_works and found.meets else 2
+
+
+def tell_assumed(question: Question) -> None:
+    """Say on stderr which tolerances are taken where none were given."""
+    if question.assumed:
+        remark(
+            f"no tolerances given: {question.width_text(0)}, uniform, on {len(question.keys)} positive values of"
+            f" {question.design.name}"
+        )
+
+
+def identify(
+    observations: Annotated[str, Parameter(help="Named observations, or the path of an observations file (.toml).")],
+    /,
+    *,
+    out: Annotated[OutIfGiven, Parameter(help="Folder of the identification; out/<its name> if not given.")] = None,
+    dry_run: Annotated[bool, Parameter(help="Only say how many runs there are and how long they take.")] = False,
+    shard: Annotated[
+        str, Parameter(help="Share the runs with other processes, as in 2/8; each has the result.")
+    ] = "1/1",
+    dask: Annotated[
+        str | None, Parameter(help="Run on the Dask cluster with this scheduler, as in tcp://scheduler:8786.")
+    ] = None,
+) -> None:
+    """Say which values of what is unknown agree with what was seen, and which facts exclude one another."""
+    from forficula.goals.identify import load_observations
+    from forficula.goals.identify.run_identify import estimate_identify
+
+    asked = load_observations(observations)
+    folder = out or Path("out") / asked.name
+    check_folder(folder)
+    if dry_run:
+        count, runs, seconds = estimate_identify(asked)
+        print(f"{asked.name}: {count} samples, about {runs:.0f} runs, about {seconds:.0f} s")
+        return
+    result = _identified(asked, folder, shard, dask)
+
+    from forficula.show.folder.identify_folder import IDENTIFIED, identification_json, write_identification
+    from forficula.show.goals.identify_text import print_identification
+
+    if (folder / IDENTIFIED).is_file():
+        remark(f"{folder}: replaces the result and the figures there; the rows stay")
+    write_identification(result, folder)
+    came_to(identification_json(result))
+    print_identification(result)
+    print(f"\nwritten to {folder}")
+
+
+def _identified(asked: Observations, folder: Path, shard: str, dask: str | None) -> Dataset:
+    """Run observations here or on a Dask cluster."""
+    from forficula.goals.identify.run_identify import identify as identify_in
+    from forficula.show.goals.identify_progress import identify_progress
+    from forficula.study import dask_cluster
+
+    with nullcontext() if dask is None else dask_cluster(dask) as cluster, identify_progress() as (samples, runs):
+        return identify_in(asked, folder, shard=read_shard(shard), cluster=cluster, progress=samples, run_progress=runs)

@@ -1,0 +1,261 @@
+"""Assessing designs in batches: what is in the journal is read, what is not is worked out and appended."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from forficula.analysis import Ending, Verdict
+from forficula.design import Design, key_value
+from forficula.errors import InputError
+from forficula.goals.outcome_quantity import SOURCES, STATIC, OutcomeQuantity, Source, quantities_of
+from forficula.goals.static_values import static_values
+from forficula.quantities import as_written, is_whole
+from forficula.study.evaluate import ending_row, evaluate, row_key
+from forficula.study.journal import Journal, Row, open_journal, read_rows
+from forficula.study.run_study import Evaluate, Progress
+from forficula.study.search import search_designs, search_result
+from forficula.study.search_steps import Search
+from forficula.study.table import unit_suffix
+
+# Runs side by side: enough that a few slow ones do not leave a core idle for long; of whole records, fewer fit memory.
+_BATCH, _WHOLE_BATCH = 512, 48
+# How long a shard waits for rows of others before it does theirs, too, and how often it looks.
+_PATIENCE_SECONDS, _LOOK_SECONDS = 60.0, 0.5
+
+Values = Mapping[str, object]
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Task:
+    """A row that is wanted: of a design, from a source."""
+
+    key: str
+    design: Design
+    source: Source
+
+
+@dataclass(kw_only=True)
+class Assessor:
+    """What makes rows of designs, each once.
+
+    What a row is depends on its design alone, not on order, company or who works it out, so that whatever asks for
+    batches one after another and decides by their rows comes to the same when it is killed and taken up again, and on
+    one machine as on several.
+
+    Attributes:
+        folder: with the journals.
+        base: the design that all others are made of.
+        journal: to append to.
+        rows: that are known, by key.
+        shard: number, from 1 on, and count of the processes that share the work.
+        threads: 0 for one a core.
+        cluster: what makes rows of runs; the cores of this machine do, if None. Whole records are looked at here.
+        progress: called after every row with those done now, those known to be wanted, and the row.
+        done: rows that were worked out or waited for.
+        wanted: rows that were asked for and were not there.
+    """
+
+    folder: Path
+    base: Design
+    journal: Journal
+    rows: dict[str, Row]
+    shard: tuple[int, int]
+    threads: int
+    cluster: Evaluate | None
+    progress: Progress | None
+    done: int = field(default=0)
+    wanted: int = field(default=0)
+
+    def __call__(
+        self,
+        designs: Sequence[Design | str],
+        sources: Collection[Source],
+        *,
+        points: Sequence[Values] = (),
+        search: Search | None = None,
+    ) -> list[Row]:
+        """The rows of designs, in their order.
+
+        Args:
+            designs: or why there is none, which is a row, too.
+            sources: of which quantities are wanted.
+            points: the values of each that are not the base's, for people who read the journal.
+            search: of the least values, where "search" is among the sources.
+
+        Returns:
+            Of each design one row with all of them; those of a search with its least values, `search_result`.
+        """
+        values = dict(zip((_name(design) for design in designs), points, strict=False))
+        built = {_name(design): design for design in designs if isinstance(design, Design)}
+        # a whole record tells what the ends of its stages do
+        plain = "record" if "record" in sources else "run"
+        kinds = [source for source in SOURCES if source in sources and source in (*STATIC, plain)]
+        self._work_out(
+            [_Task(key=_key(design, kind), design=design, source=kind) for design in built.values() for kind in kinds],
+            values,
+        )
+        if search is not None and "search" in sources:
+            self._look_for(list(built.values()), search, values)
+        return [self._row(design, kinds, search if "search" in sources else None) for design in designs]
+
+    def _row(self, design: Design | str, kinds: Sequence[Source], search: Search | None) -> Row:
+        if isinstance(design, str):
+            return ending_row(Ending(verdict=Verdict.NOT_BUILT, why=design))
+        row: Row = {}
+        for kind in kinds:
+            row |= self.rows[_key(design, kind)]
+        if search is not None:
+            found = search_result(design, search, self.rows)
+            row |= {f"{step.least_name}{unit_suffix(step.unit.si)}": found[step.least_name] for step in search.steps}
+        return row
+
+    def _look_for(self, designs: Sequence[Design], search: Search, values: Mapping[str, Values]) -> None:
+        """Run what a search for least values takes of every design, value after value."""
+        while True:
+            wanted = {
+                key: each for design in designs for key, each in search_designs(design, search, self.rows).items()
+            }
+            tasks = [_Task(key=key, design=each, source="search") for key, each in wanted.items()]
+            if all(task.key in self.rows for task in tasks):
+                return
+            self._work_out(tasks, values)
+
+    def _work_out(self, tasks: Sequence[_Task], values: Mapping[str, Values]) -> None:
+        """Work out the rows that are missing: this shard's, then wait for the others'."""
+        once = {task.key: task for task in tasks}
+        if self.shard[1] > 1 and any(key not in self.rows for key in once):
+            self.rows |= read_rows(self.folder, self.base)
+        missing = [task for task in once.values() if task.key not in self.rows]
+        self.wanted += len(missing)
+        places = {key: place for place, key in enumerate(once)}
+        mine = [task for task in missing if places[task.key] % self.shard[1] == self.shard[0] - 1]
+        self._make(mine, values)
+        others = [task for task in missing if task.key not in self.rows]
+        looked = time.monotonic()
+        while others:
+            time.sleep(_LOOK_SECONDS)
+            self.rows |= read_rows(self.folder, self.base)
+            left = [task for task in others if task.key not in self.rows]
+            self.done += len(others) - len(left)
+            if len(left) < len(others):
+                looked = time.monotonic()
+            elif time.monotonic() - looked > _PATIENCE_SECONDS:
+                self._make(left, values)
+                left = []
+            others = left
+
+    def _make(self, tasks: Sequence[_Task], values: Mapping[str, Values]) -> None:
+        """Make rows here, or on the cluster, and append them as they come."""
+        static = [task for task in tasks if task.source in STATIC]
+        known = quantities_of(self.base) if static else {}
+        for task in static:
+            self._keep(_static_row(task, known), values.get(task.design.hash))
+        names = {task.key: task.design.hash for task in tasks}
+        runs = [task.design for task in tasks if task.source in ("run", "search")]
+        until_last = any(task.source == "search" for task in tasks)
+        for row in self._run(runs, until_last):
+            self._keep(row, values.get(names.get(row["key"], "")))
+        whole = [task.design for task in tasks if task.source == "record"]
+        for first in range(0, len(whole), _WHOLE_BATCH):
+            for row in evaluate(whole[first : first + _WHOLE_BATCH], self.threads, whole=True):
+                self._keep(row, values.get(names.get(row["key"], "")))
+
+    def _run(self, designs: Sequence[Design], until_last: bool) -> Iterator[Row]:
+        if self.cluster is not None and designs:
+            yield from self.cluster(designs, until_last)
+            return
+        for first in range(0, len(designs), _BATCH):
+            yield from evaluate(designs[first : first + _BATCH], self.threads, until_last=until_last)
+
+    def _keep(self, row: Row, values: Values | None) -> None:
+        row = row if values is None else {**row, "values": dict(values)}
+        self.journal.append(row)
+        self.rows[row["key"]] = row
+        self.done += 1
+        if self.progress is not None:
+            self.progress(self.done, self.wanted, row)
+
+
+@contextmanager
+def open_assessor(
+    folder: str | Path,
+    base: Design,
+    *,
+    shard: tuple[int, int] = (1, 1),
+    threads: int = 0,
+    cluster: Evaluate | None = None,
+    progress: Progress | None = None,
+) -> Iterator[Assessor]:
+    """Open a folder whose journal holds the rows of designs that are made of one, and go on with it.
+
+    Args:
+        folder: made where it is missing.
+        base: the design that all others are made of.
+        shard: number, from 1 on, and count: so many processes share every batch, wait for each other's rows, and come
+            to the same. One that is gone for a minute is done without.
+        threads: 0 for one a core.
+        cluster: from `dask_cluster`.
+        progress: called after every row.
+
+    Raises:
+        InputError: a number is not allowed, or the folder holds another design's rows, or cannot be written.
+    """
+    if not 1 <= shard[0] <= shard[1]:
+        raise InputError(f"shard: need a number from 1 to the count, got {shard[0]} of {shard[1]}")
+    if not is_whole(threads, 0):
+        raise InputError(f"threads: need a whole number >= 0, got {as_written(threads)}")
+    folder = Path(folder)
+    rows = read_rows(folder, base)
+    with open_journal(folder, base, shard) as journal:
+        yield Assessor(
+            folder=folder,
+            base=base,
+            journal=journal,
+            rows=rows,
+            shard=shard,
+            threads=threads,
+            cluster=cluster,
+            progress=progress,
+        )
+
+
+def value_of(row: Row, quantity: OutcomeQuantity, design: Design | str) -> float | None:
+    """A quantity of a design, SI, by its row; None where there is none."""
+    if quantity.source == "design":
+        value = None if isinstance(design, str) else key_value(design, quantity.name)
+    else:
+        value = row.get(column(quantity))
+    return float(value) if isinstance(value, int | float) and not isinstance(value, bool) else None
+
+
+def column(quantity: OutcomeQuantity) -> str:
+    """What rows call a quantity: its name with its SI unit."""
+    return f"{quantity.told_as}{unit_suffix(quantity.unit.si)}" if quantity.unit.si else quantity.told_as
+
+
+def _static_row(task: _Task, known: Mapping[str, OutcomeQuantity]) -> Row:
+    """What statics says of a design; nothing where that cannot be told, and why."""
+    try:
+        found = static_values(task.design, [task.source])
+    except InputError as error:
+        return {"key": task.key, "refused": str(error)}
+    told = {column(known[name]): value for name, value in found.items() if name in known}
+    return {"key": task.key, **{name: None if value is None else float(value) for name, value in told.items()}}
+
+
+def _name(design: Design | str) -> str:
+    return design if isinstance(design, str) else design.hash
+
+
+def _key(design: Design, source: Source) -> str:
+    match source:
+        case "record":
+            return row_key(design, whole=True)
+        case "run":
+            return row_key(design)
+        case _:
+            return f"{row_key(design)}-{source}"

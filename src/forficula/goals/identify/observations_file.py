@@ -1,0 +1,117 @@
+"""Observations in files: named ones, and those of a user."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from forficula.design import Design, key_quantity, key_value
+from forficula.errors import InputError
+from forficula.goals.identify.fact import Fact
+from forficula.goals.identify.fact_file import read_fact
+from forficula.goals.identify.observation_keys import names_in
+from forficula.goals.identify.observations import Observations
+from forficula.names import folder_name
+from forficula.quantities import as_written, is_whole
+from forficula.study.factors import MOST_VALUES, Factor
+from forficula.study.file_keys import check_keys
+from forficula.study.named_file import base_design, named_files, read_named
+from forficula.study.study_file import read_factors
+from forficula.toml_text import parse_toml
+
+_PACKAGE = "forficula.goals.identify"
+_SAMPLES, _DIRECTED = 256, 128
+
+
+def load_observations(name_or_path: str | Path) -> Observations:
+    """Read named observations or an observations file.
+
+    Args:
+        name_or_path: one of `named_observations`, or the path of a TOML file.
+
+    Raises:
+        InputError: none such, not TOML, an unknown key, or a value that is not allowed.
+    """
+    text, where, folder = read_named(name_or_path, _PACKAGE, "observations file", "observations")
+    try:
+        tables = parse_toml(text, "observations")
+        tables.setdefault("name", Path(where).stem)
+        return observations_of(tables, folder)
+    except InputError as error:
+        raise InputError(f"{where}: {error}") from None
+
+
+def named_observations() -> list[str]:
+    """The names of the observations that come with the package."""
+    return named_files(_PACKAGE)
+
+
+def observations_of(tables: Mapping[str, Any], folder: Path = Path()) -> Observations:
+    """Build observations of tables as a file has them, but for `design`, which may be one.
+
+    Args:
+        tables: of the file.
+        folder: that paths start from.
+
+    Raises:
+        InputError: an unknown key, or a value that is not allowed.
+    """
+    check_keys(tables, names_in(), "")
+    for key in ("settings", "sampling", "unknown"):
+        if not isinstance(tables.get(key, {}), dict):
+            raise InputError(f"{key}: need a table, got {as_written(tables[key])}")
+    try:
+        title = folder_name(tables.get("name", "observations"))
+    except InputError as error:
+        raise InputError(f"name: {error}") from None
+    base = base_design(tables, folder)
+    sampling = tables.get("sampling", {})
+    check_keys(sampling, names_in("sampling"), "sampling.")
+    return Observations(
+        name=title,
+        source=str(tables.get("source", "")),
+        base=base,
+        priors=_priors(tables, folder, base),
+        facts=_facts(tables.get("fact"), base, folder),
+        samples=_whole(sampling, "samples", _SAMPLES, 1),
+        directed=_whole(sampling, "directed", _DIRECTED, 0),
+        seed=_whole(sampling, "seed", 0, 0),
+    )
+
+
+def _priors(tables: Mapping[str, Any], folder: Path, base: Design) -> tuple[Factor, ...]:
+    priors = read_factors(tables, "unknown", folder, base)
+    for prior in priors:
+        now = key_value(base, prior.key)
+        if (
+            prior.distribution is not None
+            and key_quantity(prior.key, prior.model) is None
+            and not isinstance(now, float)
+        ):
+            raise InputError(f"{prior.key}: need a list or a range; only numbers with fractions are drawn")
+    return priors
+
+
+def _facts(given: object, base: Design, folder: Path) -> tuple[Fact, ...]:
+    if not isinstance(given, list) or not given:
+        raise InputError(f"fact: need at least one table [[fact]], got {as_written(given)}")
+    facts: list[Fact] = []
+    for number, table in enumerate(given):
+        name = table.get("name", number) if isinstance(table, dict) else number
+        try:
+            facts.append(read_fact(table, base, folder))
+        except InputError as error:
+            raise InputError(f"fact {name}: {error}") from None
+        if facts[-1].name in [fact.name for fact in facts[:-1]]:
+            raise InputError(f"fact {name}: need a name of its own")
+    return tuple(facts)
+
+
+def _whole(sampling: Mapping[str, Any], key: str, default: int, least: int) -> int:
+    value = sampling.get(key, default)
+    if not is_whole(value, least, MOST_VALUES):
+        raise InputError(
+            f"sampling.{key}: need a whole number >= {least} and <= {MOST_VALUES}, got {as_written(value)}"
+        )
+    return value

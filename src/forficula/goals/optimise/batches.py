@@ -1,0 +1,117 @@
+"""The search itself: which points to look at next, from what became of those before."""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import qmc
+
+from forficula.goals.optimise.archive import Aim, Archive, archive_of, bases_of
+from forficula.goals.optimise.axis import Axis, Point, placed
+from forficula.goals.optimise.proposal import neighbourhood, proposed
+from forficula.goals.optimise.ranking import best_ranked, pareto_front
+from forficula.goals.optimise.trial import Trial
+from forficula.goals.optimise.variation import around, varied
+from forficula.goals.optimise.weights import aim_weights
+
+# Of a batch: the share that parabolas propose, and the share drawn around what they start from.
+_PROPOSED, _AROUND = 0.25, 0.25
+# Of the rest, as long as nothing is feasible: the share that fills the space further.
+_FILLING = 0.5
+# Trials before parabolas are of use, an axis, and at least.
+_START, _LEAST_START = 4, 32
+# How far proposals go, as shares of the neighbourhood, and how far they stay within the limits, one after another.
+_REACHES, _BACKS = (2.0, 1.0, 0.5, 0.25), (1e-6, 1e-3, 1e-4, 1e-2)
+# Bases are that far apart, and there are so many at most.
+_APART, _BASES = 0.2, 4
+# Trials that differential evolution starts from, batches.
+_POPULATION = 2
+# A front of no more than its ends does not tell yet how far it spans.
+_ENDS, _LEAST_SPAN = 2, 1e-12
+_END_EVERY = 4
+
+
+def batches(
+    axes: Sequence[Axis], objectives: int, batch: int, seed: int, starts: Sequence[Point] = ()
+) -> Generator[list[Point], Sequence[Trial], None]:
+    """Batches of points to look at; each is handed on when the trials of the one before are sent.
+
+    Scrambled Sobol points (Owen, 1998) fill the space first. Then parabolas through the trials around the best ones,
+    apart from one another, propose where their optimum is, further ones are drawn around these, and the rest comes from
+    differential evolution, which finds what parabolas do not see. Points are a pure function of the arguments and of
+    what was sent, in their order: a search that is told the same again asks the same again. It ends where no point is
+    left that was not looked at.
+
+    Args:
+        axes: of the unit cube.
+        objectives: how many, 1 to 3.
+        batch: points at a time.
+        seed: of all that is drawn.
+        starts: points to look at first.
+    """
+    trials: list[Trial] = []
+    asked: set[Point] = set()
+    filling = qmc.Sobol(len(axes), rng=np.random.default_rng(seed))
+    first = max(_LEAST_START, _START * len(axes), batch)
+    weights, number = aim_weights(objectives), 0
+    while True:
+        generator = np.random.default_rng([seed, number])
+        if len(trials) < first:
+            wanted = [*placed(axes, np.array(starts).reshape(-1, len(axes)))] if number == 0 else []
+            wanted += placed(axes, filling.random(batch))
+        else:
+            wanted = _near(axes, archive_of(trials), weights, batch, number, generator)
+            rest = batch - len(_new(wanted, asked, batch))
+            spread = 0 if any(trial.feasible for trial in trials) else round(_FILLING * rest)
+            wanted += placed(axes, filling.random(spread)) if spread else []
+            wanted += varied(axes, best_ranked(trials, _POPULATION * batch), rest - spread, generator)
+        points = _new(wanted, asked, batch)
+        # what differential evolution repeats is of no use: fill instead, as long as there is anything to fill
+        for _ in range(8):
+            if len(points) < batch:
+                points += _new(placed(axes, filling.random(batch)), asked | set(points), batch - len(points))
+        if not points:
+            return
+        asked |= set(points)
+        trials += yield points
+        number += 1
+
+
+def _new(points: Sequence[Point], asked: set[Point], count: int) -> list[Point]:
+    """Points that were not asked before, each once."""
+    return [point for point in dict.fromkeys(points) if point not in asked][:count]
+
+
+def _near(
+    axes: Sequence[Axis],
+    archive: Archive,
+    weights: NDArray[np.float64],
+    batch: int,
+    number: int,
+    generator: np.random.Generator,
+) -> list[Point]:
+    """What parabolas propose, and points around their bases."""
+    found: list[Point] = []
+    known = archive.objectives[np.isfinite(archive.objectives).all(axis=1)]
+    if not len(known):
+        return found
+    front = np.array([trial.objectives for trial in pareto_front(archive.trials)])
+    best = front if len(front) else known
+    ideal, span = best.min(axis=0), np.ptp(front if len(front) > _ENDS else known, axis=0)
+    count, ends = max(1, round(_PROPOSED * batch)), archive.objectives.shape[1]
+    for each in range(count):
+        turn = number * count + each
+        # the ends of a front move last, and the rest is scaled by them
+        chosen = turn // _END_EVERY % ends if each % _END_EVERY == 0 else turn % len(weights)
+        aim = Aim(weights=weights[chosen], ideal=ideal, span=np.maximum(span, _LEAST_SPAN))
+        bases = bases_of(axes, archive, aim, _APART, _BASES)
+        base = bases[0 if each % 2 == 0 else turn // 2 % len(bases)]
+        near = neighbourhood(axes, archive, base, aim)
+        if near is None:
+            continue
+        kind = (each if len(weights) == 1 else turn // len(weights)) % len(_REACHES)
+        found.append(proposed(axes, near, aim, _REACHES[kind], _BACKS[kind]))
+        found += around(axes, base.point, near.radius / 2, max(1, round(_AROUND * batch / count)), generator)
+    return found

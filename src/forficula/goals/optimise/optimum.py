@@ -1,0 +1,86 @@
+"""What a search for the best design came to."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from forficula.design import Design
+from forficula.displayed import Displayed
+from forficula.goals.goal import Goal
+from forficula.goals.optimise.candidate import Candidate
+from forficula.goals.optimise.relaxation import Relaxation
+from forficula.goals.optimise.verification import Verification
+
+if TYPE_CHECKING:
+    import xarray
+
+
+@dataclass(frozen=True, kw_only=True)
+class Effort:
+    """What a search cost, and what it did without.
+
+    Attributes:
+        tried: designs that were tried.
+        runs: designs that were simulated, neighbours and finer timesteps left out.
+        ruled_out: designs that closed forms, statics or the builder ruled out before any run, by which of them.
+        neighbour_runs: neighbours that were simulated.
+        spared_neighbours: neighbours that were not asked, because too few could work any more, or because what they
+            are neighbours of was worse than what was known to be good.
+        verification_runs: at the finer timestep, and of fresh neighbours.
+        simulated: whether designs were to be run at all.
+    """
+
+    tried: int
+    runs: int
+    ruled_out: dict[str, int]
+    neighbour_runs: int
+    spared_neighbours: int
+    verification_runs: int
+    simulated: bool
+
+    @property
+    def spared_runs(self) -> int:
+        """Runs that were never made, where there would have been any."""
+        return sum(self.ruled_out.values()) if self.simulated else 0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Optimum(Displayed):
+    """The best designs by a goal.
+
+    Attributes:
+        goal: what was asked.
+        candidates: all that were tried, in their order.
+        best: the best of them, with how they do where the search did not look: one, or a front by its first
+            objective; none where nothing meets the goal.
+        discarded: better ones that did not hold when they were verified.
+        effort: what it cost.
+        relaxations: where nothing meets the goal, by limit, what would have to give; the last one is that the structure
+            works, if it is simulated.
+        table: all candidates.
+    """
+
+    goal: Goal
+    candidates: tuple[Candidate, ...]
+    best: tuple[Verification, ...]
+    discarded: tuple[Verification, ...]
+    effort: Effort
+    relaxations: tuple[Relaxation, ...]
+    table: xarray.Dataset
+
+    @property
+    def designs(self) -> tuple[Design, ...]:
+        """The best designs."""
+        return tuple(
+            each.candidate.found.design for each in self.best if isinstance(each.candidate.found.design, Design)
+        )
+
+    @property
+    def feasible(self) -> bool:
+        """Whether anything meets the goal."""
+        return bool(self.best)
+
+    def __repr__(self) -> str:
+        """What was asked and how many designs answer it."""
+        return f"<Optimum {self.goal.name}: {len(self.best)} of {self.effort.tried} designs are best>"

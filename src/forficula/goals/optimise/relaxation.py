@@ -1,0 +1,53 @@
+"""Where nothing meets every limit: which of them would have to give, and by how much."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from forficula.goals.optimise.ranking import standing
+from forficula.goals.optimise.trial import Trial
+
+
+@dataclass(frozen=True, kw_only=True)
+class Relaxation:
+    """What one limit costs.
+
+    Attributes:
+        limit: its number.
+        best: the greatest margin that any trial has; nan where none was looked at.
+        alone: the greatest margin of trials that meet all others, so that nothing else would have to give; nan where
+            there are none.
+        trial: that has it, or None.
+    """
+
+    limit: int
+    best: float
+    alone: float
+    trial: Trial | None
+
+
+def relaxations(trials: Sequence[Trial]) -> list[Relaxation]:
+    """What each limit costs, in their order."""
+    count = len(trials[0].margins) if trials else 0
+    return [_relaxation(trials, number) for number in range(count)]
+
+
+def nearest_trial(trials: Sequence[Trial]) -> Trial | None:
+    """The trial that comes nearest to meeting every limit; None of none."""
+    return min(trials, key=standing, default=None)
+
+
+def _relaxation(trials: Sequence[Trial], number: int) -> Relaxation:
+    known = [trial for trial in trials if not math.isnan(trial.margins[number])]
+    alone = [
+        trial for trial in known if all(margin >= 0 for other, margin in enumerate(trial.margins) if other != number)
+    ]
+    best = max(alone, key=lambda trial: trial.margins[number], default=None)
+    return Relaxation(
+        limit=number,
+        best=max((trial.margins[number] for trial in known), default=math.nan),
+        alone=math.nan if best is None else best.margins[number],
+        trial=best,
+    )

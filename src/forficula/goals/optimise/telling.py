@@ -1,0 +1,135 @@
+"""What a search came to, in sentences."""
+
+from __future__ import annotations
+
+import math
+
+from forficula.goals.goal import Goal
+from forficula.goals.limit import Limit
+from forficula.goals.margins import own_limits
+from forficula.goals.optimise.candidate import Candidate, trial_of, wanted_share
+from forficula.goals.optimise.neighbours import Neighbours
+from forficula.goals.optimise.optimum import Optimum
+from forficula.goals.optimise.relaxation import Relaxation, nearest_trial
+from forficula.goals.optimise.verification import FINER, Verification
+from forficula.quantities import show_quantity
+
+
+def told(found: Optimum) -> list[str]:
+    """Say what was found, what it cost, and where nothing meets the goal, what would have to give."""
+    said = [_answer(found)]
+    if found.best:
+        said += [_verified(found.best)]
+    said += _discarded(found)
+    if not found.best:
+        said += _missing(found)
+    return [*said, _effort(found)]
+
+
+def value_texts(goal: Goal, candidate: Candidate) -> list[str]:
+    """The quantities of a goal of a candidate, as sentences have them."""
+    texts = []
+    for quantity in goal.quantities:
+        value = candidate.value(quantity)
+        shown = "unknown" if value is None else show_quantity(value, quantity.unit)
+        texts.append(f"{quantity.name} {shown}")
+    return texts
+
+
+def _answer(found: Optimum) -> str:
+    goal, count = found.goal, found.effort.tried
+    asked = " and ".join(f"the {each.kind} {each.quantity.name}" for each in goal.objectives)
+    if not found.best:
+        what = "holds when it is verified" if found.discarded else "meets every limit"
+        return f"none of {count} designs {what}"
+    if len(goal.objectives) > 1:
+        return f"{len(found.best)} designs of the front of {asked}, of {count} that were tried"
+    best = found.best[0].candidate
+    values = ", ".join(f"{key} = {value}" for key, value in best.values.items())
+    return f"{asked} of {count} designs: {', '.join(value_texts(goal, best))}, with {values}"
+
+
+def _verified(best: tuple[Verification, ...]) -> str:
+    said = []
+    residuals = [each.residual for each in best if each.residual is not None]
+    if residuals:
+        said.append(
+            f"at a quarter of the timestep {'it meets' if len(best) == 1 else 'they meet'} the goal, too,"
+            f" with at most {max(residuals):.2g} of the energy missing"
+        )
+    fresh = [each.fresh for each in best if each.fresh is not None]
+    if fresh:
+        worst = min(fresh, key=lambda each: each.share)
+        said.append(f"of {worst.tried} fresh neighbours within the tolerances {_share(worst)} work")
+    return "; ".join(said) or "statics alone was asked, and nothing was run"
+
+
+def _share(of: Neighbours) -> str:
+    low, high = of.interval
+    return f"{100 * of.share:.3g} % ({100 * low:.3g} to {100 * high:.3g} %)"
+
+
+def _discarded(found: Optimum) -> list[str]:
+    if not found.discarded:
+        return []
+    coarse = sum(each.finer is not None and not each.finer.meets for each in found.discarded)
+    said = []
+    if coarse:
+        said.append(f"{coarse} that looked better did not do it at a {FINER}th of the timestep")
+    if len(found.discarded) > coarse:
+        said.append(f"{len(found.discarded) - coarse} that looked better had too few fresh neighbours that work")
+    return ["; ".join(said)]
+
+
+def _missing(found: Optimum) -> list[str]:
+    """Which limits fail, by how much, and which would have to give."""
+    goal, wanted = found.goal, wanted_share(found.goal)
+    limits: list[Limit | None] = [*own_limits(goal)]
+    said: list[str] = []
+    meeting = [each for each in found.candidates if each.found.meets]
+    named = [*limits, None] if goal.simulate else limits
+    said += [_relaxed(found, each, named[each.limit]) for each in found.relaxations]
+    if wanted is not None and meeting:
+        asked = [each.neighbours for each in meeting if each.neighbours is not None]
+        whole = [each for each in asked if each.tried == each.wanted] or asked
+        best = max((each.share for each in whole), default=0.0)
+        said = [
+            f"{len(meeting)} designs meet all limits themselves, but of their neighbours at best {100 * best:.3g} %"
+            f" work, where {show_quantity(wanted.bound, wanted.quantity.unit)} are wanted:"
+            " widen the limits, tighten the tolerances, or want less"
+        ]
+    nearest = nearest_trial([trial_of(goal, each) for each in found.candidates])
+    if nearest is not None:
+        candidate = next(each for each in found.candidates if each.point == nearest.point)
+        values = ", ".join(f"{key} = {value}" for key, value in candidate.values.items())
+        said.append(f"nearest to it: {', '.join(value_texts(goal, candidate))}, with {values}")
+    return said
+
+
+def _relaxed(found: Optimum, relaxation: Relaxation, limit: Limit | None) -> str:
+    name = "that it works" if limit is None else str(limit)
+    if math.isnan(relaxation.best):
+        return f"{name}: was never looked at, for something before it always failed"
+    if relaxation.trial is None:
+        best = "is met by some" if relaxation.best >= 0 else f"is missed by {100 * -relaxation.best:.3g} % at best"
+        return f"{name}: {best}, and no design meets all the others"
+    candidate = next(each for each in found.candidates if each.point == relaxation.trial.point)
+    value = None if limit is None else candidate.value(limit.quantity)
+    came = "" if limit is None or value is None else f", {show_quantity(value, limit.quantity.unit)}"
+    missed = f"{100 * -relaxation.alone:.3g} %"
+    return f"{name}: where all others are met it is missed by {missed} at best{came}; it would have to give"
+
+
+def _effort(found: Optimum) -> str:
+    effort = found.effort
+    said = [f"{effort.tried} designs tried"]
+    if effort.simulated:
+        said.append(f"{effort.runs} of them run")
+        if effort.spared_runs:
+            by = ", ".join(f"{count} by {source}" for source, count in effort.ruled_out.items())
+            said.append(f"{effort.spared_runs} ruled out before any run ({by})")
+    if effort.neighbour_runs or effort.spared_neighbours:
+        said.append(f"{effort.neighbour_runs} neighbours run, {effort.spared_neighbours} spared")
+    if effort.verification_runs:
+        said.append(f"{effort.verification_runs} runs to verify")
+    return ", ".join(said)

@@ -1,0 +1,203 @@
+"""What a tolerance comes to, in sentences: how likely it works, which tolerance to tighten, how near failure is."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from forficula.goals.tolerance.probability import Probability
+from forficula.goals.tolerance.tolerance import Tolerance
+
+# groups that decide less of the variance than this may be made as roughly as they are
+_LITTLE = 0.05
+_MOST_NAMED = 3
+# how near what works must be to what fails, as a share of it, for that to be told as one number
+_SHARP = 0.9
+
+
+def advice(found: Tolerance) -> list[str]:
+    """Say what was found, the most important first, in sentences.
+
+    Args:
+        found: what the runs say.
+    """
+    told = [
+        *_nominal(found),
+        _works(found),
+        *_wanted(found),
+        *_decides(found),
+        *_side(found),
+        *_near(found),
+        *_doubtful(found),
+    ]
+    return [*told, *_assumed(found)]
+
+
+def percent(probability: Probability) -> str:
+    """A probability with its interval, such as "55 % (49 to 61 %)"."""
+    if probability.share is None:
+        return "unknown"
+    return f"{_number(probability.share)} % ({_number(probability.low)} to {_number(probability.high)} %)"
+
+
+def most_telling(found: Tolerance) -> int | None:
+    """Number of the factor whose tolerance to tighten first; None where nothing varies, or nothing was told.
+
+    Of those that decide most of the margin that with the largest gain, where one of them gains beyond chance.
+    """
+    order = found.order
+    if not found.tells_what_decides or not order or not np.nanmax(np.abs(found.indices.first[0]), initial=0.0) > 0:
+        return None
+    sure = [factor for factor in order[:_MOST_NAMED] if found.narrowed[factor].gain_low > 0]
+    return max(sure, key=lambda factor: found.narrowed[factor].gain) if sure else order[0]
+
+
+def _nominal(found: Tolerance) -> list[str]:
+    if found.nominal_works:
+        return []
+    return [f"As designed it does not work already: {found.nominal.outcomes[0]}."]
+
+
+def _works(found: Tolerance) -> str:
+    works, failed = found.probability, [name for name in found.outcomes if name not in _working(found)]
+    count = f"{works.count} designs within the tolerances"
+    if works.share is None:
+        return f"None of {count} tells whether it works: {', '.join(found.outcomes)}."
+    ways = "" if not failed else f" Those that fail mostly end with: {failed[0]}."
+    return f"It works in {percent(works)} of cases, by {count}.{ways}"
+
+
+def _wanted(found: Tolerance) -> list[str]:
+    """What was asked of the probability, and whether its interval tells."""
+    works, told = found.probability, []
+    for limit in found.question.wanted:
+        above, below = works.low >= limit.bound, works.high <= limit.bound
+        met = above if limit.kind == ">=" else below
+        missed = works.high < limit.bound if limit.kind == ">=" else works.low > limit.bound
+        kept = "is met" if met else "is not met" if missed else "lies within the interval: it cannot be told"
+        told.append(f"Asked was {limit}, which {kept}.")
+    return told
+
+
+def _working(found: Tolerance) -> set[str]:
+    works = found.samples.facts[0]
+    return set(found.samples.outcomes[works].tolist())
+
+
+def _decides(found: Tolerance) -> list[str]:
+    if not found.tells_what_decides:
+        return ["So few designs do not tell which tolerance decides: give it more time."]
+    factor = most_telling(found)
+    if factor is None:
+        return ["Nothing within the tolerances changes the margin."]
+    question, indices = found.question, found.indices
+    place, key = found.kept.index(factor), question.keys[factor]
+    line = np.isnan(indices.total[0]).all()
+    kind = (
+        (indices.first, indices.first_low, indices.first_high)
+        if line
+        else (
+            indices.total,
+            indices.total_low,
+            indices.total_high,
+        )
+    )
+    share, low, high = (float(each[0, place]) for each in kind)
+    how = "by a straight line over it" if line else "alone and with others"
+    gain = found.narrowed[factor]
+    does = f"It decides {_range(share, low, high)} of the margin's variance, {how}"
+    told = [f"Tighten the tolerance of {key}, {question.width_text(factor)}, first. {does}{_gained(found, factor)}."]
+    if gain.gain_low <= 0 and found.probability.fails:
+        told = [f"{told[0]} Half of it alone gains no more than chance."]
+    if not line and len(found.kept) < len(question.keys):
+        rest = float(indices.total[0, -1]), float(indices.total_low[0, -1]), float(indices.total_high[0, -1])
+        number = len(question.keys) - len(found.kept)
+        may = ": these need no care" if rest[2] < _LITTLE else ""
+        told.append(f"The {number} others together decide {_range(*rest)}{may}.")
+    return told
+
+
+def _gained(found: Tolerance, factor: int) -> str:
+    gain = found.narrowed[factor]
+    if gain.gain_low <= 0 or found.probability.share is None:
+        return ""
+    then = min(found.probability.share + gain.gain, 1.0)
+    span = f"{_number(gain.gain_low)} to {_number(gain.gain_high)} more"
+    return f"; with half of it {_number(then)} of 100 would work instead of {_number(found.probability.share)} ({span})"
+
+
+def _side(found: Tolerance) -> list[str]:
+    """Which value to move, and which way: where it fails more often on one side than on the other, beyond chance."""
+    if not found.tells_what_decides:
+        return []
+    sides = []
+    for factor, each in enumerate(found.narrowed):
+        for way, one, other in (("larger", each.below, each.above), ("smaller", each.above, each.below)):
+            if one.share is not None and other.share is not None and one.high < other.low:
+                sides.append((one.share - other.share, factor, way))
+    if not sides:
+        return []
+    _, factor, way = min(sides)
+    each, question = found.narrowed[factor], found.question
+    where, less, more = ("below", each.below, each.above) if way == "larger" else ("above", each.above, each.below)
+    return [
+        f"A {way} {question.keys[factor]} than {question.value_text(factor, 0.0)} would help: where it is {where} that,"
+        f" {_number(less.share or 0.0)} % work, on the other side {_number(more.share or 0.0)} %."
+    ]
+
+
+def _near(found: Tolerance) -> list[str]:
+    """The nearest failure of one value alone, and of all together where that is nearer."""
+    told, distance = [], math.inf
+    alone = [
+        (reach.fails, factor, sign, reach.works)
+        for factor, ways in enumerate(found.reaches)
+        for sign, reach in zip((-1, 1), ways, strict=True)
+        if reach.fails is not None
+    ]
+    if alone:
+        distance, factor, sign, works = min(alone)
+        value = found.question.value_text(factor, sign * distance)
+        width = f"{distance:.2g}" if works >= _SHARP * distance else f"between {works:.2g} and {distance:.2g}"
+        told.append(
+            f"The nearest failure of one value alone is {found.question.keys[factor]} at {value},"
+            f" {width} tolerances {'above' if sign > 0 else 'below'} its own."
+        )
+    elif found.reaches:
+        told.append(f"No value alone makes it fail within {found.plan.steps[-1]:g} tolerances, or its bounds.")
+    if found.nearest is not None and found.nearest.largest < distance:
+        told.append(f"All together fail where none is off by more than {found.nearest.largest:.2g} of its tolerance.")
+    return told
+
+
+def _doubtful(found: Tolerance) -> list[str]:
+    unknown = found.probability.unknown
+    if not unknown:
+        return []
+    runs = "1 run is" if unknown == 1 else f"{unknown} runs are"
+    return [
+        f"{runs} not to be trusted, or cannot be built: the intervals hold whatever they would have come to,"
+        " and their margin counts as -1."
+    ]
+
+
+def _assumed(found: Tolerance) -> list[str]:
+    if not found.question.assumed:
+        return []
+    return [
+        f"No tolerances were given: {found.question.width_text(0)}, uniform, on all {len(found.question.keys)} positive"
+        " values with units that are not the protocol's."
+    ]
+
+
+def _range(share: float, low: float, high: float) -> str:
+    return f"{_number(max(share, 0.0))} % ({_number(max(low, 0.0))} to {_number(min(high, 1.0))} %)"
+
+
+def _number(share: float) -> str:
+    """Percent, with a digit more near 0 and 100."""
+    value = 100 * share
+    if math.isclose(value, round(value), abs_tol=1e-9):
+        return f"{value:.0f}"
+    return f"{value:.0f}" if 2 <= value <= 98 else f"{value:.1f}"

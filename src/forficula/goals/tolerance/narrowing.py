@@ -1,0 +1,74 @@
+"""What half a tolerance would do, and on which side of its value a design fails: from samples that are there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import stats
+
+from forficula.goals.tolerance.probability import LEVEL, Probability, probability
+
+Values = NDArray[np.float64]
+Booleans = NDArray[np.bool_]
+
+_NORMAL = float(stats.norm.ppf((1 + LEVEL) / 2))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Narrowed:
+    """What the tolerance of one factor does to the probability of working.
+
+    Attributes:
+        gain: by how much the probability rises where the tolerance is halved.
+        gain_low: lower end of its 95 % interval.
+        gain_high: upper end.
+        below: probability where the factor is below the design's value.
+        above: where it is above.
+    """
+
+    gain: float
+    gain_low: float
+    gain_high: float
+    below: Probability
+    above: Probability
+
+
+def narrowed(offsets: Values, works: Booleans, distribution: Literal["uniform", "normal"]) -> Narrowed:
+    """Estimate what half a tolerance would do, from samples within the whole one.
+
+    Each sample counts by how much more frequent it would be (importance sampling): of a uniform tolerance those in its
+    inner half twice and the others not at all. The interval is that of the difference of two means over the same
+    samples, by its linear terms.
+
+    Args:
+        offsets: of one factor, in widths, (samples,).
+        works: whether each works, (samples,).
+        distribution: of the offsets.
+    """
+    if distribution == "uniform":
+        weights = np.where(np.abs(offsets) <= 0.5, 2.0, 0.0)
+    else:
+        weights = stats.norm.pdf(offsets, scale=0.5) / stats.norm.pdf(offsets)
+    gain = scatter = 0.0
+    if weights.any():
+        share, mean = weights / np.mean(weights), float(np.mean(works))
+        halved = float(np.mean(share * works))
+        gain = halved - mean
+        scatter = _NORMAL * float(np.std(share * (works - halved) - (works - mean))) / np.sqrt(len(works))
+    low = offsets < 0
+    return Narrowed(
+        gain=gain,
+        gain_low=gain - scatter,
+        gain_high=gain + scatter,
+        below=_counted(works[low]),
+        above=_counted(works[~low]),
+    )
+
+
+def _counted(works: Booleans) -> Probability:
+    if not len(works):
+        return Probability(works=0, fails=0, unknown=0, share=None, low=0.0, high=1.0)
+    return probability(int(np.sum(works)), int(np.sum(~works)))

@@ -1,0 +1,72 @@
+"""Probability that a design works, from runs of deviated ones: a share and its interval."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from scipy import stats
+
+LEVEL = 0.95
+
+
+@dataclass(frozen=True, kw_only=True)
+class Probability:
+    """How likely it is that something holds.
+
+    Attributes:
+        works: runs in which it holds.
+        fails: runs in which it does not.
+        unknown: runs that tell nothing, for they are not to be trusted.
+        share: of the runs that tell, those in which it holds; None where none tells.
+        low: lower end of the 95 % interval, with every run that tells nothing counted as one that fails.
+        high: upper end, with every such run counted as one that works.
+    """
+
+    works: int
+    fails: int
+    unknown: int
+    share: float | None
+    low: float
+    high: float
+
+    @property
+    def count(self) -> int:
+        """All runs, those that tell nothing among them."""
+        return self.works + self.fails + self.unknown
+
+
+def probability(works: int, fails: int, unknown: int = 0) -> Probability:
+    """Estimate a probability from runs at random points.
+
+    The interval is the exact one of Clopper and Pearson (1934, doi:10.1093/biomet/26.4.404): of independent points it
+    holds the probability at least 95 times in 100, however near to 0 or 1 that is, where Wilson's does so only on
+    average. Points of a Latin hypercube scatter hardly more than independent ones, and mostly less (Owen 1997,
+    doi:10.1137/S0036142994277468), so that it mostly holds more often still. Runs that tell nothing widen it by all
+    they could be.
+
+    Args:
+        works: runs in which it holds.
+        fails: runs in which it does not.
+        unknown: runs that tell nothing.
+
+    Raises:
+        ValueError: no runs at all, or a negative number of them.
+    """
+    count = works + fails + unknown
+    if min(works, fails, unknown) < 0 or count == 0:
+        raise ValueError(f"need runs, got {works} that work, {fails} that fail, {unknown} that tell nothing")
+    told = works + fails
+    return Probability(
+        works=works,
+        fails=fails,
+        unknown=unknown,
+        share=works / told if told else None,
+        low=_interval(works, count)[0],
+        high=_interval(works + unknown, count)[1],
+    )
+
+
+def _interval(works: int, count: int) -> tuple[float, float]:
+    """Ends of the exact interval."""
+    found = stats.binomtest(works, count).proportion_ci(confidence_level=LEVEL, method="exact")
+    return float(found.low), float(found.high)

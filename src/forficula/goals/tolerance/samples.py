@@ -1,0 +1,145 @@
+"""Designs that are off, and what became of each: whether it works, by which margins, and how it failed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.analysis import Verdict
+from forficula.analysis.margin import NOT_TRIED, chained_row, margin_column
+from forficula.design import Design
+from forficula.errors import InputError
+from forficula.goals.assessor import Assessor, value_of
+from forficula.goals.deviation import off_values
+from forficula.goals.tolerance.nearest_failure import Answer
+from forficula.goals.tolerance.points import Points
+from forficula.goals.tolerance.question import MARGIN, Question
+from forficula.structure import Transition, structure_of
+from forficula.study.journal import Row
+
+
+@dataclass(frozen=True, kw_only=True)
+class Samples:
+    """Designs that are off, and what became of each.
+
+    Attributes:
+        offsets: by how many widths each factor is off, (samples, factors).
+        answers: whether each works, (samples,).
+        outcomes: what each came to, in words, (samples,).
+        statuses: the same in full, (samples,).
+        verdicts: of the runs, (samples,).
+        margins: by `margin_names`, (results, samples); finite whatever happened.
+        facts: by `fact_names`, whether each holds, (facts, samples).
+    """
+
+    offsets: Points
+    answers: NDArray[np.object_]
+    outcomes: NDArray[np.object_]
+    statuses: NDArray[np.object_]
+    verdicts: NDArray[np.object_]
+    margins: NDArray[np.float64]
+    facts: NDArray[np.bool_]
+
+    def __len__(self) -> int:
+        return len(self.answers)
+
+
+def joined(parts: Sequence[Samples]) -> Samples:
+    """All samples of several, in their order."""
+    return Samples(
+        offsets=np.concatenate([part.offsets for part in parts]),
+        answers=np.concatenate([part.answers for part in parts]),
+        outcomes=np.concatenate([part.outcomes for part in parts]),
+        statuses=np.concatenate([part.statuses for part in parts]),
+        verdicts=np.concatenate([part.verdicts for part in parts]),
+        margins=np.concatenate([part.margins for part in parts], axis=1),
+        facts=np.concatenate([part.facts for part in parts], axis=1),
+    )
+
+
+def margin_names(question: Question) -> tuple[str, ...]:
+    """What the margins of a sample are called: that of all together, of each transition, of each limit."""
+    return (
+        MARGIN,
+        *(transition.name for transition in structure_of(question.design).transitions),
+        *(str(limit) for limit in question.limits),
+    )
+
+
+def fact_names(question: Question) -> tuple[str, ...]:
+    """What may hold of a sample: that it works, that it does each transition and keeps it, that it meets each limit."""
+    facts = ["works"]
+    for transition in structure_of(question.design).transitions:
+        facts += [transition.wording.does, f"stays {transition.wording.stays}"]
+    return (*facts, *(str(limit) for limit in question.limits))
+
+
+def assess_samples(question: Question, assess: Assessor, offsets: Points) -> Samples:
+    """Run designs that are off.
+
+    Args:
+        question: of which design, and when it works.
+        assess: what makes rows of designs.
+        offsets: in widths, (samples, factors); values stay within what their keys allow.
+    """
+    values = [off_values(question.design, question.deviations, each) for each in offsets.tolist()]
+    designs = [built_design(question.design, each) for each in values]
+    rows = assess(designs, question.sources, points=values)
+    transitions = structure_of(question.design).transitions
+    margins = [_margins(question, row, design, transitions) for row, design in zip(rows, designs, strict=True)]
+    answers = [_answer(row, each) for row, each in zip(rows, margins, strict=True)]
+    facts = [
+        [answer is Answer.WORKS, *_made(row, transitions), *(margin >= 0 for margin in each[1 + len(transitions) :])]
+        for row, answer, each in zip(rows, answers, margins, strict=True)
+    ]
+    outcomes = [
+        "misses a limit" if answer is Answer.FAILS and row["verdict"] == Verdict.REACHED else row["outcome"]
+        for row, answer in zip(rows, answers, strict=True)
+    ]
+    return Samples(
+        offsets=offsets,
+        answers=np.array(answers, dtype=object),
+        outcomes=np.array(outcomes, dtype=object),
+        statuses=np.array([row["status"] for row in rows], dtype=object),
+        verdicts=np.array([row["verdict"] for row in rows], dtype=object),
+        margins=np.array(margins, dtype=float).reshape(len(rows), -1).T,
+        facts=np.array(facts, dtype=bool).reshape(len(rows), -1).T,
+    )
+
+
+def built_design(design: Design, values: dict[str, object]) -> Design | str:
+    """The design with values, or why there is none."""
+    try:
+        return design.with_values(values)
+    except InputError as error:
+        return str(error)
+
+
+def _margins(question: Question, row: Row, design: Design | str, transitions: Sequence[Transition]) -> list[float]:
+    """In the order of `margin_names`."""
+    made = [float(row.get(margin_column(each.name), NOT_TRIED)) for each in transitions]
+    limits = [limit.margin(value_of(row, limit.quantity, design)) for limit in question.limits]
+    return [min([chained_row(row, transitions), *limits]), *made, *limits]
+
+
+def _answer(row: Row, margins: Sequence[float]) -> Answer:
+    verdict = Verdict(row["verdict"])
+    if verdict is Verdict.NOT_BUILT:
+        return Answer.OUTSIDE
+    # what diverges and what is not to be trusted say something of the computation, not of the structure
+    if not verdict.tells:
+        return Answer.UNKNOWN
+    return Answer.WORKS if verdict is Verdict.REACHED and all(each >= 0 for each in margins) else Answer.FAILS
+
+
+def _made(row: Row, transitions: Sequence[Transition]) -> list[bool]:
+    """Of every transition whether it was made, and whether it was kept when released."""
+    made = []
+    for transition in transitions:
+        kept = bool(row.get(transition.state))
+        lost = row["verdict"] == Verdict.NOT_HELD and row["goal"] == transition.name
+        made += [kept or lost, kept]
+    return made

@@ -1,0 +1,99 @@
+"""The files that an identification leaves beside the rows of its runs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from forficula.csv_text import csv_text
+from forficula.files import replacing_all, write_bytes, write_text
+from forficula.goals.identify.marginal import marginals, unknowns_of
+from forficula.show.goals.identify_figures import identify_drawings
+from forficula.show.goals.identify_text import first_sentence, identification_text, together_sentences
+from forficula.show.page.identify_page import write_identify_page
+from forficula.show.page.rich_html import laid_out
+from forficula.show.style import save_figures
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+IDENTIFIED = "identified.nc"
+_SUMMARY = "summary.txt"
+
+
+def write_identification(result: Dataset, folder: Path) -> None:
+    """Write an identification: its table as netCDF and as text, its sentences, figures and page; all of them, or none.
+
+    Args:
+        result: what came out.
+        folder: of the identification; what an earlier result left there is replaced.
+
+    Raises:
+        InputError: a file cannot be written.
+    """
+    with replacing_all(folder) as unfinished:
+        write_bytes(unfinished / IDENTIFIED, result.to_netcdf(engine="h5netcdf"))
+        csv = samples_csv(result)
+        write_text(unfinished / "samples.csv", csv)
+        write_text(unfinished / _SUMMARY, "\n".join([first_sentence(result), *together_sentences(result)]) + "\n")
+        save_figures(identify_drawings(result), unfinished)
+        write_identify_page(result, laid_out(identification_text(result)), unfinished / "report.html", csv=csv)
+
+
+def samples_csv(result: Dataset) -> str:
+    """A line for every sample: its values in SI, by how much it misses each fact, and how many it meets."""
+    names = unknowns_of(result)
+    units = [str(result[name].attrs.get("units", "")) for name in names]
+    facts = [str(name) for name in result["fact"].values]
+    of_facts = [
+        f"{name} ({unit})" if unit else name for name, unit in zip(facts, result["fact_units"].values, strict=True)
+    ]
+    headings = [f"{name} ({unit})" if unit else name for name, unit in zip(names, units, strict=True)]
+    distances, met = result["distance"].values, result["met"].values
+    rows: list[list[Any]] = []
+    for sample in range(result.sizes["sample"]):
+        values = [result[name].values[sample] for name in names]
+        missed = ["" if np.isnan(each) else float(each) for each in distances[sample]]
+        kind = "placed" if result["directed"].values[sample] else "drawn"
+        rows.append([kind, *values, *missed, int(met[sample].sum()), str(result["status"].values[sample])])
+    return csv_text([["sample", *headings, *of_facts, "facts met", "status"], *rows])
+
+
+def identification_json(result: Dataset) -> dict[str, Any]:
+    """What came out as plain data: the facts, how often each is met, pairs that none meets, and what agrees."""
+    told = result.attrs
+    return {
+        **{name: told[name] for name in ("name", "design", "drawn", "placed", "could_not_run", "runs", "most_met")},
+        "facts": [_fact_json(result.isel(fact=number)) for number in range(result.sizes["fact"])],
+        "sentences": together_sentences(result),
+        "unknowns": [
+            {
+                "key": each.key,
+                "units": str(result[each.name].attrs.get("units", "")),
+                "believed": [_plain(end) for end in each.believed],
+                "agrees": [_plain(end) for end in each.agrees],
+                "chance": each.chance,
+            }
+            for each in marginals(result)
+        ],
+    }
+
+
+def _fact_json(fact: Dataset) -> dict[str, Any]:
+    distances = fact["distance"].values
+    known = distances[np.isfinite(distances)]
+    return {
+        "name": str(fact["fact"].values),
+        "asked": str(fact["fact_asked"].values),
+        "units": str(fact["fact_units"].values),
+        "met": int((fact["met"].values & ~fact["directed"].values).sum()),
+        "share": [float(fact[f"met_share{end}"]) for end in ("", "_low", "_high")],
+        "nearest": float(known.min()) if len(known) else None,
+    }
+
+
+def _plain(value: object) -> object:
+    """A number, or a word, as JSON has it."""
+    return float(value) if isinstance(value, float | int) else value

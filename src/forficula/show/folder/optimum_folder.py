@@ -1,0 +1,127 @@
+"""The files that a search for the best design leaves beside its journal."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from forficula.design import save_design
+from forficula.dynamics import versions
+from forficula.files import write_bytes, write_text
+from forficula.goals.margins import own_limits
+from forficula.goals.optimise.neighbours import Neighbours
+from forficula.goals.optimise.optimum import Optimum
+from forficula.goals.optimise.optimum_table import optimum_csv
+from forficula.goals.optimise.telling import told
+from forficula.goals.optimise.verification import Verification
+from forficula.show.goals.optimum_figures import draw_candidates, draw_front
+from forficula.show.goals.optimum_text import optimum_text
+from forficula.show.page.goal_page import write_goal_page
+from forficula.show.page.rich_html import laid_out
+from forficula.show.style import Drawing, save_figures
+from forficula.study.kept_runs import KeptRun
+
+OPTIMUM_FILE = "optimum.json"
+
+
+def write_optimum(found: Optimum, folder: Path) -> None:
+    """Write the best designs as design files, optimum.json, table.csv, table.nc and the figures.
+
+    Args:
+        found: what the search came to.
+        folder: with the journal; what an earlier result left there is replaced.
+
+    Raises:
+        InputError: the folder cannot be written.
+    """
+    for path in folder.glob("best*.toml"):
+        path.unlink()
+    for number, design in enumerate(found.designs, start=1):
+        save_design(design, folder / (f"best-{number:02d}.toml" if len(found.designs) > 1 else "best.toml"))
+    write_text(folder / OPTIMUM_FILE, json.dumps(optimum_json(found), indent=2, ensure_ascii=False) + "\n")
+    write_text(folder / "table.csv", optimum_csv(found.table))
+    write_bytes(folder / "table.nc", found.table.to_netcdf(engine="h5netcdf"))
+    save_figures(optimum_drawings(found), folder)
+
+
+def optimum_drawings(found: Optimum) -> dict[str, Drawing]:
+    """What draws a search, by the stem of its file."""
+    drawings: dict[str, Drawing] = {"candidates": lambda width: draw_candidates(found, width)}
+    if len(found.goal.objectives) > 1:
+        drawings["front"] = lambda width: draw_front(found, width)
+    return drawings
+
+
+def write_optimum_report(found: Optimum, kept: Iterable[KeptRun], count: int, folder: Path) -> None:
+    """Write the search as one page, `report.html`.
+
+    Args:
+        found: what the search came to.
+        kept: the runs that can be played, taken one after another.
+        count: how many these are.
+        folder: of the results.
+
+    Raises:
+        InputError: it cannot be written.
+    """
+    write_goal_page(found, laid_out(optimum_text(found)), folder / "report.html", kept, count)
+
+
+def optimum_json(found: Optimum) -> dict[str, Any]:
+    """A search as plain data: quantities in SI under their names, None where there is no number."""
+    goal, effort = found.goal, found.effort
+    names = [*map(str, own_limits(goal)), "works"]
+    return {
+        "goal": goal.name,
+        "design": goal.base.name,
+        "design_hash": goal.base.hash,
+        "objectives": {each.quantity.name: each.kind for each in goal.objectives},
+        "limits": [str(each) for each in (*goal.given, *goal.limits)],
+        "says": told(found),
+        "best": [_verification(found, each) for each in found.best],
+        "discarded": [_verification(found, each) for each in found.discarded],
+        "effort": {
+            "tried": effort.tried,
+            "runs": effort.runs,
+            "runs_spared": effort.spared_runs,
+            "ruled_out": effort.ruled_out,
+            "neighbour_runs": effort.neighbour_runs,
+            "neighbours_spared": effort.spared_neighbours,
+            "verification_runs": effort.verification_runs,
+        },
+        "would_have_to_give": {
+            names[each.limit]: {"best_margin": _number(each.best), "best_where_others_hold": _number(each.alone)}
+            for each in found.relaxations
+        },
+        "seed": goal.seed,
+        "versions": versions(),
+    }
+
+
+def _verification(found: Optimum, each: Verification) -> dict[str, Any]:
+    candidate = each.candidate
+    return {
+        "values": dict(candidate.values),
+        "quantities": {quantity.name: candidate.value(quantity) for quantity in found.goal.quantities},
+        "least_margin": _number(candidate.found.least),
+        "neighbours": _neighbours(candidate.neighbours),
+        "fresh_neighbours": _neighbours(each.fresh),
+        "timestep_s": each.timestep,
+        "margin_at_quarter_timestep": None if each.finer is None else _number(each.finer.least),
+        "residual_at_quarter_timestep": each.residual,
+        "holds": each.holds,
+    }
+
+
+def _neighbours(each: Neighbours | None) -> dict[str, Any] | None:
+    if each is None:
+        return None
+    low, high = each.interval
+    return {"works": each.works, "tried": each.tried, "share": each.share, "low": low, "high": high}
+
+
+def _number(value: float) -> float | None:
+    return None if math.isnan(value) else value

@@ -1,0 +1,190 @@
+"""The files that a tolerance leaves beside its journal."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from forficula.csv_text import csv_text
+from forficula.design import key_value, save_design
+from forficula.dynamics import versions
+from forficula.files import write_bytes, write_text
+from forficula.goals.deviation import deviation_widths
+from forficula.goals.tolerance import Tolerance
+from forficula.goals.tolerance.advice import advice, most_telling
+from forficula.goals.tolerance.indices import Values
+from forficula.goals.tolerance.nearest_failure import Answer, Reach
+from forficula.goals.tolerance.probability import Probability
+from forficula.goals.tolerance.question import MARGIN
+from forficula.goals.tolerance.tolerance_table import tolerance_table
+from forficula.show.goals.tolerance_figures import draw_cloud, draw_indices, draw_reaches
+from forficula.show.goals.tolerance_text import tolerance_text
+from forficula.show.page.rich_html import laid_out
+from forficula.show.page.tolerance_page import VerdictCells, write_tolerance_page
+from forficula.show.style import Drawing, save_figures
+from forficula.study.kept_runs import KeptRun
+from forficula.study.table import unit_suffix
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+TOLERANCE_FILE, TOLERANCE_TABLE = "tolerance.json", "tolerance.nc"
+
+
+def write_tolerance(found: Tolerance, folder: Path) -> Dataset:
+    """Write design.toml, tolerance.json, tolerance.nc, table.csv and the figures.
+
+    Args:
+        found: what the runs say.
+        folder: with the journal; what an earlier result left there is replaced.
+
+    Returns:
+        The table that was written.
+
+    Raises:
+        InputError: the folder cannot be written.
+    """
+    table = tolerance_table(found)
+    save_design(found.question.design, folder / "design.toml")
+    write_text(folder / TOLERANCE_FILE, json.dumps(tolerance_json(found), indent=2, ensure_ascii=False) + "\n")
+    write_text(folder / "table.csv", _samples_csv(table))
+    write_bytes(folder / TOLERANCE_TABLE, table.to_netcdf(engine="h5netcdf"))
+    save_figures(tolerance_drawings(table), folder)
+    return table
+
+
+def write_tolerance_report(found: Tolerance, kept: Iterable[KeptRun], count: int, folder: Path) -> None:
+    """Write the tolerance as one page, `report.html`.
+
+    Args:
+        found: what the runs say.
+        kept: the runs that can be played, taken one after another.
+        count: how many these are.
+        folder: of the results.
+
+    Raises:
+        InputError: it cannot be written.
+    """
+    question, table = found.question, tolerance_table(found)
+    write_tolerance_page(
+        question.design,
+        question.deviations,
+        table,
+        laid_out(tolerance_text(found)),
+        folder / "report.html",
+        kept,
+        count,
+        _samples_csv(table),
+        _verdict_cells(found),
+    )
+
+
+def _verdict_cells(found: Tolerance) -> VerdictCells | None:
+    """The map of verdicts over values instead of widths of tolerances; None where there is none."""
+    if found.map is None:
+        return None
+    question, factors = found.question, (found.map.first, found.map.second)
+    own = [float(key_value(question.design, question.keys[factor])) for factor in factors]
+    widths = deviation_widths(question.design, [question.deviations[factor] for factor in factors])
+    across, upwards = (value + steps * width for value, steps, width in zip(own, found.map.steps, widths, strict=True))
+    works = (found.map.samples.answers == Answer.WORKS).reshape(len(across), len(upwards))
+    first, second = (question.keys[factor] for factor in factors)
+    return VerdictCells(
+        first=first, second=second, across=across.tolist(), upwards=upwards.tolist(), works=works.tolist()
+    )
+
+
+def tolerance_drawings(table: Dataset) -> dict[str, Drawing]:
+    """What draws a tolerance, by the stem of its file; what was not looked for is left out."""
+    drawings: dict[str, Drawing] = {}
+    if np.isfinite(table["first_index"].values[0]).any():
+        drawings["indices"] = lambda width: draw_indices(table, width)
+    if "map_outcome" in table:
+        drawings["cloud"] = lambda width: draw_cloud(table, width)
+    if np.isfinite(table["works_down"].values).any():
+        drawings["reaches"] = lambda width: draw_reaches(table, width)
+    return drawings
+
+
+def tolerance_json(found: Tolerance) -> dict[str, Any]:
+    """A tolerance as plain data with units in its keys; None where there is no number."""
+    question, indices = found.question, found.indices
+    telling = most_telling(found)
+    return {
+        "design": question.design.name,
+        "design_hash": question.design.hash,
+        "nominal": str(found.nominal.outcomes[0]),
+        "works": _probability(found.probability),
+        "probabilities": {name: _probability(each) for name, each in found.probabilities.items()},
+        "outcomes": dict(found.outcomes),
+        "tighten_first": None if telling is None else question.keys[telling],
+        "says": advice(found),
+        "tolerances": {key: question.width_text(factor) for factor, key in enumerate(question.keys)},
+        "tolerances_given": not question.assumed,
+        "limits": [str(limit) for limit in (*question.limits, *question.wanted)],
+        "meets_limits_on_probability": found.meets,
+        "indices": {
+            result: {
+                group: {
+                    "first": _three(indices.first, indices.first_low, indices.first_high, row, column),
+                    "total": _three(indices.total, indices.total_low, indices.total_high, row, column),
+                }
+                for column, group in enumerate(indices.groups)
+            }
+            for row, result in enumerate(indices.results)
+        },
+        "gains_of_half": {
+            key: {"gain": float(each.gain), "low": float(each.gain_low), "high": float(each.gain_high)}
+            for key, each in zip(question.keys, found.narrowed, strict=True)
+        },
+        "alone_in_tolerances": {
+            key: {"down": _reach(down), "up": _reach(up)}
+            for key, (down, up) in zip(question.keys, found.reaches, strict=False)
+        },
+        "nearest_failure_in_tolerances": None
+        if found.nearest is None
+        else dict(zip(question.keys, found.nearest.offsets.tolist(), strict=True)),
+        "runs": found.runs,
+        "plan": asdict(found.plan),
+        "seed": found.seed,
+        "versions": versions(),
+    }
+
+
+def _probability(each: Probability) -> dict[str, Any]:
+    return {
+        "probability": each.share,
+        "low": each.low,
+        "high": each.high,
+        "works": each.works,
+        "fails": each.fails,
+        "unknown": each.unknown,
+    }
+
+
+def _three(value: Values, low: Values, high: Values, row: int, column: int) -> dict[str, float] | None:
+    if not np.isfinite(value[row, column]):
+        return None
+    return {name: float(each[row, column]) for name, each in (("index", value), ("low", low), ("high", high))}
+
+
+def _reach(reach: Reach) -> dict[str, Any]:
+    return {"works_to": reach.works, "fails_at": reach.fails, "beyond": reach.why.value}
+
+
+def _samples_csv(table: Dataset) -> str:
+    """A line a sample: every value with its unit in the heading, in SI, what it came to, and its margins."""
+    factors = [name for name in table.coords if table[name].dims == ("sample",)]
+    headings = [f"{name}{unit_suffix(table[name].attrs['units'])}" for name in factors]
+    results = [f"{name} margin" if name != MARGIN else MARGIN for name in table["result"].values.tolist()]
+    columns = [*(table[name].values for name in factors), table["answer"].values, table["outcome"].values]
+    columns += list(table["margin"].values)
+    rows = [
+        [value if isinstance(value, str) else f"{value:.9g}" for value in row] for row in zip(*columns, strict=True)
+    ]
+    return csv_text([[*headings, "answer", "outcome", *results], *rows])

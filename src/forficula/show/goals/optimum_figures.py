@@ -1,0 +1,144 @@
+"""What an optimisation shows: all that was tried over every parameter and quantity, and the front."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from numpy.typing import NDArray
+
+from forficula.goals.optimise.optimum import Optimum
+from forficula.quantities import Unit, parse_quantity
+from forficula.show.study.factor_text import key_text
+from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, fit_legend, is_narrow
+
+Array = NDArray[np.float64]
+
+_GREY = "0.75"
+# inch
+_HEIGHT = 3.0
+
+
+def draw_candidates(found: Optimum, width: float = PAGE_WIDTH) -> Figure:
+    """Draw every candidate as a line over the parameters, the quantities of the goal and the least margin.
+
+    Args:
+        found: what the search came to.
+        width: of the figure, inch.
+    """
+    axes_of = _axes_of(found)
+    feasible, best = (found.table[name].values.astype(bool) for name in ("feasible", "best"))
+    places = np.arange(len(axes_of), dtype=float)
+    shares = np.stack([_shares(values) for _, _, values in axes_of], axis=1)
+    with figure_style():
+        figure = Figure(figsize=(width, _HEIGHT), layout="constrained")
+        axes = figure.subplots()
+        looks: tuple[tuple[NDArray[np.bool_], dict[str, Any]], ...] = (
+            (~feasible & ~best, {"color": _GREY, "lw": 0.4, "alpha": 0.5}),
+            (feasible & ~best, {"color": BLUE, "lw": 0.7, "alpha": 0.7}),
+            (best, {"color": VERMILION, "lw": 1.6}),
+        )
+        for chosen, look in looks:
+            for part in _lines(places, shares[chosen]):
+                axes.add_collection(LineCollection(part, **look))
+        for place, (_, unit, values) in zip(places, axes_of, strict=True):
+            axes.plot([place, place], [0, 1], color=BLACK, lw=0.6)
+            known = values[np.isfinite(values)]
+            ends = (known.min(), known.max()) if len(known) else (np.nan, np.nan)
+            for end, at, side in ((ends[0], -0.02, "top"), (ends[1], 1.02, "bottom")):
+                axes.text(place, at, f"{end:.3g} {unit}".strip(), ha="center", va=side, fontsize=6)
+        axes.set_xlim(-0.4, len(axes_of) - 0.6)
+        axes.set_ylim(-0.12, 1.12)
+        axes.set_yticks([])
+        for spine in axes.spines.values():
+            spine.set_visible(False)
+        names = [name for name, _, _ in axes_of]
+        axes.set_xticks(places, names, rotation=30 if len(names) > 4 or is_narrow(width) else 0, ha="right")
+        axes.tick_params(axis="x", length=0)
+        handles = [
+            Line2D([], [], color=VERMILION, lw=1.6, label="best, verified"),
+            Line2D([], [], color=BLUE, lw=0.7, label="meets the goal"),
+            Line2D([], [], color=_GREY, lw=0.7, label="does not"),
+        ]
+        fit_legend(figure, handles, 3, loc="outside upper center")
+        return describe(
+            figure,
+            f"All {len(feasible)} designs that were tried for {found.goal.name}, a line each, over its parameters and"
+            f" quantities; {int(feasible.sum())} meet the goal.",
+        )
+
+
+def draw_front(found: Optimum, width: float = PAGE_WIDTH) -> Figure:
+    """Draw the first two objectives of every candidate against each other, with the front.
+
+    Args:
+        found: of two objectives or more.
+        width: of the figure, inch.
+    """
+    objectives = [each.quantity for each in found.goal.objectives[:2]]
+    (first, one), (second, other) = (
+        (_label(quantity.name, quantity.unit), _shown(found.table[quantity.dimension].values, quantity.unit))
+        for quantity in objectives
+    )
+    feasible, best = (found.table[name].values.astype(bool) for name in ("feasible", "best"))
+    with figure_style():
+        figure = Figure(figsize=(width, _HEIGHT), layout="constrained")
+        axes = figure.subplots()
+        axes.plot(one[~feasible], other[~feasible], "x", color=_GREY, ms=3, mew=0.7, label="does not meet the goal")
+        axes.plot(one[feasible & ~best], other[feasible & ~best], "o", color=BLUE, ms=3, label="meets the goal")
+        order = np.argsort(one[best], kind="stable")
+        axes.plot(one[best][order], other[best][order], "-o", color=VERMILION, ms=4.5, lw=0.8, label="front, verified")
+        axes.set_xlabel(first)
+        axes.set_ylabel(second)
+        fit_legend(figure, axes.get_legend_handles_labels()[0], 3, loc="outside upper center")
+        return describe(
+            figure,
+            f"{first} against {second} of all designs that were tried for {found.goal.name}; {int(best.sum())} of them"
+            " are the front, on which neither can be better without the other being worse.",
+        )
+
+
+def _axes_of(found: Optimum) -> list[tuple[str, str, Array]]:
+    """Names, units and values, as people read them, of what lines go over."""
+    rows: list[tuple[str, str, Array]] = []
+    for parameter in found.goal.parameters:
+        values, unit = found.table[parameter.factor.dimension].values, parameter.factor.unit
+        if values.dtype.kind in "OU":  # choices that are words, in their order
+            places = [float([str(each) for each in parameter.choices].index(str(value))) for value in values]
+            rows.append((key_text(parameter.key), "", np.array(places)))
+        else:
+            rows.append((key_text(parameter.key), unit.display if unit else "", _shown(values, unit)))
+    names = {name for name, _, _ in rows}
+    for quantity in found.goal.quantities:
+        if quantity.dimension in found.table and key_text(quantity.name) not in names:
+            values = _shown(found.table[quantity.dimension].values, quantity.unit)
+            rows.append((key_text(quantity.name), quantity.unit.display, values))
+    rows.append(("least margin", "%", 100 * np.asarray(found.table["margin"].values, dtype=np.float64)))
+    return rows
+
+
+def _shown(values: Any, unit: Unit | None) -> Array:
+    """Values in the unit that people read."""
+    factor = 1.0 if unit is None else parse_quantity(f"1 {unit.display}", unit)
+    return np.asarray(values, dtype=np.float64) / factor
+
+
+def _label(name: str, unit: Unit) -> str:
+    return f"{key_text(name)} ({unit.display})"
+
+
+def _shares(values: Array) -> Array:
+    """Values between the least, 0, and the largest, 1; in the middle where all are alike."""
+    known = values[np.isfinite(values)]
+    if not len(known) or np.ptp(known) == 0:
+        return np.where(np.isfinite(values), 0.5, np.nan)
+    return np.asarray((values - known.min()) / np.ptp(known))
+
+
+def _lines(places: Array, shares: Array) -> list[list[Array]]:
+    """Lines over the places, broken where a value is not known."""
+    parts = [[np.column_stack([places[known], row[known]]) for row in shares if (known := np.isfinite(row)).sum() > 1]]
+    return [part for part in parts if part]

@@ -1,0 +1,213 @@
+"""What a tolerance shows: whose the variance is, the cloud of what is built over the map, how near failure is."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch, Rectangle
+
+from forficula.goals.tolerance.nearest_failure import Answer
+from forficula.show.study.factor_text import display_values, factor_label, key_text, plain_name
+from forficula.show.study.outcome_looks import look_of, map_style
+from forficula.show.style import (
+    BLACK,
+    BLUE,
+    ORANGE,
+    PAGE_WIDTH,
+    SKY,
+    VERMILION,
+    describe,
+    figure_style,
+    fit_legend,
+    is_narrow,
+)
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+# inch, of a row of bars
+_ROW = 0.27
+# groups that are drawn where each factor has a line of its own
+_MOST_ROWS = 10
+_INK = "0.35"
+# how designs with everything off are drawn
+_POINTS: dict[Answer, tuple[str, dict[str, Any]]] = {
+    Answer.WORKS: ("built: works", {"marker": "o", "mfc": "white", "mec": BLACK, "mew": 0.6, "ms": 3.2}),
+    Answer.FAILS: ("built: fails", {"marker": "x", "color": VERMILION, "mew": 1.0, "ms": 3.6}),
+    Answer.UNKNOWN: ("built: not to be trusted", {"marker": "d", "color": ORANGE, "ms": 3.2}),
+}
+# seen on cells of any colour
+_DESIGN: dict[str, Any] = {"marker": "P", "mfc": "white", "mec": BLACK, "mew": 1.0, "ms": 8}
+_END: dict[str, Any] = {"marker": "|", "color": _INK, "ms": 7, "mew": 1.6}
+_FAILURE: dict[str, Any] = {"marker": "x", "color": VERMILION, "ms": 4.5, "mew": 1.3}
+
+
+def draw_indices(table: Dataset, width: float = PAGE_WIDTH) -> Figure:
+    """Draw first-order and total indices of the margin with their 95 % intervals, one factor a row.
+
+    Args:
+        table: from `tolerance_table`.
+        width: of the figure, inch.
+    """
+    first, total = (table[f"{name}_index"].values[0] for name in ("first", "total"))
+    has_total = bool(np.isfinite(total).any())
+    places = _ranked(table, total if has_total else first)
+    names = [_group_name(table, place) for place in places]
+    with figure_style():
+        figure = Figure(figsize=(width, _ROW * len(places) + 0.95), layout="constrained")
+        axes = figure.subplots()
+        rows = np.arange(len(places), dtype=float)
+        bars = [("alone", BLUE, "first", 0.2 * has_total)]
+        if has_total:
+            bars.append(("alone and with others", SKY, "total", -0.2))
+        for label, colour, name, shift in bars:
+            share, low, high = (table[f"{name}_index{end}"].values[0][places] for end in ("", "_low", "_high"))
+            at = rows + shift
+            axes.barh(at, np.maximum(np.nan_to_num(share), 0), 0.38 if has_total else 0.7, color=colour, label=label)
+            axes.hlines(at, low, high, color=BLACK, lw=0.9)
+            for ends in (low, high):
+                axes.plot(ends, at, "|", color=BLACK, ms=4, mew=0.9)
+        axes.axvline(0, color=BLACK, lw=0.6)
+        axes.set_yticks(rows, names)
+        axes.invert_yaxis()
+        axes.set_xlabel("share of the variance of the margin")
+        least = np.nanmin(np.nan_to_num(table["first_index_low"].values[0]), initial=0.0)
+        axes.set_xlim(float(least) - 0.02, None)
+        handles: list[Artist] = [Patch(fc=colour, label=label) for label, colour, *_ in bars]
+        handles.append(Line2D([], [], color=BLACK, lw=0.9, marker="|", ms=4, label="95 % interval"))
+        fit_legend(figure, handles, 3, loc="outside upper center")
+        return describe(
+            figure,
+            f"Which tolerances decide whether {table.attrs['design']} works. Most of the margin's variance has to do"
+            f" with {names[0]}; {_likely(table)}.",
+        )
+
+
+def draw_cloud(table: Dataset, width: float = PAGE_WIDTH) -> Figure:
+    """Draw what is built within the tolerances over what becomes of designs of which two factors are off alone.
+
+    Args:
+        table: from `tolerance_table`, with a map.
+        width: of the figure, inch.
+    """
+    width = width if is_narrow(width) else 0.75 * width
+    with map_style():
+        figure = Figure(figsize=(width, 0.8 * width + 0.4), layout="constrained")
+        axes = figure.subplots()
+        handles = _draw_cells(axes, table)
+        keys = [str(table[name].attrs["key"]) for name in ("map_x", "map_y")]
+        across, upwards = (display_values(table[key.replace(".", "_")])[0] for key in keys)
+        for answer, (label, look) in _POINTS.items():
+            which = table["answer"].values == answer.value
+            if which.any():
+                axes.plot(across[which], upwards[which], ls="", **look)
+                handles.append(Line2D([], [], ls="", label=label, **look))
+        _draw_tolerance(axes, table, keys)
+        handles.append(Line2D([], [], ls="", label="as designed", **_DESIGN))
+        axes.set_xlabel(factor_label(table["map_x"]))
+        axes.set_ylabel(factor_label(table["map_y"]))
+        fit_legend(figure, handles, 3, loc="outside upper center")
+        names = " and ".join(plain_name(table[name]) for name in ("map_x", "map_y"))
+        return describe(
+            figure,
+            f"What is built of {table.attrs['design']}, over {names}. Cells say what becomes of it where these two"
+            f" alone are off, points are designs with everything off: {_likely(table)}.",
+        )
+
+
+def draw_reaches(table: Dataset, width: float = PAGE_WIDTH) -> Figure:
+    """Draw how far each value alone may go down and up before it fails, in tolerances.
+
+    Args:
+        table: from `tolerance_table`, of a design that works.
+        width: of the figure, inch.
+    """
+    nearest = np.fmin(table["fails_down"].values, table["fails_up"].values)
+    order = np.argsort(np.where(np.isnan(nearest), np.inf, nearest), kind="stable").tolist()
+    keys = [key_text(str(key)) for key in table["factor"].values]
+    with figure_style():
+        figure = Figure(figsize=(width, 0.6 * _ROW * len(order) + 0.95), layout="constrained")
+        axes = figure.subplots()
+        for row, factor in enumerate(order):
+            for sign, way in ((-1, "down"), (1, "up")):
+                works, fails, ends = (table[f"{name}_{way}"].values[factor] for name in ("works", "fails", "ends"))
+                axes.barh(row, sign * works, 0.6, color=SKY)
+                if np.isfinite(fails):
+                    axes.plot(sign * fails, row, ls="", **_FAILURE)
+                elif ends != Answer.WORKS.value:
+                    axes.plot(sign * works, row, ls="", **_END)
+        axes.axvline(0, color=BLACK, lw=0.6)
+        for edge in (-1, 1):
+            axes.axvline(edge, color=BLACK, lw=0.8, ls="--")
+        axes.set_yticks(range(len(order)), [keys[factor] for factor in order])
+        axes.invert_yaxis()
+        axes.margins(y=0.01)
+        axes.set_xlabel("deviation of this value alone (tolerances)")
+        handles: list[Artist] = [
+            Patch(fc=SKY, label="works"),
+            Line2D([], [], ls="", label="fails", **_FAILURE),
+            Line2D([], [], ls="", label="nothing to be told beyond", **_END),
+            Line2D([], [], color=BLACK, lw=0.8, ls="--", label="the tolerance"),
+        ]
+        fit_legend(figure, handles, 4, loc="outside upper center")
+        told = "None fails alone"
+        if np.isfinite(nearest[order[0]]):
+            told = f"{keys[order[0]]} fails first, {nearest[order[0]]:.2g} tolerances off".capitalize()
+        return describe(figure, f"How far each value of {table.attrs['design']} alone may be off. {told}.")
+
+
+def _ranked(table: Dataset, shares: Any) -> list[int]:
+    """Places of the groups, those that decide most first; the others together last."""
+    keys = {str(key) for key in table["factor"].values}
+    groups = [str(group) for group in table["group"].values]
+    own = [place for place, group in enumerate(groups) if group in keys]
+    ranked = sorted(own, key=lambda place: -np.nan_to_num(shares[place]))[:_MOST_ROWS]
+    return [*ranked, *(place for place in range(len(groups)) if place not in own)]
+
+
+def _group_name(table: Dataset, place: int) -> str:
+    group, keys = str(table["group"].values[place]), [str(key) for key in table["factor"].values]
+    return key_text(group) if group in keys else f"{len(keys) - table.sizes['group'] + 1} others"
+
+
+def _likely(table: Dataset) -> str:
+    share, low, high = (float(table[f"probability{end}"].values[0]) for end in ("", "_low", "_high"))
+    known = "an unknown share" if math.isnan(share) else f"{100 * share:.0f} %"
+    return f"{known} of what is built works ({100 * low:.0f} to {100 * high:.0f} %)"
+
+
+def _draw_cells(axes: Axes, table: Dataset) -> list[Artist]:
+    """Cells in the colours of what became of them, and what the legend says of these."""
+    across, upwards = (display_values(table[name])[0] for name in ("map_x", "map_y"))
+    width, height = across[1] - across[0], upwards[1] - upwards[0]
+    words = table["map_outcome"].values
+    looks = {word: look_of(table, str(word)) for word in dict.fromkeys(words.ravel().tolist())}
+    for (column, row), word in np.ndenumerate(words):
+        corner = (across[column] - width / 2, upwards[row] - height / 2)
+        look = looks[word]
+        axes.add_patch(Rectangle(corner, width, height, fc=look.face, hatch=look.hatch, ec="0.75", lw=0.0))
+    axes.set_xlim(across[0] - width / 2, across[-1] + width / 2)
+    axes.set_ylim(upwards[0] - height / 2, upwards[-1] + height / 2)
+    return [Patch(fc=look.face, hatch=look.hatch, ec=_INK, lw=0.4, label=word) for word, look in looks.items()]
+
+
+def _draw_tolerance(axes: Axes, table: Dataset, keys: list[str]) -> None:
+    """The design's own place, and the edge of uniform tolerances."""
+    centres, widths = [], []
+    for key in keys:
+        own, column = table.sel(factor=key), table[key.replace(".", "_")]
+        value, width = float(own["value"]), float(own["width"])
+        shown, _ = display_values(column.copy(data=np.full(column.shape, value)))
+        beyond, _ = display_values(column.copy(data=np.full(column.shape, value + width)))
+        centres.append(float(shown[0]))
+        widths.append(float(beyond[0] - shown[0]))
+    axes.plot([centres[0]], [centres[1]], ls="", **_DESIGN)
+    if all(str(table.sel(factor=key)["distribution"].values) == "uniform" for key in keys):
+        corner = (centres[0] - widths[0], centres[1] - widths[1])
+        axes.add_patch(Rectangle(corner, 2 * widths[0], 2 * widths[1], fc="none", ec=BLACK, lw=0.9, ls="--"))

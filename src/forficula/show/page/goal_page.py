@@ -1,0 +1,195 @@
+"""The page of an optimisation: what was asked and how far it is met, and every design that was tried, to be played."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from forficula.analysis import Verdict
+from forficula.files import write_text
+from forficula.goals.goal import Goal
+from forficula.goals.optimise.optimum import Optimum
+from forficula.goals.optimise.optimum_table import optimum_csv
+from forficula.goals.outcome_quantity import PROBABILITY
+from forficula.show.page.deviation_text import deviation_text
+from forficula.show.page.goal_tables import (
+    effort_table,
+    limit_margins,
+    limit_text,
+    limits_table,
+    objectives_table,
+    relaxations_table,
+    title_of,
+    verifications_table,
+)
+from forficula.show.page.html import section
+from forficula.show.page.outcome_words import signs_of
+from forficula.show.page.rich_html import LaidOut
+from forficula.show.page.samples_data import MET, Number, Samples, samples_data
+from forficula.show.page.samples_page import about_rows, samples_page
+from forficula.structure import structure_of
+from forficula.study.kept_runs import KeptRun
+from forficula.study.outcome_kinds import transitions_text
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+_MEETS, _MISSES, _FEW = "meets the goal", "works, misses a limit", "works, too few neighbours do"
+_RULED_OUT, _MISSES_PLAINLY = "ruled out without a run", "misses a limit"
+_SIGNS = {_MEETS: "●", _FEW: "◒", _MISSES: "◐", _MISSES_PLAINLY: "×", _RULED_OUT: "·"}
+_NOT_RUN = "not run"
+_SHARE = {"units": "", "display": "%"}
+
+
+def write_goal_page(optimum: Optimum, found: LaidOut, path: Path, kept: Iterable[KeptRun] = (), count: int = 0) -> None:
+    """Write an optimisation as one HTML file that needs no network.
+
+    Args are those of `goal_page`.
+
+    Raises:
+        InputError: it cannot be written.
+    """
+    write_text(path, goal_page(optimum, found, kept, count))
+
+
+def goal_page(optimum: Optimum, found: LaidOut, kept: Iterable[KeptRun] = (), count: int = 0) -> str:
+    """An optimisation as one page: the goal, the best design's margins, and all that were tried.
+
+    Args:
+        optimum: what was asked, and what came out.
+        found: the sentence and the remarks, as the terminal has them; tables that this page does not have itself.
+        kept: the runs that can be played; `point` is the number of the candidate.
+        count: how many these are.
+    """
+    goal, best = optimum.goal, shown_candidate(optimum)
+    results = _in_percent(optimum)
+    asked = (
+        [limits_table(optimum, results, best), objectives_table(optimum, results, best), verifications_table(optimum)]
+        if best is not None
+        else []
+    )
+    return samples_page(
+        name=goal.name,
+        kind="optimise",
+        found=found,
+        told=(
+            section("What was asked, and what came out", *asked, name="asked"),
+            section("What would have to give", relaxations_table(optimum), name="give"),
+        ),
+        more=(section("What it took, and what was saved", effort_table(optimum), name="effort"),),
+        data=_data(goal, optimum, results),
+        views=_views(goal, optimum, results, best),
+        headings=("All designs that were tried", "The goal"),
+        about=_about(goal),
+        kept=kept,
+        count=count,
+        csv=optimum_csv(optimum.table),
+    )
+
+
+def shown_candidate(optimum: Optimum) -> int | None:
+    """Number of the candidate that a page opens with: of the best the one with the largest margin, else the nearest.
+
+    None where none was tried.
+    """
+    if not optimum.candidates:
+        return None
+    margins = optimum.table["margin"].values.astype(float)
+    best = optimum.table["best"].values.astype(bool)
+    # what was ruled out early has a margin of only what was looked at
+    known = best if best.any() else optimum.table["works"].values.astype(bool)
+    known = known if known.any() else np.ones(len(margins), dtype=bool)
+    return int(np.argmax(np.where(known & np.isfinite(margins), margins, -np.inf)))
+
+
+def _in_percent(optimum: Optimum) -> Dataset:
+    """The table, whose shares are to be read in per cent."""
+    table = optimum.table.copy()
+    for name in map(str, table.data_vars):
+        if name.startswith(("margin", PROBABILITY)):
+            table[name] = table[name].assign_attrs(_SHARE)
+    return table.assign_attrs(transitions=transitions_text(structure_of(optimum.goal.base), None))
+
+
+def _views(goal: Goal, optimum: Optimum, results: Dataset, best: int | None) -> dict[str, Any]:
+    lines = [each.key for each in goal.parameters]
+    lines += [each.dimension for each in goal.quantities if each.dimension in results and each.name not in lines]
+    several = len(goal.objectives) > 1
+    keys = {each.key for each in goal.parameters}
+    objectives = [each.quantity for each in goal.objectives]
+    named = [each.name if each.name in keys else each.dimension for each in objectives]
+    planes = [*(name for name in named if name in keys or name in results), "margin", lines[0]]
+    return {
+        "order": ["lines", "plane"],
+        "lines": [*lines, "margin"],
+        "plane": {"title": "Front" if several else "Designs", "x": planes[0], "y": planes[1]},
+        "front": np.flatnonzero(results["front"].values.astype(bool)).tolist() if several else [],
+        "best": best,
+        "best_word": ("most margin" if several else "best") if optimum.feasible else "nearest",
+    }
+
+
+def _data(goal: Goal, optimum: Optimum, results: Dataset) -> dict[str, Any]:
+    """The candidates for the page's script."""
+    return samples_data(
+        Samples(
+            name=goal.name,
+            noun="design",
+            file="table.csv",
+            keeps="The runs of the best designs are kept, and of some others.",
+            table=results,
+            factors=tuple(each.factor.dimension for each in goal.parameters),
+            numbers=_numbers(goal, results),
+            words=[_word(optimum, results, number) for number in range(len(optimum.candidates))],
+            signs=signs_of(results, _SIGNS),
+            statuses=[str(each) for each in results["status"].values],
+            built=[str(each) != Verdict.NOT_BUILT for each in results["verdict"].values],
+        )
+    )
+
+
+def _word(optimum: Optimum, results: Dataset, number: int) -> str:
+    """What became of a candidate, in a few words."""
+    if bool(results["feasible"].values[number]):
+        return _MEETS
+    candidate, outcome = optimum.candidates[number], str(results["outcome"].values[number])
+    if candidate.found.meets:
+        return _FEW
+    if outcome == _NOT_RUN:
+        return _RULED_OUT if optimum.goal.simulate else _MISSES_PLAINLY
+    return _MISSES if candidate.found.works > 0 else outcome
+
+
+def _numbers(goal: Goal, results: Dataset) -> tuple[Number, ...]:
+    """Quantities with their limits, the least margin, and that of each limit."""
+    numbers = []
+    aims = {each.quantity.name: each.kind for each in goal.objectives}
+    own = {each.factor.dimension for each in goal.parameters}
+    for quantity in goal.quantities:
+        if quantity.dimension in results and quantity.dimension not in own:
+            bounds = tuple((each.kind, each.bound) for each in goal.limits if each.quantity.name == quantity.name)
+            aim = aims.get(quantity.name, "")
+            numbers.append(Number(variable=quantity.dimension, title=title_of(quantity), aim=aim, bounds=bounds))
+    numbers.append(Number(variable="margin", title="least margin", bounds=MET))
+    if goal.simulate:
+        numbers.append(Number(variable="margin_works", title="margin: works in a run", bounds=MET))
+    for limit, name in limit_margins(goal):
+        if name in results:
+            numbers.append(Number(variable=name, title=f"margin: {limit_text(limit)}", bounds=MET))
+    return tuple(numbers)
+
+
+def _about(goal: Goal) -> list[str]:
+    """The goal as its file has it, and how to repeat it."""
+    rows = [["design", goal.base.name]]
+    rows += [["may vary", str(each)] for each in goal.parameters]
+    rows += [["must hold", limit_text(each)] for each in (*goal.given, *goal.limits)]
+    rows += [["to be", f"{each.kind} {title_of(each.quantity)}"] for each in goal.objectives]
+    rows += [["built within", f"{each.key} {deviation_text(goal.base, each)}"] for each in goal.deviations]
+    rows += [["designs at most", str(goal.runs)], ["side by side", str(goal.batch)], ["seed", str(goal.seed)]]
+    if goal.deviations:
+        rows.append(["neighbours of one", str(goal.neighbours)])
+    return about_rows(rows, goal.base.hash, goal.source, f"forficula optimise {goal.name}")

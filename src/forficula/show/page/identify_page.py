@@ -1,0 +1,286 @@
+"""The page of an identification: which unknown values agree with what was seen, and which facts exclude one another."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from scipy import stats
+
+from forficula.files import write_text
+from forficula.quantities import show_value
+from forficula.show.page.bars import BarRow, bar, bar_table, percent_text
+from forficula.show.page.html import escaped, paragraph, section
+from forficula.show.page.outcome_words import Signs
+from forficula.show.page.rich_html import LaidOut
+from forficula.show.page.samples_data import Number, Samples, samples_data
+from forficula.show.page.samples_page import about_rows, samples_page
+from forficula.show.study.factor_text import plain_name, value_with_unit
+from forficula.study.kept_runs import KeptRun
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+_AGREES, _APART, _PLACED, _NOT_RUN = "agrees", "does not agree", "placed, not drawn", "could not run"
+_SIGNS = {_AGREES: "●", _APART: "○", _PLACED: "△", _NOT_RUN: "⊘"}
+# unknowns of which all pairs can be told in one picture
+_MOST_PAIRED = 4
+# as the result has them, from the worst
+_TOGETHER = {"exclude one another": "excluded", "too rare to tell": "rare", "one is never met": "never"}
+
+
+def write_identify_page(
+    results: Dataset, found: LaidOut, path: Path, kept: Iterable[KeptRun] = (), count: int = 0, csv: str = ""
+) -> None:
+    """Write an identification as one HTML file that needs no network.
+
+    Args are those of `identify_page`.
+
+    Raises:
+        InputError: it cannot be written.
+    """
+    write_text(path, identify_page(results, found, kept, count, csv))
+
+
+def identify_page(results: Dataset, found: LaidOut, kept: Iterable[KeptRun] = (), count: int = 0, csv: str = "") -> str:
+    """An identification as one page.
+
+    Args:
+        results: samples of the unknowns, over "sample" and "fact", from `forficula.goals.identify`.
+        found: the sentence, the tables and the remarks, as the terminal has them.
+        kept: runs that can be played; `point` is the number of the sample.
+        count: how many these are.
+        csv: the text of `samples.csv`.
+    """
+    data = _data(results)
+    telling = telling_unknowns(results)
+    keys = {name: each["key"] for name, each in zip(_unknowns(results), data["factors"], strict=True)}
+    named = [keys[name] for name in telling]
+    views = {
+        "lines": [*named[:8], "facts_met"],
+        "plane": {"title": "Over two of them", "x": named[0], "y": named[1] if len(named) > 1 else "facts_met"},
+        "order": ["pairs", "plane", "lines"],
+        "best_word": "meets most",
+        "pairs": named[:_MOST_PAIRED],
+        "marginals": named,
+        "front": [],
+        "best": _best(results),
+    }
+    return samples_page(
+        name=str(results.attrs["name"]),
+        kind="identify",
+        found=found,
+        told=(
+            section("How far each fact is met", _facts_table(results), name="facts"),
+            section("Facts met together", _together_table(results), name="together"),
+        ),
+        data=data,
+        views=views,
+        headings=("All samples", "What was seen"),
+        about=_about(results),
+        kept=kept,
+        count=count,
+        csv=csv,
+    )
+
+
+def _unknowns(results: Dataset) -> list[str]:
+    """Names of the coordinates that are unknown."""
+    named = results.attrs["unknowns"]
+    return [named] if isinstance(named, str) else [str(each) for each in named]
+
+
+def telling_unknowns(results: Dataset) -> list[str]:
+    """The unknowns, those first of which the samples that agree are spread least like all that were drawn.
+
+    Measured by the largest distance between the two distributions (Kolmogorov and Smirnov).
+    """
+    agrees, drawn = _flag(results, "agrees"), ~_flag(results, "directed")
+    names = _unknowns(results)
+    if not agrees.any():
+        return names
+    far = {}
+    for name in names:
+        values = results.get(f"{name}_share", results[name]).values
+        if values.dtype.kind not in "iuf":
+            values = np.unique(values.astype(str), return_inverse=True)[1]
+        far[name] = float(stats.ks_2samp(values[agrees & drawn], values[drawn]).statistic)
+    return sorted(names, key=lambda name: -far[name])
+
+
+def _flag(results: Dataset, name: str) -> Any:
+    """What holds of which samples; of none where the result does not say so."""
+    return results[name].values.astype(bool) if name in results else np.zeros(results.sizes["sample"], dtype=bool)
+
+
+def _ran(results: Dataset) -> Any:
+    return np.isfinite(results["distance"].values).all(axis=1)
+
+
+def _best(results: Dataset) -> int | None:
+    """Number of the sample that meets most facts, of these the one that misses the others least."""
+    if not _ran(results).any():
+        return None
+    met = results["met"].values.sum(axis=1)
+    scaled = _scaled(results)
+    missing = np.where(_ran(results), np.nan_to_num(scaled / (1 + scaled)).sum(axis=1), np.inf)
+    return int(np.lexsort((missing, -met))[0])
+
+
+def _scaled(results: Dataset) -> Any:
+    return results.get("scaled_distance", results["distance"]).values.astype(float)
+
+
+def _data(results: Dataset) -> dict[str, Any]:
+    facts = [str(name) for name in results["fact"].values]
+    scaled = _scaled(results)
+    met = results["met"].values.astype(bool)
+    table = results.assign(facts_met=("sample", met.sum(axis=1).astype(float), {}))
+    for number in range(len(facts)):
+        table[f"fact_{number}"] = ("sample", scaled[:, number])
+    agrees, placed, ran = _flag(results, "agrees"), _flag(results, "directed"), _ran(results)
+    words = [
+        _NOT_RUN if not runs else _PLACED if later else _AGREES if does else _APART
+        for runs, later, does in zip(ran, placed, agrees, strict=True)
+    ]
+    statuses = [
+        f"{word}; meets {int(count)} of {len(facts)} facts" if runs else str(results["status"].values[number])
+        for number, (word, count, runs) in enumerate(zip(words, met.sum(axis=1), ran, strict=True))
+    ]
+    return samples_data(
+        Samples(
+            name=str(results.attrs["name"]),
+            noun="sample",
+            file="samples.csv",
+            keeps="Runs of samples are made for the facts, and not kept whole.",
+            table=table,
+            factors=tuple(_unknowns(results)),
+            numbers=(
+                Number(variable="facts_met", title="facts met"),
+                *(Number(variable=f"fact_{number}", title=f"misses: {name}") for number, name in enumerate(facts)),
+            ),
+            words=words,
+            signs=Signs(signs=_SIGNS),
+            statuses=statuses,
+            built=[bool(runs) for runs in ran],
+        )
+    )
+
+
+def _facts_table(results: Dataset) -> str:
+    """Every fact with the share of what was drawn that meets it, and how near the others come."""
+    drawn = ~_flag(results, "directed") & _ran(results)
+    met, distance = results["met"].values.astype(bool), results["distance"].values.astype(float)
+    rows = []
+    for number, name in enumerate(results["fact"].values):
+        share = float(met[drawn, number].mean()) if drawn.any() else 0.0
+        ends = (share, share)
+        if "met_share_low" in results:
+            ends = (float(results["met_share_low"].values[number]), float(results["met_share_high"].values[number]))
+        far = distance[drawn, number]
+        unit = _text(results, "fact_units", number)
+        middle, nearest = (_distance(function(far), unit) if len(far) else "—" for function in (np.median, np.min))
+        rows.append(
+            BarRow(
+                name=f"{number + 1}. {name}",
+                lanes=((bar(share, "first", interval=ends),),),
+                cells=(
+                    f"{percent_text(share)} % ({percent_text(ends[0])} to {percent_text(ends[1])})",
+                    nearest,
+                    middle,
+                ),
+                note="; ".join(
+                    filter(None, (_text(results, "fact_asked", number), _text(results, "fact_source", number)))
+                ),
+            )
+        )
+    caption = (
+        "Share of the samples drawn that meet a fact, with its 95 % interval, and by how much the nearest and the"
+        " middle one miss it"
+    )
+    return bar_table(caption, ("fact", "met by", "share", "nearest", "middle"), rows, (0.0, 1.0))
+
+
+def _distance(value: float, unit: str) -> str:
+    return "met" if value == 0 else show_value(float(value), unit) if unit else f"{value:.3g}"
+
+
+def _text(results: Dataset, name: str, number: int) -> str:
+    return str(results[name].values[number]) if name in results else ""
+
+
+def _together_table(results: Dataset) -> str:
+    """How many samples meet each pair of facts; who never come together is marked."""
+    facts = [str(name) for name in results["fact"].values]
+    if len(facts) < 2:
+        return ""
+    met = results["met"].values.astype(int)
+    counts = met.T @ met
+    head = "".join(
+        f'<th scope="col"><abbr title="{escaped(name)}">{number + 1}</abbr></th>' for number, name in enumerate(facts)
+    )
+    body = "".join(
+        f'<tr><th scope="row">{number + 1}. {escaped(name)}</th>'
+        + "".join(_together_cell(results, counts, number, other) for other in range(len(facts)))
+        + "</tr>"
+        for number, name in enumerate(facts)
+    )
+    caption = f"How many of the {len(met)} samples meet both facts; on the diagonal, the one"
+    told = paragraph(_together_words(results, facts), "note")
+    return (
+        f'<div class="table" tabindex="0" role="group" aria-label="{escaped(caption)}"><table class="numbers together">'
+        f"<caption>{escaped(caption)}</caption><thead><tr><td></td>{head}</tr></thead><tbody>{body}</tbody></table></div>"
+        f"{told}"
+    )
+
+
+def _together_cell(results: Dataset, counts: Any, one: int, other: int) -> str:
+    count = int(counts[one, other])
+    word = str(results["together"].values[one, other]) if "together" in results else ""
+    look = "own" if one == other else _TOGETHER.get(word, "met" if count else "never")
+    sign = {"excluded": "✕ ", "rare": "? "}.get(look, "")
+    share = 100 * count / max(int(counts.max()), 1)
+    return f'<td class="{look}" style="--share:{share:.0f}%">{sign}{count}</td>'
+
+
+def _together_words(results: Dataset, facts: list[str]) -> str:
+    """Which pairs no sample meets though some would be expected to."""
+    if "together" not in results:
+        return ""
+    words = results["together"].values
+    pairs = [(one, other) for one in range(len(facts)) for other in range(one + 1, len(facts))]
+    excluded = [f"{one + 1} and {other + 1}" for one, other in pairs if str(words[one, other]) == "exclude one another"]
+    rare = sum(str(words[one, other]) == "too rare to tell" for one, other in pairs)
+    said = (
+        f"✕ no sample meets both, though some would if they were independent: {', '.join(excluded)}."
+        if excluded
+        else ""
+    )
+    more = " ? no sample meets both, and hardly one would be expected." if rare else ""
+    return f"{said}{more}".strip()
+
+
+def _about(results: Dataset) -> list[str]:
+    attributes = results.attrs
+    rows = [["design", str(attributes["design"])]]
+    for name in _unknowns(results):
+        coordinate = results[name]
+        kind = str(coordinate.attrs.get("prior", ""))
+        rows.append([f"unknown: {plain_name(coordinate)}", _span(coordinate, kind)])
+    rows += [[f"{key}", str(attributes[key])] for key in ("drawn", "placed", "runs", "seed") if key in attributes]
+    return about_rows(
+        rows,
+        str(attributes["design_hash"]),
+        str(attributes.get("source", "")),
+        f"forficula identify {attributes['name']}",
+    )
+
+
+def _span(coordinate: Any, kind: str) -> str:
+    values = coordinate.values
+    if values.dtype.kind not in "iuf":
+        return ", ".join(dict.fromkeys(str(value) for value in values))
+    ends = (value_with_unit(coordinate, int(place)) for place in (np.argmin(values), np.argmax(values)))
+    return f"{' to '.join(ends)}{f', {kind}' if kind else ''}"

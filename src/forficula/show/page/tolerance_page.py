@@ -1,0 +1,286 @@
+"""The page of a tolerance: how likely a design works as it is built, what decides it, and how far off failure is."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from forficula.analysis import Verdict, verdict_word
+from forficula.design import Design, key_value
+from forficula.files import write_text
+from forficula.goals.deviation import Deviation
+from forficula.show.page.bars import BarRow, bar, bar_table, percent_text
+from forficula.show.page.deviation_text import deviation_text, plain_key
+from forficula.show.page.html import section
+from forficula.show.page.outcome_words import signs_of
+from forficula.show.page.rich_html import LaidOut
+from forficula.show.page.samples_data import MET, Number, Samples, samples_data, scale_of
+from forficula.show.page.samples_page import about_rows, samples_page
+from forficula.study.kept_runs import KeptRun
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+
+@dataclass(frozen=True, kw_only=True)
+class VerdictCells:
+    """What becomes of a design of which two values are off and nothing else: a map under the cloud of what is built.
+
+    Attributes:
+        first: key of the one across.
+        second: key of the one upwards.
+        across: its values, rising, SI.
+        upwards: likewise.
+        works: whether the design works, (across, upwards).
+    """
+
+    first: str
+    second: str
+    across: Sequence[float]
+    upwards: Sequence[float]
+    works: Sequence[Sequence[bool]]
+
+
+_WORKS, _MISSES = "works", "misses a limit"
+# rows of bars
+_MOST_BARS = 10
+# axes of the lines over what is built: those that decide most
+_MOST_AXES = 8
+
+
+def write_tolerance_page(
+    design: Design,
+    deviations: Sequence[Deviation],
+    results: Dataset,
+    found: LaidOut,
+    path: Path,
+    kept: Iterable[KeptRun] = (),
+    count: int = 0,
+    csv: str = "",
+    cells: VerdictCells | None = None,
+) -> None:
+    """Write a tolerance as one HTML file that needs no network.
+
+    Args are those of `tolerance_page`.
+
+    Raises:
+        InputError: it cannot be written.
+    """
+    write_text(path, tolerance_page(design, deviations, results, found, kept, count, csv, cells))
+
+
+def tolerance_page(
+    design: Design,
+    deviations: Sequence[Deviation],
+    results: Dataset,
+    found: LaidOut,
+    kept: Iterable[KeptRun] = (),
+    count: int = 0,
+    csv: str = "",
+    cells: VerdictCells | None = None,
+) -> str:
+    """A tolerance as one page.
+
+    Args:
+        design: as it is meant.
+        deviations: how far off it may be built.
+        results: from `tolerance_table`: facts with their probabilities, factors, groups of them, and samples.
+        found: the sentence with the probability, the tables and the remarks, as the terminal has them.
+        kept: the runs that can be played; `point` is the number of the sample.
+        count: how many these are.
+        csv: the text of `table.csv`.
+        cells: a map over two of the values, under the cloud.
+    """
+    data = _data(design, deviations, results)
+    names = [each["key"] for each in data["factors"]]
+    ranked = [key for key in ranked_keys(results) if key in names]
+    ranked += [key for key in names if key not in ranked]
+    views = {
+        "lines": [*ranked[:_MOST_AXES], "margin"],
+        "plane": _plane(results, ranked, cells),
+        "order": ["plane", "lines"],
+        "front": [],
+        "best": None,
+        "best_word": "",
+    }
+    return samples_page(
+        name=design.name,
+        kind="tolerance",
+        found=found,
+        told=(
+            section("How likely it is", _facts_table(results), name="likely"),
+            section("What decides it", _indices_table(results), name="sensitivity"),
+        ),
+        more=(section("How far it is to a failure", _reach_table(design, deviations, results), name="reach"),),
+        data=data,
+        views=views,
+        headings=("All that was built", "The tolerance"),
+        about=_about(design, deviations, results),
+        kept=kept,
+        count=count,
+        csv=csv,
+    )
+
+
+def _plane(results: Dataset, ranked: Sequence[str], cells: VerdictCells | None) -> dict[str, Any]:
+    """The two values over which the cloud lies: those of the map, or those that decide most."""
+    if cells is None:
+        return {"title": "What is built", "x": ranked[0], "y": ranked[1] if len(ranked) > 1 else "margin"}
+    across, upwards = (
+        [float(value) * scale_of(results[key.replace(".", "_")]) for value in values]
+        for key, values in ((cells.first, cells.across), (cells.second, cells.upwards))
+    )
+    drawn = {"across": across, "upwards": upwards, "works": [[bool(each) for each in row] for row in cells.works]}
+    return {"title": "What is built, over the map of verdicts", "x": cells.first, "y": cells.second, "cells": drawn}
+
+
+def ranked_keys(results: Dataset) -> list[str]:
+    """Keys with indices of their own, those first that decide most of the margin."""
+    keys = [str(key) for key in results["factor"].values]
+    groups = [str(group) for group in results["group"].values]
+    return [groups[place] for place in _order(results) if groups[place] in keys]
+
+
+def _order(results: Dataset) -> list[int]:
+    """Places of the groups, those first that decide most of the margin; what is left of the factors is last."""
+    first, total = (results[f"{name}_index"].values[0].astype(float) for name in ("first", "total"))
+    weight = np.nan_to_num(np.where(np.isnan(total), first, total))
+    keys = {str(key) for key in results["factor"].values}
+    groups = [str(group) for group in results["group"].values]
+    return sorted(range(len(groups)), key=lambda place: (groups[place] not in keys, -weight[place]))
+
+
+def _data(design: Design, deviations: Sequence[Deviation], results: Dataset) -> dict[str, Any]:
+    names = {each.key: each.key.replace(".", "_") for each in deviations}
+    answers, outcomes = results["answer"].values, results["outcome"].values
+    words = [_WORKS if str(answer) == _WORKS else str(word) for answer, word in zip(answers, outcomes, strict=True)]
+    margins = [str(name) for name in results["result"].values]
+    table = results[list(names.values())]
+    for number, _ in enumerate(margins):
+        table[f"margin_{number}" if number else "margin"] = (
+            "sample",
+            results["margin"].values[number],
+            {"units": "", "display": "%"},
+        )
+    return samples_data(
+        Samples(
+            name=design.name,
+            noun="sample",
+            file="table.csv",
+            keeps="Runs of some samples are kept.",
+            table=table,
+            factors=tuple(names.values()),
+            numbers=(
+                Number(variable="margin", title="margin", bounds=MET),
+                *(
+                    Number(variable=f"margin_{number}", title=f"margin: {name}", bounds=MET)
+                    for number, name in enumerate(margins)
+                    if number
+                ),
+            ),
+            words=words,
+            signs=signs_of(results, {_WORKS: "●", _MISSES: "◐"}),
+            statuses=[
+                word if word == str(outcome) else f"{word}: {outcome}"
+                for word, outcome in zip(words, outcomes, strict=True)
+            ],
+            built=[word != verdict_word(Verdict.NOT_BUILT, None) for word in words],
+            own={name: float(key_value(design, key)) for key, name in names.items()},
+        )
+    )
+
+
+def _facts_table(results: Dataset) -> str:
+    """That it works, and each thing that it must do for that, with the interval of its probability."""
+    rows = []
+    for number, name in enumerate(results["fact"].values):
+        share, low, high = (float(results[f"probability{end}"].values[number]) for end in ("", "_low", "_high"))
+        told = int(results["works"].values[number]) + int(results["fails"].values[number])
+        text = "—" if math.isnan(share) else f"{percent_text(share)} %"
+        cells = (
+            f"{text} ({percent_text(low)} to {percent_text(high)})",
+            f"{int(results['works'].values[number])} of {told}",
+        )
+        rows.append(BarRow(name=str(name), lanes=((bar(share, "first", interval=(low, high)),),), cells=cells))
+    caption = "Probability of what must hold, with its 95 % interval"
+    return bar_table(caption, ("", "probability", "", "samples"), rows, (0.0, 1.0)) if rows else ""
+
+
+def _indices_table(results: Dataset) -> str:
+    """Shares of the variance of the margin: what each decides alone and, where that is known, with others."""
+    groups, order = [str(group) for group in results["group"].values], _order(results)
+    known = ["first"] if np.isnan(results["total_index"].values[0]).all() else ["first", "total"]
+    rows = []
+    for place in order[:_MOST_BARS]:
+        shares = [
+            tuple(float(results[f"{name}_index{end}"].values[0, place]) for end in ("", "_low", "_high"))
+            for name in known
+        ]
+        lanes = tuple(
+            (bar(share, kind, interval=(low, high)),)
+            for (share, low, high), kind in zip(shares, ("first", "second"), strict=False)
+        )
+        cells = tuple(_share_text(*each) for each in shares)
+        rows.append(BarRow(name=plain_key(groups[place]), lanes=lanes, cells=cells))
+    if not rows:
+        return ""
+    what = "what each deviation decides alone"
+    if len(known) > 1:
+        what += ", above, and together with others, below"
+    left = len(order) - len(rows)
+    rest = f"; {left} more decide less" if left else ""
+    caption = f"Shares of the scatter of the margin: {what}; with 95 % intervals{rest}"
+    return bar_table(caption, ("", "share", "alone", "with others")[: 2 + len(known)], rows, (0.0, 1.0))
+
+
+def _share_text(value: float, low: float, high: float) -> str:
+    if math.isnan(value):
+        return "—"
+    return f"{100 * value:.0f} % ({100 * low:.0f} to {100 * high:.0f})".replace("-", "−")
+
+
+def _reach_table(design: Design, deviations: Sequence[Deviation], results: Dataset) -> str:
+    """How far each deviation alone may go, down and up, in widths of its tolerance."""
+    fails = {way: results[f"fails_{way}"].values.astype(float) for way in ("down", "up")}
+    works = {way: results[f"works_{way}"].values.astype(float) for way in ("down", "up")}
+    if not np.isfinite([*works["down"], *works["up"]]).any():
+        return ""
+    scale = 1.02 * float(np.nanmax([*fails["down"], *fails["up"], *works["down"], *works["up"], 1.0]))
+    keys = [str(key) for key in results["factor"].values]
+    by_key = {each.key: each for each in deviations}
+    nearest = np.fmin(fails["down"], fails["up"])
+    rows = []
+    for number in np.argsort(np.where(np.isnan(nearest), np.inf, nearest), kind="stable").tolist():
+        ends = [(fails[way][number], works[way][number]) for way in ("down", "up")]
+        lane = tuple(_reach_bar(*each, sign) for each, sign in zip(ends, (-1, 1), strict=True))
+        note = deviation_text(design, by_key[keys[number]])
+        cells = tuple(_reach_text(*each) for each in ends)
+        rows.append(BarRow(name=plain_key(keys[number]), lanes=(lane,), cells=cells, note=note))
+    caption = (
+        "The nearest failure with one value alone off, in widths of its tolerance: red within it, blue beyond; pale:"
+        " none was found that far"
+    )
+    return bar_table(caption, ("", "down | up", "down", "up"), rows, (-scale, scale))
+
+
+def _reach_bar(fails: float, works: float, sign: int) -> Any:
+    if math.isnan(fails):
+        return bar(sign * works, "open")
+    return bar(sign * fails, "bad" if fails <= 1 else "good")
+
+
+def _reach_text(fails: float, works: float) -> str:
+    if not math.isnan(fails):
+        return f"{fails:.2g}"
+    return "—" if math.isnan(works) else f"beyond {works:.2g}"
+
+
+def _about(design: Design, deviations: Sequence[Deviation], results: Dataset) -> list[str]:
+    rows = [["design", design.name], *([each.key, deviation_text(design, each)] for each in deviations)]
+    rows += [[name, str(results.attrs[name])] for name in ("runs", "seed") if name in results.attrs]
+    return about_rows(rows, design.hash, "", f"forficula tolerance {design.name}")

@@ -1,0 +1,260 @@
+"""Angles and distances over time, and where a goal was missed the torque that acts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from forficula.analysis import Outcome
+from forficula.design import stage_drives
+from forficula.dynamics import Record, StageEnd
+from forficula.quantities import reading_unit, show_value
+from forficula.show.run.outcome_rows import state_angles
+from forficula.show.run.stalled import stalled_stage
+from forficula.show.run.state_names import state_letters
+from forficula.show.run.time_axes import (
+    LEAD,
+    MOST_ENTRIES,
+    mark_waits,
+    row_legend,
+    shade_stages,
+    time_in,
+    time_rows,
+    time_spans,
+    unit_of_run,
+)
+from forficula.show.structure.labels import (
+    counted,
+    driven_angles,
+    measure_labels,
+    median,
+    role_groups,
+    shown_angles,
+    shown_distances,
+    title_of,
+)
+from forficula.show.style import (
+    BLACK,
+    BLUE,
+    GREEN,
+    LINE_STYLES,
+    ORANGE,
+    PAGE_WIDTH,
+    PURPLE,
+    QUANTITY_COLOURS,
+    SKY,
+    VERMILION,
+    describe,
+    figure_style,
+)
+from forficula.structure import Drive, Measure, Structure, drive_of, drive_unit, measure_stops
+from forficula.study.slow_margin import MORE
+
+Array = NDArray[np.float64]
+
+_COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK)
+_LEAST_SEEN = 0.05  # deg, to either side: less is rounding
+# of an axis of angles, deg: to one side where hinges go beyond a right angle, at least, and by where they stop
+_HALF_TURN, _LEAST_ROOM, _ROOM = 200.0, 25.0, 1.2
+_SHORTEST = 7  # letters of a label, of which four fit beside one another in a column
+_STEPS, _MOST_STEPS = (5, 10, 15, 30, 45, 90), 6
+
+
+def draw_angles(
+    record: Record, outcome: Outcome, width: float = PAGE_WIDTH, needed: Callable[[], float | None] = lambda: None
+) -> Figure:
+    """Draw angles and distances over time with the states marked.
+
+    Of a run that missed a goal also the angles that motors act on, close up, and the torque that acts beside the least
+    one that would have done.
+
+    Args:
+        record: what happened.
+        outcome: what it means.
+        width: of the figure, inch.
+        needed: finds that least torque, N m: nan where none does, None where it is not known.
+    """
+    stalled, structure = stalled_stage(record), record.structure
+    rows_of = _readings(structure)
+    if stalled is not None:
+        had = [measure for measures in rows_of for measure in measures]
+        rows_of = [(measure,) for measure in driven_angles(structure, had) if measure not in had] + rows_of
+    with figure_style():
+        labels = [_row_label(record, measures) for measures in rows_of]
+        drives = [] if stalled is None else [drive_of(structure, name) for name in stage_drives(stalled.stage)]
+        torques = drives if all(drive_unit(structure, drive) == "N m" for drive in drives) else []
+        if torques:
+            least = needed()
+            unit, factor = reading_unit("N m", max(abs(drive.strength) for drive in torques))
+            labels.append(f"torque ({unit})")
+        figure, rows = time_rows(
+            record, labels, width, height=2.5 if len(labels) == 1 else (2.2 if stalled is None else 1.7) * len(labels)
+        )
+        for axes_row, measures in zip(rows, rows_of, strict=False):
+            lines = _lines(record, measures)
+            for axes, (start, scale) in zip(axes_row, time_spans(record), strict=True):
+                time = time_in(record, start, scale)
+                if role_groups(record.structure, measures[0]):
+                    _draw_many(axes, time, record, measures[0])
+                else:
+                    for line, (name, values) in enumerate(lines.items()):
+                        axes.plot(time, values, **_look(line, len(lines)), label=name)
+                if measures[0].kind == "angle":
+                    _scale_degrees(axes, record, measures, stalled)
+                axes.axhline(0, color="0.6", lw=0.5, zorder=0)
+                shade_stages(axes, record, start, scale)
+                mark_waits(axes, record, start, scale)
+            if list(lines) != [title_of(measures[0])]:
+                row_legend(axes_row, width, columns=4 if max(map(len, lines), default=0) <= _SHORTEST else 3)
+        if torques and stalled is not None:
+            for axes, (start, scale) in zip(rows[-1], time_spans(record), strict=True):
+                _draw_torques(axes, record, stalled, torques, least, (start, scale, factor))
+            row_legend(rows[-1], width, columns=2)
+        if rows_of:
+            _mark_states(rows[0][0], record, outcome, rows_of[0], unit_of_run(record)[1])
+        return describe(figure, _tell_angles(record, outcome))
+
+
+def _readings(structure: Structure) -> list[tuple[Measure, ...]]:
+    """What is drawn in each row: a measure of several hinges by itself, those of one hinge together, and distances."""
+    angles, distances = shown_angles(structure), shown_distances(structure)
+    rows = [(measure,) for measure in angles if len(measure.parts) > 1]
+    single = tuple(measure for measure in angles if len(measure.parts) == 1)
+    return [*rows, *(group for group in (single, distances) if group)]
+
+
+def _row_label(record: Record, measures: tuple[Measure, ...]) -> str:
+    kind, alone = measures[0].kind, len(measures) == 1
+    unit = "deg" if kind == "angle" else _length_unit(record, measures)[0]
+    return f"{title_of(measures[0]) if alone else kind} ({unit})"
+
+
+def _length_unit(record: Record, measures: tuple[Measure, ...]) -> tuple[str, float]:
+    every = [np.abs(record.measured(measure.name)).max(initial=0.0) for measure in measures]
+    return reading_unit("m", float(np.nanmax([*every, 0.0])) or record.structure.span)
+
+
+def _lines(record: Record, measures: tuple[Measure, ...]) -> dict[str, Array]:
+    """The lines of a row in its unit, (time,), by name."""
+    factor = _length_unit(record, measures)[1]
+    lines: dict[str, Array] = {}
+    for measure in measures:
+        values = record.measured(measure.name).T
+        scaled = np.degrees(values) if measure.kind == "angle" else factor * values
+        alone = len(scaled) == 1 and len(measures) > 1
+        names = [title_of(measure)] if alone else measure_labels(record.structure, measure)
+        lines |= dict(zip(names, scaled, strict=True))
+    return lines
+
+
+def _draw_many(axes: Axes, time: Array, record: Record, measure: Measure) -> None:
+    """Many angles by role: each thin, and the one in the middle of them."""
+    values, groups = np.degrees(record.measured(measure.name)), role_groups(record.structure, measure)
+    for number, (role, places) in enumerate(groups.items()):
+        look, own = _look(number, len(groups)), values[:, places]
+        # one line with gaps: as many lines of their own would take long
+        each = np.vstack([own, np.full(len(places), np.nan)]).T.ravel()
+        axes.plot(np.tile([*time, np.nan], len(places)), each, color=look["color"], lw=0.5, alpha=0.35)
+        axes.plot(time, median(own), **look, lw=1.6, label=f"{role} ({len(places)}), median")
+
+
+def _draw_torques(
+    axes: Axes,
+    record: Record,
+    stalled: StageEnd,
+    drives: Sequence[Drive],
+    least: float | None,
+    scales: tuple[float, float, float],
+) -> None:
+    """The torques that act while a stage is driven, and the least one that would have brought it to its goal."""
+    start, scale, factor = scales
+    first = np.nextafter(stalled.start, stalled.end)
+    time = np.sort([*record.time, stalled.start, first, stalled.end])
+    acts = (time >= first) & (time <= stalled.end)
+    highest = max(abs(drive.strength) for drive in drives)
+    for drive in drives:
+        risen = np.clip((time - stalled.start) / drive.rise, 0, 1) if drive.rise > 0 else 1.0
+        torque = np.where(acts, factor * abs(drive.strength) * risen, 0.0)
+        axes.plot((time - start) * scale, torque, color=BLACK, label=f"acts {drive.where}".rstrip())
+    if least is not None and np.isfinite(least):
+        axes.axhline(factor * least, color=VERMILION, ls="--", label="needed at least, slowly")
+        highest = max(highest, least)
+    elif least is not None:
+        tried = show_value(MORE * abs(drives[0].strength), "N m", 3)
+        axes.plot([], [], ls="none", label=f"slowly, none up to {tried} does")
+    axes.set_ylim(0, 1.2 * factor * highest or 1.0)
+    shade_stages(axes, record, start, scale)
+
+
+def _scale_degrees(axes: Axes, record: Record, measures: tuple[Measure, ...], stalled: StageEnd | None) -> None:
+    """From stop to stop with some room, and no further than a turn of half a circle needs.
+
+    Where a stage missed its goal, only what it moved.
+    """
+    low, high = (_room(record, measures, side) for side in (-1, 1))
+    if stalled is not None:
+        rows = record.time >= stalled.start
+        seen = np.degrees(np.concatenate([record.measured(measure.name)[rows].ravel() for measure in measures]))
+        middle, half = (seen.max() + seen.min()) / 2, max(_LEAST_SEEN, (0.5 + LEAD) * np.ptp(seen))
+        if 2 * half < low + high:
+            axes.set_ylim(middle - half, middle + half)
+            return
+    axes.set_ylim(-low, high)
+    step = next(step for step in _STEPS if low + high <= _MOST_STEPS * step)
+    axes.set_yticks(np.arange(-step * (low // step), high, step))
+
+
+def _room(record: Record, measures: tuple[Measure, ...], side: int) -> float:
+    """How far an axis of angles goes to one side, deg, beyond all stops there, or where there are none all angles."""
+    reach = 0.0
+    for measure in measures:
+        angles = side * record.measured(measure.name)
+        seen = angles.max(axis=0, initial=0.0, where=np.isfinite(angles))
+        for (low, high), most in zip(measure_stops(record.structure, measure), seen, strict=True):
+            stop = high if side > 0 else -low
+            reach = max(reach, float(np.degrees(min(stop, np.pi) if np.isfinite(stop) else min(most, np.pi))))
+    return _HALF_TURN if reach > _HALF_TURN / 2 else max(_LEAST_ROOM, _ROOM * reach)
+
+
+def _tell_angles(record: Record, outcome: Outcome) -> str:
+    """What the angles do, in words."""
+    structure, told = record.structure, []
+    first = next(iter(shown_angles(structure)), None)
+    for name, state in outcome.states.items():
+        if state is not None and first is not None:
+            mean = np.degrees(state_angles(state, first).mean())
+            told.append(f"{outcome.state_names[name]} {mean:.1f} deg at {show_value(state.time, 's')}")
+    hinges = [] if first is None else measure_labels(structure, first)
+    means = f" Means over the {counted(hinges, 'hinge').partition(' ')[2]}: {', '.join(told)}." if told else ""
+    what = "Angles" if first is None else f"{title_of(first)[:1].upper()}{title_of(first)[1:]}s"
+    run = f"the time of a run of {record.design.name}: {outcome.status}."
+    return f"{what} of {counted(hinges, 'hinge')} over {run}{means}"
+
+
+def _mark_states(axes: Axes, record: Record, outcome: Outcome, measures: tuple[Measure, ...], scale: float) -> None:
+    """Letters where the states are, at the mean of what the first measure reads; none for a state that was missed."""
+    measure = measures[0]
+    for name, letter in state_letters(record.structure).items():
+        state = outcome.states[name]
+        if state is None or outcome.holds.get(name, True) is not True:
+            continue
+        if measure.kind == "angle":
+            angles = np.degrees(state_angles(state, measure))
+            value = float(median(angles) if role_groups(record.structure, measure) else angles.mean())
+        else:
+            value = _length_unit(record, measures)[1] * float(state.readings[measure.name].mean[0])
+        time = scale * state.time
+        axes.plot(time, value, "o", color="white", mec="black", mew=0.8, ms=9, zorder=5, clip_on=False)
+        axes.text(time, value, letter, ha="center", va="center_baseline", fontsize=7, zorder=6)
+
+
+def _look(line: int, count: int) -> dict[str, Any]:
+    """Colour and style of one of so many lines."""
+    if count > MOST_ENTRIES:
+        return {"color": QUANTITY_COLOURS(0.9 * line / (count - 1)), "lw": 0.8}
+    return {"color": _COLOURS[line % len(_COLOURS)], "ls": LINE_STYLES[line % len(LINE_STYLES)]}

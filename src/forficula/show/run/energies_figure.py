@@ -1,0 +1,133 @@
+"""Energies over time: what is stored, the work done and where it went."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from forficula.dynamics import Record
+from forficula.quantities import reading_unit, show_value
+from forficula.show.run.stalled import stalled_stage
+from forficula.show.run.time_axes import mark_waits, row_legend, shade_stages, time_rows, time_spans
+from forficula.show.structure.drive_words import acting
+from forficula.show.style import (
+    BLACK,
+    BLUE,
+    GREEN,
+    LINE_STYLES,
+    ORANGE,
+    PAGE_WIDTH,
+    PURPLE,
+    SKY,
+    VERMILION,
+    describe,
+    figure_style,
+)
+from forficula.structure import hinge_groups, springs_name
+
+Array = NDArray[np.float64]
+
+_SHORT = 12  # letters of a label, of which three fit beside one another in a column
+
+
+def draw_energies(record: Record, width: float = PAGE_WIDTH) -> Figure:
+    """Draw energies over time, and under them the work done and where it went; the width is in inch.
+
+    Of a run that missed a goal their changes since the stage that was to reach it.
+    """
+    stored, name = stored_energies(record), "energy"
+    if (stalled := stalled_stage(record)) is not None:
+        # what changes little would lie on what is large and stays
+        first, name = int(np.argmax(record.time >= stalled.start)), "change of energy"
+        stored = {part: (values - values[first], colour) for part, (values, colour) in stored.items()}
+    tables = {name: stored, "work since the start": _accounts(record)}
+    with figure_style():
+        figure, rows = time_rows(record, list(tables), width, height=4.4)
+        for axes_row, (label, series) in zip(rows, tables.items(), strict=True):
+            unit, factor = reading_unit("J", max(float(np.abs(values).max()) for values, _ in series.values()))
+            axes_row[0].set_ylabel(f"{label} ({unit})")
+            for axes, (start, scale) in zip(axes_row, time_spans(record), strict=True):
+                for index, (name, (values, colour)) in enumerate(series.items()):
+                    style, time, drawn = LINE_STYLES[index % len(LINE_STYLES)], record.time, values
+                    if name == "kinetic":
+                        time, drawn = _with_peak(record, values)
+                    axes.plot((time - start) * scale, drawn * factor, style, color=colour, label=name)
+                shade_stages(axes, record, start, scale)
+                mark_waits(axes, record, start, scale)
+            short = len(series) == 3 and max(map(len, series)) <= _SHORT
+            row_legend(axes_row, width, columns=3 if short else 2)
+        return describe(figure, _tell_energies(record))
+
+
+def _with_peak(record: Record, kinetic: Array) -> tuple[Array, Array]:
+    """Times, s, and kinetic energies, or their changes, J, with the largest one, which may be between two samples."""
+    if record.kinetic_peak is None:
+        return record.time, kinetic
+    at, most = record.kinetic_peak
+    place = int(np.searchsorted(record.time, at))
+    change = float(kinetic[0] - record.series["kinetic_energy"][0])
+    return np.insert(record.time, place, at), np.insert(kinetic, place, most + change)
+
+
+def stored_energies(record: Record) -> dict[str, tuple[Array, str]]:
+    """Energies by what stores them, of what the structure has, J, (time,), and their colours."""
+    series, structure = record.series, record.structure
+    stored: dict[str, tuple[Array, str]] = {}
+    if structure.tendons:
+        stored["tendons"] = (series["tendon_energy"].sum(axis=1), BLUE)
+    if structure.membranes:
+        stored["membrane"] = (series["membrane_energy"], ORANGE)
+    if "hinge_energy" in series:
+        for (kind, hinges), colour in zip(hinge_groups(structure).items(), (SKY, GREEN, PURPLE), strict=False):
+            stored[kind] = (series["hinge_energy"][:, list(hinges)].sum(axis=1), colour)
+    if "spring_energy" in series:
+        stored[springs_name(structure)] = (series["spring_energy"].sum(axis=1), BLACK)
+    if "coupling_energy" in series:
+        stored["couplings"] = (series["coupling_energy"].sum(axis=1), SKY)
+    stored["kinetic"] = (series["kinetic_energy"], VERMILION)
+    if "branch_energy" in series:
+        stored["Maxwell branches"] = (series["branch_energy"].sum(axis=1), GREEN)
+    if structure.gravity:
+        stored["gravitational"] = (series["gravitational_energy"], PURPLE)
+    return stored
+
+
+def largest_energies(record: Record) -> dict[str, float]:
+    """The largest of each of the energies over the rows, J; the kinetic one over every step, for it peaks between."""
+    most = {name: float(values.max()) for name, (values, _) in stored_energies(record).items()}
+    return most if record.kinetic_peak is None else most | {"kinetic": record.kinetic_peak[1]}
+
+
+def _accounts(record: Record) -> dict[str, tuple[Array, str]]:
+    """The work done and where it went, J, (time,), and their colours."""
+    series, structure = record.series, record.structure
+    accounts: dict[str, tuple[Array, str]] = {}
+    if structure.motors:
+        accounts[f"done by {acting(structure)}"] = (record.work, BLACK)
+    hinged = hinge_groups(structure).keys() <= {"hinges"}
+    accounts[f"taken by {'hinge' if hinged else 'fold'} damping"] = (-series["hinge_damping_work"], GREEN)
+    accounts["taken by stops"] = (-series["stop_work"], VERMILION)
+    damped = [name for name in ("tendons", "membranes", "springs") if getattr(structure, name)]
+    if damped:
+        alone = {"tendons": "taken by tendons", "springs": f"taken by {springs_name(structure)}"}
+        name = alone.get(damped[0]) if len(damped) == 1 else None
+        accounts[name or "taken by other damping"] = (-series["elastic_damping_work"], SKY)
+    for name, words, colour in (
+        ("contact_work", "taken by contacts", BLUE),
+        ("branch_damping_work", "taken by branches", ORANGE),
+        ("letting_go_work", "branches that gave way", PURPLE),
+        ("yield_work", "taken by yielding", PURPLE),
+        ("drag_work", "taken by drag", BLUE),
+    ):
+        if name in series:
+            accounts[words] = (-series[name], colour)
+    return accounts
+
+
+def _tell_energies(record: Record) -> str:
+    """What the energies come to, in words."""
+    largest = ", ".join(f"{name} {show_value(value, 'J')}" for name, value in largest_energies(record).items())
+    name, structure = record.design.name, record.structure
+    work = f"; work of the {acting(structure)}: {show_value(float(record.work[-1]), 'J')}" if structure.motors else ""
+    return f"Stored energies and work over the time of a run of {name}. Largest: {largest}{work}."

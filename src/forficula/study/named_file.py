@@ -1,0 +1,77 @@
+"""Files that a command takes by name or path, and the design that they start from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+from forficula.design import Design, load_design, value_from_folder
+from forficula.errors import InputError
+from forficula.files import as_path
+from forficula.names import near_name
+from forficula.quantities import as_written
+from forficula.study.file_keys import dotted_values
+
+
+def named_files(package: str, within: str = "references") -> list[str]:
+    """The names of the files that come with a part of the package, without their endings."""
+    folder = resources.files(package) / within
+    return sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml"))
+
+
+def read_named(name_or_path: object, package: str, what: str, several: str) -> tuple[str, str, Path]:
+    """Text of a named file or a path, how errors call it, and the folder that paths in it start from.
+
+    Args:
+        name_or_path: as a user gives it.
+        package: whose folder `references` has the named ones.
+        what: such a file is, such as "study".
+        several: of these, such as "studies".
+
+    Raises:
+        InputError: no such name or file, or it cannot be read.
+    """
+    given, names = str(as_path(name_or_path, f"a named {what}, or the path of a file")), named_files(package)
+    if given in names:
+        file = resources.files(package) / "references" / f"{given}.toml"
+        return file.read_text("utf-8"), given, Path()
+    if not given.endswith(".toml"):
+        raise InputError(
+            f"{as_written(given)} is neither a named {what} nor a .toml file; the named {several} are"
+            f" {', '.join(names)}{near_name(given, names)}"
+        )
+    path = Path(given)
+    try:
+        return path.read_text("utf-8-sig"), given, path.parent
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise InputError(f"{path}: cannot be read: need UTF-8") from None
+    except ValueError as error:  # a null byte
+        raise InputError(f"{as_written(given)}: cannot be read: {error}") from None
+
+
+def base_design(tables: Mapping[str, Any], folder: Path) -> Design:
+    """The design that a file names under `design`, with the values under `settings`.
+
+    Args:
+        tables: of the file; `design` may be a design itself.
+        folder: that paths in it start from.
+
+    Raises:
+        InputError: there is none, or a value that is not allowed.
+    """
+    name = tables.get("design")
+    if name is None:
+        raise InputError('design: is missing; give the name or path of a design, such as "binder2025"')
+    if not isinstance(name, str | Design):
+        raise InputError(f'design: need the name or path of a design, such as "binder2025", got {as_written(name)}')
+    settings = {
+        key: value_from_folder(key, value, folder)
+        for key, value in dotted_values(tables.get("settings", {}), "settings").items()
+    }
+    if isinstance(name, Design):
+        return name.with_values(settings)
+    return load_design(str(folder / name) if name.endswith(".toml") else name, settings)

@@ -1,0 +1,146 @@
+"""Values that are hidden are found again by what they bring about, and facts that exclude one another are told."""
+
+import numpy as np
+import pytest
+
+from forficula.design import load_design
+from forficula.goals.identify import observations_of
+from forficula.goals.identify.exclusion import Together
+from forficula.goals.identify.identify import identify_samples
+from forficula.goals.identify.result import build_result
+from tests.goals.identify.closed_form import assess, count_fact, row_of, time_fact
+
+# less than any overbend
+SETTINGS = {"protocol.initial_overbend": "0 deg"}
+UNKNOWN = {
+    "hinge.overbend": {"distribution": "uniform", "low": "1 deg", "high": "8 deg"},
+    "hinge.damping": {"distribution": "log-uniform", "low": "1e-4 N m s/rad", "high": "1e-2 N m s/rad"},
+}
+
+
+def observed(facts, samples=64, directed=0, unknown=UNKNOWN, rows=assess):
+    """The result of observations of the reference wing."""
+    tables = {
+        "name": "planted",
+        "design": "binder2025",
+        "settings": SETTINGS,
+        "unknown": unknown,
+        "sampling": {"samples": samples, "directed": directed},
+        "fact": facts,
+    }
+    asked = observations_of(tables)
+    return build_result(asked, identify_samples(asked, rows), 0)
+
+
+def planted(overbend, damping):
+    """The reference wing with hidden values."""
+    hidden = {"hinge.overbend": f"{overbend} deg", "hinge.damping": f"{damping} N m s/rad"}
+    return load_design("binder2025", {**SETTINGS, **hidden})
+
+
+def what_it_does(hidden):
+    """How many of the paper's tendons fold with 50 N cm, and how long the reference takes, s."""
+    folds = [
+        row_of(hidden.with_values({"tendon.stiffness": 1e3 * k, "tendon.rest_length": 0.01 * l0}))["folded"]
+        for k in range(1, 7)
+        for l0 in range(10)
+    ]
+    return sum(folds), row_of(hidden)["fold_time_s"]
+
+
+@pytest.mark.parametrize(("overbend", "damping"), [(3.0, 1e-3), (5.5, 4e-3), (2.2, 3e-4)])
+def test_hidden_values_are_found_again_by_what_they_bring_about(overbend, damping):
+    count, time = what_it_does(planted(overbend, damping))
+    result = observed(
+        [count_fact("count", equals=count, tolerance=5), time_fact("time", equals=f"{time} s", tolerance="5 ms")],
+        samples=192,
+    )
+    met = result.sel(sample=result.met.all("fact"))
+    assert 3 <= met.sizes["sample"] < 64
+    # five tendons more or fewer fold within a third of the overbend; 5 ms is 0.43 of the hinge's time scale, 11.5 ms
+    np.testing.assert_allclose(np.degrees(met.hinge_overbend), overbend, rtol=1 / 3)
+    np.testing.assert_allclose(met.hinge_damping, damping, atol=0.44e-3)
+    # and what agrees lies around what was hidden
+    assert float(np.degrees(met.hinge_overbend).mean()) == pytest.approx(overbend, rel=0.1)
+
+
+def test_facts_that_contradict_each_other_are_told_to_exclude_one_another():
+    result = observed([count_fact("many", at_least=40), count_fact("few", at_most=30)], samples=64, directed=32)
+    assert result.met.any("sample").all()
+    assert int(result.met_together[0, 1]) == int(result.met_together_placed[0, 1]) == 0
+    assert result.together.values[0, 1] == Together.EXCLUDED
+    # none of 64: less than 3 / 64 of the priors, as the rule of three has it
+    assert float(result.together_share_high[0, 1]) == pytest.approx(3 / 64, rel=0.05)
+    assert result.attrs["most_met"] == 1
+    assert sorted(result.attrs["met_most"]) == ["few", "many"]
+
+
+def test_facts_that_every_sample_meets_tell_the_prior_back():
+    result = observed([count_fact("some", at_least=0), time_fact("ever", at_most="1 s")], samples=128, directed=64)
+    assert result.met.all()
+    assert result.agrees.all()
+    # nothing is left to refute, so no sample is placed
+    assert result.sizes["sample"] == result.attrs["drawn"] == 128
+    # a scrambled Sobol sequence has as many points in every sixteenth
+    for share in (result.hinge_overbend_share, result.hinge_damping_share):
+        assert np.histogram(share.values, bins=16, range=(0, 1))[0].tolist() == [8] * 16
+
+
+def test_samples_that_are_placed_refute_an_exclusion_that_is_an_accident():
+    # one corner of what is believed: both facts leave a band of each unknown, which few drawn samples hit
+    count, time = what_it_does(planted(2.2, 3e-4))
+    facts = [
+        count_fact("count", equals=count, tolerance=1),
+        time_fact("time", equals=f"{time} s", tolerance="0.1 ms"),
+    ]
+    drawn = observed(facts, samples=64)
+    assert int(drawn.met_together[0, 1]) == 0
+    assert drawn.together.values[0, 1] in (Together.RARE, Together.NEVER)
+    placed = observed(facts, samples=64, directed=96)
+    assert int(placed.met_together_placed[0, 1]) > 0
+    assert placed.together.values[0, 1] == Together.PLACED
+    # what was placed says nothing of how likely values are
+    assert not placed.agrees.sel(sample=placed.directed).any()
+    assert float(placed.together_share_high[0, 1]) == float(drawn.together_share_high[0, 1])
+
+
+def test_a_value_among_choices_is_found_by_what_it_does():
+    unknown = {"tendon.distal_attachment": ["4 cm", "5 cm", "5.5 cm"], **UNKNOWN}
+    hidden = planted(3.0, 1e-3).with_values({"tendon.distal_attachment": "4 cm"})
+    time = row_of(hidden)["fold_time_s"]
+    facts = [time_fact("time", equals=f"{time} s", tolerance="0.2 ms", settings={"protocol.fold_torque": "500 N cm"})]
+    unknown["hinge.damping"] = ["1e-3 N m s/rad"]
+    result = observed(facts, unknown=unknown)
+    met = result.sel(sample=result.met.all("fact"))
+    assert 0 < met.sizes["sample"] < 64
+    np.testing.assert_allclose(met.tendon_distal_attachment.astype(float), 0.04)
+
+
+def test_a_fact_whose_runs_do_not_tell_is_met_only_where_it_would_be_either_way():
+    def silent(runs):
+        rows = assess(runs)
+        for run, row in zip(runs, rows, strict=True):
+            if run.values["tendon.rest_length"] == "9 cm":
+                row["verdict"] = "diverged"
+        return rows
+
+    plain = count_fact("ten", equals=10, over={"tendon.rest_length": "0..9 cm step 1"}, rising=[], falling=[])
+    plain["settings"] = {"protocol.fold_torque": "500 N cm"}
+    assert observed([plain], samples=4).met.all()
+    told = observed([plain], samples=4, rows=silent)
+    assert (told.untold == 1).all()
+    assert not told.met.any()
+    assert (told.distance == 1).all()
+    assert observed([{**plain, "tolerance": 1}], samples=4, rows=silent).met.all()
+
+
+def test_a_sample_that_there_is_no_such_design_of_is_told_and_counts_for_nothing():
+    unknown = {"tendon.distal_attachment": {"distribution": "uniform", "low": "5 cm", "high": "15 cm"}, **UNKNOWN}
+    result = observed([count_fact("some", at_least=0)], samples=32, unknown=unknown)
+    missing = result.status.values != "ran"
+    # the distal bars are 10 cm long
+    assert missing.tolist() == (result.tendon_distal_attachment.values.astype(float) > 0.1).tolist()
+    assert result.attrs["could_not_run"] == missing.sum() > 10
+    assert np.isnan(result.distance.values[missing]).all()
+    assert float(result.met_share[0]) == 1
+    assert not result.agrees.values[missing].any()

@@ -1,0 +1,122 @@
+"""Observations in files: what they may hold, and what errors say."""
+
+import pytest
+
+from forficula.errors import InputError
+from forficula.goals.identify import load_observations, named_observations, observations_of
+from forficula.goals.identify.fact_text import asked_text
+from forficula.goals.identify.observation_keys import observation_key_facts
+from forficula.goals.identify.prior import prior_shares, shares_of, values_at
+from tests.goals.identify.closed_form import TENDONS, count_fact
+
+UNKNOWN = {"hinge.overbend": {"distribution": "uniform", "low": "1 deg", "high": "8 deg"}}
+TIME = {"name": "t", "quantity": "fold_time", "absent": "1 s", "at_most": "50 ms"}
+PLACE = {**TIME, "statistic": "least at", "over": TENDONS}
+PLACE.pop("at_most")
+LEAST = {"key": "protocol.fold_torque", "values": "10..50 N cm step 10", "state": "folded"}
+
+
+def tables(**fact):
+    return {"design": "binder2025", "unknown": UNKNOWN, "fact": [fact]}
+
+
+def test_named_observations_are_the_papers_lost_values():
+    assert named_observations() == ["binder2025-lost"]
+    seen = load_observations("binder2025-lost")
+    keys = [prior.key for prior in seen.priors]
+    # lengths, angles, masses and damping are lost; stiffness, resting length and overbend are not
+    assert {"pattern.hub_radius", "vein.diameter", "pattern.tangent", "hinge.damping"} <= set(keys)
+    assert not {"tendon.stiffness", "tendon.rest_length", "hinge.overbend"} & set(keys)
+    asked = {fact.name: asked_text(fact) for fact in seen.facts}
+    assert asked["20 N cm is the least"] == "20 N cm"
+    assert asked["none of 9 cm folds"] == "none"
+    assert asked["least work at 7 to 8 cm"] == "least at tendon.rest_length 7 cm or 8 cm"
+    assert asked["unfolding costs twice"] == "at least 2 fold_work"
+    assert asked["32 of 60 fold"] == "32 within 2"
+    # the reference wing is among what is believed
+    shares = shares_of(seen.priors, [_value(seen.base, key) for key in keys])
+    assert ((shares >= 0) & (shares <= 1)).all()
+
+
+def _value(design, key):
+    from forficula.design import key_quantity, key_value
+    from forficula.quantities import format_quantity
+
+    value, quantity = key_value(design, key), key_quantity(key)
+    return value if quantity is None else format_quantity(value, quantity.unit)
+
+
+def test_values_and_shares_of_what_is_believed_are_each_others_inverse():
+    seen = load_observations("binder2025-lost")
+    for point in prior_shares(seen.priors, 16, 1):
+        values = values_at(seen.priors, point)
+        back = shares_of(seen.priors, list(values.values()))
+        # of two choices a share is told to a quarter, of drawn values to six digits
+        words = [prior.distribution is None for prior in seen.priors]
+        assert all(abs(a - b) < (0.26 if word else 1e-5) for a, b, word in zip(point, back, words, strict=True))
+
+
+def test_longer_draws_begin_with_the_shorter_ones():
+    seen = load_observations("binder2025-lost")
+    assert (prior_shares(seen.priors, 100, 0)[:50] == prior_shares(seen.priors, 50, 0)).all()
+
+
+@pytest.mark.parametrize(
+    ("given", "error"),
+    [
+        ({"design": "binder2025", "unknown": UNKNOWN}, r"fact: need at least one table \[\[fact\]\], got None"),
+        ({**tables(**TIME), "unknown": {}}, "unknown: need a table with at least one"),
+        ({**tables(**TIME), "facts": []}, r"facts: unknown key, got \[\]; did you mean fact\?"),
+        ({**tables(**TIME), "sampling": {"samples": 0}}, "sampling.samples: need a whole number >= 1 .* got 0"),
+        (tables(quantity="folded"), "fact 0: name: need a short text, got None"),
+        (tables(**{**TIME, "quantity": "fold_tim"}), 'fact t: quantity: need .* did you mean "fold_time"'),
+        (tables(**{**TIME, "quantity": "fold_time + fold_work"}), "need a sum of what has one unit, got J and s"),
+        (tables(**{**TIME, "statistic": "count"}), 'statistic: need "least", "largest", "mean"'),
+        (tables(**{**TIME, "at_most": "5 J"}), 'at_most: .*"5 J"'),
+        (tables(**{**TIME, "at_most": 5}), "at_most: the unit is missing"),
+        (tables(**{**TIME, "equals": "1 s"}), "need one of equals, at_least, at_most, got equals and at_most"),
+        (tables(name="t", quantity="fold_time", at_most="1 s"), "absent: is missing"),
+        (tables(**TIME, until="fol"), 'until: need "fold" or "unfold", got "fol"; did you mean "fold"'),
+        (tables(**TIME, at={"tendon.stiffness": "10 N/cm"}), "at: belongs to statistic"),
+        (tables(**PLACE, at={"tendon.stiffness": "15 N/cm"}), 'need values of the grid, got "15 N/cm"'),
+        (tables(**PLACE, at={"tendon.stiffnes": "10 N/cm"}), "at: need .*tendon.stiffness"),
+        (tables(name="n", quantity="least value", equals="1 N cm"), '"least value" needs a table least'),
+        (tables(name="n", quantity="least value", least={**LEAST, "values": ["2 N cm", "1 N cm"]}), "values that rise"),
+        (tables(name="n", quantity="folded", equals=1), 'equals: has no place beside statistic = "all"'),
+        (tables(**count_fact("n", equals=1, rising=["tendon.length"])), "rising: need"),
+        (tables(**count_fact("n", equals="1 s")), 'equals: need a number, got "1 s"'),
+        (
+            tables(
+                **TIME,
+                over={"hinge.damping": {"distribution": "log-uniform", "low": "1e-4 N m s/rad", "high": "1 N m s/rad"}},
+            ),
+            "over.hinge.damping: need a list or a range",
+        ),
+    ],
+)
+def test_errors_name_the_fact_the_key_and_what_is_allowed(given, error):
+    with pytest.raises(InputError, match=error):
+        observations_of(given)
+
+
+def test_facts_need_names_of_their_own():
+    with pytest.raises(InputError, match="fact t: need a name of its own"):
+        observations_of({**tables(**TIME), "fact": [TIME, TIME]})
+
+
+def test_every_key_of_a_file_is_told():
+    told = {fact.key for fact in observation_key_facts()}
+    assert {"unknown.KEY", "fact.quantity", "fact.least.key", "sampling.directed"} <= told
+    assert all(fact.meaning and fact.allowed for fact in observation_key_facts("fact"))
+
+
+def test_an_observations_file_names_itself_and_paths_start_from_it(tmp_path):
+    (tmp_path / "seen.toml").write_text(
+        'design = "binder2025"\n[unknown]\n"hinge.overbend" = ["2 deg", "3 deg"]\n'
+        '[[fact]]\nname = "folds"\nquantity = "folded"\n',
+        "utf-8",
+    )
+    seen = load_observations(tmp_path / "seen.toml")
+    assert (seen.name, seen.samples, seen.directed) == ("seen", 256, 128)
+    with pytest.raises(InputError, match="neither a named observations file nor"):
+        load_observations("binder2025-los")

@@ -1,0 +1,204 @@
+"""What is asked for is as much as a fact needs, and comes to the same as everything would."""
+
+import itertools
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from forficula.design import load_design
+from forficula.goals.identify import observations_of
+from forficula.goals.identify.finding import Finding, find
+from forficula.goals.identify.sample_runs import SampleRuns
+from forficula.goals.identify.staircase import FAILS, HOLDS, OPEN, follows, next_point
+from tests.goals.identify.closed_form import TENDONS, assess, holding_torque
+
+LEAST = {
+    "name": "least",
+    "quantity": "least value",
+    "until": "fold",
+    "over": {"tendon.stiffness": "10 N/cm", "tendon.rest_length": "0..9 cm step 1"},
+    "least": {"key": "protocol.fold_torque", "values": "2..100 N cm step 2"},
+    "equals": "20 N cm",
+}
+FOLDED = {"name": "folded", "quantity": "folded", "until": "fold", "over": TENDONS}
+
+
+# less than any overbend that is tried
+SETTINGS = {"protocol.initial_overbend": "0 deg"}
+
+
+def observed_wing(overbend, fact):
+    """One fact of the reference wing with an overbend."""
+    unknown = {"hinge.overbend": [overbend]}
+    return observations_of({"design": "binder2025", "settings": SETTINGS, "unknown": unknown, "fact": [fact]})
+
+
+def found(overbend="3 deg", rows=assess, **fact):
+    """What a sample says of a fact, and the conditions that were run for it."""
+    asked = observed_wing(overbend, fact)
+    runs, known, ran = SampleRuns(asked.base, {"hinge.overbend": overbend}), {}, []
+    while not isinstance(result := find(asked.facts[0], runs, known), Finding):
+        ran += result.values()
+        known |= dict(zip(result, rows(list(result.values())), strict=True))
+    return result, [run.values for run in ran]
+
+
+def least_steps(overbend):
+    """The first of 2, 4, .. 100 N cm that folds each of the paper's softest tendons, N m; 102 N cm where none does."""
+    design = load_design("binder2025", {**SETTINGS, "hinge.overbend": overbend, "tendon.stiffness": "10 N/cm"})
+    torques = [holding_torque(design.with_values({"tendon.rest_length": 0.01 * length})) for length in range(10)]
+    return [next((step for step in 0.02 * np.arange(1, 51) if step >= torque), 1.02) for torque in torques]
+
+
+@given(st.lists(st.integers(0, 10), min_size=6, max_size=6))
+@settings(max_examples=60, deadline=None)
+def test_a_staircase_is_found_by_its_boundary(firsts):
+    # by stiffness, the shortest tendon that does it: longer ones do, and softer ones
+    firsts = sorted(firsts)
+    truth = np.array([[place >= first for place in range(10)] for first in firsts])
+    known = np.full(truth.shape, OPEN, dtype=np.int8)
+    states, asked = known, 0
+    while (point := next_point(states, axes=[1], reversed_axes=[0])) is not None:
+        known[point], asked = (HOLDS if truth[point] else FAILS), asked + 1
+        states = follows(known, [1], [0])
+    assert (states == np.where(truth, HOLDS, FAILS)).all()
+    # a boundary across 6 by 10 has at most as many corners on both sides as it has steps
+    assert asked <= 17
+
+
+@pytest.mark.parametrize("overbend", ["1 deg", "3 deg", "8 deg", "30 deg"])
+def test_a_count_along_a_boundary_is_that_of_all_conditions(overbend):
+    fact = {**FOLDED, "statistic": "count", "equals": 32, "settings": {"protocol.fold_torque": "50 N cm"}}
+    everything, all_runs = found(overbend, **fact)
+    lazily, few = found(overbend, **fact, rising=["tendon.rest_length"], falling=["tendon.stiffness"])
+    assert len(all_runs) == 60
+    assert len(few) <= 18
+    assert lazily == everything
+
+
+@pytest.mark.parametrize("overbend", ["1 deg", "3 deg", "8 deg"])
+@pytest.mark.parametrize("statistic", ["least", "largest", "mean"])
+def test_least_torques_by_halving_are_those_by_trying_all_and_bound_the_closed_form(overbend, statistic):
+    tried, many = found(overbend, **{**LEAST, "statistic": statistic})
+    halved, few = found(overbend, **{**LEAST, "statistic": statistic, "least": {**LEAST["least"], "monotone": True}})
+    assert halved == tried
+    # of fifty values one alone, or halves of them six times
+    assert len(few) <= 7 * 10
+    assert len(many) == sum(round(step / 0.02) for step in least_steps(overbend)) or statistic == "least"
+    exact = {"least": min, "largest": max, "mean": np.mean}[statistic](least_steps(overbend))
+    assert halved.value == pytest.approx(exact)
+
+
+def test_the_least_of_all_least_torques_is_looked_for_where_it_may_be():
+    _, everywhere = found(**{**LEAST, "statistic": "largest", "least": {**LEAST["least"], "monotone": True}})
+    _, where_it_may_be = found(**{**LEAST, "statistic": "least", "least": {**LEAST["least"], "monotone": True}})
+    assert len(where_it_may_be) < len(everywhere)
+
+
+def test_where_none_is_enough_the_least_torque_is_a_step_above_all():
+    least = {**LEAST["least"], "values": "1..3 N cm step 1"}
+    result, _ = found("8 deg", **{**LEAST, "least": least, "over": {"tendon.rest_length": "0..2 cm step 1"}})
+    assert result.value == pytest.approx(0.04)
+    assert result.distance == pytest.approx(0.16)
+
+
+def test_a_place_is_as_far_off_as_its_number_is_from_the_least():
+    fact = {
+        "name": "fastest",
+        "quantity": "fold_time",
+        "statistic": "least at",
+        "until": "fold",
+        "over": {"tendon.stiffness": ["10 N/cm", "40 N/cm"]},
+        "settings": {"protocol.fold_torque": "500 N cm"},
+        "absent": "1 s",
+    }
+    stiff, _ = found(**fact, at={"tendon.stiffness": "40 N/cm"})
+    assert stiff == Finding(value=0.0, distance=0.0, met=True, untold=0)
+    soft, _ = found(**fact, at={"tendon.stiffness": "10 N/cm"})
+    # sqrt(I / (k a b)) of 4e-4 kg m^2 and 5.5 cm twice: 11.5 ms at 10 N/cm and half of it at 40, each twice over
+    assert soft.distance == pytest.approx(11.5e-3, rel=1e-2)
+    never, _ = found(**{**fact, "settings": {"protocol.fold_torque": "0 N cm"}}, at={"tendon.stiffness": "10 N/cm"})
+    assert (never.distance, never.met) == (1.0, False)
+
+
+def test_two_statistics_are_held_against_each_other():
+    by_length = {
+        "name": "long ones fold rather than short ones",
+        "quantity": "folded",
+        "statistic": "count",
+        "until": "fold",
+        "settings": {"protocol.fold_torque": "50 N cm"},
+        "over": {"tendon.stiffness": TENDONS["tendon.stiffness"], "tendon.rest_length": "5..9 cm step 1"},
+    }
+    short = {"tendon.stiffness": TENDONS["tendon.stiffness"], "tendon.rest_length": "0..4 cm step 1"}
+    held, _ = found(**by_length, at_least={"over": short})
+    assert held.met
+    turned, _ = found(**by_length, at_most={"over": short})
+    design = load_design("binder2025")
+    folds = [
+        [
+            holding_torque(design.with_values({"tendon.stiffness": 1e3 * k, "tendon.rest_length": 0.01 * length}))
+            <= 0.5
+            for length in range(10)
+        ]
+        for k in range(1, 7)
+    ]
+    assert turned.distance == np.sum(folds, axis=0)[5:].sum() - np.sum(folds, axis=0)[:5].sum()
+
+
+def test_sums_of_quantities_and_runs_that_do_not_count():
+    fact = {
+        "name": "work a second",
+        "quantity": "fold_work - 2 fold_work",
+        "statistic": "largest",
+        "until": "fold",
+        "where": "folded",
+        "over": {"tendon.rest_length": "0..9 cm step 1"},
+        "settings": {"protocol.fold_torque": "30 N cm"},
+        "absent": "7 J",
+        "at_most": "0 J",
+    }
+    result, _ = found(**fact)
+    assert result.value == pytest.approx(-0.3 * np.radians(80))
+    nothing, _ = found("30 deg", **{**fact, "settings": {"protocol.fold_torque": "1 N cm"}})
+    assert nothing.value == 7.0
+
+
+def test_what_runs_does_not_depend_on_what_else_is_known():
+    fact = {**FOLDED, "statistic": "count", "equals": 32, "settings": {"protocol.fold_torque": "50 N cm"}}
+    fact |= {"rising": ["tendon.rest_length"], "falling": ["tendon.stiffness"]}
+
+    def odd(runs):
+        # a lone short, stiff tendon folds, which no boundary has
+        rows = assess(runs)
+        for run, row in zip(runs, rows, strict=True):
+            row["folded"] |= (run.values["tendon.stiffness"], run.values["tendon.rest_length"]) == ("50 N/cm", "1 cm")
+        return rows
+
+    asked = observed_wing("3 deg", fact)
+    runs = SampleRuns(asked.base, {"hinge.overbend": "3 deg"})
+    lazily, ran = found(rows=odd, **fact)
+    conditions = [dict(zip(TENDONS, values, strict=True)) for values in itertools.product(
+        [f"{k}0 N/cm" for k in range(1, 7)], [f"{length} cm" for length in range(10)])]  # fmt: skip
+    every = [runs.at({**each, "protocol.fold_torque": "50 N cm"}, "fold") for each in conditions]
+    known = dict(zip([run.key for run in every], odd(every), strict=True))
+    assert find(asked.facts[0], runs, known) == lazily
+    assert len(ran) < 60
+
+
+def test_where_the_far_corner_has_a_boundary_of_its_own_every_condition_is_run():
+    # the softest and longest tendons do not fold, as the paper has it: a band folds, and no staircase
+    def band(runs):
+        rows = assess(runs)
+        for run, row in zip(runs, rows, strict=True):
+            soft = run.values["tendon.stiffness"] in ("10 N/cm", "20 N/cm", "30 N/cm")
+            row["folded"] &= not (soft and run.values["tendon.rest_length"] == "9 cm")
+        return rows
+
+    fact = {**FOLDED, "statistic": "count", "equals": 32, "settings": {"protocol.fold_torque": "50 N cm"}}
+    everything, _ = found(rows=band, **fact)
+    lazily, ran = found(rows=band, **fact, rising=["tendon.rest_length"], falling=["tendon.stiffness"])
+    assert lazily == everything
+    assert len(ran) == 60

@@ -1,0 +1,138 @@
+"""Identifications in folders: killed and taken up again they come to the same, and leave their files."""
+
+import json
+
+import numpy as np
+import pytest
+import xarray
+
+import forficula as ff
+from forficula.cli import main
+from forficula.errors import InputError
+from forficula.goals.identify import observations_of
+from forficula.goals.identify.run_identify import identify
+from forficula.show.goals.identify_figures import identify_drawings
+from forficula.show.goals.identify_text import together_sentences
+from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, description
+from forficula.study.evaluate import stored_energy
+
+# a sheet that closes and opens in a fraction of a second
+HIDDEN = {"tendon.left.stiffness": "0.5 N/cm", "crease.damping": "0.04 N m s/rad/m"}
+UNKNOWN = {
+    "tendon.left.stiffness": {"distribution": "uniform", "low": "0.2 N/cm", "high": "1 N/cm"},
+    "crease.damping": {"distribution": "log-uniform", "low": "0.01 N m s/rad/m", "high": "0.1 N m s/rad/m"},
+}
+
+
+@pytest.fixture(scope="module")
+def planted():
+    """Observations of a sheet whose values are hidden: when it closed, and what it stored while open."""
+    outcome = ff.measure(ff.run(ff.load_design("letter-fold", HIDDEN)))
+    time, stored = outcome.transitions["close"].time, stored_energy(outcome.states["flat"])
+    close = {"until": "close"}
+    facts = [
+        {**close, "name": "closes as seen", "quantity": "close_time", "absent": "2 s", "equals": f"{time} s",
+         "tolerance": "10 ms"},
+        {**close, "name": "stores as much", "quantity": "flat_energy", "absent": "0 J", "equals": f"{stored} J",
+         "tolerance": "2 mJ"},
+    ]  # fmt: skip
+    tables = {"name": "planted", "design": "letter-fold", "unknown": UNKNOWN, "fact": facts}
+    return observations_of({**tables, "sampling": {"samples": 16, "directed": 32}})
+
+
+@pytest.fixture(scope="module")
+def result(planted, tmp_path_factory):
+    return identify(planted, tmp_path_factory.mktemp("identify"))
+
+
+class KilledError(Exception):
+    """Stands for a process that ends at once."""
+
+
+def test_hidden_values_of_a_sheet_are_found_by_its_times(result):
+    near = result.isel(sample=int(np.argmin(result.scaled_distance.sum("fact").values)))
+    spread = np.ptp(result.value.values, axis=0)
+    # what comes nearest is off by a small part of what the samples differ by
+    assert (near.distance.values < 0.2 * spread).all()
+    assert float(near.crease_damping) == pytest.approx(0.04, rel=0.3)
+    assert float(near.tendon_left_stiffness) == pytest.approx(50, rel=0.2)
+
+
+def test_killed_and_taken_up_again_it_comes_to_the_same(planted, result, tmp_path):
+    for stop in (5, 5, 5, 15, 10):
+        left = [stop]
+
+        def count(_done, _wanted, _row, left=left):
+            left[0] -= 1
+            if not left[0]:
+                raise KilledError
+
+        with pytest.raises(KilledError):
+            identify(planted, tmp_path, run_progress=count)
+    ran = []
+    again = identify(planted, tmp_path, run_progress=lambda *told: ran.append(told))
+    assert 0 < len(ran) < result.attrs["runs"]
+    xarray.testing.assert_identical(again, result)
+    identify(planted, tmp_path, run_progress=lambda *_: pytest.fail("ran what was there"))
+
+
+def test_another_design_s_rows_are_refused(planted, tmp_path):
+    (tmp_path / "journal.jsonl").write_text(
+        json.dumps({"written_by": {"schema": 0, "design": "other", "design_hash": "0"}}) + "\n", "utf-8"
+    )
+    with pytest.raises(InputError, match="rows of another design or other versions"):
+        identify(planted, tmp_path)
+
+
+@pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])
+def test_figures_tell_what_they_show(result, width):
+    told = {name: description(draw(width)) for name, draw in identify_drawings(result).items()}
+    assert told.keys() == {"facts", "together", "unknowns", "pairs"}
+    assert "closes as seen" in told["facts"]
+    assert "tendon.left.stiffness" in told["pairs"]
+
+
+def test_the_command_writes_its_files_and_tells_what_agrees(tmp_path, capsys):
+    file = tmp_path / "seen.toml"
+    file.write_text(
+        'design = "letter-fold"\n[unknown]\n"tendon.left.stiffness" = ["0.4 N/cm", "0.6 N/cm"]\n'
+        '"crease.damping" = ["0.03 N m s/rad/m"]\n[sampling]\nsamples = 4\ndirected = 0\n'
+        '[[fact]]\nname = "closes"\nquantity = "close_time"\nabsent = "2 s"\nat_most = "1 s"\n'
+        '[[fact]]\nname = "never closes"\nquantity = "closed"\nstatistic = "none"\n',
+        "utf-8",
+    )
+    out = tmp_path / "out"
+    main(["identify", str(file), "--out", str(out), "--json"])
+    told = json.loads(capsys.readouterr().out)
+    assert [fact["met"] for fact in told["facts"]] == [4, 0]
+    assert told["facts"][1]["nearest"] == 1
+    assert "Met by none at all: never closes." in told["sentences"]
+    names = {path.name for path in out.iterdir()}
+    assert {
+        "identified.nc",
+        "samples.csv",
+        "summary.txt",
+        "facts.png",
+        "pairs.png",
+        "report.html",
+        "journal.jsonl",
+    } <= names
+    lines = (out / "samples.csv").read_text("utf-8").splitlines()
+    assert len(lines) == 5
+    assert lines[0].startswith("sample,tendon_left_stiffness (N/m),")
+    kept = xarray.load_dataset(out / "identified.nc", engine="h5netcdf")
+    assert together_sentences(kept) == told["sentences"]
+    main(["figure", str(out), "--kind", "facts", "--out", str(tmp_path / "facts.svg")])
+    assert "never closes" in (tmp_path / "facts.svg").read_text("utf-8")
+
+
+def test_a_dry_run_says_how_many_runs_there_are(tmp_path, capsys):
+    file = tmp_path / "seen.toml"
+    file.write_text(
+        'design = "letter-fold"\n[unknown]\n"tendon.left.stiffness" = ["0.4 N/cm", "0.6 N/cm"]\n'
+        '[sampling]\nsamples = 8\ndirected = 8\n[[fact]]\nname = "closes"\nquantity = "closed"\n',
+        "utf-8",
+    )
+    main(["identify", str(file), "--dry-run", "--out", str(tmp_path / "out")])
+    assert "seen: 16 samples, about 16 runs" in capsys.readouterr().out
+    assert not (tmp_path / "out").exists()

@@ -1,0 +1,111 @@
+"""Rows of designs: each worked out once, the same whoever does it."""
+
+import json
+import threading
+
+import pytest
+
+from forficula.design import load_design
+from forficula.errors import InputError
+from forficula.goals import assessor as assessor_module
+from forficula.goals.assessor import open_assessor, value_of
+from forficula.goals.goal_file import goal_of
+from forficula.goals.margins import margins_of
+from forficula.goals.outcome_quantity import quantity_of
+from forficula.structure import structure_of
+from forficula.study.search_file import read_search
+
+JOINT, LETTER = load_design("binder2025-joint"), load_design("letter-fold")
+STIFFER = [JOINT.with_values({"tendon.area": f"{area} mm^2"}) for area in (4, 5, 6)]
+
+
+def test_rows_come_in_the_order_of_the_designs_and_are_read_when_they_are_there(tmp_path):
+    with open_assessor(tmp_path, JOINT) as assess:
+        first = assess(
+            STIFFER, ["hinges", "run"], points=[{"tendon.area": design.tendons[0].area} for design in STIFFER]
+        )
+        assert assess.done == 6
+    with open_assessor(tmp_path, JOINT) as assess:
+        assert assess(STIFFER[::-1], ["hinges", "run"]) == first[::-1]
+        assert assess.done == 0
+    held = quantity_of(JOINT, "hinge_holding_torque")
+    torques = [value_of(row, held, design) for row, design in zip(first, STIFFER, strict=True)]
+    assert torques == pytest.approx([torques[1] * share for share in (0.8, 1, 1.2)])
+    _, *rows = [json.loads(line) for line in (tmp_path / "journal.jsonl").read_text().splitlines() if line]
+    assert all(row["values"].keys() == {"tendon.area"} for row in rows)
+
+
+def test_what_cannot_be_built_is_a_row_that_says_why(tmp_path):
+    with open_assessor(tmp_path, JOINT) as assess:
+        (row,) = assess(["bars of no length"], ["run"])
+    assert (row["verdict"], row["status"]) == ("not built", "cannot be built: bars of no length")
+
+
+def test_least_torques_are_those_of_a_search(tmp_path):
+    given = {"close_torques": ["0.1 N cm", "3 N cm"], "open_torques": []}
+    with open_assessor(tmp_path, LETTER) as assess:
+        (row,) = assess([LETTER], ["search"], search=read_search("least-torques", given, LETTER))
+    assert value_of(row, quantity_of(LETTER, "least_close_value"), LETTER) == pytest.approx(0.03)
+
+
+def test_whole_records_tell_packages(tmp_path):
+    with open_assessor(tmp_path, LETTER) as assess:
+        (row,) = assess([LETTER], ["run", "record"])
+    assert 0 < value_of(row, quantity_of(LETTER, "package_area"), LETTER) < 1
+    assert row["outcome"] == "closed and opened"
+
+
+def test_shards_share_the_work_and_come_to_the_same(tmp_path):
+    with open_assessor(tmp_path / "one", JOINT) as assess:
+        alone = assess(STIFFER, ["hinges"])
+    rows, done = {}, {}
+
+    def work(number):
+        with open_assessor(tmp_path / "both", JOINT, shard=(number, 2)) as assess:
+            rows[number] = assess(STIFFER, ["hinges"])
+            done[number] = len((tmp_path / "both" / f"journal-{number}-of-2.jsonl").read_text().split("\n")) - 2
+
+    threads = [threading.Thread(target=work, args=(number,)) for number in (1, 2)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert rows[1] == rows[2] == alone
+    assert done == {1: 2, 2: 1}
+
+
+def test_a_shard_that_is_gone_is_done_without(tmp_path, monkeypatch):
+    monkeypatch.setattr(assessor_module, "_PATIENCE_SECONDS", 0.2)
+    monkeypatch.setattr(assessor_module, "_LOOK_SECONDS", 0.05)
+    with open_assessor(tmp_path, JOINT, shard=(2, 2)) as assess:
+        assert len(assess(STIFFER, ["hinges"])) == 3
+
+
+@pytest.mark.parametrize(("shard", "threads"), [((0, 1), 0), ((3, 2), 0), ((1, 1), -1)])
+def test_what_is_no_share_of_the_work_is_refused(tmp_path, shard, threads):
+    with pytest.raises(InputError), open_assessor(tmp_path, JOINT, shard=shard, threads=threads):
+        pass
+
+
+def test_margins_are_finite_whatever_happened(tmp_path):
+    goal = goal_of(
+        {
+            "name": "test",
+            "design": JOINT,
+            "vary": {"tendon.area": {"low": "1 mm^2", "high": "20 mm^2"}},
+            "limits": {"hinge_holding_torque": ">= 8 N cm", "fold_time": "<= 0.3 s"},
+            "objectives": {"mass": "least"},
+        }
+    )
+    transitions = structure_of(JOINT).transitions
+    designs = [JOINT.with_values({"tendon.area": area}) for area in ("3 mm^2", "5 mm^2", "12 mm^2")]
+    with open_assessor(tmp_path, JOINT) as assess:
+        weak, good, strong = (
+            margins_of(goal, row, design, transitions)
+            for row, design in zip(assess(designs, goal.sources), designs, strict=True)
+        )
+    assert weak.works > 0 > weak.limits[0]  # folds, but is held by too little
+    assert good.meets
+    assert strong.works < 0 < strong.limits[0]  # held by more than its fold torque
+    assert -1 <= strong.least <= strong.works
+    assert margins_of(goal, {}, "why not", transitions).least == -1

@@ -1,0 +1,52 @@
+"""Goals that come with the package: they begin within their ranges, and closed forms agree with what they ask."""
+
+import numpy as np
+import pytest
+
+from forficula.design import key_value
+from forficula.goals.deviation import off_values
+from forficula.goals.goal_file import load_goal, named_goals
+from forficula.goals.optimise.neighbours import neighbour_offsets
+from tests.validation.test_forces_at_which_sheets_snap import cell_forces, clasp_forces, snaps
+
+EXAMPLES = ("clasp-5-to-8", "light-wing", "servo-wing", "two-heights")
+
+
+def neighbours(goal, design, count=64):
+    """Designs within a goal's tolerances about one."""
+    offsets = neighbour_offsets(goal, count, seed=1)
+    return [design.with_values(off_values(design, goal.deviations, each.tolist())) for each in offsets]
+
+
+def test_the_examples_are_named():
+    assert set(EXAMPLES) <= set(named_goals())
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_an_example_begins_within_its_ranges_and_says_how_sure_it_is_to_be(name):
+    goal = load_goal(name)
+    for parameter in goal.parameters:
+        assert 0 <= parameter.share(key_value(goal.base, parameter.key)) <= 1, parameter.key
+    assert [limit.bound for limit in goal.limits if limit.quantity.source == "neighbours"] == pytest.approx([0.95])
+    assert goal.deviations
+    assert goal.source
+
+
+def test_a_servo_has_its_line_in_all_that_is_tried():
+    goal = load_goal("servo-wing")
+    assert np.degrees(goal.base.protocol.no_load_speed) == pytest.approx(300)
+    assert goal.base.protocol.fold_torque == goal.base.protocol.unfold_torque == pytest.approx(0.3)
+
+
+def test_the_clasp_that_the_example_begins_with_holds_and_opens_within_its_tolerances_by_the_closed_form():
+    goal = load_goal("clasp-5-to-8")
+    forces = [snaps(-clasp_forces(each)[1])[1] for each in neighbours(goal, goal.base)]
+    assert min(forces) < 6.0 < 7.5 < max(forces)
+    assert np.mean([5 <= force <= 8 for force in forces]) > 0.9
+
+
+def test_the_cell_that_the_example_begins_with_bears_and_gives_way_within_its_tolerances_by_the_closed_form():
+    goal = load_goal("two-heights")
+    up, down = np.transpose([snaps(cell_forces(each)[1]) for each in neighbours(goal, goal.base)])
+    assert np.all((up > 1) & (up < 3))
+    assert np.mean((down > 5) & (down < 15)) > 0.9

@@ -1,0 +1,226 @@
+"""A tolerance finds what was planted in a model in closed form, and the same again however often it is killed."""
+
+import json
+import shutil
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from forficula.design import load_design
+from forficula.errors import InputError
+from forficula.goals.tolerance import assess_tolerance, estimate_tolerance
+from forficula.goals.tolerance.advice import advice, most_telling
+from forficula.goals.tolerance.nearest_failure import Answer
+from forficula.goals.tolerance.plan import PLANS
+from forficula.goals.tolerance.saved_plan import kept_plan
+from forficula.goals.tolerance.tolerance_table import tolerance_table
+from tests.goals.tolerance.closed_form import (
+    EDGE,
+    FACTORS,
+    KEYS,
+    LINE,
+    SMALL,
+    WEIGHTS,
+    ClosedForm,
+    asked,
+    assessed,
+    line,
+)
+
+
+@pytest.fixture(scope="module")
+def design():
+    return load_design("letter-fold")
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """Where the runs of `found` are."""
+    return tmp_path_factory.mktemp("found")
+
+
+@pytest.fixture(scope="module")
+def found(design, folder):
+    return assessed(design, folder, SMALL, line)
+
+
+def works_within(width):
+    """Of offsets u within a width and v within 1, the share with 0.2 u - 0.1 v < EDGE: all but a triangle's."""
+    leg = width - (EDGE - 0.1) / 0.2
+    return 1 - leg**2 / (4 * width)
+
+
+WORKS = works_within(1.0)
+
+
+def test_the_probability_is_that_of_the_closed_form(found):
+    works = found.probability
+    assert works.count == 128 + 32
+    assert works.low <= WORKS <= works.high
+    assert works.share == pytest.approx(WORKS, abs=0.05)
+
+
+def test_every_transition_has_its_own_probability(found):
+    assert list(found.probabilities) == ["works", "gets closed", "stays closed", "gets opened", "stays opened"]
+    assert found.probabilities["gets closed"].share == 1
+    assert found.probabilities["stays opened"] == found.probabilities["works"]
+
+
+def test_the_factors_that_were_planted_are_found_and_the_others_decide_nothing(found):
+    assert [KEYS[factor] for factor in found.order] == [KEYS[1], KEYS[3]]
+    for share, low, high in zip((0.8, 0.2, 0), found.indices.total_low[0], found.indices.total_high[0], strict=True):
+        assert low <= share <= high
+    assert KEYS[most_telling(found)] == KEYS[1]
+    np.testing.assert_allclose(found.effects, [0, 0.8, 0, 0.2, 0], atol=0.1)
+
+
+def test_how_far_each_value_goes_alone_is_where_the_margin_is_zero(found):
+    down, up = found.reaches[1]
+    assert up.works <= EDGE / 0.2 <= up.fails
+    assert up.fails - up.works == pytest.approx(2.0**-SMALL.halvings)
+    assert down.fails is None
+    other, _ = found.reaches[3]
+    assert other.works <= EDGE / 0.1 <= other.fails
+    assert all(reach.fails is None for factor in (0, 2, 4) for reach in found.reaches[factor])
+
+
+def test_the_nearest_failure_of_all_together_is_the_corner(found):
+    """0.2 t + 0.1 t = EDGE, where both are off by the same share of their tolerances."""
+    assert found.nearest.works * found.nearest.largest <= EDGE / 0.3 <= found.nearest.largest <= 0.625
+    assert np.sign(found.nearest.offsets[[1, 3]]).tolist() == [1, -1]
+
+
+def test_half_a_tolerance_gains_what_the_closed_form_says(found):
+    gain = found.narrowed[1]
+    assert gain.gain_low <= works_within(0.5) - WORKS <= gain.gain_high
+    assert found.narrowed[0].gain_low <= 0 <= found.narrowed[0].gain_high
+
+
+def test_the_sentences_name_what_to_tighten_and_which_way_to_go(found):
+    told = " ".join(advice(found))
+    assert f"Tighten the tolerance of {KEYS[1]}, ± 10 %, first." in told
+    assert f"A smaller {KEYS[1]} than 5 cm would help" in told
+    assert "The 3 others together decide 0 % (0 to 0 %): these need no care." in told
+
+
+def test_the_map_is_of_the_two_that_decide_most_and_fails_where_they_do(found):
+    drawn = found.map
+    assert (KEYS[drawn.first], KEYS[drawn.second]) == (KEYS[1], KEYS[3])
+    assert np.count_nonzero(drawn.samples.offsets[:, [0, 2, 4]]) == 0
+    works = drawn.samples.offsets @ WEIGHTS < EDGE
+    np.testing.assert_array_equal(drawn.samples.answers == Answer.WORKS, works)
+
+
+def test_the_runs_are_no_more_than_the_plan_says(found):
+    assert 300 < found.runs <= SMALL.most_runs(5)
+
+
+def digest(found):
+    table = tolerance_table(found)
+    return json.dumps(table.to_dict(), default=str, sort_keys=True)
+
+
+def test_killed_five_times_it_comes_to_the_same(design, tmp_path, found):
+    folder = tmp_path / "killed"
+    for after in (3, 100, 40, 10, 60):
+        with pytest.raises(KeyboardInterrupt):
+            assessed(design, folder, SMALL, line, killed_after=after)
+    assert digest(assessed(design, folder, SMALL, line)) == digest(found)
+
+
+def test_taken_up_once_more_nothing_runs_again(design, folder, found):
+    again = assessed(design, folder, SMALL, line, killed_after=0)
+    assert digest(again) == digest(found)
+
+
+def test_runs_that_are_not_to_be_trusted_are_counted_apart_and_widen_the_interval(design, tmp_path, found):
+    doubtful = assessed(design, tmp_path / "doubtful", SMALL, line, untrusted=lambda offsets: offsets[0] > 0.9)
+    works = doubtful.probability
+    assert works.unknown == np.sum(doubtful.samples.offsets[:, 0] > 0.9) > 0
+    assert works.count == found.probability.count
+    assert works.low < found.probability.low
+    assert works.high >= works.share
+    assert "not to be trusted" in " ".join(advice(doubtful))
+    # a run that tells nothing is no failure of a value alone either
+    assert doubtful.reaches[0][1].fails is None
+
+
+def test_a_design_that_fails_as_it_is_has_a_probability_but_no_way_to_failure(design, tmp_path):
+    failing = assessed(design, tmp_path / "failing", SMALL, lambda offsets: line(offsets) - 0.2)
+    assert not failing.nominal_works
+    assert failing.reaches == ()
+    assert failing.nearest is None
+    assert 0 < failing.probability.share < 0.5
+    told = advice(failing)
+    assert told[0].startswith("As designed it does not work already")
+    assert any(sentence.startswith(f"A smaller {KEYS[1]}") for sentence in told)
+
+
+def test_where_nothing_varies_nothing_is_to_be_tightened(design, tmp_path):
+    sound = assessed(design, tmp_path / "sound", SMALL, lambda _: 0.5)
+    assert sound.probability.share == 1
+    assert most_telling(sound) is None
+    assert "Nothing within the tolerances changes the margin." in advice(sound)
+
+
+def test_without_time_for_indices_straight_lines_still_find_what_decides(design, tmp_path):
+    lines = assessed(design, tmp_path / "lines", LINE, line)
+    assert [KEYS[factor] for factor in lines.order[:2]] == [KEYS[1], KEYS[3]]
+    np.testing.assert_allclose(lines.indices.first[0], [0, 0.8, 0, 0.2, 0], atol=0.12)
+    assert np.isnan(lines.indices.total).all()
+    assert lines.runs <= LINE.most_runs(5)
+
+
+def test_so_few_designs_that_nothing_tells_what_decides_are_told(design, tmp_path):
+    few = assessed(design, tmp_path / "few", replace(PLANS[-1], points=8), line)
+    assert most_telling(few) is None
+    assert "So few designs do not tell which tolerance decides: give it more time." in advice(few)
+
+
+def test_the_table_has_values_in_si_that_lie_within_the_tolerances(found):
+    table = tolerance_table(found)
+    lengths = table["tendon_left_rest_length"]
+    assert lengths.attrs == {"units": "m", "display": "cm", "key": "tendon.left.rest_length"}
+    assert float(lengths.min()) >= 0.045
+    assert float(lengths.max()) <= 0.055
+    assert float(table["probability"].sel(fact="works")) == found.probability.share
+    assert float(table["total_index"].sel(result="margin", group=KEYS[1])) == found.indices.total[0, 0]
+
+
+def test_the_first_runs_settle_the_plan_and_it_stays(design, tmp_path):
+    """No run of a closed form takes long: there is time for all."""
+    question = asked(design)
+    assert kept_plan(tmp_path, question, 0.3, 1) is None
+    cluster = ClosedForm(design, FACTORS, line, killed_after=40)
+    with pytest.raises(KeyboardInterrupt):
+        assess_tolerance(question, tmp_path, minutes=0.3, seed=1, cluster=cluster)
+    plan = kept_plan(tmp_path, question, 0.3, 1)
+    assert plan in PLANS
+    assert kept_plan(tmp_path, question, 5.0, 1) is None
+    assert kept_plan(tmp_path, replace(question, deviations=question.deviations[:4]), 0.3, 1) is None
+
+
+def test_two_processes_that_share_the_runs_come_to_the_same(design, folder, tmp_path, found):
+    """Each finds the rows of the other in its folder, here of one that went before."""
+    shared = tmp_path / "shared"
+    shutil.copytree(folder, shared)
+    (shared / "journal.jsonl").rename(shared / "journal-1-of-2.jsonl")
+    assert digest(assessed(design, shared, SMALL, line, shard=(2, 2), killed_after=0)) == digest(found)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "message"),
+    [({"minutes": 0}, "minutes: need a number > 0"), ({"seed": -1}, "seed: need a whole number")],
+)
+def test_numbers_that_are_not_allowed_are_refused(design, tmp_path, wrong, message):
+    with pytest.raises(InputError, match=message):
+        assess_tolerance(asked(design), tmp_path, **wrong)
+
+
+def test_an_estimate_runs_a_few_and_writes_nothing(design, tmp_path):
+    plan, most, seconds = estimate_tolerance(asked(design), tmp_path / "not-there", minutes=0.01)
+    assert plan is PLANS[-1]
+    assert most == plan.most_runs(5)
+    assert seconds > 0
+    assert not (tmp_path / "not-there").exists()

@@ -1,0 +1,73 @@
+"""What is asked: which values may be off, by how much, and when a design works."""
+
+import numpy as np
+import pytest
+
+from forficula.design import load_design
+from forficula.errors import InputError
+from forficula.goals.tolerance.question_file import question_of
+
+
+@pytest.fixture(scope="module")
+def design():
+    return load_design("binder2025")
+
+
+def test_without_tolerances_all_that_is_positive_and_not_the_protocols_is_ten_per_cent_off(design):
+    question = question_of(design)
+    assert question.assumed
+    assert "tendon.stiffness" in question.keys
+    assert not any(key.startswith("protocol.") for key in question.keys)
+    assert {each.size for each in question.deviations} == {0.1}
+    assert question.width_text(0) == "± 10 %"
+
+
+def test_a_file_gives_tolerances_and_limits_and_what_is_given_beside_counts_instead(design, tmp_path):
+    path = tmp_path / "asked.toml"
+    path.write_text('[tolerances]\n"tendon.stiffness" = "5 %"\n[limits]\nfold_time = "<= 40 ms"\n', "utf-8")
+    question = question_of(design, goal=path)
+    assert question.keys == ("tendon.stiffness",)
+    assert [str(limit) for limit in question.limits] == ["fold_time <= 0.04 s"]
+    assert question.sources == ("run",)
+    own = question_of(design, {"vein.diameter": "0.1 mm"}, goal=path)
+    assert own.keys == ("vein.diameter",)
+    assert own.width_text(0) == "± 0.1 mm"
+
+
+def test_a_named_goal_gives_its_torques_its_tolerances_and_the_probability_that_it_wants(design):
+    question = question_of(design, goal="light-wing")
+    assert question.design.protocol.fold_torque == pytest.approx(0.2)
+    assert [str(limit) for limit in question.wanted] == ["probability >= 95 %"]
+    assert all("torque" in str(limit) for limit in question.limits)
+
+
+def test_what_no_key_allows_is_known_before_it_is_run(design):
+    question = question_of(design, {"hinge.fold_limit": "10 %", "tendon.stiffness": "10 %"})
+    assert question.allows(np.array([-1.0, 1.0]))
+    # beyond flat upon itself
+    assert not question.allows(np.array([0.1, 0.0]))
+    assert not question.allows(np.array([0.0, -11.0]))
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({"tolerances": {"tendon.stifness": "5 %"}}, r"tendon\.stifness"),
+        ({"tolerances": {"tendon.stiffness": "-5 %"}}, "tendon.stiffness: need a tolerance > 0"),
+        ({"tolerances": "5 %"}, "tolerances: need them by key"),
+        ({"tolerances": {}}, "tolerances: need at least one"),
+        ({"limits": {"fold_time": "quick"}}, r"limits\.fold_time: need a limit such as"),
+        ({"limits": {"least_fold_torque": ">= 5 N cm"}}, "least_fold_torque: need an upper limit"),
+        ({"goal": "heavy-wing"}, "neither a named goal"),
+    ],
+)
+def test_what_is_wrong_is_told_with_its_key(design, given, message):
+    with pytest.raises(InputError, match=message):
+        question_of(design, **given)
+
+
+def test_a_wrong_table_of_a_file_is_told_with_the_file(design, tmp_path):
+    path = tmp_path / "asked.toml"
+    path.write_text('[tolerance]\n"tendon.stiffness" = "5 %"\n', "utf-8")
+    with pytest.raises(InputError, match=r"asked\.toml: .*did you mean tolerances"):
+        question_of(design, goal=path)

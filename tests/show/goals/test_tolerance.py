@@ -1,0 +1,130 @@
+"""What a tolerance leaves: figures that say what they show, a table, text, and the same figures again from its file."""
+
+import json
+
+import pytest
+import xarray
+from matplotlib.colors import to_hex
+
+import forficula as ff
+from forficula.design import load_design
+from forficula.goals.tolerance.kept_samples import samples_to_keep
+from forficula.goals.tolerance.nearest_failure import Answer
+from forficula.goals.tolerance.tolerance_table import tolerance_table
+from forficula.show.folder.figure_kinds import folder_drawings
+from forficula.show.folder.tolerance_folder import tolerance_drawings, write_tolerance
+from forficula.show.goals.tolerance_figures import draw_cloud, draw_indices, draw_reaches
+from forficula.show.goals.tolerance_text import print_tolerance
+from forficula.show.style import COLUMN_WIDTH, VERMILION, description
+from tests.goals.tolerance.closed_form import FACTORS, KEYS, LINE, SMALL, assessed, line
+
+
+@pytest.fixture(scope="module")
+def design():
+    return load_design("letter-fold")
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    return tmp_path_factory.mktemp("tolerance")
+
+
+@pytest.fixture(scope="module")
+def found(design, folder):
+    return assessed(design, folder, SMALL, line)
+
+
+@pytest.fixture(scope="module")
+def table(found):
+    return tolerance_table(found)
+
+
+def test_bars_stand_for_the_indices_of_the_factors_in_their_order_and_of_the_others(found, table):
+    axes = draw_indices(table).axes[0]
+    names = [each.get_text() for each in axes.get_yticklabels()]
+    assert names == ["tendon left rest length", "facet thickness", "3 others"]
+    first = [bar.get_width() for bar in axes.containers[0]]
+    assert first == pytest.approx([max(each, 0) for each in found.indices.first[0]])
+    assert [bar.get_width() for bar in axes.containers[1]] == pytest.approx(found.indices.total[0].tolist())
+    assert "has to do with tendon left rest length" in description(axes.figure)
+
+
+def test_every_sample_is_a_point_of_the_cloud_over_a_cell_for_each_design_of_the_map(found, table):
+    axes = draw_cloud(table).axes[0]
+    points = {each.get_marker(): len(each.get_xdata()) for each in axes.lines}
+    answers = found.samples.answers
+    assert points["o"] == (answers == Answer.WORKS).sum()
+    assert points["x"] == (answers == Answer.FAILS).sum()
+    assert axes.get_xlabel() == "tendon left rest length (cm)"
+    # the cells, and the edge of the tolerances
+    assert len(axes.patches) == SMALL.cells**2 + 1
+    edge = axes.patches[-1]
+    assert (edge.get_x(), edge.get_width()) == pytest.approx((4.5, 1.0))
+
+
+def test_the_nearest_failure_alone_stands_on_top_where_it_fails(found, table):
+    figure = draw_reaches(table, COLUMN_WIDTH)
+    axes = figure.axes[0]
+    assert axes.get_yticklabels()[0].get_text() == "tendon left rest length"
+    failing = [
+        each for each in axes.lines if each.get_marker() == "x" and to_hex(each.get_color()) == VERMILION.lower()
+    ]
+    assert [each.get_xdata()[0] for each in failing[:1]] == [found.reaches[1][1].fails]
+    assert "Tendon left rest length fails first" in description(figure)
+
+
+def test_the_folder_has_all_of_it_and_draws_it_again(found, table, folder):
+    written = write_tolerance(found, folder)
+    assert set(folder_drawings(folder)) == set(tolerance_drawings(table)) == {"indices", "cloud", "reaches"}
+    with xarray.open_dataset(folder / "tolerance.nc", engine="h5netcdf") as read:
+        xarray.testing.assert_equal(read["probability"], written["probability"])
+        assert read.attrs["says"] == written.attrs["says"]
+        again = draw_indices(read.load())
+    assert description(again) == description(draw_indices(table))
+    content = json.loads((folder / "tolerance.json").read_text("utf-8"))
+    assert content["works"]["works"] == found.probability.works
+    assert content["tighten_first"] == KEYS[1]
+    rows = (folder / "table.csv").read_text("utf-8").splitlines()
+    assert len(rows) == len(found.samples) + 1
+    assert rows[0].startswith("tendon_left_stiffness_N_per_m,tendon_left_rest_length_m,")
+
+
+def test_the_terminal_has_probability_indices_and_reaches(found, capsys):
+    print_tolerance(found)
+    told = capsys.readouterr().out
+    for words in ("letter-fold: It works in", "stays opened", "the 3 others", "fails above", "tendon left rest length"):
+        assert words in told
+
+
+def test_where_there_was_little_time_only_what_is_known_is_drawn(design, tmp_path):
+    lines = assessed(design, tmp_path / "lines", LINE, line)
+    axes = draw_indices(tolerance_table(lines)).axes[0]
+    assert len(axes.containers) == 1
+    assert len(axes.get_yticklabels()) == len(FACTORS)
+
+
+def test_a_design_that_fails_has_no_ways_to_failure_to_draw(design, tmp_path, capsys):
+    failing = assessed(design, tmp_path / "failing", SMALL, lambda offsets: line(offsets) - 0.2)
+    assert set(tolerance_drawings(tolerance_table(failing))) == {"indices", "cloud"}
+    print_tolerance(failing)
+    assert "As designed it does not work already: did not get opened." in capsys.readouterr().out
+
+
+def test_what_is_kept_is_of_every_outcome_and_off_the_least(found):
+    kept = samples_to_keep(found, 4)
+    outcomes = [found.samples.outcomes[run.point] for run in kept]
+    assert sorted(map(outcomes.count, set(outcomes))) == [2, 2]
+    failing = [run.point for run in kept if found.samples.answers[run.point] is Answer.FAILS]
+    squares = (found.samples.offsets**2).sum(axis=1)
+    assert min(squares[failing]) == min(squares[found.samples.answers == Answer.FAILS])
+    assert samples_to_keep(found, 0) == []
+
+
+def test_a_notebook_tells_what_to_tighten(table):
+    assert "Tighten the tolerance of" in table._repr_html_()
+    assert "<img" in table._repr_html_()
+
+
+def test_a_tolerance_of_a_design_is_one_call(design, tmp_path):
+    with pytest.raises(ff.InputError, match=r"tolerances\.facet\.thicknes: .*did you mean facet\.thickness"):
+        ff.tolerance(design, tmp_path, tolerances={"facet.thicknes": "1 %"})

@@ -1,0 +1,116 @@
+"""A clasp and a Miura cell with rubber bands let go at the forces of their closed forms.
+
+The clasp: two plates a and b long with a hinge between them, a band from end to end, L^2 = a^2 + b^2 + 2 a b cos t, and
+a force square to the plate that is held, whose lever is b cos t. The cell: folds and sizes of Schenk and Guest 2013,
+doi 10.1073/pnas.1217998110, equations 1 to 4; a force along its height H is the slope of its energy by H. Both have a
+stop that is a spring a hundred times as stiff as its crease.
+"""
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+from forficula.design import load_design, with_values
+from forficula.dynamics import compile_model, simulate
+from forficula.statics.net_landscape import slow_courses
+from forficula.structure import structure_of
+
+STOP = 100.0
+CLASP, CELL = load_design("force-clasp"), load_design("bistable-miura")
+
+
+def clasp_forces(design):
+    """Fold angles, rad, and the force there that would hold it open against its band, N."""
+    (near, far), crease, band = design.pattern.panel_lengths, design.crease, design.tendon[0]
+    angle = np.linspace(-1.0, 1.5, 100_001)
+    length = np.sqrt(near**2 + far**2 + 2 * near * far * np.cos(angle))
+    spring = crease.stiffness * design.pattern.width
+    pull = band.stiffness * np.maximum(length - band.rest_length, 0) * near * far * np.sin(angle) / length
+    stops = np.maximum(angle - crease.fold_limit, 0) - np.maximum(-crease.back_limit - angle, 0)
+    return angle, (pull - spring * (angle - crease.rest_angle) - STOP * spring * stops) / (far * np.cos(angle))
+
+
+def cell_forces(design):
+    """Heights, m, and the force upwards there that would hold it, N."""
+    long, short, acute = design.pattern.long_side, design.pattern.short_side, design.pattern.acute_angle
+    (zigzags, straights), band = design.crease.group, design.tendon[0]
+    fold = np.linspace(0.1, 2.6, 200_001)
+    share = 1 - (np.sin(fold / 2) * np.sin(acute)) ** 2
+    height, across = long * np.sqrt(1 - share), 2 * short * np.sqrt(1 - np.cos(acute) ** 2 / share)
+
+    def straight(fold):
+        return 2 * np.arctan(np.cos(acute) * np.tan(fold / 2))
+
+    zigzag_spring, rest = design.crease.stiffness * 2 * short, design.pattern.fold
+    energy = zigzag_spring * ((fold - rest) ** 2 + STOP * np.maximum(fold - zigzags.fold_limit, 0) ** 2)
+    energy += straights.stiffness * 2 * long * (straight(fold) - straight(rest)) ** 2
+    energy += band.stiffness * np.maximum(across - band.rest_length, 0) ** 2
+    return height, np.gradient(energy / 2, height)
+
+
+def snaps(forces):
+    """The largest force upwards from the first rest to the ridge, and the largest downwards from the second."""
+    signs = np.flatnonzero(np.diff(np.sign(forces)))
+    low, ridge, high = signs
+    return forces[low:ridge].max(), -forces[ridge:high].min()
+
+
+@cache
+def slow(design):
+    return {course.name: course.least for course in slow_courses(structure_of(design))}
+
+
+def test_a_stiff_clasp_opens_and_shuts_at_the_forces_of_its_closed_form(agree):
+    """What its hinge gives way under the band's pull is in proportion to the hinge's own spring."""
+    stiff = slow(with_values(CLASP, {"crease.extension": 3e7}))
+    shut, opened = snaps(-clasp_forces(CLASP)[1])
+    for name, closed_form in (("open", opened), ("shut", shut)):
+        agree(f"least force, {name}", stiff[name], closed_form, unit="N", by="closed form", rel=3e-3)
+    # as it is designed its hinge opens a little
+    agree("least force, open, as designed", slow(CLASP)["open"], opened, unit="N", by="closed form", rel=0.02)
+    assert 5.0 < opened < 8.0
+
+
+def test_a_miura_cell_of_stiff_facets_goes_up_and_down_at_the_forces_of_its_closed_form(agree):
+    _, forces = cell_forces(CELL)
+    up, down = snaps(forces)
+    stiff = slow(with_values(CELL, {"facet.youngs_modulus": 5e9, "facet.bend_stiffness": 1e3}))
+    agree("least force, up", stiff["raise"], up, unit="N", by="Schenk and Guest 2013", rel=2e-3)
+    agree("least force, down", stiff["lower"], down, unit="N", by="Schenk and Guest 2013", rel=5e-3)
+    # soft facets bend under a force on one vertex, mostly near the stop, where its lever is short
+    soft = slow(CELL)
+    agree("least force, up, as designed", soft["raise"], up, unit="N", by="Schenk and Guest 2013", rel=0.05)
+    assert down < soft["lower"] < 1.5 * down
+
+
+@pytest.mark.parametrize(("share", "opens"), [(0.97, False), (1.03, True)])
+def test_a_clasp_that_moves_lets_go_at_the_force_of_statics(share, opens):
+    """The load grows over many periods of the shut clasp; statics and simulation share no code."""
+    stages = CLASP.as_tables()["protocol"]["stages"]
+    bear = stages[1] | {"until": "time", "time_limit": 0.12}
+    least = slow(CLASP)["open"]
+    design = with_values(
+        CLASP,
+        {"drive.load.value": share * least, "drive.load.rise": 0.08, "protocol.stages": [stages[0], bear]},
+    )
+    (record,) = simulate([compile_model(design)])
+    jaw = np.degrees(record.series["hinge_angle"][-1, 0])
+    assert jaw < -20 if opens else jaw > 50
+
+
+@pytest.mark.parametrize(
+    ("name", "drive", "stage", "between"), [("raise", "pull", 1, 0.0237), ("lower", "press", 3, 0.026)]
+)
+def test_a_cell_that_moves_changes_its_height_at_the_force_of_statics(name, drive, stage, between):
+    """By its height at the limit; pressed on beyond it, the cell goes on through flat."""
+    least, stages = slow(CELL)[name], list(CELL.as_tables()["protocol"]["stages"])
+    beyond = []
+    for share in (0.95, 1.05):
+        slowly = stages[stage] | {"until": "time", "time_limit": 0.18}
+        values = {f"drive.{drive}.force": share * least, f"drive.{drive}.rise": 0.12}
+        design = with_values(CELL, values | {"protocol.stages": [*stages[:stage], slowly]})
+        (record,) = simulate([compile_model(design)])
+        heights = record.series["distance"][record.time > record.stages[-1].start, 0]
+        beyond.append(heights.max() > between if name == "raise" else heights.min() < between)
+    assert beyond == [False, True]

@@ -1,0 +1,87 @@
+/** What agrees, unknown by unknown and pair by pair, in front of all that was drawn. */
+
+import { make } from "./elements.js";
+import { draw, scaleOf } from "./plane.js";
+import { numberText } from "./study-model.js";
+
+const BINS = 12;
+const [WIDE, HIGH] = [200, 76];
+const SIDE = 130;
+
+/** Marginals of `marginals` and pair plots of `pairs`, keys of columns; `over` is called with two columns of a pressed pair. */
+export function makePairs(model, { marginals, pairs }, over) {
+  const single = make("div", { className: "marginals" });
+  const double = make("div", { className: "pairs" });
+  const [every, some] = [marginals, pairs].map((keys) => keys.map(model.indexOf).filter((index) => index >= 0));
+  const fill = () => {
+    single.replaceChildren(...every.map((index) => marginal(model, index)));
+    double.replaceChildren(...pairParts(model, some, over));
+  };
+  double.style.setProperty("--columns", Math.max(1, some.length - 1));
+  model.whenAsked(fill);
+  fill();
+  const told = "Blue: the samples that agree; grey: all that were drawn. Each is scaled by its own number; those first of which what agrees is spread least like all.";
+  const parts = [make("h2", {}, "Unknown by unknown"), make("p", { className: "note" }, told), single];
+  if (some.length > 1) parts.push(make("h2", {}, "Pair by pair"), make("p", { className: "note" }, "A press shows a pair large."), double);
+  return { element: make("section", { className: "agreeing" }, ...parts) };
+}
+
+const allOf = (model) => Array.from({ length: model.study.points }, (_, point) => point);
+const drawnOf = (model) => allOf(model).filter((point) => !["\u25b3", "\u2298"].includes(model.word(model.study.verdicts[point]).sign));
+
+/** A share of every bin, of points. */
+function shares(column, scale, points) {
+  const count = scale.words.length || BINS;
+  const bins = new Array(count).fill(0);
+  for (const point of points) bins[Math.min(count - 1, Math.floor(scale.share(column.values[point]) * count))] += 1 / points.length;
+  return bins;
+}
+
+function marginal(model, index) {
+  const column = model.columns[index];
+  const scale = scaleOf(column);
+  const drawn = drawnOf(model);
+  const agree = drawn.filter((point) => model.good(point) && model.shown(point));
+  const [prior, posterior] = [drawn, agree].map((points) => shares(column, scale, points));
+  const most = Math.max(...prior, ...(agree.length ? posterior : [0]));
+  const step = WIDE / prior.length;
+  const bars = (bins, name) => draw("path", { class: name, d: bins.map((share, bin) => `M${bin * step + 1} ${HIGH}v${(-share / most) * (HIGH - 4)}h${step - 2}V${HIGH}z`).join("") });
+  const contour = (bins) => draw("path", { class: "agree", d: `M0 ${HIGH}${bins.map((share, bin) => `V${HIGH - (share / most) * (HIGH - 4)}H${(bin + 1) * step}`).join("")}V${HIGH}` });
+  const text = `${column.name}: ${spread(column, scale, agree)}`;
+  const drawing = draw("svg", { viewBox: `0 0 ${WIDE} ${HIGH}`, role: "img", "aria-label": text, preserveAspectRatio: "none" }, bars(prior, "all"), ...(agree.length ? [contour(posterior)] : []), draw("path", { class: "axis", d: `M0 ${HIGH}H${WIDE}` }));
+  const ends = scale.words.length ? scale.words : [0, 1].map((at) => numberText(scale.value(at)));
+  const unit = column.unit ? ` (${column.unit})` : "";
+  return make("figure", {}, make("figcaption", {}, `${column.name}${unit}`), drawing, make("div", { className: "ends" }, ...ends.map((end) => make("span", {}, end))), make("small", {}, spread(column, scale, agree)));
+}
+
+/** Where the middle half of what agrees lies, or how much of it has which word. */
+function spread(column, scale, points) {
+  if (!points.length) return "nothing agrees";
+  if (scale.words.length) return scale.words.map((word) => `${Math.round((100 * points.filter((point) => column.values[point] === word).length) / points.length)} % ${word}`).join(", ");
+  const values = points.map((point) => column.values[point]).sort((first, second) => first - second);
+  const at = (share) => numberText(values[Math.round(share * (values.length - 1))]);
+  return `half of it: ${at(0.25)} to ${at(0.75)}`;
+}
+
+/** The lower half of the matrix of pairs. */
+function pairParts(model, indices, over) {
+  return indices.slice(1).flatMap((y, row) =>
+    indices.slice(0, -1).map((x, column) => {
+      if (column > row) return make("span", {});
+      return pair(model, x, y, over);
+    }),
+  );
+}
+
+function pair(model, x, y, over) {
+  const [across, upwards] = [x, y].map((index) => model.columns[index]);
+  const [left, up] = [across, upwards].map((each) => scaleOf(each));
+  const dots = (points, name) =>
+    draw("path", { class: name, d: points.map((point) => `M${(4 + left.share(across.values[point]) * (SIDE - 8)).toFixed(1)} ${(SIDE - 4 - up.share(upwards.values[point]) * (SIDE - 8)).toFixed(1)}h0`).join("") });
+  const drawn = drawnOf(model);
+  const agree = drawn.filter((point) => model.good(point) && model.shown(point));
+  const drawing = draw("svg", { viewBox: `0 0 ${SIDE} ${SIDE}`, "aria-hidden": "true" }, dots(drawn.filter((point) => !agree.includes(point)), "all"), dots(agree, "agree"));
+  const button = make("button", { type: "button", "aria-label": `${upwards.name} over ${across.name}, large` }, drawing, make("small", {}, `${upwards.name} \u2191, ${across.name} \u2192`));
+  button.addEventListener("click", () => over(x, y));
+  return button;
+}
