@@ -100,7 +100,7 @@ def test_a_clasp_that_moves_lets_go_at_the_force_of_statics(share, opens):
 
 
 @pytest.mark.parametrize(
-    ("name", "drive", "stage", "between"), [("raise", "pull", 1, 0.0237), ("lower", "press", 3, 0.026)]
+    ("name", "drive", "stage", "between"), [("raise", "pull", 2, 0.0237), ("lower", "press", 5, 0.026)]
 )
 def test_a_cell_that_moves_changes_its_height_at_the_force_of_statics(name, drive, stage, between):
     """By its height at the limit; pressed on beyond it, the cell goes on through flat."""
