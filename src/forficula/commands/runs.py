@@ -13,6 +13,7 @@ from forficula.options import (
     WHOLE_NUMBER,
     DesignName,
     DrawingUnit,
+    NoEngine,
     OkIf,
     Out,
     OutIfGiven,
@@ -46,10 +47,7 @@ def run(
         WHOLE_NUMBER,
         Parameter(help="Fold and open again with the tendons as they are up to this cycle, as in 100."),
     ] = None,
-    no_engine: Annotated[
-        bool,
-        Parameter(negative=(), help="Leave the simulator, 3.5 MB, out of report.html: it then only plays."),
-    ] = False,
+    no_engine: NoEngine = False,
     tolerate: Tolerate = False,
     ok_if: OkIf = None,
 ) -> int:

@@ -130,7 +130,10 @@ def _knob(model: Model, key: str) -> Knob | None:
     lowest, highest = (_allowed(design, key, value, end) for end in (low, high))
     if lowest is None or highest is None:
         return None
-    ends = _numbers(compile_model(lowest)), _numbers(compile_model(highest))
+    try:
+        ends = _numbers(compile_model(lowest)), _numbers(compile_model(highest))
+    except InputError:
+        return None
     first, last = float(key_value(lowest, key)), float(key_value(highest, key))
     changes = _changes(ends[0], ends[1], _numbers(model), (first, value, last))
     if not changes:
