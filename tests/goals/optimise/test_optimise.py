@@ -89,7 +89,8 @@ def test_a_planted_joint_is_found_again_from_its_outcomes(tmp_path):
         }
     )
     (best,) = optimise_goal(goal, tmp_path).designs
-    assert best.tendons[0].area == pytest.approx(7.3e-6, rel=1e-2)
+    # between the limits, 0.2 % apart, the area may be off by more than 1 %, and the least mass takes what it can get
+    assert best.tendons[0].area == pytest.approx(7.3e-6, rel=2e-2)
     assert best.tendons[0].rest_length == pytest.approx(0.0515, rel=1e-2)
 
 

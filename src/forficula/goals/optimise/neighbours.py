@@ -31,12 +31,14 @@ class Neighbours:
         tried: how many were asked.
         wanted: how many there are to ask; more than were, where it was plain that too few would work.
         runs: how many of them had to be simulated.
+        looks: out of how many designs this one was chosen for what its neighbours do.
     """
 
     works: int
     tried: int
     wanted: int
     runs: int
+    looks: int = 1
 
     @property
     def share(self) -> float:
@@ -46,7 +48,7 @@ class Neighbours:
     @property
     def interval(self) -> tuple[float, float]:
         """Of the share, at 95 %."""
-        return share_interval(self.works, self.tried)
+        return share_interval(self.works, self.tried, self.looks)
 
 
 def neighbour_offsets(goal: Goal, count: int, seed: int) -> NDArray[np.float64]:
@@ -76,7 +78,7 @@ def neighbours_of(
         upto = min(count, max(_FIRST, 2 * asked))
         owners = [number for number in going for _ in range(asked, upto)]
         off = [_off(goal, designs[number], offsets[row]) for number in going for row in range(asked, upto)]
-        for number, found in zip(owners, screened(goal, assess, off), strict=True):
+        for number, found in zip(owners, screened(goal, assess, off, runs_first=True), strict=True):
             works[number] += found.meets
             runs[number] += goal.simulate and not found.ruled_out
             tried[number] += 1

@@ -221,7 +221,7 @@ def _held(
                 pool[each.point] = each
                 runs += each.neighbours.runs if each.neighbours is not None else 0
             continue
-        for told in verified(goal, assess, chosen):
+        for told in verified(goal, assess, chosen, len(discarded)):
             (best if told.holds else discarded).append(told)
             runs += (told.finer is not None) + (told.fresh.runs if told.fresh is not None else 0)
             del pool[told.candidate.point]

@@ -50,7 +50,12 @@ class Screened:
 
 
 def screened(
-    goal: Goal, assess: Assessor, designs: Sequence[Design | str], points: Sequence[Mapping[str, object]] = ()
+    goal: Goal,
+    assess: Assessor,
+    designs: Sequence[Design | str],
+    points: Sequence[Mapping[str, object]] = (),
+    *,
+    runs_first: bool = False,
 ) -> list[Screened]:
     """Ask of designs what a goal wants to know, source after source, as long as each meets what was asked before.
 
@@ -59,6 +64,8 @@ def screened(
         assess: that answers.
         designs: or why there is none.
         points: the values of each that are not the base's.
+        runs_first: whether to run them before statics is asked: of designs that most likely meet it, what takes longer
+            comes last, and many side by side run in less time than it.
     """
     limits, transitions = own_limits(goal), structure_of(goal.base).transitions
     rows: list[Row] = [{} for _ in designs]
@@ -66,7 +73,7 @@ def screened(
     works = [math.nan if goal.simulate else 1.0 for _ in designs]
     ruled_out = ["not built" if isinstance(design, str) else "" for design in designs]
     going = [number for number, design in enumerate(designs) if isinstance(design, Design)]
-    for sources in _stages(goal):
+    for sources in sorted(_stages(goal), key=lambda stage: "run" not in stage) if runs_first else _stages(goal):
         told = assess(
             [designs[number] for number in going],
             sources,

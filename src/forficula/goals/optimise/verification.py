@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from forficula.design import Design
 from forficula.errors import InputError
@@ -44,13 +44,14 @@ class Verification:
         return None if self.finer is None else self.finer.row.get("residual")
 
 
-def verified(goal: Goal, assess: Assessor, candidates: Sequence[Candidate]) -> list[Verification]:
+def verified(goal: Goal, assess: Assessor, candidates: Sequence[Candidate], before: int = 0) -> list[Verification]:
     """Verify candidates that meet a goal.
 
     Args:
         goal: what is asked.
         assess: that answers.
         candidates: that were built.
+        before: how many others were verified before and did not hold: each time the fresh neighbours are drawn anew.
     """
     designs = [each.found.design for each in candidates if isinstance(each.found.design, Design)]
     steps = [_timestep(each) for each in candidates]
@@ -59,7 +60,7 @@ def verified(goal: Goal, assess: Assessor, candidates: Sequence[Candidate]) -> l
         finer = [*screened(goal, assess, [_finer(d, step) for d, step in zip(designs, steps, strict=True)])]
     fresh: list[Neighbours | None] = [None] * len(candidates)
     if goal.deviations:
-        offsets = neighbour_offsets(goal, _FRESH * goal.neighbours, goal.seed + _OTHER_SEED)
+        offsets = neighbour_offsets(goal, _FRESH * goal.neighbours, goal.seed + _OTHER_SEED + before)
         fresh = [*neighbours_of(goal, assess, designs, offsets, None)]
     wanted = wanted_share(goal)
     return [
@@ -67,7 +68,8 @@ def verified(goal: Goal, assess: Assessor, candidates: Sequence[Candidate]) -> l
             candidate=candidate,
             timestep=step,
             finer=fine,
-            fresh=other,
+            # the first that does well enough is taken
+            fresh=None if other is None else replace(other, looks=before + 1),
             holds=(fine is None or fine.meets) and (wanted is None or other is None or wanted.margin(other.share) >= 0),
         )
         for candidate, step, fine, other in zip(candidates, steps, finer, fresh, strict=True)
