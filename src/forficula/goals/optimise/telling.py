@@ -103,7 +103,8 @@ def _missing(found: Optimum) -> list[str]:
         said += [
             f"{counted(len(meeting), 'design')} {'meets' if len(meeting) == 1 else 'meet'} all limits alone, but of the"
             f" neighbours at best {100 * best:.3g} % work, where"
-            f" {show_quantity(wanted.bound, wanted.quantity.unit)} are wanted: widen the limits, tighten the tolerances, or want less"
+            f" {show_quantity(wanted.bound, wanted.quantity.unit)} are wanted:"
+            " widen the limits, tighten the tolerances, or want less"
         ]
     nearest = nearest_trial([trial_of(goal, each) for each in found.candidates])
     if nearest is not None:
