@@ -9,7 +9,7 @@ import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
-from forficula.design import AnyDesign, as_design
+from forficula.design import AnyDesign, Design, as_design
 from forficula.errors import InputError
 from forficula.files import as_path
 from forficula.names import one_of
@@ -362,12 +362,14 @@ def film(
     write_film(as_record(run), file, size=size, rate=fps, slowed=slower, strain=strain)
 
 
-def page(of: Record | PartSet | AnyPath, path: AnyPath) -> None:
+def page(of: Record | Design | PartSet | AnyPath, path: AnyPath, *, engine: bool = True) -> None:
     """Write a run, or parts to make with their checks, as one HTML file that plays in any browser without a network.
 
     Args:
-        of: a record, the folder of a run, or parts.
+        of: a record, the folder of a run, parts, or a design, whose structure a reader then moves, as `forficula open`
+            writes it.
         path: of the page; must end with .html.
+        engine: whether the simulator is in the page of a run, with which a reader moves the structure; it takes 3.5 MB.
 
     Raises:
         InputError: no such run, another ending, or it cannot be written.
@@ -379,6 +381,7 @@ def page(of: Record | PartSet | AnyPath, path: AnyPath) -> None:
     from forficula.make.check_parts import check_parts
     from forficula.make.part import PartSet
     from forficula.show.page import write_run_page
+    from forficula.show.page.bench_page import write_bench_page
     from forficula.show.page.page import page_path
     from forficula.show.page.parts_page import write_parts_page
 
@@ -386,8 +389,11 @@ def page(of: Record | PartSet | AnyPath, path: AnyPath) -> None:
     if isinstance(of, PartSet):
         write_parts_page(of, check_parts(of), file)
         return
+    if isinstance(of, Design):
+        write_bench_page(of, file)
+        return
     record = as_record(of)
-    write_run_page(record, measure(record), file)
+    write_run_page(record, measure(record), file, engine=engine)
 
 
 def compare(folders: Iterable[AnyPath], path: AnyPath) -> None:

@@ -32,6 +32,7 @@ _COMMANDS = (
     landscapes.landscape,
     studies.converge,
     runs.compare,
+    designs.open_design,
     studies.study,
     goals.optimise,
     goals.tolerance,
@@ -85,7 +86,8 @@ def _offering_json(command: Callable[..., int | None]) -> Callable[..., int | No
 
 
 for each in _COMMANDS:
-    app.command(_offering_json(each) if each in _WITH_DATA else each)
+    # a function that is called as its command would hide a name that Python has
+    app.command(_offering_json(each) if each in _WITH_DATA else each, name=each.__name__.removesuffix("_design"))
 app.register_install_completion_command(
     name="--install-completion", add_to_startup=False, help="Let the shell complete commands and options."
 )

@@ -55,6 +55,9 @@ def _read_out(_: object, tokens: Sequence[Token]) -> Path:
 
 Out = Annotated[Path, Parameter(converter=_read_out)]
 OutIfGiven = Annotated[Path | None, Parameter(converter=_read_out)]
+NoEngine = Annotated[
+    bool, Parameter(negative=(), help="Leave the simulator, 3.5 MB, out of report.html: it then only plays.")
+]
 Tolerate = Annotated[
     bool,
     Parameter(help="End with status 0, not 3, where a run diverged or is not to be trusted.", negative=()),

@@ -90,6 +90,7 @@ export function readClip(data) {
     restLengthsAt,
     pointsAt,
     verticesAt,
+    verticesOf,
     valuesAt,
     line,
     stageAt: (moment) => data.stages.findLast((stage) => stage.start <= moment) ?? data.stages[0],

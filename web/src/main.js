@@ -1,7 +1,9 @@
 /** Show what the page's data are. */
 
 import "./page.css";
+import "./try.css";
 import { make } from "./elements.js";
+import { showBench } from "./page-bench.js";
 import { showComparison } from "./page-compare.js";
 import { showCurves } from "./page-curves.js";
 import { showGoals } from "./page-goals.js";
@@ -10,7 +12,15 @@ import { showRun } from "./page-run.js";
 import { showStudy } from "./page-study.js";
 import { watchTables } from "./tables.js";
 
-const PAGES = { run: showRun, compare: showComparison, curves: showCurves, study: showStudy, goals: showGoals, parts: showParts };
+const PAGES = {
+  run: showRun,
+  compare: showComparison,
+  curves: showCurves,
+  study: showStudy,
+  goals: showGoals,
+  parts: showParts,
+  bench: showBench,
+};
 
 const data = JSON.parse(document.getElementById("data").textContent);
 

@@ -7,6 +7,7 @@ import { mountPlayer } from "./player.js";
 import { mountPlots } from "./plots.js";
 import { mountReadout } from "./readout.js";
 import { playOnceSeen } from "./start.js";
+import { mountTryIt } from "./try-it.js";
 
 export function showRun(data) {
   const clips = data.clips.map(readClip);
@@ -16,5 +17,6 @@ export function showRun(data) {
   const plots = mountPlots(document.getElementById("plots"), data.plots, clips, clock);
   mountReadout(document.getElementById("readout"), clips[0], clock, data.energy);
   playOnceSeen(document.getElementById("player"), clock);
-  return { clips, clock, player, curves, plots };
+  const trial = mountTryIt(document.getElementById("try"), clips[0], data, () => clock.pause());
+  return { clips, clock, player, curves, plots, trial };
 }

@@ -46,13 +46,13 @@ export function mountPlayer(element, clips, clock, { energy, legend: entries, te
 }
 
 /** Show structures that something else moves, without controls of a time; as of mountPlayer. */
-export function mountStill(element, clips, clock, { energy, legend: entries, text, whole }) {
-  const stage = makeStage(clips, clock, (clip) => makeShape(clip, energy.largest_J), text);
+export function mountStill(element, clips, clock, { energy, legend: entries, text, whole }, look) {
+  const stage = makeStage(clips, clock, (clip) => makeShape(clip, energy.largest_J), text, look);
   if (!stage) {
     element.replaceChildren(make("p", { className: "note" }, noPicture(whole)));
     return { stage };
   }
-  const picture = make("div", { className: "picture" }, stage.element, viewButtons(stage.eye, null));
+  const picture = make("div", { className: "picture" }, stage.element, viewButtons(stage.eye, null, !look));
   const legend = [makeLegend(entries, energy, stage.eye.size, null)];
   if (clips.some((clip) => clip.strained)) legend.unshift(colourChoice(stage, legend[0]));
   element.replaceChildren(picture, ...legend);
@@ -109,8 +109,11 @@ export function noPicture(whole) {
   return `This browser has no WebGL, so the ${whole} cannot be drawn in 3-D. The plots and all numbers are here.`;
 }
 
-/** whole: what one of several structures is called, which are seen beside or after each other; null of a single one. */
-export function viewButtons(eye, whole) {
+/**
+ * whole: what one of several structures is called, which are seen beside or after each other; null of a single one.
+ * follows: whether the picture may be kept filled, for which it must be known where the structures go.
+ */
+export function viewButtons(eye, whole, follows = true) {
   const button = (text, label, action) => {
     const made = make("button", { type: "button", title: label, "aria-label": label }, text);
     made.addEventListener("click", action);
@@ -132,14 +135,14 @@ export function viewButtons(eye, whole) {
     return made;
   };
   const frames = [
-    switched("follow", "follow: keep the picture filled as it moves", "following"),
+    ...(follows ? [switched("follow", "follow: keep the picture filled as it moves", "following")] : []),
     ...(whole ? [switched("one scale", `one scale: all ${whole}s as large as they are by each other`, "oneScale")] : []),
   ];
   const zooms = [button("+", "nearer", () => eye.zoom(1)), button("\u2212", "further", () => eye.zoom(-1))];
   return make(
     "div",
     { className: "views", role: "group", "aria-label": "view" },
-    make("span", {}, ...frames),
+    ...(frames.length ? [make("span", {}, ...frames)] : []),
     make("span", {}, ...views),
     make("span", { className: "turns" }, ...turns),
     make("span", {}, ...zooms),

@@ -9,6 +9,7 @@ import { nameCells } from "./page-compare.js";
 import { mountPlayer } from "./player.js";
 import { mountPlots } from "./plots.js";
 import { mountReadout } from "./readout.js";
+import { makeAnswers } from "./study-answer.js";
 import { watchTables } from "./tables.js";
 
 /** Two elements: `facts` has the point and its numbers, `element` plays its runs; `open` fills both. */
@@ -19,8 +20,10 @@ export function makeRunPanel(model) {
   const facts = make("section", { className: "facts", id: "point" }, heading, status, make("div", { className: "table" }, numbers));
   const parts = make("div", { className: "parts", role: "group", "aria-label": `runs of this ${model.study.noun}` });
   const place = make("div");
-  const element = make("section", { className: "run", id: "run", "aria-label": "the run that is open" }, parts, place);
-  const panel = { facts, element, point: null, playing: null, open, show };
+  const more = make("div", { className: "more" });
+  const element = make("section", { className: "run", id: "run", "aria-label": "the run that is open" }, parts, place, more);
+  const answers = makeAnswers(model);
+  const panel = { facts, element, point: null, playing: null, answers, open, show };
   let pinned = null;
   // what a reader has turned and zoomed stays from cell to cell
   const look = firstLook();
@@ -38,6 +41,7 @@ export function makeRunPanel(model) {
       stop();
       place.replaceChildren(make("p", { className: "note" }, whyNotKept(model, point)));
     }
+    more.replaceChildren(...(model.study.built[point] ? answers.offer(point, runs.length > 0) : []));
   }
 
   function partButton(run) {

@@ -113,6 +113,19 @@ def keys(
     came_to([asdict(fact) for fact in facts])
 
 
+def open_design(
+    design: DesignName, /, *, settings: Settings = None, out: Annotated[Path, Parameter(help="A .html file.")]
+) -> None:
+    """Write a page in which a design's structure is moved: sliders, drives, pushes, and no run in it."""
+    from forficula.design import load_design
+    from forficula.show.page.bench_page import write_bench_page
+    from forficula.show.page.page import page_path
+
+    read_option("--out", lambda: page_path(out))
+    write_bench_page(load_design(design, read_settings(settings)), out)
+    print(f"written to {out}")
+
+
 def scale(
     design: DesignName,
     /,

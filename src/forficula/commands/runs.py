@@ -13,6 +13,7 @@ from forficula.options import (
     WHOLE_NUMBER,
     DesignName,
     DrawingUnit,
+    NoEngine,
     OkIf,
     Out,
     OutIfGiven,
@@ -46,6 +47,7 @@ def run(
         WHOLE_NUMBER,
         Parameter(help="Fold and open again with the tendons as they are up to this cycle, as in 100."),
     ] = None,
+    no_engine: NoEngine = False,
     tolerate: Tolerate = False,
     ok_if: OkIf = None,
 ) -> int:
@@ -85,7 +87,7 @@ def run(
     for warning in run_warnings(record):
         print(f"warning: {warning}", file=sys.stderr)
     outcome = measure(record)
-    write_run(record, outcome, folder)
+    write_run(record, outcome, folder, engine=not no_engine)
     came_to(folder / "summary.json")
     print_outcome(chosen.name, outcome)
     print_storage(record, outcome)

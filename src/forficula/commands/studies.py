@@ -13,6 +13,7 @@ from forficula.names import listed
 from forficula.options import (
     WHOLE_NUMBER,
     DesignName,
+    NoEngine,
     OkIf,
     OutIfGiven,
     Settings,
@@ -52,6 +53,7 @@ def study(
         WHOLE_NUMBER,
         Parameter(help="Keep runs of so many points at most, to be played in its page; 100 if not given, 0 for none."),
     ] = None,
+    no_engine: NoEngine = False,
 ) -> None:
     """Run a study, or go on with it where it stopped: a table, maps, and a page on which they open their runs."""
     from forficula.reproduction import check_reproduction
@@ -85,7 +87,7 @@ def study(
         remark(f"{folder}: replaces the table, the maps and the page there; the rows stay")
     write_study(chosen, table, folder)
     came_to(table_json(chosen, table))
-    _report(chosen, table, keep, folder)
+    _report(chosen, table, keep, folder, engine=not no_engine)
     print_study(chosen, table)
     print(f"\nwritten to {folder}")
 
@@ -126,7 +128,7 @@ def _run(study: Study, folder: Path, shard: str, dask: str | None) -> Dataset | 
         )
 
 
-def _report(study: Study, table: Dataset, keep: int | None, folder: Path) -> None:
+def _report(study: Study, table: Dataset, keep: int | None, folder: Path, *, engine: bool) -> None:
     """Write a study's page, and keep the runs that it plays."""
     from forficula.show import study_progress
     from forficula.show.folder.study_folder import write_study_report
@@ -137,7 +139,8 @@ def _report(study: Study, table: Dataset, keep: int | None, folder: Path) -> Non
         what = "1 run" if len(runs) == 1 else f"{len(runs)} runs"
         remark(f"keeping {what} whole, to be played in report.html (--keep 0 does without)")
     with study_progress() as progress:
-        write_study_report(study, table, kept_runs(runs, folder, progress=progress), len(runs), folder)
+        kept = kept_runs(runs, folder, progress=progress)
+        write_study_report(study, table, kept, len(runs), folder, engine=engine)
 
 
 def studies() -> None:

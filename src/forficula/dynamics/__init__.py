@@ -1,28 +1,39 @@
 from forficula.dynamics.energy_balance import EnergyBalance, energy_balance
+from forficula.dynamics.knobs import Knob, knobs_of
 from forficula.dynamics.model import Model, compile_model, compile_structure
+from forficula.dynamics.portable_model import portable_model, why_not_portable
 from forficula.dynamics.record import Record, StageEnd, as_record, load_record, save_record, versions
 from forficula.dynamics.sharing import but_last_drive
 from forficula.dynamics.simulate import simulate, simulate_each
+from forficula.dynamics.stages import goal_in_units
+from forficula.dynamics.stepped_protocol import SteppedProtocol, stepped_protocol
 from forficula.dynamics.timestep import stable_timestep, timestep_warnings, with_timestep
 from forficula.dynamics.units import design_in_model_units
 
 __all__ = [
     "EnergyBalance",
+    "Knob",
     "Model",
     "Record",
     "StageEnd",
+    "SteppedProtocol",
     "as_record",
     "but_last_drive",
     "compile_model",
     "compile_structure",
     "design_in_model_units",
     "energy_balance",
+    "goal_in_units",
+    "knobs_of",
     "load_record",
+    "portable_model",
     "save_record",
     "simulate",
     "simulate_each",
     "stable_timestep",
+    "stepped_protocol",
     "timestep_warnings",
     "versions",
+    "why_not_portable",
     "with_timestep",
 ]

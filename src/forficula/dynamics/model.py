@@ -183,6 +183,7 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
     spec.add_text(
         name="units", data=f"length {units.length:g} m, mass {units.mass:g} kg, time {units.time:g} s, angle rad"
     )
+    spec.add_text(name="viewers", data=_viewers(in_units))
     engine = _compiled(spec, design.name)
     clear_rows(engine)
     folds, drag = folds_of(engine, in_units), drag_of(engine, in_units)
@@ -293,6 +294,17 @@ def _empty_spec(structure: Structure, timestep: float) -> mujoco.MjSpec:
         # a pyramid would be friction that depends on the direction
         option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
     return spec
+
+
+def _viewers(structure: Structure) -> str:
+    """Which viewers show a structure as it moves here."""
+    if any(hinge.flaps for hinge in structure.hinges) or structure.medium is not None:
+        return "layout only: creases or drag are set anew between steps"
+    if structure.membranes:
+        return "MuJoCo 4.0 on: before, membranes stretch otherwise"
+    if any(tendon.law.yield_extension is not None for tendon in structure.tendons):
+        return "MuJoCo 4.0 on: before, no tendon yields"
+    return "MuJoCo 3.9 on"
 
 
 def _compiled(spec: mujoco.MjSpec, name: str) -> mujoco.MjModel:

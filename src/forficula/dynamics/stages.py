@@ -89,9 +89,9 @@ class StageTracker:
         self._distances = models[0].distances
         protocols = [model.design.protocol for model in models]
         self._least_hold = np.array([protocol.least_hold for protocol in protocols])
-        self._lowest, self._highest = (np.array(each) for each in zip(*map(_far_beyond, models), strict=True))
+        self._lowest, self._highest = (np.array(each) for each in zip(*map(far_beyond, models), strict=True))
         # speeds by unit of time
-        self._rest_speed = np.array([_rest_speeds(model) for model in models])
+        self._rest_speed = np.array([rest_speeds(model) for model in models])
         self._last = np.array([len(protocol.stages) for protocol in protocols]) - 1
         # every row as long as the longest and one more, where a structure is when it has ended
         length = int(self._last.max()) + 2
@@ -112,7 +112,7 @@ class StageTracker:
         # a structure that waits rests for as long before every leap as its states are averaged over
         windows = self._in_steps([[protocol.window] for protocol in protocols])
         self._hold = np.where(self._wait > 0, np.maximum(self._hold, windows), self._hold)
-        self._window = self._in_steps([[_longest_rest(model)] for model in models])[:, 0]
+        self._window = self._in_steps([[longest_rest(model)] for model in models])[:, 0]
         driven = np.array([[bool(stage_drives(stage)) for stage in row] for row in stages])
         self._may_stick = driven & self._has_bounds
         # the drives of every stage, of as many as the stage with the most; the others push with nothing
@@ -332,7 +332,7 @@ class StageTracker:
         self._goal_since[row] = self._rest_since[row] = self._rested[row] = -1
 
 
-def _rest_speeds(model: Model) -> Array:
+def rest_speeds(model: Model) -> Array:
     """Below which a structure rests, by unit of time, (dof,): of turns as it is, of slides by the structure's size."""
     speed = model.design.protocol.rest_speed / (1 / model.units.time)
     engine, kinds = model.engine, mujoco.mjtJoint
@@ -342,7 +342,7 @@ def _rest_speeds(model: Model) -> Array:
     return np.where(slides, speed * model.in_units.span, speed)
 
 
-def _longest_rest(model: Model) -> float:
+def longest_rest(model: Model) -> float:
     """How long a structure may rest short of its goal before it is stuck, s: until its branches have relaxed, too.
 
     Those that take longer than any stage do nothing in one.
@@ -353,7 +353,7 @@ def _longest_rest(model: Model) -> float:
     return max(protocol.window, _RELAXED * max((time for time in times if time <= longest), default=0.0))
 
 
-def _far_beyond(model: Model) -> tuple[Array, Array]:
+def far_beyond(model: Model) -> tuple[Array, Array]:
     """Positions far beyond the stops of hinges, (position,) each, which no sound run comes to."""
     low, high = joint_ranges(model)
     return low - _FAR, high + _FAR
@@ -380,8 +380,12 @@ def _efforts(model: Model, stage: Stage, count: int) -> tuple[Effort, ...]:
 
 def stage_goal(model: Model, stage: Stage) -> Goal:
     """The goal of a stage, in the model's units."""
-    # what is written of a distance is SI
-    goal, hinges = goal_of(model.structure, stage.until), len(model.structure.hinges)
+    return goal_in_units(model, goal_of(model.structure, stage.until))
+
+
+def goal_in_units(model: Model, goal: Goal) -> Goal:
+    """A goal of a structure in its model's units: what is written of a distance is SI."""
+    hinges = len(model.structure.hinges)
     place = np.arange(len(goal.least)) - hinges
     unit = np.where((place < 0) | (place >= len(model.distances)), 1.0, model.units.length)
     return replace(goal, least=goal.least / unit, most=goal.most / unit)

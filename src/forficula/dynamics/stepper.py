@@ -362,13 +362,13 @@ def _start_states(models: Sequence[Model]) -> Array:
     """What the structures start in, (structure, number)."""
     batch = Batch(models[0].engine, len(models), 1)
     batch.set_models([model.engine for model in models])
-    batch.bind("qpos")[:] = [_start_position(model) for model in models]
+    batch.bind("qpos")[:] = [start_position(model) for model in models]
     if batch.model.nplastic:
         batch.bind("plastic")[:] = [_start_creep(model) for model in models]
     return np.array(batch.state)
 
 
-def _start_position(model: Model) -> Array:
+def start_position(model: Model) -> Array:
     """Positions at the start; what slides starts where it is built."""
     position = np.array(model.engine.qpos0)
     for hinge, place in zip(model.structure.hinges, model.folds.joints.tolist(), strict=True):
@@ -381,7 +381,7 @@ def _start_creep(model: Model) -> Array:
     """Plastic state at the start: a tendon that the start stretches too far has yielded when it was put there."""
     engine = model.engine
     data = mujoco.MjData(engine)
-    data.qpos[:] = _start_position(model)
+    data.qpos[:] = start_position(model)
     mujoco.mj_forward(engine, data)
     plastic = np.asarray(data.plastic.copy())
     for tendon, place, creep in zip(model.in_units.tendons, model.tendons, model.creep, strict=True):

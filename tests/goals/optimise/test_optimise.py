@@ -97,7 +97,7 @@ ROBUST = STATICS | {
     "vary": {AREA: {"low": "1 mm^2", "high": "20 mm^2"}},
     "limits": {"hinge_holding_torque": ">= 8 N cm", "probability": ">= 95 %"},
     "tolerances": {AREA: "10 %"},
-    "search": {"runs": 32, "batch": 8, "neighbours": 16},
+    "search": {"runs": 56, "batch": 8, "neighbours": 16},
 }
 
 
@@ -206,24 +206,3 @@ def test_another_designs_folder_is_refused(tmp_path):
     optimise_goal(goal_of(ROBUST | {"search": {"runs": 1, "batch": 4}, "limits": {}}), tmp_path)
     with pytest.raises(InputError, match="another design"):
         optimise_goal(goal_of(STATICS | {"design": JOINT.with_values({"vein.diameter": "6 mm"})}), tmp_path)
-
-
-def test_where_no_design_can_be_built_the_reason_is_told_and_nothing_is_called_near(tmp_path):
-    found = optimise_goal(goal_of(STATICS | {"vary": {LENGTH: ["-1 cm", "-2 cm"]}}), tmp_path)
-    assert not found.feasible
-    says = told(found)
-    assert any("2 of 2 designs cannot be built" in each and "tendon.rest_length: need" in each for each in says), says
-    assert not any("nearest" in each or "never looked at" in each for each in says)
-
-
-def test_a_limit_that_is_missed_by_many_times_itself_is_not_told_as_missed_by_100_per_cent(tmp_path):
-    goal = goal_of(STATICS | {"vary": {LENGTH: ["5 cm", "6 cm"]}, "limits": {"mass": "<= 1 mg"}})
-    says = told(optimise_goal(goal, tmp_path))
-    assert any("mass <= 0.001 g" in each and "missed by 100 % or more at best" in each for each in says), says
-
-
-def test_one_of_something_is_not_told_as_several(tmp_path):
-    goal = goal_of(STATICS | {"vary": {LENGTH: ["5 cm"]}})
-    says = " ".join(told(optimise_goal(goal, tmp_path)))
-    assert "of 1 design:" in says
-    assert "1 design tried" in says

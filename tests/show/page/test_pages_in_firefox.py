@@ -88,3 +88,18 @@ def test_what_a_page_should_not_do_is_heard(firefox, tmp_path):
     assert asked(firefox) == ["http://example.invalid/"]
     assert [text for text in firefox.messages if "said" in text]
     assert [text for text in firefox.messages if "nothing is not defined" in text]
+
+
+def test_a_wing_is_started_folded_and_opened_in_its_page(firefox, pages):
+    firefox.open(pages["run"], *WIDE)
+    firefox.click("button.try")
+    firefox.until("window.forficula.trial.panel !== null || window.forficula.trial.failed !== ''")
+    assert firefox.evaluate("window.forficula.trial.failed") == ""
+    said = "document.querySelector('.verdict').textContent"
+    for name, came in (("Fold", "The wing folded in"), ("Unfold", "The wing opened again in")):
+        find = f"[...document.querySelectorAll('.trial button')].find((each) => each.textContent === '{name}')"
+        firefox.evaluate(f"{find}.click(), true")
+        firefox.until(f"{said}.startsWith('{came}')")
+    angles = firefox.evaluate("Array.from(window.forficula.trial.panel.frame.readings[0])")
+    assert min(angles) > 0
+    assert (firefox.messages, asked(firefox)) == ([], [])

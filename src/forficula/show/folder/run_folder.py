@@ -30,28 +30,29 @@ STRAIN = "strain"  # kind of a figure
 _SMALLER = 0.9  # of the area as it begins: what takes more is not folded away
 
 
-def write_run(record: Record, outcome: Outcome, folder: Path) -> None:
+def write_run(record: Record, outcome: Outcome, folder: Path, *, engine: bool = True) -> None:
     """Write design, model, record, summary, figures and page; all of them, or none.
 
     Args:
         record: what happened.
         outcome: what it means.
         folder: made where it is missing; what an earlier run left there is replaced, its cycles removed.
+        engine: whether the simulator is in its page, with which a reader moves the structure.
 
     Raises:
         InputError: the folder cannot be written.
     """
     with replacing_all(folder, remove=CYCLING_FILES) as unfinished:
-        _write_files(record, outcome, unfinished)
+        _write_files(record, outcome, unfinished, engine=engine)
 
 
-def _write_files(record: Record, outcome: Outcome, folder: Path) -> None:
+def _write_files(record: Record, outcome: Outcome, folder: Path, *, engine: bool) -> None:
     write_run_files(record, outcome, folder)
     write_text(folder / "model.xml", compile_model(record.design).xml)
     drawings = run_drawings(record, outcome)
     drawings.pop(STRAIN, None)  # drawn where it is asked for
     save_figures(drawings, folder)
-    write_run_page(record, outcome, folder / "report.html")
+    write_run_page(record, outcome, folder / "report.html", engine=engine)
 
 
 def run_drawings(record: Record, outcome: Outcome) -> dict[str, Drawing]:

@@ -60,7 +60,9 @@ def _write_files(study: Study, table: Dataset, folder: Path) -> None:
         write_text(folder / "comparison.json", json.dumps(comparison_json(compared), indent=2) + "\n")
 
 
-def write_study_report(study: Study, table: Dataset, kept: Iterable[KeptRun], count: int, folder: Path) -> None:
+def write_study_report(
+    study: Study, table: Dataset, kept: Iterable[KeptRun], count: int, folder: Path, *, engine: bool = True
+) -> None:
     """Write the study as one page, `report.html`.
 
     Args:
@@ -69,8 +71,9 @@ def write_study_report(study: Study, table: Dataset, kept: Iterable[KeptRun], co
         kept: the runs that can be played, taken one after another.
         count: how many these are.
         folder: of the study.
+        engine: whether the simulator is in it, which answers where no run was kept.
 
     Raises:
         InputError: it cannot be written.
     """
-    write_study_page(study, table, folder / "report.html", kept, count, compare(study, table))
+    write_study_page(study, table, folder / "report.html", kept, count, compare(study, table), engine=engine)

@@ -63,7 +63,7 @@ def base_design(design: Design) -> Design | None:
 def design_rows(design: Design, base: Design) -> list[DesignRow]:
     """Every value of a design, in its order, beside that of another; then what only the other one has."""
     own, other = _flat(design), _flat(base)
-    meanings = dict(_meanings(design)) | dict(_meanings(base))
+    meanings = dict(key_meanings(design)) | dict(key_meanings(base))
     # as in a design file: what is built, then what is done to it
     sections = dict.fromkeys([*type(design).model_fields, *type(base).model_fields])
     order = sorted(sections, key=lambda section: section == "protocol")
@@ -179,7 +179,7 @@ def _is_list_of_tables(value: Any) -> bool:
     return isinstance(value, list) and bool(value) and isinstance(value[0], dict)
 
 
-def _meanings(part: Part, prefix: str = "") -> Iterator[tuple[str, str]]:
+def key_meanings(part: Part, prefix: str = "") -> Iterator[tuple[str, str]]:
     """What the keys of a part mean, and of the parts in it."""
     for name, field in type(part).model_fields.items():
         value = getattr(part, name)
@@ -187,6 +187,6 @@ def _meanings(part: Part, prefix: str = "") -> Iterator[tuple[str, str]]:
         inside = value if isinstance(value, tuple) else ()
         for number, entry in enumerate(inside):
             if isinstance(entry, Part):
-                yield from _meanings(entry, f"{prefix}{name}.{number}.")
+                yield from key_meanings(entry, f"{prefix}{name}.{number}.")
         if isinstance(value, Part):
-            yield from _meanings(value, f"{prefix}{name}.")
+            yield from key_meanings(value, f"{prefix}{name}.")

@@ -21,14 +21,15 @@ _RUNS = 7_950_000
 _LEAST_BUDGET = 20_000
 
 
-def runs_data(kept: Iterable[KeptRun], count: int) -> list[dict[str, Any]]:
+def runs_data(kept: Iterable[KeptRun], count: int, beside: int = 0) -> list[dict[str, Any]]:
     """Kept runs as data for JSON, by point and, within one, as the protocol takes its transitions.
 
     Args:
         kept: the runs that can be played.
         count: how many these are; they share the page's bytes, so that 60 points stay below 10 MB.
+        beside: bytes of these that something else takes.
     """
-    return sorted((_run(run, _RUNS // max(count, 1)) for run in kept), key=_order)
+    return sorted((_run(run, (_RUNS - beside) // max(count, 1)) for run in kept), key=_order)
 
 
 def _order(run: dict[str, Any]) -> tuple[int, int, str]:

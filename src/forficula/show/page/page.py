@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import hashlib
 import json
+import zlib
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,7 @@ from forficula.errors import InputError
 from forficula.files import as_path
 from forficula.show.page.html import escaped
 
+_BUILT = resources.files("forficula.show.page") / "built"
 _NO_SCRIPT = "Without JavaScript nothing moves and there are no plots; the numbers below are all there."
 
 
@@ -28,7 +30,7 @@ def page_path(path: object) -> Path:
     return file
 
 
-def page_html(title: str, body: str, data: dict[str, Any] | None) -> str:
+def page_html(title: str, body: str, data: dict[str, Any] | None, live: dict[str, Any] | None = None) -> str:
     """Assemble a page.
 
     Only the packed script may run, named by its hash, and nothing may be fetched: a name of a design that looks like a
@@ -38,13 +40,15 @@ def page_html(title: str, body: str, data: dict[str, Any] | None) -> str:
         title: of the window.
         body: HTML, already escaped.
         data: what the script shows; its "kind" says how. None for a page on which nothing moves, which has no script.
+        live: of a structure that the engine is to move in the page, from `live_data`; None where there is none, and so
+            no engine in the page.
     """
     script, style = "" if data is None else built("page.js"), built("page.css")
     return f"""<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="{_policy(script)}">
+<meta http-equiv="Content-Security-Policy" content="{_policy(script, engine=_moves(live))}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
 <meta name="generator" content="forficula">
@@ -55,27 +59,49 @@ def page_html(title: str, body: str, data: dict[str, Any] | None) -> str:
 <body>
 {"" if data is None else f'<noscript><aside class="note">{_NO_SCRIPT}</aside></noscript>'}
 {body}
-{"" if data is None else _scripted(data, script)}</body>
+{"" if live is None else _engine(live)}{"" if data is None else _scripted(data, script)}</body>
 </html>
 """
 
 
-def _scripted(data: dict[str, Any], script: str) -> str:
+def _moves(live: dict[str, Any] | None) -> bool:
+    return live is not None and "refused" not in live
+
+
+def _engine(live: dict[str, Any]) -> str:
+    """What is live, and the engine where it moves, both only read once they are asked for."""
+    text = f'<script type="application/json" id="live">{_json(live)}</script>\n'
+    if not _moves(live):
+        return text
+    script = base64.b64encode(zlib.compress(built("engine.js").encode(), 9)).decode("ascii")
+    program = base64.b64encode((_BUILT / "engine.wasm.gz").read_bytes()).decode("ascii")
+    return (
+        f'{text}<script type="text/plain" id="engine-script">{script}</script>\n'
+        f'<script type="text/plain" id="engine-program">{program}</script>\n'
+    )
+
+
+def _json(data: dict[str, Any]) -> str:
     # "<" could end the element that the data stand in
-    packed = json.dumps(data, separators=(",", ":"), ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
-    return f"""<script type="application/json" id="data">{packed}</script>
+    return json.dumps(data, separators=(",", ":"), ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
+
+
+def _scripted(data: dict[str, Any], script: str) -> str:
+    return f"""<script type="application/json" id="data">{_json(data)}</script>
 <script>{script}</script>
 """
 
 
 def built(name: str) -> str:
     """A file that is built from the folder web/."""
-    return (resources.files("forficula.show.page") / "built" / name).read_text("utf-8")
+    return (_BUILT / name).read_text("utf-8")
 
 
-def _policy(script: str) -> str:
+def _policy(script: str, *, engine: bool) -> str:
     digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode("ascii")
+    # the engine is compiled of what stands in the page, and runs in a worker that is made of it
+    compiled, worker = (" 'wasm-unsafe-eval'", " worker-src blob:;") if engine else ("", "")
     return (
-        f"default-src 'none'; script-src 'sha256-{digest}'; style-src 'unsafe-inline'; img-src data: blob:;"
-        " base-uri 'none'; form-action 'none'"
+        f"default-src 'none'; script-src 'sha256-{digest}'{compiled};{worker} style-src 'unsafe-inline';"
+        " img-src data: blob:; base-uri 'none'; form-action 'none'"
     )

@@ -16,6 +16,7 @@ from forficula.show.page.kept_run_data import runs_data
 from forficula.show.page.page import page_html
 from forficula.show.page.points_table import has_rows, points_table
 from forficula.show.page.study_data import study_data
+from forficula.show.page.study_live import study_live
 from forficula.show.study.choice_rows import choice_rows
 from forficula.structure import structure_of
 from forficula.study import Study, named_studies, table_csv
@@ -27,11 +28,20 @@ from forficula.study.search_steps import SearchStep
 if TYPE_CHECKING:
     from xarray import Dataset
 
+# bytes that runs leave to the engine, which takes 3.5 MB, where it is there
+_ENGINE = 2_900_000
 _AGREES = {True: "yes", False: "no", None: "cannot tell"}
 
 
 def write_study_page(
-    study: Study, results: Dataset, path: Path, kept: Iterable[KeptRun], count: int, compared: Comparison | None = None
+    study: Study,
+    results: Dataset,
+    path: Path,
+    kept: Iterable[KeptRun],
+    count: int,
+    compared: Comparison | None = None,
+    *,
+    engine: bool = True,
 ) -> None:
     """Write a study as one HTML file that needs no network.
 
@@ -40,11 +50,17 @@ def write_study_page(
     Raises:
         InputError: it cannot be written.
     """
-    write_text(path, study_page(study, results, kept, count, compared))
+    write_text(path, study_page(study, results, kept, count, compared, engine=engine))
 
 
 def study_page(
-    study: Study, results: Dataset, kept: Iterable[KeptRun], count: int, compared: Comparison | None = None
+    study: Study,
+    results: Dataset,
+    kept: Iterable[KeptRun],
+    count: int,
+    compared: Comparison | None = None,
+    *,
+    engine: bool = True,
 ) -> str:
     """A study as one page: maps, the runs behind their cells, all points, and what a paper says of them.
 
@@ -54,6 +70,7 @@ def study_page(
         kept: the runs that can be played.
         count: how many these are; they share the page's bytes, so that 60 points stay below 10 MB.
         compared: a paper's claims beside the study's results.
+        engine: whether the simulator is in it, which answers where no run was kept.
     """
     data = study_data(study, results)
     body = "".join(
@@ -67,13 +84,15 @@ def study_page(
             "</main>",
         )
     )
+    live = study_live(study) if engine else None
+    beside = 0 if live is None or "refused" in live else _ENGINE
     shown = {
         "kind": "study",
         "study": data,
-        "runs": runs_data(kept, count),
+        "runs": runs_data(kept, count, beside),
         "csv": table_csv(study, results) if has_rows(data) else None,
     }
-    return page_html(f"{study.name}: {len(study.points)} points", body, shown)
+    return page_html(f"{study.name}: {len(study.points)} points", body, shown, live)
 
 
 def study_sentence(study: Study, results: Dataset) -> str:

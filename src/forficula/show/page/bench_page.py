@@ -1,0 +1,83 @@
+"""A page with a structure to be moved by its reader and no run in it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from forficula.analysis import measure
+from forficula.design import Design, with_values
+from forficula.dynamics import compile_model, simulate, why_not_portable, with_timestep
+from forficula.errors import InputError
+from forficula.files import write_text
+from forficula.quantities import reading_unit
+from forficula.show.page.design_rows import design_title
+from forficula.show.page.design_tables import design_tables
+from forficula.show.page.html import escaped, paragraph, remarks, section
+from forficula.show.page.live_data import live_data
+from forficula.show.page.page import page_html
+from forficula.show.page.playback import Clip, clip_data, legend_data, make_clip, whole_of
+from forficula.show.page.run_page import repeat
+from forficula.show.page.words import structure_text
+from forficula.structure import structure_warnings
+
+_STEPS = 2  # that it is drawn after
+
+
+def write_bench_page(design: Design, path: Path) -> None:
+    """Write a design as one HTML file in which its structure is moved, without a network.
+
+    Raises:
+        InputError: the engine in a page would move it otherwise, and why, or the file cannot be written.
+    """
+    write_text(path, bench_page(design))
+
+
+def bench_page(design: Design) -> str:
+    """A design as one page: its structure live, with sliders for what is changed in place, and its values.
+
+    Raises:
+        InputError: the engine in a page would move it otherwise, and why.
+    """
+    design = with_timestep(design)
+    if why := why_not_portable(compile_model(design)):
+        raise InputError(f"{design.name}: cannot be moved in a page: {why}; forficula run {design.name} simulates it")
+    clip = at_start(design)
+    title = design_title(design)
+    shows = f"{design.shows[:1].upper()}{design.shows[1:]}." if design.shows else ""
+    body = "".join(
+        (
+            f"<header><h1>{escaped(title)}</h1>{paragraph(shows, 'outcome')}</header>\n",
+            '<main><section id="try" aria-label="try it"></section>\n',
+            section("What to know", remarks(structure_warnings(design, clip.structure))),
+            section("Design", *design_tables(design), name="design"),
+            section("Run it", *repeat(design), name="repeat"),
+            "</main>",
+        )
+    )
+    live = live_data(design, [each.measure for each in clip.readings], clip.mesh.anchors.tolist())
+    return page_html(f"{title}: to be moved", body, bench_data(clip), live)
+
+
+def at_start(design: Design) -> Clip:
+    """The structure where it starts: as a run of two steps has it."""
+    timestep = float(design.protocol.timestep)
+    stage = {"name": "start", "drive": "none", "until": "time", "hold": 0.0, "time_limit": _STEPS * timestep}
+    short = with_values(design, {"protocol.stages": [stage]})
+    (record,) = simulate([compile_model(short)])
+    return make_clip(record, measure(record), name=design.name)
+
+
+def bench_data(clip: Clip) -> dict[str, Any]:
+    """A structure that a reader moves, as data for JSON: what is drawn of it, and what the picture needs."""
+    tendons = clip.structure.tendons
+    largest = max((float(tendon.law.elastic.energy(tendon.longest)) for tendon in tendons), default=0.0)
+    unit, factor = reading_unit("J", largest)
+    return {
+        "kind": "bench",
+        "whole": whole_of([clip]),
+        "clips": [clip_data(clip)],
+        "energy": {"unit": unit, "factor": factor, "largest_J": largest},
+        "legend": legend_data([clip]),
+        "text": structure_text(clip.structure),
+    }

@@ -1,0 +1,96 @@
+"""A study's structure as data for the engine in its page: what every point changes, and what is asked of it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from forficula.design import Stage, key_quantity, stage_drives
+from forficula.dynamics import compile_model, why_not_portable
+from forficula.errors import InputError
+from forficula.quantities import show_quantity
+from forficula.show.page.bench_page import at_start, bench_data
+from forficula.show.page.live_data import live_data
+from forficula.study import Study
+from forficula.study.search_steps import Search, SearchStep
+
+
+def study_live(study: Study) -> dict[str, Any]:
+    """What the engine in a study's page needs to answer as the study would.
+
+    Returns:
+        Data for JSON, as `live_data` has it, and
+
+        - `bench`: the structure of the study's design to be drawn, as of a page of `forficula open`;
+        - `points`: SI values by key, a point each;
+        - `search`: the least values to look for, or None where a point is one run.
+
+        Where it would not move the structures as the study did only "refused", why.
+    """
+    design = study.base
+    if design.protocol.timestep == "auto":
+        return {"refused": "each point was given a timestep of its own"}
+    try:
+        points = [_in_si(study, point) for point in study.points]
+        why = why_not_portable(compile_model(design))
+    except InputError as error:
+        return {"refused": str(error)}
+    if why or any(point is None for point in points):
+        return {"refused": why or "some of what it varies are no numbers with units"}
+    values: dict[str, list[float]] = {}
+    for point in points:
+        for key, value in (point or {}).items():
+            values.setdefault(key, []).append(value)
+    ranges = {key: (min(each), max(each)) for key, each in values.items()}
+    for step in study.search.steps if study.search is not None else ():
+        ends = [step.sign * value for value in (*step.values, study.search.reference if study.search else 0.0)]
+        ranges[step.key] = (min(ends), max(ends))
+    clip = at_start(design)
+    live = live_data(design, [each.measure for each in clip.readings], clip.mesh.anchors.tolist(), ranges)
+    if "refused" in live:
+        return live
+    search = None if study.search is None else _search(study.search, design.protocol.stages)
+    return live | {"bench": bench_data(clip), "points": points, "search": search}
+
+
+def _in_si(study: Study, point: Any) -> dict[str, float] | None:
+    """The values of a point, SI; None where one is no number with a unit."""
+    found = {}
+    for key, value in point.items():
+        quantity = key_quantity(key, type(study.base))
+        read = None if quantity is None else quantity.read(value, in_si=True)
+        if not isinstance(read, float):
+            return None
+        found[key] = read
+    return found
+
+
+def _search(search: Search, stages: Sequence[Stage]) -> dict[str, Any]:
+    last = len(stages) - 1
+    cut = search.next_drive is not None
+    driven = _first_driven(stages, search.first.drive)
+    second = search.second
+    return {
+        "first": _step(search.first, driven if cut and driven is not None else last),
+        "second": None if second is None else _step(second, last),
+        "release": (_first_driven(stages, search.next_drive or "") or last + 1) - 1 if cut else None,
+        "reference": search.reference,
+        "referenceText": show_quantity(search.reference, search.first.unit),
+    }
+
+
+def _step(step: SearchStep, until: int) -> dict[str, Any]:
+    return {
+        "transition": step.transition,
+        "key": step.key,
+        "name": step.least_name,
+        "title": step.least_name.replace("_", " "),
+        "values": list(step.values),
+        "sign": step.sign,
+        "until": until,
+    }
+
+
+def _first_driven(stages: Sequence[Stage], drive: str) -> int | None:
+    """Number of the first stage with a drive."""
+    return next((number for number, stage in enumerate(stages) if drive in stage_drives(stage)), None)

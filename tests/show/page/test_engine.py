@@ -1,0 +1,261 @@
+"""The engine of the pages, in Node.js and without a browser, beside the engine of the package."""
+
+import gzip
+import hashlib
+import json
+import os
+import re
+import shutil
+import subprocess
+from importlib import resources
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from forficula.analysis import measure
+from forficula.design import load_design, with_values
+from forficula.dynamics import compile_model, simulate, with_timestep
+from forficula.show.page.live_data import live_data, shown_measures
+from forficula.show.page.page import built
+from forficula.show.page.shape_mesh import shape_mesh
+from forficula.show.page.study_live import study_live
+from forficula.structure import structure_of
+from forficula.study import run_study
+from forficula.study.runs import run
+from forficula.study.study_file import study_of
+
+BUILT = resources.files("forficula.show.page") / "built"
+# of a record's numbers: angles in deg, times in s, energies by the largest
+ANGLE, TIME, ENERGY = 0.01, 1e-4, 1e-4
+
+
+def node_path():
+    """Node.js of the system, or the one that comes with the driver of the browsers."""
+    if found := shutil.which("node"):
+        return found
+    try:
+        import playwright
+    except ImportError:
+        return None
+    beside = Path(playwright.__file__).parent / "driver" / "node"
+    return str(beside) if beside.is_file() else None
+
+
+@pytest.fixture(scope="module")
+def run_in_page(tmp_path_factory):
+    """Outcomes of the pages' engine, of a design with several settings, each of dotted keys in SI."""
+    node = node_path()
+    if node is None:
+        reason = "Node.js is missing; install it, as with: apt-get install nodejs: the pages' engine is not tested"
+        if os.environ.get("FORFICULA_NEED_BROWSER") == "1":
+            pytest.fail(reason)
+        pytest.skip(reason)
+    folder = tmp_path_factory.mktemp("engine")
+
+    def answers(design, settings):
+        (folder / "live.json").write_text(json.dumps(live_of(design)), "utf-8")
+        (folder / "settings.json").write_text(json.dumps(settings), "utf-8")
+        script = Path(__file__).with_name("engine.mjs")
+        files = [BUILT, folder / "live.json", folder / "settings.json"]
+        done = subprocess.run([node, script, *files], capture_output=True, text=True, check=True, timeout=600)
+        return json.loads(done.stdout)
+
+    return answers
+
+
+def live_of(design):
+    structure = structure_of(design)
+    return live_data(design, shown_measures(structure), shape_mesh(structure).anchors.tolist())
+
+
+def outcomes(answered):
+    assert answered["loaded"]["said"] == "loaded", answered["loaded"]
+    return [answer["outcome"] for answer in answered["answers"]]
+
+
+def check_as_recorded(found, record):
+    """Stages, times, works, states and words of an outcome in a page are those of a record."""
+    outcome = measure(record)
+    assert found["status"] == outcome.status
+    assert found["verdict"] == outcome.verdict
+    assert [stage["name"] for stage in found["stages"]] == [end.stage.name for end in record.stages]
+    for stage, end, each in zip(found["stages"], record.stages, outcome.stages, strict=True):
+        assert stage["end_s"] == pytest.approx(end.end, abs=TIME)
+        assert (stage["goal_s"] is None) == (end.goal_time is None)
+        assert stage["work_J"] == pytest.approx(each.work, rel=ENERGY, abs=1e-9)
+    states = record.structure.states
+    assert [state["name"] for state in found["states"]] == [outcome.state_names[state.name] for state in states]
+    ends = {round(end.end, 9): number for number, end in enumerate(record.stages)}
+    for state in filter(None, outcome.states.values()):
+        stage = found["stages"][ends[round(state.time, 9)]]
+        for values, shown in zip(stage["readings"], shown_measures(record.structure), strict=True):
+            if shown.name in state.readings and shown.kind == "angle":
+                assert np.degrees(values) == pytest.approx(np.degrees(state.readings[shown.name].mean), abs=ANGLE)
+        most = float(record.series["tendon_energy"].max(initial=0.0))
+        assert stage["energies_J"] == pytest.approx(state.tendon_energy.tolist(), abs=ENERGY * most)
+
+
+def test_the_engine_is_the_published_one_and_its_hash_stands_in_the_script_that_starts_it():
+    stamp = built("engine.js").partition("\n")[0]
+    program = gzip.decompress((BUILT / "engine.wasm.gz").read_bytes())
+    assert f"engine.wasm {hashlib.sha256(program).hexdigest()} " in stamp
+    licences = built("LICENSES.txt")
+    for words in ("mujoco 3.14.0", "Apache License", "Qhull", "Emscripten authors"):
+        assert words in licences
+
+
+def test_the_script_of_the_engine_makes_no_functions_from_text():
+    assert re.search(r"\bnew Function\b|\bFunction\(|\beval\(", built("engine.js")) is None
+
+
+def test_the_reference_folds_and_opens_in_a_page_as_it_is_recorded(run_in_page):
+    record = run(load_design("binder2025"))
+    (found,) = outcomes(run_in_page(record.design, [{}]))
+    check_as_recorded(found, record)
+
+
+@pytest.mark.parametrize("name", ["binder2025-coupled", "binder2025-joint", "letter-fold"])
+def test_other_structures_that_a_page_can_move_go_as_they_are_recorded(run_in_page, name):
+    record = run(load_design(name))
+    (found,) = outcomes(run_in_page(record.design, [{}]))
+    check_as_recorded(found, record)
+
+
+def test_ten_settings_of_sliders_come_to_what_the_package_says(run_in_page):
+    design = with_timestep(load_design("binder2025"))
+    settings = [
+        {"tendon.stiffness": 3000.0},
+        {"tendon.stiffness": 6000.0},
+        {"tendon.rest_length": 0.05},
+        {"tendon.rest_length": 0.06, "tendon.stiffness": 4000.0},
+        {"protocol.fold_torque": 0.1},
+        {"protocol.fold_torque": 1.2, "tendon.stiffness": 4000.0},
+        {"protocol.unfold_torque": 0.3},
+        {"membrane.youngs_modulus": 5e5},
+        {"hinge.damping": 4e-3},
+        {"protocol.gravity": 9.81, "tendon.damping": 0.5},
+    ]
+    answered = outcomes(run_in_page(design, [DEFAULTS | each for each in settings]))
+    for values, found in zip(settings, answered, strict=True):
+        check_as_recorded(found, run(with_values(design, values)))
+
+
+DEFAULTS = {
+    "tendon.stiffness": 1000.0,
+    "tendon.rest_length": 0.09,
+    "tendon.damping": 0.1,
+    "membrane.youngs_modulus": 1e6,
+    "hinge.damping": 1e-3,
+    "protocol.gravity": 0.0,
+    "protocol.fold_torque": 0.5,
+    "protocol.unfold_torque": 1.0,
+}
+
+
+def test_sixty_tendons_fold_and_fail_in_a_page_as_in_the_study(run_in_page):
+    """Those of Binder et al. 2025, table 1, with 50 N cm and at the design's own step."""
+    design = with_timestep(load_design("binder2025"))
+    design = with_values(design, {"protocol.stages": design.as_tables()["protocol"]["stages"][:3]})
+    tendons = [
+        {"tendon.stiffness": 1000.0 * tens, "tendon.rest_length": length / 100}
+        for tens in range(1, 7)
+        for length in range(10)
+    ]
+    records = simulate([compile_model(with_values(design, each)) for each in tendons], sparse=True)
+    found = outcomes(run_in_page(design, tendons))
+    assert len({outcome["verdict"] for outcome in found}) > 1
+    for outcome, record in zip(found, records, strict=True):
+        own = measure(record)
+        assert outcome["status"] == own.status
+        took = own.transitions["fold"]
+        time = outcome["transitions"][0]["took"]["time_s"]
+        assert time == (None if took.time is None else pytest.approx(took.time, abs=TIME))
+
+
+def test_what_the_engine_would_move_otherwise_is_refused_with_a_reason():
+    for name, why in (
+        ("miura-sheet", "its creases are no joints"),
+        ("binder2025-built", "air or water"),
+        ("binder2025-thick", "its parts touch"),
+    ):
+        refused = live_of(with_timestep(load_design(name)))
+        assert list(refused) == ["refused"]
+        assert why in refused["refused"]
+
+
+def test_an_engine_that_lays_the_model_out_otherwise_is_refused(run_in_page, monkeypatch):
+    """As one of another version might: a control, for else numbers would go to the wrong places without a word."""
+    design = with_timestep(load_design("binder2025"))
+    live = live_of(design)
+    live["layout"]["jnt_dofadr"][3] += 1
+    monkeypatch.setitem(globals(), "live_of", lambda _: live)
+    answered = run_in_page(design, [])
+    assert answered["loaded"] == {
+        "said": "refused",
+        "why": "the engine in this page lays the model out otherwise (jnt_dofadr)",
+        "to": 0,
+    }
+
+
+def test_text_alone_would_fold_otherwise_for_older_engines_stretch_membranes_otherwise(run_in_page, monkeypatch):
+    """What makes the numbers necessary: with the source alone the wing takes half as long again."""
+    design = with_timestep(load_design("binder2025"))
+    live = live_of(design) | {"numbers": {}}
+    monkeypatch.setitem(globals(), "live_of", lambda _: live)
+    (found,) = outcomes(run_in_page(design, [{}]))
+    assert found["transitions"][0]["took"]["time_s"] == pytest.approx(0.0814, abs=5e-4)
+
+
+def short_search():
+    """Six tendons at a coarse step: some fold, one opens again, one sticks."""
+    return study_of(
+        {
+            "name": "few",
+            "source": "a test",
+            "design": "binder2025",
+            "ask": "least-torques",
+            "settings": {"protocol.rest_speed": "10 deg/s", "protocol.stages.0.time_limit": "0.1 s"},
+            "factors": {
+                "tendon.stiffness": ["10 N/cm", "30 N/cm", "60 N/cm"],
+                "tendon.rest_length": ["4 cm", "9 cm"],
+            },
+            "search": {
+                "fold_torques": ["20 N cm", "50 N cm"],
+                "fold_with": "500 N cm",
+                "unfold_torques": ["50 N cm", "100 N cm"],
+                "refinements": 0,
+            },
+        }
+    )
+
+
+def test_a_page_answers_as_a_study_would_at_points_that_fold_stick_and_open(run_in_page, monkeypatch, tmp_path):
+    """Of the search of the paper's table, with fewer torques: what is least, and what became of it, in its words."""
+    study = short_search()
+    table = run_study(study, tmp_path)
+    live = study_live(study)
+    assert "refused" not in live
+    monkeypatch.setitem(globals(), "live_of", lambda _: live)
+    asked = [{"values": point, "search": live["search"]} for point in live["points"]]
+    answered = run_in_page(study.base, asked)
+    assert answered["loaded"]["said"] == "loaded", answered["loaded"]
+    rows = [answer["answer"] for answer in answered["answers"]]
+    assert [row["status"] for row in rows] == [str(status) for status in table["status"].values.ravel()]
+    assert [row["word"] for row in rows] == [str(word) for word in table["outcome"].values.ravel()]
+    assert len({row["word"] for row in rows}) > 1
+    for name in ("least_fold_torque", "least_unfold_torque"):
+        own = [None if np.isnan(value) else value for value in table[name].values.ravel().tolist()]
+        assert [row["least"][name] for row in rows] == pytest.approx(own)
+
+
+def test_memory_does_not_grow_over_a_hundred_folds(run_in_page):
+    """Of a protocol that folds and no more, as often as twenty times, and five times that."""
+    stages = [
+        {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "4 ms"},
+        {"name": "fold", "drive": "fold", "until": "folded", "hold": "0 s", "time_limit": "0.1 s"},
+    ]
+    design = load_design("binder2025", {"protocol.timestep": "0.4 ms", "protocol.stages": stages})
+    few, many = (run_in_page(design, [{}] * count)["memory"] for count in (20, 100))
+    # what a collector of garbage has not taken yet
+    assert many < few + 20e6

@@ -1,0 +1,62 @@
+"""A study's page answers where it kept no run, in a browser with the network cut."""
+
+import numpy as np
+import pytest
+
+from forficula.show.page.study_page import write_study_page
+from forficula.study import run_study
+from tests.show.page.conftest import until
+from tests.show.page.test_engine import short_search
+
+SECONDS = 90
+SAID = "(document.querySelector('.answer .outcome')?.textContent ?? '')"
+
+
+@pytest.fixture(scope="module")
+def table(tmp_path_factory):
+    return run_study(short_search(), tmp_path_factory.mktemp("rows"))
+
+
+@pytest.fixture(scope="module")
+def answering(watch_all, table, tmp_path_factory):
+    """The page of a small study that kept no run at all."""
+    path = tmp_path_factory.mktemp("study") / "report.html"
+    write_study_page(short_search(), table, path, [], 0)
+    assert path.stat().st_size < 5e6
+    return watch_all(path)
+
+
+def test_a_cell_without_a_run_is_simulated_at_a_press_and_comes_to_what_the_study_says(answering, table):
+    page = answering.page
+    assert "This run was not kept" in page.locator("#run").inner_text()
+    page.get_by_role("button", name="Simulate it here").click()
+    for point, status in enumerate(str(each) for each in table["status"].values.ravel()):
+        if point > 2:
+            break
+        page.evaluate("(point) => { forficula.open(point); }", point)
+        until(page, f"(window.forficula.panel.answers.panel !== null) && {SAID}.includes(': {status}')", SECONDS)
+        least = table["least_fold_torque"].values.ravel()[point]
+        told = f"least fold torque {100 * least:g} N cm"
+        assert (told in page.evaluate(SAID)) == bool(np.isfinite(least))
+    # what is live has the point's values
+    shown = page.locator(".slider", has_text="Tendon rest length").locator("output").inner_text()
+    assert shown == "4 cm"
+    assert answering.messages == []
+
+
+def test_a_finer_map_around_a_point_comes_cell_by_cell_and_agrees_at_the_study_s_own_points(answering, table):
+    page = answering.page
+    page.evaluate("() => { forficula.open(0); }")
+    until(page, f"{SAID} !== 'Simulating …'", SECONDS)
+    page.get_by_role("button", name="Refine here").click()
+    cells = page.locator(".answer .grid td[aria-label]")
+    assert cells.count() == 9  # between two stiffnesses and two lengths
+    until(page, "!document.querySelector('.answer .grid').textContent.includes('not simulated')", SECONDS)
+    every = "[...document.querySelectorAll('.answer .grid td[aria-label]')]"
+    until(page, f"{every}.every((cell) => cell.title !== '')", SECONDS)
+    titles = [cell.get_attribute("title") for cell in cells.all()]
+    words = table["status"].values.reshape(3, 2)
+    for stiffness, length, status in (("10", "4", words[0, 0]), ("10", "9", words[0, 1]), ("30", "9", words[1, 1])):
+        title = next(each for each in titles if f"{stiffness} N/cm" in each and f" {length} cm" in each)
+        assert f": {status}" in title
+    assert answering.messages == []

@@ -1,0 +1,238 @@
+/** A structure in the engine: its model with the numbers that were worked out elsewhere, its state, what it reads. */
+
+import { readArrays } from "./arrays.js";
+
+// of the newer engine: what an older one lacks, and what is the same in every model that is not refused
+const UNKNOWN = new Set(["jnt_springyield", "tendon_springyield", "flex_yield", "tendon_type", "efmC_perm", "flex_vertcell"]);
+// whole numbers that count what is not there in the older one
+const COUNTED = /_plasticadr$|_plasticmode$/;
+
+/** The engine's model of what the page has of a structure; throws an error that says why there is none. */
+export async function buildModel(engine, live) {
+  const take = await readArrays(live.arrays);
+  let model;
+  try {
+    model = engine.from_xml_string(live.source);
+  } catch (error) {
+    throw new Error(`the engine in this page does not take the model: ${error.message ?? "it is of a later version"}`);
+  }
+  for (const [name, mine] of Object.entries(live.layout)) {
+    const theirs = field(model, name);
+    if (theirs === undefined && (UNKNOWN.has(name) || COUNTED.test(name))) continue;
+    const same = theirs?.length === mine.length && mine.every((value, place) => Number(theirs[place]) === value);
+    if (!same) throw new Error(`the engine in this page lays the model out otherwise (${name})`);
+  }
+  for (const [name, where] of Object.entries(live.numbers)) {
+    const values = take(where);
+    const theirs = field(model, name);
+    if (theirs === undefined && UNKNOWN.has(name)) continue;
+    if (!put(theirs, values, live.layout.eq_type?.length)) throw new Error(`the engine in this page has no such numbers (${name})`);
+  }
+  for (const [name, values] of Object.entries(live.options)) setOption(model, name, values);
+  return { model, start: Float64Array.from(take(live.start)) };
+}
+
+function field(model, name) {
+  try {
+    return model[name] ?? undefined;
+  } catch {
+    return undefined;
+  }
+}
+
+/** Put numbers in their places; whether there were such. Rows of equalities are longer in some versions, with zeros. */
+function put(places, values, equalities) {
+  if (places?.length === values.length) {
+    places.set(values);
+    return true;
+  }
+  const [wide, own] = [values?.length, places?.length].map((length) => length / equalities);
+  if (!Number.isInteger(own) || !(own < wide)) return false;
+  for (const [at, value] of values.entries()) {
+    const [row, column] = [Math.floor(at / wide), at % wide];
+    if (column < own) places[row * own + column] = value;
+    else if (value !== 0) return false;
+  }
+  return true;
+}
+
+function setOption(model, name, values) {
+  if (values.length === 1) model.opt[name] = values[0];
+  else model.opt[name].set(values);
+}
+
+/** A structure that moves: state and readings in the model's units, lengths of what is drawn in m. */
+export function makeWing(engine, live, { model, start }) {
+  const data = new engine.MjData(model);
+  const { hinges, anchors, units, tendons, controls, brakes, motors } = live;
+  const strengths = live.protocol.drives.map((drive) => drive.strength);
+  const values = new Map(live.knobs.map((knob) => [knob.key, knob.value]));
+  // views of the engine's memory, which moves where it grows
+  let views = null;
+
+  function view() {
+    if (views === null || views.qpos.length === 0) {
+      const names = ["qpos", "qvel", "ctrl", "ten_length", "xpos", "xmat", "site_xpos", "act", "xfrc_applied", "xipos"];
+      views = Object.fromEntries(names.map((name) => [name, data[name]]));
+    }
+    return views;
+  }
+
+  function reset() {
+    engine.mj_resetData(model, data);
+    view().qpos.set(start);
+  }
+
+  /** Put a value, SI, in the place of what the design has. */
+  function set(key, value) {
+    const knob = live.knobs.find((each) => each.key === key);
+    if (!knob) throw new Error(`${key}: nothing here is changed by it`);
+    values.set(key, value);
+    if (knob.drive !== undefined) {
+      strengths[knob.drive] = value;
+      return;
+    }
+    for (const { field: name, places, low, slopes } of knob.changes) {
+      const target = name.startsWith("opt.") ? model.opt[name.slice(4)] : model[name];
+      for (const [index, place] of places.entries()) target[place] = low[index] + slopes[index] * (value - knob.lowest);
+    }
+  }
+
+  /** One step with the motors set to this, (motor,). */
+  function step(torques) {
+    const { ctrl } = view();
+    for (let control = 0; control < ctrl.length; control++) {
+      ctrl[control] = controls[control] >= 0 ? torques[controls[control]] : 0;
+      if (brakes[control] >= 0) ctrl[control] = Math.abs(torques[brakes[control]]);
+    }
+    engine.mj_step(model, data);
+  }
+
+  /** Work of motors in the last step: what they were set to times the way of what they act on, (motor,). */
+  function work(torques, before, into) {
+    const { qvel } = view();
+    for (const [number, motor] of motors.entries()) {
+      if (!torques[number]) continue;
+      let way = 0;
+      for (const hinge of motor.hinges) way += hinges.senses[hinge] * mean(qvel, before, hinges.speeds[hinge]);
+      for (const [dof, share] of motor.pushed.entries()) if (share) way += share * mean(qvel, before, dof);
+      into[number] += torques[number] * way * model.opt.timestep;
+    }
+  }
+
+  const mean = (after, before, place) => (after[place] + before[place]) / 2;
+
+  /** Angles of all hinges in their own senses, then distances, then sums of angles, as goals count them. */
+  function coordinates(into) {
+    const { qpos, ten_length: lengths } = view();
+    let at = 0;
+    for (; at < hinges.senses.length; at++) into[at] = hinges.senses[at] * qpos[hinges.positions[at]];
+    for (const distance of live.distances) into[at++] = lengths[distance];
+    for (const parts of live.sums) for (const part of parts) into[at++] = summed(into, part);
+    return into;
+  }
+
+  /** Where everything is now, for what is drawn and read; steps take no notice of it. */
+  function place() {
+    engine.mj_kinematics(model, data);
+  }
+
+  /** The points that are drawn, m. */
+  function points(into) {
+    const { xpos, xmat } = view();
+    for (const [point, body] of anchors.bodies.entries()) {
+      for (let axis = 0; axis < 3; axis++) {
+        let coordinate = xpos[3 * body + axis];
+        for (let other = 0; other < 3; other++) coordinate += xmat[9 * body + 3 * axis + other] * anchors.places[3 * point + other];
+        into[3 * point + axis] = units.length * coordinate;
+      }
+    }
+    return into;
+  }
+
+  /** Lengths of the tendons, in the model's units. */
+  function tendonLengths(into) {
+    const { site_xpos: sites } = view();
+    for (const [tendon, [first, second]] of tendons.points.entries())
+      into[tendon] = Math.hypot(...[0, 1, 2].map((axis) => sites[3 * second + axis] - sites[3 * first + axis]));
+    return into;
+  }
+
+  /** Energies of the tendons' springs, J. */
+  function tendonEnergies(into, lengths) {
+    const { tendon_stiffness: linear, tendon_stiffnesspoly: higher } = model;
+    for (const [tendon, number] of tendons.numbers.entries()) {
+      const law = tendons.sprung[tendon] ? [linear[number], higher[2 * number], higher[2 * number + 1]] : tendons.stiffness[tendon];
+      const longer = Math.max(0, lengths[tendon] - restLength(tendon));
+      into[tendon] = units.energy * (law[0] / 2 + (law[1] / 3 + (law[2] / 4) * longer) * longer) * longer ** 2;
+    }
+    return into;
+  }
+
+  /** Below which a tendon is slack, in the model's units. */
+  function restLength(tendon) {
+    return tendons.sprung[tendon] ? model.tendon_lengthspring[2 * tendons.numbers[tendon] + 1] : tendons.rest[tendon];
+  }
+
+  /** Push a drawn point with a force, N, until the next push; none without one. */
+  function push(point, force) {
+    const { xfrc_applied: applied, xipos, xpos, xmat } = view();
+    applied.fill(0);
+    if (!force) return;
+    const body = anchors.bodies[point];
+    const unit = units.length / units.energy;
+    const arm = [0, 1, 2].map((axis) => {
+      let at = xpos[3 * body + axis] - xipos[3 * body + axis];
+      for (let other = 0; other < 3; other++) at += xmat[9 * body + 3 * axis + other] * anchors.places[3 * point + other];
+      return at;
+    });
+    const [x, y, z] = force.map((part) => unit * part);
+    const turning = [arm[1] * z - arm[2] * y, arm[2] * x - arm[0] * z, arm[0] * y - arm[1] * x];
+    applied.set([x, y, z, ...turning], 6 * body);
+  }
+
+  /** Whether the last step left numbers that make sense. */
+  function sound(lowest, highest) {
+    const { qpos, qvel } = view();
+    for (let place = 0; place < qpos.length; place++) {
+      if (!Number.isFinite(qpos[place]) || (lowest[place] !== null && qpos[place] < lowest[place])) return false;
+      if (highest[place] !== null && qpos[place] > highest[place]) return false;
+    }
+    return qvel.every(Number.isFinite);
+  }
+
+  function dispose() {
+    data.delete();
+    model.delete();
+  }
+
+  reset();
+  return {
+    strengths,
+    values,
+    motors: motors.length,
+    tendons: tendons.numbers.length,
+    coordinateCount: hinges.senses.length + live.distances.length + live.sums.flat().length,
+    get velocity() {
+      return view().qvel;
+    },
+    reset,
+    set,
+    step,
+    work,
+    coordinates,
+    place,
+    points,
+    tendonLengths,
+    tendonEnergies,
+    restLength,
+    push,
+    sound,
+    dispose,
+  };
+}
+
+/** A sum of angles with their signs, of all hinges' angles. */
+export function summed(angles, part) {
+  return part.reduce((sum, [hinge, sign]) => sum + sign * angles[hinge], 0);
+}

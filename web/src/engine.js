@@ -1,0 +1,60 @@
+/** The engine of a page, in a worker that is made of what stands in the page: it asks for nothing and blocks nothing. */
+
+import { unpack } from "./clip.js";
+
+/** Whether the page has an engine. */
+export function hasEngine() {
+  return document.getElementById("engine-program") !== null;
+}
+
+/**
+ * Start it with what the page has of a structure; what it tells beside its answers goes to `hear`.
+ *
+ * Returns {first, ask, tell, end}: the first frame, and ways to ask it and to tell it something.
+ */
+export async function startEngine(text, hear) {
+  const packed = new Blob([unpack(document.getElementById("engine-script").textContent, Uint8Array)]).stream();
+  const script = await new Response(packed.pipeThrough(new DecompressionStream("deflate"))).text();
+  const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
+  const worker = new Worker(address);
+  const waiting = new Map();
+  let asked = 0;
+
+  worker.onmessage = ({ data }) => {
+    const done = waiting.get(data.to);
+    if (done) {
+      waiting.delete(data.to);
+      if (data.said === "refused") done.refuse(new Error(data.why));
+      else done.take(data);
+    } else hear(data);
+  };
+  worker.onerror = (event) => {
+    event.preventDefault();
+    const error = new Error(event.message || "the engine stopped");
+    for (const { refuse } of waiting.values()) refuse(error);
+    waiting.clear();
+    hear({ said: "refused", why: error.message });
+  };
+
+  function ask(message) {
+    const number = ++asked;
+    return new Promise((take, refuse) => {
+      waiting.set(number, { take, refuse });
+      worker.postMessage({ ...message, number });
+    });
+  }
+
+  function end() {
+    worker.terminate();
+    URL.revokeObjectURL(address);
+  }
+
+  try {
+    const program = document.getElementById("engine-program").textContent;
+    const { frame, version } = await ask({ act: "load", program, text });
+    return { first: frame, version, ask, tell: (message) => worker.postMessage(message), end };
+  } catch (error) {
+    end();
+    throw error;
+  }
+}

@@ -1,0 +1,81 @@
+/** A clip whose present is what the engine says; its past is that of the run, by which pictures are framed. */
+
+import { TENDONS } from "./clip.js";
+
+const NOW = Infinity; // the moment that is the engine's
+const LENGTHS = { m: 1, cm: 1e2, mm: 1e3, "\u00b5m": 1e6 };
+
+/** The present of a structure, as a clip and a clock that pictures and tables take; `show` tells what it is. */
+export function makeLive(clip, live, first) {
+  const listeners = new Set();
+  const factors = clip.readings.map(({ unit }) => (unit === "deg" ? 180 / Math.PI : live.units.length * LENGTHS[unit]));
+  // at least a second, in whose unit times are written
+  const span = { start: clip.start, end: Math.max(clip.end, clip.start + 1), origins: [0], whole: true };
+  let frame = first;
+  let waiting = 0;
+
+  function changed() {
+    waiting ||= requestAnimationFrame(() => {
+      waiting = 0;
+      for (const listener of listeners) listener();
+    });
+  }
+
+  const pointsAt = (moment, into) => {
+    if (moment !== NOW) return clip.pointsAt(moment, into);
+    if (!into) return frame.points;
+    into.set(frame.points);
+    return into;
+  };
+
+  const shown = {
+    ...clip,
+    marks: [],
+    efforts: null,
+    reach: clip.mesh.base.radius,
+    pointsAt,
+    verticesAt: (moment, into) => (moment === NOW ? clip.verticesOf(frame.points, into) : clip.verticesAt(moment, into)),
+    valuesAt(name, moment, into) {
+      if (moment !== NOW) return clip.valuesAt(name, moment, into);
+      const at = clip.readings.findIndex((reading) => reading.name === name);
+      const values = name === TENDONS ? frame.energies_J : frame.readings[at].map((value) => factors[at] * value);
+      if (!into) return Float32Array.from(values);
+      into.set(values);
+      return into;
+    },
+    restLengthsAt(moment, into) {
+      if (moment === NOW) into.set(frame.restLengths_m);
+      else clip.restLengthsAt(moment, into);
+    },
+    markAt: () => undefined,
+  };
+
+  const clock = {
+    get time() {
+      return frame.time_s;
+    },
+    span,
+    clipTime: (_, moment = NOW) => moment,
+    timeAt: (way) => span.start + way * (span.end - span.start),
+    wayAt: () => 0,
+    onChange(listener) {
+      listeners.add(listener);
+      changed();
+      return () => listeners.delete(listener);
+    },
+  };
+
+  function show(next) {
+    frame = next;
+    changed();
+  }
+
+  return {
+    clip: shown,
+    clock,
+    show,
+    get frame() {
+      return frame;
+    },
+  };
+}

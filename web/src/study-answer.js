@@ -1,0 +1,149 @@
+/** A study's page answers where it has no run: the engine simulates the point there, and finer points around it. */
+
+import { readClip } from "./clip.js";
+import { make } from "./elements.js";
+import { hasEngine, startEngine } from "./engine.js";
+import { capital, short } from "./format.js";
+import { patternOf } from "./heat.js";
+import { makePanel } from "./try-panel.js";
+
+const FINER = 2; // parts of a step between two points
+
+/** `offer` gives what stands below a point, whether its run is kept or not. */
+export function makeAnswers(model) {
+  const text = document.getElementById("live")?.textContent ?? null;
+  const live = text && JSON.parse(text);
+  const place = make("div", { className: "answer" });
+  const said = make("p", { className: "outcome", role: "status" });
+  const table = make("div");
+  const holder = make("div");
+  let panel = null;
+  let starting = false;
+  let current = 0;
+  let asked = 0; // what was asked before is no more of interest
+
+  function offer(point, kept) {
+    asked += 1;
+    current = point;
+    if (!live) return [];
+    if (!hasEngine()) return kept ? [] : [make("p", { className: "note" }, `Nor can it be simulated here: ${live.refused}.`)];
+    if (panel) answer(point);
+    else if (!starting) {
+      const button = make("button", { type: "button", className: "try" }, kept ? "Try it and refine here" : "Simulate it here");
+      const hint = make("p", { className: "note" });
+      button.addEventListener("click", () => start(button, hint));
+      holder.replaceChildren(make("div", { className: "offer" }, button, hint));
+    }
+    return [holder];
+  }
+
+  /** Start the engine, and answer for the point that is open by then. */
+  async function start(button, hint) {
+    starting = button.disabled = true;
+    hint.textContent = "Starting the simulator \u2026";
+    try {
+      panel = await makePanel(readClip(live.bench.clips[0]), live.bench, text, startEngine);
+      holder.replaceChildren(place);
+      place.replaceChildren(panel.element);
+      panel.begin();
+      answer(current);
+    } catch (error) {
+      hint.textContent = `It cannot be simulated here: ${error.message}.`;
+    }
+  }
+
+  const ask = (values) => panel.engine.ask({ act: "answer", values, search: live.search });
+
+  async function answer(point) {
+    const mine = ++asked;
+    const refine = make("button", { type: "button" }, "Refine here");
+    refine.addEventListener("click", () => finer(point));
+    table.replaceChildren();
+    place.replaceChildren(said, refine, table, panel.element);
+    said.textContent = "Simulating \u2026";
+    panel.sliders.set(live.points[point]);
+    const found = (await ask(live.points[point])).answer;
+    if (mine !== asked) return;
+    said.textContent = `${capital(model.pointText(point))}: ${answerText(live, found)}.`;
+    goLive(point);
+  }
+
+  /** Let the point's structure be moved: what was simulated last has left other values behind. */
+  function goLive(point) {
+    panel.sliders.set(live.points[point]);
+    panel.engine.tell({ act: "restart", through: false });
+  }
+
+  /** A map between a point and its neighbours, cell by cell as they are found. */
+  async function finer(point) {
+    const mine = ++asked;
+    const axes = axesAt(model, live, point);
+    const words = new Map();
+    const note = make("p", { className: "note", role: "status" });
+    const grid = axes[1].values.map((up) => axes[0].values.map((across) => cellOf(axes, across, up))).reverse();
+    const rows = grid.map((row, index) => make("tr", {}, make("th", { scope: "row" }, axisText(axes[1], axes[1].values.length - 1 - index)), ...row.map(({ cell }) => cell)));
+    const feet = make("tr", { className: "feet" }, make("td"), ...axes[0].values.map((_, index) => make("th", { scope: "col" }, axisText(axes[0], index))));
+    const body = make("table", { className: "grid" }, make("caption", {}, caption(axes)), make("tbody", {}, ...rows, feet));
+    table.replaceChildren(make("div", { className: "table", tabIndex: 0, role: "group", "aria-label": "finer map" }, body), note);
+    const every = grid.flat();
+    for (const [number, { cell, values, where }] of every.entries()) {
+      note.textContent = `${number} of ${every.length} points simulated`;
+      const found = (await ask({ ...live.points[point], ...values })).answer;
+      if (mine !== asked) return;
+      const sign = model.study.words.find(({ word }) => word === found.word)?.sign ?? "?";
+      cell.className = patternOf(sign);
+      cell.replaceChildren(make("span", {}, sign));
+      cell.title = `${where}: ${answerText(live, found)}`;
+      cell.setAttribute("aria-label", cell.title);
+      words.set(found.word, sign);
+    }
+    note.textContent = [...words].map(([word, sign]) => `${sign} ${word}`).join(" \u00b7 ");
+    goLive(point);
+  }
+
+  return { offer, get panel() { return panel; } };
+}
+
+function cellOf(axes, across, up) {
+  const values = { [axes[0].key]: across };
+  if (axes[1].key) values[axes[1].key] = up;
+  const where = axes.filter(({ key }) => key).map((axis) => `${axis.name} ${short(axis.factor * values[axis.key])} ${axis.unit}`).join(", ");
+  return { cell: make("td", { "aria-label": `${where}: not simulated yet` }), values, where };
+}
+
+/** The two factors of the map, with values between those of a point's neighbours. */
+function axesAt(model, live, point) {
+  const varied = model.study.axes.filter((index) => model.sizes[index] > 1);
+  const [up, across] = varied.length > 1 ? varied : [null, varied[0] ?? 0];
+  const axis = (index) => {
+    if (index === null) return { key: "", name: "", unit: "", factor: 1, values: [0] };
+    const { key, name } = model.study.factors[index];
+    const knob = live.knobs.find((each) => each.key === key);
+    const places = model.placesOf(point);
+    const valueAt = (place) => live.points[model.pointAt(places.map((own, each) => (each === index ? place : own)))][key];
+    const [low, high] = [Math.max(0, places[index] - 1), Math.min(model.sizes[index] - 1, places[index] + 1)];
+    const values = [];
+    for (let place = low; place < high; place++)
+      for (let part = 0; part < FINER; part++) values.push(valueAt(place) + (part / FINER) * (valueAt(place + 1) - valueAt(place)));
+    return { key, name, unit: knob.unit, factor: knob.factor, values: [...values, valueAt(high)] };
+  };
+  return [axis(across), axis(up)];
+}
+
+const axisText = ({ key, factor, unit, values }, index) => (key ? `${short(factor * values[index])} ${unit}` : "");
+
+function caption([across, up]) {
+  return up.key ? `${capital(across.name)} across, ${up.name} upwards, at half the steps` : `${capital(across.name)}, at half the steps`;
+}
+
+/** What a point came to, with the least values that were looked for. */
+function answerText(live, { status, least }) {
+  const steps = live.search ? [live.search.first, live.search.second].filter(Boolean) : [];
+  const told = steps
+    .filter(({ name }) => least[name] !== null && least[name] !== undefined)
+    .map(({ key, name, title }) => {
+      const { factor, unit } = live.knobs.find((knob) => knob.key === key);
+      return `${title} ${short(factor * least[name])} ${unit}`;
+    });
+  return [status, ...told].join("; ");
+}

@@ -1,0 +1,32 @@
+/** A setting as a design file: the text of the run's own, with other values on the lines that have them. */
+
+import { make } from "./elements.js";
+
+/** The file's text with values, SI, by key. */
+export function designText(live, changes) {
+  const lines = live.design.text.split("\n");
+  for (const { key, unit, factor, line } of live.knobs)
+    if (key in changes) lines[line.number] = `${line.before}${quantity(changes[key], unit, factor)}${line.after}`;
+  return lines.join("\n");
+}
+
+/** A value as a design file has it. */
+function quantity(value, unit, factor) {
+  return `${Number((factor * value).toPrecision(12))} ${unit}`;
+}
+
+/** A link to the file, and the command that runs it; `refresh` takes what was changed. */
+export function makeDesignLink(live) {
+  const link = make("a", { className: "button", download: "design.toml" }, "This setting as a design file");
+  const command = make("code");
+  const element = make("div", { className: "setting" }, link, make("pre", {}, command));
+
+  function refresh(changes) {
+    const bytes = new TextEncoder().encode(designText(live, changes));
+    link.href = `data:application/toml;base64,${btoa(String.fromCharCode(...bytes))}`;
+    command.textContent = "forficula run design.toml";
+  }
+
+  refresh({});
+  return { element, refresh };
+}

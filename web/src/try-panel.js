@@ -1,0 +1,168 @@
+/** The live structure with its sliders, its buttons and what it says. */
+
+import { firstLook } from "./camera.js";
+import { make } from "./elements.js";
+import { capital, fixed, short, timeText } from "./format.js";
+import { makeLive } from "./live-clip.js";
+import { mountStill } from "./player.js";
+import { mountReadout } from "./readout.js";
+import { watchTables } from "./tables.js";
+import { makeDesignLink } from "./try-design.js";
+import { listenToPushes } from "./try-push.js";
+import { makeSliders } from "./try-sliders.js";
+
+const PACES = [
+  ["real time", 1],
+  ["1/2", 0.5],
+  ["1/5", 0.2],
+  ["1/20", 0.05],
+  ["1/100", 0.01],
+];
+const PACE = 0.2; // to begin with: at its own a wing snaps faster than anyone sees
+const ROOM = 1.4; // distance of the eye where no run tells where it goes, by that which fits where it begins
+const ENERGIES = [
+  ["J", 1, 0.1],
+  ["mJ", 1e3, 1e-4],
+  ["\u00b5J", 1e6, 1e-7],
+  ["nJ", 1e9, 0],
+];
+
+/** A panel of a page's clip and of what it has of the structure; `start` starts the engine. */
+export async function makePanel(clip, data, text, start) {
+  const own = JSON.parse(text);
+  const panel = { frame: null, engine: null };
+  const engine = await start(text, (message) => hear(message));
+  const live = makeLive(clip, own, engine.first);
+  const said = make("p", { className: "verdict", role: "status" });
+  const advice = make("p", { className: "note" });
+  const moment = make("p", { className: "time" });
+  const account = make("p", { className: "account" });
+  const picture = make("div");
+  const readout = make("div");
+  const design = makeDesignLink(own);
+  const sliders = makeSliders(own.knobs, data.kind === "bench" ? "the design" : "this run", (key, value) => {
+    engine.tell({ act: "set", values: { [key]: value } });
+    sliders.refresh();
+    design.refresh(sliders.changes);
+  });
+  const buttons = makeButtons(own, engine, () => {
+    said.textContent = "";
+    advice.textContent = "";
+  });
+  const acting = own.motors.every((motor) => motor.kind === "torque") ? "torques" : "drives";
+  let told = null;
+
+  function hear(message) {
+    if (message.said === "refused") {
+      said.textContent = `The simulator stopped: ${message.why}.`;
+      return;
+    }
+    if (message.said === "frame") show(message.frame);
+  }
+
+  function show(frame) {
+    panel.frame = frame;
+    live.show(frame);
+    moment.textContent = `${timeText(frame.time_s, { start: 0, end: Math.max(1, frame.time_s) })}${stageText(frame)}`;
+    const energy = frame.energies_J.reduce((sum, each) => sum + each, 0);
+    const work = frame.works_J.reduce((sum, each) => sum + each, 0);
+    const parts = [...(clip.tendons ? [`tendon energy ${energyText(energy)}`] : []), `work of the ${acting} ${energyText(work)}`];
+    account.textContent = parts.join(" \u00b7 ");
+    const outcome = frame.stageNumber === null ? frame.ended : null;
+    const key = outcome && JSON.stringify(outcome.stages.map((stage) => stage.end_s));
+    if (key !== told) {
+      said.textContent = outcome ? sentence(outcome, data.whole) : "";
+      advice.textContent = outcome?.advice ?? "";
+    }
+    told = key;
+  }
+
+  panel.element = make(
+    "div",
+    { className: "trial" },
+    make("div", { className: "seen" }, make("div", { className: "choices" }, ...buttons), make("div", { className: "told" }, moment, account), said, advice, picture, readout),
+    make("div", { className: "hands" }, sliders.element, design.element),
+  );
+
+  /** What needs its place in the page. */
+  panel.begin = () => {
+    // framed so that all that the run shows is in the picture; where it begins alone, with room to move
+    const look = { ...firstLook(), following: false, closer: data.kind === "bench" ? ROOM : 1 };
+    const { stage } = mountStill(picture, [live.clip], live.clock, { ...data, text: data.text.replace("which moves with the time", "live") }, look);
+    panel.stage = stage;
+    mountReadout(readout, live.clip, live.clock, data.energy);
+    watchTables(panel.element);
+    if (stage) {
+      live.movable = own.anchors.bodies.map((body) => body > 0);
+      listenToPushes(stage, live, clip.mesh.span_m, strongest(own, clip.mesh.span_m), (point, force) =>
+        engine.tell({ act: "push", point, force }),
+      );
+    }
+    show(engine.first);
+    engine.tell({ act: "pace", value: PACE });
+    engine.tell({ act: "restart", through: false });
+    if (data.kind !== "bench") buttons[0].focus();
+  };
+  return Object.assign(panel, { engine, live, sliders, design, own });
+}
+
+/** The largest force of a pointer, N: that of the strongest drive of the run, at the end of the structure. */
+function strongest({ protocol, motors }, span) {
+  const forces = protocol.drives.map(({ strength, torques }) => {
+    const motor = motors[torques.findIndex((torque) => torque !== 0)];
+    return motor?.kind === "torque" ? Math.abs(strength) / span : motor?.kind === "force" ? Math.abs(strength) : 0;
+  });
+  return Math.max(...forces) || 1;
+}
+
+/** Start again, the driven stages of the protocol, let go, all of it, and how fast. */
+function makeButtons({ protocol }, engine, before) {
+  const button = (text, message, title) => {
+    const made = make("button", { type: "button", title });
+    made.append(text);
+    made.addEventListener("click", () => {
+      before();
+      engine.tell(message);
+    });
+    return made;
+  };
+  const driven = protocol.stages.flatMap(({ name, drives }, from) => {
+    if (!drives.length) return [];
+    const next = protocol.stages.findIndex((stage, number) => number > from && stage.drives.length > 0);
+    const to = (next < 0 ? protocol.stages.length : next) - 1;
+    return [button(capital(name), { act: "stages", from, to }, `the stage "${name}" of the protocol, and what follows without a drive`)];
+  });
+  const paces = make("select", {}, ...PACES.map(([name, value]) => make("option", { value, selected: value === PACE }, name)));
+  paces.addEventListener("change", () => engine.tell({ act: "pace", value: Number(paces.value) }));
+  return [
+    button("Start again", { act: "restart", through: false }, "from where the run begins"),
+    ...driven,
+    button("Let go", { act: "release" }, "without any drive"),
+    button("Whole protocol", { act: "restart", through: true }, "all stages, as in the run"),
+    make("label", {}, "speed ", paces),
+  ];
+}
+
+function stageText({ stage, running }) {
+  if (stage) return ` \u00b7 ${stage}`;
+  return running ? " \u00b7 no drive acts" : " \u00b7 at rest";
+}
+
+/** What became of it, with the time and the work of every transition. */
+function sentence({ status, verdict, transitions }, whole) {
+  const parts = transitions
+    .filter(({ took }) => took?.succeeded && took.time_s !== null)
+    .map(({ words, took }) => `${words.did || words.done} in ${timeOf(took.time_s)} for ${energyText(took.work_J)} of work`);
+  if (!parts.length) return `${capital(status)}.`;
+  const failed = verdict === "reached" ? "" : `; then: ${status}`;
+  return `The ${whole} ${parts.join(", then ")}${failed}.`;
+}
+
+function timeOf(time) {
+  return time >= 1 ? `${fixed(time, 3)} s` : `${short(1e3 * time)} ms`;
+}
+
+function energyText(value) {
+  const [unit, factor] = ENERGIES.find(([, , least]) => Math.abs(value) >= least);
+  return value === 0 ? "0 J" : `${short(factor * value)} ${unit}`;
+}

@@ -1,0 +1,89 @@
+/** Sliders of what can be changed while a structure moves, each with a mark where it stands in the page's run. */
+
+import { make } from "./elements.js";
+import { capital, short } from "./format.js";
+
+const STEPS = 200;
+const WIDE = 20; // from which on a range is gone through by ratios
+const DIGITS = 3; // of a value that a slider gives
+
+/** A slider for every knob, marked where `home` has it; `changed` is told the key and the value, SI. */
+export function makeSliders(knobs, home, changed) {
+  const sliders = knobs.map((knob) => makeSlider(knob, home, changed));
+  const back = make("button", { type: "button", disabled: true }, `All as in ${home}`);
+  back.addEventListener("click", () => sliders.forEach((slider) => slider.reset()));
+  const element = make("div", { className: "sliders", role: "group", "aria-label": "what can be changed" });
+  element.append(...sliders.map((slider) => slider.element), back);
+
+  return {
+    element,
+    /** Put values, SI, by key, and all others back to where they were. */
+    set(values) {
+      for (const slider of sliders) slider.put(values[slider.knob.key] ?? slider.knob.value);
+    },
+    /** Values that are not those of the run, SI, by key. */
+    get changes() {
+      const differing = sliders.filter((slider) => slider.value !== slider.knob.value);
+      return Object.fromEntries(differing.map((slider) => [slider.knob.key, slider.value]));
+    },
+    refresh() {
+      back.disabled = sliders.every((slider) => slider.value === slider.knob.value);
+    },
+  };
+}
+
+function makeSlider(knob, where, changed) {
+  const { key, title, unit, factor, lowest, highest } = knob;
+  const byRatio = lowest > 0 && highest / lowest >= WIDE;
+  const valueAt = (share) => (byRatio ? lowest * (highest / lowest) ** share : lowest + share * (highest - lowest));
+  const shareOf = (value) => (byRatio ? Math.log(value / lowest) / Math.log(highest / lowest) : (value - lowest) / (highest - lowest));
+  const home = Math.round(STEPS * shareOf(knob.value));
+  const name = capital(key.replace("protocol.", "").replace("youngs", "Young's").replaceAll(/[._]/g, " "));
+  const input = make("input", { type: "range", min: 0, max: STEPS, step: 1, "aria-label": name, "aria-description": title });
+  const output = make("output");
+  const mark = make("span", { className: "home", title: `in ${where}`, "aria-hidden": "true" });
+  mark.style.left = `${(100 * home) / STEPS}%`;
+  input.dataset.keys = "own";
+  let value = knob.value;
+
+  function show() {
+    const text = `${short(factor * value)} ${unit}`;
+    output.textContent = text;
+    input.setAttribute("aria-valuetext", value === knob.value ? `${text}, as in ${where}` : text);
+    element.classList.toggle("changed", value !== knob.value);
+  }
+
+  function put(other) {
+    value = other;
+    input.value = Math.round(STEPS * shareOf(value));
+    show();
+    changed(key, value);
+  }
+
+  input.addEventListener("input", () => {
+    const at = Number(input.value);
+    // what a file has is a number of few digits in the unit that stands there
+    value = at === home ? knob.value : Number((factor * valueAt(at / STEPS)).toPrecision(DIGITS)) / factor;
+    show();
+    changed(key, value);
+  });
+
+  const element = make(
+    "label",
+    { className: "slider", title: `${key}: ${title}` },
+    make("span", { className: "name" }, name),
+    output,
+    make("span", { className: "rail" }, input, mark),
+  );
+  input.value = home;
+  show();
+  return {
+    element,
+    knob,
+    get value() {
+      return value;
+    },
+    put,
+    reset: () => put(knob.value),
+  };
+}
