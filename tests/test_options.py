@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from forficula.cli import app, main
 from forficula.errors import InputError
-from forficula.options import read_settings, read_shard, read_size
+from forficula.options import check_answer, read_settings, read_shard, read_size
 
 
 @pytest.fixture
@@ -102,3 +102,16 @@ def test_an_option_that_help_shows_is_accepted_and_no_other(command, tmp_path, m
             main([command, "nowhere", "--json"])
         # the option, or what the command needs before that
         assert re.match("forficula: (--json: need run, |Command .* requires)", capsys.readouterr().err)
+
+
+@pytest.mark.parametrize("file", ["optimum.json", "tolerance.json", "identified.nc", "table.nc"])
+def test_a_folder_with_another_kind_of_answer_is_refused(tmp_path, file):
+    (tmp_path / file).write_text("{}")
+    if file == "table.nc":
+        with pytest.raises(InputError, match="--out: need a folder of its own"):
+            check_answer(tmp_path, "optimum.json")
+        return
+    check_answer(tmp_path, file)
+    for own in {"optimum.json", "tolerance.json", "identified.nc"} - {file}:
+        with pytest.raises(InputError, match=rf"--out: need a folder of its own.*{file}"):
+            check_answer(tmp_path, own)

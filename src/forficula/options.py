@@ -240,6 +240,32 @@ def tell_replaced(folder: Path, what: str) -> None:
     remark(f"{folder}: replaces the {what} of {called}{how} there")
 
 
+# what commands leave that answer goals, and what a study leaves; optimisations leave a table, too
+_ANSWERS = {
+    "optimum.json": "an optimisation",
+    "tolerance.json": "a tolerance",
+    "identified.nc": "an identification",
+    "table.nc": "a study",
+}
+
+
+def check_answer(folder: Path, own: str) -> None:
+    """Refuse a folder that holds another kind of answer, whose tables and page would be replaced in part.
+
+    Args:
+        folder: where a command will write.
+        own: the file that tells of its own results.
+
+    Raises:
+        InputError: what the folder holds.
+    """
+    if (folder / own).is_file():
+        return
+    for file, what in _ANSWERS.items():
+        if (folder / file).is_file():
+            raise InputError(f"--out: need a folder of its own, got {folder}, which holds {what} ({file})")
+
+
 def read_unit(unit: str | None) -> float | None:
     """The length of one unit of a drawing, m; None where it is not given.
 

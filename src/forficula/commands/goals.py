@@ -13,6 +13,7 @@ from forficula.options import (
     DesignName,
     OutIfGiven,
     Settings,
+    check_answer,
     check_folder,
     read_option,
     read_settings,
@@ -53,6 +54,7 @@ def optimise(
     asked = load_goal(goal)
     folder = out or Path("out") / asked.name
     check_folder(folder)
+    check_answer(folder, "optimum.json")
     read_option("--keep", lambda: check_most(keep))
     share = read_shard(shard)
     if dry_run:
@@ -129,6 +131,7 @@ def tolerance(
     chosen = load_design(design, read_settings(settings))
     folder = out or Path("out") / f"{chosen.name}-tolerance"
     check_folder(folder)
+    check_answer(folder, "tolerance.json")
     own = read_settings(tolerances, "--tolerance", 'tendon.stiffness="5 %"')
     question = question_of(chosen, own or None, goal=goal)
     read_option("--keep", lambda: check_most(keep))
@@ -205,6 +208,7 @@ def identify(
     asked = load_observations(observations)
     folder = out or Path("out") / asked.name
     check_folder(folder)
+    check_answer(folder, "identified.nc")
     share = read_shard(shard)
     if dry_run:
         count, runs, seconds = estimate_identify(asked)

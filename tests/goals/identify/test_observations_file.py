@@ -120,3 +120,19 @@ def test_an_observations_file_names_itself_and_paths_start_from_it(tmp_path):
     assert (seen.name, seen.samples, seen.directed) == ("seen", 256, 128)
     with pytest.raises(InputError, match="neither a named observations file nor"):
         load_observations("binder2025-los")
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        ({"tolerance": "-1 ms"}, 'tolerance: need >= 0, got "-1 ms"'),
+        ({"scale": "0 ms"}, 'scale: need > 0, got "0 ms"'),
+        ({"scale": "-1 ms"}, 'scale: need > 0, got "-1 ms"'),
+        ({"settings": {"tendon.stifness": "4 N/cm"}}, "settings: "),
+        ({"over": {"tendon.7.stiffness": ["4 N/cm"]}}, "need one of 0, 1 or 2 after tendon"),
+    ],
+)
+def test_a_fact_that_no_run_could_answer_is_refused(change, says):
+    with pytest.raises(InputError) as error:
+        observations_of(tables(**TIME, **change))
+    assert says in str(error.value)

@@ -8,7 +8,7 @@ from typing import Any, cast
 
 import numpy as np
 
-from forficula.design import Design, key_quantity, value_from_folder
+from forficula.design import Design, key_quantity, key_value, value_from_folder
 from forficula.errors import InputError
 from forficula.goals.identify.fact import COUNTS, NUMBERS, PLACES, Fact, LeastValue, Order, Statistic, Term
 from forficula.goals.identify.observation_keys import names_in
@@ -53,6 +53,12 @@ def read_fact(given: object, base: Design, folder: Path) -> Fact:
         raise InputError(f"need one of {', '.join(_ORDERS)}, got {' and '.join(orders) or 'none'}")
     else:
         order, bound = _ORDERS[orders[0]], _bound(given, orders[0], term, base, folder)
+    tolerance = _number(given.get("tolerance", 0 if term.unit is None else f"0 {term.unit.display}"), term, "tolerance")
+    scale = _number(given["scale"], term, "scale") if "scale" in given else None
+    if tolerance < 0:
+        raise InputError(f"tolerance: need >= 0, got {as_written(given['tolerance'])}")
+    if scale is not None and scale <= 0:
+        raise InputError(f"scale: need > 0, got {as_written(given['scale'])}")
     return Fact(
         name=shown_name(name),
         source=str(given.get("source", "")),
@@ -60,10 +66,8 @@ def read_fact(given: object, base: Design, folder: Path) -> Fact:
         order=order,
         bound=bound,
         places=places,
-        tolerance=_number(
-            given.get("tolerance", 0 if term.unit is None else f"0 {term.unit.display}"), term, "tolerance"
-        ),
-        scale=_number(given["scale"], term, "scale") if "scale" in given else None,
+        tolerance=tolerance,
+        scale=scale,
     )
 
 
@@ -104,7 +108,7 @@ def _number(value: object, term: Term, key: str) -> float:
 def _term(given: Mapping[str, Any], base: Design, folder: Path) -> Term:
     known = row_quantities(base)
     quantity = _quantity(given.get("quantity"), known)
-    over = _over(given, folder, type(base))
+    over = _over(given, folder, base)
     least = _least(given.get("least"), base)
     if not quantity and least is None:
         raise InputError(f'quantity: "{LEAST_VALUE}" needs a table least with key and values')
@@ -119,7 +123,7 @@ def _term(given: Mapping[str, Any], base: Design, folder: Path) -> Term:
         quantity=quantity,
         statistic=cast(Statistic, statistic),
         over=over,
-        settings=_settings(given, folder),
+        settings=_settings(given, folder, base),
         until=_name(given, "until", [each.name for each in structure_of(base).transitions]),
         where=_name(given, "where", [each.state for each in structure_of(base).transitions]),
         least=least,
@@ -148,7 +152,7 @@ def _unit(quantity: Any, least: LeastValue | None) -> Unit | None:
     return unit
 
 
-def _over(given: Mapping[str, Any], folder: Path, model: type[Design]) -> tuple[Factor, ...]:
+def _over(given: Mapping[str, Any], folder: Path, base: Design) -> tuple[Factor, ...]:
     table = given.get("over", {})
     if not isinstance(table, dict):
         raise InputError(f"over: need a table, got {as_written(table)}")
@@ -157,18 +161,24 @@ def _over(given: Mapping[str, Any], folder: Path, model: type[Design]) -> tuple[
         # a single value is a list of one
         text = isinstance(value, str) and " step " not in value
         values = [value] if text or not isinstance(value, str | list | dict) else value
-        factors.append(read_factor(key, value_from_folder(key, values, folder), model))
+        factors.append(read_factor(key, value_from_folder(key, values, folder), type(base)))
+        key_value(base, key)
     if drawn := [factor.key for factor in factors if factor.distribution is not None]:
         raise InputError(f"over.{drawn[0]}: need a list or a range, got a distribution")
     grid_points(tuple(factors))
     return tuple(factors)
 
 
-def _settings(given: Mapping[str, Any], folder: Path) -> dict[str, object]:
+def _settings(given: Mapping[str, Any], folder: Path, base: Design) -> dict[str, object]:
     table = given.get("settings", {})
     if not isinstance(table, dict):
         raise InputError(f"settings: need a table, got {as_written(table)}")
-    return {key: value_from_folder(key, value, folder) for key, value in dotted_values(table, "settings").items()}
+    values = {key: value_from_folder(key, value, folder) for key, value in dotted_values(table, "settings").items()}
+    try:
+        base.with_values(values)
+    except InputError as error:
+        raise InputError(f"settings: {error}") from None
+    return values
 
 
 def _least(given: object, base: Design) -> LeastValue | None:

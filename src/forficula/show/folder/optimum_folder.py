@@ -10,7 +10,7 @@ from typing import Any
 
 from forficula.design import save_design
 from forficula.dynamics import versions
-from forficula.files import write_bytes, write_text
+from forficula.files import replacing_all, write_bytes, write_text
 from forficula.goals.margins import own_limits
 from forficula.goals.optimise.neighbours import Neighbours
 from forficula.goals.optimise.optimum import Optimum
@@ -37,14 +37,15 @@ def write_optimum(found: Optimum, folder: Path) -> None:
     Raises:
         InputError: the folder cannot be written.
     """
-    for path in folder.glob("best*.toml"):
-        path.unlink()
-    for number, design in enumerate(found.designs, start=1):
-        save_design(design, folder / (f"best-{number:02d}.toml" if len(found.designs) > 1 else "best.toml"))
-    write_text(folder / OPTIMUM_FILE, json.dumps(optimum_json(found), indent=2, ensure_ascii=False) + "\n")
-    write_text(folder / "table.csv", optimum_csv(found.table))
-    write_bytes(folder / "table.nc", found.table.to_netcdf(engine="h5netcdf"))
-    save_figures(optimum_drawings(found), folder)
+    names = [f"best-{each:02d}.toml" for each in range(1, len(found.designs) + 1)]
+    names = ["best.toml"] if len(names) == 1 else names
+    with replacing_all(folder, [path.name for path in folder.glob("best*.toml")]) as unfinished:
+        for name, design in zip(names, found.designs, strict=True):
+            save_design(design, unfinished / name)
+        write_text(unfinished / OPTIMUM_FILE, json.dumps(optimum_json(found), indent=2, ensure_ascii=False) + "\n")
+        write_text(unfinished / "table.csv", optimum_csv(found.table))
+        write_bytes(unfinished / "table.nc", found.table.to_netcdf(engine="h5netcdf"))
+        save_figures(optimum_drawings(found), unfinished)
 
 
 def optimum_drawings(found: Optimum) -> dict[str, Drawing]:

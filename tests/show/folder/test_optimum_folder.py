@@ -1,0 +1,35 @@
+"""What a search leaves: all of it, or what was there before."""
+
+import pytest
+
+from forficula.design import load_design
+from forficula.errors import InputError
+from forficula.goals.goal_file import goal_of
+from forficula.goals.optimise import optimise_goal
+from forficula.show.folder import optimum_folder
+
+GOAL = {
+    "name": "light",
+    "design": load_design("binder2025-joint"),
+    "simulate": False,
+    "vary": {"tendon.rest_length": ["5 cm", "6 cm"]},
+    "objectives": {"mass": "least"},
+}
+
+
+def test_a_disk_that_is_full_leaves_what_was_there_and_what_is_not_best_any_more_goes(tmp_path, monkeypatch):
+    optimum_folder.write_optimum(optimise_goal(goal_of(GOAL), tmp_path), tmp_path)
+    before = {name: (tmp_path / name).read_text("utf-8") for name in ("best.toml", "optimum.json", "table.csv")}
+    none = optimise_goal(goal_of({**GOAL, "limits": {"mass": "<= 1 mg"}}), tmp_path)
+
+    def full(_path, _content):
+        raise InputError("table.nc: cannot be written: No space left on device")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(optimum_folder, "write_bytes", full)
+        with pytest.raises(InputError, match="No space left"):
+            optimum_folder.write_optimum(none, tmp_path)
+    assert {name: (tmp_path / name).read_text("utf-8") for name in before} == before
+    optimum_folder.write_optimum(none, tmp_path)
+    assert not (tmp_path / "best.toml").exists()
+    assert "mass <= 0.001 g" in (tmp_path / "optimum.json").read_text("utf-8")
