@@ -9,10 +9,7 @@ from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.goals import assessor as assessor_module
 from forficula.goals.assessor import open_assessor, value_of
-from forficula.goals.goal_file import goal_of
-from forficula.goals.margins import margins_of
 from forficula.goals.outcome_quantity import quantity_of
-from forficula.structure import structure_of
 from forficula.study.search_file import read_search
 
 JOINT, LETTER = load_design("binder2025-joint"), load_design("letter-fold")
@@ -85,27 +82,3 @@ def test_a_shard_that_is_gone_is_done_without(tmp_path, monkeypatch):
 def test_what_is_no_share_of_the_work_is_refused(tmp_path, shard, threads):
     with pytest.raises(InputError), open_assessor(tmp_path, JOINT, shard=shard, threads=threads):
         pass
-
-
-def test_margins_are_finite_whatever_happened(tmp_path):
-    goal = goal_of(
-        {
-            "name": "test",
-            "design": JOINT,
-            "vary": {"tendon.area": {"low": "1 mm^2", "high": "20 mm^2"}},
-            "limits": {"hinge_holding_torque": ">= 8 N cm", "fold_time": "<= 0.3 s"},
-            "objectives": {"mass": "least"},
-        }
-    )
-    transitions = structure_of(JOINT).transitions
-    designs = [JOINT.with_values({"tendon.area": area}) for area in ("3 mm^2", "5 mm^2", "12 mm^2")]
-    with open_assessor(tmp_path, JOINT) as assess:
-        weak, good, strong = (
-            margins_of(goal, row, design, transitions)
-            for row, design in zip(assess(designs, goal.sources), designs, strict=True)
-        )
-    assert weak.works > 0 > weak.limits[0]  # folds, but is held by too little
-    assert good.meets
-    assert strong.works < 0 < strong.limits[0]  # held by more than its fold torque
-    assert -1 <= strong.least <= strong.works
-    assert margins_of(goal, {}, "why not", transitions).least == -1

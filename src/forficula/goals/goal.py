@@ -89,3 +89,8 @@ class Goal(Displayed):
     def values(self, shares: Sequence[float]) -> Mapping[str, object]:
         """The values of a design by key, at a share of the way of each parameter."""
         return {each.key: each.value(share) for each, share in zip(self.parameters, shares, strict=True)}
+
+
+def own_limits(goal: Goal) -> tuple[Limit, ...]:
+    """The limits that a design meets or misses by itself, whatever its neighbours do."""
+    return tuple(each for each in goal.limits if each.quantity.source != "neighbours")

@@ -10,8 +10,7 @@ import numpy as np
 
 from forficula.analysis import Ending, Verdict
 from forficula.csv_text import csv_text
-from forficula.goals.goal import Goal
-from forficula.goals.margins import own_limits
+from forficula.goals.goal import Goal, own_limits
 from forficula.goals.optimise.candidate import Candidate, trial_of
 from forficula.goals.optimise.ranking import pareto_front
 from forficula.goals.outcome_quantity import PROBABILITY

@@ -9,8 +9,7 @@ from dataclasses import dataclass
 from forficula.analysis.margin import chained_row
 from forficula.design import Design
 from forficula.goals.assessor import Assessor, value_of
-from forficula.goals.goal import Goal
-from forficula.goals.margins import own_limits
+from forficula.goals.goal import Goal, own_limits
 from forficula.goals.outcome_quantity import Source
 from forficula.structure import Transition, structure_of
 from forficula.study.journal import Row

@@ -6,9 +6,8 @@ import math
 from collections import Counter
 
 from forficula.design import Design
-from forficula.goals.goal import Goal
+from forficula.goals.goal import Goal, own_limits
 from forficula.goals.limit import Limit
-from forficula.goals.margins import own_limits
 from forficula.goals.optimise.candidate import Candidate, trial_of, wanted_share
 from forficula.goals.optimise.neighbours import Neighbours
 from forficula.goals.optimise.optimum import Optimum

@@ -11,7 +11,7 @@ from typing import Any
 from forficula.design import save_design
 from forficula.dynamics import versions
 from forficula.files import replacing_all, write_bytes, write_text
-from forficula.goals.margins import own_limits
+from forficula.goals.goal import own_limits
 from forficula.goals.optimise.neighbours import Neighbours
 from forficula.goals.optimise.optimum import Optimum
 from forficula.goals.optimise.optimum_table import optimum_csv

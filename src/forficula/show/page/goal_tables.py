@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from forficula.goals.goal import Goal, Objective
+from forficula.goals.goal import Goal, Objective, own_limits
 from forficula.goals.limit import Limit
-from forficula.goals.margins import own_limits
 from forficula.goals.optimise.neighbours import Neighbours
 from forficula.goals.optimise.optimum import Optimum
 from forficula.goals.optimise.verification import Verification
