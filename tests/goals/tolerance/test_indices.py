@@ -128,7 +128,7 @@ def test_screening_keeps_a_factor_that_does_something_only_together_with_another
 
 
 def test_a_plane_tells_the_factors_of_a_sum_apart_however_their_columns_are_correlated():
-    """Of 64 Sobol points in 21 factors the worst pair of columns has a correlation of 0.4."""
+    """Of 64 points in 21 factors the worst pair of columns has a correlation of more than 0.3."""
     weights = np.array([3.0, 2.0, 1.0, *np.zeros(18)])
     points = two_samples(21, 64, 0)[0]
     assert np.abs(np.corrcoef(points.T) - np.eye(21)).max() > 0.3

@@ -149,8 +149,9 @@ def _plane_shares(points: Values, at_points: Values) -> Values:
     slopes = inverse @ at_points.T
     left = np.sum((at_points.T - plane @ slopes) ** 2, axis=0) / (rows - factors - 1)
     chance = np.outer(np.sum(inverse**2, axis=1), left)
-    variance = np.var(at_points, axis=1)
     shares = (slopes**2 - chance)[1:] * np.var(points, axis=0)[:, np.newaxis]
+    # of independent factors, which columns of few points are not quite
+    variance = np.maximum(np.sum(shares, axis=0), 0.0) + left
     return np.asarray(np.divide(shares, variance, out=np.zeros_like(shares), where=variance > 0).T)
 
 
