@@ -132,6 +132,10 @@ LETTER = {
             {"limits": {"probability": ">= 120 %"}, "tolerances": {"all": "5 %"}},
             "limits.probability: need a share from 0 % to 100 %, got 120 %",
         ),
+        (
+            {"limits": {"probability": [">= 50 %", "<= 99 %"]}, "tolerances": {"all": "5 %"}},
+            "limits.probability: need a lower limit",
+        ),
         ({"limits": {"least_close_value": "<= -2 N cm"}}, "limits.least_close_value: need > 0"),
         (
             {"limits": {"least_close_value": "<= 2 N cm"}, "simulate": False},

@@ -104,6 +104,10 @@ function listen(drawing, marks, order, press) {
   drawing.addEventListener("click", (event) => {
     if (pointOf(event)) press(Number(pointOf(event).dataset.point));
   });
+  // one stop of the tabulator: the one that had the keys last
+  drawing.addEventListener("focusin", (event) => {
+    for (const mark of marks) mark.setAttribute("tabindex", mark === event.target ? "0" : "-1");
+  });
   drawing.addEventListener("keydown", (event) => {
     const mark = pointOf(event);
     if (!mark || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -111,12 +115,7 @@ function listen(drawing, marks, order, press) {
     if (event.key === "Enter" || event.key === " ") press(point);
     else if (!(event.key in STEPS)) return;
     else {
-      const next = marks[order[order.indexOf(point) + STEPS[event.key]]];
-      if (next) {
-        mark.setAttribute("tabindex", "-1");
-        next.setAttribute("tabindex", "0");
-        next.focus();
-      }
+      marks[order[order.indexOf(point) + STEPS[event.key]]]?.focus();
     }
     event.preventDefault();
   });

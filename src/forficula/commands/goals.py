@@ -54,12 +54,13 @@ def optimise(
     folder = out or Path("out") / asked.name
     check_folder(folder)
     read_option("--keep", lambda: check_most(keep))
+    share = read_shard(shard)
     if dry_run:
         designs, seconds = estimate_optimise(asked)
         neighbours = f", and up to {asked.neighbours} neighbours of the best" if asked.deviations else ""
         print(f"{asked.name}: at most {designs} designs, about {seconds:.0f} s{neighbours}")
         return 0
-    found = _optimised(asked, folder, shard, dask)
+    found = _optimised(asked, folder, share, dask)
 
     from forficula.goals.optimise.kept_candidates import candidates_to_keep
     from forficula.show import study_progress
@@ -79,14 +80,14 @@ def optimise(
     return 0 if found.best else 2
 
 
-def _optimised(asked: Goal, folder: Path, shard: str, dask: str | None) -> Optimum:
+def _optimised(asked: Goal, folder: Path, shard: tuple[int, int], dask: str | None) -> Optimum:
     """Search here or on a Dask cluster."""
     from forficula.goals.optimise import optimise_goal
     from forficula.show.goals.optimise_progress import optimise_progress
     from forficula.study import dask_cluster
 
     with nullcontext() if dask is None else dask_cluster(dask) as cluster, optimise_progress() as progress:
-        return optimise_goal(asked, folder, shard=read_shard(shard), cluster=cluster, progress=progress)
+        return optimise_goal(asked, folder, shard=shard, cluster=cluster, progress=progress)
 
 
 def tolerance(
@@ -131,11 +132,13 @@ def tolerance(
     own = read_settings(tolerances, "--tolerance", 'tendon.stiffness="5 %"')
     question = question_of(chosen, own or None, goal=goal)
     read_option("--keep", lambda: check_most(keep))
+    share = read_shard(shard)
     tell_assumed(question)
     if dry_run:
         plan, most, seconds = estimate_tolerance(question, folder, minutes, seed)
+        count = "1 value" if len(question.keys) == 1 else f"{len(question.keys)} values"
         print(
-            f"{chosen.name}: {len(question.keys)} tolerances; {plan.points + plan.rows} points for the probability,"
+            f"{chosen.name}: {count} that may be off; {plan.points + plan.rows} points for the probability,"
             f" at most {most} runs in all, about {seconds:.0f} s"
         )
         return 0
@@ -157,7 +160,7 @@ def tolerance(
             folder,
             minutes=minutes,
             seed=seed,
-            shard=read_shard(shard),
+            shard=share,
             cluster=cluster,
             progress=progress,
         )
@@ -202,11 +205,12 @@ def identify(
     asked = load_observations(observations)
     folder = out or Path("out") / asked.name
     check_folder(folder)
+    share = read_shard(shard)
     if dry_run:
         count, runs, seconds = estimate_identify(asked)
         print(f"{asked.name}: {count} samples, about {runs:.0f} runs, about {seconds:.0f} s")
         return
-    result = _identified(asked, folder, shard, dask)
+    result = _identified(asked, folder, share, dask)
 
     from forficula.show.folder.identify_folder import IDENTIFIED, identification_json, write_identification
     from forficula.show.goals.identify_text import print_identification
@@ -219,11 +223,11 @@ def identify(
     print(f"\nwritten to {folder}")
 
 
-def _identified(asked: Observations, folder: Path, shard: str, dask: str | None) -> Dataset:
+def _identified(asked: Observations, folder: Path, shard: tuple[int, int], dask: str | None) -> Dataset:
     """Run observations here or on a Dask cluster."""
     from forficula.goals.identify.run_identify import identify as identify_in
     from forficula.show.goals.identify_progress import identify_progress
     from forficula.study import dask_cluster
 
     with nullcontext() if dask is None else dask_cluster(dask) as cluster, identify_progress() as (samples, runs):
-        return identify_in(asked, folder, shard=read_shard(shard), cluster=cluster, progress=samples, run_progress=runs)
+        return identify_in(asked, folder, shard=shard, cluster=cluster, progress=samples, run_progress=runs)

@@ -213,7 +213,16 @@ def off_values(design: Design, deviations: Sequence[Deviation], offsets: Sequenc
         if quantity is None:
             values[deviation.key] = value
             continue
-        low = quantity.at_least if quantity.at_least > quantity.above else math.nextafter(quantity.above, math.inf)
-        high = quantity.at_most if quantity.at_most < quantity.below else math.nextafter(quantity.below, -math.inf)
+        low, high = allowed_ends(design, deviation.key)
         values[deviation.key] = format_quantity(min(max(value, low), high), quantity.unit)
     return values
+
+
+def allowed_ends(design: Design, key: str) -> tuple[float, float]:
+    """The least and the largest value that a key of a design may have, SI; infinite where there is none."""
+    quantity = key_quantity(key, type(design))
+    if quantity is None:
+        return -math.inf, math.inf
+    low = quantity.at_least if quantity.at_least > quantity.above else math.nextafter(quantity.above, math.inf)
+    high = quantity.at_most if quantity.at_most < quantity.below else math.nextafter(quantity.below, -math.inf)
+    return low, high

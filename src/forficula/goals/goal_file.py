@@ -78,6 +78,8 @@ def _goal(tables: dict[str, Any], folder: Path) -> Goal:
     given = tuple(each for each in limits if each.quantity.source == "search" and each.kind == "<=")
     base = with_torques(base, given)
     limits = tuple(each for each in limits if each not in given)
+    if any(each.quantity.name == PROBABILITY and each.kind == "<=" for each in limits):
+        raise InputError(f'limits.{PROBABILITY}: need a lower limit, such as ">= 95 %"')
     objectives = _objectives(flat_table(tables, "objectives"), base)
     deviations = deviations_within(
         flat_table(tables, "tolerances", keep=("distribution", "size", "intervals_of")), base, folder

@@ -1,35 +1,9 @@
 """What it means that no sample meets two facts: shares with intervals, and when none says nothing."""
 
 import numpy as np
-import pytest
-from scipy import stats
 
 from forficula.goals.identify.directed import directed_shares, misses, open_targets
-from forficula.goals.identify.exclusion import (
-    Together,
-    agreeing,
-    best_subsets,
-    pairs_of,
-    share_interval,
-    smallest_unmet,
-)
-
-
-@pytest.mark.parametrize("share", [0.02, 0.1, 0.5])
-def test_intervals_of_shares_hold_the_share_as_often_as_they_say(share):
-    # by the binomial distribution itself, over all that 60 samples can be
-    counts = np.arange(61)
-    holds = [low <= share <= high for low, high in (share_interval(int(count), 60) for count in counts)]
-    assert stats.binom.pmf(counts, 60, share)[holds].sum() >= 0.95
-
-
-@pytest.mark.parametrize("count", [30, 100, 1000])
-def test_of_none_at_all_the_share_is_below_three_by_the_samples(count):
-    low, high = share_interval(0, count)
-    assert low == 0
-    assert high == pytest.approx(3 / count, rel=0.06)
-    # the largest share of which none at all comes in one of twenty
-    assert (1 - high) ** count == pytest.approx(0.05)
+from forficula.goals.identify.exclusion import Together, agreeing, best_subsets, pairs_of, smallest_unmet
 
 
 def test_pairs_are_told_by_what_would_be_expected():

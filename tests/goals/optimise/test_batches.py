@@ -170,6 +170,17 @@ def test_what_cannot_be_met_is_told_by_what_would_have_to_give():
     assert nearest_trial(trials).violation == pytest.approx(0.2, abs=5e-3)
 
 
+def test_of_a_limit_that_rules_everything_out_the_others_are_not_said_to_fail():
+    ruled_out = [Trial(point=(x,), objectives=(math.nan,), margins=(x - 0.5, math.nan)) for x in (0.1, 0.3)]
+    cheap, dear = relaxations(ruled_out)
+    assert (cheap.best, cheap.unseen) == (-0.2, -0.2)
+    assert math.isnan(cheap.alone)
+    assert math.isnan(dear.best)
+    run = Trial(point=(0.9,), objectives=(1.0,), margins=(0.4, -0.1))
+    cheap, dear = relaxations([*ruled_out, run])
+    assert (cheap.best, cheap.unseen, dear.alone) == (0.4, -0.2, -0.1)
+
+
 def test_limits_that_were_not_looked_at_rank_behind_those_that_failed():
     near = Trial(point=(0.1,), objectives=(1.0,), margins=(0.5, -0.9))
     ruled_out = Trial(point=(0.2,), objectives=(math.nan,), margins=(-0.01, math.nan))

@@ -97,7 +97,7 @@ ROBUST = STATICS | {
     "vary": {AREA: {"low": "1 mm^2", "high": "20 mm^2"}},
     "limits": {"hinge_holding_torque": ">= 8 N cm", "probability": ">= 95 %"},
     "tolerances": {AREA: "10 %"},
-    "search": {"runs": 32, "batch": 8, "neighbours": 16},
+    "search": {"runs": 56, "batch": 8, "neighbours": 16},
 }
 
 

@@ -1,5 +1,6 @@
 """Rows of runs whose margins are a closed form of the design's values, in place of a simulation."""
 
+import time
 from dataclasses import replace
 
 import numpy as np
@@ -19,11 +20,12 @@ def uniform(key, size=0.1):
 
 
 class ClosedForm:
-    """Works where a function of the offsets is above 0; counts its runs, and may be killed after some."""
+    """Works where a function of the offsets is above 0; counts its runs, takes time, s, and may be killed."""
 
-    def __init__(self, base, deviations, margin, *, untrusted=None, killed_after=None):
+    def __init__(self, base, deviations, margin, *, untrusted=None, killed_after=None, pause=0.0):
         self.base, self.deviations, self.margin = base, deviations, margin
         self.untrusted, self.killed_after = untrusted or (lambda _: False), killed_after
+        self.pause = pause
         self.own = np.array([key_value(base, each.key) for each in deviations])
         self.widths = deviation_widths(base, deviations)
         self.transitions = structure_of(base).transitions
@@ -38,6 +40,7 @@ class ClosedForm:
             if self.killed_after is not None and self.runs >= self.killed_after:
                 raise KeyboardInterrupt
             self.runs += 1
+            time.sleep(self.pause)
             yield self.row(design)
 
     def row(self, design):

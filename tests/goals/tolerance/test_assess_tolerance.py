@@ -13,7 +13,8 @@ from forficula.goals.tolerance import assess_tolerance, estimate_tolerance
 from forficula.goals.tolerance.advice import advice, most_telling
 from forficula.goals.tolerance.nearest_failure import Answer
 from forficula.goals.tolerance.plan import PLANS
-from forficula.goals.tolerance.saved_plan import kept_plan
+from forficula.goals.tolerance.question_file import question_of
+from forficula.goals.tolerance.saved_plan import kept_plan, saved_plan
 from forficula.goals.tolerance.tolerance_table import tolerance_table
 from tests.goals.tolerance.closed_form import (
     EDGE,
@@ -201,6 +202,14 @@ def test_the_first_runs_settle_the_plan_and_it_stays(design, tmp_path):
     assert kept_plan(tmp_path, replace(question, deviations=question.deviations[:4]), 0.3, 1) is None
 
 
+def test_a_folder_that_has_the_first_runs_does_not_take_them_for_fast(design, tmp_path):
+    """Half a second is not enough for what has 256 points, whatever the folder had time for before."""
+    with pytest.raises(KeyboardInterrupt):
+        assess_tolerance(asked(design), tmp_path, cluster=ClosedForm(design, FACTORS, line, killed_after=300))
+    slow = ClosedForm(design, FACTORS, line, pause=0.02)
+    assert assess_tolerance(asked(design), tmp_path, minutes=0.5 / 60, cluster=slow).plan in PLANS[4:]
+
+
 def test_two_processes_that_share_the_runs_come_to_the_same(design, folder, tmp_path, found):
     """Each finds the rows of the other in its folder, here of one that went before."""
     shared = tmp_path / "shared"
@@ -224,3 +233,30 @@ def test_an_estimate_runs_a_few_and_writes_nothing(design, tmp_path):
     assert most == plan.most_runs(5)
     assert seconds > 0
     assert not (tmp_path / "not-there").exists()
+
+
+def test_what_a_tolerance_would_have_beyond_a_keys_bounds_is_built_at_the_bound_and_told(design, tmp_path):
+    """A crease that stops at 175 deg, 10 % uniform: without its bound of 180 deg, 36 % of them lay beyond it."""
+    keys = ("crease.fold_limit", "facet.thickness")
+    question = question_of(design, dict.fromkeys(keys, "10 %"))
+    plan = replace(PLANS[-1], points=64, cells=5)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("forficula.goals.tolerance.saved_plan.PLANS", (plan,))
+        saved_plan(tmp_path, question, 5.0, 0, plan)
+        built = ClosedForm(design, question.deviations, lambda offsets: 0.3 + 0.1 * offsets[1] + 0.01 * offsets[0])
+        found = assess_tolerance(question, tmp_path, cluster=built)
+    table = tolerance_table(found)
+    limits = table["crease_fold_limit"].values
+    assert limits.max() == pytest.approx(np.pi, rel=1e-12)
+    at_bound = int(np.sum(np.isclose(limits, np.pi, rtol=1e-12)))
+    assert at_bound == pytest.approx(64 * (1 - 5 / 17.5) / 2, abs=2)
+    assert table["map_x" if found.map.first == 0 else "map_y"].values.max() <= np.pi * (1 + 1e-12)
+    says = f"crease.fold_limit cannot go beyond 180 deg: {at_bound} of 64 designs have that value"
+    assert any(each.startswith(says) for each in advice(found))
+    assert not any("facet.thickness cannot" in each for each in advice(found))
+
+
+@pytest.mark.parametrize(("minutes", "seed", "says"), [(0, 0, "minutes: need"), (5.0, -1, "seed: need")])
+def test_an_estimate_refuses_what_the_tolerance_would(design, tmp_path, minutes, seed, says):
+    with pytest.raises(InputError, match=says):
+        estimate_tolerance(asked(design), tmp_path, minutes, seed)

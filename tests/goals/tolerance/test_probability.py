@@ -7,7 +7,7 @@ import pytest
 from scipy import special, stats
 
 from forficula.goals.tolerance.points import two_samples
-from forficula.goals.tolerance.probability import probability
+from forficula.goals.tolerance.probability import probability, surely_less
 
 REPETITIONS = 200
 POINTS = 256
@@ -107,3 +107,20 @@ def test_where_no_run_tells_anything_is_possible():
 def test_no_runs_are_no_estimate():
     with pytest.raises(ValueError, match="need runs"):
         probability(0, 0)
+
+
+def test_where_no_factor_matters_one_of_its_sides_fails_surely_more_in_no_more_than_one_of_twenty():
+    factors, samples, named = 21, 384, 0
+    for seed in range(REPETITIONS):
+        generator = np.random.default_rng(seed)
+        works, low = generator.random(samples) < 0.8, generator.random((factors, samples)) < 0.5
+        sides = [
+            [probability(int(works[side].sum()), int((~works[side]).sum())) for side in (each, ~each)] for each in low
+        ]
+        named += any(surely_less(*pair, 2 * factors) for each in sides for pair in (each, each[::-1]))
+    assert named / REPETITIONS <= 0.05 + 3 * math.sqrt(0.05 * 0.95 / REPETITIONS)
+
+
+def test_a_side_that_fails_far_more_often_is_surely_less():
+    assert surely_less(probability(100, 92), probability(190, 2), 42)
+    assert not surely_less(probability(190, 2), probability(100, 92), 42)

@@ -8,12 +8,12 @@ from enum import StrEnum
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import stats
+
+from forficula.goals.share_interval import largest_share
 
 Mask = NDArray[np.bool_]
 Array = NDArray[np.float64]
 
-CONFIDENCE = 0.95
 # what would be expected of two facts that have nothing to do with one another: with so many, a chance of 5 % that none
 # comes
 _ENOUGH = 3.0
@@ -39,7 +39,7 @@ class Pair:
         drawn: how many of the drawn samples meet both.
         placed: how many of the placed ones do.
         expected: how many of the drawn ones would, did the one not mind the other.
-        most: upper end of the share of the priors that meets both, at 95 %.
+        most: largest share of the priors that may meet both, at a one-sided 95 %.
         verdict: what follows.
     """
 
@@ -50,27 +50,6 @@ class Pair:
     expected: float
     most: float
     verdict: Together
-
-
-def share_interval(count: int, of: int) -> tuple[float, float]:
-    """The share of the priors that meets something, as drawn samples bound it at 95 % (Clopper and Pearson 1934).
-
-    Of none at all the upper end is one-sided, 1 - 0.05^(1/n), about 3/n: the rule of three (Hanley and Lippman-Hand
-    1983). Sobol points are more even than independent ones, for which the interval is made.
-
-    Args:
-        count: how many samples meet it.
-        of: how many there are.
-    """
-    if of == 0:
-        return 0.0, 1.0
-    if count == 0:
-        return 0.0, float(1 - (1 - CONFIDENCE) ** (1 / of))
-    if count == of:
-        return float((1 - CONFIDENCE) ** (1 / of)), 1.0
-    outside = (1 - CONFIDENCE) / 2
-    low = stats.beta.ppf(outside, count, of - count + 1)
-    return float(low), float(stats.beta.ppf(1 - outside, count + 1, of - count))
 
 
 def pairs_of(met: Mask, placed: Mask) -> list[Pair]:
@@ -93,7 +72,7 @@ def pairs_of(met: Mask, placed: Mask) -> list[Pair]:
                 drawn=both,
                 placed=later,
                 expected=expected,
-                most=share_interval(both, len(drawn))[1],
+                most=largest_share(both, len(drawn)),
                 verdict=_verdict(both, later, expected, bool(met[:, one].any() and met[:, other].any())),
             )
         )

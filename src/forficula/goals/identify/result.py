@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from forficula.goals.identify.exclusion import agreeing, best_subsets, pairs_of, share_interval, smallest_unmet
+from forficula.goals.identify.exclusion import agreeing, best_subsets, pairs_of, smallest_unmet
 from forficula.goals.identify.fact import Fact
 from forficula.goals.identify.fact_text import asked_text
 from forficula.goals.identify.identify import Sample, excess_of, fact_scales, met_of
 from forficula.goals.identify.observations import Observations
+from forficula.goals.share_interval import share_interval
 from forficula.quantities import parse_quantity
 from forficula.study.factors import Factor
 

@@ -16,7 +16,7 @@ from forficula.goals.deviation import off_values
 from forficula.goals.goal import Goal
 from forficula.goals.latin_points import latin_points
 from forficula.goals.optimise.screening import screened
-from forficula.goals.tolerance.probability import probability
+from forficula.goals.share_interval import share_interval
 
 # Neighbours that are asked first; each time after that twice as many are known.
 _FIRST = 8
@@ -45,9 +45,8 @@ class Neighbours:
 
     @property
     def interval(self) -> tuple[float, float]:
-        """The 95 % interval of the probability that one works."""
-        found = probability(self.works, self.tried - self.works)
-        return found.low, found.high
+        """Of the share, at 95 %."""
+        return share_interval(self.works, self.tried)
 
 
 def neighbour_offsets(goal: Goal, count: int, seed: int) -> NDArray[np.float64]:

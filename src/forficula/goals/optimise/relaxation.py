@@ -19,12 +19,15 @@ class Relaxation:
         best: the greatest margin that any trial has; nan where none was looked at.
         alone: the greatest margin of trials that meet all others, so that nothing else would have to give; nan where
             there are none.
-        trial: that has it, or None.
+        unseen: the greatest margin of trials that are known to fail no other but were not asked all others, for this
+            one failed before; nan where there are none.
+        trial: that has `alone`, or None.
     """
 
     limit: int
     best: float
     alone: float
+    unseen: float
     trial: Trial | None
 
 
@@ -41,13 +44,22 @@ def nearest_trial(trials: Sequence[Trial]) -> Trial | None:
 
 def _relaxation(trials: Sequence[Trial], number: int) -> Relaxation:
     known = [trial for trial in trials if not math.isnan(trial.margins[number])]
-    alone = [
-        trial for trial in known if all(margin >= 0 for other, margin in enumerate(trial.margins) if other != number)
+    alone = [trial for trial in known if all(margin >= 0 for margin in _others(trial, number))]
+    unseen = [
+        trial.margins[number]
+        for trial in known
+        if trial not in alone and not any(margin < 0 for margin in _others(trial, number))
     ]
     best = max(alone, key=lambda trial: trial.margins[number], default=None)
     return Relaxation(
         limit=number,
         best=max((trial.margins[number] for trial in known), default=math.nan),
         alone=math.nan if best is None else best.margins[number],
+        unseen=max(unseen, default=math.nan),
         trial=best,
     )
+
+
+def _others(trial: Trial, number: int) -> list[float]:
+    """The margins of all limits but one."""
+    return [margin for other, margin in enumerate(trial.margins) if other != number]

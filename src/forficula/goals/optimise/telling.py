@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 
+from forficula.design import Design
 from forficula.goals.goal import Goal
 from forficula.goals.limit import Limit
 from forficula.goals.margins import own_limits
@@ -11,7 +13,7 @@ from forficula.goals.optimise.candidate import Candidate, trial_of, wanted_share
 from forficula.goals.optimise.neighbours import Neighbours
 from forficula.goals.optimise.optimum import Optimum
 from forficula.goals.optimise.relaxation import Relaxation, nearest_trial
-from forficula.goals.optimise.verification import FINER, Verification
+from forficula.goals.optimise.verification import Verification
 from forficula.quantities import show_quantity
 
 
@@ -41,12 +43,12 @@ def _answer(found: Optimum) -> str:
     asked = " and ".join(f"the {each.kind} {each.quantity.name}" for each in goal.objectives)
     if not found.best:
         what = "holds when it is verified" if found.discarded else "meets every limit"
-        return f"none of {count} designs {what}"
+        return f"none of {counted(count, 'design')} {what}"
     if len(goal.objectives) > 1:
-        return f"{len(found.best)} designs of the front of {asked}, of {count} that were tried"
+        return f"{counted(len(found.best), 'design')} of the front of {asked}, of {count} that were tried"
     best = found.best[0].candidate
     values = ", ".join(f"{key} = {value}" for key, value in best.values.items())
-    return f"{asked} of {count} designs: {', '.join(value_texts(goal, best))}, with {values}"
+    return f"{asked} of {counted(count, 'design')}: {', '.join(value_texts(goal, best))}, with {values}"
 
 
 def _verified(best: tuple[Verification, ...]) -> str:
@@ -75,7 +77,7 @@ def _discarded(found: Optimum) -> list[str]:
     coarse = sum(each.finer is not None and not each.finer.meets for each in found.discarded)
     said = []
     if coarse:
-        said.append(f"{coarse} that looked better did not do it at a {FINER}th of the timestep")
+        said.append(f"{coarse} that looked better did not do it at a quarter of the timestep")
     if len(found.discarded) > coarse:
         said.append(f"{len(found.discarded) - coarse} that looked better had too few fresh neighbours that work")
     return ["; ".join(said)]
@@ -88,15 +90,20 @@ def _missing(found: Optimum) -> list[str]:
     said: list[str] = []
     meeting = [each for each in found.candidates if each.found.meets]
     named = [*limits, None] if goal.simulate else limits
-    said += [_relaxed(found, each, named[each.limit]) for each in found.relaxations]
-    if wanted is not None and meeting:
+    said += _not_built(found)
+    if all(isinstance(each.found.design, str) for each in found.candidates):
+        return said
+    if not meeting:
+        said += [_relaxed(found, each, named[each.limit]) for each in found.relaxations]
+        said += _outcomes(found)
+    elif wanted is not None and not found.discarded:
         asked = [each.neighbours for each in meeting if each.neighbours is not None]
         whole = [each for each in asked if each.tried == each.wanted] or asked
         best = max((each.share for each in whole), default=0.0)
-        said = [
-            f"{len(meeting)} designs meet all limits themselves, but of their neighbours at best {100 * best:.3g} %"
-            f" work, where {show_quantity(wanted.bound, wanted.quantity.unit)} are wanted:"
-            " widen the limits, tighten the tolerances, or want less"
+        said += [
+            f"{counted(len(meeting), 'design')} {'meets' if len(meeting) == 1 else 'meet'} all limits alone, but of the"
+            f" neighbours at best {100 * best:.3g} % work, where {show_quantity(wanted.bound, wanted.quantity.unit)}"
+            " are wanted: widen the limits, tighten the tolerances, or want less"
         ]
     nearest = nearest_trial([trial_of(goal, each) for each in found.candidates])
     if nearest is not None:
@@ -106,30 +113,64 @@ def _missing(found: Optimum) -> list[str]:
     return said
 
 
+def _not_built(found: Optimum) -> list[str]:
+    """How many designs there are not, and the most frequent reason."""
+    why = [each.found.design for each in found.candidates if isinstance(each.found.design, str)]
+    if not why:
+        return []
+    (reason, _), *_ = Counter(why).most_common()
+    return [f"{len(why)} of {counted(len(found.candidates), 'design')} cannot be built: {reason}"]
+
+
+def _outcomes(found: Optimum) -> list[str]:
+    """What those that were run and do not work mostly came to."""
+    run = [each.found for each in found.candidates if isinstance(each.found.design, Design)]
+    failed = Counter(str(each.row["outcome"]) for each in run if each.works <= 0 and "outcome" in each.row)
+    if not failed:
+        return []
+    (outcome, number), *_ = failed.most_common()
+    return [f"of {counted(failed.total(), 'run')} that did not work {number} ended with: {outcome}"]
+
+
 def _relaxed(found: Optimum, relaxation: Relaxation, limit: Limit | None) -> str:
     name = "that it works" if limit is None else str(limit)
     if math.isnan(relaxation.best):
         return f"{name}: was never looked at, for something before it always failed"
+    if relaxation.trial is None and relaxation.unseen < 0:
+        return (
+            f"{name}: is missed by {_missed(relaxation.unseen)} at best where no other is known to fail; of such"
+            " designs the dearer limits were not looked at"
+        )
     if relaxation.trial is None:
-        best = "is met by some" if relaxation.best >= 0 else f"is missed by {100 * -relaxation.best:.3g} % at best"
+        best = "is met by some" if relaxation.best >= 0 else f"is missed by {_missed(relaxation.best)} at best"
         return f"{name}: {best}, and no design meets all the others"
     candidate = next(each for each in found.candidates if each.point == relaxation.trial.point)
     value = None if limit is None else candidate.value(limit.quantity)
     came = "" if limit is None or value is None else f", {show_quantity(value, limit.quantity.unit)}"
-    missed = f"{100 * -relaxation.alone:.3g} %"
+    missed = _missed(relaxation.alone)
     return f"{name}: where all others are met it is missed by {missed} at best{came}; it would have to give"
 
 
 def _effort(found: Optimum) -> str:
     effort = found.effort
-    said = [f"{effort.tried} designs tried"]
+    said = [f"{counted(effort.tried, 'design')} tried"]
     if effort.simulated:
         said.append(f"{effort.runs} of them run")
         if effort.spared_runs:
             by = ", ".join(f"{count} by {source}" for source, count in effort.ruled_out.items())
             said.append(f"{effort.spared_runs} ruled out before any run ({by})")
     if effort.neighbour_runs or effort.spared_neighbours:
-        said.append(f"{effort.neighbour_runs} neighbours run, {effort.spared_neighbours} spared")
+        said.append(f"{counted(effort.neighbour_runs, 'neighbour')} run, {effort.spared_neighbours} spared")
     if effort.verification_runs:
-        said.append(f"{effort.verification_runs} runs to verify")
+        said.append(f"{counted(effort.verification_runs, 'run')} to verify")
     return ", ".join(said)
+
+
+def _missed(margin: float) -> str:
+    """By how much a limit is missed: margins go no farther than a whole bound."""
+    return "100 % or more" if margin <= -1 else f"{100 * -margin:.3g} %"
+
+
+def counted(number: int, what: str) -> str:
+    """A number of something, such as "1 run" or "2 runs"."""
+    return f"{number} {what}" if number == 1 else f"{number} {what}s"

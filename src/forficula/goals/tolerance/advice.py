@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from forficula.goals.tolerance.probability import Probability
+from forficula.goals.tolerance.probability import Probability, surely_less
 from forficula.goals.tolerance.tolerance import Tolerance
 
 # groups that decide less of the variance than this may be made as roughly as they are
@@ -30,6 +30,7 @@ def advice(found: Tolerance) -> list[str]:
         *_side(found),
         *_near(found),
         *_doubtful(found),
+        *_bounded(found),
     ]
     return [*told, *_assumed(found)]
 
@@ -134,7 +135,7 @@ def _side(found: Tolerance) -> list[str]:
     sides = []
     for factor, each in enumerate(found.narrowed):
         for way, one, other in (("larger", each.below, each.above), ("smaller", each.above, each.below)):
-            if one.share is not None and other.share is not None and one.high < other.low:
+            if one.share is not None and other.share is not None and surely_less(one, other, 2 * len(found.narrowed)):
                 sides.append((one.share - other.share, factor, way))
     if not sides:
         return []
@@ -180,6 +181,20 @@ def _doubtful(found: Tolerance) -> list[str]:
         f"{runs} not to be trusted, or cannot be built: the intervals hold whatever they would have come to,"
         " and their margin counts as -1."
     ]
+
+
+def _bounded(found: Tolerance) -> list[str]:
+    """Of which values the tolerance goes beyond what their keys allow, and how many designs are at that bound."""
+    told, question = [], found.question
+    for factor, key in enumerate(question.keys):
+        offsets = found.samples.offsets[:, factor]
+        for end, beyond in zip(question.reach(factor), (np.less, np.greater), strict=True):
+            if count := int(np.sum(beyond(offsets, end))):
+                told.append(
+                    f"{key} cannot go beyond {question.value_text(factor, end)}: {count} of {len(offsets)} designs have"
+                    " that value instead of one farther off, as its tolerance would have it."
+                )
+    return told
 
 
 def _assumed(found: Tolerance) -> list[str]:

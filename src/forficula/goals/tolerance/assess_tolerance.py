@@ -69,10 +69,7 @@ def assess_tolerance(
     """
     if not question.deviations:
         raise InputError(f"tolerances: need at least one, {question.design.name} has none")
-    if isinstance(minutes, bool) or not isinstance(minutes, int | float) or not 0 < minutes < np.inf:
-        raise InputError(f"minutes: need a number > 0, got {as_written(minutes)}")
-    if not is_whole(seed, 0):
-        raise InputError(f"seed: need a whole number >= 0, got {as_written(seed)}")
+    _check(minutes, seed)
     trials = _Trials(question=question, progress=progress)
     with open_assessor(
         out, question.design, shard=shard, threads=threads, cluster=cluster, progress=trials.tell
@@ -94,7 +91,11 @@ def estimate_tolerance(
         out: folder with the rows, if there are any.
         minutes: how long it may take.
         seed: of the points.
+
+    Raises:
+        InputError: a number is not allowed.
     """
+    _check(minutes, seed)
     factors = len(question.deviations)
     few = question.offsets(two_samples(factors, _TIMED, seed)[0]).tolist()
     designs = [built_design(question.design, off_values(question.design, question.deviations, each)) for each in few]
@@ -104,6 +105,13 @@ def estimate_tolerance(
     plan = kept_plan(Path(out), question, minutes, seed) or plan_within(factors, seconds, 60 * minutes)
     most = plan.most_runs(factors)
     return plan, most, most * seconds
+
+
+def _check(minutes: object, seed: object) -> None:
+    if isinstance(minutes, bool) or not isinstance(minutes, int | float) or not 0 < minutes < np.inf:
+        raise InputError(f"minutes: need a number > 0, got {as_written(minutes)}")
+    if not is_whole(seed, 0):
+        raise InputError(f"seed: need a whole number >= 0, got {as_written(seed)}")
 
 
 @dataclass(kw_only=True)
@@ -142,13 +150,14 @@ def _plan(trials: _Trials, folder: Path, minutes: float, seed: int) -> Plan:
     if (kept := kept_plan(folder, question, minutes, seed)) is not None:
         return kept
     factors = len(question.deviations)
-    first, _ = two_samples(factors, PLANS[0].points, seed)
+    # of a folder that has the first sample from before, the second one
+    points = np.concatenate(two_samples(factors, PLANS[0].points, seed))
     trials(np.zeros((1, factors)))
     few, seconds = PLANS[-1].points, 0.0
-    for begin in range(0, len(first), few):
+    for begin in range(0, len(points), few):
         assert trials.assessor is not None
         before, start = trials.assessor.wanted, time.monotonic()
-        trials(question.offsets(first[begin : begin + few]))
+        trials(question.offsets(points[begin : begin + few]))
         if (new := trials.assessor.wanted - before) >= _TIMED:
             seconds = (time.monotonic() - start) / new
             break
@@ -281,7 +290,13 @@ def _map(trials: _Trials, plan: Plan, factors: Sequence[int]) -> VerdictMap | No
     if not plan.cells or len(factors) < 2:
         return None
     deviations = trials.question.deviations
-    steps = np.stack([np.linspace(-1, 1, plan.cells) * _MAP_REACH[deviations[each].distribution] for each in factors])
+    steps = np.stack([np.linspace(*_map_ends(trials.question, each), plan.cells) for each in factors])
     offsets = np.zeros((plan.cells**2, len(deviations)))
     offsets[:, factors[0]], offsets[:, factors[1]] = np.repeat(steps[0], plan.cells), np.tile(steps[1], plan.cells)
     return VerdictMap(first=factors[0], second=factors[1], steps=steps, samples=trials(offsets))
+
+
+def _map_ends(question: Question, factor: int) -> tuple[float, float]:
+    """How far the map goes down and up, in widths: no farther than the key allows."""
+    far, (down, up) = _MAP_REACH[question.deviations[factor].distribution], question.reach(factor)
+    return max(-far, down), min(far, up)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
 
-from forficula.goals.tolerance.probability import LEVEL
+from forficula.goals.share_interval import LEVEL
 
 Values = NDArray[np.float64]
 
@@ -96,7 +96,7 @@ def line_indices(
 ) -> Indices:
     """Estimate which share of a result's variance a straight line over each factor has, where there is no more time.
 
-    From a plane over all factors at once, by least squares, for columns of few Sobol points are correlated; the square
+    From a plane over all factors at once, by least squares, for columns of few points are correlated; the square
     of each slope less that of its standard error, which is what it is by chance. Of a sum of straight lines it is the
     first-order index. There are no total indices from one sample, and NaN everywhere of fewer rows than twice the
     unknowns of the plane.

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
 
-from forficula.goals.tolerance.probability import LEVEL, Probability, probability
+from forficula.goals.share_interval import LEVEL
+from forficula.goals.tolerance.probability import Probability, probability
 
 Values = NDArray[np.float64]
 Booleans = NDArray[np.bool_]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from scipy import stats
 
-LEVEL = 0.95
+from forficula.goals.share_interval import LEVEL, share_interval
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -38,7 +38,7 @@ class Probability:
 def probability(works: int, fails: int, unknown: int = 0) -> Probability:
     """Estimate a probability from runs at random points.
 
-    The interval is the exact one of Clopper and Pearson (1934, doi:10.1093/biomet/26.4.404): of independent points it
+    The interval is the exact one of `share_interval`: of independent points it
     holds the probability at least 95 times in 100, however near to 0 or 1 that is, where Wilson's does so only on
     average. Points of a Latin hypercube scatter hardly more than independent ones, and mostly less (Owen 1997,
     doi:10.1137/S0036142994277468), so that it mostly holds more often still. Runs that tell nothing widen it by all
@@ -61,12 +61,18 @@ def probability(works: int, fails: int, unknown: int = 0) -> Probability:
         fails=fails,
         unknown=unknown,
         share=works / told if told else None,
-        low=_interval(works, count)[0],
-        high=_interval(works + unknown, count)[1],
+        low=share_interval(works, count)[0],
+        high=share_interval(works + unknown, count)[1],
     )
 
 
-def _interval(works: int, count: int) -> tuple[float, float]:
-    """Ends of the exact interval."""
-    found = stats.binomtest(works, count).proportion_ci(confidence_level=LEVEL, method="exact")
-    return float(found.low), float(found.high)
+def surely_less(one: Probability, other: Probability, looks: int) -> bool:
+    """Whether one is less than another beyond chance, by Fisher's exact test.
+
+    Args:
+        one: from some samples.
+        other: from others.
+        looks: how many such pairs are looked at, of which in all no more than 5 in 100 may differ by chance.
+    """
+    counts = [[one.works, one.fails], [other.works, other.fails]]
+    return bool(stats.fisher_exact(counts, alternative="less").pvalue < (1 - LEVEL) / looks)

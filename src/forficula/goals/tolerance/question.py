@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from forficula.design import Design, key_quantity, key_value
-from forficula.goals.deviation import Deviation
+from forficula.goals.deviation import Deviation, allowed_ends
 from forficula.goals.limit import Limit
 from forficula.goals.outcome_quantity import SOURCES, Source
 from forficula.goals.tolerance.points import Points
@@ -61,6 +61,13 @@ class Question:
             if not (quantity.at_least <= value <= quantity.at_most and quantity.above < value < quantity.below):
                 return False
         return True
+
+    def reach(self, factor: int) -> tuple[float, float]:
+        """How far down, <= 0, and up, >= 0, the key of a factor allows it to go, in widths."""
+        own = float(key_value(self.design, self.keys[factor]))
+        width = self.deviations[factor].width(own)
+        low, high = allowed_ends(self.design, self.keys[factor])
+        return ((low - own) / width, (high - own) / width) if width else (-np.inf, np.inf)
 
     def value_text(self, factor: int, offset: float) -> str:
         """A factor's value that is so many widths off, with its unit."""

@@ -9,7 +9,7 @@ import xarray
 
 from forficula.design import key_quantity, key_value
 from forficula.displayed import Displayed
-from forficula.goals.deviation import deviation_widths
+from forficula.goals.deviation import allowed_ends, deviation_widths
 from forficula.goals.tolerance.advice import advice
 from forficula.goals.tolerance.indices import Indices
 from forficula.goals.tolerance.nearest_failure import Answer, Reach
@@ -139,7 +139,8 @@ def _values(found: Tolerance) -> dict[str, Any]:
     columns: dict[str, Any] = {}
     for factor, key in enumerate(found.question.keys):
         own, width = _own(found.question, factor)
-        values = own + width * found.samples.offsets[:, factor]
+        # what no key allows was built with the nearest value that it does
+        values = np.clip(own + width * found.samples.offsets[:, factor], *allowed_ends(found.question.design, key))
         columns[key.replace(".", "_")] = ("sample", values, _attributes(found.question, factor))
     return columns
 

@@ -13,7 +13,7 @@ import numpy as np
 from forficula.csv_text import csv_text
 from forficula.design import key_value, save_design
 from forficula.dynamics import versions
-from forficula.files import write_bytes, write_text
+from forficula.files import replacing_all, write_bytes, write_text
 from forficula.goals.deviation import deviation_widths
 from forficula.goals.tolerance import Tolerance
 from forficula.goals.tolerance.advice import advice, most_telling
@@ -37,7 +37,7 @@ TOLERANCE_FILE, TOLERANCE_TABLE = "tolerance.json", "tolerance.nc"
 
 
 def write_tolerance(found: Tolerance, folder: Path) -> Dataset:
-    """Write design.toml, tolerance.json, tolerance.nc, table.csv and the figures.
+    """Write design.toml, tolerance.json, tolerance.nc, table.csv and the figures; all of them, or none.
 
     Args:
         found: what the runs say.
@@ -50,12 +50,17 @@ def write_tolerance(found: Tolerance, folder: Path) -> Dataset:
         InputError: the folder cannot be written.
     """
     table = tolerance_table(found)
+    with replacing_all(folder) as unfinished:
+        _write_files(found, table, unfinished)
+    return table
+
+
+def _write_files(found: Tolerance, table: Dataset, folder: Path) -> None:
     save_design(found.question.design, folder / "design.toml")
     write_text(folder / TOLERANCE_FILE, json.dumps(tolerance_json(found), indent=2, ensure_ascii=False) + "\n")
     write_text(folder / "table.csv", _samples_csv(table))
     write_bytes(folder / TOLERANCE_TABLE, table.to_netcdf(engine="h5netcdf"))
     save_figures(tolerance_drawings(table), folder)
-    return table
 
 
 def write_tolerance_report(found: Tolerance, kept: Iterable[KeptRun], count: int, folder: Path) -> None:

@@ -90,7 +90,9 @@ def _row(row: BarRow, scale: tuple[float, float], line: float) -> str:
 def _drawn(bar: Bar, scale: tuple[float, float]) -> str:
     start, end = sorted((_share(bar.start, scale), _share(bar.end, scale)))
     low, high = _share(bar.low, scale), _share(bar.high, scale)
-    about = f'<i style="left:{low:.2f}%;width:{high - low:.2f}%"></i>' if high > low else ""
+    # an interval that goes on beyond the scale has no end there
+    cut = "cut" if bar.high > scale[1] else ""
+    about = f'<i class="{cut}" style="left:{low:.2f}%;width:{high - low:.2f}%"></i>' if high > low else ""
     return f'<b class="{bar.kind}" style="left:{start:.2f}%;width:{end - start:.2f}%"></b>{about}'
 
 

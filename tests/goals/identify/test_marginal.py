@@ -1,0 +1,43 @@
+"""Which unknowns facts tell something of, among many of which they tell nothing."""
+
+import numpy as np
+import xarray
+
+from forficula.goals.identify.marginal import marginals
+
+REPETITIONS, UNKNOWNS, SAMPLES = 200, 15, 256
+
+
+def result(shares, agrees):
+    """Samples at shares, (samples, unknowns), of which some agree."""
+    count = len(shares)
+    return xarray.Dataset(
+        {
+            "agrees": ("sample", agrees),
+            "directed": ("sample", np.zeros(count, dtype=bool)),
+            "status": ("sample", np.full(count, "ran", dtype=object)),
+        },
+        coords={
+            name: ("sample", column, {"key": name})
+            for number, column in enumerate(shares.T)
+            for name in (f"u{number}", f"u{number}_share")
+        },
+        attrs={"unknowns": [f"u{number}" for number in range(shares.shape[1])]},
+    )
+
+
+def test_where_facts_tell_nothing_any_of_many_unknowns_is_told_in_no_more_than_one_of_twenty():
+    told = 0
+    for seed in range(REPETITIONS):
+        shares = np.random.default_rng(seed).random((SAMPLES, UNKNOWNS))
+        told += any(each.told for each in marginals(result(shares, np.arange(SAMPLES) < SAMPLES // 10)))
+    # 0.05, and three of its standard errors
+    assert told / REPETITIONS <= 0.05 + 3 * np.sqrt(0.05 * 0.95 / REPETITIONS)
+
+
+def test_the_one_that_decides_is_told_first_with_where_it_lies():
+    shares = np.random.default_rng(0).random((SAMPLES, UNKNOWNS))
+    first, *others = marginals(result(shares, shares[:, 7] < 0.2))
+    assert (first.name, first.told) == ("u7", True)
+    assert first.agrees[1] < 0.2
+    assert not any(each.told for each in others)

@@ -1,0 +1,201 @@
+"""Pages of goals hold what was asked, what came out, and nothing that a text could smuggle in."""
+
+import html
+import json
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from forficula.goals.kept_designs import designs_to_keep
+from forficula.goals.optimise.kept_candidates import candidates_to_keep
+from forficula.show.page.bars import BarRow, bar, bar_table
+from forficula.show.page.goal_page import goal_page, shown_candidate
+from forficula.show.page.identify_page import identify_page, telling_unknowns
+from forficula.show.page.rich_html import LaidOut
+from forficula.show.page.tolerance_page import ranked_keys, tolerance_page
+
+NOTHING = LaidOut(heading="", tables=(), sentences=())
+
+
+@pytest.fixture(scope="module")
+def optimised(goals):
+    return goals["optimise"][0]
+
+
+@pytest.fixture(scope="module")
+def optimum_page(goals):
+    return goals["optimise"][1].read_text("utf-8")
+
+
+@pytest.fixture(scope="module")
+def built(goals):
+    return goals["tolerance"][0]
+
+
+def data(page):
+    return json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)[1])
+
+
+def cells(page, caption):
+    """The texts of a table's rows, without notes."""
+    found = re.search(rf"<caption>{caption}.*?<tbody>(.*?)</tbody>", page, re.DOTALL)[1]
+    rows = [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row, re.DOTALL) for row in re.findall(r"<tr>(.*?)</tr>", found)]
+    return [[html.unescape(re.sub(r"<small>.*?</small>|<[^>]+>", "", cell)) for cell in row] for row in rows]
+
+
+def values(page, name):
+    """A column of what the script has, by a factor's key or a quantity's name."""
+    study = data(page)["study"]
+    named = [each for each in study["factors"] if each["key"] == name]
+    return np.array((named or [each for each in study["quantities"] if each["name"] == name])[0]["values"], dtype=float)
+
+
+def test_every_design_that_was_tried_is_on_the_page_in_the_units_of_its_goal(optimised, optimum_page):
+    table = optimised.table
+    for name, factor in (("tendon.rest_length", 100), ("mass", 1e3), ("hinge_holding_torque", 100), ("margin", 100)):
+        column = table[name.replace(".", "_")].values
+        assert np.allclose(values(optimum_page, name), factor * column, rtol=1e-6)
+    shown = data(optimum_page)
+    assert shown["views"]["front"] == np.flatnonzero(table["front"].values).tolist()
+    words = [shown["study"]["words"][number]["word"] for number in shown["study"]["verdicts"]]
+    assert [word == "meets the goal" for word in words] == table["feasible"].values.tolist()
+
+
+def test_each_limit_stands_with_the_value_of_the_best_and_its_margin(optimised, optimum_page):
+    best = shown_candidate(optimised.asked)
+    torque = float(optimised.table["hinge_holding_torque"].values[best])
+    rows = {row[0]: row[2:] for row in cells(optimum_page, "Limits")}
+    assert rows["hinge holding torque ≥ 5 N cm"][0] == f"{100 * torque:.4g} N cm"
+    assert rows["hinge holding torque ≥ 5 N cm"][1] == f"+{100 * (torque - 0.05) / 0.05:.3g} %"
+    assert rows["works in a run"][0] == "yes"
+    share, low, high = (float(optimised.table[f"probability{end}"].values[best]) for end in ("", "_low", "_high"))
+    assert rows["probability ≥ 90 %"][0] == f"{100 * share:.3g} % ({100 * low:.3g} to {100 * high:.3g})"
+
+
+def test_the_best_that_is_shown_first_is_verified_and_has_the_largest_margin_of_these(optimised):
+    table = optimised.table
+    best = table["best"].values
+    assert best[shown_candidate(optimised.asked)]
+    assert table["margin"].values[shown_candidate(optimised.asked)] == table["margin"].values[best].max()
+
+
+def test_runs_that_were_made_and_those_that_were_saved_are_counted(optimised, optimum_page):
+    effort = optimised.asked.effort
+    rows = dict(cells(optimum_page, "Runs that were made"))
+    assert rows["designs that were tried"] == str(effort.tried)
+    assert rows["runs saved"] == str(effort.spared_runs + effort.spared_neighbours)
+
+
+def test_where_nothing_meets_the_goal_the_page_says_which_limit_would_have_to_give(optimised):
+    found = optimised.asked
+    table = found.table.copy()
+    for name in ("best", "front", "feasible"):
+        table[name] = table[name].copy(data=np.zeros(table.sizes["candidate"], dtype=bool))
+    from forficula.goals.optimise.relaxation import Relaxation
+
+    given = (Relaxation(limit=0, best=-0.2, alone=-0.3, trial=None),)
+    page = goal_page(replace(found, best=(), table=table, relaxations=given), NOTHING)
+    assert "which comes nearest: none meets all" in page
+    assert cells(page, "The largest margin")[0][2:] == ["−20 %", "−30 %"]
+    assert data(page)["views"]["best_word"] == "nearest"
+
+
+def test_runs_are_kept_of_the_best_first_and_of_what_failed_too(optimised):
+    table = optimised.table
+    kept = [run.point for run in candidates_to_keep(optimised.asked, 100)]
+    best = np.flatnonzero(table["best"].values).tolist()
+    assert kept[: len(best)] == best
+    assert not table["feasible"].values[kept].all()
+    assert sorted(set(kept)) == sorted(kept)
+    assert [run.point for run in candidates_to_keep(optimised.asked, 1)] == best[:1]
+    for run in candidates_to_keep(optimised.asked, 100):
+        assert run.design == optimised.asked.candidates[run.point].found.design
+
+
+def test_designs_that_cannot_be_built_are_not_kept(optimised):
+    designs = ["why not", optimised.asked.goal.base]
+    assert [(run.point, run.name) for run in designs_to_keep(designs, [0, 1, 1])] == [(1, "2")]
+
+
+def test_the_probability_stands_with_its_interval_and_what_decides_most_is_first(goals, built):
+    page = goals["tolerance"][1].read_text("utf-8")
+    share = float(built.table["probability"].values[0])
+    assert cells(page, "Probability")[0][2].startswith(f"{100 * share:.3g} % (")
+    rows = cells(page, "Shares of the scatter")
+    assert [row[0] for row in rows] == ["tendon rest length", "tendon area", "the others"]
+    assert rows[0][2:] == ["60 % (52 to 70)", "72 % (63 to 85)"]
+
+
+def test_groups_are_ordered_by_what_they_decide_and_the_others_are_last(built):
+    table = built.table.copy(deep=True)
+    table["total_index"].values[0] = [0.2, 0.5, 0.9]
+    assert ranked_keys(table) == ["tendon.area", "tendon.rest_length"]
+    table["total_index"].values[:] = np.nan
+    assert ranked_keys(table) == ["tendon.rest_length", "tendon.area"]
+    design, deviations = built.asked
+    page = tolerance_page(design, deviations, table, NOTHING)
+    assert [len(row) for row in cells(page, "Shares of the scatter")] == [3, 3, 3]
+
+
+def test_the_nearest_failure_is_told_down_and_up_and_where_none_was_found(goals):
+    rows = {row[0]: row[2:] for row in cells(goals["tolerance"][1].read_text("utf-8"), "The nearest failure")}
+    assert next(iter(rows)) == "tendon rest length"
+    assert rows["tendon rest length"] == ["0.4", "beyond 3"]
+    assert rows["tendon distal offset"] == ["1.6", "2.4"]
+
+
+def test_the_design_itself_is_marked_in_the_cloud(goals, built):
+    design, _ = built.asked
+    own = {each["key"]: each["own"] for each in data(goals["tolerance"][1].read_text("utf-8"))["study"]["factors"]}
+    assert own["tendon.rest_length"] == pytest.approx(100 * design.tendon.rest_length)
+
+
+def test_facts_stand_with_the_share_that_meets_them_and_pairs_that_exclude_one_another_are_marked(goals):
+    tried, path = goals["identify"]
+    page = path.read_text("utf-8")
+    facts = cells(page, "Share of the samples drawn")
+    assert [row[0] for row in facts] == ["1. it works", "2. stiff", "3. slack", "4. never"]
+    pairs = cells(page, "How many of the")
+    both = tried.table["met"].values.astype(int)
+    assert [[int(re.sub(r"\D", "", cell)) for cell in row[1:]] for row in pairs] == (both.T @ both).tolist()
+    assert [[cell.startswith("✕") for cell in row[1:]].count(True) for row in pairs] == [0, 1, 1, 0]
+
+
+def test_unknowns_of_which_the_facts_tell_most_come_first(goals):
+    table = goals["identify"][0].table.copy(deep=True)
+    names = list(table.attrs["unknowns"])
+    for name in names:
+        values = table[name].values
+        table["agrees"].values[:] = values > np.median(values)
+        assert telling_unknowns(table)[0] == name
+    table["agrees"].values[:] = False
+    assert telling_unknowns(table) == names
+    assert data(identify_page(table, NOTHING))["views"]["marginals"] == [table[name].attrs["key"] for name in names]
+
+
+def test_bars_end_where_their_values_lie_and_stay_within_their_scale():
+    rows = [
+        BarRow(name="half", lanes=((bar(0.5, "first", interval=(0.25, 2.0)),),), cells=("50 %",)),
+        BarRow(name="missed", lanes=((bar(-3.0, "bad"),),), cells=("",)),
+        BarRow(name="unknown", lanes=((bar(float("nan"), "good"),),), cells=("",)),
+    ]
+    made = bar_table("", ("", "share", ""), rows, (-1.0, 1.0))
+    assert 'class="first" style="left:50.00%;width:25.00%"' in made
+    assert 'class="cut" style="left:62.50%;width:37.50%"' in made
+    assert 'class="bad" style="left:0.00%;width:50.00%"' in made
+    assert "nan" not in made
+
+
+def test_a_name_that_looks_like_a_script_stays_text(optimised, built):
+    hostile = "</script><script>alert(1)</script>"
+    goal = replace(optimised.asked.goal, name=hostile, source="<img src=x onerror=alert(1)>")
+    design, deviations = built.asked
+    for page in (
+        goal_page(replace(optimised.asked, goal=goal), NOTHING),
+        tolerance_page(design.model_copy(update={"name": hostile}), deviations, built.table, NOTHING),
+    ):
+        assert "<script>alert" not in page
+        assert "<img" not in page
+        assert data(page)["study"]["name"] == hostile
