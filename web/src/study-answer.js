@@ -8,6 +8,7 @@ import { patternOf } from "./heat.js";
 import { makePanel } from "./try-panel.js";
 
 const FINER = 2; // parts of a step between two points
+const DRAWN = 20; // parts of the range of points that were drawn
 
 /** `offer` gives what stands below a point, whether its run is kept or not. */
 export function makeAnswers(model) {
@@ -59,7 +60,7 @@ export function makeAnswers(model) {
     const refine = make("button", { type: "button" }, "Refine here");
     refine.addEventListener("click", () => finer(point));
     table.replaceChildren();
-    place.replaceChildren(said, refine, table, panel.element);
+    place.replaceChildren(said, ...(variedOf(model, live).length ? [refine] : []), table, panel.element);
     said.textContent = "Simulating \u2026";
     panel.sliders.set(live.points[point]);
     const found = (await ask(live.points[point])).answer;
@@ -83,7 +84,7 @@ export function makeAnswers(model) {
     const grid = axes[1].values.map((up) => axes[0].values.map((across) => cellOf(axes, across, up))).reverse();
     const rows = grid.map((row, index) => make("tr", {}, make("th", { scope: "row" }, axisText(axes[1], axes[1].values.length - 1 - index)), ...row.map(({ cell }) => cell)));
     const feet = make("tr", { className: "feet" }, make("td"), ...axes[0].values.map((_, index) => make("th", { scope: "col" }, axisText(axes[0], index))));
-    const body = make("table", { className: "grid" }, make("caption", {}, caption(axes)), make("tbody", {}, ...rows, feet));
+    const body = make("table", { className: "grid" }, make("caption", {}, caption(axes, model.study.sampled)), make("tbody", {}, ...rows, feet));
     table.replaceChildren(make("div", { className: "table", tabIndex: 0, role: "group", "aria-label": "finer map" }, body), note);
     const every = grid.flat();
     for (const [number, { cell, values, where }] of every.entries()) {
@@ -111,14 +112,21 @@ function cellOf(axes, across, up) {
   return { cell: make("td", { "aria-label": `${where}: not simulated yet` }), values, where };
 }
 
+/** Factors that are varied and have numbers, as of a study that changes one value at a time not all have. */
+function variedOf(model, live) {
+  const changed = (index) => live.knobs.some(({ key }) => key === model.study.factors[index].key);
+  return model.study.axes.filter((index) => model.sizes[index] > 1 && changed(index));
+}
+
 /** The two factors of the map, with values between those of a point's neighbours. */
 function axesAt(model, live, point) {
-  const varied = model.study.axes.filter((index) => model.sizes[index] > 1);
+  const varied = variedOf(model, live);
   const [up, across] = varied.length > 1 ? varied : [null, varied[0] ?? 0];
   const axis = (index) => {
     if (index === null) return { key: "", name: "", unit: "", factor: 1, values: [0] };
     const { key, name } = model.study.factors[index];
     const knob = live.knobs.find((each) => each.key === key);
+    if (model.study.sampled) return { key, name, unit: knob.unit, factor: knob.factor, values: around(live.points.map((each) => each[key]), point) };
     const places = model.placesOf(point);
     const valueAt = (place) => live.points[model.pointAt(places.map((own, each) => (each === index ? place : own)))][key];
     const [low, high] = [Math.max(0, places[index] - 1), Math.min(model.sizes[index] - 1, places[index] + 1)];
@@ -130,10 +138,18 @@ function axesAt(model, live, point) {
   return [axis(across), axis(up)];
 }
 
+/** Values about that of a drawn point, as far as a share of all that were drawn reach. */
+function around(drawn, point) {
+  const [low, high] = [Math.min(...drawn), Math.max(...drawn)];
+  const steps = [-2, -1, 0, 1, 2].map((step) => drawn[point] + (step * (high - low)) / DRAWN);
+  return [...new Set(steps.map((value) => Math.min(high, Math.max(low, value))))].sort((one, other) => one - other);
+}
+
 const axisText = ({ key, factor, unit, values }, index) => (key ? `${short(factor * values[index])} ${unit}` : "");
 
-function caption([across, up]) {
-  return up.key ? `${capital(across.name)} across, ${up.name} upwards, at half the steps` : `${capital(across.name)}, at half the steps`;
+function caption([across, up], sampled) {
+  const over = up.key ? `${capital(across.name)} across, ${up.name} upwards` : capital(across.name);
+  return `${over}, ${sampled ? "around it" : "at half the steps"}`;
 }
 
 /** What a point came to, with the least values that were looked for. */

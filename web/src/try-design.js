@@ -19,7 +19,8 @@ function quantity(value, unit, factor) {
 export function makeDesignLink(live) {
   const link = make("a", { className: "button", download: "design.toml" }, "This setting as a design file");
   const command = make("code");
-  const element = make("div", { className: "setting" }, link, make("pre", {}, command));
+  const note = make("p", { className: "note" }, "Whether its energy balance closes is not looked at here: a run of the file tells.");
+  const element = make("div", { className: "setting" }, link, make("pre", {}, command), note);
 
   function refresh(changes) {
     const bytes = new TextEncoder().encode(designText(live, changes));

@@ -72,7 +72,7 @@ def model_numbers(model: Model) -> dict[str, Array]:
 def why_not_portable(model: Model) -> str:
     """Why an older engine, alone, does not move a structure as this one does, as a clause; empty where it does."""
     if model.creases is not None:
-        return "its creases are no joints: what they do is set anew between steps"
+        return "its creases are no joints, which engines before MuJoCo 4.0 do not take"
     if model.drag is not None:
         return "it moves in air or water, whose drag is set anew between steps"
     if (model.creep >= 0).any():

@@ -30,7 +30,8 @@ FAULTS = """(() => {
 # a player is the same on every page: all of it is tried on that of a run
 TRIED_ELSEWHERE = {
     "compare": ".transport, .keys",
-    **dict.fromkeys(("landscape", "study", "parts", "optimise", "tolerance"), ".player"),
+    **dict.fromkeys(("landscape", "parts", "optimise", "tolerance"), ".player"),
+    **dict.fromkeys(("study", "drawn study"), ".player, .answer"),
 }
 LEAST_TRIED = {
     "run": {
