@@ -204,6 +204,8 @@ def test_the_named_designs_are_listed_with_their_sources(call):
         "binder2025-stored",
         "binder2025-thick",
         "bistable-clasp",
+        "bistable-miura",
+        "force-clasp",
         "four-plate-snap",
         "kresling-cell",
         "letter-fold",
@@ -275,7 +277,8 @@ def test_keys_and_named_studies_are_listed(call, refusal):
     assert "[crease]" in call("keys", "crease", "--kind", "vertex").out
     assert refusal("keys", "tendn") == "tendn: unknown key; did you mean tendon?"
     assert "intervals_of" in call("keys", "tolerances", "--goal").out
-    assert refusal("keys", "--goal", "--study") == "keys: need one of --study and --goal, got both"
+    said = "keys: need one of --study, --goal and --observations, got several"
+    assert refusal("keys", "--goal", "--study") == said
     listed = call("studies").out
     assert "60 points of binder2025 over tendon.stiffness and tendon.rest_length" in listed
     assert "a goal: least mass of binder2025 over vein.diameter" in listed

@@ -95,7 +95,7 @@ def test_where_nothing_meets_the_goal_the_page_says_which_limit_would_have_to_gi
         table[name] = table[name].copy(data=np.zeros(table.sizes["candidate"], dtype=bool))
     from forficula.goals.optimise.relaxation import Relaxation
 
-    given = (Relaxation(limit=0, best=-0.2, alone=-0.3, trial=None),)
+    given = (Relaxation(limit=0, best=-0.2, alone=-0.3, unseen=float("nan"), trial=None),)
     page = goal_page(replace(found, best=(), table=table, relaxations=given), NOTHING)
     assert "which comes nearest: none meets all" in page
     assert cells(page, "The largest margin")[0][2:] == ["−20 %", "−30 %"]
