@@ -333,6 +333,7 @@ def test_the_keyboard_plays_steps_goes_to_the_states_turns_and_zooms(opened, sho
     assert not page.evaluate("forficula.clock.playing")
     # a voice that is written down presses letters and numbers: they act only where they are asked for
     page.evaluate("document.activeElement.blur()")
+    opened.settle()  # the camera follows what was played in the next frame
     before = (time(page), page.evaluate(eye))
     for key in ("2", "0", "+"):
         page.keyboard.press(key)
