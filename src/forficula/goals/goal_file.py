@@ -17,10 +17,9 @@ from forficula.goals.parameter import Parameter, read_parameter
 from forficula.names import folder_name, one_of
 from forficula.quantities import as_written, is_whole
 from forficula.study.file_keys import check_keys, dotted_values
-from forficula.study.named_file import base_design, named_files, read_named
+from forficula.study.named_file import base_design, load_named, named_files
 from forficula.study.search_file import read_search
 from forficula.study.search_steps import Search
-from forficula.toml_text import parse_toml
 
 _PACKAGE = "forficula.goals"
 _TABLES = ("settings", "vary", "limits", "objectives", "tolerances", "search")
@@ -38,13 +37,7 @@ def load_goal(name_or_path: str | Path) -> Goal:
     Raises:
         InputError: no such goal or file, not TOML, an unknown key, or a value that is not allowed.
     """
-    text, where, folder = read_named(name_or_path, _PACKAGE, "goal", "goals")
-    try:
-        tables = parse_toml(text, "a goal")
-        tables.setdefault("name", Path(where).stem)
-        return _goal(tables, folder)
-    except InputError as error:
-        raise InputError(f"{where}: {error}") from None
+    return load_named(name_or_path, _PACKAGE, "goal", "goals", _goal)
 
 
 def goal_of(tables: Mapping[str, Any]) -> Goal:

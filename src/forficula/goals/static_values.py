@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Collection
 
 from forficula.design import Design
@@ -10,16 +9,12 @@ from forficula.goals.outcome_quantity import Source
 from forficula.statics.equilibrium import barrier_between
 from forficula.statics.fold_path import fold_path
 from forficula.statics.landscape import tendon_landscapes
-from forficula.statics.net.net_of import is_net
-from forficula.statics.net_landscape import slow_courses
 from forficula.statics.potential import ensemble
-from forficula.statics.quasi_static import at_goal, least_slow_torque, start_state, state_beyond
-from forficula.structure import Structure, drive_of, mass_of, structure_of
+from forficula.statics.slow_drives import slow_drives
+from forficula.structure import Structure, mass_of, structure_of
 
 # of a hinge's curves and of a fold's: their ends, tops and peaks are exact or interpolated by cubics
 _HINGE_POINTS, _FOLD_POINTS = 31, 41
-# up to how many times its own strength a drive is tried
-_MORE = 4.0
 
 Values = dict[str, float | None]
 
@@ -45,7 +40,8 @@ def static_values(design: Design, sources: Collection[Source]) -> Values:
     if "fold" in sources and structure.rigid_fold is not None:
         values |= _fold(structure)
     if "slow" in sources:
-        values |= _net_courses(structure) if is_net(structure) else _slow_torques(structure)
+        for name, drive in slow_drives(structure).items():
+            values |= {f"slow_{name}": drive.least, f"slow_{name}_force": drive.largest_force}
     return values
 
 
@@ -80,30 +76,3 @@ def _fold(structure: Structure) -> Values:
         "opening_barrier": barrier_between(path.states, stable[-1], stable[0]),
         "holding_torque": stable[0].press * 2 / path.turns if stable[0].kind == "stop" else None,
     }
-
-
-def _slow_torques(structure: Structure) -> Values:
-    """The least slowly growing torque of every transition, to 1 %, each from where the one before leads."""
-    structures, values = ensemble([structure]), Values()
-    before, held = start_state(structures), True
-    for transition in structure.transitions:
-        name = f"slow_{transition.name}"
-        values[name] = None
-        if held:
-            drive = transition.slow_drive or drive_of(structure, transition.drive)
-            most = _MORE * abs(drive_of(structure, transition.drive).strength) or 1.0
-            found = float(least_slow_torque(structures, before.position, transition, most, drive).torque[0])
-            values[name] = None if math.isnan(found) else found
-        before = state_beyond(structures, transition)
-        held = bool(at_goal(structures, before.position, transition.released)[0])
-    return values
-
-
-def _net_courses(structure: Structure) -> Values:
-    """The least strength of every transition's drive as it grows slowly, and the largest force of a displacement."""
-    courses, values = {each.name: each for each in slow_courses(structure)}, Values()
-    for transition in structure.transitions:
-        course = courses.get(transition.name)
-        values[f"slow_{transition.name}"] = None if course is None else course.least
-        values[f"slow_{transition.name}_force"] = None if course is None else course.largest_force
-    return values

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from importlib import resources
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from forficula.design import Design, load_design, value_from_folder
 from forficula.errors import InputError
@@ -13,6 +13,9 @@ from forficula.files import as_path
 from forficula.names import near_name
 from forficula.quantities import as_written
 from forficula.study.file_keys import dotted_values
+from forficula.toml_text import parse_toml
+
+Built = TypeVar("Built")
 
 
 def named_files(package: str, within: str = "references") -> list[str]:
@@ -51,6 +54,30 @@ def read_named(name_or_path: object, package: str, what: str, several: str) -> t
         raise InputError(f"{path}: cannot be read: need UTF-8") from None
     except ValueError as error:  # a null byte
         raise InputError(f"{as_written(given)}: cannot be read: {error}") from None
+
+
+def load_named(
+    name_or_path: object, package: str, what: str, several: str, build: Callable[[dict[str, Any], Path], Built]
+) -> Built:
+    """What the tables of a named file or a path describe; its name is the file's where it has none.
+
+    Args:
+        name_or_path: as a user gives it.
+        package: whose folder `references` has the named ones.
+        what: such a file is, such as "study".
+        several: of these, such as "studies".
+        build: makes it of tables, and of the folder that paths in them start from.
+
+    Raises:
+        InputError: no such name or file, not TOML, or what `build` refuses, with the file before it.
+    """
+    text, where, folder = read_named(name_or_path, package, what, several)
+    try:
+        tables = parse_toml(text, f"{'an' if what[0] in 'aeiou' else 'a'} {what}")
+        tables.setdefault("name", Path(where).stem)
+        return build(tables, folder)
+    except InputError as error:
+        raise InputError(f"{where}: {error}") from None
 
 
 def base_design(tables: Mapping[str, Any], folder: Path) -> Design:

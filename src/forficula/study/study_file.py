@@ -14,12 +14,11 @@ from forficula.structure import structure_of
 from forficula.study.choices import one_at_a_time, with_own_word
 from forficula.study.factors import MOST_VALUES, Factor, drawn_values, grid_points, read_factor
 from forficula.study.file_keys import check_keys, dotted_values
-from forficula.study.named_file import base_design, named_files, read_named
+from forficula.study.named_file import base_design, load_named, named_files
 from forficula.study.search_file import SEARCHES, read_search
 from forficula.study.search_steps import Search
 from forficula.study.study import Study
 from forficula.study.study_keys import names_in
-from forficula.toml_text import parse_toml
 
 _PACKAGE = "forficula.study"
 
@@ -33,13 +32,7 @@ def load_study(name_or_path: str | Path) -> Study:
     Raises:
         InputError: no such study or file, not TOML, an unknown key, or a value that is not allowed.
     """
-    text, where, folder = read_named(name_or_path, _PACKAGE, "study", "studies")
-    try:
-        tables = parse_toml(text, "a study")
-        tables.setdefault("name", Path(where).stem)
-        return _study(tables, folder)
-    except InputError as error:
-        raise InputError(f"{where}: {error}") from None
+    return load_named(name_or_path, _PACKAGE, "study", "studies", _study)
 
 
 def study_of(tables: Mapping[str, Any]) -> Study:

@@ -16,9 +16,8 @@ from forficula.names import folder_name
 from forficula.quantities import as_written, is_whole
 from forficula.study.factors import MOST_VALUES, Factor
 from forficula.study.file_keys import check_keys
-from forficula.study.named_file import base_design, named_files, read_named
+from forficula.study.named_file import base_design, load_named, named_files
 from forficula.study.study_file import read_factors
-from forficula.toml_text import parse_toml
 
 _PACKAGE = "forficula.goals.identify"
 _SAMPLES, _DIRECTED = 256, 128
@@ -33,13 +32,7 @@ def load_observations(name_or_path: str | Path) -> Observations:
     Raises:
         InputError: none such, not TOML, an unknown key, or a value that is not allowed.
     """
-    text, where, folder = read_named(name_or_path, _PACKAGE, "observations file", "observations")
-    try:
-        tables = parse_toml(text, "observations")
-        tables.setdefault("name", Path(where).stem)
-        return observations_of(tables, folder)
-    except InputError as error:
-        raise InputError(f"{where}: {error}") from None
+    return load_named(name_or_path, _PACKAGE, "observations file", "observations", observations_of)
 
 
 def named_observations() -> list[str]:

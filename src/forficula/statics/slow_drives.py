@@ -1,0 +1,57 @@
+"""What it takes to make transitions when drives grow slowly: the one place that chooses how that is followed."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from forficula.statics.net.net_of import is_net
+from forficula.statics.net_landscape import slow_courses
+from forficula.statics.potential import ensemble
+from forficula.statics.quasi_static import at_goal, least_slow_torque, start_state, state_beyond
+from forficula.structure import Structure, drive_of
+
+# up to how many times its own strength a drive is tried
+_MORE = 4.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class SlowDrive:
+    """What a slowly growing drive must be for a transition.
+
+    Attributes:
+        least: size of the least that makes it, in the drive's SI unit; None where none of those tried does.
+        largest_force: of a displacement on the way, N; None of other drives.
+    """
+
+    least: float | None
+    largest_force: float | None = None
+
+
+def slow_drives(structure: Structure) -> dict[str, SlowDrive]:
+    """The least slowly growing drive of every transition, by name, each from where the one before leads."""
+    if is_net(structure):
+        courses = {each.name: each for each in slow_courses(structure)}
+        return {
+            each.name: SlowDrive(least=courses[each.name].least, largest_force=courses[each.name].largest_force)
+            if each.name in courses
+            else SlowDrive(least=None)
+            for each in structure.transitions
+        }
+    return _of_joints(structure)
+
+
+def _of_joints(structure: Structure) -> dict[str, SlowDrive]:
+    """Of bodies on joints in a tree, to 1 %."""
+    structures, found = ensemble([structure]), dict[str, SlowDrive]()
+    before, held = start_state(structures), True
+    for transition in structure.transitions:
+        least = math.nan
+        if held:
+            drive = transition.slow_drive or drive_of(structure, transition.drive)
+            most = _MORE * abs(drive_of(structure, transition.drive).strength) or 1.0
+            least = float(least_slow_torque(structures, before.position, transition, most, drive).torque[0])
+        found[transition.name] = SlowDrive(least=None if math.isnan(least) else least)
+        before = state_beyond(structures, transition)
+        held = bool(at_goal(structures, before.position, transition.released)[0])
+    return found
