@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from forficula.goals import Goal
     from forficula.goals.identify import Observations
     from forficula.goals.optimise import Optimum
-    from forficula.goals.tolerance import Question
+    from forficula.goals.tolerance import Question, Tolerance
 
 
 def optimise(
@@ -146,6 +146,19 @@ def tolerance(
         )
         return 0
 
+    from forficula.show import study_progress
+    from forficula.study import dask_cluster
+
+    with nullcontext() if dask is None else dask_cluster(dask) as cluster, study_progress() as progress:
+        found = assess_tolerance(
+            question, folder, minutes=minutes, seed=seed, shard=share, cluster=cluster, progress=progress
+        )
+    _tell_tolerance(found, folder, keep)
+    return 0 if found.nominal_works and found.meets else 2
+
+
+def _tell_tolerance(found: Tolerance, folder: Path, keep: int) -> None:
+    """Write a tolerance and its page, and print it."""
     from forficula.goals.tolerance.kept_samples import samples_to_keep
     from forficula.show import study_progress
     from forficula.show.folder.tolerance_folder import (
@@ -154,19 +167,8 @@ def tolerance(
         write_tolerance_report,
     )
     from forficula.show.goals.tolerance_text import print_tolerance
-    from forficula.study import dask_cluster
     from forficula.study.kept_runs import kept_runs
 
-    with nullcontext() if dask is None else dask_cluster(dask) as cluster, study_progress() as progress:
-        found = assess_tolerance(
-            question,
-            folder,
-            minutes=minutes,
-            seed=seed,
-            shard=share,
-            cluster=cluster,
-            progress=progress,
-        )
     if (folder / TOLERANCE_FILE).is_file():
         remark(f"{folder}: replaces the tolerance there; the rows stay")
     write_tolerance(found, folder)
@@ -176,7 +178,6 @@ def tolerance(
     came_to(folder / TOLERANCE_FILE)
     print_tolerance(found)
     print(f"\nwritten to {folder}")
-    return 0 if found.nominal_works and found.meets else 2
 
 
 def tell_assumed(question: Question) -> None:

@@ -67,6 +67,18 @@ def facts_within(within: str, facts: Sequence[KeyFact]) -> list[KeyFact]:
     return found
 
 
+def file_key(key: str, allowed: str, default: str, meaning: str) -> KeyFact:
+    """A key of a file that is no design, as of a study."""
+    return KeyFact(key=key, allowed=allowed, default=default, meaning=meaning)
+
+
+def names_within(table: str, facts: Sequence[KeyFact]) -> tuple[str, ...]:
+    """The keys that a table of a file with some keys may have; of the file itself if empty."""
+    start = f"{table}." if table else ""
+    inside = [fact.key.removeprefix(start) for fact in facts if fact.key.startswith(start)]
+    return tuple(dict.fromkeys(key.split(".")[0] for key in inside))
+
+
 def _unnumbered(key: str) -> list[str]:
     """A key without the numbers of entries of lists, which all have the same keys."""
     return [part for part in key.split(".") if not part.isdecimal()]
