@@ -92,6 +92,9 @@ def test_longer_draws_begin_with_the_shorter_ones():
             ),
             "over.hinge.damping: need a list or a range",
         ),
+        ({**tables(**TIME), "unknown": {"hinge.overbend": {}}}, "unknown.hinge.overbend.distribution: is missing"),
+        ({**tables(**TIME), "unknown": {"hinge.overbnd": ["1 deg"]}}, "unknown.hinge.overbnd: .*hinge.overbend"),
+        (tables(**TIME, over={"tendon.stiffness": {}}), "fact t: over.tendon.stiffness.distribution: is missing"),
     ],
 )
 def test_errors_name_the_fact_the_key_and_what_is_allowed(given, error):
@@ -135,4 +138,43 @@ def test_an_observations_file_names_itself_and_paths_start_from_it(tmp_path):
 def test_a_fact_that_no_run_could_answer_is_refused(change, says):
     with pytest.raises(InputError) as error:
         observations_of(tables(**TIME, **change))
+    assert says in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("believed", "says"),
+    [
+        (
+            {"distribution": "uniform", "low": "-1 N/cm", "high": "4 N/cm"},
+            "unknown.tendon.stiffness.low: need >= 0, got -1 N/cm",
+        ),
+        ({"distribution": "normal", "mean": "-1 N/cm", "deviation": "4 N/cm"}, "unknown.tendon.stiffness.mean: need"),
+        (["-1 N/cm", "4 N/cm"], "unknown.tendon.stiffness: need >= 0, got -1 N/cm"),
+    ],
+)
+def test_what_is_believed_must_be_what_a_design_may_have(believed, says):
+    with pytest.raises(InputError) as error:
+        observations_of({**tables(**TIME), "unknown": {"tendon.stiffness": believed}})
+    assert says in str(error.value)
+
+
+def test_a_normal_belief_may_have_a_tail_that_no_design_has():
+    believed = {"distribution": "normal", "mean": "1 N/cm", "deviation": "4 N/cm"}
+    assert observations_of({**tables(**TIME), "unknown": {"tendon.stiffness": believed}}).priors
+
+
+@pytest.mark.parametrize(
+    ("fact", "says"),
+    [
+        ({**TIME, "over": {"hinge.overbend": ["2 deg", "3 deg"]}}, "fact t: over.hinge.overbend: is under [unknown]"),
+        (
+            {"name": "t", "quantity": "least value", "least": LEAST | {"key": "hinge.overbend", "values": ["2 deg"]},
+             "at_most": "2 deg"},
+            "fact t: least.key: is under [unknown], too, as hinge.overbend; need it in one of them",
+        ),
+    ],
+)  # fmt: skip
+def test_what_is_unknown_is_no_condition_of_a_fact(fact, says):
+    with pytest.raises(InputError) as error:
+        observations_of(tables(**fact))
     assert says in str(error.value)
