@@ -259,7 +259,8 @@ def tolerance(
         tolerances: by key, as in a goal file; 10 %, uniform, on every positive value with a unit that is not the
             protocol's where there are none.
         limits: by quantity, as in a goal file, beside what the protocol asks for.
-        goal: or its name or path, whose tolerances and limits count where none are given.
+        goal: or its name or path, whose tolerances and limits count where none are given, and whose settings hold for
+            the design but for what it varies.
         minutes: how long it may take; more time gives narrower intervals.
         seed: of the points within the tolerances.
         threads: 0 for one a core.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,12 +20,12 @@ from forficula.show.style import save_figures
 if TYPE_CHECKING:
     from xarray import Dataset
 
-IDENTIFIED = "identified.nc"
+IDENTIFIED, IDENTIFIED_FILE = "identified.nc", "identified.json"
 _SUMMARY = "summary.txt"
 
 
 def write_identification(result: Dataset, folder: Path) -> None:
-    """Write an identification: its table as netCDF and as text, its sentences, figures and page; all of them, or none.
+    """Write an identification: table, what it says as JSON and in sentences, figures and page; all of them, or none.
 
     Args:
         result: what came out.
@@ -35,6 +36,8 @@ def write_identification(result: Dataset, folder: Path) -> None:
     """
     with replacing_all(folder) as unfinished:
         write_bytes(unfinished / IDENTIFIED, result.to_netcdf(engine="h5netcdf"))
+        told = json.dumps(identification_json(result), indent=2, ensure_ascii=False, allow_nan=False)
+        write_text(unfinished / IDENTIFIED_FILE, told + "\n")
         csv = samples_csv(result)
         write_text(unfinished / "samples.csv", csv)
         write_text(unfinished / _SUMMARY, "\n".join([first_sentence(result), *together_sentences(result)]) + "\n")
