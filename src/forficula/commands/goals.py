@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from forficula.errors import InputError
-from forficula.names import listed
+from forficula.names import counted, listed
 from forficula.options import (
     WHOLE_NUMBER,
     Dask,
@@ -78,7 +78,7 @@ def optimise(
         near = asked.neighbours if asked.deviations else 0
         came_to({"goal": asked.name, "most_designs": designs, "neighbours": near, "time_s": seconds})
         neighbours = f", and up to {near} neighbours of the best" if near else ""
-        print(f"{asked.name}: at most {designs} designs, about {seconds:.0f} s{neighbours}")
+        print(f"{asked.name}: at most {counted(designs, 'design')}, about {seconds:.0f} s{neighbours}")
         return 0
     tell_replaced(folder, "optimisation", _ROWS_STAY)
     found = _optimised(asked, folder, share, dask)
@@ -192,7 +192,7 @@ def _tell_plan(question: Question, plan: Plan, most: int, seconds: float) -> Non
     told = {"values": list(question.keys), "points": points, "most_runs": most, "time_s": seconds}
     came_to({"design": name, **told})
     print(
-        f"{name}: {'1 value' if count == 1 else f'{count} values'} that may be off; {points} points for the"
+        f"{name}: {counted(count, 'value')} that may be off; {points} points for the"
         f" probability, at most {most} runs in all, about {seconds:.0f} s"
     )
 
@@ -246,7 +246,7 @@ def identify(
     if dry_run:
         count, runs, seconds = estimate_identify(asked)
         came_to({"name": asked.name, "samples": count, "runs": round(runs), "time_s": seconds})
-        print(f"{asked.name}: {count} samples, about {runs:.0f} runs, about {seconds:.0f} s")
+        print(f"{asked.name}: {counted(count, 'sample')}, about {counted(round(runs), 'run')}, about {seconds:.0f} s")
         return
     tell_replaced(folder, "identification", _ROWS_STAY)
     result = _identified(asked, folder, share, dask)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from forficula.errors import InputError
-from forficula.names import listed
+from forficula.names import counted, listed
 from forficula.options import (
     WHOLE_NUMBER,
     Dask,
@@ -168,7 +168,8 @@ def studies() -> None:
     for name in named_observations():
         seen = load_observations(name)
         facts, keys = [fact.name for fact in seen.facts], [prior.key for prior in seen.priors]
-        print(f"{name}\n    {seen.source}\n    {len(facts)} facts on {len(keys)} unknown values of {seen.base.name}")
+        what = f"{counted(len(facts), 'fact')} on {counted(len(keys), 'unknown value')}"
+        print(f"{name}\n    {seen.source}\n    {what} of {seen.base.name}")
         of = {"name": name, "kind": "observations", "source": seen.source, "design": seen.base.name}
         told.append(of | {"facts": facts, "factors": keys})
     came_to(told)

@@ -11,6 +11,7 @@ from scipy import stats
 
 from forficula.design import key_quantity
 from forficula.errors import InputError
+from forficula.goals.latin_points import latin_points
 from forficula.quantities import parse_quantity
 from forficula.study.factors import Factor
 
@@ -23,18 +24,16 @@ _DIGITS = 6
 
 
 def prior_shares(priors: Sequence[Factor], count: int, seed: int) -> Array:
-    """Draw scrambled Sobol points (Owen 1998) of the unit cube with a side for each unknown, (count, unknowns).
+    """Draw points of the unit cube with a side for each unknown, (count, unknowns), whose counts have intervals.
 
-    The first points of a longer draw with the same seed are those of a shorter one.
+    The first points of a longer draw with the same seed are those of a shorter one; see `latin_points`.
 
     Args:
         priors: the unknowns.
         count: how many points.
-        seed: of the scrambling.
+        seed: of the draw.
     """
-    # a power of two keeps the points balanced; the first `count` of it are what was asked
-    power = math.ceil(math.log2(max(count, 1)))
-    return np.asarray(stats.qmc.Sobol(len(priors), rng=np.random.default_rng(seed)).random_base2(power)[:count])
+    return latin_points(len(priors), 2 ** math.ceil(math.log2(max(count, 1))), seed)[:count]
 
 
 def values_at(priors: Sequence[Factor], shares: Sequence[float] | Array) -> dict[str, object]:

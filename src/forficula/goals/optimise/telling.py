@@ -13,6 +13,7 @@ from forficula.goals.optimise.neighbours import Neighbours
 from forficula.goals.optimise.optimum import Optimum
 from forficula.goals.optimise.relaxation import Relaxation, nearest_trial
 from forficula.goals.optimise.verification import Verification
+from forficula.names import counted
 from forficula.quantities import show_quantity
 
 
@@ -164,8 +165,3 @@ def _effort(found: Optimum) -> str:
 def _missed(margin: float) -> str:
     """By how much a limit is missed: margins go no farther than a whole bound."""
     return "100 % or more" if margin <= -1 else f"{100 * -margin:.3g} %"
-
-
-def counted(number: int, what: str) -> str:
-    """A number of something, such as "1 run" or "2 runs"."""
-    return f"{number} {what}" if number == 1 else f"{number} {what}s"

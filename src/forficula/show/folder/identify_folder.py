@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -65,11 +66,15 @@ def samples_csv(result: Dataset) -> str:
 
 
 def identification_json(result: Dataset) -> dict[str, Any]:
-    """What came out as plain data: the facts, how often each is met, pairs that none meets, and what agrees."""
+    """What came out as plain data: the facts, how often each and each pair is met, and what agrees."""
     told = result.attrs
     return {
         **{name: told[name] for name in ("name", "design", "drawn", "placed", "could_not_run", "runs", "most_met")},
         "facts": [_fact_json(result.isel(fact=number)) for number in range(result.sizes["fact"])],
+        "pairs": [
+            _pair_json(result.isel(fact=one, other_fact=other), float(result["met_alone"].values[other, one]))
+            for one, other in itertools.combinations(range(result.sizes["fact"]), 2)
+        ],
         "sentences": together_sentences(result),
         "unknowns": [
             {
@@ -91,9 +96,27 @@ def _fact_json(fact: Dataset) -> dict[str, Any]:
         "name": str(fact["fact"].values),
         "asked": str(fact["fact_asked"].values),
         "units": str(fact["fact_units"].values),
+        "told": int(fact["told"]),
         "met": int((fact["met"].values & ~fact["directed"].values).sum()),
         "share": [float(fact[f"met_share{end}"]) for end in ("", "_low", "_high")],
         "nearest": float(known.min()) if len(known) else None,
+    }
+
+
+def _pair_json(pair: Dataset, other_alone: float) -> dict[str, Any]:
+    """Two facts and how far they are met together; counts are of drawn samples that tell of both."""
+    near = float(pair["together_near"])
+    return {
+        "facts": [str(pair["fact"].values), str(pair["other_fact"].values)],
+        "told": int(pair["told_together"]),
+        "met": int(pair["met_together"]),
+        "met_alone": [int(pair["met_alone"]), int(other_alone)],
+        "met_if_independent": float(pair["together_if_independent"]),
+        "largest_share": float(pair["together_share_high"]),
+        "placed_to": int(pair["tried_together"]),
+        "met_by_placed": int(pair["met_together_placed"]),
+        "nearest_in_scales": near if np.isfinite(near) else None,
+        "verdict": str(pair["together"].values),
     }
 
 
