@@ -2,11 +2,12 @@
 
 import pytest
 
+from forficula.design import key_value
 from forficula.errors import InputError
 from forficula.goals.identify import load_observations, named_observations, observations_of
 from forficula.goals.identify.fact_text import asked_text
 from forficula.goals.identify.observation_keys import observation_key_facts
-from forficula.goals.identify.prior import prior_shares, shares_of, values_at
+from forficula.goals.identify.prior import prior_shares, values_at
 from tests.goals.identify.closed_form import TENDONS, count_fact
 
 UNKNOWN = {"hinge.overbend": {"distribution": "uniform", "low": "1 deg", "high": "8 deg"}}
@@ -34,26 +35,27 @@ def test_named_observations_are_the_papers_lost_values():
     assert asked["unfolding costs twice"] == "at least 2 fold_work"
     assert asked["32 of 60 fold"] == "32 within 2"
     # the reference wing is among what is believed
-    shares = shares_of(seen.priors, [_value(seen.base, key) for key in keys])
-    assert ((shares >= 0) & (shares <= 1)).all()
+    for prior in seen.priors:
+        now = key_value(seen.base, prior.key)
+        if prior.distribution is None:
+            assert now in prior.values
+        else:
+            assert prior.distribution.first <= now <= prior.distribution.second
 
 
-def _value(design, key):
-    from forficula.design import key_quantity, key_value
-    from forficula.quantities import format_quantity
-
-    value, quantity = key_value(design, key), key_quantity(key)
-    return value if quantity is None else format_quantity(value, quantity.unit)
-
-
-def test_values_and_shares_of_what_is_believed_are_each_others_inverse():
-    seen = load_observations("binder2025-lost")
-    for point in prior_shares(seen.priors, 16, 1):
-        values = values_at(seen.priors, point)
-        back = shares_of(seen.priors, list(values.values()))
-        # of two choices a share is told to a quarter, of drawn values to six digits
-        words = [prior.distribution is None for prior in seen.priors]
-        assert all(abs(a - b) < (0.26 if word else 1e-5) for a, b, word in zip(point, back, words, strict=True))
+@pytest.mark.parametrize(
+    ("believed", "quarter"),
+    [
+        ({"distribution": "uniform", "low": "1 deg", "high": "5 deg"}, "2 deg"),
+        ({"distribution": "log-uniform", "low": "1 deg", "high": "16 deg"}, "2 deg"),
+        # 0.6745 standard deviations below the mean
+        ({"distribution": "normal", "mean": "3 deg", "deviation": "1 deg"}, "2.32551 deg"),
+        (["1 deg", "2 deg", "3 deg", "4 deg"], "2 deg"),
+    ],
+)
+def test_a_quarter_of_what_is_believed_lies_below_the_value_at_a_quarter(believed, quarter):
+    (prior,) = observations_of({**tables(**TIME), "unknown": {"hinge.overbend": believed}}).priors
+    assert values_at([prior], [0.25]) == {"hinge.overbend": quarter}
 
 
 def test_longer_draws_begin_with_the_shorter_ones():
