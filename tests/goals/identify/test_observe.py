@@ -10,8 +10,10 @@ from hypothesis import strategies as st
 from forficula.design import load_design
 from forficula.goals.identify import observations_of
 from forficula.goals.identify.finding import Finding, find
+from forficula.goals.identify.row_quantity import row_quantities
 from forficula.goals.identify.sample_runs import SampleRuns
 from forficula.goals.identify.staircase import FAILS, HOLDS, OPEN, follows, next_point
+from forficula.goals.outcome_quantity import quantities_of
 from tests.goals.identify.closed_form import TENDONS, assess, holding_torque
 
 LEAST = {
@@ -202,3 +204,16 @@ def test_where_the_far_corner_has_a_boundary_of_its_own_every_condition_is_run()
     lazily, ran = found(rows=band, **fact, rising=["tendon.rest_length"], falling=["tendon.stiffness"])
     assert lazily == everything
     assert len(ran) == 60
+
+
+def test_what_runs_tell_has_the_names_that_goals_have():
+    design = load_design("force-clasp")
+    told = row_quantities(design)
+    asked = {name for name, each in quantities_of(design).items() if each.source == "run" and each.unit.si}
+    assert asked < set(told)
+    # a state by its own name, and its numbers by one without spaces
+    assert {"shut again", "shut_again_energy", "shut_again_angle"} <= set(told)
+    row = {"shut again_energy_J": 0.2, "shut again_angle_deg": 180.0, "shut again": True}
+    assert told["shut_again_energy"].of(row) == 0.2
+    assert told["shut_again_angle"].of(row) == pytest.approx(np.pi)
+    assert told["shut again"].of(row) == 1
