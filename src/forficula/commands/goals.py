@@ -66,6 +66,7 @@ def optimise(
 ) -> int:
     """Look for the design that does best what a goal asks, or go on with it where it stopped."""
     from forficula.goals import load_goal
+    from forficula.goals.optimise.filling import filling_text
     from forficula.goals.optimise.optimise import estimate_optimise
     from forficula.study.kept_runs import check_most
 
@@ -73,6 +74,8 @@ def optimise(
     folder = _folder(out, asked.name, "optimum.json")
     read_option("--keep", lambda: check_most(keep))
     share = read_shard(shard)
+    if filled := filling_text(asked):
+        remark(f"{asked.name}: {filled}")
     if dry_run:
         designs, seconds = estimate_optimise(asked)
         near = asked.neighbours if asked.deviations else 0

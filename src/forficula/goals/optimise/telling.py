@@ -9,6 +9,7 @@ from forficula.design import Design
 from forficula.goals.goal import Goal, own_limits
 from forficula.goals.limit import Limit
 from forficula.goals.optimise.candidate import Candidate, trial_of, wanted_share
+from forficula.goals.optimise.filling import filling_text
 from forficula.goals.optimise.neighbours import Neighbours
 from forficula.goals.optimise.optimum import Optimum
 from forficula.goals.optimise.relaxation import Relaxation, nearest_trial
@@ -25,7 +26,8 @@ def told(found: Optimum) -> list[str]:
     said += _discarded(found)
     if not found.best:
         said += _missing(found)
-    return [*said, _effort(found)]
+    filled = filling_text(found.goal)
+    return [*said, _effort(found), *([] if filled is None else [filled])]
 
 
 def value_texts(goal: Goal, candidate: Candidate) -> list[str]:
