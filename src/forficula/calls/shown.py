@@ -138,10 +138,11 @@ def compare(folders: Iterable[AnyPath], path: AnyPath) -> None:
 
 
 def save(result: object, folder: AnyPath) -> None:
-    """Write a record, a landscape, a convergence study, a material or parts to a folder, as its command does.
+    """Write a record, a landscape, a convergence study, a material, parts or a search to a folder, as its command does.
 
     Args:
-        result: of `run`, `landscape`, `converge`, `characterise` or `make_parts`, which are checked without a record.
+        result: of `run`, `landscape`, `converge`, `characterise`, `make_parts`, which are checked without a record, or
+            `optimise`, of which no runs are kept to be played.
         folder: made where it is missing; what an earlier result of the kind left there is replaced.
 
     Raises:
@@ -153,6 +154,7 @@ def save(result: object, folder: AnyPath) -> None:
     """
     from forficula.analysis import measure
     from forficula.dynamics import Record
+    from forficula.goals.optimise import Optimum
     from forficula.make.check_parts import check_parts
     from forficula.make.part import PartSet
     from forficula.material.characterisation import Characterisation
@@ -160,6 +162,7 @@ def save(result: object, folder: AnyPath) -> None:
     from forficula.show.folder.convergence_folder import write_convergence
     from forficula.show.folder.landscape_folder import write_landscape
     from forficula.show.folder.material_folder import write_material
+    from forficula.show.folder.optimum_folder import write_optimum, write_optimum_report
     from forficula.show.folder.parts_folder import write_parts
     from forficula.statics import EnergyLandscape
     from forficula.study.convergence import Convergence
@@ -181,7 +184,11 @@ def save(result: object, folder: AnyPath) -> None:
             compared = comparison_or_why(result) if result.joints else None
             made = compared if isinstance(compared, MadeComparison) else None
             write_parts(result, check_parts(result), folder, compared=made)
+        case Optimum():
+            write_optimum(result, folder)
+            write_optimum_report(result, (), 0, folder)
         case _:
             raise InputError(
-                f"need a record, a landscape, a convergence study, a material or parts, got a {type(result).__name__}"
+                "need a record, a landscape, a convergence study, a material, parts or a search, got a"
+                f" {type(result).__name__}"
             )

@@ -48,7 +48,7 @@ def build_result(observations: Observations, samples: Sequence[Sample], runs: in
         95 %, `together_near` (the least by which the worse one of both is missed, in scales), `together_if_independent`
         (how many would be met, were the one not to mind the other) and `together`, a verdict in words.
     """
-    import xarray
+    from forficula.goals.identify.identification_table import IdentificationTable
 
     facts, ran = observations.facts, [not sample.why for sample in samples]
     scales = fact_scales(facts, [sample for sample in samples if not sample.directed])
@@ -77,7 +77,7 @@ def build_result(observations: Observations, samples: Sequence[Sample], runs: in
         **_shares(seen),
         **_pairs(seen),
     }
-    return xarray.Dataset(
+    return IdentificationTable(
         variables,
         coords={**_unknowns(observations.priors, samples), **_names(facts)},
         attrs=_attributes(observations, samples, seen, runs),
