@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from forficula.design import Design
@@ -152,6 +153,13 @@ def save(result: object, folder: AnyPath) -> None:
     >>> ff.load_record("there").design.name
     'letter-fold'
     """
+    if folder == "":  # which would be the current one
+        raise InputError('need a folder, got ""')
+    _write(result, as_path(folder, "a folder"))
+
+
+def _write(result: object, folder: Path) -> None:
+    """Write a result as its command does."""
     from forficula.analysis import measure
     from forficula.dynamics import Record
     from forficula.goals.optimise import Optimum
@@ -168,9 +176,6 @@ def save(result: object, folder: AnyPath) -> None:
     from forficula.study.convergence import Convergence
     from forficula.study.made_comparison import MadeComparison, comparison_or_why
 
-    if folder == "":  # which would be the current one
-        raise InputError('need a folder, got ""')
-    folder = as_path(folder, "a folder")
     match result:
         case Record():
             write_run(result, measure(result), folder)

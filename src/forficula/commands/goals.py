@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from contextlib import nullcontext
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from forficula.goals.optimise import Optimum
     from forficula.goals.tolerance import Question, Tolerance
     from forficula.goals.tolerance.plan import Plan
+    from forficula.study.run_study import Evaluate
 
 
 _Shard = Annotated[str, Parameter(help="Share the runs with other processes, as in 2/8; each of them has the result.")]
@@ -50,6 +51,13 @@ def _folder(out: Path | None, name: str, own: str) -> Path:
     check_folder(folder)
     check_answer(folder, own)
     return folder
+
+
+def _cluster(scheduler: str | None) -> AbstractContextManager[Evaluate | None]:
+    """What makes rows of runs: a Dask cluster, or this machine where none is given."""
+    from forficula.study import dask_cluster
+
+    return nullcontext() if scheduler is None else dask_cluster(scheduler)
 
 
 def optimise(
@@ -106,9 +114,8 @@ def _optimised(asked: Goal, folder: Path, shard: tuple[int, int], dask: str | No
     """Search here or on a Dask cluster."""
     from forficula.goals.optimise import optimise_goal
     from forficula.show.goals.optimise_progress import optimise_progress
-    from forficula.study import dask_cluster
 
-    with nullcontext() if dask is None else dask_cluster(dask) as cluster, optimise_progress() as progress:
+    with _cluster(dask) as cluster, optimise_progress() as progress:
         return optimise_goal(asked, folder, shard=shard, cluster=cluster, progress=progress)
 
 
@@ -147,7 +154,7 @@ def tolerance(
     dask: Dask = None,
 ) -> int:
     """How likely does a design work as it is built, and which tolerance decides?"""
-    from forficula.goals.tolerance import assess_tolerance, estimate_tolerance
+    from forficula.goals.tolerance import estimate_tolerance
     from forficula.study.kept_runs import check_most
 
     own = read_settings(tolerances, "--tolerance", 'tendon.stiffness="5 %"')
@@ -155,22 +162,26 @@ def tolerance(
     folder = _folder(out, f"{question.design.name}-tolerance", "tolerance.json")
     read_option("--keep", lambda: check_most(keep))
     share = read_shard(shard)
-    tell_assumed(question)
     if dry_run:
-        plan, most, seconds = estimate_tolerance(question, folder, minutes, seed)
-        _tell_plan(question, plan, most, seconds)
+        _tell_plan(question, *estimate_tolerance(question, folder, minutes, seed))
         return 0
     tell_replaced(folder, "tolerance", _ROWS_STAY)
-
-    from forficula.show import study_progress
-    from forficula.study import dask_cluster
-
-    with nullcontext() if dask is None else dask_cluster(dask) as cluster, study_progress() as progress:
-        found = assess_tolerance(
-            question, folder, minutes=minutes, seed=seed, shard=share, cluster=cluster, progress=progress
-        )
+    found = _assessed(question, folder, minutes, seed, share, dask)
     _tell_tolerance(found, folder, keep)
     return 0 if found.nominal_works and found.meets else 2
+
+
+def _assessed(
+    question: Question, folder: Path, minutes: float, seed: int, shard: tuple[int, int], dask: str | None
+) -> Tolerance:
+    """Assess a tolerance here or on a Dask cluster."""
+    from forficula.goals.tolerance import assess_tolerance
+    from forficula.show import study_progress
+
+    with _cluster(dask) as cluster, study_progress() as progress:
+        return assess_tolerance(
+            question, folder, minutes=minutes, seed=seed, shard=shard, cluster=cluster, progress=progress
+        )
 
 
 def _question(
@@ -186,6 +197,7 @@ def _question(
     question = question_of(chosen, tolerances, goal=goal, settings=settings)
     if chosen is not None and (keys := differing_keys(chosen, question.design)):
         remark(f"{chosen.name}: {listed(keys)} as {goal} has {'it' if len(keys) == 1 else 'them'}")
+    _tell_assumed(question)
     return question
 
 
@@ -221,7 +233,7 @@ def _tell_tolerance(found: Tolerance, folder: Path, keep: int) -> None:
     print(f"\nwritten to {folder}")
 
 
-def tell_assumed(question: Question) -> None:
+def _tell_assumed(question: Question) -> None:
     """Say on stderr which tolerances are taken where none were given."""
     if question.assumed:
         remark(
@@ -267,7 +279,6 @@ def _identified(asked: Observations, folder: Path, shard: tuple[int, int], dask:
     """Run observations here or on a Dask cluster."""
     from forficula.goals.identify.run_identify import identify as identify_in
     from forficula.show.goals.identify_progress import identify_progress
-    from forficula.study import dask_cluster
 
-    with nullcontext() if dask is None else dask_cluster(dask) as cluster, identify_progress() as (samples, runs):
+    with _cluster(dask) as cluster, identify_progress() as (samples, runs):
         return identify_in(asked, folder, shard=shard, cluster=cluster, progress=samples, run_progress=runs)

@@ -64,15 +64,8 @@ def build_result(observations: Observations, samples: Sequence[Sample], runs: in
         targets=[sample.target for sample in samples if not sample.why],
     )
     variables: dict[str, Any] = {
-        "value": (("sample", "fact"), _by_fact(samples, facts, "value")),
-        "distance": (("sample", "fact"), _by_fact(samples, facts, "distance")),
-        "scaled_distance": (("sample", "fact"), np.where(inside[:, None], excess, np.nan)),
-        "met": (("sample", "fact"), met),
-        "tells": (("sample", "fact"), tells_of(samples, len(facts))),
-        "untold": (("sample", "fact"), np.nan_to_num(_by_fact(samples, facts, "untold")).astype(int)),
+        **_samples(samples, facts, met, np.where(inside[:, None], excess, np.nan)),
         "agrees": ("sample", agrees),
-        "directed": ("sample", placed),
-        "status": ("sample", np.array([sample.why or "ran" for sample in samples], dtype=object)),
         **_of_facts(facts, scales),
         **_shares(seen),
         **_pairs(seen),
@@ -82,6 +75,21 @@ def build_result(observations: Observations, samples: Sequence[Sample], runs: in
         coords={**_unknowns(observations.priors, samples), **_names(facts)},
         attrs=_attributes(observations, samples, seen, runs),
     )
+
+
+def _samples(samples: Sequence[Sample], facts: Sequence[Fact], met: Any, excess: Any) -> dict[str, Any]:
+    """What became of every sample, by itself and by every fact."""
+    over = ("sample", "fact")
+    return {
+        "value": (over, _by_fact(samples, facts, "value")),
+        "distance": (over, _by_fact(samples, facts, "distance")),
+        "scaled_distance": (over, excess),
+        "met": (over, met),
+        "tells": (over, tells_of(samples, len(facts))),
+        "untold": (over, np.nan_to_num(_by_fact(samples, facts, "untold")).astype(int)),
+        "directed": ("sample", np.array([sample.directed for sample in samples])),
+        "status": ("sample", np.array([sample.why or "ran" for sample in samples], dtype=object)),
+    }
 
 
 def _by_fact(samples: Sequence[Sample], facts: Sequence[Fact], name: str) -> np.ndarray[Any, np.dtype[np.float64]]:
