@@ -8,7 +8,7 @@ from forficula.goals.identify import observations_of
 from forficula.goals.identify.exclusion import Together
 from forficula.goals.identify.identify import identify_samples
 from forficula.goals.identify.result import build_result
-from forficula.show.goals.identify_text import print_identification, together_sentences
+from forficula.show.goals.identify_text import agrees_sentence, print_identification, together_sentences
 from tests.goals.identify.closed_form import assess, count_fact, row_of, time_fact
 
 # less than any overbend
@@ -233,3 +233,13 @@ def test_names_with_brackets_stand_in_the_table_as_they_are(capsys):
     assert "b [red]/[9 cm]  at least 0" in said
     assert "What agrees is the one drawn sample that meets every fact." in said
     assert "One sample meets the fact." in said
+
+
+def test_where_nothing_can_be_built_the_reason_is_told():
+    unknown = {"tendon.distal_attachment": {"distribution": "uniform", "low": "12 cm", "high": "15 cm"}}
+    result = observed([count_fact("some", at_least=0)], samples=4, directed=4, unknown=unknown)
+    assert result.attrs["could_not_run"] == 4
+    assert together_sentences(result)[0].startswith(
+        "4 samples cannot be built, mostly: binder2025: tendon.distal_attach"
+    )
+    assert agrees_sentence(result) == "None agrees, for none can be built."

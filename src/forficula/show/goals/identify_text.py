@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections import Counter
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -104,7 +105,7 @@ _PAIRS = {
 
 def together_sentences(result: Dataset) -> list[str]:
     """Which facts are met together by no sample, and what that means."""
-    sentences = [*_most_met(result), *_untold(result)]
+    sentences = [*_not_built(result), *_most_met(result), *_untold(result)]
     found = _pairs(result)
     for word, words in _PAIRS.items():
         these = [line for verdict, line in found if verdict == word]
@@ -119,6 +120,15 @@ def together_sentences(result: Dataset) -> list[str]:
         if not met
     ]
     return [*sentences, f"Met by none at all: {', '.join(never)}."] if never else sentences
+
+
+def _not_built(result: Dataset) -> list[str]:
+    """How many samples there is no design of, and the most frequent reason."""
+    why = Counter(str(status) for status in result["status"].values if status != "ran")
+    if not why:
+        return []
+    ((reason, _),) = why.most_common(1)
+    return [f"{counted(why.total(), 'sample')} cannot be built, mostly: {reason}"]
 
 
 def _most_met(result: Dataset) -> list[str]:
@@ -235,6 +245,8 @@ def agrees_sentence(result: Dataset) -> str:
     """What is taken for what agrees."""
     agrees = result["agrees"].values
     whole = bool(result["met"].values[agrees].all()) if agrees.any() else False
+    if not agrees.any():
+        return "None agrees, for none can be built."
     if (count := int(agrees.sum())) == 1:
         return f"What agrees is the one drawn sample that {'meets every fact' if whole else 'is nearest to all facts'}."
     what = "meet every fact" if whole else "are nearest to all facts"
