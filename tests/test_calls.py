@@ -1,6 +1,7 @@
 """From Python: what every command does is one call, by name, path or design, and every example in it is true."""
 
 import doctest
+import importlib
 import os
 from importlib import metadata
 
@@ -25,16 +26,21 @@ def record(letter_run):
 def test_every_example_is_true(tmp_path, monkeypatch, design, record):
     monkeypatch.chdir(tmp_path)
     known = {"ff": ff, "design": design, "record": record}
-    modules = (forficula.calls, forficula.analysis.json_schemas)
+    parts = ("goals", "patterns", "runs", "shown", "studies")
+    calls = [importlib.import_module(f"forficula.calls.{part}") for part in parts]
+    modules = (*calls, forficula.analysis.json_schemas)
     examples = [each for module in modules for each in doctest.DocTestFinder().find(module, extraglobs=known)]
     told = [each for each in examples if each.examples]
     runner = doctest.DocTestRunner()
     for each in told:
         runner.run(each)
     assert runner.summarize(verbose=False).failed == 0
-    public = {name for name, call in vars(forficula.calls).items() if callable(call) and name in ff.__all__}
     shown = {each.name.rpartition(".")[2] for each in told}
-    assert {name for name in public if getattr(ff, name).__module__ == "forficula.calls"} <= shown
+    # every call is public, and has an example
+    assert {call.__module__ for call in map(vars(forficula.calls).get, forficula.calls.__all__)} == {
+        each.__name__ for each in calls
+    }
+    assert set(forficula.calls.__all__) <= shown & set(ff.__all__)
 
 
 def test_every_public_name_is_there_and_told_once():

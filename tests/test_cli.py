@@ -292,7 +292,12 @@ def test_a_new_study_runs_as_it_is(call):
 def test_a_new_goal_is_a_goal_as_it_is(call, refusal):
     assert "forficula optimise new.toml" in call("new", "new.toml", "--goal").out
     assert load_goal("new.toml").objectives
-    assert refusal("new", "other.toml", "--goal", "--tests").startswith("new: need one of --study, --goal and --tests")
+    assert refusal("new", "other.toml", "--goal", "--tests").startswith("new: need one of --study, --goal, --")
+
+
+def test_new_observations_are_observations_as_they_are(call):
+    assert "forficula identify new.toml" in call("new", "new.toml", "--observations").out
+    assert "new: 384 samples" in call("identify", "new.toml", "--dry-run").out
 
 
 def test_json_is_all_that_stands_on_standard_output(in_an_empty_folder, call, refusal):

@@ -28,6 +28,8 @@ from forficula.toml_text import parse_toml
 _MARK = re.compile(r"(\.forficula-[0-9a-f]{12})(\.lock|-.*)")
 _TURN = ".forficula.lock"
 
+AnyPath = str | os.PathLike[str]
+
 
 class _UnwrittenError(InputError):
     """A file that cannot be written, and why."""

@@ -30,6 +30,11 @@ def listed(words: Iterable[str], last: str = "and") -> str:
     return f"{', '.join(most)} {last} {end}" if most else end
 
 
+def counted(number: int, what: str) -> str:
+    """A number of something, such as "1 run" or "2 runs"."""
+    return f"{number} {what}" if number == 1 else f"{number} {what}s"
+
+
 def unknown_key(key: str, value: object, hint: str) -> str:
     """What errors say of a key that is none: it, the value that it was given, and what is allowed or near.
 

@@ -73,6 +73,7 @@ OkIf = Annotated[
 DesignName = Annotated[
     str, Parameter(help="A named design, or the path of a design file (.toml), a FOLD file or a drawing (.svg, .dxf).")
 ]
+Dask = Annotated[str | None, Parameter(help="Run on the Dask cluster with this scheduler, as in tcp://scheduler:8786.")]
 DrawingUnit = Annotated[
     str | None, Parameter(help='Length of one unit of a FOLD file or a drawing that names none, as in "1 cm".')
 ]
@@ -214,15 +215,20 @@ _RESULTS = {
     "convergence study": ("convergence.json", "design", "verdict"),
     "material": ("material.json", "material", None),
     "bill of parts": ("bill.json", "design", None),
+    "optimisation": ("optimum.json", "goal", None),
+    "tolerance": ("tolerance.json", "design", None),
+    "identification": ("identified.json", "name", None),
 }
 
 
-def tell_replaced(folder: Path, what: str) -> None:
+def tell_replaced(folder: Path, what: str, left: str = "") -> None:
     """Say on stderr which earlier results a command is about to replace, where there are any.
 
     Args:
         folder: where it will write.
-        what: "run", "landscape", "convergence study", "material" or "bill of parts".
+        what: "run", "landscape", "convergence study", "material", "bill of parts", "optimisation", "tolerance" or
+            "identification".
+        left: what stays, such as "; the rows stay".
     """
     from forficula.quantities import as_written
 
@@ -237,7 +243,7 @@ def tell_replaced(folder: Path, what: str) -> None:
         how = "" if verdict is None else f" ({as_written(content[verdict])})"
     except (ValueError, LookupError, TypeError, RecursionError):
         called, how = "an unknown name", ""
-    remark(f"{folder}: replaces the {what} of {called}{how} there")
+    remark(f"{folder}: replaces the {what} of {called}{how} there{left}")
 
 
 # what commands leave that answer goals, and what a study leaves; optimisations leave a table, too

@@ -3,6 +3,7 @@
 import pytest
 
 import forficula as ff
+from forficula.design import differing_keys
 
 PAPER = "Binder, Costi, Izzo, Seidl"
 BASED = 'based_on = "binder2025"\n'
@@ -39,3 +40,11 @@ def test_many_changes_are_not_all_told():
 
 def test_a_scaled_design_says_by_how_much():
     assert ff.scale_design("binder2025", 0.1).source.startswith("binder2025 at 0.1 times its size; binder2025: ")
+
+
+def test_what_differs_of_an_entry_with_a_name_is_told_by_it():
+    letter = ff.load_design("letter-fold")
+    stiffer = letter.with_values({"tendon.left.stiffness": "0.6 N/cm", "protocol.timestep": "0.1 ms"})
+    assert differing_keys(letter, stiffer) == ["protocol.timestep", "tendon.left.stiffness"]
+    assert differing_keys(letter, letter) == []
+    assert stiffer.source.startswith("letter-fold with other values of protocol.timestep and tendon.left.stiffness; ")

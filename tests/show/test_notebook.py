@@ -5,6 +5,8 @@ import xarray
 
 import forficula as ff
 from forficula.design import design_text
+from forficula.goals import goal_of
+from forficula.goals.identify import observations_of
 from forficula.material import load_law
 from tests.material.synthetic import cyclic_test
 
@@ -33,6 +35,31 @@ def results(design, record, tmp_path_factory):
         "material": ff.characterise([cyclic_test(lambda strain, _: 5e6 * strain)]),
         "law": load_law("tpu-82a"),
         "parts": ff.make_parts("binder2025-joint", "joint"),
+        **_answers(design, tmp_path_factory.mktemp("answers")),
+    }
+
+
+def _answers(design, folder):
+    """A goal and observations, and what came of them."""
+    goal = goal_of(
+        {
+            "name": "light",
+            "design": "binder2025-joint",
+            "simulate": False,
+            "vary": {"tendon.rest_length": ["5 cm", "6 cm"]},
+            "limits": {"hinge_holding_torque": ">= 1 N cm"},
+            "objectives": {"mass": "least"},
+        }
+    )
+    fact = {"name": "closes", "quantity": "closed", "until": "close"}
+    unknown = {"tendon.left.stiffness": ["0.4 N/cm", "0.5 N/cm"]}
+    sampling = {"samples": 2, "directed": 0}
+    seen = observations_of({"design": design, "unknown": unknown, "sampling": sampling, "fact": [fact]})
+    return {
+        "goal": goal,
+        "optimum": ff.optimise(goal, folder / "optimum"),
+        "observations": seen,
+        "identified": ff.identify(seen, folder / "identified"),
     }
 
 
@@ -49,6 +76,10 @@ def results(design, record, tmp_path_factory):
         ("material", ("MPa", "<img")),
         ("law", ("modulus.linear", "MPa")),
         ("parts", ("<iframe", "binder2025-joint: parts to make", "They are not checked yet")),
+        ("goal", ("light", "The least mass of binder2025-joint", "tendon.rest_length", "5 cm | 6 cm", "&gt;= 1 N cm")),
+        ("optimum", ("light: the least mass of 2 designs", "tendon.rest_length", "<img")),
+        ("observations", ("1 fact on letter-fold", "tendon.left.stiffness", "closes", "<td>all</td>")),
+        ("identified", ("2 samples of 1 unknown value of letter-fold drawn", "<img", "xarray.IdentificationTable")),
     ],
 )
 def test_a_result_shows_itself_in_a_notebook(results, name, parts):
@@ -78,6 +109,12 @@ def test_a_line_of_a_result_has_the_units_of_the_field(results):
 def test_a_design_is_printed_as_its_file(design):
     assert str(design) == design_text(design)
     assert 'stiffness = "' in str(design)
+
+
+def test_a_part_of_an_identification_shows_itself_as_a_table(results):
+    found = results["identified"]
+    assert isinstance(found, xarray.Dataset)
+    assert "2 samples" not in found.isel(fact=0)._repr_html_()
 
 
 def test_a_table_of_a_study_is_a_dataset_and_stays_one(results):

@@ -145,7 +145,7 @@ def test_sampled_studies_have_as_many_points_as_were_asked_and_the_same_for_the_
         (f'design = "binder2025"\nsettings = 3\n[factors]\n{LISTED}', "settings: need a table, got 3"),
         (
             f'design = "binder2025"\n[factors]\n{LISTED}\n[settings]\ntendon.stifness = "1 N/m"',
-            "tendon.stifness: unkno",
+            "settings.tendon.stifness: unkno",
         ),
         (f'design = "binder2025"\nname = "a/b"\n[factors]\n{LISTED}', "name: need a name that a folder can have"),
         (f'design = "binder2025"\nname = ""\n[factors]\n{LISTED}', "name: need a name that a folder can have"),

@@ -46,14 +46,18 @@ def new(
     kind: Annotated[str, Parameter(help=_KINDS)] = "earwig-fan",
     study: Annotated[bool, Parameter(help="Write a study file instead, of such a design.", negative=())] = False,
     goal: Annotated[bool, Parameter(help="Write a goal file instead, of such a design.", negative=())] = False,
+    observations: Annotated[
+        bool, Parameter(help="Write an observations file instead, of such a design.", negative=())
+    ] = False,
     tests: Annotated[
         bool, Parameter(help="Write three tensile tests instead, to try material with; made up.", negative=())
     ] = False,
 ) -> None:
-    """Write a commented design, study or goal file to start from, or sample tensile tests (FILE ends with .csv)."""
-    given = [option for option, wanted in (("--study", study), ("--goal", goal), ("--tests", tests)) if wanted]
+    """Write a commented design, study, goal or observations file to start from, or sample tensile tests (a .csv)."""
+    options = {"--study": study, "--goal": goal, "--observations": observations, "--tests": tests}
+    given = [option for option, wanted in options.items() if wanted]
     if len(given) > 1:
-        raise InputError(f"new: need one of --study, --goal and --tests, got {listed(given)}")
+        raise InputError(f"new: need one of {listed(list(options))}, got {listed(given)}")
     if tests:
         from forficula.material.sample_tests import write_sample_tests
 
@@ -71,6 +75,12 @@ def new(
 
         write_new_goal(file, kind)
         print(f"written to {file}; find the design with: forficula optimise {file}")
+        return
+    if observations:
+        from forficula.goals.identify.new_observations import write_new_observations
+
+        write_new_observations(file, kind)
+        print(f"written to {file}; find what is unknown with: forficula identify {file}")
         return
 
     from forficula.design import write_new_design

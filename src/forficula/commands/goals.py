@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from contextlib import nullcontext
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
+from forficula.errors import InputError
+from forficula.names import counted, listed
 from forficula.options import (
     WHOLE_NUMBER,
-    DesignName,
+    Dask,
     OutIfGiven,
     Settings,
     check_answer,
@@ -18,6 +20,7 @@ from forficula.options import (
     read_option,
     read_settings,
     read_shard,
+    tell_replaced,
 )
 from forficula.terminal import came_to, remark
 
@@ -28,6 +31,33 @@ if TYPE_CHECKING:
     from forficula.goals.identify import Observations
     from forficula.goals.optimise import Optimum
     from forficula.goals.tolerance import Question, Tolerance
+    from forficula.goals.tolerance.plan import Plan
+    from forficula.study.run_study import Evaluate
+
+
+_Shard = Annotated[str, Parameter(help="Share the runs with other processes, as in 2/8; each of them has the result.")]
+_ROWS_STAY = "; the rows stay"
+
+
+def _folder(out: Path | None, name: str, own: str) -> Path:
+    """The folder of a command's answer, which another kind of answer must not have.
+
+    Args:
+        out: as it was given.
+        name: of the folder within `out`, if none was given.
+        own: the file that tells of its own results.
+    """
+    folder = out or Path("out") / name
+    check_folder(folder)
+    check_answer(folder, own)
+    return folder
+
+
+def _cluster(scheduler: str | None) -> AbstractContextManager[Evaluate | None]:
+    """What makes rows of runs: a Dask cluster, or this machine where none is given."""
+    from forficula.study import dask_cluster
+
+    return nullcontext() if scheduler is None else dask_cluster(scheduler)
 
 
 def optimise(
@@ -39,39 +69,37 @@ def optimise(
         int, WHOLE_NUMBER, Parameter(help="Keep so many runs at most, to be played in its page; 0 for none.")
     ] = 24,
     dry_run: Annotated[bool, Parameter(help="Only say how many designs are tried and how long they take.")] = False,
-    shard: Annotated[
-        str, Parameter(help="Share the runs with other processes, as in 2/8; each has the result.")
-    ] = "1/1",
-    dask: Annotated[
-        str | None, Parameter(help="Run on the Dask cluster with this scheduler, as in tcp://scheduler:8786.")
-    ] = None,
+    shard: _Shard = "1/1",
+    dask: Dask = None,
 ) -> int:
     """Look for the design that does best what a goal asks, or go on with it where it stopped."""
     from forficula.goals import load_goal
+    from forficula.goals.optimise.filling import filling_text
     from forficula.goals.optimise.optimise import estimate_optimise
     from forficula.study.kept_runs import check_most
 
     asked = load_goal(goal)
-    folder = out or Path("out") / asked.name
-    check_folder(folder)
-    check_answer(folder, "optimum.json")
+    folder = _folder(out, asked.name, "optimum.json")
     read_option("--keep", lambda: check_most(keep))
     share = read_shard(shard)
+    if filled := filling_text(asked):
+        remark(f"{asked.name}: {filled}")
     if dry_run:
         designs, seconds = estimate_optimise(asked)
-        neighbours = f", and up to {asked.neighbours} neighbours of the best" if asked.deviations else ""
-        print(f"{asked.name}: at most {designs} designs, about {seconds:.0f} s{neighbours}")
+        near = asked.neighbours if asked.deviations else 0
+        came_to({"goal": asked.name, "most_designs": designs, "neighbours": near, "time_s": seconds})
+        neighbours = f", and up to {near} neighbours of the best" if near else ""
+        print(f"{asked.name}: at most {counted(designs, 'design')}, about {seconds:.0f} s{neighbours}")
         return 0
+    tell_replaced(folder, "optimisation", _ROWS_STAY)
     found = _optimised(asked, folder, share, dask)
 
     from forficula.goals.optimise.kept_candidates import candidates_to_keep
     from forficula.show import study_progress
-    from forficula.show.folder.optimum_folder import OPTIMUM_FILE, optimum_json, write_optimum, write_optimum_report
+    from forficula.show.folder.optimum_folder import optimum_json, write_optimum, write_optimum_report
     from forficula.show.goals.optimum_text import print_optimum
     from forficula.study.kept_runs import kept_runs
 
-    if (folder / OPTIMUM_FILE).is_file():
-        remark(f"{folder}: replaces the designs, the table and the page there; the rows stay")
     write_optimum(found, folder)
     runs = candidates_to_keep(found, keep)
     with study_progress() as progress:
@@ -86,14 +114,19 @@ def _optimised(asked: Goal, folder: Path, shard: tuple[int, int], dask: str | No
     """Search here or on a Dask cluster."""
     from forficula.goals.optimise import optimise_goal
     from forficula.show.goals.optimise_progress import optimise_progress
-    from forficula.study import dask_cluster
 
-    with nullcontext() if dask is None else dask_cluster(dask) as cluster, optimise_progress() as progress:
+    with _cluster(dask) as cluster, optimise_progress() as progress:
         return optimise_goal(asked, folder, shard=shard, cluster=cluster, progress=progress)
 
 
 def tolerance(
-    design: DesignName,
+    design: Annotated[
+        str | None,
+        Parameter(
+            help="A named design, or the path of a design file (.toml), a FOLD file or a drawing (.svg, .dxf); that of"
+            " --goal if not given."
+        ),
+    ] = None,
     /,
     *,
     settings: Settings = None,
@@ -117,44 +150,66 @@ def tolerance(
         int, WHOLE_NUMBER, Parameter(help="Keep so many runs at most, to be played in its page; 0 for none.")
     ] = 12,
     dry_run: Annotated[bool, Parameter(help="Only say which runs there are and how long they take.")] = False,
-    shard: Annotated[str, Parameter(help="Share the runs with other processes, as in 2/8.")] = "1/1",
-    dask: Annotated[
-        str | None, Parameter(help="Run on the Dask cluster with this scheduler, as in tcp://scheduler:8786.")
-    ] = None,
+    shard: _Shard = "1/1",
+    dask: Dask = None,
 ) -> int:
     """How likely does a design work as it is built, and which tolerance decides?"""
-    from forficula.design import load_design
-    from forficula.goals.tolerance import assess_tolerance, estimate_tolerance
-    from forficula.goals.tolerance.question_file import question_of
+    from forficula.goals.tolerance import estimate_tolerance
     from forficula.study.kept_runs import check_most
 
-    chosen = load_design(design, read_settings(settings))
-    folder = out or Path("out") / f"{chosen.name}-tolerance"
-    check_folder(folder)
-    check_answer(folder, "tolerance.json")
     own = read_settings(tolerances, "--tolerance", 'tendon.stiffness="5 %"')
-    question = question_of(chosen, own or None, goal=goal)
+    question = _question(design, read_settings(settings), own or None, goal)
+    folder = _folder(out, f"{question.design.name}-tolerance", "tolerance.json")
     read_option("--keep", lambda: check_most(keep))
     share = read_shard(shard)
-    tell_assumed(question)
     if dry_run:
-        plan, most, seconds = estimate_tolerance(question, folder, minutes, seed)
-        count = "1 value" if len(question.keys) == 1 else f"{len(question.keys)} values"
-        print(
-            f"{chosen.name}: {count} that may be off; {plan.points + plan.rows} points for the probability,"
-            f" at most {most} runs in all, about {seconds:.0f} s"
-        )
+        _tell_plan(question, *estimate_tolerance(question, folder, minutes, seed))
         return 0
-
-    from forficula.show import study_progress
-    from forficula.study import dask_cluster
-
-    with nullcontext() if dask is None else dask_cluster(dask) as cluster, study_progress() as progress:
-        found = assess_tolerance(
-            question, folder, minutes=minutes, seed=seed, shard=share, cluster=cluster, progress=progress
-        )
+    tell_replaced(folder, "tolerance", _ROWS_STAY)
+    found = _assessed(question, folder, minutes, seed, share, dask)
     _tell_tolerance(found, folder, keep)
     return 0 if found.nominal_works and found.meets else 2
+
+
+def _assessed(
+    question: Question, folder: Path, minutes: float, seed: int, shard: tuple[int, int], dask: str | None
+) -> Tolerance:
+    """Assess a tolerance here or on a Dask cluster."""
+    from forficula.goals.tolerance import assess_tolerance
+    from forficula.show import study_progress
+
+    with _cluster(dask) as cluster, study_progress() as progress:
+        return assess_tolerance(
+            question, folder, minutes=minutes, seed=seed, shard=shard, cluster=cluster, progress=progress
+        )
+
+
+def _question(
+    design: str | None, settings: dict[str, object], tolerances: dict[str, object] | None, goal: str | None
+) -> Question:
+    """What is asked of a design, or of that of a goal, whose settings are told where they change a design."""
+    from forficula.design import differing_keys, load_design
+    from forficula.goals.tolerance.question_file import question_of
+
+    if design is None and goal is None:
+        raise InputError("tolerance: need a design, or --goal with a file that has one")
+    chosen = None if design is None else load_design(design, settings)
+    question = question_of(chosen, tolerances, goal=goal, settings=settings)
+    if chosen is not None and (keys := differing_keys(chosen, question.design)):
+        remark(f"{chosen.name}: {listed(keys)} as {goal} has {'it' if len(keys) == 1 else 'them'}")
+    _tell_assumed(question)
+    return question
+
+
+def _tell_plan(question: Question, plan: Plan, most: int, seconds: float) -> None:
+    """Say which runs there are, and how long they take."""
+    name, count, points = question.design.name, len(question.keys), plan.points + plan.rows
+    told = {"values": list(question.keys), "points": points, "most_runs": most, "time_s": seconds}
+    came_to({"design": name, **told})
+    print(
+        f"{name}: {counted(count, 'value')} that may be off; {points} points for the"
+        f" probability, at most {most} runs in all, about {seconds:.0f} s"
+    )
 
 
 def _tell_tolerance(found: Tolerance, folder: Path, keep: int) -> None:
@@ -169,8 +224,6 @@ def _tell_tolerance(found: Tolerance, folder: Path, keep: int) -> None:
     from forficula.show.goals.tolerance_text import print_tolerance
     from forficula.study.kept_runs import kept_runs
 
-    if (folder / TOLERANCE_FILE).is_file():
-        remark(f"{folder}: replaces the tolerance there; the rows stay")
     write_tolerance(found, folder)
     runs = samples_to_keep(found, keep)
     with study_progress() as progress:
@@ -180,7 +233,7 @@ def _tell_tolerance(found: Tolerance, folder: Path, keep: int) -> None:
     print(f"\nwritten to {folder}")
 
 
-def tell_assumed(question: Question) -> None:
+def _tell_assumed(question: Question) -> None:
     """Say on stderr which tolerances are taken where none were given."""
     if question.assumed:
         remark(
@@ -195,35 +248,29 @@ def identify(
     *,
     out: Annotated[OutIfGiven, Parameter(help="Folder of the identification; out/<its name> if not given.")] = None,
     dry_run: Annotated[bool, Parameter(help="Only say how many runs there are and how long they take.")] = False,
-    shard: Annotated[
-        str, Parameter(help="Share the runs with other processes, as in 2/8; each has the result.")
-    ] = "1/1",
-    dask: Annotated[
-        str | None, Parameter(help="Run on the Dask cluster with this scheduler, as in tcp://scheduler:8786.")
-    ] = None,
+    shard: _Shard = "1/1",
+    dask: Dask = None,
 ) -> None:
     """Say which values of what is unknown agree with what was seen, and which facts exclude one another."""
     from forficula.goals.identify import load_observations
     from forficula.goals.identify.run_identify import estimate_identify
 
     asked = load_observations(observations)
-    folder = out or Path("out") / asked.name
-    check_folder(folder)
-    check_answer(folder, "identified.nc")
+    folder = _folder(out, asked.name, "identified.nc")
     share = read_shard(shard)
     if dry_run:
         count, runs, seconds = estimate_identify(asked)
-        print(f"{asked.name}: {count} samples, about {runs:.0f} runs, about {seconds:.0f} s")
+        came_to({"name": asked.name, "samples": count, "runs": round(runs), "time_s": seconds})
+        print(f"{asked.name}: {counted(count, 'sample')}, about {counted(round(runs), 'run')}, about {seconds:.0f} s")
         return
+    tell_replaced(folder, "identification", _ROWS_STAY)
     result = _identified(asked, folder, share, dask)
 
-    from forficula.show.folder.identify_folder import IDENTIFIED, identification_json, write_identification
+    from forficula.show.folder.identify_folder import IDENTIFIED_FILE, write_identification
     from forficula.show.goals.identify_text import print_identification
 
-    if (folder / IDENTIFIED).is_file():
-        remark(f"{folder}: replaces the result and the figures there; the rows stay")
     write_identification(result, folder)
-    came_to(identification_json(result))
+    came_to(folder / IDENTIFIED_FILE)
     print_identification(result)
     print(f"\nwritten to {folder}")
 
@@ -232,7 +279,6 @@ def _identified(asked: Observations, folder: Path, shard: tuple[int, int], dask:
     """Run observations here or on a Dask cluster."""
     from forficula.goals.identify.run_identify import identify as identify_in
     from forficula.show.goals.identify_progress import identify_progress
-    from forficula.study import dask_cluster
 
-    with nullcontext() if dask is None else dask_cluster(dask) as cluster, identify_progress() as (samples, runs):
+    with _cluster(dask) as cluster, identify_progress() as (samples, runs):
         return identify_in(asked, folder, shard=shard, cluster=cluster, progress=samples, run_progress=runs)

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from forficula.errors import InputError
-from forficula.names import listed
+from forficula.names import counted, listed
 from forficula.options import (
     WHOLE_NUMBER,
+    Dask,
     DesignName,
     NoEngine,
     OkIf,
@@ -45,9 +46,7 @@ def study(
     slurm: Annotated[
         int | None, WHOLE_NUMBER, Parameter(help="Write a SLURM job array of so many shards instead.")
     ] = None,
-    dask: Annotated[
-        str | None, Parameter(help="Run on the Dask cluster with this scheduler, as in tcp://scheduler:8786.")
-    ] = None,
+    dask: Dask = None,
     keep: Annotated[
         int | None,
         WHOLE_NUMBER,
@@ -108,6 +107,7 @@ def _print_estimate(study: Study, folder: Path) -> None:
     from forficula.study import estimate
 
     most, left, seconds = estimate(study, folder, building_progress())
+    came_to({"name": study.name, "points": len(study.points), "most_runs": most, "runs_left": left, "time_s": seconds})
     print(f"{study.name}: {len(study.points)} points, at most {most} runs; {left} to do, about {seconds:.0f} s")
 
 
@@ -168,7 +168,8 @@ def studies() -> None:
     for name in named_observations():
         seen = load_observations(name)
         facts, keys = [fact.name for fact in seen.facts], [prior.key for prior in seen.priors]
-        print(f"{name}\n    {seen.source}\n    {len(facts)} facts on {len(keys)} unknown values of {seen.base.name}")
+        what = f"{counted(len(facts), 'fact')} on {counted(len(keys), 'unknown value')}"
+        print(f"{name}\n    {seen.source}\n    {what} of {seen.base.name}")
         of = {"name": name, "kind": "observations", "source": seen.source, "design": seen.base.name}
         told.append(of | {"facts": facts, "factors": keys})
     came_to(told)

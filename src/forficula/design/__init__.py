@@ -19,6 +19,7 @@ from forficula.design.medium import MediumSection
 from forficula.design.new_design import write_new_design
 from forficula.design.part import LENGTH, TORQUE
 from forficula.design.protocol import Protocol, Stage, stage_drives
+from forficula.design.provenance import differing_keys
 from forficula.design.sheet import SheetDesign
 from forficula.design.sheet_parts import Imperfection
 from forficula.design.similarity import in_units, scale_design
@@ -49,6 +50,7 @@ __all__ = [
     "design_from_text",
     "design_pattern",
     "design_text",
+    "differing_keys",
     "in_units",
     "key_quantity",
     "key_value",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from forficula.names import listed
@@ -16,7 +17,7 @@ _MOST_TOLD = 6
 
 def derived_source(base: Design, design: Design) -> str:
     """The source of a design that came from another: where values differ, which, and then the source of the other."""
-    given = _differing(base.as_tables(_unread), design.as_tables(_unread))
+    given = differing_keys(base, design)
     if not given:
         return base.source
     beginning, end = f"{base.name} with other values of ", f"; {base.name}: "
@@ -29,17 +30,34 @@ def derived_source(base: Design, design: Design) -> str:
     return f"{beginning}{listed(changed)}{end}{source}" if source else f"{beginning}{listed(changed)}"
 
 
+def differing_keys(base: Design, design: Design) -> list[str]:
+    """The dotted keys at which two designs differ, but for what they are called and where they come from."""
+    return _differing(base.as_tables(_unread), design.as_tables(_unread))
+
+
 def _unread(value: float, _: object) -> float:
     return value
 
 
 def _differing(base: object, given: object, key: str = "") -> list[str]:
-    """The dotted keys at which tables differ, but for words."""
+    """The dotted keys at which tables differ, but for words; entries of lists by their names, if they have them."""
+    if isinstance(base, list | tuple) and isinstance(given, list | tuple):
+        base, given = _by_name(base) or base, _by_name(given) or given
+        if isinstance(base, dict) and isinstance(given, dict) and list(base) != list(given):
+            return [key]
     if not (isinstance(base, dict) and isinstance(given, dict)):
         return [] if base == given else [key]
     names = [name for name in {**base, **given} if key or name not in WORDS]
     parts = (_differing(base.get(name), given.get(name), f"{key}.{name}" if key else name) for name in names)
     return [found for part in parts for found in part]
+
+
+def _by_name(entries: Sequence[object]) -> dict[str, object]:
+    """Entries of a list by their names; none where they have none of their own."""
+    found: dict[str, object] = {
+        str(entry["name"]): entry for entry in entries if isinstance(entry, dict) and entry.get("name")
+    }
+    return found if len(found) == len(entries) else {}
 
 
 def scaled_source(name: str, source: str, factor: float) -> str:

@@ -228,13 +228,8 @@ def value_of(row: Row, quantity: OutcomeQuantity, design: Design | str) -> float
     if quantity.source == "design":
         value = None if isinstance(design, str) else key_value(design, quantity.name)
     else:
-        value = row.get(column(quantity))
+        value = row.get(quantity.column)
     return float(value) if isinstance(value, int | float) and not isinstance(value, bool) else None
-
-
-def column(quantity: OutcomeQuantity) -> str:
-    """What rows call a quantity: its name with its SI unit."""
-    return f"{quantity.told_as}{unit_suffix(quantity.unit.si)}" if quantity.unit.si else quantity.told_as
 
 
 def _static_row(task: _Task, known: Mapping[str, OutcomeQuantity]) -> Row:
@@ -243,7 +238,7 @@ def _static_row(task: _Task, known: Mapping[str, OutcomeQuantity]) -> Row:
         found = static_values(task.design, [task.source])
     except InputError as error:
         return {"key": task.key, "refused": str(error)}
-    told = {column(known[name]): value for name, value in found.items() if name in known}
+    told = {known[name].column: value for name, value in found.items() if name in known}
     return {"key": task.key, **{name: None if value is None else float(value) for name, value in told.items()}}
 
 

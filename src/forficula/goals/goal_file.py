@@ -98,7 +98,7 @@ def _goal(tables: dict[str, Any], folder: Path) -> Goal:
 
 def flat_table(tables: Mapping[str, Any], name: str, keep: Sequence[str] = ()) -> dict[str, Any]:
     """The entries of a table by dotted key; tables with some of these keys are values."""
-    return dotted_values(tables.get(name, {}), name, values=frozenset(keep))
+    return dotted_values(tables.get(name, {}), name, values=frozenset(keep), empty=True)
 
 
 def read_limits(given: Mapping[str, Any], base: Design) -> tuple[Limit, ...]:

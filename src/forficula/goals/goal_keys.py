@@ -25,7 +25,7 @@ GOAL_KEYS = (
     file_key("tolerances.KEY.distribution", '"uniform" or "normal"', "uniform", "of the values that are built"),
     file_key("tolerances.KEY.size", _SIZE, "", "up to which it is off; of a normal one, the standard deviation"),
     file_key("tolerances.KEY.intervals_of", "path", "", "of a tendon's law: a fitted law whose intervals are taken"),
-    file_key("search.runs", "whole number, >= 1", "512", "how many designs are tried at most"),
+    file_key("search.runs", "whole number, >= 1", "512", "designs that are tried at most; the first fill the space"),
     file_key("search.batch", "whole number, >= 4", "32", "how many side by side"),
     file_key("search.neighbours", "whole number, >= 8", "64", "how many within the tolerances are tried of one"),
     file_key("search.seed", "whole number, >= 0", "0", "of the random numbers"),

@@ -5,13 +5,10 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from forficula.design import key_quantity, key_value, load_design
-from forficula.design.kinds import KINDS, OTHER_REFERENCE, REFERENCES
-from forficula.errors import InputError
-from forficula.files import check_new, write_text
+from forficula.files import write_text
 from forficula.goals.outcome_quantity import quantities_of
-from forficula.names import listed, one_of
-from forficula.quantities import format_quantity, show_quantity
+from forficula.names import listed
+from forficula.study.start import commented, start_of
 
 _TEMPLATE = """\
 # A forficula goal: what a structure must do, what may vary, and how far off it may be built.
@@ -53,7 +50,6 @@ design = "{design}"  # a named design, or the path of a design file
 # neighbours = 64  # of one design, within the tolerances
 # seed = 0
 """
-_WIDTH = 116
 
 
 def write_new_goal(path: str | os.PathLike[str], kind: str = "earwig-fan") -> None:
@@ -66,37 +62,19 @@ def write_new_goal(path: str | os.PathLike[str], kind: str = "earwig-fan") -> No
     Raises:
         InputError: no such kind, or the file exists already, or cannot be written.
     """
-    path = Path(path)
-    if kind not in KINDS:
-        raise InputError(f"kind: need {one_of(KINDS, kind)}")
-    check_new(path, ".toml")
-    reference = REFERENCES.get(kind, OTHER_REFERENCE)
-    design = load_design(reference)
-    key = design.varied_key
-    quantity, value = key_quantity(key, type(design)), key_value(design, key)
-    assert quantity is not None
-    low, own, high = (format_quantity(share * value, quantity.unit) for share in (0.5, 1.0, 2.0))
-    names = list(quantities_of(design))
+    start = start_of(path := Path(path), kind)
+    low, own, high = (start.times(share) for share in (0.5, 1.0, 2.0))
+    names = list(quantities_of(start.design))
     text = _TEMPLATE.format(
-        kind=kind,
-        design=reference,
-        key=key,
+        kind=start.kind,
+        design=start.name,
+        key=start.key,
         low=low,
         value=own,
         high=high,
-        step=show_quantity(value / 20, quantity.unit),
-        quantities=_wrapped(f"{listed(names)}."),
+        step=start.about(0.05),
+        quantities=commented(f"{listed(names)}."),
         transition=next((name.removesuffix("_time") for name in names if name.endswith("_time")), "fold"),
         objective=next((name for name in names if name.endswith("_work")), "mass"),
     )
     write_text(path, text)
-
-
-def _wrapped(text: str) -> str:
-    """A long comment on several lines."""
-    lines = [""]
-    for word in text.split():
-        if len(lines[-1]) + len(word) > _WIDTH:
-            lines.append("")
-        lines[-1] = f"{lines[-1]} {word}".strip()
-    return "\n# ".join(lines)

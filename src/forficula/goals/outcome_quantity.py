@@ -13,6 +13,7 @@ from forficula.names import near_name
 from forficula.quantities import Unit
 from forficula.structure import Structure, Transition, distances_of, drive_of, drive_unit, first_state, structure_of
 from forficula.study.search_file import read_search
+from forficula.study.table import unit_suffix
 
 ENERGY = Unit(display="mJ", si="J", example="5 mJ")
 FORCE = Unit(display="N", si="N", example="5 N")
@@ -52,6 +53,11 @@ class OutcomeQuantity:
     def dimension(self) -> str:
         """Its name in tables."""
         return self.name.replace(".", "_")
+
+    @property
+    def column(self) -> str:
+        """What rows call it: its name with its SI unit."""
+        return f"{self.told_as}{unit_suffix(self.unit.si)}" if self.unit.si else self.told_as
 
 
 def quantities_of(design: Design) -> Mapping[str, OutcomeQuantity]:

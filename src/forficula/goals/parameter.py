@@ -8,14 +8,13 @@ from dataclasses import dataclass
 
 from forficula.design import Design, key_quantity, key_value
 from forficula.errors import InputError
+from forficula.goals.value_at import choice_at, written
 from forficula.names import near_name
 from forficula.quantities import as_written, parse_quantity, show_quantity
 from forficula.study.factors import Factor, read_factor
 
 _KEYS = ("low", "high", "step")
 _MOST_STEPS = 1_000_000
-# digits of what varies without steps: a design that a person can read, and build again
-_DIGITS = 6
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -51,13 +50,8 @@ class Parameter:
         """
         share = min(max(share, 0.0), 1.0)
         if self.choices:
-            return self.choices[min(int(share * len(self.choices)), len(self.choices) - 1)]
-        value = self.low + share * (self.high - self.low)
-        unit = self.factor.unit
-        if unit is None:
-            return float(f"{value:.{_DIGITS}g}")
-        number = value / parse_quantity(f"1 {unit.display}", unit)
-        return f"{float(f'{number:.{_DIGITS}g}')!r} {unit.display}".replace(".0 ", " ")
+            return choice_at(self.choices, share)
+        return written(self.low + share * (self.high - self.low), self.factor.unit)
 
     def share(self, value: object) -> float:
         """The share at which a value, as a design file has it or SI, lies; of a choice the middle of its part.

@@ -15,11 +15,19 @@ from forficula.analysis import Outcome, measure
 from forficula.design import Design
 from forficula.displayed import Displayed
 from forficula.dynamics import Record
+from forficula.goals import Goal
+from forficula.goals.identify import Observations
+from forficula.goals.identify.fact_text import asked_text
+from forficula.goals.identify.identification_table import IdentificationTable
+from forficula.goals.optimise import Optimum
 from forficula.goals.tolerance.tolerance_table import ToleranceTable
 from forficula.make.part import PartSet
 from forficula.material import MaterialLaw
 from forficula.material.characterisation import Characterisation
+from forficula.names import counted, listed
 from forficula.show.folder.figure_kinds import drawings_of
+from forficula.show.goals.identify_text import identification_text
+from forficula.show.goals.optimum_text import optimum_text
 from forficula.show.landscape.landscape_table import landscape_table
 from forficula.show.material.material_table import law_table, material_table
 from forficula.show.page.design_tables import design_tables
@@ -139,6 +147,42 @@ def _tolerance(found: ToleranceTable) -> Iterator[str]:
 @_parts.register
 def _table(found: StudyTable) -> Iterator[str]:
     yield _first_figure(found)
+    yield xarray.Dataset._repr_html_(found)
+
+
+@_parts.register
+def _goal(goal: Goal) -> Iterator[str]:
+    asked = listed([f"the {each.kind} {each.quantity.name}" for each in goal.objectives])
+    yield _title(goal.name)
+    yield paragraph(f"{asked[0].upper()}{asked[1:]} of {goal.base.name}, of at most {counted(goal.runs, 'design')}.")
+    yield table("What may vary", ("", ""), [tuple(str(each).split(" ", 1)) for each in goal.parameters], numbers=False)
+    yield table("Limits", ("",), [(str(each),) for each in (*goal.given, *goal.limits)], numbers=False)
+
+
+@_parts.register
+def _optimum(found: Optimum) -> Iterator[str]:
+    yield from _told(optimum_text(found))
+    yield _first_figure(found)
+
+
+@_parts.register
+def _observations(seen: Observations) -> Iterator[str]:
+    yield _title(seen.name)
+    yield paragraph(f"{counted(len(seen.facts), 'fact')} on {seen.base.name}.")
+    yield table(
+        "What is unknown", ("key", "believed"), [(prior.key, _values(prior)) for prior in seen.priors], numbers=False
+    )
+    yield table(
+        "What was seen", ("fact", "to be"), [(fact.name, asked_text(fact)) for fact in seen.facts], numbers=False
+    )
+
+
+@_parts.register
+def _identification(found: IdentificationTable) -> Iterator[str]:
+    # of a part of it nothing is told
+    if found.sizes.keys() >= {"sample", "fact", "other_fact"} and "most_met" in found.attrs:
+        yield from _told(identification_text(found))
+        yield _first_figure(found)
     yield xarray.Dataset._repr_html_(found)
 
 

@@ -79,7 +79,8 @@ class Distribution:
         return np.asarray(drawn)
 
 
-_PARAMETERS = {"uniform": ("low", "high"), "log-uniform": ("low", "high"), "normal": ("mean", "deviation")}
+# the parameters of each distribution
+DISTRIBUTIONS = {"uniform": ("low", "high"), "log-uniform": ("low", "high"), "normal": ("mean", "deviation")}
 
 
 def read_factor(key: str, given: object, model: type[Design]) -> Factor:
@@ -237,9 +238,11 @@ def _written(key: str, value: float, model: type[Design]) -> object:
 
 def _distribution(key: str, given: Mapping[str, object], has_unit: bool, model: type[Design]) -> Distribution:
     name = given.get("distribution")
-    if not isinstance(name, str) or name not in _PARAMETERS:
-        raise InputError(f"{key}.distribution: need one of {', '.join(_PARAMETERS)}, got {name!r}")
-    names = _PARAMETERS[name]
+    if "distribution" not in given:
+        raise InputError(f"{key}.distribution: is missing; need one of {', '.join(DISTRIBUTIONS)}")
+    if not isinstance(name, str) or name not in DISTRIBUTIONS:
+        raise InputError(f"{key}.distribution: need one of {', '.join(DISTRIBUTIONS)}, got {as_written(name)}")
+    names = DISTRIBUTIONS[name]
     if set(given) != {"distribution", *names}:
         raise InputError(f"{key}: a {name} distribution needs {names[0]} and {names[1]}, got {', '.join(given)}")
     quantity = key_quantity(key, model)

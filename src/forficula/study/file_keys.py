@@ -33,7 +33,12 @@ _VALUES = frozenset({"distribution", "based_on"})
 
 
 def dotted_values(
-    table: Mapping[str, Any], header: str, prefix: str = "", values: frozenset[str] = _VALUES
+    table: Mapping[str, Any],
+    header: str,
+    prefix: str = "",
+    values: frozenset[str] = _VALUES,
+    *,
+    empty: bool = False,
 ) -> dict[str, Any]:
     """The values of nested tables by dotted key.
 
@@ -42,14 +47,19 @@ def dotted_values(
         header: what errors call it.
         prefix: what stands before its keys, such as "tendon.".
         values: a table with any of these keys is a value itself.
+        empty: whether a table without any is one, too, to be refused by what reads it; otherwise it says nothing.
 
     Raises:
         InputError: one of them is given twice.
     """
     flat: dict[str, Any] = {}
     for key, value in table.items():
-        nested = isinstance(value, dict) and not values & value.keys()
-        more = dotted_values(value, header, f"{prefix}{key}.", values) if nested else {f"{prefix}{key}": value}
+        nested = isinstance(value, dict) and not values & value.keys() and not (empty and not value)
+        more = (
+            dotted_values(value, header, f"{prefix}{key}.", values, empty=empty)
+            if nested
+            else {f"{prefix}{key}": value}
+        )
         if twice := flat.keys() & more.keys():
             raise InputError(f"{header}.{min(twice)}: is given twice, once with dots in its name and once in a table")
         flat |= more

@@ -95,10 +95,49 @@ def base_design(tables: Mapping[str, Any], folder: Path) -> Design:
         raise InputError('design: is missing; give the name or path of a design, such as "binder2025"')
     if not isinstance(name, str | Design):
         raise InputError(f'design: need the name or path of a design, such as "binder2025", got {as_written(name)}')
-    settings = {
-        key: value_from_folder(key, value, folder)
-        for key, value in dotted_values(tables.get("settings", {}), "settings").items()
-    }
+    settings = settings_of(tables, folder)
     if isinstance(name, Design):
-        return name.with_values(settings)
-    return load_design(str(folder / name) if name.endswith(".toml") else name, settings)
+        return settled_by(name, settings)
+    called = str(folder / name) if name.endswith(".toml") else name
+    try:
+        return load_design(called, settings)
+    except InputError as error:
+        # what is wrong with the design itself is told as such
+        load_design(called)
+        raise InputError(_of_settings(str(error), settings)) from None
+
+
+def settings_of(tables: Mapping[str, Any], folder: Path) -> dict[str, object]:
+    """The values that a file has under `settings`, by dotted key.
+
+    Args:
+        tables: of the file.
+        folder: that paths in it start from.
+
+    Raises:
+        InputError: one is given twice, or is a path that leads nowhere.
+    """
+    if not isinstance(given := tables.get("settings", {}), dict):
+        raise InputError(f"settings: need a table, got {as_written(given)}")
+    values = dotted_values(given, "settings")
+    try:
+        return {key: value_from_folder(key, value, folder) for key, value in values.items()}
+    except InputError as error:
+        raise InputError(_of_settings(str(error), values)) from None
+
+
+def settled_by(design: Design, settings: Mapping[str, object]) -> Design:
+    """A design with the values under `settings` of a file.
+
+    Raises:
+        InputError: one of them is not allowed, or no key of it.
+    """
+    try:
+        return design.with_values(settings)
+    except InputError as error:
+        raise InputError(_of_settings(str(error).removeprefix(f"{design.name}: "), settings)) from None
+
+
+def _of_settings(error: str, settings: Mapping[str, object]) -> str:
+    """An error with the table that it is about, and its key there."""
+    return f"settings.{error}" if error.startswith(tuple(f"{key}:" for key in settings)) else f"settings: {error}"

@@ -5,12 +5,8 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from forficula.design import key_quantity, key_value, load_design
-from forficula.design.kinds import KINDS, OTHER_REFERENCE, REFERENCES
-from forficula.errors import InputError
-from forficula.files import check_new, write_text
-from forficula.names import one_of
-from forficula.quantities import format_quantity
+from forficula.files import write_text
+from forficula.study.start import start_of
 
 _TEMPLATE = """\
 # A forficula study: every point of its factors is a run of its design. What is behind # may be left out.
@@ -63,21 +59,13 @@ def write_new_study(path: str | os.PathLike[str], kind: str = "earwig-fan") -> N
     Raises:
         InputError: no such kind, or the file exists already, or cannot be written.
     """
-    path = Path(path)
-    if kind not in KINDS:
-        raise InputError(f"kind: need {one_of(KINDS, kind)}")
-    check_new(path, ".toml")
-    reference = REFERENCES.get(kind, OTHER_REFERENCE)
-    design = load_design(reference)
-    key = design.varied_key
-    quantity, value = key_quantity(key, type(design)), key_value(design, key)
-    assert quantity is not None
-    low, own, high = (format_quantity(share * value, quantity.unit) for share in (0.5, 1.0, 2.0))
-    states = [stage.state for stage in design.protocol.stages if stage.state is not None]
+    start = start_of(path := Path(path), kind)
+    low, own, high = (start.times(share) for share in (0.5, 1.0, 2.0))
+    states = [stage.state for stage in start.design.protocol.stages if stage.state is not None]
     text = _TEMPLATE.format(
-        kind=kind,
-        design=reference,
-        key=key,
+        kind=start.kind,
+        design=start.name,
+        key=start.key,
         low=low,
         value=own,
         high=high,

@@ -121,9 +121,14 @@ def read_factors(tables: Mapping[str, Any], name: str, folder: Path, base: Desig
     given = tables.get(name)
     if not isinstance(given, dict) or not given:
         raise InputError(f'{name}: need a table with at least one, such as "tendon.stiffness" = "10..60 N/cm step 10"')
-    values = dotted_values(given, name)
-    check_keys_once(values, base)
-    return tuple(read_factor(key, value_from_folder(key, value, folder), type(base)) for key, value in values.items())
+    values = dotted_values(given, name, empty=True)
+    try:
+        check_keys_once(values, base)
+        return tuple(
+            read_factor(key, value_from_folder(key, value, folder), type(base)) for key, value in values.items()
+        )
+    except InputError as error:
+        raise InputError(f"{name}.{error}") from None
 
 
 def _repeated_grid(

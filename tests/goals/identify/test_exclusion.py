@@ -1,26 +1,93 @@
 """What it means that no sample meets two facts: shares with intervals, and when none says nothing."""
 
 import numpy as np
+import pytest
 
 from forficula.goals.identify.directed import directed_shares, misses, open_targets
-from forficula.goals.identify.exclusion import Together, agreeing, best_subsets, pairs_of, smallest_unmet
+from forficula.goals.identify.exclusion import (
+    Evidence,
+    Together,
+    agreeing,
+    best_subsets,
+    conjunction,
+    smallest_unmet,
+    triples_of,
+)
+from forficula.goals.share_interval import largest_share
 
 
-def test_pairs_are_told_by_what_would_be_expected():
-    # of 40 drawn samples 20 meet fact 0, the other 20 fact 1, 2 of the others fact 2; one placed meets 0 and 2
-    met = np.zeros((41, 4), dtype=bool)
+def evidence(met, tells=None, excess=None, targets=None):
+    """What samples say that tell of all facts, and miss those that they do not meet by their scale."""
+    return Evidence(
+        met=met,
+        tells=np.ones_like(met) if tells is None else tells,
+        excess=np.where(met, 0.0, 1.0) if excess is None else excess,
+        targets=[()] * len(met) if targets is None else targets,
+    )
+
+
+def halves(placed=()):
+    """Of 40 drawn samples 20 meet fact 0, the others fact 1, 2 of these fact 2; then those that were placed."""
+    met = np.zeros((40 + len(placed), 4), dtype=bool)
     met[:20, 0] = met[20:40, 1] = met[20:22, 2] = True
-    met[40, [0, 2]] = True
-    placed = np.arange(41) == 40
-    found = {(pair.first, pair.second): pair for pair in pairs_of(met, placed)}
-    assert found[0, 1].verdict is Together.EXCLUDED
-    assert found[0, 1].expected == 10
-    assert found[1, 2].verdict is Together.MET
-    assert found[0, 2].verdict is Together.PLACED
-    assert found[0, 3].verdict is Together.NEVER
-    met[40] = False
-    assert pairs_of(met, placed)[1].verdict is Together.RARE
+    return met, [()] * 40 + list(placed)
+
+
+def test_facts_exclude_one_another_only_where_each_is_met_and_samples_that_were_placed_to_meet_both_do_not():
+    met, targets = halves(placed=[(0, 1)])
+    pair = conjunction((0, 1), evidence(met, targets=targets))
+    assert pair.verdict is Together.EXCLUDED
+    assert (pair.told, pair.drawn, pair.alone, pair.tried) == (40, 0, (20, 20), 1)
+    assert pair.independent == 10
+    # none of 40: what Clopper and Pearson leave, without a word on whether one fact minds the other
+    assert pair.most == pytest.approx(1 - 0.05 ** (1 / 40))
+    # nobody tried, or tried something else
+    assert conjunction((0, 1), evidence(met[:40])).verdict is Together.UNTRIED
+    assert conjunction((0, 1), evidence(met, targets=[*targets[:40], (0, 1, 2, 3)])).verdict is Together.UNTRIED
+    # one that was placed to does meet both
+    met[40, :2] = True
+    assert conjunction((0, 1), evidence(met, targets=targets)).verdict is Together.PLACED
+
+
+def test_facts_that_are_met_by_too_few_tell_nothing_of_whether_they_exclude_one_another():
+    met, targets = halves(placed=[(0, 2)])
+    pair = conjunction((0, 2), evidence(met, targets=targets))
+    assert pair.verdict is Together.RARE
+    # of two that meet the rarer one neither meets the other: at 95 % up to 78 of 100 such may
+    assert 1 - 0.05 ** (1 / 2) > 0.5
+    assert conjunction((1, 2), evidence(met, targets=targets)).verdict is Together.MET
+    assert conjunction((0, 3), evidence(met, targets=targets)).verdict is Together.NEVER
     assert best_subsets(met) == [(1, 2)]
+
+
+def test_facts_that_one_sample_nearly_meets_do_not_exclude_one_another():
+    met, targets = halves(placed=[(0, 1)])
+    excess = np.where(met, 0.0, 1.0)
+    excess[40] = [0.05, 0.08, 1.0, 1.0]
+    pair = conjunction((0, 1), evidence(met, excess=excess, targets=targets))
+    assert pair.near == pytest.approx(0.08)
+    assert pair.verdict is Together.NEARLY
+
+
+def test_samples_that_do_not_tell_are_not_counted_and_widen_the_bound():
+    met, targets = halves(placed=[(0, 1)])
+    tells = np.ones_like(met)
+    # of 4 that meet fact 0 it is open whether they meet fact 1; of 4 that meet fact 1, whether they meet fact 3
+    tells[:4, 1] = tells[20:24, 3] = False
+    pair = conjunction((0, 1), evidence(met, tells=tells, targets=targets))
+    assert (pair.told, pair.alone) == (36, (16, 20))
+    assert pair.most == pytest.approx(largest_share(4, 40))
+    # what misses one for certain does not meet both, whatever the other is
+    assert conjunction((0, 3), evidence(met, tells=tells, targets=targets)).most == pytest.approx(largest_share(0, 40))
+
+
+def test_every_three_facts_of_which_any_two_are_met_are_told_with_whether_they_were_tried():
+    met = np.repeat(np.array([[1, 1, 0], [0, 1, 1], [1, 0, 1]], dtype=bool), 6, axis=0)
+    (three,) = triples_of(evidence(met))
+    assert (three.facts, three.alone, three.verdict) == ((0, 1, 2), (12, 12, 12), Together.UNTRIED)
+    tried = np.vstack([met, [[False] * 3]])
+    (three,) = triples_of(evidence(tried, targets=[()] * 18 + [(0, 1, 2)]))
+    assert (three.verdict, three.tried) == (Together.EXCLUDED, 1)
 
 
 def test_the_smallest_sets_that_no_sample_meets_leave_out_what_follows_from_them():
@@ -34,6 +101,8 @@ def test_what_is_looked_for_is_what_no_sample_met():
     met = np.array([[1, 1, 0, 0], [0, 1, 1, 0], [0, 0, 0, 0]], dtype=bool)
     assert open_targets(met) == [(0, 1, 2, 3), (3,), (0, 2)]
     assert open_targets(np.ones((2, 3), dtype=bool)) == []
+    # three of which any two are met, once nothing smaller is left
+    assert open_targets(np.array([[1, 1, 0, 1], [0, 1, 1, 1], [1, 0, 1, 1]], dtype=bool)) == [(0, 1, 2, 3), (0, 1, 2)]
 
 
 def test_placed_samples_stay_in_the_cube_and_gather_where_a_target_is_near():

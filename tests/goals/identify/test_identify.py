@@ -8,6 +8,7 @@ from forficula.goals.identify import observations_of
 from forficula.goals.identify.exclusion import Together
 from forficula.goals.identify.identify import identify_samples
 from forficula.goals.identify.result import build_result
+from forficula.show.goals.identify_text import together_sentences
 from tests.goals.identify.closed_form import assess, count_fact, row_of, time_fact
 
 # less than any overbend
@@ -95,7 +96,7 @@ def test_samples_that_are_placed_refute_an_exclusion_that_is_an_accident():
     ]
     drawn = observed(facts, samples=64)
     assert int(drawn.met_together[0, 1]) == 0
-    assert drawn.together.values[0, 1] in (Together.RARE, Together.NEVER)
+    assert drawn.together.values[0, 1] != Together.EXCLUDED
     placed = observed(facts, samples=64, directed=96)
     assert int(placed.met_together_placed[0, 1]) > 0
     assert placed.together.values[0, 1] == Together.PLACED
@@ -132,6 +133,85 @@ def test_a_fact_whose_runs_do_not_tell_is_met_only_where_it_would_be_either_way(
     assert not told.met.any()
     assert (told.distance == 1).all()
     assert observed([{**plain, "tolerance": 1}], samples=4, rows=silent).met.all()
+
+
+def silent_at(length):
+    """Rows of which those with one resting length do not tell."""
+
+    def rows(runs):
+        found = assess(runs)
+        for run, row in zip(runs, found, strict=True):
+            if run.values["tendon.rest_length"] == length:
+                row["verdict"] = "untrusted"
+        return found
+
+    return rows
+
+
+LENGTHS = {"over": {"tendon.rest_length": ["8 cm", "9 cm"]}}
+
+
+@pytest.mark.parametrize(
+    ("statistic", "asked", "met", "tells"),
+    [
+        # the run that tells has its 11.5 ms and more: the least is at most that, the largest at least
+        ("least", {"at_most": "1 s"}, True, True),
+        ("least", {"at_least": "1 s"}, False, True),
+        ("least", {"at_least": "1 ms"}, False, False),
+        ("largest", {"at_least": "1 ms"}, True, True),
+        ("largest", {"at_most": "1 ms"}, False, True),
+        ("largest", {"at_most": "1 s"}, False, False),
+        ("mean", {"at_least": "1 ms"}, False, False),
+        ("least at", {"at": {"tendon.rest_length": "8 cm"}}, False, False),
+    ],
+)
+def test_a_number_of_runs_of_which_one_does_not_tell_is_met_or_missed_only_where_that_one_cannot_matter(
+    statistic, asked, met, tells
+):
+    fact = time_fact("time", statistic=statistic, **LENGTHS, **asked)
+    result = observed([fact], samples=4, rows=silent_at("9 cm"))
+    assert (result.met == met).all()
+    assert (result.tells == tells).all()
+    assert (result.untold == 1).all()
+    assert np.isfinite(result.distance).all()
+    assert int(result.told[0]) == (4 if tells else 0)
+    if not tells:
+        # four of four may meet it, or none
+        assert (float(result.met_share_low[0]), float(result.met_share_high[0])) == (0.0, 1.0)
+
+
+def test_a_least_value_lies_between_those_that_do_not_tell_and_the_one_that_holds():
+    def silent(runs):
+        found = assess(runs)
+        for run, row in zip(runs, found, strict=True):
+            if run.values["protocol.fold_torque"] == "20 N cm":
+                row["verdict"] = "diverged"
+        return found
+
+    least = {"key": "protocol.fold_torque", "values": "10..50 N cm step 10", "state": "folded"}
+    asked = {"name": "torque", "quantity": "least value", "least": least, "until": "fold"}
+    asked |= {"over": {"tendon.rest_length": "5 cm"}, "tolerance": "1 N cm"}
+    unknown = {"hinge.overbend": ["3 deg", "8 deg"]}
+
+    def told(**bound):
+        result = observed([{**asked, **bound}], samples=2, unknown=unknown, rows=silent)
+        return [result[name].sortby("hinge_overbend").values[:, 0].tolist() for name in ("met", "tells")]
+
+    # 10 N cm are enough at 3 deg; at 8 deg 20 may be, and 30 are
+    assert told(at_most="30 N cm") == [[True, True], [True, True]]
+    assert told(equals="30 N cm") == [[False, False], [True, False]]
+    assert told(at_least="20 N cm") == [[False, True], [True, True]]
+    assert told(equals="40 N cm") == [[False, False], [True, True]]
+
+
+def test_what_exclusion_rests_on_is_told_with_its_numbers():
+    result = observed([count_fact("many", at_least=40), count_fact("few", at_most=30)], samples=64, directed=32)
+    many, few = (int(each) for each in (result.met_alone[0, 1], result.met_alone[1, 0]))
+    told = together_sentences(result)
+    assert "Exclude one another, as far as samples tell" in told[-2]
+    assert f"many | few: by 0 of 64 that tell, by either alone {many} and {few} (" in told[-1]
+    assert "if independent); at most 4.6 % of what is believed (95 %); by none of" in told[-1]
+    assert int(result.tried_together[0, 1]) == 32
 
 
 def test_a_sample_that_there_is_no_such_design_of_is_told_and_counts_for_nothing():

@@ -2,11 +2,12 @@
 
 import pytest
 
+from forficula.design import key_value
 from forficula.errors import InputError
 from forficula.goals.identify import load_observations, named_observations, observations_of
 from forficula.goals.identify.fact_text import asked_text
 from forficula.goals.identify.observation_keys import observation_key_facts
-from forficula.goals.identify.prior import prior_shares, shares_of, values_at
+from forficula.goals.identify.prior import prior_shares, values_at
 from tests.goals.identify.closed_form import TENDONS, count_fact
 
 UNKNOWN = {"hinge.overbend": {"distribution": "uniform", "low": "1 deg", "high": "8 deg"}}
@@ -34,26 +35,27 @@ def test_named_observations_are_the_papers_lost_values():
     assert asked["unfolding costs twice"] == "at least 2 fold_work"
     assert asked["32 of 60 fold"] == "32 within 2"
     # the reference wing is among what is believed
-    shares = shares_of(seen.priors, [_value(seen.base, key) for key in keys])
-    assert ((shares >= 0) & (shares <= 1)).all()
+    for prior in seen.priors:
+        now = key_value(seen.base, prior.key)
+        if prior.distribution is None:
+            assert now in prior.values
+        else:
+            assert prior.distribution.first <= now <= prior.distribution.second
 
 
-def _value(design, key):
-    from forficula.design import key_quantity, key_value
-    from forficula.quantities import format_quantity
-
-    value, quantity = key_value(design, key), key_quantity(key)
-    return value if quantity is None else format_quantity(value, quantity.unit)
-
-
-def test_values_and_shares_of_what_is_believed_are_each_others_inverse():
-    seen = load_observations("binder2025-lost")
-    for point in prior_shares(seen.priors, 16, 1):
-        values = values_at(seen.priors, point)
-        back = shares_of(seen.priors, list(values.values()))
-        # of two choices a share is told to a quarter, of drawn values to six digits
-        words = [prior.distribution is None for prior in seen.priors]
-        assert all(abs(a - b) < (0.26 if word else 1e-5) for a, b, word in zip(point, back, words, strict=True))
+@pytest.mark.parametrize(
+    ("believed", "quarter"),
+    [
+        ({"distribution": "uniform", "low": "1 deg", "high": "5 deg"}, "2 deg"),
+        ({"distribution": "log-uniform", "low": "1 deg", "high": "16 deg"}, "2 deg"),
+        # 0.6745 standard deviations below the mean
+        ({"distribution": "normal", "mean": "3 deg", "deviation": "1 deg"}, "2.32551 deg"),
+        (["1 deg", "2 deg", "3 deg", "4 deg"], "2 deg"),
+    ],
+)
+def test_a_quarter_of_what_is_believed_lies_below_the_value_at_a_quarter(believed, quarter):
+    (prior,) = observations_of({**tables(**TIME), "unknown": {"hinge.overbend": believed}}).priors
+    assert values_at([prior], [0.25]) == {"hinge.overbend": quarter}
 
 
 def test_longer_draws_begin_with_the_shorter_ones():
@@ -92,6 +94,9 @@ def test_longer_draws_begin_with_the_shorter_ones():
             ),
             "over.hinge.damping: need a list or a range",
         ),
+        ({**tables(**TIME), "unknown": {"hinge.overbend": {}}}, "unknown.hinge.overbend.distribution: is missing"),
+        ({**tables(**TIME), "unknown": {"hinge.overbnd": ["1 deg"]}}, "unknown.hinge.overbnd: .*hinge.overbend"),
+        (tables(**TIME, over={"tendon.stiffness": {}}), "fact t: over.tendon.stiffness.distribution: is missing"),
     ],
 )
 def test_errors_name_the_fact_the_key_and_what_is_allowed(given, error):
@@ -135,4 +140,43 @@ def test_an_observations_file_names_itself_and_paths_start_from_it(tmp_path):
 def test_a_fact_that_no_run_could_answer_is_refused(change, says):
     with pytest.raises(InputError) as error:
         observations_of(tables(**TIME, **change))
+    assert says in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("believed", "says"),
+    [
+        (
+            {"distribution": "uniform", "low": "-1 N/cm", "high": "4 N/cm"},
+            "unknown.tendon.stiffness.low: need >= 0, got -1 N/cm",
+        ),
+        ({"distribution": "normal", "mean": "-1 N/cm", "deviation": "4 N/cm"}, "unknown.tendon.stiffness.mean: need"),
+        (["-1 N/cm", "4 N/cm"], "unknown.tendon.stiffness: need >= 0, got -1 N/cm"),
+    ],
+)
+def test_what_is_believed_must_be_what_a_design_may_have(believed, says):
+    with pytest.raises(InputError) as error:
+        observations_of({**tables(**TIME), "unknown": {"tendon.stiffness": believed}})
+    assert says in str(error.value)
+
+
+def test_a_normal_belief_may_have_a_tail_that_no_design_has():
+    believed = {"distribution": "normal", "mean": "1 N/cm", "deviation": "4 N/cm"}
+    assert observations_of({**tables(**TIME), "unknown": {"tendon.stiffness": believed}}).priors
+
+
+@pytest.mark.parametrize(
+    ("fact", "says"),
+    [
+        ({**TIME, "over": {"hinge.overbend": ["2 deg", "3 deg"]}}, "fact t: over.hinge.overbend: is under [unknown]"),
+        (
+            {"name": "t", "quantity": "least value", "least": LEAST | {"key": "hinge.overbend", "values": ["2 deg"]},
+             "at_most": "2 deg"},
+            "fact t: least.key: is under [unknown], too, as hinge.overbend; need it in one of them",
+        ),
+    ],
+)  # fmt: skip
+def test_what_is_unknown_is_no_condition_of_a_fact(fact, says):
+    with pytest.raises(InputError) as error:
+        observations_of(tables(**fact))
     assert says in str(error.value)

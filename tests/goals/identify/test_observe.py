@@ -10,8 +10,10 @@ from hypothesis import strategies as st
 from forficula.design import load_design
 from forficula.goals.identify import observations_of
 from forficula.goals.identify.finding import Finding, find
+from forficula.goals.identify.row_quantity import row_quantities
 from forficula.goals.identify.sample_runs import SampleRuns
 from forficula.goals.identify.staircase import FAILS, HOLDS, OPEN, follows, next_point
+from forficula.goals.outcome_quantity import quantities_of
 from tests.goals.identify.closed_form import TENDONS, assess, holding_torque
 
 LEAST = {
@@ -115,7 +117,7 @@ def test_a_place_is_as_far_off_as_its_number_is_from_the_least():
         "absent": "1 s",
     }
     stiff, _ = found(**fact, at={"tendon.stiffness": "40 N/cm"})
-    assert stiff == Finding(value=0.0, distance=0.0, met=True, untold=0)
+    assert stiff == Finding(value=0.0, distance=0.0, met=True, tells=True, untold=0)
     soft, _ = found(**fact, at={"tendon.stiffness": "10 N/cm"})
     # sqrt(I / (k a b)) of 4e-4 kg m^2 and 5.5 cm twice: 11.5 ms at 10 N/cm and half of it at 40, each twice over
     assert soft.distance == pytest.approx(11.5e-3, rel=1e-2)
@@ -202,3 +204,16 @@ def test_where_the_far_corner_has_a_boundary_of_its_own_every_condition_is_run()
     lazily, ran = found(rows=band, **fact, rising=["tendon.rest_length"], falling=["tendon.stiffness"])
     assert lazily == everything
     assert len(ran) == 60
+
+
+def test_what_runs_tell_has_the_names_that_goals_have():
+    design = load_design("force-clasp")
+    told = row_quantities(design)
+    asked = {name for name, each in quantities_of(design).items() if each.source == "run" and each.unit.si}
+    assert asked < set(told)
+    # a state by its own name, and its numbers by one without spaces
+    assert {"shut again", "shut_again_energy", "shut_again_angle"} <= set(told)
+    row = {"shut again_energy_J": 0.2, "shut again_angle_deg": 180.0, "shut again": True}
+    assert told["shut_again_energy"].of(row) == 0.2
+    assert told["shut_again_angle"].of(row) == pytest.approx(np.pi)
+    assert told["shut again"].of(row) == 1

@@ -106,6 +106,9 @@ def test_the_command_writes_its_files_and_tells_what_agrees(tmp_path, capsys):
     told = json.loads(capsys.readouterr().out)
     assert [fact["met"] for fact in told["facts"]] == [4, 0]
     assert told["facts"][1]["nearest"] == 1
+    (pair,) = told["pairs"]
+    assert (pair["facts"], pair["told"], pair["met"]) == (["closes", "never closes"], 4, 0)
+    assert (pair["met_alone"], pair["verdict"]) == ([4, 0], "one is never met")
     assert "Met by none at all: never closes." in told["sentences"]
     names = {path.name for path in out.iterdir()}
     assert {

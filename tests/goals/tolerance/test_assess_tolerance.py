@@ -10,7 +10,7 @@ import pytest
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.goals.tolerance import assess_tolerance, estimate_tolerance
-from forficula.goals.tolerance.advice import advice, most_telling
+from forficula.goals.tolerance.advice import advice, most_telling, tighten_first
 from forficula.goals.tolerance.nearest_failure import Answer
 from forficula.goals.tolerance.plan import PLANS
 from forficula.goals.tolerance.question_file import question_of
@@ -163,6 +163,27 @@ def test_where_nothing_varies_nothing_is_to_be_tightened(design, tmp_path):
     assert sound.probability.share == 1
     assert most_telling(sound) is None
     assert "Nothing within the tolerances changes the margin." in advice(sound)
+
+
+def test_where_nothing_fails_what_matters_is_told_and_nothing_is_to_be_tightened(design, tmp_path):
+    sound = assessed(design, tmp_path / "sound", SMALL, lambda offsets: line(offsets) + 0.2)
+    assert sound.probability.fails == 0
+    told = " ".join(advice(sound))
+    assert "Tighten" not in told
+    assert f"None of the {sound.probability.works} that tell fails: no tolerance has to be tightened." in told
+    assert f"What matters most is the tolerance of {KEYS[1]}, ± 10 %: it decides" in told
+    # how far it is to failure is told all the same
+    assert f"The nearest failure of one value alone is {KEYS[1]} at" in told
+    assert tighten_first(sound) is None
+
+
+def test_where_nothing_works_no_tolerance_is_to_blame(design, tmp_path):
+    hopeless = assessed(design, tmp_path / "hopeless", SMALL, lambda offsets: line(offsets) - 0.6)
+    assert hopeless.probability.works == 0
+    told = " ".join(advice(hopeless))
+    assert "Tighten" not in told
+    assert "None of them works, whatever the tolerances: move the design first." in told
+    assert tighten_first(hopeless) is None
 
 
 def test_without_time_for_indices_straight_lines_still_find_what_decides(design, tmp_path):

@@ -5,6 +5,7 @@ import json
 import pytest
 
 from forficula.cli import main
+from forficula.design import load_design
 
 FEW = ("--tolerance", "facet.thickness=1 %", "--minutes", "0.01")
 
@@ -33,7 +34,7 @@ def test_a_tolerance_leaves_a_folder_that_says_how_likely_it_works_and_draws_its
     for name in ("tolerance.nc", "table.csv", "report.html", "design.toml", "plan.json", "runs"):
         assert (folder / name).exists()
     again = called("tolerance", "letter-fold", *FEW, "--keep", "1")
-    assert "replaces the tolerance there; the rows stay" in again.err
+    assert "replaces the tolerance of letter-fold there; the rows stay" in again.err
     assert "letter-fold: It works in" in again.out
     assert json.loads((folder / "tolerance.json").read_text("utf-8")) == told
 
@@ -60,3 +61,36 @@ def test_a_dry_run_says_how_long_it_takes_and_leaves_nothing(called, tmp_path):
 def test_what_is_wrong_is_told_in_one_line(called, arguments, message):
     told = called("tolerance", "letter-fold", *arguments, expected=1).err.splitlines()
     assert message in told[-1]
+
+
+GOAL = """
+design = "letter-fold"
+[settings]
+"protocol.timestep" = "0.15 ms"
+"tendon.left.stiffness" = "0.49 N/cm"
+[vary]
+"tendon.right.stiffness" = { low = "0.4 N/cm", high = "0.6 N/cm" }
+[objectives]
+mass = "least"
+[tolerances]
+"facet.thickness" = "1 %"
+"""
+
+
+def test_a_design_is_asked_under_the_settings_of_the_goal_and_they_are_told(called, tmp_path):
+    (tmp_path / "goal.toml").write_text(GOAL, "utf-8")
+    said = called("tolerance", "letter-fold", "--goal", "goal.toml", "--minutes", "0.01", "--keep", "0").err
+    assert "letter-fold: protocol.timestep and tendon.left.stiffness as goal.toml has them" in said
+    built = load_design(str(tmp_path / "out" / "letter-fold-tolerance" / "design.toml"))
+    assert built.protocol.timestep == pytest.approx(1.5e-4)
+    assert built.tendon[0].stiffness == pytest.approx(49.0)
+
+
+def test_the_design_of_a_goal_is_asked_where_none_is_named(called, tmp_path):
+    (tmp_path / "goal.toml").write_text(GOAL, "utf-8")
+    told = json.loads(called("tolerance", "--goal", "goal.toml", "--dry-run", "--json").out)
+    assert told["design"] == "letter-fold"
+    assert told["values"] == ["facet.thickness"]
+    assert told["points"] <= told["most_runs"]
+    said = called("tolerance", expected=1).err
+    assert "tolerance: need a design, or --goal with a file that has one" in said

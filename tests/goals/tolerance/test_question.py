@@ -71,3 +71,31 @@ def test_a_wrong_table_of_a_file_is_told_with_the_file(design, tmp_path):
     path.write_text('[tolerance]\n"tendon.stiffness" = "5 %"\n', "utf-8")
     with pytest.raises(InputError, match=r"asked\.toml: .*did you mean tolerances"):
         question_of(design, goal=path)
+
+
+def test_settings_of_a_goal_hold_but_for_what_it_varies_and_what_is_given_beside(design, tmp_path):
+    path = tmp_path / "asked.toml"
+    path.write_text(
+        'design = "binder2025-joint"\n[settings]\ntendon.stiffness = "7 N/cm"\nvein.diameter = "4 mm"\n'
+        'protocol.timestep = "0.1 ms"\n[vary."tendon.stiffness"]\nlow = "1 N/cm"\nhigh = "9 N/cm"\n',
+        "utf-8",
+    )
+    given = design.with_values({"vein.diameter": "6 mm"})
+    asked = question_of(given, goal=path, settings={"vein.diameter": "6 mm"}).design
+    assert asked.protocol.timestep == pytest.approx(1e-4)
+    assert asked.vein.diameter == pytest.approx(6e-3)
+    # the best of a search has its own value of what was varied
+    assert asked.tendon.stiffness == design.tendon.stiffness
+    alone = question_of(None, goal=path, settings={"protocol.timestep": "0.2 ms"}).design
+    assert alone.name == "binder2025-joint"
+    assert alone.tendons[0].stiffness == pytest.approx(700.0)
+    assert alone.protocol.timestep == pytest.approx(2e-4)
+
+
+def test_settings_that_a_design_has_no_key_for_are_told_with_the_goal(design, tmp_path):
+    path = tmp_path / "asked.toml"
+    path.write_text('[settings]\n"facet.thickness" = "1 mm"\n', "utf-8")
+    with pytest.raises(InputError, match=r"asked\.toml: settings: facet: unknown key"):
+        question_of(design, goal=path)
+    with pytest.raises(InputError, match=r"asked\.toml: design: is missing"):
+        question_of(None, goal=path)

@@ -2,11 +2,13 @@
 
 import pytest
 
+import forficula as ff
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.goals.goal_file import goal_of
 from forficula.goals.optimise import optimise_goal
 from forficula.show.folder import optimum_folder
+from forficula.show.folder.figure_kinds import write_figure
 
 GOAL = {
     "name": "light",
@@ -33,3 +35,19 @@ def test_a_disk_that_is_full_leaves_what_was_there_and_what_is_not_best_any_more
     optimum_folder.write_optimum(none, tmp_path)
     assert not (tmp_path / "best.toml").exists()
     assert "mass <= 0.001 g" in (tmp_path / "optimum.json").read_text("utf-8")
+
+
+def test_a_search_is_saved_drawn_and_its_figures_handed_out(tmp_path):
+    found = ff.optimise(GOAL, tmp_path / "runs")
+    ff.save(found, tmp_path / "there")
+    names = {path.name for path in (tmp_path / "there").iterdir()}
+    assert {"best.toml", "optimum.json", "table.csv", "table.nc", "candidates.png", "report.html"} <= names
+    assert ff.load_design(str(tmp_path / "there" / "best.toml")).hash == found.designs[0].hash
+    assert ff.figure(found, "candidates").get_figwidth() == pytest.approx(3.5, rel=0.1)
+    write_figure(tmp_path / "there", "candidates", tmp_path / "again.svg")
+    kept = tmp_path / "there" / "figures" / "candidates.svg"
+    assert (tmp_path / "again.svg").read_bytes() == kept.read_bytes()
+    with pytest.raises(InputError, match="--kind: need one of candidates for"):
+        write_figure(tmp_path / "there", "candidate", tmp_path / "again.svg")
+    with pytest.raises(InputError, match="holds a search, whose figures are in its folder figures"):
+        ff.figure(tmp_path / "there")

@@ -22,6 +22,8 @@ _NOISE = 0.02
 def open_targets(met: NDArray[np.bool_]) -> list[Target]:
     """What no sample has met so far: all facts together, every fact, and every pair of facts that are met apart.
 
+    Where every fact and every pair that is met apart is met, every three of which any two are.
+
     Args:
         met: whether each sample met each fact, (samples, facts).
 
@@ -35,8 +37,15 @@ def open_targets(met: NDArray[np.bool_]) -> list[Target]:
         for one, other in itertools.combinations(range(count), 2)
         if met[:, one].any() and met[:, other].any() and not (met[:, one] & met[:, other]).any()
     ]
+    triples = [
+        three
+        for three in itertools.combinations(range(count), 3)
+        if not (single or pairs)
+        and all(met[:, two].all(axis=1).any() for two in itertools.combinations(three, 2))
+        and not met[:, three].all(axis=1).any()
+    ]
     everything = [] if met.all(axis=1).any() else [tuple(range(count))]
-    return list(dict.fromkeys([*everything, *single, *pairs]))
+    return list(dict.fromkeys([*everything, *single, *pairs, *triples]))
 
 
 def misses(excess: Array, target: Target) -> Array:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -14,79 +15,131 @@ from forficula.goals.share_interval import largest_share
 Mask = NDArray[np.bool_]
 Array = NDArray[np.float64]
 
-# what would be expected of two facts that have nothing to do with one another: with so many, a chance of 5 % that none
-# comes
-_ENOUGH = 3.0
+# of the samples that meet the rarer of some facts: where none meets the others, at most this share of all such may, at
+# 95 %, or they are too few to tell
+_RARE = 0.5
+# of the facts' scales: where some sample misses none of them by more, they do not exclude one another
+_NEAR = 0.1
 
 
 class Together(StrEnum):
-    """What samples say of two facts."""
+    """What samples say of some facts."""
 
     MET = "met together"
     PLACED = "met together where placed"  # by no sample that was drawn, and by one that was placed
-    EXCLUDED = "exclude one another"  # no sample, though of two that do not mind one another some would be expected
-    RARE = "too rare to tell"  # no sample, and hardly one would be expected
+    NEARLY = "nearly met together"  # by none, but one misses them by little
+    EXCLUDED = "exclude one another"  # by none of those that tell, and by none that was placed to
+    UNTRIED = "met by none, not tried"  # by none, but none was placed to meet them either
+    RARE = "too rare to tell"  # by none, but hardly one meets the rarer one
     NEVER = "one is never met"
 
 
 @dataclass(frozen=True, kw_only=True)
-class Pair:
-    """Two facts and how far they are met together.
+class Evidence:
+    """What samples that ran say of all facts.
 
     Attributes:
-        first: number of a fact.
-        second: number of another, larger.
-        drawn: how many of the drawn samples meet both.
-        placed: how many of the placed ones do.
-        expected: how many of the drawn ones would, did the one not mind the other.
-        most: largest share of the priors that may meet both, at a one-sided 95 %.
+        met: whether each sample met each fact for certain, (samples, facts).
+        tells: whether it met or missed each for certain, (samples, facts).
+        excess: by how much it misses each beyond its tolerance, in units of the fact's scale, (samples, facts).
+        targets: of each sample the facts that it was placed to meet together; none where it was drawn from the priors.
+    """
+
+    met: Mask
+    tells: Mask
+    excess: Array
+    targets: Sequence[tuple[int, ...]]
+
+    @property
+    def placed(self) -> Mask:
+        """Which samples were placed, and not drawn from the priors, (samples,)."""
+        return np.array([bool(target) for target in self.targets], dtype=bool)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Conjunction:
+    """Some facts and how far they are met together.
+
+    Attributes:
+        facts: their numbers, rising.
+        told: how many of the drawn samples tell of all of them.
+        drawn: how many of these meet all.
+        alone: how many of these meet each, in the order of the facts.
+        placed: how many of the placed samples meet all.
+        tried: how many samples were placed to meet just these.
+        near: the least over all samples of the most by which one of the facts is missed, in units of its scale.
+        most: largest share of the priors that may meet all, at a one-sided 95 % (Clopper and Pearson): samples that do
+            not tell are taken to meet them.
         verdict: what follows.
     """
 
-    first: int
-    second: int
+    facts: tuple[int, ...]
+    told: int
     drawn: int
+    alone: tuple[int, ...]
     placed: int
-    expected: float
+    tried: int
+    near: float
     most: float
     verdict: Together
 
+    @property
+    def independent(self) -> float:
+        """How many of the samples that tell would meet all if each fact were met regardless of the others."""
+        return float(np.prod([each / max(self.told, 1) for each in self.alone]) * self.told)
 
-def pairs_of(met: Mask, placed: Mask) -> list[Pair]:
-    """All pairs of facts.
+
+def conjunction(facts: Sequence[int], seen: Evidence) -> Conjunction:
+    """What samples say of some facts together.
 
     Args:
-        met: whether each sample met each fact, (samples, facts); of samples that ran.
-        placed: which samples were placed, and not drawn from the priors, (samples,).
+        facts: their numbers.
+        seen: by all samples that ran.
     """
-    drawn, found = met[~placed], []
-    counts = drawn.sum(axis=0)
-    for one, other in itertools.combinations(range(met.shape[1]), 2):
-        both = int((drawn[:, one] & drawn[:, other]).sum())
-        later = int((met[placed, one] & met[placed, other]).sum())
-        expected = float(counts[one] * counts[other] / max(len(drawn), 1))
-        found.append(
-            Pair(
-                first=one,
-                second=other,
-                drawn=both,
-                placed=later,
-                expected=expected,
-                most=largest_share(both, len(drawn)),
-                verdict=_verdict(both, later, expected, bool(met[:, one].any() and met[:, other].any())),
-            )
-        )
-    return found
+    chosen, placed = list(facts), seen.placed
+    met, tells = seen.met[:, chosen], seen.tells[:, chosen]
+    whole, told = met.all(axis=1), tells.all(axis=1)
+    # one that is missed for certain settles it, whatever the others are
+    open_ = ~told & ~(tells & ~met).any(axis=1)
+    drawn, alone = int((whole & told & ~placed).sum()), met[told & ~placed].sum(axis=0)
+    later, tried = int((whole & placed).sum()), sum(tuple(facts) == tuple(target) for target in seen.targets)
+    near = float(seen.excess[:, chosen].max(axis=1).min(initial=np.inf))
+    return Conjunction(
+        facts=tuple(facts),
+        told=int((told & ~placed).sum()),
+        drawn=drawn,
+        alone=tuple(int(each) for each in alone),
+        placed=later,
+        tried=tried,
+        near=near,
+        most=largest_share(drawn + int((open_ & ~placed).sum()), int((~placed).sum())),
+        verdict=_verdict(drawn, later, tried, near, alone if met.any(axis=0).all() else None),
+    )
 
 
-def _verdict(both: int, later: int, expected: float, each_met: bool) -> Together:
-    if both:
+def _verdict(drawn: int, placed: int, tried: int, near: float, alone: NDArray[np.int64] | None) -> Together:
+    """What follows; `alone` is None where one of the facts is never met."""
+    if drawn:
         return Together.MET
-    if later:
+    if placed:
         return Together.PLACED
-    if not each_met:
+    if alone is None:
         return Together.NEVER
-    return Together.EXCLUDED if expected >= _ENOUGH else Together.RARE
+    if near <= _NEAR:
+        return Together.NEARLY
+    if largest_share(0, int(alone.min())) > _RARE:
+        return Together.RARE
+    return Together.EXCLUDED if tried else Together.UNTRIED
+
+
+def pairs_of(seen: Evidence) -> list[Conjunction]:
+    """All pairs of facts."""
+    return [conjunction(pair, seen) for pair in itertools.combinations(range(seen.met.shape[1]), 2)]
+
+
+def triples_of(seen: Evidence) -> list[Conjunction]:
+    """Every three facts that no sample meets together, though any two of them are met by some."""
+    return [conjunction(facts, seen) for facts in smallest_unmet(seen.met, 3) if len(facts) == 3]
 
 
 def best_subsets(met: Mask) -> list[tuple[int, ...]]:

@@ -157,12 +157,15 @@ def _over(given: Mapping[str, Any], folder: Path, base: Design) -> tuple[Factor,
     if not isinstance(table, dict):
         raise InputError(f"over: need a table, got {as_written(table)}")
     factors = []
-    for key, value in dotted_values(table, "over").items():
+    for key, value in dotted_values(table, "over", empty=True).items():
         # a single value is a list of one
         text = isinstance(value, str) and " step " not in value
         values = [value] if text or not isinstance(value, str | list | dict) else value
-        factors.append(read_factor(key, value_from_folder(key, values, folder), type(base)))
-        key_value(base, key)
+        try:
+            factors.append(read_factor(key, value_from_folder(key, values, folder), type(base)))
+            key_value(base, key)
+        except InputError as error:
+            raise InputError(f"over.{error}") from None
     if drawn := [factor.key for factor in factors if factor.distribution is not None]:
         raise InputError(f"over.{drawn[0]}: need a list or a range, got a distribution")
     grid_points(tuple(factors))
@@ -246,7 +249,7 @@ def _places(given: Mapping[str, Any], term: Term) -> dict[str, tuple[object, ...
     if (table is not None) != (term.statistic in PLACES):
         raise InputError(f'at: belongs to statistic = "{PLACES[0]}" or "{PLACES[1]}", got "{term.statistic}"')
     places: dict[str, tuple[object, ...]] = {}
-    for key, values in dotted_values(table or {}, "at").items():
+    for key, values in dotted_values(table or {}, "at", empty=True).items():
         factor = next((factor for factor in term.over if factor.key == key), None)
         if factor is None:
             raise InputError(f"at: need {one_of([factor.key for factor in term.over], key)}")

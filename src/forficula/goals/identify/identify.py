@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
-from forficula.goals.identify.directed import directed_shares, open_targets
+from forficula.goals.identify.directed import Target, directed_shares, open_targets
 from forficula.goals.identify.fact import Fact
 from forficula.goals.identify.finding import Finding, find
 from forficula.goals.identify.observations import Observations
@@ -34,19 +34,24 @@ class Sample:
 
     Attributes:
         number: from 0 on, as they were drawn or placed.
-        directed: whether it was placed, and not drawn from the priors.
         shares: where it lies in the unit cube, (unknowns,).
         values: of the unknowns by key, as a design file has them.
         findings: of every fact; none where there is no such design.
         why: there is no such design; "" where there is.
+        target: numbers of the facts that it was placed to meet together; none where it was drawn from the priors.
     """
 
     number: int
-    directed: bool
     shares: Array
     values: Mapping[str, object]
     findings: tuple[Finding, ...]
     why: str = ""
+    target: Target = ()
+
+    @property
+    def directed(self) -> bool:
+        """Whether it was placed, and not drawn from the priors."""
+        return bool(self.target)
 
 
 def identify_samples(observations: Observations, assess: Assess, progress: Progress | None = None) -> list[Sample]:
@@ -61,16 +66,17 @@ def identify_samples(observations: Observations, assess: Assess, progress: Progr
     total = observations.samples + observations.directed
     samples: list[Sample] = []
 
-    def run(points: Array, *, directed: bool) -> None:
-        samples.extend(_run_batch(observations, points, len(samples), assess, directed=directed))
+    def run(points: Array, targets: Sequence[Target]) -> None:
+        samples.extend(_run_batch(observations, points, len(samples), assess, targets))
         if progress is not None:
             progress(len(samples), total, samples)
 
     for first in range(0, len(shares), _BATCH):
-        run(shares[first : first + _BATCH], directed=False)
+        batch = shares[first : first + _BATCH]
+        run(batch, [()] * len(batch))
     scales = fact_scales(observations.facts, samples)
     while len(samples) < total:
-        targets = open_targets(met_of(samples, len(observations.facts)))
+        targets = _turned(open_targets(met_of(samples, len(observations.facts))), len(samples))
         ran = [sample for sample in samples if not sample.why]
         if not targets or not ran:
             break
@@ -78,19 +84,25 @@ def identify_samples(observations: Observations, assess: Assess, progress: Progr
         excess = excess_of(observations.facts, ran, scales)
         seed = (observations.seed, len(samples))
         known = np.array([sample.shares for sample in ran])
-        run(directed_shares(known, excess, _turned(targets, len(samples)), count, seed), directed=True)
+        placed = directed_shares(known, excess, targets, count, seed)
+        run(placed, [targets[number % len(targets)] for number in range(count)])
     return samples
 
 
-def _turned(targets: Sequence[tuple[int, ...]], done: int) -> list[tuple[int, ...]]:
+def _turned(targets: Sequence[Target], done: int) -> list[Target]:
     """Targets from another one on each time, so that all have their turn where there are more than a batch has."""
-    first = done % len(targets)
+    first = done % max(len(targets), 1)
     return [*targets[first:], *targets[:first]]
 
 
 def met_of(samples: Sequence[Sample], facts: int) -> NDArray[np.bool_]:
     """Whether each sample met each fact, (samples, facts)."""
     return np.array([[each.met for each in sample.findings] or [False] * facts for sample in samples], dtype=bool)
+
+
+def tells_of(samples: Sequence[Sample], facts: int) -> NDArray[np.bool_]:
+    """Whether each sample tells for certain of each fact, (samples, facts)."""
+    return np.array([[each.tells for each in sample.findings] or [False] * facts for sample in samples], dtype=bool)
 
 
 def excess_of(facts: Sequence[Fact], samples: Sequence[Sample], scales: Array) -> Array:
@@ -116,7 +128,7 @@ def fact_scales(facts: Sequence[Fact], samples: Sequence[Sample]) -> Array:
 
 
 def _run_batch(
-    observations: Observations, points: Array, first: int, assess: Assess, *, directed: bool
+    observations: Observations, points: Array, first: int, assess: Assess, targets: Sequence[Target]
 ) -> list[Sample]:
     """Samples at points, their runs side by side."""
     built = [(point, values_at(observations.priors, point)) for point in points]
@@ -131,11 +143,11 @@ def _run_batch(
     return [
         Sample(
             number=first + number,
-            directed=directed,
             shares=point,
             values=values,
             findings=found.get(number, ()),
             why=whys.get(number, ""),
+            target=targets[number],
         )
         for number, (point, values) in enumerate(built)
     ]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from forficula.design import Design
 from forficula.displayed import Displayed
 from forficula.goals.identify.fact import Fact
+from forficula.names import counted
 from forficula.study.factors import Factor
 
 
@@ -37,6 +38,6 @@ class Observations(Displayed):
     def __repr__(self) -> str:
         """How many facts and unknowns of what."""
         return (
-            f"<Observations {self.name}: {len(self.facts)} facts on {len(self.priors)} unknown values of"
-            f" {self.base.name}>"
+            f"<Observations {self.name}: {counted(len(self.facts), 'fact')} on"
+            f" {counted(len(self.priors), 'unknown value')} of {self.base.name}>"
         )

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from forficula.design import Design, key_quantity, key_value
+from forficula.design import Design, key_quantity, key_value, numbered_key
+from forficula.design.part import Quantity
 from forficula.errors import InputError
 from forficula.goals.identify.fact import Fact
 from forficula.goals.identify.fact_file import read_fact
@@ -14,7 +15,7 @@ from forficula.goals.identify.observation_keys import names_in
 from forficula.goals.identify.observations import Observations
 from forficula.names import folder_name
 from forficula.quantities import as_written, is_whole
-from forficula.study.factors import MOST_VALUES, Factor
+from forficula.study.factors import DISTRIBUTIONS, MOST_VALUES, Factor
 from forficula.study.file_keys import check_keys
 from forficula.study.named_file import base_design, load_named, named_files
 from forficula.study.study_file import read_factors
@@ -59,14 +60,15 @@ def observations_of(tables: Mapping[str, Any], folder: Path = Path()) -> Observa
     except InputError as error:
         raise InputError(f"name: {error}") from None
     base = base_design(tables, folder)
+    priors = _priors(tables, folder, base)
     sampling = tables.get("sampling", {})
     check_keys(sampling, names_in("sampling"), "sampling.")
     return Observations(
         name=title,
         source=str(tables.get("source", "")),
         base=base,
-        priors=_priors(tables, folder, base),
-        facts=_facts(tables.get("fact"), base, folder),
+        priors=priors,
+        facts=_facts(tables.get("fact"), base, folder, priors),
         samples=_whole(sampling, "samples", _SAMPLES, 1),
         directed=_whole(sampling, "directed", _DIRECTED, 0),
         seed=_whole(sampling, "seed", 0, 0),
@@ -76,17 +78,29 @@ def observations_of(tables: Mapping[str, Any], folder: Path = Path()) -> Observa
 def _priors(tables: Mapping[str, Any], folder: Path, base: Design) -> tuple[Factor, ...]:
     priors = read_factors(tables, "unknown", folder, base)
     for prior in priors:
-        now = key_value(base, prior.key)
-        if (
-            prior.distribution is not None
-            and key_quantity(prior.key, prior.model) is None
-            and not isinstance(now, float)
-        ):
-            raise InputError(f"{prior.key}: need a list or a range; only numbers with fractions are drawn")
+        now, quantity = key_value(base, prior.key), key_quantity(prior.key, prior.model)
+        if prior.distribution is not None and quantity is None and not isinstance(now, float):
+            raise InputError(f"unknown.{prior.key}: need a list or a range; only numbers with fractions are drawn")
+        if quantity is not None:
+            _check_allowed(prior, quantity)
     return priors
 
 
-def _facts(given: object, base: Design, folder: Path) -> tuple[Fact, ...]:
+def _check_allowed(prior: Factor, quantity: Quantity) -> None:
+    """Refuse what is believed of a value where its key allows none, for no design is built of it."""
+    given: list[tuple[str, object]] = [("", value) for value in prior.values]
+    if (drawn := prior.distribution) is not None:
+        # a normal distribution has no end: what it has beyond a bound is not built, and counted as such
+        ends = (drawn.first,) if drawn.name == "normal" else (drawn.first, drawn.second)
+        given = [(f".{name}", end) for name, end in zip(DISTRIBUTIONS[drawn.name], ends, strict=False)]
+    for place, value in given:
+        try:
+            quantity.read(value, in_si=drawn is not None)
+        except InputError as error:
+            raise InputError(f"unknown.{prior.key}{place}: {error}") from None
+
+
+def _facts(given: object, base: Design, folder: Path, priors: Sequence[Factor]) -> tuple[Fact, ...]:
     if not isinstance(given, list) or not given:
         raise InputError(f"fact: need at least one table [[fact]], got {as_written(given)}")
     facts: list[Fact] = []
@@ -94,11 +108,24 @@ def _facts(given: object, base: Design, folder: Path) -> tuple[Fact, ...]:
         name = table.get("name", number) if isinstance(table, dict) else number
         try:
             facts.append(read_fact(table, base, folder))
+            _check_known(facts[-1], base, priors)
         except InputError as error:
             raise InputError(f"fact {name}: {error}") from None
         if facts[-1].name in [fact.name for fact in facts[:-1]]:
             raise InputError(f"fact {name}: need a name of its own")
     return tuple(facts)
+
+
+def _check_known(fact: Fact, base: Design, priors: Sequence[Factor]) -> None:
+    """Refuse conditions over what is unknown: a sample has one value of it, and the fact would be held to others."""
+    unknown = {numbered_key(base, prior.key): prior.key for prior in priors}
+    for term in fact.terms:
+        keys = [(f"over.{factor.key}", factor.key) for factor in term.over]
+        keys += [] if term.least is None else [("least.key", term.least.key)]
+        for place, key in keys:
+            if (own := unknown.get(numbered_key(base, key))) is not None:
+                told = "" if place.endswith(own) else f", as {own}"
+                raise InputError(f"{place}: is under [unknown], too{told}; need it in one of them")
 
 
 def _whole(sampling: Mapping[str, Any], key: str, default: int, least: int) -> int:

@@ -12,11 +12,13 @@ from numpy.typing import NDArray
 
 from forficula.analysis import Verdict
 from forficula.goals.identify.fact import PLACES, LeastValue, Term
+from forficula.goals.identify.ladder import Ladder
 from forficula.goals.identify.row_quantity import combined, is_state
 from forficula.goals.identify.sample_runs import Rows, SampleRuns, Wanted
 from forficula.goals.identify.staircase import FAILS, HOLDS, OPEN, UNTOLD, States, follows, next_point
 from forficula.study.journal import Row
 
+Array = NDArray[np.float64]
 Condition = Mapping[str, object]
 
 # stands for the row of a design that there is not
@@ -29,12 +31,14 @@ class Observed:
 
     Attributes:
         value: SI, runs that do not tell taken for such as fail or have no number.
-        other: the same, where these are taken for such as hold a state.
+        low: the least that it may be, whatever these would have come to; minus infinity where it may be anything.
+        high: the largest, alike.
         untold: how many runs there are that do not tell.
     """
 
     value: float
-    other: float
+    low: float
+    high: float
     untold: int
 
 
@@ -44,13 +48,22 @@ class _Numbers:
 
     Attributes:
         values: SI, (conditions,), the absent number where there is none.
+        low: the least that each may be, whatever runs that do not tell would have come to, (conditions,).
+        high: the largest, alike, (conditions,).
         there: whether there is one, (conditions,).
         untold: how many runs do not tell.
     """
 
-    values: NDArray[np.float64]
+    values: Array
+    low: Array
+    high: Array
     there: NDArray[np.bool_]
     untold: int
+
+    @property
+    def open(self) -> NDArray[np.bool_]:
+        """Whether each may be another number than its own, (conditions,)."""
+        return np.asarray(self.low < self.high)
 
 
 def observe(term: Term, places: Mapping[str, tuple[object, ...]], runs: SampleRuns, rows: Rows) -> Observed | Wanted:
@@ -70,8 +83,11 @@ def observe(term: Term, places: Mapping[str, tuple[object, ...]], runs: SampleRu
     found = _with_least(term, term.least, runs, rows) if term.least is not None else _plain(term, runs, rows)
     if isinstance(found, dict):
         return found
-    value = _statistic(term, places, found)
-    return Observed(value=value, other=value, untold=found.untold)
+    if term.statistic in PLACES:
+        value, low, high = _place(term, places, found)
+    else:
+        value, low, high = _statistic(term, found)
+    return Observed(value=value, low=low, high=high, untold=found.untold)
 
 
 def conditions(term: Term) -> list[dict[str, object]]:
@@ -102,7 +118,7 @@ def _count(term: Term, runs: SampleRuns, rows: Rows) -> Observed | Wanted:
     if isinstance(states, dict):
         return states
     holds, untold = int((states == HOLDS).sum()), int((states == UNTOLD).sum())
-    return Observed(value=float(holds), other=float(holds + untold), untold=untold)
+    return Observed(value=float(holds), low=float(holds), high=float(holds + untold), untold=untold)
 
 
 def _state(term: Term, row: Row) -> int:
@@ -186,10 +202,14 @@ def _numbers(term: Term, found: Sequence[Row | None]) -> _Numbers:
     """The numbers of rows; None stands for a condition without any."""
     assert term.absent is not None
     numbers = [_number(term, row) for row in found]
+    values = np.array([term.absent if number is None else number for number in numbers])
+    open_ = np.array([row is not None and not _tells(row) for row in found])
     return _Numbers(
-        values=np.array([term.absent if number is None else number for number in numbers]),
+        values=values,
+        low=np.where(open_, -np.inf, values),
+        high=np.where(open_, np.inf, values),
         there=np.array([number is not None for number in numbers]),
-        untold=sum(row is not None and not _tells(row) for row in found),
+        untold=int(open_.sum()),
     )
 
 
@@ -205,64 +225,75 @@ def _with_least(term: Term, least: LeastValue, runs: SampleRuns, rows: Rows) -> 
     All conditions go on by one run at a time, so that which ones run does not depend on what is there already. Of the
     least of all least values only those conditions go on that may still have it.
     """
-    points, count, untold = conditions(term), len(least.values), 0
-    fails, holds = np.full(len(points), -1), np.full(len(points), count)
-    rows_at: dict[tuple[int, int], Row] = {}
+    points, count = conditions(term), len(least.values)
+    ladders = [Ladder(holds=count) for _ in points]
     only_best = not term.quantity and term.statistic == "least"
     while True:
-        under_way = holds - fails > 1
-        if only_best:
-            under_way &= fails + 1 < holds.min()
-        if not under_way.any():
+        best = min(each.holds for each in ladders)
+        asked = {
+            place: each.next(count, monotone=least.monotone)
+            for place, each in enumerate(ladders)
+            if each.holds - each.fails > 1 and not (only_best and each.fails + 1 >= best)
+        }
+        if not asked:
             break
-        asked = {int(point): _next_value(int(fails[point]), int(holds[point]), count, least.monotone)
-                 for point in np.flatnonzero(under_way)}  # fmt: skip
         wanted: Wanted = {}
         found = {
-            point: _row({**points[point], least.key: least.values[index]}, term, runs, rows, wanted)
-            for point, index in asked.items()
+            place: _row({**points[place], least.key: least.values[index]}, term, runs, rows, wanted)
+            for place, index in asked.items()
         }
         if wanted:
             return wanted
-        for point, row in found.items():
+        for place, row in found.items():
             assert row is not None
-            untold += not _tells(row)
-            rows_at[point, asked[point]] = row
-            if _tells(row) and row.get(least.state):
-                holds[point] = asked[point]
-                fails[point] = fails[point] if least.monotone else asked[point] - 1
-            else:
-                fails[point] = asked[point]
+            holds = bool(row.get(least.state)) if _tells(row) else None
+            ladders[place].tell(asked[place], row, holds=holds, monotone=least.monotone)
+    return _least_numbers(term, least, ladders)
+
+
+def _least_numbers(term: Term, least: LeastValue, ladders: Sequence[Ladder]) -> _Numbers:
+    """The least values, or the numbers of the runs with them, which may be any where another may be the least."""
+    assert term.absent is not None
+    untold = sum(len(each.untold) for each in ladders)
+    holds = np.array([each.holds for each in ladders])
+    lows = np.array([each.least for each in ladders])
     if term.quantity:
-        numbers = _numbers(term, [rows_at.get((point, int(index))) for point, index in enumerate(holds)])
-        return _Numbers(values=numbers.values, there=numbers.there, untold=untold)
+        numbers = _numbers(term, [each.rows.get(each.holds) for each in ladders])
+        open_ = (lows < holds) | numbers.open
+        low, high = np.where(open_, -np.inf, numbers.values), np.where(open_, np.inf, numbers.values)
+        return _Numbers(values=numbers.values, low=low, high=high, there=numbers.there, untold=untold)
+    values = np.append(least.numbers, term.absent)
+    return _Numbers(
+        values=values[holds], low=values[lows], high=values[holds], there=holds < len(least.values), untold=untold
+    )
+
+
+def _place(term: Term, places: Mapping[str, tuple[object, ...]], found: _Numbers) -> tuple[float, float, float]:
+    """By how much the least, or largest, at places is above, or below, that of all; and the ends of what it may be."""
     assert term.absent is not None
-    values = np.append(least.numbers, term.absent)[holds]
-    return _Numbers(values=values, there=holds < count, untold=untold)
+    sign = 1.0 if term.statistic == "least at" else -1.0
+    allowed = np.array([all(point[key] in values for key, values in places.items()) for point in conditions(term)])
+    value = float((sign * found.values)[allowed].min() - (sign * found.values).min())
+    low, high = (0.0 if (found.open & allowed).any() else value), (np.inf if (found.open & ~allowed).any() else value)
+    if found.there.any():
+        return value, low, high
+    far = abs(term.absent)
+    return far, 0.0 if found.open.any() else far, np.inf if found.open.any() else far
 
 
-def _next_value(fails: int, holds: int, count: int, monotone: bool) -> int:
-    """Number of the value to try next: the largest first, which other facts ask for, too; then the middle one."""
-    if not monotone:
-        return fails + 1
-    return count - 1 if holds == count else (fails + holds) // 2
-
-
-def _statistic(term: Term, places: Mapping[str, tuple[object, ...]], found: _Numbers) -> float:
+def _statistic(term: Term, found: _Numbers) -> tuple[float, float, float]:
+    """The statistic of what has a number, and the least and most that it may be."""
     assert term.absent is not None
-    values = found.values
-    if term.statistic in PLACES:
-        if not found.there.any():
-            return abs(term.absent)
-        sign = 1.0 if term.statistic == "least at" else -1.0
-        allowed = [all(point[key] in values for key, values in places.items()) for point in conditions(term)]
-        return float((sign * values)[allowed].min() - (sign * values).min())
+    value, low, high = found.values, found.low, found.high
     if term.where is not None:
-        values = values[found.there] if found.there.any() else np.array([term.absent])
+        may = found.there | found.open
+        none = np.array([term.absent])
+        value = value[found.there] if found.there.any() else none
+        low, high = (each[may] if may.any() else none for each in (low, high))
     match term.statistic:
         case "least":
-            return float(values.min())
+            return float(value.min()), float(low.min()), float(high.min())
         case "largest":
-            return float(values.max())
+            return float(value.max()), float(low.max()), float(high.max())
         case _:
-            return float(values.mean())
+            return float(value.mean()), float(low.mean()), float(high.mean())

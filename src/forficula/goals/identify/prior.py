@@ -7,34 +7,28 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import stats
 
-from forficula.design import key_quantity
-from forficula.errors import InputError
-from forficula.quantities import parse_quantity
+from forficula.goals.latin_points import latin_points
+from forficula.goals.value_at import choice_at, written
 from forficula.study.factors import Factor
 
 Array = NDArray[np.float64]
 
 # a share of 0 or 1 of a normal distribution is infinitely far out
 _LEAST_SHARE = 1e-6
-# digits of a drawn value: as many as anyone reads, and few enough that its text is short
-_DIGITS = 6
 
 
 def prior_shares(priors: Sequence[Factor], count: int, seed: int) -> Array:
-    """Draw scrambled Sobol points (Owen 1998) of the unit cube with a side for each unknown, (count, unknowns).
+    """Draw points of the unit cube with a side for each unknown, (count, unknowns), whose counts have intervals.
 
-    The first points of a longer draw with the same seed are those of a shorter one.
+    The first points of a longer draw with the same seed are those of a shorter one; see `latin_points`.
 
     Args:
         priors: the unknowns.
         count: how many points.
-        seed: of the scrambling.
+        seed: of the draw.
     """
-    # a power of two keeps the points balanced; the first `count` of it are what was asked
-    power = math.ceil(math.log2(max(count, 1)))
-    return np.asarray(stats.qmc.Sobol(len(priors), rng=np.random.default_rng(seed)).random_base2(power)[:count])
+    return latin_points(len(priors), 2 ** math.ceil(math.log2(max(count, 1))), seed)[:count]
 
 
 def values_at(priors: Sequence[Factor], shares: Sequence[float] | Array) -> dict[str, object]:
@@ -47,41 +41,8 @@ def values_at(priors: Sequence[Factor], shares: Sequence[float] | Array) -> dict
     return {prior.key: _value_at(prior, float(share)) for prior, share in zip(priors, shares, strict=True)}
 
 
-def shares_of(priors: Sequence[Factor], values: Sequence[object]) -> Array:
-    """Where values lie in the unit cube, (unknowns,): the inverse of `values_at`.
-
-    Args:
-        priors: the unknowns.
-        values: as a design file has them; one that is not among those of an unknown with values is refused.
-    """
-    return np.array([_share_of(prior, value) for prior, value in zip(priors, values, strict=True)])
-
-
 def _value_at(prior: Factor, share: float) -> object:
     if prior.distribution is None:
-        return prior.values[min(int(share * len(prior.values)), len(prior.values) - 1)]
+        return choice_at(prior.values, share)
     shares = np.clip([share], _LEAST_SHARE, 1 - _LEAST_SHARE)
-    drawn = float(prior.distribution.quantiles(shares)[0])
-    quantity = key_quantity(prior.key, prior.model)
-    if quantity is None:
-        return float(f"{drawn:.{_DIGITS}g}")
-    display = quantity.unit.display
-    return f"{drawn / parse_quantity(f'1 {display}', quantity.unit):.{_DIGITS}g} {display}"
-
-
-def _share_of(prior: Factor, value: object) -> float:
-    if prior.distribution is None:
-        if value not in prior.values:
-            raise InputError(f"{prior.key}: need one of {', '.join(map(str, prior.values))}, got {value}")
-        return (prior.values.index(value) + 0.5) / len(prior.values)
-    quantity = key_quantity(prior.key, prior.model)
-    number = parse_quantity(value, quantity.unit) if quantity is not None else float(str(value))
-    name, first, second = prior.distribution.name, prior.distribution.first, prior.distribution.second
-    match name:
-        case "normal":
-            share = stats.norm.cdf(number, first, second)
-        case "log-uniform":
-            share = math.log(number / first) / math.log(second / first)
-        case _:
-            share = (number - first) / (second - first)
-    return float(share)
+    return written(float(prior.distribution.quantiles(shares)[0]), prior.unit)

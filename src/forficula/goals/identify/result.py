@@ -7,10 +7,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from forficula.goals.identify.exclusion import agreeing, best_subsets, pairs_of, smallest_unmet
+from forficula.goals.identify.exclusion import (
+    Evidence,
+    agreeing,
+    best_subsets,
+    conjunction,
+    pairs_of,
+    triples_of,
+)
 from forficula.goals.identify.fact import Fact
 from forficula.goals.identify.fact_text import asked_text
-from forficula.goals.identify.identify import Sample, excess_of, fact_scales, met_of
+from forficula.goals.identify.identify import Sample, excess_of, fact_scales, met_of, tells_of
 from forficula.goals.identify.observations import Observations
 from forficula.goals.share_interval import share_interval
 from forficula.quantities import parse_quantity
@@ -32,12 +39,16 @@ def build_result(observations: Observations, samples: Sequence[Sample], runs: in
         Dimensions "sample", "fact" and "other_fact". Coordinates over the samples are the unknowns, by their key with
         underscores, in SI with `units`, `display` and `key`. Over samples and facts there are `value` (SI of the fact's
         unit), `distance` (alike, at least 0), `scaled_distance` (beyond the tolerance, in units of the fact's scale),
-        `met` and `untold` (runs that do not tell); not a number where a sample could not run, whose `status` says why.
-        `agrees` names the drawn samples that agree best, `directed` those that were placed. Over facts there are
-        `met_share` with `met_share_low` and `met_share_high` of the priors at 95 %, and over pairs of them
-        `met_together`, `met_together_placed`, `together_share_high` and `together`, a verdict in words.
+        `met` and `tells` (for certain, whatever runs that do not tell would have come to) and `untold` (how many these
+        are); not a number where a sample could not run, whose `status` says why. `agrees` names the drawn samples that
+        agree best, `directed` those that were placed. Over facts there are how many drawn samples `told` of them, and
+        `met_share` with `met_share_low` and `met_share_high` of the priors at 95 %. Over pairs of them there are, of
+        drawn samples, `told_together`, `met_together` and `met_alone` (the fact, whatever the other), of placed ones
+        `met_together_placed` and `tried_together` (placed to), and `together_share_high` of the priors at a one-sided
+        95 %, `together_near` (the least by which the worse one of both is missed, in scales), `together_if_independent`
+        (how many would be met, were the one not to mind the other) and `together`, a verdict in words.
     """
-    import xarray
+    from forficula.goals.identify.identification_table import IdentificationTable
 
     facts, ran = observations.facts, [not sample.why for sample in samples]
     scales = fact_scales(facts, [sample for sample in samples if not sample.directed])
@@ -46,23 +57,39 @@ def build_result(observations: Observations, samples: Sequence[Sample], runs: in
     inside = np.array(ran)
     agrees = np.zeros(len(samples), dtype=bool)
     agrees[inside] = agreeing(met[inside], excess[inside], placed[inside])
+    seen = Evidence(
+        met=met[inside],
+        tells=tells_of(samples, len(facts))[inside],
+        excess=excess[inside],
+        targets=[sample.target for sample in samples if not sample.why],
+    )
     variables: dict[str, Any] = {
-        "value": (("sample", "fact"), _by_fact(samples, facts, "value")),
-        "distance": (("sample", "fact"), _by_fact(samples, facts, "distance")),
-        "scaled_distance": (("sample", "fact"), np.where(inside[:, None], excess, np.nan)),
-        "met": (("sample", "fact"), met),
-        "untold": (("sample", "fact"), np.nan_to_num(_by_fact(samples, facts, "untold")).astype(int)),
+        **_samples(samples, facts, met, np.where(inside[:, None], excess, np.nan)),
         "agrees": ("sample", agrees),
-        "directed": ("sample", placed),
-        "status": ("sample", np.array([sample.why or "ran" for sample in samples], dtype=object)),
         **_of_facts(facts, scales),
-        **_shares(met[inside], placed[inside]),
+        **_shares(seen),
+        **_pairs(seen),
     }
-    return xarray.Dataset(
+    return IdentificationTable(
         variables,
         coords={**_unknowns(observations.priors, samples), **_names(facts)},
-        attrs=_attributes(observations, samples, met[inside], runs),
+        attrs=_attributes(observations, samples, seen, runs),
     )
+
+
+def _samples(samples: Sequence[Sample], facts: Sequence[Fact], met: Any, excess: Any) -> dict[str, Any]:
+    """What became of every sample, by itself and by every fact."""
+    over = ("sample", "fact")
+    return {
+        "value": (over, _by_fact(samples, facts, "value")),
+        "distance": (over, _by_fact(samples, facts, "distance")),
+        "scaled_distance": (over, excess),
+        "met": (over, met),
+        "tells": (over, tells_of(samples, len(facts))),
+        "untold": (over, np.nan_to_num(_by_fact(samples, facts, "untold")).astype(int)),
+        "directed": ("sample", np.array([sample.directed for sample in samples])),
+        "status": ("sample", np.array([sample.why or "ran" for sample in samples], dtype=object)),
+    }
 
 
 def _by_fact(samples: Sequence[Sample], facts: Sequence[Fact], name: str) -> np.ndarray[Any, np.dtype[np.float64]]:
@@ -92,29 +119,48 @@ def _of_facts(facts: Sequence[Fact], scales: Sequence[float] | np.ndarray[Any, A
     }
 
 
-def _shares(met: Any, placed: Any) -> dict[str, Any]:
-    """How often facts are met, alone and in pairs."""
-    drawn = met[~placed]
-    counts = drawn.sum(axis=0)
-    intervals = [share_interval(int(count), len(drawn)) for count in counts]
-    size = met.shape[1]
-    both, later = (np.zeros((size, size), dtype=int) for _ in range(2))
-    most, words = np.full((size, size), np.nan), np.full((size, size), "", dtype=object)
-    for fact, count in enumerate(counts):
-        both[fact, fact], later[fact, fact] = count, met[placed, fact].sum()
-    for pair in pairs_of(met, placed):
-        for place in ((pair.first, pair.second), (pair.second, pair.first)):
-            both[place], later[place], most[place], words[place] = pair.drawn, pair.placed, pair.most, pair.verdict
-    pairs = ("fact", "other_fact")
+def _shares(seen: Evidence) -> dict[str, Any]:
+    """How often each fact is met, by drawn samples that tell; the intervals hold whatever the others would say."""
+    met, tells = seen.met[~seen.placed], seen.tells[~seen.placed]
+    told, counts = tells.sum(axis=0), (met & tells).sum(axis=0)
+    ends = [
+        (share_interval(int(count), len(met))[0], share_interval(int(count + len(met) - number), len(met))[1])
+        for count, number in zip(counts, told, strict=True)
+    ]
     return {
-        "met_share": ("fact", counts / max(len(drawn), 1)),
-        "met_share_low": ("fact", np.array([low for low, _ in intervals])),
-        "met_share_high": ("fact", np.array([high for _, high in intervals])),
-        "met_together": (pairs, both),
-        "met_together_placed": (pairs, later),
-        "together_share_high": (pairs, most),
-        "together": (pairs, np.array([[str(word) for word in row] for row in words], dtype=object)),
+        "told": ("fact", told),
+        "met_share": ("fact", counts / np.maximum(told, 1)),
+        "met_share_low": ("fact", np.array([low for low, _ in ends])),
+        "met_share_high": ("fact", np.array([high for _, high in ends])),
     }
+
+
+def _pairs(seen: Evidence) -> dict[str, Any]:
+    """How far facts are met in pairs; on the diagonal, each by itself."""
+    size = seen.met.shape[1]
+    counts = {name: np.zeros((size, size), dtype=int) for name in ("told", "met", "alone", "placed", "tried")}
+    numbers = {name: np.full((size, size), np.nan) for name in ("share_high", "near", "independent")}
+    words = np.full((size, size), "", dtype=object)
+    for pair in [*(conjunction((fact,), seen) for fact in range(size)), *pairs_of(seen)]:
+        first, last = pair.facts[0], pair.facts[-1]
+        for place, alone in (((first, last), pair.alone[0]), ((last, first), pair.alone[-1])):
+            counts["told"][place], counts["met"][place], counts["alone"][place] = pair.told, pair.drawn, alone
+            counts["placed"][place], counts["tried"][place] = pair.placed, pair.tried
+            numbers["share_high"][place], numbers["near"][place] = pair.most, pair.near
+            numbers["independent"][place] = pair.independent
+            words[place] = pair.verdict.value if first != last else ""
+    names = {
+        "told_together": counts["told"],
+        "met_together": counts["met"],
+        "met_alone": counts["alone"],
+        "met_together_placed": counts["placed"],
+        "tried_together": counts["tried"],
+        "together_share_high": numbers["share_high"],
+        "together_near": numbers["near"],
+        "together_if_independent": numbers["independent"],
+        "together": words,
+    }
+    return {name: (("fact", "other_fact"), values) for name, values in names.items()}
 
 
 def _unknowns(priors: Sequence[Factor], samples: Sequence[Sample]) -> dict[str, Any]:
@@ -140,8 +186,8 @@ def _unknowns(priors: Sequence[Factor], samples: Sequence[Sample]) -> dict[str, 
     return coordinates
 
 
-def _attributes(observations: Observations, samples: Sequence[Sample], met: Any, runs: int) -> dict[str, Any]:
-    best = best_subsets(met)
+def _attributes(observations: Observations, samples: Sequence[Sample], seen: Evidence, runs: int) -> dict[str, Any]:
+    best, triples = best_subsets(seen.met), triples_of(seen)
     names = [fact.name for fact in observations.facts]
     return {
         "name": observations.name,
@@ -154,7 +200,13 @@ def _attributes(observations: Observations, samples: Sequence[Sample], met: Any,
         "could_not_run": sum(bool(sample.why) for sample in samples),
         "runs": runs,
         "unknowns": [prior.dimension for prior in observations.priors],
-        "most_met": int(met.sum(axis=1).max(initial=0)),
+        "most_met": int(seen.met.sum(axis=1).max(initial=0)),
         "met_most": ["; ".join(names[fact] for fact in subset) for subset in best] or [""],
-        "unmet": ["; ".join(names[fact] for fact in facts) for facts in smallest_unmet(met) if len(facts) > 2] or [""],
+        # of files, lists have at least one entry
+        "unmet": ["; ".join(names[fact] for fact in each.facts) for each in triples] or [""],
+        "unmet_verdict": [each.verdict.value for each in triples] or [""],
+        "unmet_told": [each.told for each in triples] or [0],
+        "unmet_tried": [each.tried for each in triples] or [0],
+        "unmet_near": [each.near for each in triples] or [0.0],
+        "unmet_share_high": [each.most for each in triples] or [0.0],
     }

@@ -8,14 +8,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from forficula.design import Design
-from forficula.design.part import ANGLE, LENGTH, TIME
+from forficula.design.part import ANGLE, LENGTH
 from forficula.errors import InputError
+from forficula.goals.outcome_quantity import quantities_of
 from forficula.names import one_of
 from forficula.quantities import Unit, as_written
 from forficula.structure import first_state, structure_of
 from forficula.study.journal import Row
 
-ENERGY = Unit(display="J", si="J", example="0.5 J")
 _TERM = re.compile(r"\s*([+-]?)\s*(\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+)?\s*\*?\s*([A-Za-z][\w ]*?)\s*(?=[+-]|$)")
 
 
@@ -45,20 +45,23 @@ Combination = tuple[tuple[float, RowQuantity], ...]
 
 
 def row_quantities(design: Design) -> dict[str, RowQuantity]:
-    """What runs of a design say, by name."""
+    """What runs of a design say, by name: states, what goals know of a run, and readings of what is furthest away."""
     structure = structure_of(design)
-    start = first_state(structure, structure.stage_states)
     states = [transition.state for transition in structure.transitions]
     found = [RowQuantity(name=state, column=state, unit=None) for state in states]
-    for name in (transition.name for transition in structure.transitions):
-        found.append(RowQuantity(name=f"{name}_time", column=f"{name}_time_s", unit=TIME))
-        found.append(RowQuantity(name=f"{name}_work", column=f"{name}_work_J", unit=ENERGY))
+    # what is missing of the energy is of the computation, and nothing that anybody sees
+    found += [
+        RowQuantity(name=each.name, column=each.column, unit=each.unit)
+        for each in quantities_of(design).values()
+        if each.source == "run" and each.unit.si
+    ]
+    start = first_state(structure, structure.stage_states)
     for state in (*([start] if start else []), *states):
-        found.append(RowQuantity(name=f"{state}_energy", column=f"{state}_energy_J", unit=ENERGY))
+        name = state.replace(" ", "_")
         found.append(
-            RowQuantity(name=f"{state}_angle", column=f"{state}_angle_deg", unit=ANGLE, factor=math.radians(1.0))
+            RowQuantity(name=f"{name}_angle", column=f"{state}_angle_deg", unit=ANGLE, factor=math.radians(1.0))
         )
-        found.append(RowQuantity(name=f"{state}_distance", column=f"{state}_distance_m", unit=LENGTH))
+        found.append(RowQuantity(name=f"{name}_distance", column=f"{state}_distance_m", unit=LENGTH))
     return {each.name: each for each in found}
 
 

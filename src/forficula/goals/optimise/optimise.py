@@ -87,19 +87,12 @@ def optimise_goal(
             progress(so_far)
 
     with open_assessor(out, goal.base, shard=shard, threads=threads, cluster=cluster, progress=tell) as assess:
-        candidates: list[Candidate] = []
-        search = batches(axes_of(goal), len(goal.objectives), goal.batch, goal.seed, _starts(goal))
-        points = next(search)
-        while True:
-            batch = _tried(goal, assess, points[: goal.runs - len(candidates)], candidates)
-            candidates += batch
+
+        def batch_done(candidates: Sequence[Candidate]) -> None:
+            nonlocal so_far
             so_far = replace(so_far, tried=len(candidates), best=_best(goal, candidates))
-            if len(candidates) >= goal.runs:
-                break
-            try:
-                points = search.send([trial_of(goal, each) for each in batch])
-            except StopIteration:
-                break
+
+        candidates = _searched(goal, assess, batch_done)
         best, discarded, runs = _held(goal, assess, candidates)
     trials = [trial_of(goal, each) for each in candidates]
     return Optimum(
@@ -111,6 +104,23 @@ def optimise_goal(
         relaxations=() if any(each.feasible for each in trials) else tuple(relaxations(trials)),
         table=optimum_table(goal, candidates, [each.candidate for each in best]),
     )
+
+
+def _searched(goal: Goal, assess: Assessor, done: Callable[[Sequence[Candidate]], None]) -> list[Candidate]:
+    """All candidates of a search, batch after batch; what was tried so far is told after each."""
+    candidates: list[Candidate] = []
+    search = batches(axes_of(goal), len(goal.objectives), goal.batch, goal.seed, _starts(goal))
+    points = next(search)
+    while True:
+        batch = _tried(goal, assess, points[: goal.runs - len(candidates)], candidates)
+        candidates += batch
+        done(candidates)
+        if len(candidates) >= goal.runs:
+            return candidates
+        try:
+            points = search.send([trial_of(goal, each) for each in batch])
+        except StopIteration:
+            return candidates
 
 
 def estimate_optimise(goal: Goal) -> tuple[int, float]:

@@ -42,29 +42,7 @@ def optimum_table(goal: Goal, candidates: Sequence[Candidate], best: Sequence[Ca
     """
     from forficula.study.study_table import StudyTable
 
-    trials = [trial_of(goal, each) for each in candidates]
-    front = {trial.point for trial in pareto_front(trials)}
-    verified = {each.point for each in best}
-    variables: dict[str, Any] = {}
-    for quantity in goal.quantities:
-        if quantity.name != PROBABILITY:
-            values = [each.value(quantity) for each in candidates]
-            attributes = {"units": quantity.unit.si, "display": quantity.unit.display, "long_name": quantity.meaning}
-            variables[quantity.dimension] = (_AXIS, _numbers(values), attributes)
-    variables["margin"] = (_AXIS, _numbers([each.found.least for each in candidates]), {"long_name": "least margin"})
-    for name, place in _margin_names(goal):
-        told = f"margin of {own_limits(goal)[place]}"
-        margins = [each.found.margins[place] for each in candidates]
-        variables[name] = (_AXIS, _numbers(margins), {"long_name": told})
-    variables["margin_works"] = (
-        _AXIS,
-        _numbers([each.found.works for each in candidates]),
-        {"long_name": "margin of what the protocol asks for"},
-    )
-    variables["works"] = (_AXIS, np.array([each.found.works > 0 for each in candidates]))
-    variables["feasible"] = (_AXIS, np.array([trial.feasible for trial in trials]))
-    variables["front"] = (_AXIS, np.array([trial.point in front for trial in trials]))
-    variables["best"] = (_AXIS, np.array([trial.point in verified for trial in trials]))
+    variables = {**_quantities(goal, candidates), **_margins(goal, candidates), **_standing(goal, candidates, best)}
     variables |= _probabilities(candidates)
     words = [_words(each) for each in candidates]
     for word in _WORDS:
@@ -78,6 +56,42 @@ def optimum_table(goal: Goal, candidates: Sequence[Candidate], best: Sequence[Ca
         "limits": ", ".join(str(each) for each in (*goal.given, *goal.limits)),
     }
     return StudyTable(variables, _coordinates(goal, candidates), attributes)
+
+
+def _quantities(goal: Goal, candidates: Sequence[Candidate]) -> dict[str, Any]:
+    """What limits and objectives are about; the probability has an interval, and stands by itself."""
+    found: dict[str, Any] = {}
+    for quantity in goal.quantities:
+        if quantity.name != PROBABILITY:
+            values = [each.value(quantity) for each in candidates]
+            attributes = {"units": quantity.unit.si, "display": quantity.unit.display, "long_name": quantity.meaning}
+            found[quantity.dimension] = (_AXIS, _numbers(values), attributes)
+    return found
+
+
+def _margins(goal: Goal, candidates: Sequence[Candidate]) -> dict[str, Any]:
+    """The least margin of all, those of every limit, and that of what the protocol asks for."""
+    found: dict[str, Any] = {
+        "margin": (_AXIS, _numbers([each.found.least for each in candidates]), {"long_name": "least margin"})
+    }
+    for name, place in _margin_names(goal):
+        told = f"margin of {own_limits(goal)[place]}"
+        found[name] = (_AXIS, _numbers([each.found.margins[place] for each in candidates]), {"long_name": told})
+    works = _numbers([each.found.works for each in candidates])
+    found["margin_works"] = (_AXIS, works, {"long_name": "margin of what the protocol asks for"})
+    return found
+
+
+def _standing(goal: Goal, candidates: Sequence[Candidate], best: Sequence[Candidate]) -> dict[str, Any]:
+    """Which candidates work, meet everything, are beaten by none, and were verified."""
+    trials = [trial_of(goal, each) for each in candidates]
+    front, verified = {trial.point for trial in pareto_front(trials)}, {each.point for each in best}
+    return {
+        "works": (_AXIS, np.array([each.found.works > 0 for each in candidates])),
+        "feasible": (_AXIS, np.array([trial.feasible for trial in trials])),
+        "front": (_AXIS, np.array([trial.point in front for trial in trials])),
+        "best": (_AXIS, np.array([trial.point in verified for trial in trials])),
+    }
 
 
 def optimum_csv(table: xarray.Dataset) -> str:

@@ -9,10 +9,12 @@ from forficula.design import Design
 from forficula.goals.goal import Goal, own_limits
 from forficula.goals.limit import Limit
 from forficula.goals.optimise.candidate import Candidate, trial_of, wanted_share
+from forficula.goals.optimise.filling import filling_text
 from forficula.goals.optimise.neighbours import Neighbours
 from forficula.goals.optimise.optimum import Optimum
 from forficula.goals.optimise.relaxation import Relaxation, nearest_trial
 from forficula.goals.optimise.verification import Verification
+from forficula.names import counted
 from forficula.quantities import show_quantity
 
 
@@ -24,7 +26,8 @@ def told(found: Optimum) -> list[str]:
     said += _discarded(found)
     if not found.best:
         said += _missing(found)
-    return [*said, _effort(found)]
+    filled = filling_text(found.goal)
+    return [*said, _effort(found), *([] if filled is None else [filled])]
 
 
 def value_texts(goal: Goal, candidate: Candidate) -> list[str]:
@@ -164,8 +167,3 @@ def _effort(found: Optimum) -> str:
 def _missed(margin: float) -> str:
     """By how much a limit is missed: margins go no farther than a whole bound."""
     return "100 % or more" if margin <= -1 else f"{100 * -margin:.3g} %"
-
-
-def counted(number: int, what: str) -> str:
-    """A number of something, such as "1 run" or "2 runs"."""
-    return f"{number} {what}" if number == 1 else f"{number} {what}s"

@@ -43,7 +43,7 @@ def percent(probability: Probability) -> str:
 
 
 def most_telling(found: Tolerance) -> int | None:
-    """Number of the factor whose tolerance to tighten first; None where nothing varies, or nothing was told.
+    """Number of the factor that decides; None where nothing varies, or nothing was told.
 
     Of those that decide most of the margin that with the largest gain, where one of them gains beyond chance.
     """
@@ -52,6 +52,15 @@ def most_telling(found: Tolerance) -> int | None:
         return None
     sure = [factor for factor in order[:_MOST_NAMED] if found.narrowed[factor].gain_low > 0]
     return max(sure, key=lambda factor: found.narrowed[factor].gain) if sure else order[0]
+
+
+def tighten_first(found: Tolerance) -> int | None:
+    """Number of the factor whose tolerance to tighten first; None where that is not known, or would not help.
+
+    Where nothing fails there is nothing to gain, and where nothing works there is nothing to keep.
+    """
+    works = found.probability
+    return most_telling(found) if works.works and works.fails else None
 
 
 def _nominal(found: Tolerance) -> list[str]:
@@ -90,33 +99,43 @@ def _decides(found: Tolerance) -> list[str]:
     if not found.tells_what_decides:
         return ["So few designs do not tell which tolerance decides: give it more time."]
     factor = most_telling(found)
+    if found.probability.share is None:
+        return []
     if factor is None:
         return ["Nothing within the tolerances changes the margin."]
-    question, indices = found.question, found.indices
-    place, key = found.kept.index(factor), question.keys[factor]
-    line = np.isnan(indices.total[0]).all()
-    kind = (
-        (indices.first, indices.first_low, indices.first_high)
-        if line
-        else (
-            indices.total,
-            indices.total_low,
-            indices.total_high,
-        )
-    )
-    share, low, high = (float(each[0, place]) for each in kind)
+    question, line = found.question, bool(np.isnan(found.indices.total[0]).all())
+    share, low, high = _decided(found, found.kept.index(factor))
     how = "by a straight line over it" if line else "alone and with others"
-    gain = found.narrowed[factor]
-    does = f"It decides {_range(share, low, high)} of the margin's variance, {how}"
-    told = [f"Tighten the tolerance of {key}, {question.width_text(factor)}, first. {does}{_gained(found, factor)}."]
-    if gain.gain_low <= 0 and found.probability.fails:
-        told = [f"{told[0]} Half of it alone gains no more than chance."]
-    if not line and len(found.kept) < len(question.keys):
-        rest = float(indices.total[0, -1]), float(indices.total_low[0, -1]), float(indices.total_high[0, -1])
-        number = len(question.keys) - len(found.kept)
-        may = ": these need no care" if rest[2] < _LITTLE else ""
-        told.append(f"The {number} others together decide {_range(*rest)}{may}.")
-    return told
+    which = f"the tolerance of {question.keys[factor]}, {question.width_text(factor)}"
+    decides = f"decides {_range(share, low, high)} of the margin's variance, {how}"
+    if tighten_first(found) is None:
+        what = (
+            f"None of the {found.probability.works} that tell fails: no tolerance has to be tightened."
+            if found.probability.works
+            else "None of them works, whatever the tolerances: move the design first."
+        )
+        return [f"{what} What matters most is {which}: it {decides}.", *_rest(found)]
+    told = f"Tighten {which}, first. It {decides}{_gained(found, factor)}."
+    by_chance = found.narrowed[factor].gain_low <= 0
+    return [f"{told} Half of it alone gains no more than chance." if by_chance else told, *_rest(found)]
+
+
+def _decided(found: Tolerance, place: int) -> tuple[float, float, float]:
+    """The share of the margin's variance that a factor decides, with others where that is known, and its interval."""
+    each = found.indices
+    first, total = (each.first, each.first_low, each.first_high), (each.total, each.total_low, each.total_high)
+    share, low, high = (float(values[0, place]) for values in (first if np.isnan(each.total[0]).all() else total))
+    return share, low, high
+
+
+def _rest(found: Tolerance) -> list[str]:
+    """What the factors decide that have no indices of their own."""
+    number = len(found.question.keys) - len(found.kept)
+    if not number or np.isnan(found.indices.total[0]).all():
+        return []
+    rest = _decided(found, -1)
+    may = ": these need no care" if rest[2] < _LITTLE else ""
+    return [f"The {number} others together decide {_range(*rest)}{may}."]
 
 
 def _gained(found: Tolerance, factor: int) -> str:

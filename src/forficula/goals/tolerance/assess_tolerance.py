@@ -13,7 +13,7 @@ from forficula.design import Design
 from forficula.errors import InputError
 from forficula.goals.assessor import Assessor, open_assessor
 from forficula.goals.deviation import off_values
-from forficula.goals.tolerance.indices import Values, line_indices, sobol_indices, total_effects
+from forficula.goals.tolerance.indices import Indices, Values, line_indices, sobol_indices, total_effects
 from forficula.goals.tolerance.narrowing import narrowed
 from forficula.goals.tolerance.nearest_failure import Answer, Ask, Reach, reaches
 from forficula.goals.tolerance.plan import PLANS, Plan, plan_within
@@ -165,36 +165,65 @@ def _plan(trials: _Trials, folder: Path, minutes: float, seed: int) -> Plan:
     return saved_plan(folder, question, minutes, seed, plan_within(factors, seconds, 60 * minutes))
 
 
-def _assessed(trials: _Trials, plan: Plan, seed: int) -> Tolerance:
-    """Run what a plan says, and draw from it what it tells."""
+@dataclass(frozen=True, kw_only=True)
+class _Decided:
+    """What decides the margins, and the samples that say so: as of `Tolerance`.
+
+    Attributes:
+        samples: independent ones.
+        every: these and those that were exchanged between them.
+        indices: of groups of factors.
+        effects: of every factor.
+        kept: factors with indices of their own.
+    """
+
+    samples: Samples
+    every: Samples
+    indices: Indices
+    effects: Values
+    kept: tuple[int, ...]
+
+
+def _decided(trials: _Trials, plan: Plan, seed: int) -> _Decided:
+    """Run the samples of a plan, and find what decides their margins."""
     question = trials.question
     factors, names = len(question.deviations), margin_names(question)
     first, second = two_samples(factors, plan.points, seed)
-    nominal = trials(np.zeros((1, factors)))
     at_first = trials(question.offsets(first))
-    samples = every = at_first
     kept, effects = tuple(range(factors)), np.full(factors, np.nan)
-    if plan.rows:
-        at_second = trials(question.offsets(second[: plan.rows]))
-        samples = joined([at_first, at_second])
-        screened = plan.screens(factors)
-        if screened:
-            effects = _effects(trials, plan, first, second, at_first, samples)
-            kept = tuple(np.argsort(-effects, kind="stable")[: plan.kept].tolist())
-        groups = [[factor] for factor in kept]
-        called = [question.keys[factor] for factor in kept]
-        if screened:
-            groups.append([factor for factor in range(factors) if factor not in kept])
-            called.append(REST)
-        mixed = [exchanged(first[: plan.rows], second[: plan.rows], group) for group in groups]
-        at_mixed = trials(question.offsets(np.concatenate(mixed)))
-        margins = at_mixed.margins.reshape(len(names), len(groups), plan.rows).swapaxes(0, 1)
-        indices = sobol_indices(names, called, at_first.margins[:, : plan.rows], at_second.margins, margins, seed)
-        if not screened:
-            effects = indices.total[0]
-        every = joined([samples, at_mixed])
-    else:
+    if not plan.rows:
         indices = line_indices(names, question.keys, at_first.offsets, at_first.margins, seed)
+        return _Decided(samples=at_first, every=at_first, indices=indices, effects=effects, kept=kept)
+    at_second = trials(question.offsets(second[: plan.rows]))
+    samples = joined([at_first, at_second])
+    screened = plan.screens(factors)
+    if screened:
+        effects = _effects(trials, plan, first, second, at_first, samples)
+        kept = tuple(np.argsort(-effects, kind="stable")[: plan.kept].tolist())
+    groups = [[factor] for factor in kept]
+    called = [question.keys[factor] for factor in kept]
+    if screened:
+        groups.append([factor for factor in range(factors) if factor not in kept])
+        called.append(REST)
+    mixed = [exchanged(first[: plan.rows], second[: plan.rows], group) for group in groups]
+    at_mixed = trials(question.offsets(np.concatenate(mixed)))
+    margins = at_mixed.margins.reshape(len(names), len(groups), plan.rows).swapaxes(0, 1)
+    indices = sobol_indices(names, called, at_first.margins[:, : plan.rows], at_second.margins, margins, seed)
+    return _Decided(
+        samples=samples,
+        every=joined([samples, at_mixed]),
+        indices=indices,
+        effects=effects if screened else indices.total[0],
+        kept=kept,
+    )
+
+
+def _assessed(trials: _Trials, plan: Plan, seed: int) -> Tolerance:
+    """Run what a plan says, and draw from it what it tells."""
+    question = trials.question
+    nominal = trials(np.zeros((1, len(question.deviations))))
+    decided = _decided(trials, plan, seed)
+    samples = decided.samples
     works = samples.answers == Answer.WORKS
     tells = works | (samples.answers == Answer.FAILS)
     found = Tolerance(
@@ -204,9 +233,9 @@ def _assessed(trials: _Trials, plan: Plan, seed: int) -> Tolerance:
         runs=trials.count,
         nominal=nominal,
         samples=samples,
-        indices=indices,
-        effects=effects,
-        kept=kept,
+        indices=decided.indices,
+        effects=decided.effects,
+        kept=decided.kept,
         narrowed=tuple(
             narrowed(samples.offsets[tells, factor], works[tells], deviation.distribution)
             for factor, deviation in enumerate(question.deviations)
@@ -216,7 +245,7 @@ def _assessed(trials: _Trials, plan: Plan, seed: int) -> Tolerance:
         map=None,
     )
     if found.nominal_works:
-        found = replace(found, reaches=_alone(trials, plan), nearest=_nearest(trials, plan, every))
+        found = replace(found, reaches=_alone(trials, plan), nearest=_nearest(trials, plan, decided.every))
     found = replace(found, map=_map(trials, plan, found.order[:2]))
     return replace(found, runs=trials.count)
 

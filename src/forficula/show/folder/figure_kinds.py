@@ -16,6 +16,7 @@ from forficula.design import load_design
 from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.files import clear_leftovers, write_bytes
+from forficula.goals.optimise import Optimum
 from forficula.make.part import PartSet
 from forficula.material.characterisation import Characterisation
 from forficula.reproduction import shown_tendon
@@ -24,6 +25,7 @@ from forficula.show.folder.cycling_folder import cycling_drawings, read_cycling
 from forficula.show.folder.identify_folder import IDENTIFIED
 from forficula.show.folder.landscape_folder import landscape_drawings
 from forficula.show.folder.material_folder import material_drawings
+from forficula.show.folder.optimum_folder import OPTIMUM_FILE, optimum_drawings
 from forficula.show.folder.parts_folder import BILL_FILE, parts_drawings, read_parts
 from forficula.show.folder.run_folder import run_drawings
 from forficula.show.folder.static_map_folder import SIMULATED, static_map_drawings
@@ -43,6 +45,11 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
 _MATERIAL = "material.json"
+# whose figures are handed out as they were written, for the folder does not hold all that they show, and what it lacks
+_COPIED = {
+    _MATERIAL: "a material cannot be drawn again without its tests",
+    OPTIMUM_FILE: "a search are not drawn again",
+}
 _AGAIN = {"table.nc": "forficula study …", "map.nc": "forficula landscape …", SIMULATED: "forficula landscape …"}
 
 
@@ -61,9 +68,10 @@ def write_figure(folder: Path, kind: str, path: Path, width: float | None = None
     if path.suffix not in ENDINGS:
         raise InputError(f"--out: need a file that ends with .png, .svg or .pdf, got {path}")
     clear_leftovers(folder)  # a run that was killed may have set files aside
-    if (folder / _MATERIAL).is_file():
-        _copy(folder, kind, path, width)
-        return
+    for file, why in _COPIED.items():
+        if (folder / file).is_file():
+            _copy(folder, kind, path, width, why)
+            return
     drawings = folder_drawings(folder)
     save_figure(drawings[_known(kind, drawings, folder)](width or COLUMN_WIDTH), path)
 
@@ -73,7 +81,7 @@ def drawings_of(result: object) -> dict[str, Drawing]:
 
     Args:
         result: a folder that forficula wrote, or a record, a landscape, a table of a study or of an identification, a
-            convergence study, what became of cycles, a material, or parts.
+            convergence study, what became of cycles, a material, parts, or a search for the best design.
 
     Raises:
         InputError: it has no figures.
@@ -100,6 +108,8 @@ def drawings_of(result: object) -> dict[str, Drawing]:
             return material_drawings(result)
         case PartSet():
             return parts_drawings(result)
+        case Optimum():
+            return optimum_drawings(result)
     raise InputError(f"need results of forficula or their folder, got a {type(result).__name__}")
 
 
@@ -112,6 +122,10 @@ def folder_drawings(folder: Path) -> dict[str, Drawing]:
     if not folder.is_dir():
         what = "a file" if folder.exists() else "no such folder"
         raise InputError(f"{folder}: need a folder that forficula wrote, got {what}")
+    if (folder / OPTIMUM_FILE).is_file():
+        raise InputError(
+            f"{folder}: holds a search, whose figures are in its folder {COPIES}; or take the search itself"
+        )
     drawings: dict[str, Drawing] = {}
     for name, read in _READERS.items():
         if (folder / name).is_file():
@@ -207,17 +221,14 @@ def _dataset(path: Path) -> Dataset:
         raise InputError(f"{path}: cannot be read: {' '.join(str(error).split())}") from None
 
 
-def _copy(folder: Path, kind: str, path: Path, width: float | None) -> None:
-    """Hand out a figure as it was written: a material does not hold the tests that its figures show."""
+def _copy(folder: Path, kind: str, path: Path, width: float | None, why: str) -> None:
+    """Hand out a figure as it was written."""
     kept = {file.stem for file in (folder / COPIES).glob("*.svg")}
     name = _known(kind, kept, folder)
     own = PAGE_WIDTH if path.suffix == ".png" else COLUMN_WIDTH
     if width is not None and width != own:
         there = "page" if path.suffix == ".png" else "column"
-        raise InputError(
-            f"--width: the figures of a material cannot be drawn again without its tests: its {path.suffix} is as wide"
-            f" as a {there}"
-        )
+        raise InputError(f"--width: the figures of {why}: its {path.suffix} is as wide as a {there}")
     source = folder / f"{name}.png" if path.suffix == ".png" else folder / COPIES / f"{name}{path.suffix}"
     try:
         content = source.read_bytes()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,12 +21,12 @@ from forficula.show.style import save_figures
 if TYPE_CHECKING:
     from xarray import Dataset
 
-IDENTIFIED = "identified.nc"
+IDENTIFIED, IDENTIFIED_FILE = "identified.nc", "identified.json"
 _SUMMARY = "summary.txt"
 
 
 def write_identification(result: Dataset, folder: Path) -> None:
-    """Write an identification: its table as netCDF and as text, its sentences, figures and page; all of them, or none.
+    """Write an identification: table, what it says as JSON and in sentences, figures and page; all of them, or none.
 
     Args:
         result: what came out.
@@ -35,6 +37,8 @@ def write_identification(result: Dataset, folder: Path) -> None:
     """
     with replacing_all(folder) as unfinished:
         write_bytes(unfinished / IDENTIFIED, result.to_netcdf(engine="h5netcdf"))
+        told = json.dumps(identification_json(result), indent=2, ensure_ascii=False, allow_nan=False)
+        write_text(unfinished / IDENTIFIED_FILE, told + "\n")
         csv = samples_csv(result)
         write_text(unfinished / "samples.csv", csv)
         write_text(unfinished / _SUMMARY, "\n".join([first_sentence(result), *together_sentences(result)]) + "\n")
@@ -62,11 +66,15 @@ def samples_csv(result: Dataset) -> str:
 
 
 def identification_json(result: Dataset) -> dict[str, Any]:
-    """What came out as plain data: the facts, how often each is met, pairs that none meets, and what agrees."""
+    """What came out as plain data: the facts, how often each and each pair is met, and what agrees."""
     told = result.attrs
     return {
         **{name: told[name] for name in ("name", "design", "drawn", "placed", "could_not_run", "runs", "most_met")},
         "facts": [_fact_json(result.isel(fact=number)) for number in range(result.sizes["fact"])],
+        "pairs": [
+            _pair_json(result.isel(fact=one, other_fact=other), float(result["met_alone"].values[other, one]))
+            for one, other in itertools.combinations(range(result.sizes["fact"]), 2)
+        ],
         "sentences": together_sentences(result),
         "unknowns": [
             {
@@ -88,9 +96,27 @@ def _fact_json(fact: Dataset) -> dict[str, Any]:
         "name": str(fact["fact"].values),
         "asked": str(fact["fact_asked"].values),
         "units": str(fact["fact_units"].values),
+        "told": int(fact["told"]),
         "met": int((fact["met"].values & ~fact["directed"].values).sum()),
         "share": [float(fact[f"met_share{end}"]) for end in ("", "_low", "_high")],
         "nearest": float(known.min()) if len(known) else None,
+    }
+
+
+def _pair_json(pair: Dataset, other_alone: float) -> dict[str, Any]:
+    """Two facts and how far they are met together; counts are of drawn samples that tell of both."""
+    near = float(pair["together_near"])
+    return {
+        "facts": [str(pair["fact"].values), str(pair["other_fact"].values)],
+        "told": int(pair["told_together"]),
+        "met": int(pair["met_together"]),
+        "met_alone": [int(pair["met_alone"]), int(other_alone)],
+        "met_if_independent": float(pair["together_if_independent"]),
+        "largest_share": float(pair["together_share_high"]),
+        "placed_to": int(pair["tried_together"]),
+        "met_by_placed": int(pair["met_together_placed"]),
+        "nearest_in_scales": near if np.isfinite(near) else None,
+        "verdict": str(pair["together"].values),
     }
 
 

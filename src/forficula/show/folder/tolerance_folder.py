@@ -16,7 +16,7 @@ from forficula.dynamics import versions
 from forficula.files import replacing_all, write_bytes, write_text
 from forficula.goals.deviation import deviation_widths
 from forficula.goals.tolerance import Tolerance
-from forficula.goals.tolerance.advice import advice, most_telling
+from forficula.goals.tolerance.advice import advice, tighten_first
 from forficula.goals.tolerance.indices import Values
 from forficula.goals.tolerance.nearest_failure import Answer, Reach
 from forficula.goals.tolerance.probability import Probability
@@ -119,7 +119,7 @@ def tolerance_drawings(table: Dataset) -> dict[str, Drawing]:
 def tolerance_json(found: Tolerance) -> dict[str, Any]:
     """A tolerance as plain data with units in its keys; None where there is no number."""
     question, indices = found.question, found.indices
-    telling = most_telling(found)
+    telling = tighten_first(found)
     return {
         "design": question.design.name,
         "design_hash": question.design.hash,

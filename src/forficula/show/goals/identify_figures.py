@@ -122,12 +122,13 @@ def draw_together(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
         axes.tick_params(axis="both", length=0)
         for spine in axes.spines.values():
             spine.set_visible(False)
-        words = set(result["together"].values.ravel().tolist())
+        words = set(result["together"].values.ravel().tolist()) - {""}
         looks = {
             Together.EXCLUDED: Patch(fc="white", ec=VERMILION, lw=1.4, label="by none: they exclude one another"),
-            Together.RARE: Patch(fc="white", ec=_GREY, hatch="///", lw=0.5, label="by none, too rare to tell"),
+            "": Patch(fc="white", ec=_GREY, hatch="///", lw=0.5, label="by none, and it is open whether any can"),
             Together.PLACED: Patch(fc="none", ec="none", label="+ by samples that were placed"),
         }
+        words |= {""} if words & {Together.RARE, Together.UNTRIED, Together.NEARLY, Together.NEVER} else set()
         handles = [look for word, look in looks.items() if word in words]
         axes.set_xlabel("drawn samples that meet both facts")
         if handles:
@@ -168,7 +169,7 @@ def _tell_together(result: Dataset, names: list[str]) -> str:
         for column in range(row)
         if words[row, column] == Together.EXCLUDED
     ]
-    told = f"Met together by none, though some would be expected: {'; '.join(excluded)}." if excluded else ""
+    told = f"Exclude one another: {'; '.join(excluded)}." if excluded else ""
     return f"How many samples meet each pair of facts. {told}".strip()
 
 

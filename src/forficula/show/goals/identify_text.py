@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,6 +14,7 @@ from rich.text import Text
 from forficula.goals.identify.exclusion import Together
 from forficula.goals.identify.fact_text import value_text
 from forficula.goals.identify.marginal import Marginal, marginals
+from forficula.names import counted
 from forficula.quantities import Unit
 from forficula.show.study.factor_text import display_values, number_text, plain_name
 
@@ -47,8 +50,9 @@ def first_sentence(result: Dataset) -> str:
     missing = f", {told['could_not_run']} of which cannot be built" if told["could_not_run"] else ""
     placed = f" and {told['placed']} placed where they may meet what none met" if told["placed"] else ""
     return (
-        f"{told['name']}: {told['drawn']} samples of {count} unknown values of {told['design']} drawn{placed}{missing};"
-        f" {told['runs']} runs"
+        f"{told['name']}: {counted(told['drawn'], 'sample')} of {counted(count, 'unknown value')} of"
+        f" {told['design']} drawn{placed}{missing};"
+        f" {counted(told['runs'], 'run')}"
     )
 
 
@@ -88,68 +92,120 @@ def _number(fact: Dataset, value: float) -> str:
     return value_text(value, unit) if np.isfinite(value) else "-"
 
 
+# what is said of pairs of one verdict, in this order
+_PAIRS = {
+    Together.EXCLUDED: "Exclude one another, as far as samples tell, for each is met by some, and none meets both",
+    Together.UNTRIED: "Met together by none, though each is by some; no sample was placed to meet both",
+    Together.NEARLY: "Met together by none, but nearly so by one",
+    Together.PLACED: "Met together by samples that were placed, and by none that was drawn",
+    Together.RARE: "Met together by none, and the rarer one by too few for that to tell anything",
+}
+
+
 def together_sentences(result: Dataset) -> list[str]:
     """Which facts are met together by no sample, and what that means."""
-    drawn = int((~result["directed"].values & (result["status"].values == "ran")).sum())
-    most, facts = result.attrs["most_met"], result.sizes["fact"]
-    if most == facts:
-        count = int(result["met"].all("fact").sum())
-        sentences = [
-            f"{count} samples meet all {facts} facts." if count > 1 else f"One sample meets all {facts} facts."
-        ]
-    else:
-        best = [str(each) for each in np.atleast_1d(result.attrs["met_most"])]
-        sentences = [f"No sample meets all {facts} facts; the most that one meets is {most}: {best[0]}."]
-        if len(best) > 1:
-            sentences.append(f"{len(best) - 1} other sets of {most} facts are met, too.")
+    sentences = [*_most_met(result), *_untold(result)]
     found = _pairs(result)
-    for word, words in (
-        (Together.EXCLUDED, "Exclude one another, as far as {drawn} samples tell"),
-        (Together.PLACED, "Met together by samples that were placed, and by none that was drawn"),
-        (Together.RARE, "Met together by none, and each too rare for that to tell anything"),
-    ):
-        these = [each for each in found if each[2] == word]
+    for word, words in _PAIRS.items():
+        these = [line for verdict, line in found if verdict == word]
         if these:
-            sentences.append(f"{words.format(drawn=drawn)}:")
-            sentences += [f"  {text}" for *_, text in these[:_MOST_PAIRS]]
-            if len(these) > _MOST_PAIRS:
-                sentences.append(f"  and {len(these) - _MOST_PAIRS} more pairs")
-    unmet = [str(each) for each in np.atleast_1d(result.attrs.get("unmet", "")) if str(each)]
+            sentences += [f"{words}:", *_first(these, "pairs")]
+    unmet = _triples(result)
     if unmet:
-        sentences.append("Met by no sample all three together, though any two of them are:")
-        sentences += [f"  {each}" for each in unmet[:_MOST_PAIRS]]
-        if len(unmet) > _MOST_PAIRS:
-            sentences.append(f"  and {len(unmet) - _MOST_PAIRS} more")
+        sentences += ["Met by no sample all three together, though any two of them are:", *_first(unmet, "")]
     never = [
         str(name)
         for name, met in zip(result["fact"].values, result["met"].any("sample").values, strict=True)
         if not met
     ]
-    if never:
-        sentences.append(f"Met by none at all: {', '.join(never)}.")
+    return [*sentences, f"Met by none at all: {', '.join(never)}."] if never else sentences
+
+
+def _most_met(result: Dataset) -> list[str]:
+    """How many facts one sample meets at most, and which."""
+    most, facts = result.attrs["most_met"], result.sizes["fact"]
+    if most == facts:
+        count, what = int(result["met"].all("fact").sum()), f"all {facts} facts" if facts > 1 else "the fact"
+        return [f"{count} samples meet {what}." if count > 1 else f"One sample meets {what}."]
+    best = [str(each) for each in np.atleast_1d(result.attrs["met_most"])]
+    if not most:
+        return ["No sample meets any fact." if facts > 1 else "No sample meets the fact."]
+    sentences = [f"No sample meets all {facts} facts; the most that one meets is {most}: {best[0]}."]
+    if len(best) > 1:
+        others = "1 other set" if len(best) == 2 else f"{len(best) - 1} other sets"
+        sentences.append(f"{others} of {counted(most, 'fact')} {'is' if len(best) == 2 else 'are'} met, too.")
     return sentences
 
 
-def _pairs(result: Dataset) -> list[tuple[int, int, str, str]]:
-    """Pairs of facts: their numbers, the verdict, and a line on them."""
+def _untold(result: Dataset) -> list[str]:
+    """Of which facts runs leave open whether drawn samples meet them."""
+    drawn = int((~result["directed"].values & (result["status"].values == "ran")).sum())
+    told = [
+        f"{name}, {drawn - int(count)}"
+        for name, count in zip(result["fact"].values, result["told"].values, strict=True)
+        if count < drawn
+    ]
+    if not told:
+        return []
+    return [
+        f"Of {counted(drawn, 'drawn sample')}, runs that are not to be trusted leave open whether they meet:"
+        f" {'; '.join(told)}. These are not counted, and the intervals hold whatever they would have come to."
+    ]
+
+
+def _first(lines: Sequence[str], what: str) -> list[str]:
+    """The first lines of many, and how many more there are."""
+    more = [f"  and {len(lines) - _MOST_PAIRS} more {what}".rstrip()] if len(lines) > _MOST_PAIRS else []
+    return [*(f"  {line}" for line in lines[:_MOST_PAIRS]), *more]
+
+
+def _pairs(result: Dataset) -> list[tuple[str, str]]:
+    """Pairs of facts, those first that no sample comes near to: the verdict, and a line on them."""
     names = [str(name) for name in result["fact"].values]
-    both = result["met_together"].values
-    drawn = max(int((~result["directed"].values & (result["status"].values == "ran")).sum()), 1)
-    found = []
-    for one in range(len(names)):
-        for other in range(one + 1, len(names)):
-            verdict = str(result["together"].values[one, other])
-            high = 100 * float(result["together_share_high"].values[one, other])
-            expected = both[one, one] * both[other, other] / drawn
-            placed = int(result["met_together_placed"].values[one, other])
-            line = f"{names[one]} | {names[other]}: "
-            if verdict == Together.PLACED:
-                line += f"{placed} placed samples"
-            else:
-                line += f"none where {expected:.2g} would be expected"
-                line += f"; less than {high:.2g} % (95 %)" if verdict == Together.EXCLUDED else ""
-            found.append((one, other, verdict, line))
-    return found
+    pairs = [result.isel(fact=one, other_fact=other) for one, other in itertools.combinations(range(len(names)), 2)]
+    pairs.sort(key=lambda pair: -float(pair["together_near"]))
+    return [(str(pair["together"].values), _pair_line(result, pair)) for pair in pairs]
+
+
+def _pair_line(result: Dataset, pair: Dataset) -> str:
+    """What samples say of a pair: counts, what would be if it were by chance, a bound, and how near one comes."""
+    first, second = str(pair["fact"].values), str(pair["other_fact"].values)
+    turned = result.sel(fact=second, other_fact=first)
+    line = (
+        f"{first} | {second}: by {int(pair['met_together'])} of {int(pair['told_together'])} that tell, by either alone"
+        f" {int(pair['met_alone'])} and {int(turned['met_alone'])}"
+        f" ({float(pair['together_if_independent']):.2g} if independent);"
+        f" at most {_percent(float(pair['together_share_high']))} of what is believed (95 %)"
+    )
+    if placed := int(pair["met_together_placed"]):
+        return f"{line}; by {placed} placed"
+    if tried := int(pair["tried_together"]):
+        line += f"; by none of {tried} placed to"
+    return f"{line}; the nearest misses one by {_near(float(pair['together_near']))}"
+
+
+def _triples(result: Dataset) -> list[str]:
+    """A line for every three facts that no sample meets together."""
+    names = ("", "_verdict", "_told", "_tried", "_near", "_share_high")
+    columns = [np.atleast_1d(result.attrs[f"unmet{of}"]) for of in names]
+    lines = []
+    for facts, verdict, told, tried, near, high in zip(*columns, strict=True):
+        if str(facts):
+            by = f", none of {tried} placed to" if tried else ""
+            lines.append(
+                f"{facts}: {verdict}; by none of {told} that tell{by}; at most {_percent(float(high))} of what is"
+                f" believed (95 %); the nearest misses one by {_near(float(near))}"
+            )
+    return lines
+
+
+def _near(excess: float) -> str:
+    """By how much of its scale a fact is missed."""
+    return f"{excess:.2g} of its scale"
+
+
+def _percent(share: float) -> str:
+    return f"{100 * share:.2g} %"
 
 
 def unknowns_table(result: Dataset) -> Table:

@@ -10,6 +10,7 @@ import numpy as np
 from scipy import stats
 
 from forficula.files import write_text
+from forficula.goals.identify.exclusion import Together
 from forficula.quantities import show_value
 from forficula.show.page.bars import BarRow, bar, bar_table, percent_text
 from forficula.show.page.html import escaped, paragraph, section
@@ -28,7 +29,13 @@ _SIGNS = {_AGREES: "●", _APART: "○", _PLACED: "△", _NOT_RUN: "⊘"}
 # unknowns of which all pairs can be told in one picture
 _MOST_PAIRED = 4
 # as the result has them, from the worst
-_TOGETHER = {"exclude one another": "excluded", "too rare to tell": "rare", "one is never met": "never"}
+_TOGETHER: dict[str, str] = {
+    Together.EXCLUDED: "excluded",
+    Together.UNTRIED: "rare",
+    Together.NEARLY: "rare",
+    Together.RARE: "rare",
+    Together.NEVER: "never",
+}
 
 
 def write_identify_page(
@@ -246,19 +253,19 @@ def _together_cell(results: Dataset, counts: Any, one: int, other: int) -> str:
 
 
 def _together_words(results: Dataset, facts: list[str]) -> str:
-    """Which pairs no sample meets though some would be expected to."""
+    """Which pairs exclude one another, and whether others are met by none."""
     if "together" not in results:
         return ""
     words = results["together"].values
     pairs = [(one, other) for one in range(len(facts)) for other in range(one + 1, len(facts))]
-    excluded = [f"{one + 1} and {other + 1}" for one, other in pairs if str(words[one, other]) == "exclude one another"]
-    rare = sum(str(words[one, other]) == "too rare to tell" for one, other in pairs)
+    excluded = [f"{one + 1} and {other + 1}" for one, other in pairs if str(words[one, other]) == Together.EXCLUDED]
     said = (
-        f"✕ no sample meets both, though some would if they were independent: {', '.join(excluded)}."
+        f"✕ each is met by some samples, and none meets both, placed ones among them: {', '.join(excluded)}."
         if excluded
         else ""
     )
-    more = " ? no sample meets both, and hardly one would be expected." if rare else ""
+    open_ = any(_TOGETHER.get(str(words[one, other])) == "rare" for one, other in pairs)
+    more = " ? no sample meets both, but that does not tell that none can." if open_ else ""
     return f"{said}{more}".strip()
 
 

@@ -48,9 +48,29 @@ def samples_page(
         count: how many these are.
         csv: the text of `table.csv`; empty for none.
     """
+    shown = {
+        "kind": "goals",
+        "study": data,
+        "views": views,
+        "runs": runs_data(kept, count),
+        "csv": csv if csv and has_rows(data) else None,
+    }
+    return page_html(f"{name}: {kind}", _body(name, found, told, more, data, headings, about), shown)
+
+
+def _body(
+    name: str,
+    found: LaidOut,
+    told: Iterable[str],
+    more: Iterable[str],
+    data: dict[str, Any],
+    headings: tuple[str, str],
+    about: Sequence[str],
+) -> str:
+    """What stands on a page of points, from the sentence down to what was asked."""
     heading = found.heading.removeprefix(f"{name}: ").rstrip(".")
     sentence = paragraph(f"{heading[:1].upper()}{heading[1:]}." if heading else "", "outcome")
-    body = "".join(
+    return "".join(
         (
             f'<header><h1>{escaped(name)}</h1>{sentence}</header>\n<main class="study">',
             *told,
@@ -63,14 +83,6 @@ def samples_page(
             "</main>",
         )
     )
-    shown = {
-        "kind": "goals",
-        "study": data,
-        "views": views,
-        "runs": runs_data(kept, count),
-        "csv": csv if csv and has_rows(data) else None,
-    }
-    return page_html(f"{name}: {kind}", body, shown)
 
 
 def about_rows(rows: Sequence[Sequence[str]], design_hash: str, source: str, command: str) -> list[str]:

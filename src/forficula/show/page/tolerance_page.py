@@ -97,17 +97,6 @@ def tolerance_page(
         cells: a map over two of the values, under the cloud.
     """
     data = _data(design, deviations, results)
-    names = [each["key"] for each in data["factors"]]
-    ranked = [key for key in ranked_keys(results) if key in names]
-    ranked += [key for key in names if key not in ranked]
-    views = {
-        "lines": [*ranked[:_MOST_AXES], "margin"],
-        "plane": _plane(results, ranked, cells),
-        "order": ["plane", "lines"],
-        "front": [],
-        "best": None,
-        "best_word": "",
-    }
     return samples_page(
         name=design.name,
         kind="tolerance",
@@ -118,13 +107,28 @@ def tolerance_page(
         ),
         more=(section("How far it is to a failure", _reach_table(design, deviations, results), name="reach"),),
         data=data,
-        views=views,
+        views=_views(results, data, cells),
         headings=("All that was built", "The tolerance"),
         about=_about(design, deviations, results),
         kept=kept,
         count=count,
         csv=csv,
     )
+
+
+def _views(results: Dataset, data: dict[str, Any], cells: VerdictCells | None) -> dict[str, Any]:
+    """What the script draws of the points: the cloud, and lines over the values that decide most."""
+    names = [each["key"] for each in data["factors"]]
+    ranked = [key for key in ranked_keys(results) if key in names]
+    ranked += [key for key in names if key not in ranked]
+    return {
+        "lines": [*ranked[:_MOST_AXES], "margin"],
+        "plane": _plane(results, ranked, cells),
+        "order": ["plane", "lines"],
+        "front": [],
+        "best": None,
+        "best_word": "",
+    }
 
 
 def _plane(results: Dataset, ranked: Sequence[str], cells: VerdictCells | None) -> dict[str, Any]:

@@ -1,0 +1,59 @@
+"""A search that is over before it has learnt from anything says so."""
+
+import pytest
+
+from forficula.goals import goal_of
+from forficula.goals.optimise import optimise_goal
+from forficula.goals.optimise.axis import Axis
+from forficula.goals.optimise.batches import batches
+from forficula.goals.optimise.filling import filling_count, filling_text
+from forficula.goals.optimise.telling import told
+from forficula.goals.optimise.trial import Trial
+
+AREA = {"tendon.area": {"low": "1 mm^2", "high": "9 mm^2"}}
+
+
+def goal(vary=AREA, **search):
+    return goal_of(
+        {
+            "name": "held",
+            "design": "binder2025-joint",
+            "simulate": False,
+            "vary": vary,
+            "limits": {"hinge_holding_torque": ">= 8 N cm"},
+            "objectives": {"mass": "least"},
+            "search": search,
+        }
+    )
+
+
+def points(axes, batch, count, sign):
+    """The first points of a search for the least, or the largest, share of the first axis."""
+    search, found = batches(axes, 1, batch, 0), []
+    asked = next(search)
+    while len(found) < count:
+        found += asked
+        asked = search.send([Trial(point=each, objectives=(sign * each[0],)) for each in asked])
+    return found[:count]
+
+
+@pytest.mark.parametrize(("axes", "batch"), [(1, 4), (2, 16), (9, 16), (12, 32), (2, 64)])
+def test_until_the_space_is_filled_nothing_is_learnt_and_then_it_is(axes, batch):
+    sides = [Axis() for _ in range(axes)]
+    count = filling_count(sides, batch)
+    low, high = (points(sides, batch, count + batch, sign) for sign in (1, -1))
+    assert low[:count] == high[:count]
+    assert low[count:] != high[count:]
+
+
+def test_a_search_that_is_over_before_it_learns_says_so(tmp_path):
+    few = goal(runs=16, batch=16)
+    said = "its 16 designs do no more than fill the space evenly: a search that learns from them begins after 32"
+    assert filling_text(few).startswith(said)
+    assert told(optimise_goal(few, tmp_path))[-1].startswith(said)
+    assert filling_text(goal(runs=32, batch=8)) is not None
+    assert filling_text(goal(runs=33, batch=8)) is None
+
+
+def test_a_search_that_tries_all_there_are_has_nothing_to_learn():
+    assert filling_text(goal(vary={"tendon.area": ["4 mm^2", "5 mm^2", "6 mm^2"]}, runs=16, batch=4)) is None
