@@ -158,7 +158,8 @@ class Part(BaseModel):
         """The values that tell it from others, SI, as plain data; what is absent is left out."""
         values: dict[str, Any] = {}
         defaults = {name: type(self).model_fields[name].default for name in self.later}
-        for name, value in self:
+        for name in _readers(type(self)):
+            value = getattr(self, name)
             if isinstance(value, Part):
                 values[name] = value.hash_values()
             elif isinstance(value, tuple):
