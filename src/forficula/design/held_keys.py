@@ -16,6 +16,7 @@ from forficula.design.part import Part, Quantity, field_quantity
 from forficula.material.law.law_file import named_laws
 from forficula.quantities import Unit, show_quantity
 
+_LAST = ("medium", "make", "protocol")
 _DIGITS = 9  # of a quantity, significant
 
 
@@ -39,7 +40,7 @@ class HeldKey:
 
 
 def held_keys(design: Design) -> list[HeldKey]:
-    """All keys of a design, in the order of its file: of its kind of pattern, and of the entries that its lists have.
+    """All keys of a design, section by section: of its kind of pattern, and of the entries that its lists have.
 
     A list that is empty has none; of a section that the design lacks there are the keys that it could have.
     """
@@ -53,8 +54,12 @@ def held_keys(design: Design) -> list[HeldKey]:
             continue
         value = show_quantity(choice.value, reader.unit, _DIGITS)
         found.append(HeldKey(fact=key.fact, value=value, words=key.words, chosen=choice.reason))
-    # what is built, then what is done to it
-    return sorted(found, key=lambda key: key.fact.key.partition(".")[0] == "protocol")
+    # what is built, what may be left out of it, then what is done to it; first what all of that is called
+    return sorted(found, key=lambda key: _place(key.fact.key.partition(".")[0]) if "." in key.fact.key else -1)
+
+
+def _place(section: str) -> int:
+    return _LAST.index(section) + 1 if section in _LAST else 0
 
 
 def _held(model: type[Part], part: Part | None, prefix: str) -> Iterator[HeldKey]:
