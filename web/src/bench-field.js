@@ -62,7 +62,7 @@ export function makeField(fact, changed) {
 function makeInput({ key, value, words, onlyWords, default: left }, id) {
   if (onlyWords) {
     const none = value ? [] : [make("option", { value: "" }, left && left !== "needed" ? `left out: ${left}` : "left out")];
-    return make("select", { id }, ...none, ...words.map((word) => make("option", { value: word }, word)));
+    return make("select", { id, "data-key": key }, ...none, ...words.map((word) => make("option", { value: word }, word)));
   }
   const plain = { id, spellcheck: false, autocomplete: "off", "autocapitalize": "off", "data-key": key };
   if (value.length > LONG) return make("textarea", { ...plain, rows: Math.min(6, Math.ceil(value.length / LONG)) });

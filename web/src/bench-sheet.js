@@ -15,6 +15,7 @@ export function makeSheet(asked) {
     const key = JSON.stringify(wanted);
     if (key === drawn) return;
     drawn = key;
+    if (!element.querySelector("img")) element.replaceChildren(make("p", { className: "note", role: "status" }, "Drawing \u2026"));
     const reply = await ask("pattern", wanted);
     if (drawn !== key) return;
     if (reply.refused) {

@@ -17,7 +17,6 @@ export function makeWing(set, run) {
   let pace;
 
   function clear() {
-    if (wing.panel) pace = wing.panel.pace;
     wing.panel?.leave();
     still?.dispose();
     wing.panel = still = null;
@@ -27,6 +26,7 @@ export function makeWing(set, run) {
   wing.show = async ({ bench, live, warnings }) => {
     const clip = readClip(bench.clips[0]);
     wing.refused = live.refused ?? "";
+    pace = wing.panel?.pace ?? pace;
     if (!wing.refused) {
       try {
         const panel = await makePanel(clip, bench, JSON.stringify(live), take, { look, pace, set });

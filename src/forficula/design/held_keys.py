@@ -14,6 +14,7 @@ from forficula.design.key_table import KeyFact, field_fact, field_forms
 from forficula.design.keys import names_law, parts_of
 from forficula.design.part import Part, Quantity, field_quantity
 from forficula.material.law.law_file import named_laws
+from forficula.names import listed
 from forficula.quantities import Unit, show_quantity
 
 _LAST = ("medium", "make", "protocol")
@@ -42,7 +43,7 @@ class HeldKey:
 def held_keys(design: Design) -> list[HeldKey]:
     """All keys of a design, section by section: of its kind of pattern, and of the entries that its lists have.
 
-    A list that is empty has none; of a section that the design lacks there are the keys that it could have.
+    A list of tables that is empty is one key; of a section that the design lacks there are the keys that it could have.
     """
     reasons = {f"{choice.section}.{choice.key}": choice for choice in design.chosen}
     found = []
@@ -76,6 +77,8 @@ def _held(model: type[Part], part: Part | None, prefix: str) -> Iterator[HeldKey
             yield _law(key, field, value)
         if isinstance(value, Part):
             yield from _held(type(value), value, f"{key}.")
+        elif isinstance(value, tuple) and not value:
+            yield _empty(key, field, inside[0])
         elif isinstance(value, tuple):
             for number, entry in enumerate(value):
                 if isinstance(entry, Part):
@@ -95,6 +98,12 @@ def _law(key: str, field: FieldInfo, value: Any) -> HeldKey:
     """The law of a material as one value, its name."""
     fact = KeyFact(key=key, meaning=field.description or "", allowed="name of a material, or of a law file", default="")
     return HeldKey(fact=fact, value=value.name if value is not None else "", words=tuple(named_laws()))
+
+
+def _empty(key: str, field: FieldInfo, entry: type[Part]) -> HeldKey:
+    """A list of tables that has none, as one value."""
+    allowed = f"list of tables, {{...}}, with {listed(entry.model_fields)}"
+    return HeldKey(fact=KeyFact(key=key, meaning=field.description or "", allowed=allowed, default=""), value="")
 
 
 def _words(forms: list[Any]) -> Iterator[str]:

@@ -15,7 +15,6 @@ from typing import Any
 from pydantic import ValidationError
 from tornado.httpserver import HTTPServer
 from tornado.iostream import StreamClosedError
-from tornado.netutil import bind_sockets
 from tornado.web import Application, RequestHandler
 
 from forficula.errors import InputError
@@ -69,10 +68,11 @@ def serve(opened: Opened, port: int | None, ready: Callable[[str], None]) -> Non
 
 async def _serve(opened: Opened, port: int | None, ready: Callable[[str], None]) -> None:
     try:
-        sockets = bind_sockets(port or 0, LOOPBACK, family=socket.AF_INET)
+        listening = socket.create_server((LOOPBACK, port or 0))
     except OSError as error:
         raise InputError(f"--port: {port} cannot be had: {error.strerror or error}") from None
-    own_port = sockets[0].getsockname()[1]
+    own_port = listening.getsockname()[1]
+    listening.setblocking(False)
     # others who have an account on this machine reach its ports, too, but do not know this
     secret = secrets.token_urlsafe(16)
     workers = Worker(opened), Worker(opened)
@@ -81,7 +81,7 @@ async def _serve(opened: Opened, port: int | None, ready: Callable[[str], None])
         bench = Bench(opened=opened, port=own_port, quick=quick, slow=slow, folder=Path(folder))
         server = HTTPServer(application(bench, secret), max_body_size=LARGEST, max_buffer_size=2 * LARGEST)
         try:
-            server.add_sockets(sockets)
+            server.add_socket(listening)
             workers[0].start()
             ready(f"http://{LOOPBACK}:{own_port}/{secret}/")
             await asyncio.Event().wait()
@@ -118,7 +118,7 @@ class _Guarded(RequestHandler):
         self.clear_header("Server")
         self.set_header("Cache-Control", "no-store")
         self.set_header("X-Content-Type-Options", "nosniff")
-        self.set_header("Referrer-Policy", "no-referrer")
+        self.set_header("Referrer-Policy", "same-origin")
         self.set_header("Cross-Origin-Resource-Policy", "same-origin")
         self.set_header("Cross-Origin-Opener-Policy", "same-origin")
         self.set_header("Content-Security-Policy", "frame-ancestors 'none'")
@@ -171,7 +171,7 @@ class _Answer(_Guarded):
         except InputError as error:
             # a page asks whether a value is allowed, and this is an answer
             await self.finish({"refused": str(error)})
-        except StoppedError:
+        except (StoppedError, asyncio.CancelledError):
             if not self.request.connection.stream.closed():  # type: ignore[union-attr]
                 await self.finish({"refused": _STOPPED})
 
@@ -195,7 +195,8 @@ class _Results(_Guarded):
             self.line({"done": f"results/{number}/{_REPORT}"})
         except InputError as error:
             self.line({"refused": str(error)})
-        except StoppedError:
+        except (StoppedError, asyncio.CancelledError):
+            # by its page, or with the server
             self.line({"refused": _STOPPED})
         except RuntimeError as error:
             self.line({"refused": f"the workbench failed: {error}"})
