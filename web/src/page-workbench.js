@@ -48,7 +48,7 @@ export async function showWorkbench(data) {
   );
   const taking = makeTaking();
   const main = document.getElementById("workbench");
-  main.append(make("div", { className: "bar" }, opening.element, taking.element, says.element), keys.element, tabs.element);
+  main.append(make("div", { className: "masthead" }, opening.element, taking.element, says.element), keys.element, tabs.element);
   tabs.choose("wing");
 
   const fileName = () => `${bench.told?.name ?? "design"}.toml`;
