@@ -13,6 +13,7 @@ export function makeField(fact, changed) {
   const input = makeInput(fact, name);
   const home = make("button", { type: "button", className: "home", hidden: true }, "undo");
   const wrong = make("p", { className: "wrong", id: `${name}-wrong` });
+  let was = ""; // what was last shown or asked: what is typed beyond it is left alone
   const notes = make("p", { className: "note", id: `${name}-notes` });
   const element = make(
     "div",
@@ -23,14 +24,15 @@ export function makeField(fact, changed) {
     notes,
   );
   input.setAttribute("aria-describedby", `${name}-wrong ${name}-notes`);
-  input.addEventListener("change", () => changed(input.value.trim()));
+  input.addEventListener("change", () => {
+    was = input.value.trim();
+    changed(was);
+  });
   home.addEventListener("click", () => {
     changed("");
     input.focus();
   });
   home.setAttribute("aria-label", `undo the change of ${last}`);
-  let was = "";
-
   /** Show what the design has, whether that was changed, and what it had. */
   function show(now, setting, base) {
     if (document.activeElement !== input || input.value.trim() === was) input.value = setting ?? now.value;

@@ -140,7 +140,7 @@ export async function showWorkbench(data) {
     for (const [key, { text, why }] of bench.rejected) keys.reject(key, text, why);
     file.show(told);
     taking.show(told, fileName());
-    sessionStorage.setItem(KEPT, JSON.stringify(bench.asked));
+    keep(bench.asked);
   }
 
   const kept = JSON.parse(sessionStorage.getItem(KEPT) ?? "null");
@@ -154,6 +154,15 @@ export async function showWorkbench(data) {
 }
 
 const same = (one, other) => JSON.stringify(Object.entries(one).sort()) === JSON.stringify(Object.entries(other).sort());
+
+/** Keep what is asked for a reload, where the browser has room for it. */
+function keep(asked) {
+  try {
+    sessionStorage.setItem(KEPT, JSON.stringify(asked));
+  } catch {
+    sessionStorage.removeItem(KEPT);
+  }
+}
 
 /** What is being done, and what was refused. */
 function makeSays() {

@@ -14,7 +14,6 @@ from typing import Any
 
 from pydantic import ValidationError
 from tornado.httpserver import HTTPServer
-from tornado.iostream import StreamClosedError
 from tornado.web import Application, RequestHandler
 
 from forficula.errors import InputError
@@ -26,7 +25,9 @@ from forficula.workbench.worker import StoppedError, Task, Worker
 
 LOOPBACK = "127.0.0.1"
 LARGEST = 20_000_000  # bytes of what a page sends
-_STOPPED = "stopped"
+_ENDED = "the work on it ended before it was done; it may need more memory than there is"
+# what work comes to that has no result; cancelled it is with the server
+_TOLD = (InputError, StoppedError, RuntimeError, asyncio.CancelledError)
 _REPORT = "report.html"
 
 
@@ -108,11 +109,23 @@ def application(bench: Bench, secret: str) -> Application:
     )
 
 
+def _why(error: BaseException) -> str:
+    match error:
+        case InputError():
+            return str(error)
+        case RuntimeError():
+            return f"the workbench failed: {error}"
+        case _:
+            return _ENDED
+
+
 class _Guarded(RequestHandler):
     """Answers nobody but its own page, and lets nothing keep, frame or guess what it answers."""
 
     def initialize(self, bench: Bench) -> None:
         self.bench = bench
+        # whether its page has left
+        self.gone = False
 
     def set_default_headers(self) -> None:
         self.clear_header("Server")
@@ -168,14 +181,13 @@ class _Answer(_Guarded):
             return
         try:
             await self.finish(await self.bench.quick.do(self, task, asked))
-        except InputError as error:
+        except _TOLD as error:
             # a page asks whether a value is allowed, and this is an answer
-            await self.finish({"refused": str(error)})
-        except (StoppedError, asyncio.CancelledError):
-            if not self.request.connection.stream.closed():  # type: ignore[union-attr]
-                await self.finish({"refused": _STOPPED})
+            if not self.gone:
+                await self.finish({"refused": _why(error)})
 
     def on_connection_close(self) -> None:
+        self.gone = True
         self.bench.quick.leave(self)
 
 
@@ -193,23 +205,16 @@ class _Results(_Guarded):
                 self, task, asked, self.bench.folder / str(number), lambda text: self.line({"doing": text})
             )
             self.line({"done": f"results/{number}/{_REPORT}"})
-        except InputError as error:
-            self.line({"refused": str(error)})
-        except (StoppedError, asyncio.CancelledError):
-            # by its page, or with the server
-            self.line({"refused": _STOPPED})
-        except RuntimeError as error:
-            self.line({"refused": f"the workbench failed: {error}"})
+        except _TOLD as error:
+            self.line({"refused": _why(error)})
 
     def line(self, content: dict[str, str]) -> None:
-        try:
+        if not self.gone:
             self.write(f"{json.dumps(content)}\n")
             self.flush()
-        except (StreamClosedError, RuntimeError):
-            # its page has gone
-            return
 
     def on_connection_close(self) -> None:
+        self.gone = True
         self.bench.slow.leave(self)
 
 

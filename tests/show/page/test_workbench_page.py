@@ -212,7 +212,22 @@ def test_a_landscape_is_surveyed_while_it_is_waited_for_and_can_be_stopped(bench
     until(page, "document.querySelector('#view-landscape iframe') !== null", SECONDS)
     shown = page.frame_locator("#view-landscape iframe")
     shown.get_by_role("heading", name="binder2025-joint").wait_for()
-    bench.messages.clear()  # the report's own picture, in a window that is drawn by the processor
+
+
+def test_a_building_that_takes_long_is_stopped_and_the_last_good_model_stays(bench):
+    bench.page.locator("#which-design").select_option("miura-sheet")
+    bench.settled()
+    before = bench.design()
+    entry = bench.field("pattern.columns").locator("[data-key]")
+    # some thousand facets
+    entry.fill("300")
+    entry.press("Enter")
+    bench.press("Stop building")
+    bench.settled()
+    assert bench.alert() == "building it was stopped \u2013 the last good model stays."
+    assert bench.design() == before
+    bench.put("pattern.columns", "3")
+    assert bench.design().pattern.columns == 3
 
 
 def test_the_design_file_is_written_by_hand(bench):
