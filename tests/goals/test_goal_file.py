@@ -5,6 +5,8 @@ import pytest
 from forficula.errors import InputError
 from forficula.goals.goal_file import goal_of, load_goal, named_goals
 from forficula.goals.goal_keys import goal_key_facts
+from forficula.goals.identify import load_observations
+from forficula.study import load_study
 
 TABLES = {
     "name": "a-goal",
@@ -182,3 +184,23 @@ def test_one_tolerance_takes_the_place_of_all_by_either_name():
     assert sizes["tendon.left.stiffness"] == 0.05
     assert "tendon.0.stiffness" not in sizes
     assert "tendon.right.stiffness" not in sizes
+
+
+@pytest.mark.parametrize(
+    ("read", "text", "says"),
+    [
+        (
+            load_goal,
+            "[[fact]]",
+            "need a goal, got an observations file, for it has fact; give it to forficula ident",
+        ),
+        (load_goal, "[factors]", "need a goal, got a study, for it has factors; give it to forficula study"),
+        (load_observations, "[objectives]", "need an observations file, got a goal, for it has objectives; give it to"),
+        (load_study, "[[fact]]", "need a study, got an observations file, for it has fact; give it to forficula ident"),
+    ],
+)
+def test_a_file_of_another_kind_is_sent_to_its_command(tmp_path, read, text, says):
+    (tmp_path / "some.toml").write_text(f'design = "letter-fold"\n{text}\n', "utf-8")
+    with pytest.raises(InputError) as error:
+        read(tmp_path / "some.toml")
+    assert f"some.toml: {says}" in str(error.value)

@@ -73,11 +73,31 @@ def load_named(
     """
     text, where, folder = read_named(name_or_path, package, what, several)
     try:
-        tables = parse_toml(text, f"{'an' if what[0] in 'aeiou' else 'a'} {what}")
+        tables = parse_toml(text, _a(what))
+        _check_kind(tables, what)
         tables.setdefault("name", Path(where).stem)
         return build(tables, folder)
     except InputError as error:
         raise InputError(f"{where}: {error}") from None
+
+
+# of each kind of file a table that no other kind has, and the command that takes it
+_TELLING = {
+    "study": ("factors", "study"),
+    "goal": ("objectives", "optimise"),
+    "observations file": ("fact", "identify"),
+}
+
+
+def _check_kind(tables: Mapping[str, Any], what: str) -> None:
+    """Refuse a file of another kind, for which there is another command."""
+    for kind, (table, command) in _TELLING.items():
+        if kind != what and table in tables and _TELLING[what][0] not in tables:
+            raise InputError(f"need {_a(what)}, got {_a(kind)}, for it has {table}; give it to forficula {command}")
+
+
+def _a(what: str) -> str:
+    return f"{'an' if what[0] in 'aeiou' else 'a'} {what}"
 
 
 def base_design(tables: Mapping[str, Any], folder: Path) -> Design:

@@ -8,7 +8,7 @@ from forficula.goals.identify import observations_of
 from forficula.goals.identify.exclusion import Together
 from forficula.goals.identify.identify import identify_samples
 from forficula.goals.identify.result import build_result
-from forficula.show.goals.identify_text import together_sentences
+from forficula.show.goals.identify_text import print_identification, together_sentences
 from tests.goals.identify.closed_form import assess, count_fact, row_of, time_fact
 
 # less than any overbend
@@ -224,3 +224,12 @@ def test_a_sample_that_there_is_no_such_design_of_is_told_and_counts_for_nothing
     assert np.isnan(result.distance.values[missing]).all()
     assert float(result.met_share[0]) == 1
     assert not result.agrees.values[missing].any()
+
+
+def test_names_with_brackets_stand_in_the_table_as_they_are(capsys):
+    print_identification(observed([count_fact("b [red]/[9 cm]", at_least=0)], samples=1))
+    said = capsys.readouterr().out
+    assert "planted: 1 sample of 2 unknown values of binder2025 drawn; 0 runs" in said
+    assert "b [red]/[9 cm]  at least 0" in said
+    assert "What agrees is the one drawn sample that meets every fact." in said
+    assert "One sample meets the fact." in said

@@ -1,6 +1,11 @@
 """Identifications in folders: killed and taken up again they come to the same, and leave their files."""
 
 import json
+import os
+import signal
+import subprocess
+import sys
+import time
 
 import numpy as np
 import pytest
@@ -74,6 +79,62 @@ def test_killed_and_taken_up_again_it_comes_to_the_same(planted, result, tmp_pat
     assert 0 < len(ran) < result.attrs["runs"]
     xarray.testing.assert_identical(again, result)
     identify(planted, tmp_path, run_progress=lambda *_: pytest.fail("ran what was there"))
+
+
+SEEN = """
+design = "letter-fold"
+[unknown]
+"tendon.left.stiffness" = { distribution = "uniform", low = "0.2 N/cm", high = "1 N/cm" }
+"crease.damping" = { distribution = "log-uniform", low = "0.01 N m s/rad/m", high = "0.1 N m s/rad/m" }
+[sampling]
+samples = 24
+directed = 24
+[[fact]]
+name = "closes soon"
+quantity = "close_time"
+until = "close"
+absent = "2 s"
+at_most = "0.25 s"
+[[fact]]
+name = "stores little"
+quantity = "flat_energy"
+until = "close"
+absent = "0 J"
+at_most = "40 mJ"
+"""
+
+
+def killed_at(rows, file, out):
+    """Start the command, kill it once its journal has so many rows; whether it was still at work."""
+    command = [sys.executable, "-m", "forficula", "identify", str(file), "--out", str(out)]
+    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    journal = out / "journal.jsonl"
+    while process.poll() is None:
+        if journal.exists() and journal.read_bytes().count(b"\n") > rows:
+            process.kill()
+            break
+        time.sleep(1e-3)
+    return process.wait(timeout=60) == -signal.SIGKILL
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals are POSIX's")
+def test_the_command_killed_at_any_moment_goes_on_and_ends_with_the_same_bytes(tmp_path):
+    file, whole, out = tmp_path / "seen.toml", tmp_path / "whole", tmp_path / "killed"
+    file.write_text(SEEN, "utf-8")
+    main(["identify", str(file), "--out", str(whole)])
+    # among the drawn samples, at the end of these, and among the placed ones
+    killed = [killed_at(rows, file, out) for rows in (3, 24, 31)]
+    assert sum(killed) >= 2
+    assert not (out / "identified.nc").exists()
+    main(["identify", str(file), "--out", str(out)])
+    for name in ("identified.json", "samples.csv", "summary.txt"):
+        assert (out / name).read_bytes() == (whole / name).read_bytes()
+    tables = [xarray.load_dataset(folder / "identified.nc", engine="h5netcdf") for folder in (whole, out)]
+    xarray.testing.assert_identical(*tables)
+    # what was done before a kill was not done again; where it hit, half a row may stand
+    lines = [line for line in (out / "journal.jsonl").read_text("utf-8").splitlines() if line]
+    keys = [json.loads(line)["key"] for line in lines if line.startswith('{"key"') and line.endswith("}")]
+    assert len(keys) == len(set(keys)) == tables[0].attrs["runs"]
 
 
 def test_another_design_s_rows_are_refused(planted, tmp_path):

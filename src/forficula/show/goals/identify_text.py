@@ -27,7 +27,7 @@ _NARROW = 110
 
 def print_identification(result: Dataset) -> None:
     """Print how far each fact can be met, which exclude one another, and what agrees."""
-    Console(width=_NARROW, highlight=False).print(identification_text(result))
+    Console(width=_NARROW, highlight=False, markup=False).print(identification_text(result))
 
 
 def identification_text(result: Dataset) -> Group:
@@ -235,5 +235,7 @@ def agrees_sentence(result: Dataset) -> str:
     """What is taken for what agrees."""
     agrees = result["agrees"].values
     whole = bool(result["met"].values[agrees].all()) if agrees.any() else False
+    if (count := int(agrees.sum())) == 1:
+        return f"What agrees is the one drawn sample that {'meets every fact' if whole else 'is nearest to all facts'}."
     what = "meet every fact" if whole else "are nearest to all facts"
-    return f"What agrees are the {int(agrees.sum())} drawn samples that {what}; ranges hold 90 % of the samples."
+    return f"What agrees are the {count} drawn samples that {what}; ranges hold 90 % of the samples."

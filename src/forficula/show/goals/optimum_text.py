@@ -15,7 +15,7 @@ from forficula.quantities import show_quantity
 
 def print_optimum(found: Optimum) -> None:
     """Print what `optimum_text` lays out."""
-    Console(width=110, highlight=False).print(optimum_text(found))
+    Console(width=110, highlight=False, markup=False).print(optimum_text(found))
 
 
 def optimum_text(found: Optimum) -> RenderableType:

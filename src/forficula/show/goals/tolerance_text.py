@@ -15,7 +15,7 @@ from forficula.show.study.factor_text import key_text
 
 def print_tolerance(found: Tolerance) -> None:
     """Print what `tolerance_text` lays out."""
-    Console(width=110, highlight=False).print(tolerance_text(found))
+    Console(width=110, highlight=False, markup=False).print(tolerance_text(found))
 
 
 def tolerance_text(found: Tolerance) -> RenderableType:

@@ -185,6 +185,8 @@ def _facts_table(results: Dataset) -> str:
         share = float(met[drawn, number].mean()) if drawn.any() else 0.0
         ends = (share, share)
         if "met_share_low" in results:
+            # of those that tell
+            share = float(results["met_share"].values[number])
             ends = (float(results["met_share_low"].values[number]), float(results["met_share_high"].values[number]))
         far = distance[drawn, number]
         unit = _text(results, "fact_units", number)
