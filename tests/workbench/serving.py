@@ -57,11 +57,11 @@ class Served:
 
 
 @contextmanager
-def serving(*arguments, folder):
-    """Open a workbench with these arguments of the command line."""
+def serving(*arguments, folder, quietly=True):
+    """Open a workbench with these arguments of the command line, without a browser unless that is wanted."""
     import forficula
 
-    command = [sys.executable, "-m", "forficula", "open", *arguments, "--no-browser"]
+    command = [sys.executable, "-m", "forficula", "open", *arguments, *["--no-browser"] * quietly]
     # wherever it begins, it is this package
     environment = os.environ | {"PYTHONPATH": str(Path(forficula.__file__).parents[1])}
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}

@@ -5,6 +5,7 @@ import json
 import signal
 import socket
 import sys
+import time
 
 import pytest
 
@@ -228,6 +229,18 @@ def test_ctrl_c_ends_it_in_the_midst_of_work_with_one_line(tmp_path):
     assert code == 130
     assert errors.splitlines() == ["forficula: stopped"]
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="there BROWSER names the browser")
+def test_it_is_shown_in_the_browser_unless_that_is_not_wanted(tmp_path, monkeypatch):
+    (tmp_path / "browser.py").write_text("import sys, pathlib; pathlib.Path('shown').write_text(sys.argv[1])", "utf-8")
+    monkeypatch.setenv("BROWSER", f"{sys.executable} {tmp_path / 'browser.py'} %s")
+    with serving("letter-fold", folder=tmp_path, quietly=False) as served:
+        end = time.monotonic() + SECONDS
+        while not (tmp_path / "shown").exists() or not (tmp_path / "shown").read_text():
+            assert time.monotonic() < end
+            time.sleep(0.05)
+        assert (tmp_path / "shown").read_text() == served.address
 
 
 def test_a_port_that_is_taken_is_named(capsys):

@@ -16,10 +16,12 @@ export function makeFile(build) {
     make("p", { className: "choices" }, button),
   );
   button.addEventListener("click", () => build(text.value));
+  let last = "";
   return {
     element,
-    show: (told) => {
-      text.value = told.text;
+    /** Show a design's file; what was written by hand stays where that is the one that was shown. */
+    show(told) {
+      if (told.text !== last) text.value = last = told.text;
     },
   };
 }

@@ -12,6 +12,7 @@ export function makeSheet(asked) {
   /** Draw what is asked now, unless that is what is seen. */
   async function seen() {
     const wanted = asked();
+    if (!wanted) return;
     const key = JSON.stringify(wanted);
     if (key === drawn) return;
     drawn = key;

@@ -10,6 +10,7 @@ from forficula.analysis import measure
 from forficula.design import design_from_text
 from forficula.study.runs import run
 from tests.show.page.conftest import DEFAULTS, until
+from tests.show.page.keyboard import walk
 from tests.show.page.test_accessible_pages import ALL, CONTRAST, asked
 from tests.workbench.serving import SECONDS, serving
 from tests.workbench.test_server import SQUARE
@@ -242,6 +243,8 @@ def test_the_design_file_is_written_by_hand(bench):
     area.fill("diameter = ")
     bench.press("Build what stands here")
     bench.settled()
+    # there to be mended
+    assert area.input_value() == "diameter = "
     assert "is not opened" in bench.alert()
     assert bench.design().vein.diameter == pytest.approx(4e-3)
 
@@ -279,6 +282,16 @@ def test_views_are_chosen_and_keys_changed_by_keyboard_alone(bench):
     until(page, "forficula.asked.settings['pattern.sector_angle'] === '21 deg'", SECONDS)
     # and the keyboard is where it was
     assert page.evaluate("document.activeElement.dataset.key") == "pattern.sector_angle"
+
+
+@pytest.mark.parametrize(("key", "width"), [("Tab", 1280), ("Shift+Tab", 390)])
+def test_the_keyboard_reaches_every_field_and_shows_where_it_is(bench, key, width):
+    bench.page.set_viewport_size({"width": width, "height": 844})
+    stops = walk(bench, key)
+    assert [stop["what"] for stop in stops if not (stop["ringed"] and stop["clear"])] == []
+    fields = bench.page.locator("[data-key]:visible").count()
+    assert fields > 10
+    assert sum('id="key-' in stop["what"] for stop in stops) == fields
 
 
 @pytest.mark.parametrize(
